@@ -1,0 +1,46 @@
+//! The laws that make a field, as checks that a test runs over every field of the workbench.
+
+use crate::{Circle, Scalar};
+
+/// The laws of a field at three of its numbers: pairs of sides that must agree, each with its name.
+///
+/// `a`, `b`, `c` must be different from zero where the field can tell; the caller compares the sides with the
+/// equality of the field (exact, normal form, or to rounding).
+pub fn field_laws<S: Scalar>(a: S, b: S, c: S) -> Vec<(&'static str, S, S)> {
+    let (zero, one) = (S::zero(), S::one());
+    vec![
+        ("a + b = b + a", a + b, b + a),
+        ("(a + b) + c = a + (b + c)", (a + b) + c, a + (b + c)),
+        ("a + 0 = a", a + zero, a),
+        ("a - a = 0", a - a, zero),
+        ("a - b = a + (-b)", a - b, a + -b),
+        ("a b = b a", a * b, b * a),
+        ("(a b) c = a (b c)", (a * b) * c, a * (b * c)),
+        ("a 1 = a", a * one, a),
+        ("a (b + c) = a b + a c", a * (b + c), a * b + a * c),
+        ("a / a = 1", a / a, one),
+        ("(a / b) b = a", (a / b) * b, a),
+        ("a / (b / c) = a c / b", a / (b / c), a * c / b),
+        ("2 = 1 + 1", S::int(2), one + one),
+        ("3/7 * 7 = 3", S::ratio(3, 7) * S::int(7), S::int(3)),
+        ("half + half = whole", a.half() + a.half(), a),
+        ("square", a.squared(), a * a),
+    ]
+}
+
+/// The laws of circle points at two of them, given by their half tangents.
+pub fn circle_laws<S: Scalar>(t: S, u: S) -> Vec<(&'static str, S, S)> {
+    let (p, q) = (Circle::from_half_tangent(t), Circle::from_half_tangent(u));
+    let sum = p + q;
+    let back = sum - q;
+    vec![
+        ("on the circle", p.defect(), S::zero()),
+        ("sum on the circle", sum.defect(), S::zero()),
+        ("cosine of the sum is symmetric", sum.cos, (q + p).cos),
+        ("p + q - q = p (cos)", back.cos, p.cos),
+        ("p + q - q = p (sin)", back.sin, p.sin),
+        ("p - p = 0", (p - p).cos, S::one()),
+        ("d cos = -sin", p.moving(S::one()).cos.slope, -p.sin),
+        ("d sin = cos", p.moving(S::one()).sin.slope, p.cos),
+    ]
+}

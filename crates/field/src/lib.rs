@@ -1,0 +1,31 @@
+//! The fields over which every law of the workbench is evaluated.
+//!
+//! # Overview
+//! A law is a function generic over [`Scalar`]: field operations and exact constants, *no comparison*, so that no law
+//! can branch on a value. Angles enter as points ([`Circle`]) of the unit circle, so that laws stay algebraic.
+//!
+//! | field | gives |
+//! |---|---|
+//! | `f64` | the simulation |
+//! | [`Tangent`] over any field, num-dual's duals over `f64` | derivatives, forward mode |
+//! | [`Rational`] | exact points and counterexamples |
+//! | [`DoubleDouble`] | reference solutions |
+//! | `Sym` (crate `symbolic`) | proofs, printing, straight-line code |
+//!
+//! Key results: one suite of field laws ([`laws`]) that every field passes.
+
+pub mod laws;
+
+mod circle;
+mod duals;
+mod rational;
+mod scalar;
+mod tangent;
+
+pub use circle::Circle;
+pub use rational::Rational;
+pub use scalar::{Analytic, Base, Over, Scalar};
+pub use tangent::Tangent;
+
+/// Twice the precision of `f64`: an unevaluated sum of two, 106 bits, relative error about 4e-32.
+pub type DoubleDouble = xprec::Df64;

@@ -1,0 +1,113 @@
+//! What a law may ask of a number.
+
+use num_traits::{NumAssignOps, NumOps, One, Zero};
+use std::fmt::Debug;
+use std::ops::Neg;
+use xprec::Df64;
+
+use crate::Circle;
+
+/// A number of some field: operations and exact constants, no order, no rounding to `f64`.
+pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + NumAssignOps + Neg<Output = Self> {
+    /// The quotient of two integers, as exactly as the field holds it. `denominator` must not be zero.
+    fn ratio(numerator: i64, denominator: i64) -> Self;
+
+    /// An integer.
+    fn int(n: i64) -> Self {
+        Self::ratio(n, 1)
+    }
+
+    /// x / 2.
+    fn half(self) -> Self {
+        self * Self::ratio(1, 2)
+    }
+
+    /// x^2.
+    fn squared(self) -> Self {
+        self * self
+    }
+}
+
+/// A field in which parameters are given: not itself an extension of another by derivatives.
+pub trait Base: Scalar {}
+
+/// A field that contains the base field `P`: laws hold their parameters in `P` and run over any `S: Over<P>`.
+pub trait Over<P: Base>: Scalar {
+    /// The same number, seen in the larger field (its derivatives are zero).
+    fn lift(parameter: P) -> Self;
+}
+
+/// A field with square roots and with the circle point of an angle.
+pub trait Analytic: Scalar {
+    /// (cos x, sin x) of an angle in radians.
+    fn circle(self) -> Circle<Self>;
+    /// The non-negative square root.
+    fn sqrt(self) -> Self;
+}
+
+impl Scalar for f64 {
+    fn ratio(numerator: i64, denominator: i64) -> Self {
+        numerator as f64 / denominator as f64
+    }
+}
+
+impl Base for f64 {}
+
+impl Over<f64> for f64 {
+    #[inline]
+    fn lift(parameter: f64) -> Self {
+        parameter
+    }
+}
+
+impl Analytic for f64 {
+    #[inline]
+    fn circle(self) -> Circle<Self> {
+        let (sin, cos) = self.sin_cos();
+        Circle { cos, sin }
+    }
+
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+}
+
+impl Scalar for Df64 {
+    fn ratio(numerator: i64, denominator: i64) -> Self {
+        exact_integer(numerator) / exact_integer(denominator)
+    }
+}
+
+impl Base for Df64 {}
+
+impl Over<Df64> for Df64 {
+    #[inline]
+    fn lift(parameter: Df64) -> Self {
+        parameter
+    }
+}
+
+/// Data read as `f64` are exact in double-double.
+impl Over<f64> for Df64 {
+    #[inline]
+    fn lift(parameter: f64) -> Self {
+        Df64::from(parameter)
+    }
+}
+
+impl Analytic for Df64 {
+    fn circle(self) -> Circle<Self> {
+        let (sin, cos) = num_traits::Float::sin_cos(self);
+        Circle { cos, sin }
+    }
+
+    fn sqrt(self) -> Self {
+        num_traits::Float::sqrt(self)
+    }
+}
+
+/// An `i64` has up to 63 bits: its halves are exact in `f64`, and their sum in double-double.
+fn exact_integer(n: i64) -> Df64 {
+    let low = n & 0xffff_ffff;
+    Df64::from((n - low) as f64) + Df64::from(low as f64)
+}
