@@ -1,1 +1,9 @@
+//! The content of the workbench: systems, machines (motors), the papers' equations as claims, scenes.
+//!
+//! # Overview
+//! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
+//! * [`machines`]: electric motors, each one file of energies and laws of force;
+//! * `papers`: a paper a folder, its numbered equations as claims in the paper's own order and letters.
 
+pub mod machines;
+pub mod systems;

@@ -29,10 +29,10 @@ pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + Num
 }
 
 /// A field in which parameters are given: not itself an extension of another by derivatives.
-pub trait Base: Scalar {}
+pub trait Base: Over<Self> {}
 
 /// A field that contains the base field `P`: laws hold their parameters in `P` and run over any `S: Over<P>`.
-pub trait Over<P: Base>: Scalar {
+pub trait Over<P: Scalar>: Scalar {
     /// The same number, seen in the larger field (its derivatives are zero).
     fn lift(parameter: P) -> Self;
 }

@@ -1,1 +1,23 @@
+//! The principles of mechanics over any field.
+//!
+//! # Overview
+//! A system is given by its energies as laws generic over the scalar. Each principle turns them into equations of
+//! motion by forward-mode differentiation ([`field::Tangent`]); none of them names a system or contains a formula of one.
+//!
+//! | principle | from | module |
+//! |---|---|---|
+//! | Lagrange II | L(q, q') | [`lagrange`] |
+//! | Lagrange in quasi-velocities (Boltzmann, Hamel) | T(q, w), w = W(q) q' | [`hamel`] |
+//! | Appell | the acceleration energy S of the mass points | [`appell`] |
+//! | angular momentum | the moment of momentum of the mass points | [`momentum`] |
+//!
+//! Each returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side that runs is
+//! one of the forms; that it makes every residual vanish is a claim, and is proved.
 
+pub mod appell;
+pub mod differentiate;
+pub mod hamel;
+pub mod lagrange;
+pub mod mass;
+pub mod momentum;
+pub mod rotation;

@@ -1,0 +1,75 @@
+//! Orientation of a body, minimal coordinates of SO(3) and the kinematics that follow from them.
+
+use crate::differentiate::{along, unit};
+use field::{Analytic, Circle, Scalar, Tangent};
+use nalgebra::{Matrix3, Vector3};
+
+/// The rotation matrix of Euler's angles (precession, nutation, spin; axes 3-1-3): columns are the body's axes in space.
+pub fn euler<S: Analytic>([precession, nutation, spin]: [S; 3]) -> Matrix3<S> {
+    about_third(precession.circle()) * about_first(nutation.circle()) * about_third(spin.circle())
+}
+
+/// The rotation matrix of a quaternion of any length but zero: rational, and onto SO(3).
+pub fn quaternion<S: Scalar>([a, b, c, d]: [S; 4]) -> Matrix3<S> {
+    let norm = a * a + b * b + c * c + d * d;
+    let two = S::int(2);
+    Matrix3::new(
+        a * a + b * b - c * c - d * d,
+        two * (b * c - a * d),
+        two * (b * d + a * c),
+        two * (b * c + a * d),
+        a * a - b * b + c * c - d * d,
+        two * (c * d - a * b),
+        two * (b * d - a * c),
+        two * (c * d + a * b),
+        a * a - b * b - c * c + d * d,
+    ) / norm
+}
+
+/// The angular velocity in body components, from R along the motion: [w] = R^T R'.
+pub fn angular_velocity<S: Scalar>(rotation: Matrix3<Tangent<S>>) -> Vector3<S> {
+    let turn = rotation.map(|x| x.value).transpose() * rotation.map(|x| x.slope);
+    Vector3::new(turn[(2, 1)], turn[(0, 2)], turn[(1, 0)])
+}
+
+/// W(q) of Euler's angles: w = W q' in body components. Singular where the nutation has sine zero.
+pub fn euler_forms<S: Analytic>(angles: [S; 3]) -> Matrix3<S> {
+    let columns: [Vector3<S>; 3] = std::array::from_fn(|i| angular_velocity(euler(along(angles, unit(i)))));
+    Matrix3::from_columns(&columns)
+}
+
+/// The vertical of space (third axis) in body components.
+pub fn vertical<S: Scalar>(rotation: &Matrix3<S>) -> Vector3<S> {
+    rotation.row(2).transpose()
+}
+
+/// The inverse by the adjugate, without choosing a pivot; the determinant stands in the denominator.
+pub fn inverse<S: Scalar>(m: &Matrix3<S>) -> Matrix3<S> {
+    adjugate(m) / determinant(m)
+}
+
+/// The adjugate: m adj(m) = det(m).
+pub fn adjugate<S: Scalar>(m: &Matrix3<S>) -> Matrix3<S> {
+    let (a, b, c) = (m.row(0).transpose(), m.row(1).transpose(), m.row(2).transpose());
+    Matrix3::from_columns(&[b.cross(&c), c.cross(&a), a.cross(&b)])
+}
+
+/// The determinant as a triple product.
+pub fn determinant<S: Scalar>(m: &Matrix3<S>) -> S {
+    m.column(0).dot(&m.column(1).cross(&m.column(2)))
+}
+
+/// The rate of a fixed direction of space in body components: v' = v x w.
+pub fn fixed_direction_rate<S: Scalar>(direction: Vector3<S>, angular_velocity: Vector3<S>) -> Vector3<S> {
+    direction.cross(&angular_velocity)
+}
+
+fn about_third<S: Scalar>(p: Circle<S>) -> Matrix3<S> {
+    let (o, l) = (S::zero(), S::one());
+    Matrix3::new(p.cos, -p.sin, o, p.sin, p.cos, o, o, o, l)
+}
+
+fn about_first<S: Scalar>(p: Circle<S>) -> Matrix3<S> {
+    let (o, l) = (S::zero(), S::one());
+    Matrix3::new(l, o, o, o, p.cos, -p.sin, o, p.sin, p.cos)
+}

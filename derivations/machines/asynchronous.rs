@@ -1,0 +1,37 @@
+//! The asynchronous motor without currents, moment linear in the slip.
+
+use super::{Catalogued, Machine, RotorState, Source};
+use field::{Base, Over};
+
+crate::quantities! {
+    /// m = -k (phi' - W) - f phi'.
+    pub struct Asynchronous {
+        /// speed of the stator's field
+        field_speed: "rad/s",
+        /// slope of the moment against slip
+        k: "N m s",
+        /// viscous friction in the bearings
+        f: "N m s",
+    }
+}
+
+impl<P: Base> Machine<P> for Asynchronous<P> {
+    const ROTOR: RotorState = RotorState::Speed;
+
+    fn frame_speed(&self) -> P {
+        self.field_speed
+    }
+
+    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        let Asynchronous { k, f, .. } = self.map(S::lift);
+        -(k * slip + f * speed)
+    }
+}
+
+impl Catalogued for Asynchronous<f64> {
+    const SUMMARY: &'static str = "asynchronous without currents, moment linear in the slip";
+
+    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+        Asynchronous::read(|quantity| source.quantity(quantity))
+    }
+}

@@ -1,0 +1,72 @@
+//! The damper's bars lumped, without any loss, into as many windings as they can act through.
+//!
+//! A bar at the angle t_n acts on the rotor only through its direction u_n = (cos t_n, sin t_n). With the sums
+//! X = sum i_n cos t_n, Y = sum i_n sin t_n the moment of the damper is -a2 (X cos g - Y sin g), and
+//!
+//!   L2 (X, Y)' = -R2 (X, Y) + a2 g' G (cos g, -sin g) ,    G = sum u_n u_n^T .
+//!
+//! These close whatever the angles are. N evenly spaced bars have G = N/2 times the identity from N = 3 on: two equal
+//! windings across each other, with flux a2 sqrt(N/2). For N = 1 and N = 2 all bars lie along one line: G has rank one
+//! and one winding, with flux a2 sqrt(N), does the same. The other N - 2 (for N = 2: one) combinations of the currents
+//! feel no field, do no work, and die out as exp(-R2 t / L2).
+
+use super::multi_current::{MultiCurrent, Windings};
+use super::{Catalogued, Machine, RotorState, Source};
+use field::{Analytic, Base, Circle, Over};
+
+/// One or two circuits in the place of N evenly spaced bars: a motor with fewer bars and more flux.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EquivalentWindings<P>(MultiCurrent<P>);
+
+impl<P: Base + Analytic> EquivalentWindings<P> {
+    /// The equivalent of `bars` evenly spaced bars of which one stands at the angle `bar`.
+    pub fn new(windings: Windings<P>, bars: usize, bar: Circle<P>) -> Self {
+        let lines = if bars < 3 { 1 } else { 2 };
+        let a2 = windings.a2 * (P::int(bars as i64) / P::int(lines as i64)).sqrt();
+        let quarter = Circle { cos: P::zero(), sin: P::one() };
+        let bars = [bar, bar + quarter].into_iter().take(lines).collect();
+        EquivalentWindings(MultiCurrent { windings: Windings { a2, ..windings }, bars })
+    }
+}
+
+impl<P: Base> Machine<P> for EquivalentWindings<P> {
+    const ROTOR: RotorState = RotorState::AngleAndSpeed;
+
+    fn frame_speed(&self) -> P {
+        self.0.frame_speed()
+    }
+
+    fn windings(&self) -> usize {
+        self.0.windings()
+    }
+
+    fn inductance(&self, winding: usize) -> P {
+        self.0.inductance(winding)
+    }
+
+    fn resistance(&self, winding: usize) -> P {
+        self.0.resistance(winding)
+    }
+
+    fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
+        self.0.linkage(winding, angle)
+    }
+
+    fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
+        self.0.field_energy(angle)
+    }
+
+    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        self.0.moment_law(slip, speed)
+    }
+}
+
+impl Catalogued for EquivalentWindings<f64> {
+    const SUMMARY: &'static str = "synchronous with the damper's bars as one or two equivalent windings";
+
+    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+        let windings = Windings::read(|quantity| source.quantity(quantity))?;
+        let bars = source.count("bars", "number of bars that the windings stand for")?;
+        Ok(Self::new(windings, bars, -Circle::turn(1, 8)))
+    }
+}

@@ -1,0 +1,41 @@
+//! The asynchronous motor without currents, moment after Kloss.
+
+use super::{Catalogued, Machine, RotorState, Source};
+use field::{Base, Over};
+
+crate::quantities! {
+    /// With the slip ratio s = (W - phi') / W: m = 2 m_k s s_k / (s^2 + s_k^2) - f phi'. The moment of the motor falls
+    /// again beyond the slip s_k, so the sum with friction can vanish at up to three speeds.
+    pub struct Kloss {
+        /// speed of the stator's field
+        field_speed: "rad/s",
+        /// pull-out moment
+        pull_out: "N m",
+        /// slip ratio at the pull-out moment
+        pull_out_slip: "1",
+        /// viscous friction in the bearings
+        f: "N m s",
+    }
+}
+
+impl<P: Base> Machine<P> for Kloss<P> {
+    const ROTOR: RotorState = RotorState::Speed;
+
+    fn frame_speed(&self) -> P {
+        self.field_speed
+    }
+
+    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        let Kloss { field_speed, pull_out, pull_out_slip, f } = self.map(S::lift);
+        let s = -slip / field_speed;
+        S::int(2) * pull_out * s * pull_out_slip / (s * s + pull_out_slip * pull_out_slip) - f * speed
+    }
+}
+
+impl Catalogued for Kloss<f64> {
+    const SUMMARY: &'static str = "asynchronous without currents, moment after Kloss";
+
+    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+        Kloss::read(|quantity| source.quantity(quantity))
+    }
+}

@@ -1,0 +1,83 @@
+//! Electric motors: one file each, of energies and laws of force.
+//!
+//! # Overview
+//! The models form a ladder, from a rotor that simply turns to one with every bar of its damper:
+//! [`constant_speed`], [`free_rotor`], [`asynchronous`] and [`kloss`] (moment a function of slip), [`synchronous`]
+//! (moment a function of the angle), [`equivalent_windings`] (damper as two currents), [`multi_current`] (all bars).
+//! [`Machine`] is what each implements; moment, currents, energies and power balance are derived from it.
+//!
+//! To add a motor: one file here, and one line in the list below.
+
+mod machine;
+mod quantity;
+
+pub use machine::{Bench, Machine, RotorState, drive, heat, stored_energy};
+pub use quantity::Quantity;
+
+/// Where the data of a machine come from: a scene file, or a test.
+pub trait Source {
+    /// Why a datum could not be had.
+    type Error;
+    /// A parameter in SI units.
+    fn quantity(&mut self, quantity: &'static Quantity) -> Result<f64, Self::Error>;
+    /// A whole number of at least one.
+    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, Self::Error>;
+}
+
+/// A machine that can be named in a scene file.
+pub trait Catalogued: Machine<f64> + Sized {
+    /// One line for lists and reports.
+    const SUMMARY: &'static str;
+    /// Reads the parameters.
+    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E>;
+}
+
+/// What can be done with any machine, written once for all of them.
+pub trait ForMachine {
+    type Output;
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output;
+}
+
+macro_rules! machines {
+    ($(mod $module:ident : $machine:ident;)*) => {
+        $(pub mod $module;)*
+
+        /// Every machine by the name that scene files use.
+        #[derive(Clone, Debug)]
+        pub enum AnyMachine { $($machine($module::$machine<f64>)),* }
+
+        impl AnyMachine {
+            /// (name, summary) of each.
+            pub const LIST: &'static [(&'static str, &'static str)] =
+                &[$((stringify!($module), <$module::$machine<f64> as Catalogued>::SUMMARY)),*];
+
+            /// Reads the machine of a name; `None` where there is no such machine.
+            pub fn read<E>(name: &str, source: &mut impl Source<Error = E>) -> Option<Result<Self, E>> {
+                match name {
+                    $(stringify!($module) => Some(Catalogued::read(source).map(Self::$machine)),)*
+                    _ => None,
+                }
+            }
+
+            /// The name that scene files use.
+            pub fn name(&self) -> &'static str {
+                match self { $(Self::$machine(_) => stringify!($module)),* }
+            }
+
+            /// Applies a task that works for any machine.
+            pub fn apply<T: ForMachine>(self, task: T) -> T::Output {
+                match self { $(Self::$machine(machine) => task.apply(machine)),* }
+            }
+        }
+    };
+}
+
+machines! {
+    mod constant_speed: ConstantSpeed;
+    mod free_rotor: FreeRotor;
+    mod asynchronous: Asynchronous;
+    mod kloss: Kloss;
+    mod synchronous: Synchronous;
+    mod equivalent_windings: EquivalentWindings;
+    mod multi_current: MultiCurrent;
+}

@@ -1,0 +1,92 @@
+//! The synchronous motor with the current of the excitation and of every bar of the damper, after Leonov and Zaretskii.
+
+use super::{Catalogued, Machine, RotorState, Source};
+use field::{Base, Circle, Over};
+
+crate::quantities! {
+    /// The electric and mechanical constants; the equivalent windings use the same.
+    pub struct Windings {
+        /// speed of the stator's field
+        field_speed: "rad/s",
+        /// greatest moment of the field on the rotor with the constant part of the excitation
+        b0: "N m",
+        /// flux of the field through the excitation winding
+        a1: "Wb",
+        /// inductance of the excitation winding
+        l1: "H",
+        /// resistance of the excitation winding
+        r1: "ohm",
+        /// flux of the field through a bar's circuit
+        a2: "Wb",
+        /// inductance of a bar's circuit
+        l2: "H",
+        /// resistance of a bar's circuit
+        r2: "ohm",
+        /// damping proportional to the slip
+        mu: "N m s",
+        /// viscous friction in the bearings
+        f: "N m s",
+    }
+}
+
+/// psi_1 = a1 cos g for the excitation (x is its current less the constant part), psi_n = -a2 sin(g + t_n) for the bar
+/// that stands at the angle t_n on the rotor; U = -b0 cos g; m = -mu g' - f phi'.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MultiCurrent<P> {
+    pub windings: Windings<P>,
+    /// t_n; the paper's are -pi/4 + 2 pi n/N
+    pub bars: Vec<Circle<P>>,
+}
+
+impl MultiCurrent<f64> {
+    /// N bars evenly round the rotor.
+    pub fn evenly(windings: Windings<f64>, bars: usize) -> Self {
+        let whole = u32::try_from(bars).unwrap_or(u32::MAX);
+        let bars = (1..=whole).map(|n| Circle::turn(n, whole) - Circle::turn(1, 8)).collect();
+        MultiCurrent { windings, bars }
+    }
+}
+
+impl<P: Base> Machine<P> for MultiCurrent<P> {
+    const ROTOR: RotorState = RotorState::AngleAndSpeed;
+
+    fn frame_speed(&self) -> P {
+        self.windings.field_speed
+    }
+
+    fn windings(&self) -> usize {
+        1 + self.bars.len()
+    }
+
+    fn inductance(&self, winding: usize) -> P {
+        if winding == 0 { self.windings.l1 } else { self.windings.l2 }
+    }
+
+    fn resistance(&self, winding: usize) -> P {
+        if winding == 0 { self.windings.r1 } else { self.windings.r2 }
+    }
+
+    fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
+        match winding.checked_sub(1).and_then(|n| self.bars.get(n)) {
+            Some(bar) => -S::lift(self.windings.a2) * (angle + bar.map(S::lift)).sin,
+            None => S::lift(self.windings.a1) * angle.cos,
+        }
+    }
+
+    fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
+        -S::lift(self.windings.b0) * angle.cos
+    }
+
+    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        -(S::lift(self.windings.mu) * slip + S::lift(self.windings.f) * speed)
+    }
+}
+
+impl Catalogued for MultiCurrent<f64> {
+    const SUMMARY: &'static str = "synchronous with the currents of the excitation and of every damper bar";
+
+    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+        let windings = Windings::read(|quantity| source.quantity(quantity))?;
+        Ok(Self::evenly(windings, source.count("bars", "number of bars of the damper")?))
+    }
+}

@@ -1,0 +1,40 @@
+//! The synchronous motor without currents.
+
+use super::{Catalogued, Machine, RotorState, Source};
+use field::{Base, Circle, Over};
+
+crate::quantities! {
+    /// A magnetised rotor in the turning field: U = -b0 cos g; friction m = -f phi'.
+    pub struct Synchronous {
+        /// speed of the stator's field
+        field_speed: "rad/s",
+        /// greatest moment of the field on the rotor
+        b0: "N m",
+        /// viscous friction in the bearings
+        f: "N m s",
+    }
+}
+
+impl<P: Base> Machine<P> for Synchronous<P> {
+    const ROTOR: RotorState = RotorState::AngleAndSpeed;
+
+    fn frame_speed(&self) -> P {
+        self.field_speed
+    }
+
+    fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
+        -S::lift(self.b0) * angle.cos
+    }
+
+    fn moment_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
+        -S::lift(self.f) * speed
+    }
+}
+
+impl Catalogued for Synchronous<f64> {
+    const SUMMARY: &'static str = "synchronous without currents";
+
+    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+        Synchronous::read(|quantity| source.quantity(quantity))
+    }
+}

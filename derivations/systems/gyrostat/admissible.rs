@@ -1,0 +1,148 @@
+//! Which data belong to bodies that can exist.
+
+use super::Gyrostat;
+use nalgebra::{Matrix3, Vector3};
+use std::fmt;
+
+/// How far from equality (relative to the size of the tensor) a condition may be missed by rounding of the input.
+const ROUNDING: f64 = 1e-12;
+
+/// A condition that the data break: which, and by what value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Inadmissible {
+    /// A datum is infinite or no number.
+    NotFinite { quantity: &'static str, value: f64 },
+    /// A datum must be positive.
+    NotPositive { quantity: &'static str, value: f64 },
+    /// The acceleration of gravity may be zero, not negative.
+    NegativeGravity { value: f64 },
+    /// l is no unit vector.
+    AxisNotUnit { length: f64 },
+    /// The carrier's tensor is not symmetric.
+    NotSymmetric { row: usize, column: usize, difference: f64 },
+    /// The carrier's tensor has a negative principal moment.
+    Indefinite { moment: f64 },
+    /// One principal moment of the carrier exceeds the sum of the other two.
+    Triangle { about: &'static str, largest: f64, sum_of_others: f64 },
+    /// A' > 2 B'.
+    RotorTriangle { axial: f64, twice_transverse: f64 },
+}
+
+impl fmt::Display for Inadmissible {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { quantity, value } => write!(f, "{quantity} is {value}: a finite number is needed"),
+            Self::NotPositive { quantity, value } => write!(f, "{quantity} > 0 is broken: it is {value}"),
+            Self::NegativeGravity { value } => {
+                write!(f, "g >= 0 is broken: it is {value}; the vertical already points downwards")
+            }
+            Self::AxisNotUnit { length } => {
+                write!(f, "|l| = 1 is broken: the rotor's axis has length {length}; divide its components by that")
+            }
+            Self::NotSymmetric { row, column, difference } => {
+                write!(f, "A0[{row}][{column}] = A0[{column}][{row}] is broken: they differ by {difference:e}")
+            }
+            Self::Indefinite { moment } => {
+                write!(f, "A0 positive is broken: its smallest principal moment is {moment:e} kg m^2")
+            }
+            Self::Triangle { about, largest, sum_of_others } => write!(
+                f,
+                "the triangle inequality J1 <= J2 + J3 of the carrier's tensor about {about} is broken: \
+                 {largest:e} > {sum_of_others:e} kg m^2; no body has such a tensor"
+            ),
+            Self::RotorTriangle { axial, twice_transverse } => {
+                write!(
+                    f,
+                    "A' <= 2 B' is broken: {axial:e} > {twice_transverse:e} kg m^2; no balanced rotor has such moments"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for Inadmissible {}
+
+impl Gyrostat<f64> {
+    /// Checks that both bodies can exist; every condition that is broken comes back, not only the first.
+    pub fn admissible(&self) -> Result<(), Vec<Inadmissible>> {
+        let mut broken = self.not_finite();
+        if broken.is_empty() {
+            self.check_scalars(&mut broken);
+            self.check_carrier(&mut broken);
+        }
+        if broken.is_empty() { Ok(()) } else { Err(broken) }
+    }
+
+    fn not_finite(&self) -> Vec<Inadmissible> {
+        let (carrier, rotor) = (&self.carrier, &self.rotor);
+        let scalars = [
+            ("m0", carrier.mass),
+            ("m'", rotor.mass),
+            ("A'", rotor.axial),
+            ("B'", rotor.transverse),
+            ("g", self.gravity),
+        ];
+        let vectors = [("c0", carrier.centre), ("h", rotor.centre), ("l", rotor.axis)];
+        scalars
+            .into_iter()
+            .chain(vectors.into_iter().flat_map(|(name, v)| [v.x, v.y, v.z].map(|x| (name, x))))
+            .chain(carrier.inertia.iter().map(|&x| ("A0", x)))
+            .filter(|(_, value)| !value.is_finite())
+            .map(|(quantity, value)| Inadmissible::NotFinite { quantity, value })
+            .collect()
+    }
+
+    fn check_scalars(&self, broken: &mut Vec<Inadmissible>) {
+        let rotor = &self.rotor;
+        for (quantity, value) in
+            [("m0", self.carrier.mass), ("m'", rotor.mass), ("A'", rotor.axial), ("B'", rotor.transverse)]
+        {
+            if value <= 0.0 {
+                broken.push(Inadmissible::NotPositive { quantity, value });
+            }
+        }
+        if self.gravity < 0.0 {
+            broken.push(Inadmissible::NegativeGravity { value: self.gravity });
+        }
+        let length = rotor.axis.norm();
+        if (length - 1.0).abs() > ROUNDING {
+            broken.push(Inadmissible::AxisNotUnit { length });
+        }
+        if rotor.axial > 2.0 * rotor.transverse * (1.0 + ROUNDING) {
+            broken.push(Inadmissible::RotorTriangle { axial: rotor.axial, twice_transverse: 2.0 * rotor.transverse });
+        }
+    }
+
+    /// The tensor about O, and what it leaves about the centre of mass, must both be tensors of bodies.
+    fn check_carrier(&self, broken: &mut Vec<Inadmissible>) {
+        let tensor = self.carrier.inertia;
+        let size = tensor.norm();
+        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+            let difference = tensor[(row, column)] - tensor[(column, row)];
+            if difference.abs() > ROUNDING * size {
+                broken.push(Inadmissible::NotSymmetric { row: row + 1, column: column + 1, difference });
+            }
+        }
+        if !broken.is_empty() {
+            return;
+        }
+        let (m, c) = (self.carrier.mass, self.carrier.centre);
+        let central = tensor - (Matrix3::identity() * c.dot(&c) - c * c.transpose()) * m;
+        for (about, tensor) in [("O", tensor), ("its centre of mass", central)] {
+            let mut moments: Vector3<f64> = tensor.symmetric_eigenvalues();
+            moments.as_mut_slice().sort_by(f64::total_cmp);
+            if about == "O" && moments[0] < -ROUNDING * size {
+                broken.push(Inadmissible::Indefinite { moment: moments[0] });
+                return;
+            }
+            if moments[2] > moments[0] + moments[1] + ROUNDING * size {
+                broken.push(Inadmissible::Triangle {
+                    about,
+                    largest: moments[2],
+                    sum_of_others: moments[0] + moments[1],
+                });
+                return;
+            }
+        }
+    }
+}

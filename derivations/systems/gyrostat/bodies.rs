@@ -1,0 +1,128 @@
+//! The bodies of the gyrostat and their energies.
+
+use field::{Base, Over, Scalar};
+use mechanics::mass::{AffineField, MassMoments};
+use nalgebra::{Matrix3, Vector3};
+
+/// The body with the fixed point O.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Carrier<P: Scalar> {
+    /// m0, kg
+    pub mass: P,
+    /// c0 = OC0, m
+    pub centre: Vector3<P>,
+    /// A0, inertia tensor about O, kg m^2 (off-diagonal components carry the minus sign: A12 = -integral of x y dm)
+    pub inertia: Matrix3<P>,
+}
+
+/// The rotor: statically and dynamically balanced about its axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotor<P: Scalar> {
+    /// m', kg
+    pub mass: P,
+    /// h = OC', m
+    pub centre: Vector3<P>,
+    /// l, unit vector of the axis
+    pub axis: Vector3<P>,
+    /// A', moment of inertia about the axis, kg m^2
+    pub axial: P,
+    /// B', moment of inertia about any axis across through C', kg m^2
+    pub transverse: P,
+}
+
+/// The system of both in the field of gravity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gyrostat<P: Scalar> {
+    pub carrier: Carrier<P>,
+    pub rotor: Rotor<P>,
+    /// g, m/s^2
+    pub gravity: P,
+}
+
+impl<P: Base> Gyrostat<P> {
+    /// T = 1/2 w.A0 w + 1/2 m' |w x h|^2 + 1/2 w'.J' w', w' = w + phi' l (Koenig), J.
+    pub fn kinetic_energy<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> S {
+        let Rotor { mass, centre, axis, axial, transverse } = self.rotor.lift::<S>();
+        let centre_velocity = w.cross(&centre);
+        let spin = w + axis * rotor_speed;
+        let along = spin.dot(&axis);
+        let across = spin - axis * along;
+        let carrier = w.dot(&(self.carrier.inertia.map(S::lift) * w));
+        (carrier
+            + mass * centre_velocity.dot(&centre_velocity)
+            + axial * along * along
+            + transverse * across.dot(&across))
+        .half()
+    }
+
+    /// -g v.(m0 c0 + m' h), J.
+    pub fn potential_energy<S: Over<P>>(&self, vertical: Vector3<S>) -> S {
+        -vertical.dot(&self.first_moment().map(S::lift)) * S::lift(self.gravity)
+    }
+
+    /// m0 c0 + m' h, kg m.
+    pub fn first_moment(&self) -> Vector3<P> {
+        self.carrier.centre * self.carrier.mass + self.rotor.centre * self.rotor.mass
+    }
+
+    /// m0 + m', kg.
+    pub fn mass(&self) -> P {
+        self.carrier.mass + self.rotor.mass
+    }
+
+    /// The mass points of the carrier about O.
+    pub fn carrier_points<S: Over<P>>(&self) -> MassMoments<S> {
+        let Carrier { mass, centre, inertia } = &self.carrier;
+        MassMoments::from_inertia(S::lift(*mass), centre.map(S::lift), inertia.map(S::lift))
+    }
+
+    /// The mass points of the rotor about C'. Being balanced, they have the same moments at every angle of the rotor.
+    pub fn rotor_points<S: Over<P>>(&self) -> MassMoments<S> {
+        let Rotor { mass, axis, axial, transverse, .. } = self.rotor.lift::<S>();
+        let along = axis * axis.transpose();
+        let inertia = along * axial + (Matrix3::identity() - along) * transverse;
+        MassMoments::from_inertia(mass, Vector3::zeros(), inertia)
+    }
+
+    /// The velocities of the carrier's points, w x r, and of the rotor's points, w x (h + r) + phi' l x r.
+    pub fn velocities<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> [AffineField<S>; 2] {
+        let rotor = self.rotor.lift::<S>();
+        let (own, rotors) = (AffineField::place(Vector3::zeros()), AffineField::place(rotor.centre));
+        [own.turned(w), rotors.turned(w) + rotors.relative().turned(rotor.axis * rotor_speed)]
+    }
+
+    /// S = 1/2 integral of a.a dm over both bodies, J/s^2: the acceleration energy, from the accelerations of the mass
+    /// points (for the rotor with the terms of Coriolis and of its own rotation).
+    pub fn acceleration_energy<S: Over<P>>(
+        &self,
+        w: Vector3<S>,
+        rotor_speed: S,
+        w_rate: Vector3<S>,
+        rotor_acceleration: S,
+    ) -> S {
+        let rotor = self.rotor.lift::<S>();
+        let (own, place) = (AffineField::place(Vector3::zeros()), AffineField::place(rotor.centre));
+        let relative = place.relative();
+        let spin = rotor.axis * rotor_speed;
+        let carrier = own.turned(w_rate) + own.turned(w).turned(w);
+        let rotors = place.turned(w_rate)
+            + place.turned(w).turned(w)
+            + relative.turned(rotor.axis * rotor_acceleration)
+            + relative.turned(spin).turned(spin)
+            + relative.turned(spin).turned(w * S::int(2));
+        (self.carrier_points::<S>().dot(&carrier, &carrier) + self.rotor_points::<S>().dot(&rotors, &rotors)).half()
+    }
+}
+
+impl<P: Base> Rotor<P> {
+    /// The same rotor seen in a larger field.
+    pub fn lift<S: Over<P>>(&self) -> Rotor<S> {
+        Rotor {
+            mass: S::lift(self.mass),
+            centre: self.centre.map(S::lift),
+            axis: self.axis.map(S::lift),
+            axial: S::lift(self.axial),
+            transverse: S::lift(self.transverse),
+        }
+    }
+}

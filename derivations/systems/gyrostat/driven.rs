@@ -1,0 +1,90 @@
+//! The gyrostat driven by a motor: the system of first-order equations that runs.
+
+use super::forms::Form;
+use crate::machines::{Machine, RotorState, drive, stored_energy};
+use field::{Analytic, Base, Over};
+use nalgebra::Vector3;
+use std::marker::PhantomData;
+
+/// A form of the equations with a machine. The state is (w, v, rotor, currents) in the axes of the form; the rotor's
+/// part is (g, g'), (g') or nothing, as [`RotorState`] says.
+#[derive(Clone, Debug)]
+pub struct Driven<P, F, M> {
+    pub form: F,
+    pub machine: M,
+    field: PhantomData<P>,
+}
+
+impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
+    /// Joins a form and a machine.
+    pub fn new(form: F, machine: M) -> Self {
+        Driven { form, machine, field: PhantomData }
+    }
+
+    /// 6 + the rotor's states + the currents.
+    pub fn dimension(&self) -> usize {
+        6 + M::ROTOR.dimension() + self.machine.windings()
+    }
+
+    /// Names of the states, in order.
+    pub fn names(&self) -> Vec<String> {
+        let rotor: &[&str] = match M::ROTOR {
+            RotorState::Prescribed => &[],
+            RotorState::Speed => &["slip"],
+            RotorState::AngleAndSpeed => &["angle", "slip"],
+        };
+        let mut names: Vec<String> =
+            ["w1", "w2", "w3", "v1", "v2", "v3"].iter().chain(rotor).map(|s| s.to_string()).collect();
+        names.extend((0..self.machine.windings()).map(|k| if k == 0 { "x".into() } else { format!("i{k}") }));
+        names
+    }
+
+    /// The right-hand side. Allocates nothing.
+    #[inline]
+    pub fn rates<S: Over<P> + Analytic>(&self, y: &[S], dy: &mut [S]) {
+        let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
+        let rotor_end = 6 + M::ROTOR.dimension();
+        let (angle, slip) = M::ROTOR.angle_and_slip(&y[6..rotor_end]);
+        let rotor_speed = slip + S::lift(self.machine.frame_speed());
+        let (mechanical, current_rates) = dy.split_at_mut(rotor_end);
+        let moment = drive(&self.machine, angle, slip, &y[rotor_end..], current_rates);
+        let w_rate = if M::ROTOR == RotorState::Prescribed {
+            self.form.prescribed(w, v, rotor_speed).0
+        } else {
+            let (w_rate, rotor_acceleration) = self.form.accelerations(w, v, rotor_speed, moment);
+            M::ROTOR.write(slip, rotor_acceleration, &mut mechanical[6..]);
+            w_rate
+        };
+        let v_rate = v.cross(&w);
+        for i in 0..3 {
+            mechanical[i] = w_rate[i];
+            mechanical[3 + i] = v_rate[i];
+        }
+    }
+
+    /// v.v, which stays 1.
+    pub fn vertical_length<S: Over<P>>(&self, y: &[S]) -> S {
+        let v = Vector3::new(y[3], y[4], y[5]);
+        v.dot(&v)
+    }
+
+    /// x.v, the angular momentum about the vertical, which every machine conserves.
+    pub fn vertical_momentum<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        let v = Vector3::new(y[3], y[4], y[5]);
+        self.form.momentum(Vector3::new(y[0], y[1], y[2]), self.rotor_speed(y)).dot(&v)
+    }
+
+    /// The energy of bodies, weight and circuits.
+    pub fn energy<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        let rotor_end = 6 + M::ROTOR.dimension();
+        let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
+        let (angle, _) = M::ROTOR.angle_and_slip(&y[6..rotor_end]);
+        self.form.energy(w, v, self.rotor_speed(y)) + stored_energy(&self.machine, angle, &y[rotor_end..])
+    }
+
+    /// phi' = g' + W.
+    pub fn rotor_speed<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        let (_, slip) = M::ROTOR.angle_and_slip(&y[6..6 + M::ROTOR.dimension()]);
+        slip + S::lift(self.machine.frame_speed())
+    }
+}

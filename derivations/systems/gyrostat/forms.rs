@@ -1,0 +1,171 @@
+//! The equations of motion solved for the accelerations, in two sets of axes.
+//!
+//! With x the angular momentum about O and Ge the vector of the weight:
+//!
+//! | form | axes | momentum | equations |
+//! |---|---|---|---|
+//! | first | principal axes of A | x = A w + A' p' l, p' = w.l + phi' | A w' = x x w + Ge x v - M l |
+//! | second | principal axes of A* | x = A* w + A' phi' l | A* w' + A' phi'' l = x x w + Ge x v |
+//!
+//! and for both A' (l.w' + phi'') = M. The second divides by D = 1 - A' l.(A*^-1 l).
+
+use super::Gyrostat;
+use field::{Base, Over, Scalar};
+use nalgebra::{Matrix3, Vector3};
+
+/// A way to write the equations of motion: data in its own axes, solved for the accelerations.
+pub trait Form<P: Base> {
+    /// (w', phi'') under the moment M on the rotor.
+    fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S);
+
+    /// w' with the rotor kept at its speed (phi'' = 0), and the moment M that this takes.
+    fn prescribed<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> (Vector3<S>, S);
+
+    /// x, the angular momentum about O.
+    fn momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> Vector3<S>;
+
+    /// T - Ge.v, the mechanical energy.
+    fn energy<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> S;
+}
+
+/// What both forms hold, in their own axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Data<P: Scalar> {
+    /// principal moments of the form's tensor
+    moments: Vector3<P>,
+    /// their reciprocals
+    mobility: Vector3<P>,
+    /// l
+    axis: Vector3<P>,
+    /// A'
+    axial: P,
+    /// Gamma e
+    weight: Vector3<P>,
+}
+
+impl<P: Base> Data<P> {
+    fn new(moments: Vector3<P>, axis: Vector3<P>, axial: P, weight: Vector3<P>) -> Self {
+        Data { moments, mobility: moments.map(|a| P::one() / a), axis, axial, weight }
+    }
+
+    /// x x w + Ge x v, what the momentum of this form gains in the turning axes.
+    #[inline]
+    fn gain<S: Over<P>>(&self, momentum: Vector3<S>, w: Vector3<S>, v: Vector3<S>) -> Vector3<S> {
+        momentum.cross(&w) + self.weight.map(S::lift).cross(&v)
+    }
+}
+
+/// The paper's first form: axes of A.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstForm<P: Scalar> {
+    data: Data<P>,
+    /// 1 / (1/A' + l.(A^-1 l)): what couples the reaction of a prescribed speed to its cause
+    reaction: P,
+}
+
+/// The paper's second form: axes of A*.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SecondForm<P: Scalar> {
+    data: Data<P>,
+    /// A*^-1 l
+    response: Vector3<P>,
+    /// 1 / D
+    inverse_d: P,
+}
+
+impl<P: Base> FirstForm<P> {
+    /// From the principal moments of A and the vectors l, Ge in its principal axes.
+    pub fn new(moments: Vector3<P>, axis: Vector3<P>, axial: P, weight: Vector3<P>) -> Self {
+        let data = Data::new(moments, axis, axial, weight);
+        let reaction = P::one() / (P::one() / axial + axis.dot(&axis.component_mul(&data.mobility)));
+        FirstForm { data, reaction }
+    }
+}
+
+impl<P: Base> SecondForm<P> {
+    /// From the principal moments of A* and the vectors l, Ge in its principal axes.
+    pub fn new(moments: Vector3<P>, axis: Vector3<P>, axial: P, weight: Vector3<P>) -> Self {
+        let data = Data::new(moments, axis, axial, weight);
+        let response = axis.component_mul(&data.mobility);
+        SecondForm { data, response, inverse_d: P::one() / (P::one() - axial * axis.dot(&response)) }
+    }
+}
+
+impl<P: Base> Form<P> for FirstForm<P> {
+    #[inline]
+    fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S) {
+        let axis = self.data.axis.map(S::lift);
+        let free = self.data.gain(self.momentum(w, rotor_speed), w, v) - axis * moment;
+        let w_rate = free.component_mul(&self.data.mobility.map(S::lift));
+        (w_rate, moment / S::lift(self.data.axial) - axis.dot(&w_rate))
+    }
+
+    #[inline]
+    fn prescribed<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> (Vector3<S>, S) {
+        let (free, free_rotor) = self.accelerations(w, v, rotor_speed, S::zero());
+        let moment = -free_rotor * S::lift(self.reaction);
+        let back = self.data.axis.component_mul(&self.data.mobility).map(S::lift) * moment;
+        (free - back, moment)
+    }
+
+    #[inline]
+    fn momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> Vector3<S> {
+        let axis = self.data.axis.map(S::lift);
+        let absolute_spin = w.dot(&axis) + rotor_speed;
+        w.component_mul(&self.data.moments.map(S::lift)) + axis * (S::lift(self.data.axial) * absolute_spin)
+    }
+
+    fn energy<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> S {
+        let absolute_spin = w.dot(&self.data.axis.map(S::lift)) + rotor_speed;
+        let own = w.dot(&w.component_mul(&self.data.moments.map(S::lift)));
+        (own + S::lift(self.data.axial) * absolute_spin * absolute_spin).half() - self.data.weight.map(S::lift).dot(&v)
+    }
+}
+
+impl<P: Base> Form<P> for SecondForm<P> {
+    #[inline]
+    fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S) {
+        let axial = S::lift(self.data.axial);
+        let response = self.response.map(S::lift);
+        let free = self.data.gain(self.momentum(w, rotor_speed), w, v);
+        let rotor_acceleration = (moment / axial - response.dot(&free)) * S::lift(self.inverse_d);
+        let w_rate = free.component_mul(&self.data.mobility.map(S::lift)) - response * (axial * rotor_acceleration);
+        (w_rate, rotor_acceleration)
+    }
+
+    #[inline]
+    fn prescribed<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> (Vector3<S>, S) {
+        let free = self.data.gain(self.momentum(w, rotor_speed), w, v);
+        let w_rate = free.component_mul(&self.data.mobility.map(S::lift));
+        (w_rate, S::lift(self.data.axial) * w_rate.dot(&self.data.axis.map(S::lift)))
+    }
+
+    #[inline]
+    fn momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> Vector3<S> {
+        let own = w.component_mul(&self.data.moments.map(S::lift));
+        own + self.data.axis.map(S::lift) * (S::lift(self.data.axial) * rotor_speed)
+    }
+
+    fn energy<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> S {
+        let own = w.dot(&w.component_mul(&self.data.moments.map(S::lift)));
+        let axial = S::lift(self.data.axial);
+        let mixed = axial * rotor_speed * w.dot(&self.data.axis.map(S::lift));
+        (own + axial * rotor_speed * rotor_speed).half() + mixed - self.data.weight.map(S::lift).dot(&v)
+    }
+}
+
+impl Gyrostat<f64> {
+    /// The first form, and its axes (columns) in the axes of the data.
+    pub fn first_form(&self) -> (FirstForm<f64>, Matrix3<f64>) {
+        let principal = self.derived().reduced;
+        let own = self.in_axes(&principal.axes);
+        (FirstForm::new(principal.moments, own.rotor.axis, own.rotor.axial, own.weight()), principal.axes)
+    }
+
+    /// The second form, and its axes (columns) in the axes of the data.
+    pub fn second_form(&self) -> (SecondForm<f64>, Matrix3<f64>) {
+        let principal = self.derived().full;
+        let own = self.in_axes(&principal.axes);
+        (SecondForm::new(principal.moments, own.rotor.axis, own.rotor.axial, own.weight()), principal.axes)
+    }
+}

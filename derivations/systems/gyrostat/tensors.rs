@@ -1,0 +1,102 @@
+//! The two inertia tensors of the gyrostat and its weight.
+
+use super::{Carrier, Gyrostat, Rotor};
+use field::Base;
+use nalgebra::{Matrix3, Vector3};
+
+impl<P: Base> Gyrostat<P> {
+    /// A*, the inertia tensor about O of all masses, rotor included, kg m^2: from the mass points.
+    pub fn full_tensor(&self) -> Matrix3<P> {
+        let points = self.rotor_points::<P>();
+        let (m, h) = (self.rotor.mass, self.rotor.centre);
+        self.carrier.inertia + points.inertia() + (Matrix3::identity() * h.dot(&h) - h * h.transpose()) * m
+    }
+
+    /// A = A* - A' l l^T, the tensor without the rotor's moment about its own axis, kg m^2.
+    pub fn reduced_tensor(&self) -> Matrix3<P> {
+        let l = self.rotor.axis;
+        self.full_tensor() - l * l.transpose() * self.rotor.axial
+    }
+
+    /// Gamma e = g (m0 c0 + m' h), N m: the moment of the weight about O is (Gamma e) x v.
+    pub fn weight(&self) -> Vector3<P> {
+        self.first_moment() * self.gravity
+    }
+
+    /// The same gyrostat with its data in axes whose unit vectors are the columns of `axes`.
+    pub fn in_axes(&self, axes: &Matrix3<P>) -> Self {
+        let back = axes.transpose();
+        Gyrostat {
+            carrier: Carrier {
+                centre: back * self.carrier.centre,
+                inertia: back * self.carrier.inertia * axes,
+                ..self.carrier
+            },
+            rotor: Rotor { centre: back * self.rotor.centre, axis: back * self.rotor.axis, ..self.rotor },
+            gravity: self.gravity,
+        }
+    }
+}
+
+/// Principal moments in ascending order and axes (columns, right-handed) of a symmetric tensor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Principal {
+    pub moments: Vector3<f64>,
+    pub axes: Matrix3<f64>,
+}
+
+impl Principal {
+    /// From the eigenvectors; the third axis completes a right-handed frame, and each of the first two points so that
+    /// its largest component is positive: the same tensor always gives the same frame.
+    pub fn of(tensor: &Matrix3<f64>) -> Self {
+        let eigen = tensor.symmetric_eigen();
+        let mut order = [0, 1, 2];
+        order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
+        let oriented = |i: usize| {
+            let v: Vector3<f64> = eigen.eigenvectors.column(i).into();
+            if v[v.iamax()] < 0.0 { -v } else { v }
+        };
+        let (first, second) = (oriented(order[0]), oriented(order[1]));
+        Principal {
+            moments: Vector3::from_fn(|i, _| eigen.eigenvalues[order[i]]),
+            axes: Matrix3::from_columns(&[first, second, first.cross(&second)]),
+        }
+    }
+}
+
+/// What the physical data come to: both tensors with their principal axes, and the weight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Derived {
+    /// of A
+    pub reduced: Principal,
+    /// of A*
+    pub full: Principal,
+    /// the columns are the axes of A* in the axes of A
+    pub rotation: Matrix3<f64>,
+    /// c = OC, m, in the axes of the data
+    pub centre: Vector3<f64>,
+    /// Gamma = m g |c|, N m
+    pub gamma: f64,
+    /// e = c / |c|; zero where c is zero and e has no meaning
+    pub direction: Vector3<f64>,
+    /// D = det A / det A*
+    pub singularity: f64,
+}
+
+impl Gyrostat<f64> {
+    /// Tensors, axes, weight.
+    pub fn derived(&self) -> Derived {
+        let (reduced, full) = (Principal::of(&self.reduced_tensor()), Principal::of(&self.full_tensor()));
+        let centre = self.first_moment() / self.mass();
+        let distance = centre.norm();
+        Derived {
+            reduced,
+            full,
+            rotation: reduced.axes.transpose() * full.axes,
+            centre,
+            gamma: self.mass() * self.gravity * distance,
+            direction: if distance > 0.0 { centre / distance } else { Vector3::zeros() },
+            singularity: reduced.moments.product() / full.moments.product(),
+        }
+    }
+}

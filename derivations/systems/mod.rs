@@ -1,0 +1,3 @@
+//! Mechanical systems.
+
+pub mod gyrostat;
