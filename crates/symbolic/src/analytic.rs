@@ -1,0 +1,130 @@
+//! Circle points and square roots, brought to few generators so that their identities are decidable.
+
+use crate::Sym;
+use crate::graph::Node;
+use dashu_int::UBig;
+use dashu_int::ops::UnsignedAbs;
+use field::{Analytic, Circle, Rational, Scalar};
+use num_traits::{One, Zero};
+
+/// The highest multiple of an angle that is expanded in its coordinates.
+const HIGHEST_MULTIPLE: i64 = 32;
+
+/// Roots are split by trial division up to this prime.
+const HIGHEST_TRIAL: u64 = 1 << 16;
+
+impl Analytic for Sym {
+    /// The circle point of an angle. An integer combination of angles is expanded by the addition theorems down to
+    /// the coordinates of single terms; a term with a fraction, x / 3, is a term of its own.
+    fn circle(self) -> Circle<Self> {
+        if self == Sym::UNDEFINED {
+            return Circle { cos: self, sin: self };
+        }
+        let mut point = None;
+        for (term, coefficient) in linear_terms(self) {
+            let next = multiple(term, coefficient);
+            point = Some(point.map_or(next, |before| before + next));
+        }
+        point.unwrap_or_else(Circle::zero)
+    }
+
+    /// The non-negative root. Of a rational number it is a product of roots of distinct primes, so that the products
+    /// of roots stay canonical: sqrt(1/2) = sqrt(2)/2. Of a negative number it is undefined.
+    fn sqrt(self) -> Self {
+        match self.as_constant() {
+            Some(value) => root_of_rational(value),
+            None => Sym::from_node(Node::Root(self)),
+        }
+    }
+}
+
+/// The expression as a sum of distinct terms with rational coefficients, in the order of writing; the constant is a
+/// multiple of the term 1.
+fn linear_terms(expression: Sym) -> Vec<(Sym, Rational)> {
+    let mut terms: Vec<(Sym, Rational)> = Vec::new();
+    let mut open = vec![(expression, Rational::one())];
+    while let Some((next, factor)) = open.pop() {
+        match next.node() {
+            Node::Sum(a, b) => open.extend([(b, factor), (a, factor)]),
+            Node::Difference(a, b) => open.extend([(b, -factor), (a, factor)]),
+            Node::Negation(a) => open.push((a, -factor)),
+            Node::Product(a, b) if a.as_constant().is_some() => open.push((b, times(a, factor))),
+            Node::Product(a, b) if b.as_constant().is_some() => open.push((a, times(b, factor))),
+            Node::Quotient(a, b) if b.as_constant().is_some() => open.push((a, factor / times(b, Rational::one()))),
+            Node::Constant(_) => collect(&mut terms, Sym::ONE, times(next, factor)),
+            _ => collect(&mut terms, next, factor),
+        }
+    }
+    terms.retain(|(_, coefficient)| !coefficient.is_zero());
+    terms
+}
+
+fn times(constant: Sym, factor: Rational) -> Rational {
+    constant.as_constant().map_or(factor, |value| value * factor)
+}
+
+fn collect(terms: &mut Vec<(Sym, Rational)>, term: Sym, coefficient: Rational) {
+    match terms.iter_mut().find(|(known, _)| *known == term) {
+        Some((_, sum)) => *sum += coefficient,
+        None => terms.push((term, coefficient)),
+    }
+}
+
+/// The circle point of p/q times the term: p times around by the step term/q.
+fn multiple(term: Sym, coefficient: Rational) -> Circle<Sym> {
+    let small = (term != Sym::ONE).then(|| small_quotient(coefficient)).flatten();
+    let (times, step) = match small {
+        Some((times, 1)) => (times, term),
+        Some((times, parts)) => (times, term / Sym::int(parts)),
+        None if coefficient.sign() == Some(-1) => (-1, Sym::constant(-coefficient) * term),
+        None => (1, Sym::constant(coefficient) * term),
+    };
+    let single = Circle { cos: Sym::from_node(Node::Cos(step)), sin: Sym::from_node(Node::Sin(step)) };
+    let around = (1..times.abs()).fold(single, |point, _| point + single);
+    if times < 0 { -around } else { around }
+}
+
+/// Numerator and denominator where the numerator is a multiple worth expanding.
+fn small_quotient(value: Rational) -> Option<(i64, i64)> {
+    let big = value.to_big()?;
+    let numerator = i64::try_from(big.numerator()).ok().filter(|n| n.abs() <= HIGHEST_MULTIPLE)?;
+    Some((numerator, i64::try_from(big.denominator()).ok()?))
+}
+
+/// sqrt(n/d) = sqrt(n d) / d, with the square part of n d taken out and the rest split into primes.
+fn root_of_rational(value: Rational) -> Sym {
+    let Some(big) = value.to_big().filter(|_| value.sign() != Some(-1)) else {
+        return Sym::UNDEFINED;
+    };
+    if value.is_zero() {
+        return Sym::ZERO;
+    }
+    let (numerator, denominator) = big.into_parts();
+    let mut rest = numerator.unsigned_abs() * &denominator;
+    let mut outside = UBig::ONE;
+    let mut primes = Vec::new();
+    let mut trial = 2u64;
+    while trial <= HIGHEST_TRIAL && UBig::from(trial * trial) <= rest {
+        let mut count = 0;
+        while (&rest % trial).is_zero() {
+            rest /= trial;
+            count += 1;
+        }
+        outside *= UBig::from(trial).pow(count / 2);
+        if count % 2 == 1 {
+            primes.push(UBig::from(trial));
+        }
+        trial += if trial == 2 { 1 } else { 2 };
+    }
+    let root = dashu_int::ops::SquareRoot::sqrt(&rest);
+    if &root * &root == rest {
+        outside *= root;
+    } else {
+        primes.push(rest);
+    }
+    let rational = |n: UBig, d: UBig| Rational::from(dashu_ratio::RBig::from_parts(n.into(), d));
+    let front = Sym::constant(rational(outside, denominator));
+    primes
+        .into_iter()
+        .fold(front, |product, prime| product * Sym::from_node(Node::Root(Sym::constant(rational(prime, UBig::ONE)))))
+}

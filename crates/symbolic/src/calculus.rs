@@ -1,0 +1,88 @@
+//! Exact derivative, substitution, and the symbols of an expression.
+
+use crate::Sym;
+use crate::graph::Node;
+use field::{Analytic, Scalar};
+use rustc_hash::FxHashMap;
+
+impl Sym {
+    /// The partial derivative with respect to `variable`, everything else held fixed. `variable` is usually a symbol;
+    /// any other expression is taken as an independent quantity wherever it occurs.
+    pub fn diff(self, variable: Sym) -> Sym {
+        let mut slopes: FxHashMap<Sym, Sym> = FxHashMap::default();
+        for each in Sym::ascending(&[self]) {
+            let slope = |a: &Sym| slopes[a];
+            let value = if each == variable {
+                Sym::ONE
+            } else {
+                match each.node() {
+                    Node::Constant(_) | Node::Symbol(_) => Sym::ZERO,
+                    Node::Sum(a, b) => slope(&a) + slope(&b),
+                    Node::Difference(a, b) => slope(&a) - slope(&b),
+                    Node::Product(a, b) => slope(&a) * b + a * slope(&b),
+                    Node::Quotient(a, b) if slope(&b) == Sym::ZERO => slope(&a) / b,
+                    Node::Quotient(a, b) => (slope(&a) - each * slope(&b)) / b,
+                    Node::Negation(a) => -slope(&a),
+                    Node::Power(a, n) => Sym::int(n.into()) * a.powi(n as i32 - 1) * slope(&a),
+                    Node::Cos(a) => -(Sym::from_node(Node::Sin(a)) * slope(&a)),
+                    Node::Sin(a) => Sym::from_node(Node::Cos(a)) * slope(&a),
+                    Node::Root(a) => slope(&a) / (Sym::int(2) * each),
+                    Node::Function(name, order, a) => Sym::function_of_order(name, order + 1, a) * slope(&a),
+                }
+            };
+            slopes.insert(each, value);
+        }
+        slopes[&self]
+    }
+
+    /// The expression with every `(old, new)` replaced, all at once. Old ones are usually symbols, but any expression
+    /// is found where it occurs as written. Circle points of new sums are expanded again.
+    pub fn substitute(self, replacements: &[(Sym, Sym)]) -> Sym {
+        substitute_all(&[self], replacements)[0]
+    }
+
+    /// The symbols in the expression, by name in natural order (l2 before l10).
+    pub fn symbols_of(self) -> Vec<Sym> {
+        let mut symbols: Vec<Sym> =
+            Sym::ascending(&[self]).into_iter().filter(|each| matches!(each.node(), Node::Symbol(_))).collect();
+        symbols.sort_by_cached_key(|each| crate::print::natural_key(&each.to_string()));
+        symbols
+    }
+}
+
+/// [`Sym::substitute`] in several expressions that share parts.
+pub fn substitute_all(expressions: &[Sym], replacements: &[(Sym, Sym)]) -> Vec<Sym> {
+    let mut new: FxHashMap<Sym, Sym> = FxHashMap::default();
+    for each in Sym::ascending(expressions) {
+        let of = |a: &Sym| new[a];
+        let value = match replacements.iter().find(|(old, _)| *old == each) {
+            Some((_, replacement)) => *replacement,
+            None => each.node().rebuild(each, of),
+        };
+        new.insert(each, value);
+    }
+    expressions.iter().map(|each| new[each]).collect()
+}
+
+impl Node {
+    /// The node `itself` over new children, with the operations' usual folding.
+    pub(crate) fn rebuild(self, itself: Sym, of: impl Fn(&Sym) -> Sym) -> Sym {
+        match self {
+            Node::Constant(_) | Node::Symbol(_) => itself,
+            Node::Sum(a, b) => of(&a) + of(&b),
+            Node::Difference(a, b) => of(&a) - of(&b),
+            Node::Product(a, b) => of(&a) * of(&b),
+            Node::Quotient(a, b) => of(&a) / of(&b),
+            Node::Negation(a) => -of(&a),
+            Node::Power(a, n) => of(&a).powi(n as i32),
+            Node::Cos(a) => unless_same(itself, a, of(&a), |angle| angle.circle().cos),
+            Node::Sin(a) => unless_same(itself, a, of(&a), |angle| angle.circle().sin),
+            Node::Root(a) => unless_same(itself, a, of(&a), Sym::sqrt),
+            Node::Function(name, order, a) => Sym::function_of_order(name, order, of(&a)),
+        }
+    }
+}
+
+fn unless_same(itself: Sym, old: Sym, new: Sym, make: impl Fn(Sym) -> Sym) -> Sym {
+    if old == new { itself } else { make(new) }
+}

@@ -1,0 +1,106 @@
+//! The value of an expression in any field.
+
+use crate::Sym;
+use crate::graph::Node;
+use dashu_int::UBig;
+use dashu_int::ops::UnsignedAbs;
+use field::{Analytic, Rational, Scalar};
+use rustc_hash::FxHashMap;
+use std::fmt;
+
+/// A quantity in an expression for which no value was given.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unbound(pub String);
+
+impl fmt::Display for Unbound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no value is given for `{}`", self.0)
+    }
+}
+
+impl std::error::Error for Unbound {}
+
+impl Sym {
+    /// The value in a field, from the values of the generators by name: a symbol by its name, the coordinates of an
+    /// angle x as `cos x` and `sin x`, roots and functions by their text, `sqrt(a + b)`, `M2(s)`.
+    ///
+    /// # Errors
+    /// [`Unbound`] names the first generator without a value.
+    pub fn evaluate<S: Scalar>(self, value: &impl Fn(&str) -> Option<S>) -> Result<S, Unbound> {
+        self.evaluate_leaves(|leaf, _| value(&leaf.text_of_leaf()))
+    }
+
+    /// The value in a field with its own circle points and roots, from the values of the symbols by name. Values of
+    /// functions are asked for by their text.
+    ///
+    /// # Errors
+    /// [`Unbound`] names the first symbol or function without a value.
+    pub fn evaluate_analytic<S: Analytic>(self, value: &impl Fn(&str) -> Option<S>) -> Result<S, Unbound> {
+        self.evaluate_leaves(|leaf, argument: Option<S>| match (leaf.node(), argument) {
+            (Node::Cos(_), Some(angle)) => Some(angle.circle().cos),
+            (Node::Sin(_), Some(angle)) => Some(angle.circle().sin),
+            (Node::Root(_), Some(square)) => Some(square.sqrt()),
+            _ => value(&leaf.text_of_leaf()),
+        })
+    }
+
+    /// The value from the values of the leaves: symbols, circle coordinates, roots and functions, each with the value
+    /// of its argument where that has one.
+    pub(crate) fn evaluate_leaves<S: Scalar>(
+        self,
+        mut leaf: impl FnMut(Sym, Option<S>) -> Option<S>,
+    ) -> Result<S, Unbound> {
+        let mut values: FxHashMap<Sym, S> = FxHashMap::default();
+        let mut missing = None;
+        for each in Sym::ascending(&[self]) {
+            let of = |a| values.get(&a).copied();
+            let both = |a, b| Some((of(a)?, of(b)?));
+            let value = match each.node() {
+                Node::Constant(_) => each.as_constant().map(constant),
+                Node::Sum(a, b) => both(a, b).map(|(a, b)| a + b),
+                Node::Difference(a, b) => both(a, b).map(|(a, b)| a - b),
+                Node::Product(a, b) => both(a, b).map(|(a, b)| a * b),
+                Node::Quotient(a, b) => both(a, b).map(|(a, b)| a / b),
+                Node::Negation(a) => of(a).map(|a| -a),
+                Node::Power(a, n) => of(a).map(|a| num_traits::pow(a, n as usize)),
+                Node::Symbol(_) => leaf(each, None),
+                Node::Cos(a) | Node::Sin(a) | Node::Root(a) | Node::Function(_, _, a) => leaf(each, of(a)),
+            };
+            match value {
+                Some(value) => drop(values.insert(each, value)),
+                None => missing = missing.or(Some(each)),
+            }
+        }
+        // Without a value the expression contains a generator that has none, and the first such came first.
+        values.get(&self).copied().ok_or_else(|| Unbound(missing.unwrap_or(self).text_of_leaf()))
+    }
+
+    /// The name under which a generator's value is looked up.
+    pub(crate) fn text_of_leaf(self) -> String {
+        match self.node() {
+            Node::Cos(a) if matches!(a.node(), Node::Symbol(_)) => format!("cos {a}"),
+            Node::Sin(a) if matches!(a.node(), Node::Symbol(_)) => format!("sin {a}"),
+            _ => self.to_string(),
+        }
+    }
+}
+
+/// An exact constant in any field: through small integers where they fit, otherwise digit by digit.
+fn constant<S: Scalar>(value: Rational) -> S {
+    let Some(big) = value.to_big() else {
+        return S::one() / S::zero();
+    };
+    let (numerator, denominator) = (big.numerator(), big.denominator());
+    match (i64::try_from(numerator), i64::try_from(denominator)) {
+        (Ok(n), Ok(d)) => S::ratio(n, d),
+        _ => {
+            let size = integer::<S>(&numerator.clone().unsigned_abs()) / integer::<S>(denominator);
+            if value.sign() == Some(-1) { -size } else { size }
+        }
+    }
+}
+
+fn integer<S: Scalar>(n: &UBig) -> S {
+    let base = S::int(256);
+    n.to_le_bytes().iter().rev().fold(S::zero(), |sum, &byte| sum * base + S::int(byte.into()))
+}

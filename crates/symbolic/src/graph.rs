@@ -1,0 +1,199 @@
+//! The hash-consed expression graph of a thread: equal expressions, as written, are one node.
+
+use dashu_ratio::RBig;
+use field::Rational;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::cell::RefCell;
+use std::marker::PhantomData;
+use std::rc::Rc;
+
+/// An expression: a handle into the graph of the thread that made it. Equality is equality of handles, that is of
+/// expressions *as written*; whether two expressions have equal values is for [`decide`](crate::decide) to say.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Sym {
+    id: u32,
+    /// A handle means nothing to another thread.
+    local: PhantomData<*const ()>,
+}
+
+/// A name in the table of names.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Name(u32);
+
+/// A constant in the table of constants.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Constant(u32);
+
+/// What an expression is made of.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Node {
+    Constant(Constant),
+    Symbol(Name),
+    Sum(Sym, Sym),
+    Difference(Sym, Sym),
+    Product(Sym, Sym),
+    Quotient(Sym, Sym),
+    Negation(Sym),
+    /// An integer power, two or more.
+    Power(Sym, u32),
+    Cos(Sym),
+    Sin(Sym),
+    /// The non-negative square root.
+    Root(Sym),
+    /// The derivative of the given order of an arbitrary smooth law of one argument.
+    Function(Name, u32, Sym),
+}
+
+impl Node {
+    /// The expressions that this one is made of.
+    pub fn children(self) -> impl Iterator<Item = Sym> {
+        let (first, second) = match self {
+            Node::Constant(_) | Node::Symbol(_) => (None, None),
+            Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b) | Node::Quotient(a, b) => (Some(a), Some(b)),
+            Node::Negation(a)
+            | Node::Power(a, _)
+            | Node::Cos(a)
+            | Node::Sin(a)
+            | Node::Root(a)
+            | Node::Function(_, _, a) => (Some(a), None),
+        };
+        first.into_iter().chain(second)
+    }
+}
+
+#[derive(Clone)]
+struct Naming {
+    text: Rc<str>,
+    latex: Option<Rc<str>>,
+}
+
+struct Graph {
+    nodes: Vec<Node>,
+    known: FxHashMap<Node, Sym>,
+    constants: Vec<Rational>,
+    known_constants: FxHashMap<RBig, Constant>,
+    names: Vec<Naming>,
+    known_names: FxHashMap<Rc<str>, Name>,
+}
+
+thread_local! {
+    static GRAPH: RefCell<Graph> = RefCell::new(Graph::new());
+}
+
+impl Graph {
+    /// The first four nodes are fixed: 0, 1, -1 and the undefined constant.
+    fn new() -> Self {
+        let mut graph = Graph {
+            nodes: Vec::new(),
+            known: FxHashMap::default(),
+            constants: vec![Rational::UNDEFINED],
+            known_constants: FxHashMap::default(),
+            names: Vec::new(),
+            known_names: FxHashMap::default(),
+        };
+        for value in [Rational::new(0, 1), Rational::new(1, 1), Rational::new(-1, 1), Rational::UNDEFINED] {
+            graph.constant(value);
+        }
+        graph
+    }
+
+    fn intern(&mut self, node: Node) -> Sym {
+        *self.known.entry(node).or_insert_with(|| {
+            self.nodes.push(node);
+            Sym::at(self.nodes.len() as u32 - 1)
+        })
+    }
+
+    fn constant(&mut self, value: Rational) -> Sym {
+        let place = match value.to_big() {
+            None => Constant(0),
+            Some(big) => *self.known_constants.entry(big).or_insert_with(|| {
+                self.constants.push(value);
+                Constant(self.constants.len() as u32 - 1)
+            }),
+        };
+        self.intern(Node::Constant(place))
+    }
+
+    fn name(&mut self, text: &str) -> Name {
+        if let Some(&known) = self.known_names.get(text) {
+            return known;
+        }
+        let text: Rc<str> = text.into();
+        self.names.push(Naming { text: text.clone(), latex: None });
+        let name = Name(self.names.len() as u32 - 1);
+        self.known_names.insert(text, name);
+        name
+    }
+}
+
+impl Sym {
+    pub(crate) const ZERO: Sym = Sym::at(0);
+    pub(crate) const ONE: Sym = Sym::at(1);
+    pub(crate) const MINUS_ONE: Sym = Sym::at(2);
+
+    /// The result of a division by the constant zero. It absorbs every operation.
+    pub const UNDEFINED: Sym = Sym::at(3);
+
+    const fn at(id: u32) -> Self {
+        Sym { id, local: PhantomData }
+    }
+
+    /// What the expression is made of.
+    pub fn node(self) -> Node {
+        GRAPH.with_borrow(|graph| graph.nodes[self.id as usize])
+    }
+
+    /// The value of a constant.
+    pub fn as_constant(self) -> Option<Rational> {
+        GRAPH.with_borrow(|graph| match graph.nodes[self.id as usize] {
+            Node::Constant(place) => Some(graph.constants[place.0 as usize]),
+            _ => None,
+        })
+    }
+
+    pub(crate) fn from_node(node: Node) -> Self {
+        GRAPH.with_borrow_mut(|graph| graph.intern(node))
+    }
+
+    /// The expression that is this number.
+    pub fn constant(value: Rational) -> Self {
+        GRAPH.with_borrow_mut(|graph| graph.constant(value))
+    }
+
+    /// All expressions inside the given ones and themselves, each after those it is made of.
+    pub(crate) fn ascending(roots: &[Sym]) -> Vec<Sym> {
+        GRAPH.with_borrow(|graph| {
+            let mut seen = FxHashSet::default();
+            let mut open = roots.to_vec();
+            let mut all = Vec::new();
+            while let Some(next) = open.pop() {
+                if seen.insert(next) {
+                    all.push(next);
+                    open.extend(graph.nodes[next.id as usize].children());
+                }
+            }
+            // A node is interned after its children.
+            all.sort_unstable();
+            all
+        })
+    }
+}
+
+impl Name {
+    pub(crate) fn of(text: &str) -> Self {
+        GRAPH.with_borrow_mut(|graph| graph.name(text))
+    }
+
+    pub(crate) fn text(self) -> Rc<str> {
+        GRAPH.with_borrow(|graph| graph.names[self.0 as usize].text.clone())
+    }
+
+    pub(crate) fn latex(self) -> Option<Rc<str>> {
+        GRAPH.with_borrow(|graph| graph.names[self.0 as usize].latex.clone())
+    }
+
+    pub(crate) fn set_latex(self, latex: &str) {
+        GRAPH.with_borrow_mut(|graph| graph.names[self.0 as usize].latex = Some(latex.into()));
+    }
+}
