@@ -133,8 +133,8 @@ impl Graph {
 }
 
 impl Sym {
-    pub(crate) const ZERO: Sym = Sym::at(0);
-    pub(crate) const ONE: Sym = Sym::at(1);
+    pub const ZERO: Sym = Sym::at(0);
+    pub const ONE: Sym = Sym::at(1);
     pub(crate) const MINUS_ONE: Sym = Sym::at(2);
 
     /// The result of a division by the constant zero. It absorbs every operation.

@@ -86,7 +86,8 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
             numerators.push(raised.times_constant(&scale)?);
         }
         let numerator = Poly::sum(numerators, &self.budget)?;
-        self.cancelled(Fraction { numerator, constant, powers })
+        // Raised by factors that contain a rule's generator, the numerators are no longer reduced.
+        self.reduced(Fraction { numerator, constant, powers })
     }
 
     pub fn product(&mut self, a: &Fraction<C, W>, b: &Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
