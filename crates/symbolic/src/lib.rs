@@ -10,16 +10,21 @@
 
 mod analytic;
 mod calculus;
+mod coefficients;
 mod evaluate;
 mod graph;
+pub mod linear;
 mod operators;
 mod poly;
 mod print;
 mod prove;
 mod sym;
+mod tape;
 
 pub use calculus::substitute_all;
+pub use coefficients::{NotPolynomial, coefficients, degree};
 pub use evaluate::Unbound;
 pub use graph::{Node, Sym};
 pub use prove::{Decision, Hypotheses, NormalForm, Proof, Refused, Witness, decide, decide_modulo, normal};
 pub use sym::symbols;
+pub use tape::{IllPosed, Program, Series, Tape, Untapeable};
