@@ -29,8 +29,8 @@ pub struct Collocation<S> {
     pub matrix: Vec<Vec<S>>,
     /// d with y_1 = y_0 + sum_i d_i (Y_i - y_0), that is b A^-1: keeps a stiff law from magnifying Newton's error.
     pub ends: Vec<S>,
-    /// e with h u'(0) = sum_i e_i (Y_i - y_0): the slope of the collocation polynomial at its start.
-    pub starts: Vec<S>,
+    /// e with h u' = sum_i e_i (Y_i - y_0) at the end for Gauss, at the start for Radau IIA: where u' is not f(u).
+    pub probe: Vec<S>,
 }
 
 impl<S: Real> Collocation<S> {
@@ -45,10 +45,10 @@ impl<S: Real> Collocation<S> {
         };
         let row = |i: usize| (0..stages).map(|j| lagrange(j, &|k| integral(&basis[i], nodes[i], k))).collect();
         let matrix: Vec<Vec<S>> = (0..stages).map(row).collect();
-        let start = legendre(stages, S::zero());
-        let slopes: Vec<S> = (0..stages).map(|j| lagrange(j, &|k| start[k])).collect();
-        let (ends, starts) = (solve_transposed(&matrix, &weights), solve_transposed(&matrix, &slopes));
-        Collocation { family, nodes, weights, matrix, ends, starts }
+        let at = legendre(stages, if family == Family::Gauss { S::one() } else { S::zero() });
+        let slopes: Vec<S> = (0..stages).map(|j| lagrange(j, &|k| at[k])).collect();
+        let (ends, probe) = (solve_transposed(&matrix, &weights), solve_transposed(&matrix, &slopes));
+        Collocation { family, nodes, weights, matrix, ends, probe }
     }
 
     pub fn stages(&self) -> usize {

@@ -4,8 +4,8 @@
 //! corrections converge almost quadratically; kept over the later ones it gains its own digits with each. Its
 //! accuracy decides how fast the iteration converges, never where to: the residuals are those of the run's field.
 //!
-//! The error follows from the defect of the collocation polynomial u at the start, d = u'(0) - f(y_0), which spreads over the
-//! step as the nodal polynomial M. By Alekseev and Groebner the end is wrong by h int M Phi d, and M is orthogonal to
+//! The error follows from the defect of the collocation polynomial u, d = u' - f(u), at the end of the step for Gauss, at its
+//! start for Radau IIA, whose end is a node. Over the step it spreads as the nodal polynomial M. By Alekseev and Groebner the end is wrong by h int M Phi d, and M is orthogonal to
 //! all polynomials below degree m (s for Gauss, s - 1 for Radau IIA): only the m-th Legendre coefficient of Phi d counts.
 //! Its share is at most 1 (stiff: the order falls to that of the stages) and is estimated from the spectral radius of h J
 //! and from the smoothness of the solution itself. As in Hairer and Wanner's RADAU5 the defect passes (I - h g J)^-1.
@@ -34,7 +34,8 @@ pub(crate) struct Implicit<'a, S> {
     z_step: Option<f64>,
     stage: Vec<S>,
     slopes: Vec<S>,
-    first_slope: Vec<S>,
+    /// The slope where the defect is looked at.
+    probe_slope: Vec<S>,
     correction: Vec<f64>,
     predicted: Vec<f64>,
     /// J_j of the stages, by rows.
@@ -73,7 +74,7 @@ impl<'a, S: Real> Implicit<'a, S> {
             z_step: None,
             stage: vec![S::zero(); n],
             slopes: vec![S::zero(); all],
-            first_slope: vec![S::zero(); n],
+            probe_slope: vec![S::zero(); n],
             correction: vec![0.0; all],
             predicted: vec![0.0; all],
             jacobians: vec![0.0; stages * n * n],
@@ -206,9 +207,9 @@ impl<'a, S: Real> Implicit<'a, S> {
     fn error(&mut self, y: &[S], after: &[S], step: S) -> (f64, f64) {
         let (n, s) = (self.n, self.method.stages());
         for c in 0..n {
-            let starts = self.method.starts.iter().enumerate();
-            let slope = starts.fold(S::zero(), |sum, (j, e)| sum + *e * self.z[j * n + c]);
-            self.defect[c] = (slope - step * self.first_slope[c]).approx();
+            let probe = self.method.probe.iter().enumerate();
+            let slope = probe.fold(S::zero(), |sum, (j, e)| sum + *e * self.z[j * n + c]);
+            self.defect[c] = (slope - step * self.probe_slope[c]).approx();
         }
         let plain = self.tolerance.norm(y, after, |c| self.defect[c]);
         let motion = self.z.chunks(n).map(|z| self.tolerance.norm(y, after, |c| z[c].approx())).fold(0.0, f64::max);
@@ -261,7 +262,6 @@ impl<'a, S: Real> Implicit<'a, S> {
 impl<S: Real> Stepper<S> for Implicit<'_, S> {
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &Meter<S>) -> Attempt {
         let length = step.approx();
-        meter.rates(tau, before, &mut self.first_slope);
         self.predict(length);
         if let Newton::Failed(cause) = self.newton(tau, before, step, meter) {
             (self.z_step, self.accepted) = (None, false);
@@ -272,10 +272,15 @@ impl<S: Real> Stepper<S> for Implicit<'_, S> {
             let ends = self.method.ends.iter().enumerate();
             *after = ends.fold(*before, |sum, (j, d)| sum + *d * self.z[j * self.n + c]);
         }
+        match self.method.family {
+            Family::Gauss => meter.rates(tau + step, after, &mut self.probe_slope),
+            Family::RadauIIA => meter.rates(tau, before, &mut self.probe_slope),
+        }
         let (error, power) = self.error(before, after, step);
+        let most = if self.accepted || self.z_step.is_none() { 5.0 } else { 1.0 };
         self.z_step = Some(length);
         self.accepted = error <= 1.0;
-        let next = length * (0.9 * error.max(1e-300).powf(-1.0 / power)).clamp(0.2, 5.0);
+        let next = length * (0.9 * error.max(1e-300).powf(-1.0 / power)).clamp(0.2, most);
         if self.accepted {
             self.turns += length * self.spectral_radius();
             Attempt::Accepted { next }

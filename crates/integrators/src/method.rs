@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::adaptors::dormand_prince::{self, Pair};
+use crate::adaptors::ryan_gast::{self, Choice};
 use crate::classical::{Euler, RungeKutta4};
 use crate::collocation::Family;
 use crate::drive::{drive, first_step};
@@ -27,6 +28,14 @@ pub enum Method {
     DormandPrince5,
     /// Dormand-Prince 8(5,3), crate `ode_solvers`.
     DormandPrince8,
+    /// Verner's 6(5), crate `differential-equations`.
+    Verner6,
+    /// Verner's 9(8), crate `differential-equations`.
+    Verner9,
+    /// Hairer and Wanner's Radau5, crate `differential-equations`.
+    Radau5,
+    /// Kvaerno's ESDIRK 5(4) with 7 stages, crate `differential-equations`.
+    Kvaerno5,
     /// Gragg-Bulirsch-Stoer extrapolation, variable order.
     GraggBulirschStoer,
     /// Gauss collocation, order 2s.
@@ -61,6 +70,9 @@ impl Method {
             Method::RungeKutta4 { .. } => Traits { order: Some(4), adaptive: false, ..adaptive },
             Method::DormandPrince5 => Traits { order: Some(5), exact: false, ..adaptive },
             Method::DormandPrince8 => Traits { order: Some(8), exact: false, ..adaptive },
+            Method::Verner6 => Traits { order: Some(6), exact: false, ..adaptive },
+            Method::Verner9 => Traits { order: Some(9), exact: false, ..adaptive },
+            Method::Radau5 | Method::Kvaerno5 => Traits { order: Some(5), exact: false, implicit: true, ..adaptive },
             Method::GraggBulirschStoer => adaptive,
             Method::Gauss { stages } => Traits { order: Some(2 * u32::from(stages)), implicit: true, ..adaptive },
             Method::RadauIIA { stages } => {
@@ -89,6 +101,10 @@ impl fmt::Display for Method {
             Method::RungeKutta4 { steps } => write!(f, "Runge-Kutta 4, {steps} steps"),
             Method::DormandPrince5 => write!(f, "Dormand-Prince 5(4)"),
             Method::DormandPrince8 => write!(f, "Dormand-Prince 8(5,3)"),
+            Method::Verner6 => write!(f, "Verner 6(5)"),
+            Method::Verner9 => write!(f, "Verner 9(8)"),
+            Method::Radau5 => write!(f, "Radau5"),
+            Method::Kvaerno5 => write!(f, "Kvaerno 5(4)"),
             Method::GraggBulirschStoer => write!(f, "Gragg-Bulirsch-Stoer"),
             Method::Gauss { stages } => write!(f, "Gauss, {stages} stages"),
             Method::RadauIIA { stages } => write!(f, "Radau IIA, {stages} stages"),
@@ -110,6 +126,10 @@ pub fn integrate(
     let run = |meter: &Meter<f64>, watch: Watch<'_, '_, f64>| match method {
         Method::DormandPrince5 => dormand_prince::run(Pair::Five, tolerance, meter, watch),
         Method::DormandPrince8 => dormand_prince::run(Pair::Eight, tolerance, meter, watch),
+        Method::Verner6 => ryan_gast::run(Choice::Verner6, system, tolerance, meter, watch),
+        Method::Verner9 => ryan_gast::run(Choice::Verner9, system, tolerance, meter, watch),
+        Method::Radau5 => ryan_gast::run(Choice::Radau5, system, tolerance, meter, watch),
+        Method::Kvaerno5 => ryan_gast::run(Choice::Kvaerno5, system, tolerance, meter, watch),
         _ => run_own(system, method, tolerance, meter, watch),
     };
     prepared(system, method, tolerance, span, observer, run)
@@ -186,7 +206,12 @@ fn run_own<S: Working>(
             }
             None => watch.fail(Failure::Refused(Refusal::NoSeries), meter),
         },
-        Method::DormandPrince5 | Method::DormandPrince8 => watch.fail(Failure::Refused(Refusal::Field), meter),
+        Method::DormandPrince5
+        | Method::DormandPrince8
+        | Method::Verner6
+        | Method::Verner9
+        | Method::Radau5
+        | Method::Kvaerno5 => watch.fail(Failure::Refused(Refusal::Field), meter),
     }
 }
 
