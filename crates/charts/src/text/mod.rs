@@ -4,6 +4,7 @@ mod mathml;
 
 use math_core::{LatexToMathML, MathDisplay};
 use maud::{Markup, PreEscaped, html};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// LaTeX that the page shows as source, because it could not be typeset.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,17 +53,17 @@ impl Typesetter {
     }
 
     fn inline(&mut self, latex: &str) -> Markup {
-        match self.converter.convert_with_local_counter(latex, MathDisplay::Inline) {
+        match self.convert(latex, MathDisplay::Inline) {
             Ok(mathml) => PreEscaped(mathml),
-            Err(error) => self.source(latex, error.to_string()),
+            Err(reason) => self.source(latex, reason),
         }
     }
 
     /// One displayed formula. A long one comes in pieces between which a line may break, because MathML breaks none.
     pub fn formula(&mut self, latex: &str) -> Markup {
-        let mathml = match self.converter.convert_with_local_counter(latex, MathDisplay::Block) {
+        let mathml = match self.convert(latex, MathDisplay::Block) {
             Ok(mathml) => mathml,
-            Err(error) => return html! { div.formula { (self.source(latex, error.to_string())) } },
+            Err(reason) => return html! { div.formula { (self.source(latex, reason)) } },
         };
         let pieces = mathml::pieces(&mathml, BREAK_ABOVE);
         let widest = pieces.iter().map(|piece| piece.width).fold(0.0, f64::max);
@@ -76,6 +77,16 @@ impl Typesetter {
                     math displaystyle="true" { (PreEscaped(&piece.mathml)) }
                 }
             }
+        }
+    }
+
+    /// The converter panics on rare nonsense (an assertion of its debug builds): that, too, is only LaTeX that fails.
+    fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
+        let converted = catch_unwind(AssertUnwindSafe(|| self.converter.convert_with_local_state(latex, display)));
+        match converted {
+            Ok(Ok(converted)) => Ok(converted.mathml),
+            Ok(Err(error)) => Err(error.to_string()),
+            Err(_) => Err("the converter gave up".to_owned()),
         }
     }
 
