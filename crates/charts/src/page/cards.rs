@@ -47,6 +47,9 @@ pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
 
 /// Whether a cell starts like a number: `−3.2·10⁻⁹`, `1 234`, `—`.
 fn is_number(cell: &str) -> bool {
+    if cell.contains(", ") {
+        return false;
+    }
     let digits = cell.trim_start_matches(['−', '-', '+', '<', '≤', '~', ' ']);
     matches!(cell, "" | "—" | "–" | "-") || digits.starts_with(|c: char| c.is_ascii_digit())
 }

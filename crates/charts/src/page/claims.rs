@@ -28,9 +28,12 @@ fn finding(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     set.at(&claim.id);
     html! {
         article.finding {
-            h4 {
-                @if !claim.equation_label.is_empty() { span.label { (claim.equation_label) } " " }
-                a href={ "#" (anchor(&claim.id)) } { (set.text(&claim.title)) }
+            div.title {
+                h4 {
+                    @if !claim.equation_label.is_empty() { span.label { (claim.equation_label) } " " }
+                    (set.text(&claim.title))
+                }
+                a.id href={ "#" (anchor(&claim.id)) } { (claim.id) }
             }
             div.verses {
                 p.side { "As printed" }

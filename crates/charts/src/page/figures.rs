@@ -20,10 +20,11 @@ fn card(sphere: &Sphere, set: &mut Typesetter) -> Markup {
     set.at(&sphere.title);
     html! {
         div.sphere data-sphere=(sphere.data()) {
-            (figure(&sphere.title, sphere.drawing().embedded(&sphere.title), &sphere.note, set))
+            (figure(&sphere.title, sphere.drawing().embedded(&sphere.title), "", set))
             p.readout hidden { output { "Drag or use the arrow keys to turn; point at a curve to read its value." } " "
                 button type="button" { "First view" } }
             @if !sphere.description.is_empty() { p { (set.text(&sphere.description)) } }
+            @if !sphere.note.is_empty() { p.note { (set.text(&sphere.note)) } }
         }
     }
 }

@@ -3,6 +3,7 @@
 mod cards;
 mod claims;
 mod figures;
+mod font;
 mod outline;
 mod scenes;
 
@@ -24,9 +25,9 @@ pub fn render(report: &Report) -> Page {
     let body = html! {
         a.skip href="#main" { "Skip to the content" }
         div.shell {
+            (outline::heading(report, set))
             (outline::contents(report, set))
             main #main {
-                (outline::heading(report, set))
                 (claims::findings(report, set))
                 @for paper in &report.papers { (claims::ledger(paper, set)) }
                 (scenes::scenes(report, set))
@@ -48,9 +49,9 @@ fn document(title: &str, body: &Markup) -> String {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
                 meta http-equiv="Content-Security-Policy"
-                    content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+                    content="default-src 'none'; font-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
                 title { (crate::text::plain(title)) }
-                style { (PreEscaped(svg::STYLE)) (PreEscaped(include_str!("page.css"))) }
+                style { (PreEscaped(font::face())) (PreEscaped(svg::STYLE)) (PreEscaped(include_str!("page.css"))) }
             }
             body {
                 (body)

@@ -15,37 +15,34 @@ pub(super) fn heading(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// Papers against verdicts, and what each verdict means. Verdicts that no claim has are left out.
+/// Verdicts against papers, with what each verdict means. Verdicts that no claim has are left out.
 fn counts(report: &Report, set: &mut Typesetter) -> Markup {
-    let present: Vec<_> = Verdict::ALL.into_iter().filter(|verdict| report.count(*verdict) > 0).collect();
     let number = |count: usize| html! { td.number { @if count > 0 { (count) } @else { span.none { "·" } } } };
+    let several = report.papers.len() > 1;
     html! {
         div.scroll tabindex="0" role="region" aria-label="Claims by verdict" {
             table.counts {
-                caption { "Claims by verdict" }
                 thead { tr {
-                    th scope="col" { "Paper" }
-                    @for verdict in &present { th.number scope="col" { (chip(*verdict)) } }
-                    th.number scope="col" { "all" }
+                    th scope="col" { "Claims" }
+                    th scope="col" { span.visually-hidden { "Meaning" } }
+                    @for paper in &report.papers {
+                        th.number scope="col" { a href={ "#" (anchor(&paper.id)) } { (set.text(&paper.title)) } }
+                    }
+                    @if several { th.number scope="col" { "all" } }
                 } }
-                tbody {
-                    @for paper in &report.papers { tr {
-                        th scope="row" { a href={ "#" (anchor(&paper.id)) } { (set.text(&paper.title)) } }
-                        @for verdict in &present { (number(paper.count(*verdict))) }
-                        (number(paper.claims.len()))
-                    } }
-                }
-                @if report.papers.len() > 1 {
-                    tfoot { tr {
-                        th scope="row" { "Together" }
-                        @for verdict in &present { (number(report.count(*verdict))) }
-                        (number(report.papers.iter().map(|paper| paper.claims.len()).sum()))
-                    } }
-                }
+                tbody { @for verdict in Verdict::ALL.into_iter().filter(|verdict| report.count(*verdict) > 0) { tr {
+                    th scope="row" { (chip(verdict)) }
+                    td.meaning { (verdict.meaning()) }
+                    @for paper in &report.papers { (number(paper.count(verdict))) }
+                    @if several { (number(report.count(verdict))) }
+                } } }
+                tfoot { tr {
+                    th scope="row" { "together" }
+                    td {}
+                    @for paper in &report.papers { (number(paper.claims.len())) }
+                    @if several { (number(report.papers.iter().map(|paper| paper.claims.len()).sum())) }
+                } }
             }
-        }
-        dl.meanings {
-            @for verdict in &present { div { dt { (chip(*verdict)) } dd { (verdict.meaning()) } } }
         }
     }
 }

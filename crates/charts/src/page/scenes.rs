@@ -4,7 +4,7 @@ use super::{
     anchor,
     cards::{figure, table},
 };
-use crate::{Parameter, Report, SceneSection, Table, WorkPrecision, svg::significant, text::Typesetter};
+use crate::{Parameter, Report, SceneSection, Table, WorkPrecision, svg::tolerance, text::Typesetter};
 use maud::{Markup, html};
 
 pub(super) fn scenes(report: &Report, set: &mut Typesetter) -> Markup {
@@ -57,7 +57,7 @@ fn parameters(parameters: &[Parameter], set: &mut Typesetter) -> Markup {
             tbody { @for parameter in parameters { tr {
                 th scope="row" { (set.text(&parameter.symbol)) }
                 td.number { (set.text(&parameter.value)) }
-                td { (set.text(&parameter.unit)) }
+                td.unit { (set.text(&parameter.unit)) }
                 td { (set.text(&parameter.meaning)) }
             } } }
         } }
@@ -77,7 +77,7 @@ fn failures(charts: &[WorkPrecision]) -> Table {
             }
         }
     }
-    let list = |tolerances: &[f64]| tolerances.iter().map(|t| significant(*t, 2)).collect::<Vec<_>>().join(", ");
+    let list = |tolerances: &[f64]| tolerances.iter().map(|t| tolerance(*t)).collect::<Vec<_>>().join(", ");
     Table {
         caption: "Methods that fail".into(),
         head: ["Method", "At tolerance", "Reason"].map(String::from).into(),
@@ -95,6 +95,6 @@ mod tests {
         let failure = |tolerance| Failure { work: 1.0, tolerance, reason: "stiff".into() };
         let series = vec![Method { name: "M".into(), failures: vec![failure(1e-3), failure(1e-6)], points: vec![] }];
         let chart = WorkPrecision { series, ..Default::default() };
-        assert_eq!(failures(&[chart.clone(), chart]).rows, [["M", "0.001, 1·10⁻⁶", "stiff"]]);
+        assert_eq!(failures(&[chart.clone(), chart]).rows, [["M", "10⁻³, 10⁻⁶", "stiff"]]);
     }
 }

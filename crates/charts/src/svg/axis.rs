@@ -27,7 +27,8 @@ impl Axis {
     /// An axis of decades about these positive values, from one pixel to another. Never shows less than one decade.
     pub fn log(values: impl Iterator<Item = f64>, from: f64, to: f64, spacing: f64) -> Self {
         let (low, high) = bounds(values.map(|value| value.max(FLOOR).log10())).unwrap_or((0.0, 1.0));
-        let (mut low, mut high) = (low - 0.12, high + 0.12);
+        let margin = 0.12 + 0.025 * (high - low);
+        let (mut low, mut high) = (low - margin, high + margin);
         if high.floor() - low.ceil() < 1.0 {
             (low, high) = (low.floor(), high.ceil());
         }

@@ -11,22 +11,34 @@ pub(crate) struct Entry<'a> {
     pub name: &'a str,
 }
 
-/// Draws the entries in as many equal columns as fit, each with its line and, where asked, its marker.
+/// Draws the entries in as many columns as fit, each with its line and, where asked, its marker.
 pub(crate) fn draw(drawing: &mut Drawing, entries: &[Entry], markers: bool) {
-    let longest = entries.iter().map(|entry| entry.name.chars().count()).max().unwrap_or(0).min(56) as f64;
-    let room = WIDTH - 16.0;
-    let columns = ((room / (longest * 7.4 + 56.0)) as usize).clamp(1, 4).min(entries.len().max(1));
-    let rows = entries.len().div_ceil(columns);
+    let (rows, widths) =
+        (1..=4).rev().map(|columns| layout(entries, columns)).find(fits).unwrap_or((entries.len(), vec![]));
     for (position, entry) in entries.iter().enumerate() {
-        let x = 8.0 + room / columns as f64 * (position / rows) as f64;
-        let y = drawing.height + LINE * ((position % rows) as f64 + 0.5);
+        let x = 8.0 + widths.iter().take(position / rows.max(1)).sum::<f64>();
+        let y = drawing.height + LINE * ((position % rows.max(1)) as f64 + 0.5);
         drawing.open(&entry.look.class());
         drawing.line((x, y), (x + 34.0, y), "line");
         if markers {
             entry.look.marker(drawing, (x + 17.0, y), 4.2, "");
         }
         drawing.close();
-        drawing.text((x + 41.0, y + 4.5), Anchor::Start, "", &shorten(entry.name, 56));
+        drawing.text((x + 41.0, y + 4.5), Anchor::Start, "small", &shorten(entry.name, LONGEST));
     }
     drawing.height += LINE * rows as f64 + 4.0;
+}
+
+const LONGEST: usize = 60;
+
+/// How many rows so many columns have, and how wide each column is.
+fn layout(entries: &[Entry], columns: usize) -> (usize, Vec<f64>) {
+    let rows = entries.len().div_ceil(columns).max(1);
+    let width = |name: &str| 7.1 * name.chars().count().min(LONGEST) as f64 + 57.0;
+    let widest = |column: &[Entry]| column.iter().map(|entry| width(entry.name)).fold(0.0, f64::max);
+    (rows, entries.chunks(rows).map(widest).collect())
+}
+
+fn fits((_, widths): &(usize, Vec<f64>)) -> bool {
+    widths.iter().sum::<f64>() <= WIDTH - 4.0
 }

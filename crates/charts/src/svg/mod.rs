@@ -13,7 +13,7 @@ mod marker;
 mod number;
 mod path;
 
-pub(crate) use number::significant;
+pub(crate) use number::tolerance;
 
 /// How charts look, by class; a page adds its own colours for dark screens.
 pub(crate) const STYLE: &str = include_str!("chart.css");

@@ -42,6 +42,14 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     text.replace('-', "−")
 }
 
+/// A tolerance: a power of ten wherever it is one.
+pub(crate) fn tolerance(value: f64) -> String {
+    match format!("{value:.1e}").split_once('e') {
+        Some(("1.0", exponent)) => format!("10{}", superscript(exponent.parse().unwrap_or(0))),
+        _ => significant(value, 2),
+    }
+}
+
 fn trim(decimal: &str) -> String {
     if decimal.contains('.') {
         decimal.trim_end_matches('0').trim_end_matches('.').to_owned()

@@ -36,7 +36,7 @@ pub struct Contender {
 }
 
 const LEFT: f64 = 8.0;
-const RIGHT: f64 = WIDTH - 64.0;
+const RIGHT: f64 = WIDTH - 150.0;
 const BAR: f64 = 13.0;
 
 impl TimingRow {
@@ -72,20 +72,21 @@ impl Timings {
         let bottom = 4.0 + self.rows.iter().map(height).sum::<f64>();
 
         let mut drawing = Drawing::default();
-        drawing.open("frame");
         for Tick { at, label } in &x.ticks {
-            let x = x.place_tick(*at);
-            let class = if *at == 0.0 { "unit" } else { "grid" };
-            if let Some(label) = label {
-                drawing.line((x, 4.0), (x, bottom), class);
-                drawing.text((x, bottom + 17.0), Anchor::Middle, "", label);
-            }
+            let label = label.as_deref().unwrap_or("");
+            drawing.text((x.place_tick(*at), bottom + 17.0), Anchor::Middle, "", label);
         }
-        drawing.close();
         drawing.height = 4.0;
         for row in &self.rows {
-            drawing.text((LEFT, drawing.height + LINE - 3.0), Anchor::Start, "heading said", &shorten(&row.task, 68));
+            drawing.text((LEFT, drawing.height + LINE - 3.0), Anchor::Start, "heading", &shorten(&row.task, 68));
             drawing.height += LINE + 2.0;
+            let end = drawing.height + (BAR + 3.0) * row.others.len() as f64;
+            for Tick { at, label } in &x.ticks {
+                let class = if *at == 0.0 { "unit" } else { "grid" };
+                if label.is_some() {
+                    drawing.line((x.place_tick(*at), drawing.height - 2.0), (x.place_tick(*at), end), class);
+                }
+            }
             for contender in &row.others {
                 let look = Look::of(names.iter().position(|name| *name == contender.name).unwrap_or(0));
                 bar(&mut drawing, row, contender, look, &x);
@@ -94,7 +95,7 @@ impl Timings {
             drawing.height += 6.0;
         }
         let caption = format!("time as a ratio to {}: to the right of 1, {} is faster", self.ours, self.ours);
-        drawing.text((0.5 * (LEFT + RIGHT), bottom + 38.0), Anchor::Middle, "", &caption);
+        drawing.text((0.5 * WIDTH, bottom + 38.0), Anchor::Middle, "", &caption);
         drawing.height = bottom + 50.0;
         drawing
     }

@@ -59,7 +59,7 @@ impl Trajectory {
             _ => 92.0,
         };
         let mut drawing = Drawing::default();
-        let mut said: Vec<&str> = Vec::new();
+        let stops = self.stops();
         for panel in &self.panels {
             let (top, bottom) = (drawing.height + HEADING, drawing.height + HEADING + room);
             drawing.text((LEFT, top - 7.0), Anchor::Start, "heading", &panel.y);
@@ -70,19 +70,17 @@ impl Trajectory {
                 let look = Look::of(names.iter().position(|name| *name == track.name).unwrap_or(0));
                 draw_track(&mut drawing, track, look, &x, &y);
             }
-            let mut taken = Vec::new();
-            for track in panel.series.iter().filter(|track| !said.contains(&track.name.as_str())) {
-                label_stop(&mut drawing, track, &x, &y, (top, bottom), &mut taken);
+            for track in &panel.series {
+                label_stop(&mut drawing, track, &stops, &x, &y);
             }
-            said.extend(panel.series.iter().filter(|track| track.stopped.is_some()).map(|track| track.name.as_str()));
             drawing.height = bottom + 2.0;
         }
-        self.foot(&mut drawing, &x, &names);
+        self.foot(&mut drawing, &x, &names, &stops);
         drawing
     }
 
     /// What stands below the last panel: times, legend, who stopped and why, what was left out.
-    fn foot(&self, drawing: &mut Drawing, x: &Axis, names: &[&str]) {
+    fn foot(&self, drawing: &mut Drawing, x: &Axis, names: &[&str], stops: &[Stop]) {
         for Tick { at, label } in &x.ticks {
             drawing.text(
                 (x.place_tick(*at), drawing.height + 17.0),
@@ -98,24 +96,30 @@ impl Trajectory {
                 names.iter().enumerate().map(|(at, name)| Entry { look: Look::of(at), name }).collect();
             legend::draw(drawing, &entries, false);
         }
-        let mut sentences: Vec<String> = Vec::new();
-        for track in self.tracks() {
-            if let (Some(reason), Some(end)) = (&track.stopped, finite(track).last()) {
-                let sentence = format!("✕ {} stopped at {}: {reason}", track.name, significant(end.0, 4));
-                if !sentences.contains(&sentence) {
-                    sentences.push(sentence);
-                }
-            }
+        for (position, stop) in stops.iter().enumerate() {
+            let Stop { name, reason, time } = stop;
+            let sign = sign(stops, position);
+            drawing.paragraph(&format!("{sign} {name} stopped at {}: {reason}", significant(*time, 4)), "small");
         }
         let missing = self.tracks().map(|track| track.points.len() - finite(track).count()).sum();
-        sentences.push(left_out(missing, "not a finite number"));
-        for sentence in sentences {
-            drawing.paragraph(&sentence, "small");
-        }
+        drawing.paragraph(&left_out(missing, "not a finite number"), "small");
     }
 
     fn tracks(&self) -> impl Iterator<Item = &Track> {
         self.panels.iter().flat_map(|panel| &panel.series)
+    }
+
+    /// Which runs stopped, each once for all its panels.
+    fn stops(&self) -> Vec<Stop<'_>> {
+        let mut stops: Vec<Stop> = Vec::new();
+        for track in self.tracks() {
+            if let Some(stop) = Stop::of(track)
+                && !stops.iter().any(|known| known.is(&stop))
+            {
+                stops.push(stop);
+            }
+        }
+        stops
     }
 
     /// The names of all tracks, each once.
@@ -128,6 +132,29 @@ impl Trajectory {
         }
         names
     }
+}
+
+/// Where and why a run stopped.
+struct Stop<'a> {
+    name: &'a str,
+    reason: &'a str,
+    time: f64,
+}
+
+impl<'a> Stop<'a> {
+    fn of(track: &'a Track) -> Option<Self> {
+        let (reason, end) = (track.stopped.as_deref()?, finite(track).last()?);
+        Some(Stop { name: &track.name, reason, time: end.0 })
+    }
+
+    fn is(&self, other: &Stop) -> bool {
+        self.name == other.name && self.reason == other.reason
+    }
+}
+
+/// The cross, with a number where several runs stopped.
+fn sign(stops: &[Stop], position: usize) -> String {
+    if stops.len() > 1 { format!("✕{}", position + 1) } else { "✕".to_owned() }
 }
 
 fn is_finite(point: &(f64, f64)) -> bool {
@@ -151,32 +178,18 @@ fn draw_track(drawing: &mut Drawing, track: &Track, look: Look, x: &Axis, y: &Ax
     drawing.close();
 }
 
-/// Says beside the cross that a run stopped and why, where no earlier label stands.
-fn label_stop(
-    drawing: &mut Drawing,
-    track: &Track,
-    x: &Axis,
-    y: &Axis,
-    (top, bottom): (f64, f64),
-    taken: &mut Vec<f64>,
-) {
-    let (Some(reason), Some(end)) = (&track.stopped, finite(track).last()) else { return };
+/// Says beside the cross why the run stopped: in words where one run did, by its number where several did.
+fn label_stop(drawing: &mut Drawing, track: &Track, stops: &[Stop], x: &Axis, y: &Axis) {
+    let (Some(stop), Some(end)) = (Stop::of(track), finite(track).last()) else { return };
     let (at, height) = (x.place(end.0), y.place(end.1));
     let leftward = at > 0.5 * (LEFT + RIGHT);
     let room = if leftward { at - LEFT } else { RIGHT - at } - 16.0;
-    let down = height < 0.5 * (top + bottom);
-    let mut line = if down { height + 20.0 } else { height - 11.0 };
-    while taken.iter().any(|other| (other - line).abs() < 16.0) {
-        line += if down { 16.0 } else { -16.0 };
-    }
-    taken.push(line);
-    let (anchor, start) = if leftward { (Anchor::End, at - 8.0) } else { (Anchor::Start, at + 8.0) };
-    drawing.text(
-        (start, line.clamp(top + 12.0, bottom - 5.0)),
-        anchor,
-        "said",
-        &shorten(reason, (room / 7.0) as usize),
-    );
+    let text = match stops.iter().position(|known| known.is(&stop)) {
+        Some(position) if stops.len() > 1 => (position + 1).to_string(),
+        _ => shorten(stop.reason, (room / 7.4) as usize),
+    };
+    let (anchor, start) = if leftward { (Anchor::End, at - 9.0) } else { (Anchor::Start, at + 9.0) };
+    drawing.text((start, height + 5.0), anchor, "heading said", &text);
 }
 
 fn frame(drawing: &mut Drawing, x: &Axis, y: &Axis, top: f64, bottom: f64) {

@@ -5,7 +5,7 @@ use super::{
     drawing::{Anchor, Drawing, WIDTH, left_out},
     legend::{self, Entry},
     marker::Look,
-    number::{counted, significant},
+    number::{counted, significant, tolerance},
     path,
 };
 
@@ -145,8 +145,8 @@ impl WorkPrecision {
             let at = if known { x.place(failure.work) } else { LEFT + 8.0 };
             let spent =
                 if known { format!("after {}", self.x.amount(failure.work)) } else { "work unknown".to_owned() };
-            let (name, tolerance) = (&method.name, significant(failure.tolerance, 2));
-            let tooltip = format!("{name} fails at tolerance {tolerance}, {spent}: {}", failure.reason);
+            let (name, given) = (&method.name, tolerance(failure.tolerance));
+            let tooltip = format!("{name} fails at tolerance {given}, {spent}: {}", failure.reason);
             look.marker(drawing, (at, height), 4.0, &tooltip);
             drawing.path(&format!("M{:.1} {:.1}l14 -14", at - 7.0, height + 7.0), "cross");
         }
@@ -210,7 +210,7 @@ mod tests {
         let reason = "step below 1e-14 at t = 3.2".to_owned();
         let svg = chart(vec![], vec![Failure { work: f64::NAN, tolerance: 1e-6, reason }]).svg();
         assert!(svg.contains("class=\"band\"") && svg.contains("class=\"cross\""));
-        assert!(svg.contains("M fails at tolerance 1·10⁻⁶, work unknown: step below 1e-14 at t = 3.2"), "{svg}");
+        assert!(svg.contains("M fails at tolerance 10⁻⁶, work unknown: step below 1e-14 at t = 3.2"), "{svg}");
     }
 
     #[test]

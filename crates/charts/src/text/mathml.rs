@@ -12,7 +12,7 @@ pub struct Piece {
 /// outside of all parentheses, then inside them where a piece is still too wide.
 pub fn pieces(math: &str, limit: f64) -> Vec<Piece> {
     let content = math.find('>').map_or("", |end| &math[end + 1..]).trim_end_matches("</math>");
-    let elements = children(content);
+    let elements: Vec<_> = children(content).into_iter().flat_map(|element| opened(element, limit)).collect();
     let outer = if width(&elements) > limit { cut(&elements, 0) } else { vec![&elements[..]] };
     outer
         .into_iter()
@@ -21,6 +21,25 @@ pub fn pieces(math: &str, limit: f64) -> Vec<Piece> {
         .map(|(position, part)| Piece { mathml: write(part, position > 0), width: width(part) })
         .collect()
 }
+
+/// The content of a bracketed row that is too wide for a line, or the element itself. Brackets that stood around
+/// fractions keep their height.
+fn opened(element: Element<'_>, limit: f64) -> Vec<Element<'_>> {
+    let mut inner = children(element.inner);
+    let bracketed =
+        inner.first().is_some_and(|first| first.name == "mo") && inner.last().is_some_and(|last| last.name == "mo");
+    if element.name != "mrow" || !bracketed || element_width(&element) <= limit || element.inner.contains("<mtable") {
+        return vec![element];
+    }
+    let tall = element.inner.contains("<mfrac");
+    let last = inner.len() - 1;
+    for at in [0, last] {
+        inner[at].attributes = if tall { TALL } else { "" };
+    }
+    inner
+}
+
+const TALL: &str = "minsize=\"2.4em\" maxsize=\"2.4em\"";
 
 /// An element and what it holds.
 #[derive(Clone, Copy, Debug)]

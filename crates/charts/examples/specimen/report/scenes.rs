@@ -130,9 +130,11 @@ fn run_all(position: usize, x: Work, at: usize, (name, order, cost, floor): (&st
         } else {
             (3.0 * tolerance * wobble).max(floor)
         };
-        let work = if x == Work::Evaluations { evaluations } else { evaluations / 90.0 * (1.0 + at as f64 * 0.3) };
-        let fails =
-            (at == 0 && k < 2 && position % 2 == 0) || (at == 5 && k > 6) || (at == 3 && k == 4 && position == 1);
+        let work =
+            if x == Work::Evaluations { evaluations } else { 1.0 + evaluations / 90.0 * (1.0 + at as f64 * 0.3) };
+        let fails = (at == 0 && k < 2 && position.is_multiple_of(2))
+            || (at == 5 && k > 6)
+            || (at == 3 && k == 4 && position == 1);
         if fails {
             let reason = match at {
                 0 => "stiff windings: the step falls below 10⁻¹⁴ at t = 0.0031",
