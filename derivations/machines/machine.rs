@@ -93,6 +93,17 @@ pub fn heat<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| sum + S::lift(machine.resistance(k)) * i * i)
 }
 
+/// The names of the states of a machine: of its rotor, then its currents (x for the excitation, i1, i2, ... the bars).
+pub fn state_names<P: Base, M: Machine<P>>(machine: &M) -> Vec<String> {
+    let rotor: &[&str] = match M::ROTOR {
+        RotorState::Prescribed => &[],
+        RotorState::Speed => &["slip"],
+        RotorState::AngleAndSpeed => &["angle", "slip"],
+    };
+    let currents = (0..machine.windings()).map(|k| if k == 0 { "x".into() } else { format!("i{k}") });
+    rotor.iter().map(|&name| name.into()).chain(currents).collect()
+}
+
 /// A motor alone on a bench: its rotor with moment of inertia A' and a housing at rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Bench<P, M> {
@@ -137,7 +148,7 @@ impl RotorState {
         }
     }
 
-    /// The rates of the rotor's part of the state.
+    /// The rates of the rotor's part of the state. (Angle and speed for speed and acceleration: the state itself.)
     #[inline]
     pub fn write<S: Scalar>(self, slip: S, acceleration: S, rates: &mut [S]) {
         match (self, rates) {

@@ -11,7 +11,7 @@
 mod machine;
 mod quantity;
 
-pub use machine::{Bench, Machine, RotorState, drive, heat, stored_energy};
+pub use machine::{Bench, Machine, RotorState, drive, heat, state_names, stored_energy};
 pub use quantity::Quantity;
 
 /// Where the data of a machine come from: a scene file, or a test.

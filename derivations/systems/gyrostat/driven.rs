@@ -1,7 +1,7 @@
 //! The gyrostat driven by a motor: the system of first-order equations that runs.
 
 use super::forms::Form;
-use crate::machines::{Machine, RotorState, drive, stored_energy};
+use crate::machines::{Machine, RotorState, drive, state_names, stored_energy};
 use field::{Analytic, Base, Over};
 use nalgebra::Vector3;
 use std::marker::PhantomData;
@@ -28,14 +28,8 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
 
     /// Names of the states, in order.
     pub fn names(&self) -> Vec<String> {
-        let rotor: &[&str] = match M::ROTOR {
-            RotorState::Prescribed => &[],
-            RotorState::Speed => &["slip"],
-            RotorState::AngleAndSpeed => &["angle", "slip"],
-        };
-        let mut names: Vec<String> =
-            ["w1", "w2", "w3", "v1", "v2", "v3"].iter().chain(rotor).map(|s| s.to_string()).collect();
-        names.extend((0..self.machine.windings()).map(|k| if k == 0 { "x".into() } else { format!("i{k}") }));
+        let mut names: Vec<String> = ["w1", "w2", "w3", "v1", "v2", "v3"].map(String::from).into();
+        names.extend(state_names(&self.machine));
         names
     }
 
