@@ -1,0 +1,140 @@
+//! The loop around the steps of the own methods.
+
+use crate::meter::Meter;
+use crate::watch::Watch;
+use crate::{End, Failure, Outcome, Real, Tolerance};
+
+/// What became of an attempted step, and how long the next should be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Attempt {
+    Accepted { next: f64 },
+    Rejected { next: f64, cause: Cause },
+}
+
+/// Why a step was rejected: if no shorter one succeeds, why the run failed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Cause {
+    Error,
+    Newton,
+    Singular,
+    Undefined,
+}
+
+impl Cause {
+    fn failure(self, at: f64, step: f64) -> Failure {
+        match self {
+            Cause::Error => Failure::StepCollapsed { at, step },
+            Cause::Newton => Failure::NewtonFailed { at, step },
+            Cause::Singular => Failure::Singular { at },
+            Cause::Undefined => Failure::LeftTheNumbers { at },
+        }
+    }
+}
+
+/// A one-step method with its buffers.
+pub(crate) trait Stepper<S: Real> {
+    /// Tries one step from `before` at tau; a step that is accepted has its result in `after`.
+    fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &Meter<S>) -> Attempt;
+
+    /// The constant step of a method without error control.
+    fn fixed(&self) -> Option<S> {
+        None
+    }
+
+    /// Whether [`Stepper::between`] is as accurate as the steps: then these need not land on the outputs.
+    fn reads_between(&self) -> bool {
+        false
+    }
+
+    /// The state at `passed` after the beginning of the last accepted step.
+    fn between(&self, _passed: S, _state: &mut [S]) {}
+}
+
+/// Runs a method to the end of the span, or to its failure.
+pub(crate) fn drive<S: Real>(
+    stepper: &mut dyn Stepper<S>,
+    first: f64,
+    meter: &Meter<S>,
+    mut watch: Watch<'_, '_, S>,
+) -> Outcome<S> {
+    let (mut before, mut after) = (watch.state().to_vec(), watch.state().to_vec());
+    let (mut tau, mut proposed, mut last_cause) = (S::zero(), first, Cause::Error);
+    while tau < watch.length() {
+        let stop = if stepper.reads_between() { watch.length() } else { watch.stop() };
+        let remaining = stop - tau;
+        let step = match stepper.fixed() {
+            Some(fixed) => remaining / S::lift(((remaining / fixed).approx() - 1e-6).ceil().max(1.0)),
+            None => shorten(proposed, remaining),
+        };
+        let at = watch.time();
+        let lands = step == remaining;
+        if !lands && (step.approx() <= 4.0 * S::EPSILON * at.abs() || tau + step == tau) || !step.finite() {
+            return watch.fail(last_cause.failure(at, step.approx()), meter);
+        }
+        let attempt = stepper.attempt(tau, &before, step, &mut after, meter);
+        if let Some(failure) = meter.exhausted(at) {
+            return watch.fail(failure, meter);
+        }
+        match attempt {
+            Attempt::Accepted { next } if after.iter().all(|y| y.finite()) => {
+                let end = if lands { stop } else { tau + step };
+                while stepper.reads_between()
+                    && let Some(output) = watch.output_up_to(end)
+                    && output < end
+                {
+                    stepper.between(output - tau, &mut before);
+                    watch.sample(&before);
+                }
+                tau = end;
+                before.copy_from_slice(&after);
+                watch.accept(tau, &before);
+                proposed = if lands { next.max(proposed) } else { next };
+            }
+            Attempt::Accepted { .. } if stepper.fixed().is_some() => {
+                return watch.fail(Failure::LeftTheNumbers { at }, meter);
+            }
+            Attempt::Accepted { .. } => {
+                (proposed, last_cause) = (step.approx() / 4.0, Cause::Undefined);
+                watch.reject();
+            }
+            Attempt::Rejected { next, cause } => {
+                (proposed, last_cause) = (next.min(step.approx() * 0.9), cause);
+                watch.reject();
+            }
+        }
+    }
+    watch.finish(End::Reached, meter)
+}
+
+/// The proposed step, or what remains, or half of it rather than leaving a sliver.
+fn shorten<S: Real>(proposed: f64, remaining: S) -> S {
+    let left = remaining.approx();
+    if proposed >= left * (1.0 - 1e-10) {
+        remaining
+    } else if proposed > 0.5 * left {
+        remaining.half()
+    } else {
+        S::lift(proposed)
+    }
+}
+
+/// A first step for a method of order p (Gladwell, Shampine and Brankin 1987; Hairer, Norsett and Wanner, II.4): such
+/// that an explicit Euler step of a hundredth, and the second derivative it shows, stay within the tolerance.
+pub(crate) fn first_step<S: Real>(meter: &Meter<S>, y: &[S], tolerance: &Tolerance, order: u32, length: f64) -> f64 {
+    let n = y.len();
+    let (mut f0, mut f1, mut y1) = (vec![S::zero(); n], vec![S::zero(); n], vec![S::zero(); n]);
+    meter.rates(S::zero(), y, &mut f0);
+    let size = |v: &[S]| tolerance.norm(y, y, |i| v[i].approx());
+    let (d0, d1) = (size(y), size(&f0));
+    let guess = if d0 < 1e-5 || d1 < 1e-5 { 1e-6 * length } else { 0.01 * d0 / d1 };
+    let h0 = guess.min(length);
+    for i in 0..n {
+        y1[i] = y[i] + S::lift(h0) * f0[i];
+    }
+    meter.rates(S::lift(h0), &y1, &mut f1);
+    let d2 = tolerance.norm(y, y, |i| (f1[i] - f0[i]).approx()) / h0;
+    let steepest = d1.max(d2);
+    let h1 = if steepest <= 1e-15 { h0 * 1e-3 } else { (0.01 / steepest).powf(1.0 / f64::from(order + 1)) };
+    let first = h1.min(100.0 * h0).min(length);
+    if first.is_finite() && first > 0.0 { first } else { h0 * 1e-3 }
+}

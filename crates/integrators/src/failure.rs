@@ -1,0 +1,118 @@
+//! The known ways in which a run stops before its end.
+
+use std::fmt;
+
+/// Why a run stopped. A closed set: a chart names each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Failure {
+    /// The data were refused before the first step.
+    Refused(Refusal),
+    /// The step that the tolerance asks for is below rounding.
+    StepCollapsed { at: f64, step: f64 },
+    /// The allowed number of evaluations was spent.
+    TooManyEvaluations { at: f64, allowed: u64 },
+    /// The deadline passed.
+    OutOfTime { at: f64 },
+    /// Newton's iteration did not converge with any step above rounding.
+    NewtonFailed { at: f64, step: f64 },
+    /// The rates, or the state, are infinite or undefined beyond this time.
+    LeftTheNumbers { at: f64 },
+    /// The method's own test found the problem stiff: an explicit method wastes its steps there.
+    Stiff { at: f64 },
+    /// The matrix of an implicit step is singular with every step tried.
+    Singular { at: f64 },
+}
+
+/// Why data were refused, and what would be accepted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Refusal {
+    SpanEmpty { start: f64, end: f64 },
+    SpanNotFinite { start: f64, end: f64 },
+    Dimension { expected: usize, found: usize },
+    StateNotFinite { component: usize },
+    RatesNotFinite { component: usize },
+    Relative { given: f64, least: f64 },
+    Absolute { given: f64 },
+    AbsoluteCount { expected: usize, found: usize },
+    Output { index: usize, time: f64, start: f64, end: f64 },
+    NoBudget,
+    Steps { given: u32 },
+    Stages { given: usize, least: usize, most: usize },
+    NoSeries,
+    TooLarge { dimension: usize, most: usize },
+    Field,
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Refused(refusal) => write!(f, "refused: {refusal}"),
+            Failure::StepCollapsed { at, step } => {
+                write!(f, "step collapsed at t = {at}: the tolerance asks for a step of {step:.1e}, below rounding")
+            }
+            Failure::TooManyEvaluations { at, allowed } => {
+                write!(f, "too many evaluations: the {allowed} allowed were spent at t = {at}")
+            }
+            Failure::OutOfTime { at } => write!(f, "out of time: the deadline passed at t = {at}"),
+            Failure::NewtonFailed { at, step } => {
+                write!(f, "Newton did not converge at t = {at}, with a step down to {step:.1e}")
+            }
+            Failure::LeftTheNumbers { at } => {
+                write!(f, "left the numbers: the rates or the state are not finite after t = {at}")
+            }
+            Failure::Stiff { at } => {
+                write!(f, "stiff at t = {at}: an explicit method wastes its steps here, take an implicit one")
+            }
+            Failure::Singular { at } => write!(f, "the matrix of the implicit step is singular at t = {at}"),
+        }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Refusal::SpanEmpty { start, end } => {
+                write!(f, "the span from {start} to {end} is empty; start and end must differ")
+            }
+            Refusal::SpanNotFinite { start, end } => {
+                write!(f, "the span from {start} to {end} is not finite; both ends must be numbers")
+            }
+            Refusal::Dimension { expected, found } => {
+                write!(f, "the state has {found} components; the system has {expected}, at least one is needed")
+            }
+            Refusal::StateNotFinite { component } => {
+                write!(f, "component {component} of the initial state is not finite; every one must be a number")
+            }
+            Refusal::RatesNotFinite { component } => {
+                write!(f, "the rate of component {component} is not finite at the initial state; start where it is")
+            }
+            Refusal::Relative { given, least } => {
+                write!(f, "the relative tolerance is {given:e}; a number from {least:.1e} to below 1 is accepted")
+            }
+            Refusal::Absolute { given } => {
+                write!(f, "an absolute tolerance is {given:e}; a positive number is accepted")
+            }
+            Refusal::AbsoluteCount { expected, found } => {
+                write!(f, "{found} absolute tolerances are given; one, or {expected}, are accepted")
+            }
+            Refusal::Output { index, time, start, end } => {
+                write!(f, "output {index} at t = {time}; outputs must follow each other from {start} to {end}")
+            }
+            Refusal::NoBudget => write!(f, "the budget is 0 evaluations; at least 1 is needed"),
+            Refusal::Steps { given } => write!(f, "{given} steps are asked for; at least 1 is needed"),
+            Refusal::Stages { given, least, most } => {
+                write!(f, "{given} stages are asked for; from {least} to {most} are accepted")
+            }
+            Refusal::NoSeries => {
+                write!(f, "the system offers no Taylor coefficients; give it `System::taylor`, or take another method")
+            }
+            Refusal::TooLarge { dimension, most } => {
+                write!(f, "the state has {dimension} components; this method takes at most {most}")
+            }
+            Refusal::Field => write!(f, "this method runs in f64 only; in double-double take an own method"),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
+impl std::error::Error for Refusal {}

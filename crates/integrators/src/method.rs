@@ -1,0 +1,172 @@
+//! The methods by name, and the one entry to all of them.
+
+use std::fmt;
+
+use crate::adaptors::dormand_prince::{self, Pair};
+use crate::classical::{Euler, RungeKutta4};
+use crate::drive::{drive, first_step};
+use crate::gragg::GraggBulirschStoer;
+use crate::meter::Meter;
+use crate::taylor::Taylor;
+use crate::watch::Watch;
+use crate::{End, Failure, Observer, Outcome, Refusal, Span, System, Tolerance, Work, Working};
+
+/// A method, by inventor and stages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// Explicit Euler with so many equal steps over the span.
+    Euler { steps: u32 },
+    /// The classical Runge-Kutta method of order 4 with so many equal steps over the span.
+    RungeKutta4 { steps: u32 },
+    /// Dormand-Prince 5(4), crate `ode_solvers`.
+    DormandPrince5,
+    /// Dormand-Prince 8(5,3), crate `ode_solvers`.
+    DormandPrince8,
+    /// Gragg-Bulirsch-Stoer extrapolation, variable order.
+    GraggBulirschStoer,
+    /// Taylor's method after Jorba and Zou, for systems that offer their coefficients.
+    Taylor,
+}
+
+/// What is known of a method before it runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Traits {
+    /// The order in the step; none where it varies with the tolerance.
+    pub order: Option<u32>,
+    /// Solves equations in each step: takes stiff problems.
+    pub implicit: bool,
+    /// Follows a tolerance; a method that does not has a constant step.
+    pub adaptive: bool,
+    /// Runs in double-double too.
+    pub exact: bool,
+    /// Lands its steps on the outputs; otherwise reads them off its own polynomial.
+    pub lands: bool,
+}
+
+impl Method {
+    /// The method's properties.
+    pub fn traits(self) -> Traits {
+        let adaptive = Traits { order: None, implicit: false, adaptive: true, exact: true, lands: true };
+        match self {
+            Method::Euler { .. } => Traits { order: Some(1), adaptive: false, ..adaptive },
+            Method::RungeKutta4 { .. } => Traits { order: Some(4), adaptive: false, ..adaptive },
+            Method::DormandPrince5 => Traits { order: Some(5), exact: false, ..adaptive },
+            Method::DormandPrince8 => Traits { order: Some(8), exact: false, ..adaptive },
+            Method::GraggBulirschStoer => adaptive,
+            Method::Taylor => Traits { lands: false, ..adaptive },
+        }
+    }
+
+    /// What no run of this method could work with.
+    fn check(self, dimension: usize) -> Result<(), Refusal> {
+        let _ = dimension;
+        match self {
+            Method::Euler { steps: 0 } | Method::RungeKutta4 { steps: 0 } => Err(Refusal::Steps { given: 0 }),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Method::Euler { steps } => write!(f, "Euler, {steps} steps"),
+            Method::RungeKutta4 { steps } => write!(f, "Runge-Kutta 4, {steps} steps"),
+            Method::DormandPrince5 => write!(f, "Dormand-Prince 5(4)"),
+            Method::DormandPrince8 => write!(f, "Dormand-Prince 8(5,3)"),
+            Method::GraggBulirschStoer => write!(f, "Gragg-Bulirsch-Stoer"),
+            Method::Taylor => write!(f, "Taylor"),
+        }
+    }
+}
+
+/// Integrates a system over a span. The tolerance is ignored by a method with a constant step.
+///
+/// Never panics, never answers with a number that is not one: what goes wrong is the outcome's end.
+pub fn integrate(
+    system: &dyn System,
+    method: Method,
+    tolerance: &Tolerance,
+    span: &Span<'_, f64>,
+    observer: &mut dyn Observer<f64>,
+) -> Outcome<f64> {
+    let run = |meter: &Meter<f64>, watch: Watch<'_, '_, f64>| match method {
+        Method::DormandPrince5 => dormand_prince::run(Pair::Five, tolerance, meter, watch),
+        Method::DormandPrince8 => dormand_prince::run(Pair::Eight, tolerance, meter, watch),
+        _ => run_own(system, method, tolerance, meter, watch),
+    };
+    prepared(system, method, tolerance, span, observer, run)
+}
+
+/// Integrates in any working field: the own methods only, the crates' run in `f64`.
+pub fn integrate_in<S: Working>(
+    system: &dyn System,
+    method: Method,
+    tolerance: &Tolerance,
+    span: &Span<'_, S>,
+    observer: &mut dyn Observer<S>,
+) -> Outcome<S> {
+    let run = |meter: &Meter<S>, watch: Watch<'_, '_, S>| run_own(system, method, tolerance, meter, watch);
+    prepared(system, method, tolerance, span, observer, run)
+}
+
+/// Checks the data, then runs.
+fn prepared<S: Working>(
+    system: &dyn System,
+    method: Method,
+    tolerance: &Tolerance,
+    span: &Span<'_, S>,
+    observer: &mut dyn Observer<S>,
+    run: impl FnOnce(&Meter<S>, Watch<'_, '_, S>) -> Outcome<S>,
+) -> Outcome<S> {
+    let law = S::law(system);
+    let followed = method.traits().adaptive.then_some(tolerance);
+    let refuse = |refusal| Outcome {
+        end: End::Stopped(Failure::Refused(refusal)),
+        time: span.start,
+        state: span.state.clone(),
+        work: Work::default(),
+        deviations: Vec::new(),
+    };
+    if let Err(refusal) = span.check(law.dimension(), followed).and_then(|()| method.check(law.dimension())) {
+        return refuse(refusal);
+    }
+    let mut rates = vec![S::zero(); law.dimension()];
+    law.rates(S::lift(span.start), &span.state, &mut rates);
+    if let Some(component) = rates.iter().position(|rate| !rate.finite()) {
+        return refuse(Refusal::RatesNotFinite { component });
+    }
+    run(&Meter::new(law, span), Watch::new(span, observer))
+}
+
+/// The methods of this crate, over any field.
+fn run_own<S: Working>(
+    system: &dyn System,
+    method: Method,
+    tolerance: &Tolerance,
+    meter: &Meter<S>,
+    watch: Watch<'_, '_, S>,
+) -> Outcome<S> {
+    let (n, length) = (meter.dimension(), watch.length());
+    let first = |order| first_step(meter, watch.state(), tolerance, order, length.approx());
+    match method {
+        Method::Euler { steps } => drive(&mut Euler::new(length / S::int(steps.into()), n), 0.0, meter, watch),
+        Method::RungeKutta4 { steps } => {
+            drive(&mut RungeKutta4::new(length / S::int(steps.into()), n), 0.0, meter, watch)
+        }
+        Method::GraggBulirschStoer => {
+            let mut stepper = GraggBulirschStoer::new(tolerance, n);
+            let first = first(stepper.first_order());
+            drive(&mut stepper, first, meter, watch)
+        }
+        Method::Taylor => match S::series(system) {
+            Some(source) => {
+                let mut stepper = Taylor::new(source, tolerance, n);
+                let reach = stepper.look_ahead(S::zero(), watch.state(), meter);
+                drive(&mut stepper, reach.min(length.approx()), meter, watch)
+            }
+            None => watch.fail(Failure::Refused(Refusal::NoSeries), meter),
+        },
+        Method::DormandPrince5 | Method::DormandPrince8 => watch.fail(Failure::Refused(Refusal::Field), meter),
+    }
+}

@@ -1,0 +1,88 @@
+//! Who watches a run.
+
+/// Shown the state at the requested outputs, and how far the run is. All methods have an empty default.
+pub trait Observer<S> {
+    /// The state at a requested output.
+    fn sample(&mut self, _time: f64, _state: &[S]) {}
+
+    /// The state after an accepted step, wherever the method put it.
+    fn step(&mut self, _time: f64, _state: &[S]) {}
+
+    /// The fraction of the span that is done, after every accepted step.
+    fn progress(&mut self, _fraction: f64) {}
+}
+
+/// Watches nothing.
+impl<S> Observer<S> for () {}
+
+/// Keeps the samples.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Record<S> {
+    pub times: Vec<f64>,
+    /// One state for each time.
+    pub states: Vec<Vec<S>>,
+}
+
+impl<S> Record<S> {
+    /// Nothing seen yet.
+    pub fn new() -> Self {
+        Record { times: Vec::new(), states: Vec::new() }
+    }
+}
+
+impl<S: Clone> Observer<S> for Record<S> {
+    fn sample(&mut self, time: f64, state: &[S]) {
+        self.times.push(time);
+        self.states.push(state.to_vec());
+    }
+}
+
+/// Calls a closure with every sample.
+pub struct Samples<F>(pub F);
+
+impl<S, F: FnMut(f64, &[S])> Observer<S> for Samples<F> {
+    fn sample(&mut self, time: f64, state: &[S]) {
+        (self.0)(time, state);
+    }
+}
+
+/// Calls a closure with the fraction done: for a progress bar.
+pub struct Progress<F>(pub F);
+
+impl<S, F: FnMut(f64)> Observer<S> for Progress<F> {
+    fn progress(&mut self, fraction: f64) {
+        (self.0)(fraction);
+    }
+}
+
+/// Two observers at once.
+impl<S, A: Observer<S>, B: Observer<S>> Observer<S> for (A, B) {
+    fn sample(&mut self, time: f64, state: &[S]) {
+        self.0.sample(time, state);
+        self.1.sample(time, state);
+    }
+
+    fn step(&mut self, time: f64, state: &[S]) {
+        self.0.step(time, state);
+        self.1.step(time, state);
+    }
+
+    fn progress(&mut self, fraction: f64) {
+        self.0.progress(fraction);
+        self.1.progress(fraction);
+    }
+}
+
+impl<S, T: Observer<S> + ?Sized> Observer<S> for &mut T {
+    fn sample(&mut self, time: f64, state: &[S]) {
+        (**self).sample(time, state);
+    }
+
+    fn step(&mut self, time: f64, state: &[S]) {
+        (**self).step(time, state);
+    }
+
+    fn progress(&mut self, fraction: f64) {
+        (**self).progress(fraction);
+    }
+}

@@ -1,0 +1,66 @@
+//! What is integrated: y' = f(t, y).
+
+use field::{DoubleDouble, Scalar};
+use num_dual::DualSVec64;
+
+use crate::TaylorSeries;
+
+/// How many columns of a Jacobian one evaluation gives.
+pub const DIRECTIONS: usize = 8;
+
+/// The field in which a Jacobian is computed: a value and its slopes in eight directions.
+pub type Directions = DualSVec64<DIRECTIONS>;
+
+/// y' = f(t, y) over one field, with a dimension known at run time (a machine has as many bars as its file says).
+pub trait Ode<S: Scalar> {
+    /// The number of components of y.
+    fn dimension(&self) -> usize;
+
+    /// dy = f(t, y). Both slices have the system's dimension. Must not allocate: it is called millions of times.
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]);
+}
+
+/// One law over the three fields of a computation: the run, its Jacobian, its reference.
+///
+/// A system generic over `S: Over<f64> + Analytic` needs one more line, `impl System for Mine {}`. A system whose
+/// expression graph is at hand may offer its Taylor coefficients too.
+pub trait System: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {
+    /// A source of Taylor coefficients in `f64`, where there is one.
+    fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
+        None
+    }
+
+    /// A source of Taylor coefficients in double-double, where there is one.
+    fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
+        None
+    }
+}
+
+/// A field in which a [`System`] can be integrated.
+pub trait Working: crate::Real {
+    /// The law of a system, seen in this field.
+    fn law(system: &dyn System) -> &dyn Ode<Self>;
+
+    /// The system's source of Taylor coefficients in this field.
+    fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<Self> + '_>>;
+}
+
+impl Working for f64 {
+    fn law(system: &dyn System) -> &dyn Ode<f64> {
+        system
+    }
+
+    fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
+        system.taylor()
+    }
+}
+
+impl Working for DoubleDouble {
+    fn law(system: &dyn System) -> &dyn Ode<DoubleDouble> {
+        system
+    }
+
+    fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
+        system.taylor_exact()
+    }
+}

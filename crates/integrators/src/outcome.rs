@@ -1,0 +1,79 @@
+//! What a run gives, whether it reached its end or not.
+
+use std::fmt;
+
+use crate::Failure;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum End {
+    /// At the end of the span, with a finite state.
+    Reached,
+    /// Before it, for this reason.
+    Stopped(Failure),
+}
+
+/// What a run cost, in counts that every machine repeats.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Evaluations of the rates.
+    pub rates: u64,
+    /// Evaluations of the whole Jacobian.
+    pub jacobians: u64,
+    /// Factorisations of a matrix.
+    pub factorisations: u64,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+}
+
+/// The largest distance of a monitored quantity from its first value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deviation {
+    pub name: String,
+    /// The value at the start.
+    pub first: f64,
+    /// The largest |value - first| over the accepted steps.
+    pub largest: f64,
+    /// Where it was reached.
+    pub at: f64,
+}
+
+/// The end of a run: the last good state in any case, never a number that is not one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome<S> {
+    pub end: End,
+    /// The time of the last good state: the span's end if it was reached.
+    pub time: f64,
+    /// The last good state.
+    pub state: Vec<S>,
+    pub work: Work,
+    /// One for each monitor of the span.
+    pub deviations: Vec<Deviation>,
+}
+
+impl<S> Outcome<S> {
+    /// The reason for which the run stopped, if it did.
+    pub fn failure(&self) -> Option<Failure> {
+        match self.end {
+            End::Reached => None,
+            End::Stopped(failure) => Some(failure),
+        }
+    }
+
+    /// Whether the end of the span was reached.
+    pub fn reached(&self) -> bool {
+        self.end == End::Reached
+    }
+}
+
+impl fmt::Display for Work {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} evaluations, {} steps, {} rejected", self.rates, self.steps, self.rejected)?;
+        if self.jacobians > 0 {
+            write!(f, ", {} Jacobians, {} factorisations", self.jacobians, self.factorisations)?;
+        }
+        Ok(())
+    }
+}

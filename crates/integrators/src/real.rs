@@ -1,0 +1,40 @@
+//! The ordered fields in which trajectories are computed.
+
+use field::{Analytic, Base, DoubleDouble, Over};
+
+/// A field of rounded real numbers: a law may not compare, the control of a step must.
+pub trait Real: Analytic + Base + Over<f64> + PartialOrd {
+    /// The distance from 1 to the next number.
+    const EPSILON: f64;
+
+    /// The nearest `f64`: for norms, step sizes and reports.
+    fn approx(self) -> f64;
+
+    /// |x|.
+    fn magnitude(self) -> Self {
+        if self < Self::zero() { -self } else { self }
+    }
+
+    /// Neither infinite nor undefined.
+    fn finite(self) -> bool {
+        self.approx().is_finite()
+    }
+}
+
+impl Real for f64 {
+    const EPSILON: f64 = f64::EPSILON;
+
+    #[inline]
+    fn approx(self) -> f64 {
+        self
+    }
+}
+
+impl Real for DoubleDouble {
+    const EPSILON: f64 = f64::EPSILON * f64::EPSILON / 2.0;
+
+    #[inline]
+    fn approx(self) -> f64 {
+        self.hi()
+    }
+}

@@ -1,0 +1,139 @@
+//! From where to where, seen at which times, with how much work.
+
+use std::time::Instant;
+
+use crate::{Absolute, Real, Refusal, Tolerance};
+
+/// How much work a run may take before it is stopped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Budget {
+    /// Evaluations of the rates.
+    pub evaluations: u64,
+    /// The moment at which the run must have stopped.
+    pub deadline: Option<Instant>,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Budget { evaluations: 50_000_000, deadline: None }
+    }
+}
+
+/// A quantity that should keep its first value.
+pub struct Monitor<'a, S> {
+    pub name: String,
+    pub value: Box<dyn Fn(f64, &[S]) -> S + 'a>,
+}
+
+/// An initial value problem but for its law: times, initial state, outputs, monitors, budget.
+pub struct Span<'a, S> {
+    pub start: f64,
+    /// May lie before `start`: then the run goes backwards.
+    pub end: f64,
+    /// The state at `start`.
+    pub state: Vec<S>,
+    /// Where the observer is shown the state: in the run's order, from `start` to `end`. The methods land their steps
+    /// on them, so an output is as accurate as a step; only the Taylor method reads its polynomial instead.
+    pub outputs: Vec<f64>,
+    pub monitors: Vec<Monitor<'a, S>>,
+    pub budget: Budget,
+}
+
+impl<'a, S: Real> Span<'a, S> {
+    /// From `start` to `end` with the state at `start` given; one output, at the end.
+    pub fn new(start: f64, end: f64, state: &[S]) -> Self {
+        let (outputs, monitors) = (vec![end], Vec::new());
+        Span { start, end, state: state.to_vec(), outputs, monitors, budget: Budget::default() }
+    }
+
+    /// The same with these outputs.
+    pub fn with_outputs(mut self, outputs: &[f64]) -> Self {
+        self.outputs = outputs.to_vec();
+        self
+    }
+
+    /// The same with `count` outputs at equal distances, the last at the end.
+    pub fn with_even_outputs(mut self, count: usize) -> Self {
+        let step = |k: usize| self.start + (self.end - self.start) * (k as f64 / count as f64);
+        self.outputs = (1..=count).map(|k| if k == count { self.end } else { step(k) }).collect();
+        self
+    }
+
+    /// The same, watching one more quantity.
+    pub fn with_monitor(mut self, name: &str, value: impl Fn(f64, &[S]) -> S + 'a) -> Self {
+        self.monitors.push(Monitor { name: name.to_owned(), value: Box::new(value) });
+        self
+    }
+
+    /// The same with at most so many evaluations of the rates.
+    pub fn with_evaluations(mut self, evaluations: u64) -> Self {
+        self.budget.evaluations = evaluations;
+        self
+    }
+
+    /// The same with a moment at which the run must have stopped.
+    pub fn with_deadline(mut self, deadline: Instant) -> Self {
+        self.budget.deadline = Some(deadline);
+        self
+    }
+
+    /// The length of the run, positive.
+    pub fn length(&self) -> S {
+        (S::lift(self.end) - S::lift(self.start)).magnitude()
+    }
+
+    /// +1 forwards, -1 backwards.
+    pub fn direction(&self) -> f64 {
+        (self.end - self.start).signum()
+    }
+
+    /// The time that has passed since the start where the clock shows `time`.
+    pub(crate) fn since_start(&self, time: f64) -> S {
+        (S::lift(time) - S::lift(self.start)) * S::lift(self.direction())
+    }
+
+    /// Whatever in the data no method could work with.
+    pub(crate) fn check(&self, dimension: usize, tolerance: Option<&Tolerance>) -> Result<(), Refusal> {
+        if !(self.start.is_finite() && self.end.is_finite()) {
+            return Err(Refusal::SpanNotFinite { start: self.start, end: self.end });
+        }
+        if self.start == self.end || !self.length().finite() {
+            return Err(Refusal::SpanEmpty { start: self.start, end: self.end });
+        }
+        if self.state.len() != dimension || dimension == 0 {
+            return Err(Refusal::Dimension { expected: dimension, found: self.state.len() });
+        }
+        if let Some(component) = self.state.iter().position(|y| !y.finite()) {
+            return Err(Refusal::StateNotFinite { component });
+        }
+        if self.budget.evaluations == 0 {
+            return Err(Refusal::NoBudget);
+        }
+        let mut last = S::zero();
+        for (index, &time) in self.outputs.iter().enumerate() {
+            let passed = if time.is_finite() { self.since_start(time) } else { -S::one() };
+            if passed < last || passed > self.length() || (index > 0 && passed == last) {
+                return Err(Refusal::Output { index, time, start: self.start, end: self.end });
+            }
+            last = passed;
+        }
+        tolerance.map_or(Ok(()), |tolerance| check_tolerance::<S>(tolerance, dimension))
+    }
+}
+
+/// Positive, finite, not below what the field's rounding allows, one for each component if given by component.
+fn check_tolerance<S: Real>(tolerance: &Tolerance, dimension: usize) -> Result<(), Refusal> {
+    let least = 10.0 * S::EPSILON;
+    if !(tolerance.relative >= least && tolerance.relative < 1.0) {
+        return Err(Refusal::Relative { given: tolerance.relative, least });
+    }
+    if let Absolute::Each(each) = &tolerance.absolute
+        && each.len() != dimension
+    {
+        return Err(Refusal::AbsoluteCount { expected: dimension, found: each.len() });
+    }
+    match (0..dimension).map(|i| tolerance.absolute(i)).find(|a| !(*a > 0.0 && a.is_finite())) {
+        Some(given) => Err(Refusal::Absolute { given }),
+        None => Ok(()),
+    }
+}

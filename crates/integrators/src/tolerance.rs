@@ -1,0 +1,62 @@
+//! How large an error of one step may be.
+
+use crate::Real;
+
+/// A step is accepted if in every component i its estimated error is at most
+/// absolute_i + relative * max(|y_i| before, |y_i| after).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tolerance {
+    pub relative: f64,
+    pub absolute: Absolute,
+}
+
+/// The part of a tolerance that does not follow the size of a component.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Absolute {
+    /// The same for every component.
+    Same(f64),
+    /// One for each component: for states that mix currents of 100 A with angles.
+    Each(Vec<f64>),
+}
+
+impl Tolerance {
+    /// The same number, relative and absolute.
+    pub fn both(tolerance: f64) -> Self {
+        Tolerance { relative: tolerance, absolute: Absolute::Same(tolerance) }
+    }
+
+    /// Relative to a typical size of each component, and to its size at the moment.
+    pub fn scaled(tolerance: f64, sizes: &[f64]) -> Self {
+        let absolute = sizes.iter().map(|size| tolerance * size).collect();
+        Tolerance { relative: tolerance, absolute: Absolute::Each(absolute) }
+    }
+
+    /// The absolute part for component i.
+    #[inline]
+    pub fn absolute(&self, i: usize) -> f64 {
+        match &self.absolute {
+            Absolute::Same(same) => *same,
+            Absolute::Each(each) => each.get(i).copied().unwrap_or(0.0),
+        }
+    }
+
+    /// The error that component i may have where its size is `size`.
+    #[inline]
+    pub fn allowed(&self, i: usize, size: f64) -> f64 {
+        self.absolute(i) + self.relative * size
+    }
+
+    /// The largest component of an error in units of what is allowed: above 1 the step must be rejected.
+    /// Not a number where the error or the state is not.
+    pub fn norm<S: Real>(&self, before: &[S], after: &[S], error: impl Fn(usize) -> f64) -> f64 {
+        let mut largest = 0.0_f64;
+        for (i, (a, b)) in before.iter().zip(after).enumerate() {
+            let share = (error(i) / self.allowed(i, a.approx().abs().max(b.approx().abs()))).abs();
+            if !(share.is_finite() && b.finite()) {
+                return f64::NAN;
+            }
+            largest = largest.max(share);
+        }
+        largest
+    }
+}

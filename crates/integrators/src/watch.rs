@@ -1,0 +1,133 @@
+//! What happens around the accepted steps of any method: outputs, monitors, progress, the last good state.
+
+use crate::meter::Meter;
+use crate::{Deviation, End, Failure, Observer, Outcome, Real, Span};
+
+/// The run as seen from outside its method.
+pub(crate) struct Watch<'a, 'm, S> {
+    span: &'a Span<'m, S>,
+    observer: &'a mut dyn Observer<S>,
+    length: S,
+    next_output: usize,
+    tau: S,
+    state: Vec<S>,
+    deviations: Vec<(S, Deviation)>,
+    steps: u64,
+    rejected: u64,
+}
+
+impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
+    /// Shows an output that is asked for at the start.
+    pub fn new(span: &'a Span<'m, S>, observer: &'a mut dyn Observer<S>) -> Self {
+        let first = |monitor: &crate::Monitor<'m, S>| {
+            let value = (monitor.value)(span.start, &span.state);
+            let name = monitor.name.clone();
+            (value, Deviation { name, first: value.approx(), largest: 0.0, at: span.start })
+        };
+        let mut watch = Watch {
+            length: span.length(),
+            next_output: 0,
+            tau: S::zero(),
+            state: span.state.clone(),
+            deviations: span.monitors.iter().map(first).collect(),
+            steps: 0,
+            rejected: 0,
+            span,
+            observer,
+        };
+        watch.sample_if_at(S::zero());
+        watch
+    }
+
+    /// The run's time of the last good state.
+    pub fn tau(&self) -> S {
+        self.tau
+    }
+
+    /// The last good state.
+    pub fn state(&self) -> &[S] {
+        &self.state
+    }
+
+    pub fn length(&self) -> S {
+        self.length
+    }
+
+    /// Where the next step must land at the latest: the next output or the end.
+    pub fn stop(&self) -> S {
+        self.output().map_or(self.length, |time| self.span.since_start(time))
+    }
+
+    /// The clock's time of the next output.
+    pub fn output(&self) -> Option<f64> {
+        self.span.outputs.get(self.next_output).copied()
+    }
+
+    /// The run's time of the next output, if that lies at most at tau.
+    pub fn output_up_to(&self, tau: S) -> Option<S> {
+        self.output().map(|time| self.span.since_start(time)).filter(|at| *at <= tau)
+    }
+
+    /// Shows the next output with a state that the method read between its steps.
+    pub fn sample(&mut self, state: &[S]) {
+        if let Some(time) = self.output() {
+            self.observer.sample(time, state);
+            self.next_output += 1;
+        }
+    }
+
+    /// Takes the state after an accepted step; shows it if an output lies exactly here.
+    pub fn accept(&mut self, tau: S, state: &[S]) {
+        self.tau = tau;
+        self.state.copy_from_slice(state);
+        self.steps += 1;
+        self.sample_if_at(tau);
+        let time = self.time();
+        for (monitor, (first, deviation)) in self.span.monitors.iter().zip(&mut self.deviations) {
+            let distance = ((monitor.value)(time, state) - *first).magnitude().approx();
+            if distance > deviation.largest {
+                (deviation.largest, deviation.at) = (distance, time);
+            }
+        }
+        self.observer.step(time, state);
+        self.observer.progress(((tau / self.length).approx()).min(1.0));
+    }
+
+    pub fn reject(&mut self) {
+        self.rejected += 1;
+    }
+
+    /// Takes the count of rejected steps from a crate that keeps it itself.
+    pub fn rejected(&mut self, count: u64) {
+        self.rejected += count;
+    }
+
+    /// The clock's time of the last good state.
+    pub fn time(&self) -> f64 {
+        if self.tau == self.length {
+            return self.span.end;
+        }
+        (S::lift(self.span.start) + S::lift(self.span.direction()) * self.tau).approx()
+    }
+
+    pub fn finish(self, end: End, meter: &Meter<S>) -> Outcome<S> {
+        let time = self.time();
+        let mut work = meter.work();
+        (work.steps, work.rejected) = (self.steps, self.rejected);
+        let deviations = self.deviations.into_iter().map(|(_, deviation)| deviation).collect();
+        Outcome { end, time, state: self.state, work, deviations }
+    }
+
+    pub fn fail(self, failure: Failure, meter: &Meter<S>) -> Outcome<S> {
+        self.finish(End::Stopped(failure), meter)
+    }
+
+    fn sample_if_at(&mut self, tau: S) {
+        if let Some(time) = self.output()
+            && self.span.since_start(time) == tau
+        {
+            self.observer.sample(time, &self.state);
+            self.next_output += 1;
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! A run that cannot reach its end says why, keeps its last good state, and never panics.
+
+mod problems;
+
+use integrators::{Absolute, Failure, Method, Outcome, Record, Refusal, Span, System, Tolerance, integrate};
+use problems::{Explosion, Funnel, Kaps, Pendulum};
+
+const ADAPTIVE: [Method; 3] = [Method::DormandPrince5, Method::DormandPrince8, Method::GraggBulirschStoer];
+
+fn run(system: &dyn System, method: Method, span: &Span<f64>) -> Outcome<f64> {
+    let outcome = integrate(system, method, &Tolerance::both(1e-8), span, &mut ());
+    assert!(outcome.state.iter().all(|y| y.is_finite()), "{method}: {:?}", outcome.state);
+    outcome
+}
+
+fn refusal(tolerance: &Tolerance, span: &Span<f64>) -> Refusal {
+    match integrate(&Pendulum { frequency: 1.0 }, Method::DormandPrince8, tolerance, span, &mut ()).failure() {
+        Some(Failure::Refused(refusal)) => refusal,
+        other => panic!("not refused: {other:?}"),
+    }
+}
+
+#[test]
+fn a_solution_that_explodes_stops_before_the_explosion() {
+    for method in ADAPTIVE {
+        let outcome = run(&Explosion, method, &Span::new(0.0, 2.0, &[1.0]));
+        let failure = outcome.failure().unwrap_or_else(|| panic!("{method} passed the pole"));
+        println!("{method}: {failure}");
+        assert!(outcome.time > 0.99 && outcome.time < 1.0 + 1e-6, "{method}: {failure}");
+    }
+}
+
+#[test]
+fn a_solution_that_leaves_the_domain_of_its_law_is_named_so() {
+    for method in ADAPTIVE {
+        let outcome = run(&Funnel, method, &Span::new(0.0, 20.0, &[1.0]));
+        println!("{method}: {:?}", outcome.failure());
+        assert!(matches!(outcome.failure(), Some(Failure::LeftTheNumbers { .. })), "{method}: {:?}", outcome.failure());
+    }
+}
+
+#[test]
+fn a_stiff_problem_spends_the_budget_of_an_explicit_method_or_is_called_stiff() {
+    for method in ADAPTIVE {
+        let span = Span::new(0.0, 10.0, &[1.0, 1.0]).with_evaluations(50_000);
+        let outcome = run(&Kaps { lambda: 1e6 }, method, &span);
+        println!("{method}: {:?} {}", outcome.failure(), outcome.work);
+        let named = matches!(outcome.failure(), Some(Failure::TooManyEvaluations { .. } | Failure::Stiff { .. }));
+        assert!(named, "{method}: {:?}", outcome.failure());
+        assert!(outcome.work.rates <= 50_000);
+    }
+}
+
+#[test]
+fn a_failing_run_keeps_the_samples_before_its_failure() {
+    let span = Span::new(0.0, 2.0, &[1.0]).with_outputs(&[0.25, 0.5, 0.75, 1.5]);
+    for method in ADAPTIVE {
+        let mut record = Record::new();
+        integrate(&Explosion, method, &Tolerance::both(1e-8), &span, &mut record);
+        assert_eq!(record.times, [0.25, 0.5, 0.75], "{method}");
+    }
+}
+
+#[test]
+fn bad_data_are_refused_before_the_first_step() {
+    let (fine, state) = (Tolerance::both(1e-6), [1.0, 0.0]);
+    let span = || Span::new(0.0, 1.0, &state);
+    assert_eq!(refusal(&fine, &Span::new(1.0, 1.0, &state)), Refusal::SpanEmpty { start: 1.0, end: 1.0 });
+    assert!(matches!(refusal(&fine, &Span::new(0.0, f64::NAN, &state)), Refusal::SpanNotFinite { .. }));
+    assert_eq!(refusal(&fine, &Span::new(0.0, 1.0, &[1.0])), Refusal::Dimension { expected: 2, found: 1 });
+    let infinite = [0.0, f64::INFINITY];
+    assert_eq!(refusal(&fine, &Span::new(0.0, 1.0, &infinite)), Refusal::StateNotFinite { component: 1 });
+    assert!(matches!(refusal(&Tolerance::both(0.0), &span()), Refusal::Relative { .. }));
+    assert!(matches!(refusal(&Tolerance::both(f64::NAN), &span()), Refusal::Relative { .. }));
+    let zero = Tolerance { relative: 1e-6, absolute: Absolute::Same(0.0) };
+    assert_eq!(refusal(&zero, &span()), Refusal::Absolute { given: 0.0 });
+    assert!(matches!(refusal(&Tolerance::scaled(1e-6, &[1.0]), &span()), Refusal::AbsoluteCount { .. }));
+    assert!(matches!(refusal(&fine, &span().with_outputs(&[0.5, 0.2])), Refusal::Output { index: 1, .. }));
+    assert!(matches!(refusal(&fine, &span().with_outputs(&[1.5])), Refusal::Output { index: 0, .. }));
+    assert_eq!(refusal(&fine, &span().with_evaluations(0)), Refusal::NoBudget);
+}

@@ -1,0 +1,154 @@
+//! Nonlinear problems with known solutions, each written once for every field.
+#![allow(dead_code)] // every test program takes the problems that it needs
+
+use field::{Analytic, DoubleDouble, Over};
+use integrators::{Ode, Real, System};
+
+/// Kepler's problem: q'' = -q / |q|^3, with semi-major axis 1 and the pericentre at t = 0.
+pub struct Kepler {
+    pub eccentricity: f64,
+}
+
+impl<S: Over<f64> + Analytic> Ode<S> for Kepler {
+    fn dimension(&self) -> usize {
+        4
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        let square = y[0] * y[0] + y[1] * y[1];
+        let cube = square * square.sqrt();
+        dy[0] = y[2];
+        dy[1] = y[3];
+        dy[2] = -y[0] / cube;
+        dy[3] = -y[1] / cube;
+    }
+}
+
+impl System for Kepler {}
+
+impl Kepler {
+    /// The state at t by Kepler's equation u - e sin u = t, solved by Newton's iteration in the field.
+    pub fn state<S: Real>(&self, t: f64) -> Vec<S> {
+        let (t, e) = (S::lift(t), S::lift(self.eccentricity));
+        let mut u = t;
+        for _ in 0..60 {
+            let point = u.circle();
+            u -= (u - e * point.sin - t) / (S::one() - e * point.cos);
+        }
+        let (point, minor) = (u.circle(), (S::one() - e * e).sqrt());
+        let speed = S::one() / (S::one() - e * point.cos);
+        vec![point.cos - e, minor * point.sin, -point.sin * speed, minor * point.cos * speed]
+    }
+}
+
+/// The pendulum theta'' = -omega^2 sin theta.
+pub struct Pendulum {
+    pub frequency: f64,
+}
+
+impl<S: Over<f64> + Analytic> Ode<S> for Pendulum {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        dy[0] = y[1];
+        dy[1] = -S::lift(self.frequency * self.frequency) * y[0].circle().sin;
+    }
+}
+
+impl System for Pendulum {}
+
+impl Pendulum {
+    pub fn energy<S: Real>(&self, y: &[S]) -> S {
+        (y[1] * y[1]).half() - S::lift(self.frequency * self.frequency) * y[0].circle().cos
+    }
+}
+
+/// Kaps' stiff problem: y1' = -(lambda + 2) y1 + lambda y2^2, y2' = y1 - y2 - y2^2, solved by y1 = y2^2, y2 = e^-t.
+pub struct Kaps {
+    pub lambda: f64,
+}
+
+impl<S: Over<f64> + Analytic> Ode<S> for Kaps {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        let lambda = S::lift(self.lambda);
+        dy[0] = -(lambda + S::int(2)) * y[0] + lambda * y[1] * y[1];
+        dy[1] = y[0] - y[1] - y[1] * y[1];
+    }
+}
+
+impl System for Kaps {}
+
+impl Kaps {
+    pub fn state(t: f64) -> Vec<DoubleDouble> {
+        let decayed = (-DoubleDouble::from(t)).exp();
+        vec![decayed * decayed, decayed]
+    }
+}
+
+/// y' = y^2 from y(0) = 1: 1 / (1 - t), infinite at t = 1.
+pub struct Explosion;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Explosion {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        dy[0] = y[0] * y[0];
+    }
+}
+
+impl System for Explosion {}
+
+/// y' = -sqrt(y): falls to zero at t = 2 from y(0) = 1, and has no rate below.
+pub struct Funnel;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Funnel {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        dy[0] = -(y[0] - t * S::lift(0.1)).sqrt();
+    }
+}
+
+impl System for Funnel {}
+
+/// A chain of `bars` pendulums of slowly different lengths, each driving the next, and a drive in time.
+pub struct Chain {
+    pub bars: usize,
+    pub frequency: f64,
+}
+
+impl<S: Over<f64> + Analytic> Ode<S> for Chain {
+    fn dimension(&self) -> usize {
+        2 * self.bars
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        let square = S::lift(self.frequency * self.frequency);
+        let mut pull = t.circle().sin;
+        for bar in 0..self.bars {
+            let (angle, speed) = (y[2 * bar], y[2 * bar + 1]);
+            let point = angle.circle();
+            dy[2 * bar] = speed;
+            dy[2 * bar + 1] = square * (pull * S::ratio(1, 8) - point.sin) / S::ratio(bar as i64 + 8, 8);
+            pull = point.cos * point.sin;
+        }
+    }
+}
+
+impl System for Chain {}
+
+/// The largest difference between two states, relative to the size of the second.
+pub fn distance<S: Real>(a: &[S], b: &[S]) -> f64 {
+    let size = b.iter().map(|b| b.approx().abs()).fold(f64::MIN_POSITIVE, f64::max);
+    a.iter().zip(b).map(|(a, b)| (*a - *b).approx().abs()).fold(0.0, f64::max) / size
+}
