@@ -1,6 +1,7 @@
 //! What a motor is: energies and laws of force. Everything else is derived.
 
 use field::{Analytic, Base, Circle, Over, Scalar};
+use integrators::{Ode, System};
 
 /// How much of the rotor's motion is state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,7 +127,38 @@ impl<P: Base, M: Machine<P>> Bench<P, M> {
         let moment = drive(&self.machine, angle, slip, currents, current_rates);
         M::ROTOR.write(slip, moment / S::lift(self.axial), rotor_rates);
     }
+
+    /// A' phi', the rotor's angular momentum.
+    pub fn rotor_momentum<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        let (_, slip) = M::ROTOR.angle_and_slip(&y[..M::ROTOR.dimension()]);
+        S::lift(self.axial) * (slip + S::lift(self.machine.frame_speed()))
+    }
+
+    /// 1/2 A' phi'^2 and the energy of the circuits.
+    pub fn energy<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        let (rotor, currents) = y.split_at(M::ROTOR.dimension());
+        let (angle, _) = M::ROTOR.angle_and_slip(rotor);
+        let momentum = self.rotor_momentum(y);
+        (momentum * momentum / S::lift(self.axial)).half() + stored_energy(&self.machine, angle, currents)
+    }
+
+    /// E - W p, the energy as seen from the stator's field: what it loses is heat.
+    pub fn jacobi<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        self.energy(y) - S::lift(self.machine.frame_speed()) * self.rotor_momentum(y)
+    }
 }
+
+impl<S: Over<f64> + Analytic, M: Machine<f64>> Ode<S> for Bench<f64, M> {
+    fn dimension(&self) -> usize {
+        Bench::dimension(self)
+    }
+
+    fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+        Bench::rates(self, y, dy);
+    }
+}
+
+impl<M: Machine<f64>> System for Bench<f64, M> {}
 
 impl RotorState {
     /// How many numbers the state of the rotor has.

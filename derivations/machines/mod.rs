@@ -8,9 +8,11 @@
 //!
 //! To add a motor: one file here, and one line in the list below.
 
+mod conserved;
 mod machine;
 mod quantity;
 
+pub use conserved::{Conserved, ConservedBy};
 pub use machine::{Bench, Machine, RotorState, drive, heat, state_names, stored_energy};
 pub use quantity::Quantity;
 

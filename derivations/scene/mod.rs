@@ -5,21 +5,27 @@
 //! * [`units`], [`quantity`]: `"0.02 kg m^2"`;
 //! * [`read`], [`issue`]: tables with places, and messages with marks under the value;
 //! * [`bodies`], [`machine`], [`start`], [`run`]: the tables of a scene;
-//! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data.
+//! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data;
+//! * [`problem`], [`simulate`]: the law that any method integrates, and the run.
 
 pub mod bodies;
 pub mod issue;
 pub mod machine;
+pub mod methods;
+pub mod problem;
 pub mod quantity;
 pub mod read;
 pub mod run;
+pub mod simulate;
 pub mod start;
 pub mod state;
 pub mod units;
 
 pub use issue::{Issue, SceneError, nearest};
 pub use machine::{MachineData, NoModel};
+pub use problem::{Invariant, Problem};
 pub use run::Run;
+pub use simulate::{Choice, Trajectory};
 pub use start::Start;
 pub use state::Axes;
 

@@ -1,9 +1,11 @@
 //! How long, how exactly and by which method a scene runs.
 
 use super::issue::{Issue, nearest};
+use super::methods;
 use super::read::{At, Table};
 use super::state::{ROTOR_SPEED, names};
 use crate::machines::AnyMachine;
+use integrators::Method;
 
 /// The finest tolerance that double precision leaves room for.
 const FINEST: f64 = 1e-14;
@@ -18,8 +20,8 @@ pub struct Run {
     pub samples: usize,
     /// Of a step, relative, and absolute in SI units.
     pub tolerance: f64,
-    /// By name; `None` where the scene leaves the choice to the program.
-    pub method: Option<String>,
+    /// Dormand-Prince 8(5,3) where the scene names none.
+    pub method: Method,
     /// What to look at, by the names of the states.
     pub outputs: Vec<String>,
 }
@@ -42,19 +44,24 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, on_bench: bool, machin
         table.report(issue.accepted(format!("from {FINEST:e} to below 1 is accepted, such as 1e-8")));
     }
     let method = table.optional_text("method", "name of a method");
+    let method = method.map_or(Ok(Method::DormandPrince8), |At { value, span }| {
+        methods::method(&value).map_err(|(wrong, accepted)| Issue::at(span, wrong, "not known").accepted(accepted))
+    });
     let outputs = table.texts("outputs", "[\"slip\"]");
     if let Some(machine) = machine {
         for output in &outputs {
             check_output(&mut table, output, &names(on_bench, machine));
         }
     }
+    let method = method.map_err(|issue| table.report(issue)).ok();
     let sound = table.exists() && !table.has_issues();
     issues.extend(table.finish());
-    sound.then(|| Run {
+    let method = method.filter(|_| sound)?;
+    Some(Run {
         span: span.value,
         samples: samples.map_or(200, |samples| samples.value),
         tolerance: tolerance.map_or(1e-8, |tolerance| tolerance.value),
-        method: method.map(|method| method.value),
+        method,
         outputs: outputs.into_iter().map(|output| output.value).collect(),
     })
 }

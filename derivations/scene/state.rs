@@ -34,11 +34,12 @@ impl Scene {
 
     /// Turns w and v of a state from the axes of a form into the axes of the data, so that results of both can be
     /// compared.
-    pub fn turn_back(&self, axes: Axes, state: &mut [f64]) {
-        if let System::Gyrostat(_) = self.system {
-            let to_data = self.frame(axes);
+    pub fn back(&self, axes: Axes) -> impl Fn(&mut [f64]) + use<> {
+        let frame = matches!(self.system, System::Gyrostat(_)).then(|| self.frame(axes));
+        move |state| {
+            let Some(frame) = frame else { return };
             for vector in state[..6].chunks_exact_mut(3) {
-                let turned = to_data * Vector3::from_column_slice(vector);
+                let turned = frame * Vector3::from_column_slice(vector);
                 vector.copy_from_slice(turned.as_slice());
             }
         }
