@@ -1,6 +1,7 @@
 //! What a motor is: energies and laws of force. Everything else is derived.
 
 use field::{Analytic, Base, Circle, Over, Scalar};
+use integrators::{Ode, System};
 
 /// How much of the rotor's motion is state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,6 +94,17 @@ pub fn heat<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| sum + S::lift(machine.resistance(k)) * i * i)
 }
 
+/// The names of the states of a machine: of its rotor, then its currents (x for the excitation, i1, i2, ... the bars).
+pub fn state_names<P: Base, M: Machine<P>>(machine: &M) -> Vec<String> {
+    let rotor: &[&str] = match M::ROTOR {
+        RotorState::Prescribed => &[],
+        RotorState::Speed => &["slip"],
+        RotorState::AngleAndSpeed => &["angle", "slip"],
+    };
+    let currents = (0..machine.windings()).map(|k| if k == 0 { "x".into() } else { format!("i{k}") });
+    rotor.iter().map(|&name| name.into()).chain(currents).collect()
+}
+
 /// A motor alone on a bench: its rotor with moment of inertia A' and a housing at rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Bench<P, M> {
@@ -115,7 +127,38 @@ impl<P: Base, M: Machine<P>> Bench<P, M> {
         let moment = drive(&self.machine, angle, slip, currents, current_rates);
         M::ROTOR.write(slip, moment / S::lift(self.axial), rotor_rates);
     }
+
+    /// A' phi', the rotor's angular momentum.
+    pub fn rotor_momentum<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        let (_, slip) = M::ROTOR.angle_and_slip(&y[..M::ROTOR.dimension()]);
+        S::lift(self.axial) * (slip + S::lift(self.machine.frame_speed()))
+    }
+
+    /// 1/2 A' phi'^2 and the energy of the circuits.
+    pub fn energy<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        let (rotor, currents) = y.split_at(M::ROTOR.dimension());
+        let (angle, _) = M::ROTOR.angle_and_slip(rotor);
+        let momentum = self.rotor_momentum(y);
+        (momentum * momentum / S::lift(self.axial)).half() + stored_energy(&self.machine, angle, currents)
+    }
+
+    /// E - W p, the energy as seen from the stator's field: what it loses is heat.
+    pub fn jacobi<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        self.energy(y) - S::lift(self.machine.frame_speed()) * self.rotor_momentum(y)
+    }
 }
+
+impl<S: Over<f64> + Analytic, M: Machine<f64>> Ode<S> for Bench<f64, M> {
+    fn dimension(&self) -> usize {
+        Bench::dimension(self)
+    }
+
+    fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+        Bench::rates(self, y, dy);
+    }
+}
+
+impl<M: Machine<f64>> System for Bench<f64, M> {}
 
 impl RotorState {
     /// How many numbers the state of the rotor has.
@@ -137,7 +180,7 @@ impl RotorState {
         }
     }
 
-    /// The rates of the rotor's part of the state.
+    /// The rates of the rotor's part of the state. (Angle and speed for speed and acceleration: the state itself.)
     #[inline]
     pub fn write<S: Scalar>(self, slip: S, acceleration: S, rates: &mut [S]) {
         match (self, rates) {

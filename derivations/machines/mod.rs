@@ -8,10 +8,12 @@
 //!
 //! To add a motor: one file here, and one line in the list below.
 
+mod conserved;
 mod machine;
 mod quantity;
 
-pub use machine::{Bench, Machine, RotorState, drive, heat, stored_energy};
+pub use conserved::{Conserved, ConservedBy};
+pub use machine::{Bench, Machine, RotorState, drive, heat, state_names, stored_energy};
 pub use quantity::Quantity;
 
 /// Where the data of a machine come from: a scene file, or a test.

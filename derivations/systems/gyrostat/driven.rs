@@ -1,8 +1,9 @@
 //! The gyrostat driven by a motor: the system of first-order equations that runs.
 
 use super::forms::Form;
-use crate::machines::{Machine, RotorState, drive, stored_energy};
-use field::{Analytic, Base, Over};
+use crate::machines::{Machine, RotorState, drive, state_names, stored_energy};
+use field::{Analytic, Base, Over, Tangent};
+use integrators::{Ode, System};
 use nalgebra::Vector3;
 use std::marker::PhantomData;
 
@@ -28,14 +29,8 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
 
     /// Names of the states, in order.
     pub fn names(&self) -> Vec<String> {
-        let rotor: &[&str] = match M::ROTOR {
-            RotorState::Prescribed => &[],
-            RotorState::Speed => &["slip"],
-            RotorState::AngleAndSpeed => &["angle", "slip"],
-        };
-        let mut names: Vec<String> =
-            ["w1", "w2", "w3", "v1", "v2", "v3"].iter().chain(rotor).map(|s| s.to_string()).collect();
-        names.extend((0..self.machine.windings()).map(|k| if k == 0 { "x".into() } else { format!("i{k}") }));
+        let mut names: Vec<String> = ["w1", "w2", "w3", "v1", "v2", "v3"].map(String::from).into();
+        names.extend(state_names(&self.machine));
         names
     }
 
@@ -82,9 +77,33 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
         self.form.energy(w, v, self.rotor_speed(y)) + stored_energy(&self.machine, angle, &y[rotor_end..])
     }
 
+    /// p = dE/dphi' = A' (w.l + phi'), the rotor's angular momentum about its axis.
+    pub fn rotor_momentum<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
+        let speed = Tangent::variable(self.rotor_speed(y));
+        self.form.energy(w.map(Tangent::fixed), v.map(Tangent::fixed), speed).slope
+    }
+
+    /// E - W p, the energy as seen from the stator's field: what it loses is heat.
+    pub fn jacobi<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        self.energy(y) - S::lift(self.machine.frame_speed()) * self.rotor_momentum(y)
+    }
+
     /// phi' = g' + W.
     pub fn rotor_speed<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
         let (_, slip) = M::ROTOR.angle_and_slip(&y[6..6 + M::ROTOR.dimension()]);
         slip + S::lift(self.machine.frame_speed())
     }
 }
+
+impl<S: Over<f64> + Analytic, F: Form<f64>, M: Machine<f64>> Ode<S> for Driven<f64, F, M> {
+    fn dimension(&self) -> usize {
+        Driven::dimension(self)
+    }
+
+    fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+        Driven::rates(self, y, dy);
+    }
+}
+
+impl<F: Form<f64>, M: Machine<f64>> System for Driven<f64, F, M> {}

@@ -1,0 +1,85 @@
+//! What can be asked on the command line.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use derivations::machines::AnyMachine;
+use derivations::scene::{Axes, methods, run::check_tolerance};
+use integrators::Method;
+use std::path::PathBuf;
+
+/// Derives, proves and runs equations of motion.
+///
+/// Exit codes: 0 all is well; 1 a run stopped before its end; 2 the input is not acceptable.
+#[derive(Debug, Parser)]
+#[command(name = "dalembert", version, arg_required_else_help = true)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Runs a scene and prints its last state, the work done and the invariants
+    #[command(after_long_help = run_help())]
+    Run(Run),
+    /// Lists the scenes of a folder, each with its title
+    Scenes {
+        /// Where the scene files are
+        #[arg(default_value = "scenes")]
+        folder: PathBuf,
+    },
+}
+
+/// How a scene is to be run; what is left out, the scene says.
+#[derive(Args, Debug)]
+pub struct Run {
+    /// The scene, a TOML file; the folder `scenes` holds examples
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Method of integration, such as dormand_prince_8 or runge_kutta_4:20000
+    #[arg(long, value_parser = method)]
+    pub method: Option<Method>,
+    /// Error allowed in a step, relative, and absolute in SI units
+    #[arg(long = "tol", value_name = "T", value_parser = tolerance)]
+    pub tolerance: Option<f64>,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way
+    #[arg(long, default_value_t)]
+    pub form: Axes,
+    /// Writes the trajectory as a table: time, states, rotor's speed
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// How to print the summary
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    /// Instants of the trajectory beside its start
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub samples: Option<u32>,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Format {
+    /// For reading
+    #[default]
+    Text,
+    /// One object: time, state, work, invariants, model, method
+    Json,
+}
+
+fn method(text: &str) -> Result<Method, String> {
+    methods::method(text).map_err(|(_, accepted)| accepted)
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "a number such as 1e-8 is accepted".to_owned())?;
+    check_tolerance(value).map_err(|wrong| format!("{wrong}; from 1e-14 to below 1 is accepted"))?;
+    Ok(value)
+}
+
+fn run_help() -> String {
+    let column = |name: &str, what: &str| format!("  {name:<22} {what}\n");
+    let methods: String = methods::list().map(|(name, what)| column(&name, what)).collect();
+    let models: String = AnyMachine::LIST.iter().map(|(name, what)| column(name, what)).collect();
+    format!("Methods:\n{methods}\nModels:\n{models}")
+}

@@ -1,0 +1,64 @@
+//! How the program ends: exit codes, messages, and writing that survives a closed pipe.
+
+use std::fmt::Display;
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+use derivations::scene::SceneError;
+
+/// What the caller is told.
+#[derive(Debug)]
+pub enum Ending {
+    /// All is well.
+    Done,
+    /// What was asked ran, and did not come out as it should; the reason has been printed.
+    Stopped,
+    /// The input is not acceptable.
+    Refused(String),
+}
+
+impl Ending {
+    /// A command that cannot be carried out.
+    pub fn refused(error: impl Display) -> Self {
+        Ending::Refused(format!("error: {error}"))
+    }
+
+    /// A file that cannot be written.
+    pub fn unwritable(path: &Path, error: &io::Error) -> Self {
+        Ending::refused(format!(
+            "{} cannot be written: {error}; a file in a folder that exists is accepted",
+            path.display()
+        ))
+    }
+
+    /// Prints the message, if there is one, and gives the exit code.
+    pub fn tell(self) -> ExitCode {
+        match self {
+            Ending::Done => ExitCode::SUCCESS,
+            Ending::Stopped => ExitCode::from(1),
+            Ending::Refused(message) => {
+                // where even this cannot be written, the exit code must do
+                let _ = writeln!(io::stderr(), "{message}");
+                ExitCode::from(2)
+            }
+        }
+    }
+}
+
+impl From<SceneError> for Ending {
+    fn from(error: SceneError) -> Self {
+        Ending::Refused(error.render(io::stderr().is_terminal()))
+    }
+}
+
+/// Prints to standard output. A reader who has seen enough and closed the pipe is no error.
+pub fn print(text: &str) -> Result<(), Ending> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Ending::refused(format!("standard output cannot be written: {error}")))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,52 @@
+//! `dalembert run`: one scene, one method.
+
+use crate::arguments::{Format, Run};
+use crate::csv;
+use crate::ending::{Ending, print};
+use crate::progress::Progress;
+use crate::summary::Summary;
+use derivations::scene::{Choice, Scene};
+use std::fs::File;
+use std::io::BufWriter;
+
+/// Runs the scene, writes the trajectory where one is asked for, prints the summary.
+pub fn run(asked: &Run) -> Result<Ending, Ending> {
+    let mut scene = Scene::open(&asked.scene)?;
+    if let Some(model) = &asked.model {
+        scene = scene.with_model(model).map_err(|error| {
+            let made = scene.machine_data.ladder().join(", ");
+            Ending::refused(format!("{}: {error}; of its data can be made: {made}", asked.scene.display()))
+        })?;
+    }
+    let choice = choice(&scene, asked);
+    // before the work, so that a wrong name does not cost it
+    let table = match &asked.out {
+        Some(path) => Some((path, File::create(path).map_err(|error| Ending::unwritable(path, &error))?)),
+        None => None,
+    };
+
+    let mut progress = Progress::new(&scene.title);
+    let trajectory = scene.simulate(&choice, |fraction| progress.set(fraction));
+    drop(progress);
+
+    if let Some((path, file)) = table {
+        csv::write(&trajectory, &mut BufWriter::new(file)).map_err(|error| Ending::unwritable(path, &error))?;
+    }
+    let summary = Summary { scene: &scene, choice: &choice, trajectory: &trajectory };
+    print(&match asked.format {
+        Format::Text => summary.text(),
+        Format::Json => summary.json(),
+    })?;
+    Ok(if trajectory.outcome.reached() { Ending::Done } else { Ending::Stopped })
+}
+
+/// The scene's own choices, but for those that are made on the command line.
+fn choice(scene: &Scene, asked: &Run) -> Choice {
+    let own = scene.choice();
+    Choice {
+        method: asked.method.unwrap_or(own.method),
+        tolerance: asked.tolerance.unwrap_or(own.tolerance),
+        axes: asked.form,
+        samples: asked.samples.map_or(own.samples, |samples| samples as usize),
+    }
+}

@@ -1,0 +1,78 @@
+//! A run in a few lines, or as one JSON object.
+
+use derivations::scene::{Choice, Scene, Trajectory};
+use serde_json::{Map, Value, json};
+use std::fmt::Write;
+
+/// What is printed after a run.
+pub struct Summary<'a> {
+    pub scene: &'a Scene,
+    pub choice: &'a Choice,
+    pub trajectory: &'a Trajectory,
+}
+
+impl Summary<'_> {
+    /// `{time, state, work, invariants, model, method, ...}`, one object on its lines.
+    pub fn json(&self) -> String {
+        let Summary { scene, choice, trajectory } = self;
+        let outcome = &trajectory.outcome;
+        let states = trajectory.names.iter().zip(&trajectory.last);
+        let state: Map<String, Value> = states.map(|(name, value)| (name.clone(), json!(value))).collect();
+        let invariants: Map<String, Value> = outcome
+            .deviations
+            .iter()
+            .map(|d| (d.name.clone(), json!({ "first": d.first, "largest_deviation": d.largest, "at": d.at })))
+            .collect();
+        let work = outcome.work;
+        let object = json!({
+            "time": outcome.time,
+            "state": state,
+            "work": {
+                "evaluations": work.rates,
+                "jacobians": work.jacobians,
+                "factorisations": work.factorisations,
+                "steps": work.steps,
+                "rejected": work.rejected,
+            },
+            "invariants": invariants,
+            "model": scene.machine.name(),
+            "method": choice.method.to_string(),
+            "form": choice.axes.to_string(),
+            "tolerance": choice.tolerance,
+            "reached": outcome.reached(),
+            "stopped": outcome.failure().map(|failure| failure.to_string()),
+        });
+        format!("{object:#}\n")
+    }
+
+    /// For reading.
+    pub fn text(&self) -> String {
+        let Summary { scene, choice, trajectory } = self;
+        let outcome = &trajectory.outcome;
+        let mut text = format!("{}\n\n", scene.title);
+        let mut line = |name: &str, value: String| {
+            // writing to a string cannot fail
+            let _ = writeln!(text, "{name:<20} {value}");
+        };
+        line("model", scene.machine.name().to_owned());
+        line("method", format!("{}, tolerance {:e}, {} form", choice.method, choice.tolerance, choice.axes));
+        line("work", outcome.work.to_string());
+        match outcome.failure() {
+            None => line("reached", format!("t = {} s", outcome.time)),
+            Some(failure) => line("stopped", format!("{failure}; the last good state is at t = {} s", outcome.time)),
+        }
+        for (name, value) in trajectory.names.iter().zip(&trajectory.last).filter(|(name, _)| self.shown(name)) {
+            line(&format!("  {name}"), format!("{value:.9}"));
+        }
+        for deviation in &outcome.deviations {
+            line(&deviation.name, format!("{:.9}, kept to {:.1e}", deviation.first, deviation.largest));
+        }
+        text
+    }
+
+    /// What the scene calls its outputs; every state where it names none.
+    fn shown(&self, name: &str) -> bool {
+        let outputs = &self.scene.run.outputs;
+        outputs.is_empty() || outputs.iter().any(|output| output == name)
+    }
+}

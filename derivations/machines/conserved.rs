@@ -1,0 +1,56 @@
+//! What a machine leaves conserved, judged from its own laws.
+//!
+//! With E the energy of bodies, weight and circuits and p = A' (w.l + phi') the rotor's angular momentum about its axis,
+//! every machine gives
+//!
+//!   d/dt (E - W p) = m(g', phi') g' - sum R_k i_k^2 ,    dp/dt = M :
+//!
+//! seen from the turning field the field does no work. A rotor of prescribed speed keeps E - W p too, whatever moment
+//! that takes.
+
+use super::{Catalogued, ForMachine, Machine, RotorState, drive};
+use field::Circle;
+
+/// The integrals that a machine leaves, beside those that no machine touches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Conserved {
+    /// E - W p, the energy in the turning field.
+    pub jacobi: bool,
+    /// p, the rotor's own angular momentum.
+    pub spin: bool,
+}
+
+/// (slip, phi'): unrelated points, at which a law that is not zero everywhere does not vanish altogether.
+const POINTS: [(f64, f64); 4] = [(1.0, 0.7), (-31.7, 12.9), (0.013, -211.0), (140.3, 3.1)];
+
+impl Conserved {
+    /// By a machine.
+    pub fn by<M: Machine<f64>>(machine: &M) -> Self {
+        if M::ROTOR == RotorState::Prescribed {
+            return Conserved { jacobi: true, spin: false };
+        }
+        let moment = |(slip, speed): (f64, f64)| machine.moment_law(slip, speed);
+        let lossless = (0..machine.windings()).all(|k| machine.resistance(k) == 0.0);
+        let frictionless = POINTS.into_iter().all(|point| moment(point) == 0.0);
+        Conserved { jacobi: lossless && frictionless, spin: POINTS.into_iter().all(|point| idle(machine, point)) }
+    }
+}
+
+/// Whether the machine leaves its rotor alone, whatever the angle and the currents.
+fn idle(machine: &impl Machine<f64>, (slip, angle): (f64, f64)) -> bool {
+    let currents: Vec<f64> = (0..machine.windings()).map(|k| 1.3 + k as f64).collect();
+    let mut rates = vec![0.0; currents.len()];
+    let angle = Circle::from_half_tangent(angle);
+    drive(machine, angle, slip - machine.frame_speed(), &currents, &mut rates) == 0.0
+}
+
+/// As a task for any machine.
+pub struct ConservedBy;
+
+impl ForMachine for ConservedBy {
+    type Output = Conserved;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Conserved {
+        Conserved::by(&machine)
+    }
+}

@@ -1,0 +1,106 @@
+//! What is wrong with a scene file, shown at the place where it is wrong.
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use std::fmt;
+use std::ops::Range;
+
+/// One thing that is wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Issue {
+    /// Bytes of the file; `None` where it concerns the whole file.
+    pub span: Option<Range<usize>>,
+    /// What is wrong, in one line.
+    pub title: String,
+    /// Beside the marks under the value.
+    pub label: String,
+    /// What would be accepted.
+    pub help: Option<String>,
+}
+
+/// Everything that is wrong with a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneError {
+    /// The file as the user named it.
+    pub path: String,
+    /// Its text; empty where it could not be read.
+    pub text: String,
+    pub issues: Vec<Issue>,
+}
+
+impl Issue {
+    /// At a place.
+    pub fn at(span: Range<usize>, title: impl Into<String>, label: impl Into<String>) -> Self {
+        Issue { span: Some(span), title: title.into(), label: label.into(), help: None }
+    }
+
+    /// With what would be accepted.
+    pub fn accepted(self, help: impl Into<String>) -> Self {
+        Issue { help: Some(help.into()), ..self }
+    }
+}
+
+impl SceneError {
+    /// Of the whole file.
+    pub fn whole(path: &str, title: impl Into<String>, help: impl Into<String>) -> Self {
+        let issue = Issue { span: None, title: title.into(), label: String::new(), help: Some(help.into()) };
+        SceneError { path: path.to_owned(), text: String::new(), issues: vec![issue] }
+    }
+
+    /// All issues, each with its line of the file and marks under the value.
+    pub fn render(&self, colour: bool) -> String {
+        let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
+        let shown: Vec<String> = self.issues.iter().map(|issue| renderer.render(&[self.group(issue)])).collect();
+        shown.join("\n\n")
+    }
+
+    fn group<'a>(&'a self, issue: &'a Issue) -> Group<'a> {
+        let title = match issue.span {
+            Some(_) => issue.title.clone(),
+            None => format!("{}: {}", self.path, issue.title),
+        };
+        let mut group = Group::with_title(Level::ERROR.primary_title(title));
+        if let Some(span) = &issue.span {
+            let annotation = AnnotationKind::Primary.span(self.visible(span)).label(issue.label.as_str());
+            group = group.element(Snippet::source(self.text.as_str()).path(self.path.as_str()).annotation(annotation));
+        }
+        match &issue.help {
+            Some(help) => group.element(Level::HELP.message(help.as_str())),
+            None => group,
+        }
+    }
+
+    /// At most the first line of a span, and at least one place inside the text.
+    fn visible(&self, span: &Range<usize>) -> Range<usize> {
+        let start = self.boundary(span.start);
+        let end = self.boundary(span.end).max(start);
+        let line = self.text[start..end].find('\n').unwrap_or(end - start);
+        start..start + line
+    }
+
+    fn boundary(&self, place: usize) -> usize {
+        let mut place = place.min(self.text.len());
+        while !self.text.is_char_boundary(place) {
+            place -= 1;
+        }
+        place
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.render(false))
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+/// The candidate that `name` was probably meant to be.
+pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let likeness = |other: &str| strsim::jaro_winkler(&name.to_lowercase(), &other.to_lowercase());
+    candidates
+        .into_iter()
+        .map(|candidate| (likeness(candidate), candidate))
+        .filter(|(likeness, _)| *likeness > 0.75)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, candidate)| candidate)
+}

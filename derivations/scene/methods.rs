@@ -1,0 +1,53 @@
+//! The methods of integration by the names that scenes and the command line use.
+
+use super::nearest;
+use integrators::Method;
+
+/// How a method is named: some take a number after a colon.
+enum Named {
+    Plain(Method),
+    /// A constant step: how many steps must be said.
+    Steps(fn(u32) -> Method),
+}
+
+const METHODS: &[(&str, Named, &str)] = &[
+    ("dormand_prince_8", Named::Plain(Method::DormandPrince8), "explicit Runge-Kutta 8(5,3): the default"),
+    ("dormand_prince_5", Named::Plain(Method::DormandPrince5), "explicit Runge-Kutta 5(4)"),
+    ("gragg_bulirsch_stoer", Named::Plain(Method::GraggBulirschStoer), "extrapolation of variable order"),
+    ("runge_kutta_4", Named::Steps(|steps| Method::RungeKutta4 { steps }), "classical, so many equal steps"),
+    ("euler", Named::Steps(|steps| Method::Euler { steps }), "explicit, so many equal steps"),
+];
+
+/// (how it is written, what it is).
+pub fn list() -> impl Iterator<Item = (String, &'static str)> {
+    METHODS.iter().map(|(name, named, what)| {
+        let written = match named {
+            Named::Plain(_) => (*name).to_owned(),
+            Named::Steps(_) => format!("{name}:STEPS"),
+        };
+        (written, *what)
+    })
+}
+
+/// The method of a name; else what is wrong, and what would be accepted.
+pub fn method(text: &str) -> Result<Method, (String, String)> {
+    let (name, number) = text.split_once(':').map_or((text, None), |(name, number)| (name, Some(number)));
+    let Some((_, named, _)) = METHODS.iter().find(|(known, ..)| *known == name) else {
+        let known = list().map(|(written, _)| written).collect::<Vec<_>>().join(", ");
+        let accepted = match nearest(name, METHODS.iter().map(|(known, ..)| *known)) {
+            Some(nearest) => format!("is `{nearest}` meant? Known: {known}"),
+            None => format!("known: {known}"),
+        };
+        return Err((format!("unknown method `{text}`"), accepted));
+    };
+    let wrong = |accepted: String| Err((format!("`{text}` is no method"), accepted));
+    match (named, number) {
+        (Named::Plain(method), None) => Ok(*method),
+        (Named::Plain(_), Some(_)) => wrong(format!("`{name}` takes no number")),
+        (Named::Steps(make), Some(number)) => match number.parse() {
+            Ok(steps) if steps > 0 => Ok(make(steps)),
+            _ => wrong(format!("a positive whole number of steps is accepted: `{name}:20000`")),
+        },
+        (Named::Steps(_), None) => wrong(format!("it has a constant step; say how many steps: `{name}:20000`")),
+    }
+}

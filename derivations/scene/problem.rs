@@ -1,0 +1,103 @@
+//! A scene as an initial value problem, its types forgotten: what any method runs.
+
+use super::{Axes, Scene, System};
+use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
+use crate::systems::gyrostat::Gyrostat;
+use crate::systems::gyrostat::driven::Driven;
+use crate::systems::gyrostat::forms::Form;
+use std::sync::Arc;
+
+/// A law with its state at time zero and what it conserves.
+pub struct Problem {
+    pub law: Arc<dyn Law>,
+    /// In the axes of the form.
+    pub state: Vec<f64>,
+    pub invariants: Vec<Invariant>,
+}
+
+/// A system that can be shared between threads.
+pub trait Law: integrators::System + Send + Sync {}
+impl<L: integrators::System + Send + Sync> Law for L {}
+
+type Function = dyn Fn(&[f64]) -> f64 + Send + Sync;
+
+/// A function of the state that keeps its first value.
+pub struct Invariant {
+    pub name: &'static str,
+    pub value: Box<Function>,
+}
+
+impl Scene {
+    /// The problem in the axes of a form.
+    pub fn problem(&self, axes: Axes) -> Problem {
+        let (law, invariants) = match &self.system {
+            System::Gyrostat(bodies) => self.machine.clone().apply(Gyrostatic { bodies, axes }),
+            System::Bench { axial } => self.machine.clone().apply(OnBench { axial: *axial }),
+        };
+        Problem { law, state: self.state(axes), invariants }
+    }
+}
+
+type Lawful = (Arc<dyn Law>, Vec<Invariant>);
+
+struct Gyrostatic<'a> {
+    bodies: &'a Gyrostat<f64>,
+    axes: Axes,
+}
+
+impl ForMachine for Gyrostatic<'_> {
+    type Output = Lawful;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Lawful {
+        match self.axes {
+            Axes::First => driven(self.bodies.first_form().0, machine),
+            Axes::Second => driven(self.bodies.second_form().0, machine),
+        }
+    }
+}
+
+fn driven<F, M>(form: F, machine: M) -> Lawful
+where
+    F: Form<f64> + Send + Sync + 'static,
+    M: Catalogued + Send + Sync + 'static,
+{
+    let conserved = Conserved::by(&machine);
+    let law = Arc::new(Driven::new(form, machine));
+    let mut invariants = vec![
+        of(&law, "vertical_length", |law, y| law.vertical_length(y)),
+        of(&law, "vertical_momentum", |law, y| law.vertical_momentum(y)),
+    ];
+    if conserved.jacobi {
+        invariants.push(of(&law, "jacobi", |law, y| law.jacobi(y)));
+    }
+    if conserved.spin {
+        invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
+    }
+    (law, invariants)
+}
+
+struct OnBench {
+    axial: f64,
+}
+
+impl ForMachine for OnBench {
+    type Output = Lawful;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Lawful {
+        let conserved = Conserved::by(&machine);
+        let law = Arc::new(Bench { machine, axial: self.axial });
+        let mut invariants = Vec::new();
+        if conserved.jacobi {
+            invariants.push(of(&law, "jacobi", |law, y| law.jacobi(y)));
+        }
+        if conserved.spin {
+            invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
+        }
+        (law, invariants)
+    }
+}
+
+fn of<L: Send + Sync + 'static>(law: &Arc<L>, name: &'static str, value: fn(&L, &[f64]) -> f64) -> Invariant {
+    let law = Arc::clone(law);
+    Invariant { name, value: Box::new(move |y| value(&law, y)) }
+}

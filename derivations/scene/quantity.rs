@@ -1,0 +1,131 @@
+//! Quantities as texts: numbers, then a unit.
+
+use super::units::{Dimension, NoUnit, Unit};
+use std::fmt;
+
+/// Why a text is not the quantity asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoQuantity {
+    /// Nothing where a number should stand.
+    NoNumber,
+    /// `nan`, `inf`, or beyond the range of double precision.
+    NotFinite { text: String },
+    /// Another number of numbers, or of rows and columns, than needed.
+    Shape { rows: usize, columns: usize, found: Vec<usize> },
+    /// No unit.
+    Unit(NoUnit),
+    /// A unit of something else.
+    Dimension { found: Dimension, needed: Dimension },
+    /// A dimensional quantity without its unit.
+    UnitMissing { needed: Dimension },
+}
+
+/// Reads `rows` rows, parted by semicolons, of `columns` numbers, then a unit of the dimension needed; SI values by rows.
+pub fn parse(text: &str, rows: usize, columns: usize, needed: Dimension) -> Result<Vec<f64>, NoQuantity> {
+    let (numbers, unit_text) = split(text);
+    let mut found = Vec::new();
+    let mut values = Vec::new();
+    for row in numbers.split(';') {
+        let before = values.len();
+        for word in row.split_whitespace() {
+            values.push(finite(word)?);
+        }
+        found.push(values.len() - before);
+    }
+    if values.is_empty() {
+        return Err(NoQuantity::NoNumber);
+    }
+    let unit = Unit::parse(unit_text).map_err(NoQuantity::Unit)?;
+    if found.len() != rows || found.iter().any(|&n| n != columns) {
+        return Err(NoQuantity::Shape { rows, columns, found });
+    }
+    if unit_text.is_empty() && !needed.is_number() {
+        return Err(NoQuantity::UnitMissing { needed });
+    }
+    if unit.dimension() != needed {
+        return Err(NoQuantity::Dimension { found: unit.dimension(), needed });
+    }
+    let values: Vec<f64> = values.into_iter().map(|x| unit.to_si(x)).collect();
+    match values.iter().find(|x| !x.is_finite()) {
+        Some(value) => Err(NoQuantity::NotFinite { text: value.to_string() }),
+        None => Ok(values),
+    }
+}
+
+/// A number as TOML writes it (with underscores) or as Rust does.
+pub fn finite(word: &str) -> Result<f64, NoQuantity> {
+    match word.replace('_', "").parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(_) => Err(NoQuantity::NotFinite { text: word.to_owned() }),
+        Err(_) => Err(NoQuantity::NoNumber),
+    }
+}
+
+/// The numbers and the unit: a unit begins at the first word that is no number.
+fn split(text: &str) -> (&str, &str) {
+    let text = text.trim();
+    let mut start = None;
+    for (i, c) in text.char_indices().chain([(text.len(), ' ')]) {
+        match (start, c.is_whitespace() || c == ';') {
+            (None, false) => start = Some(i),
+            (Some(from), true) => {
+                let word = &text[from..i];
+                if word.replace('_', "").parse::<f64>().is_err() {
+                    return (&text[..from], &text[from..]);
+                }
+                start = None;
+            }
+            _ => {}
+        }
+    }
+    (text, "")
+}
+
+/// How a quantity is written, by example.
+pub fn example(rows: usize, columns: usize, needed: Dimension) -> String {
+    let row = vec!["0"; columns.saturating_sub(1)].into_iter().chain(["1"]).collect::<Vec<_>>().join(" ");
+    let numbers = if rows == 3 && columns == 3 { "1 0 0; 0 1 0; 0 0 1".to_owned() } else { vec![row; rows].join("; ") };
+    match needed.usual().first() {
+        Some(unit) if !needed.is_number() => format!("\"{numbers} {unit}\""),
+        _ => format!("\"{numbers}\""),
+    }
+}
+
+impl NoQuantity {
+    /// What would be accepted in its place.
+    pub fn accepted(&self, rows: usize, columns: usize, needed: Dimension) -> String {
+        let example = example(rows, columns, needed);
+        let units = needed.usual();
+        let listed = units.iter().map(|unit| format!("`{unit}`")).collect::<Vec<_>>().join(", ");
+        match self {
+            Self::NoNumber | Self::NotFinite { .. } | Self::Shape { .. } => format!("written so: {example}"),
+            Self::Unit(_) | Self::Dimension { .. } | Self::UnitMissing { .. } if needed.is_number() => {
+                format!("a pure number or an angle is accepted: {example}")
+            }
+            _ if units.is_empty() => format!("a unit of the dimension {needed} is accepted"),
+            _ => format!("units of the dimension {needed} are accepted: {listed}"),
+        }
+    }
+}
+
+impl fmt::Display for NoQuantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoNumber => write!(f, "no number"),
+            Self::NotFinite { text } => write!(f, "`{text}` is not finite: a finite number is needed"),
+            Self::Shape { rows: 1, columns: 1, found } => {
+                write!(f, "{} numbers where one is needed", found.iter().sum::<usize>())
+            }
+            Self::Shape { rows: 1, columns, found } => {
+                write!(f, "{} numbers where {columns} are needed", found.iter().sum::<usize>())
+            }
+            Self::Shape { rows, columns, found } => {
+                let found = found.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+                write!(f, "{rows} rows of {columns} numbers are needed; found rows of {found}")
+            }
+            Self::Unit(unit) => write!(f, "{unit}"),
+            Self::Dimension { found, needed } => write!(f, "this is {found}; needed is {needed}"),
+            Self::UnitMissing { needed } => write!(f, "no unit; needed is {needed}"),
+        }
+    }
+}

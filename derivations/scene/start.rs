@@ -1,0 +1,93 @@
+//! The initial state of a scene.
+
+use super::bodies::normalised;
+use super::issue::Issue;
+use super::read::Table;
+use super::state::windings;
+use crate::machines::{AnyMachine, Catalogued, ForMachine, RotorState};
+use nalgebra::Vector3;
+
+/// How far the length of the vertical may be from one.
+const ROUNDING: f64 = 1e-12;
+
+/// Where the motion starts, in the axes of the data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start {
+    /// w, of the carrier, rad/s
+    pub angular_velocity: Vector3<f64>,
+    /// v, the unit vector downwards
+    pub vertical: Vector3<f64>,
+    /// g, of the rotor against the stator's field, rad
+    pub rotor_angle: f64,
+    /// phi', of the rotor relative to the carrier, rad/s
+    pub rotor_speed: f64,
+    /// of the windings, A; empty where all are zero
+    pub currents: Vec<f64>,
+}
+
+/// The table `[start]`.
+pub fn read(
+    top: &mut Table<'_>,
+    issues: &mut Vec<Issue>,
+    on_bench: bool,
+    machine: Option<&AnyMachine>,
+) -> Option<Start> {
+    let mut table = top.table("start", "the initial state");
+    let (mut angular_velocity, mut vertical) = (Vector3::zeros(), Vector3::z());
+    if !on_bench {
+        angular_velocity = table.vector("angular_velocity", "angular velocity of the carrier", "rad/s").value;
+        let given = table.vector("vertical", "unit vector of the vertical, downwards", "1");
+        vertical = given.value;
+        let length = vertical.norm();
+        if table.exists() && !table.has_issue_at(&given.span) && (length - 1.0).abs() > ROUNDING {
+            let issue = Issue::at(given.span, "`vertical` is no unit vector", format!("its length is {length}"));
+            table.report(issue.accepted(normalised(&vertical)));
+        }
+    }
+    let rotor_angle = table.optional_scalar("rotor_angle", "angle of the rotor against the stator's field", "rad");
+    let rotor_speed = rotor_speed(&mut table, machine);
+    let meaning = "currents, one for each winding: the excitation less its constant part, then the bars";
+    let currents = match machine {
+        Some(machine) => table.optional_row("currents", meaning, windings(machine), "A"),
+        None => {
+            table.known(&["currents"]);
+            None
+        }
+    };
+    let sound = table.exists() && !table.has_issues();
+    issues.extend(table.finish());
+    sound.then(|| Start {
+        angular_velocity,
+        vertical,
+        rotor_angle: rotor_angle.map_or(0.0, |angle| angle.value),
+        rotor_speed,
+        currents: currents.map_or_else(Vec::new, |currents| currents.value),
+    })
+}
+
+/// A machine that keeps a speed needs none, and no other would be true.
+fn rotor_speed(table: &mut Table<'_>, machine: Option<&AnyMachine>) -> f64 {
+    const KEY: (&str, &str, &str) = ("rotor_speed", "speed of the rotor relative to the carrier", "rad/s");
+    let Some(kept) = machine.and_then(|machine| machine.clone().apply(KeptSpeed)) else {
+        return table.scalar(KEY.0, KEY.1, KEY.2).value;
+    };
+    match table.optional_scalar(KEY.0, KEY.1, KEY.2) {
+        Some(given) if !table.has_issue_at(&given.span) && (given.value - kept).abs() > ROUNDING * kept.abs() => {
+            let label = format!("it is {} rad/s, and the machine keeps {kept} rad/s", given.value);
+            let issue = Issue::at(given.span, "`rotor_speed` contradicts the machine", label);
+            table.report(issue.accepted("leave it out"));
+            kept
+        }
+        _ => kept,
+    }
+}
+
+struct KeptSpeed;
+
+impl ForMachine for KeptSpeed {
+    type Output = Option<f64>;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Option<f64> {
+        (M::ROTOR == RotorState::Prescribed).then(|| machine.frame_speed())
+    }
+}

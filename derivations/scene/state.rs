@@ -1,0 +1,147 @@
+//! The initial state of a scene in the axes of either form, and results back in the axes of the data.
+
+use super::{NoModel, Scene, System};
+use crate::machines::{AnyMachine, Catalogued, ForMachine, state_names};
+use nalgebra::{Matrix3, Vector3};
+use std::fmt;
+use std::str::FromStr;
+
+/// The relative speed of the rotor, which is asked for whatever the state holds.
+pub const ROTOR_SPEED: &str = "rotor_speed";
+
+/// In whose principal axes the equations are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Axes {
+    /// Of A: the paper's first form.
+    #[default]
+    First,
+    /// Of A*: the second form.
+    Second,
+}
+
+impl Scene {
+    /// The initial state: w and v in the axes of the form, then the rotor's state and the currents.
+    pub fn state(&self, axes: Axes) -> Vec<f64> {
+        let mut state = Vec::new();
+        if let System::Gyrostat(_) = self.system {
+            let to_form = self.frame(axes).transpose();
+            state.extend((to_form * self.start.angular_velocity).iter());
+            state.extend((to_form * self.start.vertical).iter());
+        }
+        state.extend(self.machine.clone().apply(RotorPart(self)));
+        state
+    }
+
+    /// Turns w and v of a state from the axes of a form into the axes of the data, so that results of both can be
+    /// compared.
+    pub fn back(&self, axes: Axes) -> impl Fn(&mut [f64]) + use<> {
+        let frame = matches!(self.system, System::Gyrostat(_)).then(|| self.frame(axes));
+        move |state| {
+            let Some(frame) = frame else { return };
+            for vector in state[..6].chunks_exact_mut(3) {
+                let turned = frame * Vector3::from_column_slice(vector);
+                vector.copy_from_slice(turned.as_slice());
+            }
+        }
+    }
+
+    /// The names of the states.
+    pub fn names(&self) -> Vec<String> {
+        names(matches!(self.system, System::Bench { .. }), &self.machine)
+    }
+
+    /// The same scene with another machine, made of the same data.
+    pub fn with_model(&self, model: &str) -> Result<Scene, NoModel> {
+        let machine = self.machine_data.machine(model)?;
+        let (given, windings) = (self.start.currents.len(), windings(&machine));
+        let mut start = self.start.clone();
+        if windings == 0 {
+            start.currents.clear();
+        } else if given != 0 && given != windings {
+            return Err(NoModel::Currents { model: model.to_owned(), given, windings });
+        }
+        let mut scene = Scene { machine, start, ..self.clone() };
+        let names = scene.names();
+        scene.run.outputs.retain(|output| output == ROTOR_SPEED || names.contains(output));
+        Ok(scene)
+    }
+
+    /// The axes of a form as columns, in the axes of the data.
+    fn frame(&self, axes: Axes) -> Matrix3<f64> {
+        match (&self.system, axes) {
+            (System::Gyrostat(bodies), Axes::First) => bodies.derived().reduced.axes,
+            (System::Gyrostat(bodies), Axes::Second) => bodies.derived().full.axes,
+            (System::Bench { .. }, _) => Matrix3::identity(),
+        }
+    }
+}
+
+/// The names of the states of a system with a machine.
+pub fn names(on_bench: bool, machine: &AnyMachine) -> Vec<String> {
+    let carrier: &[&str] = if on_bench { &[] } else { &["w1", "w2", "w3", "v1", "v2", "v3"] };
+    let mut names: Vec<String> = carrier.iter().map(|&name| name.into()).collect();
+    names.extend(machine.clone().apply(MachineNames));
+    names
+}
+
+/// How many windings a machine has.
+pub fn windings(machine: &AnyMachine) -> usize {
+    machine.clone().apply(Windings)
+}
+
+struct RotorPart<'a>(&'a Scene);
+struct MachineNames;
+struct Windings;
+
+impl ForMachine for RotorPart<'_> {
+    type Output = Vec<f64>;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Vec<f64> {
+        let start = &self.0.start;
+        let slip = start.rotor_speed - machine.frame_speed();
+        let mut state = vec![0.0; M::ROTOR.dimension()];
+        M::ROTOR.write(start.rotor_angle, slip, &mut state);
+        match start.currents.len() {
+            0 => state.extend(std::iter::repeat_n(0.0, machine.windings())),
+            _ => state.extend(&start.currents),
+        }
+        state
+    }
+}
+
+impl ForMachine for MachineNames {
+    type Output = Vec<String>;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Vec<String> {
+        state_names(&machine)
+    }
+}
+
+impl ForMachine for Windings {
+    type Output = usize;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
+        machine.windings()
+    }
+}
+
+impl fmt::Display for Axes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::First => "first",
+            Self::Second => "second",
+        })
+    }
+}
+
+impl FromStr for Axes {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        match name {
+            "first" => Ok(Self::First),
+            "second" => Ok(Self::Second),
+            _ => Err("`first` (axes of A) or `second` (axes of A*) is accepted".to_owned()),
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Units of measurement: what a unit is in SI, and whether it measures the thing asked for.
+
+use std::fmt;
+
+/// Exponents of kg, m, s and A. Angles are pure numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dimension {
+    exponents: [i32; 4],
+}
+
+/// A unit as a multiple `times / per` of the coherent SI unit of its dimension. Two factors, because a thousandth is no
+/// binary fraction: so `50 mm` and `0.05 m` are the same bits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    times: f64,
+    per: f64,
+    dimension: Dimension,
+}
+
+/// Why a text is no unit.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoUnit {
+    /// No unit has this name; the nearest that one has, where there is one.
+    Unknown { name: String, nearest: Option<&'static str> },
+    /// Hertz: cycles or radians?
+    Hertz,
+    /// `kg/m s`: is the second divided by or multiplied with?
+    AmbiguousSlash { after: String },
+    /// An exponent that is no small whole number, or a misplaced sign.
+    Malformed { part: String },
+}
+
+const NUMBER: [i32; 4] = [0, 0, 0, 0];
+const VOLT: [i32; 4] = [1, 2, -3, -1];
+
+/// (name, times, per, exponents); `g` stands in for the kilogram so that prefixes compose.
+const NAMED: &[(&str, f64, f64, [i32; 4])] = &[
+    ("m", 1.0, 1.0, [0, 1, 0, 0]),
+    ("g", 1.0, 1e3, [1, 0, 0, 0]),
+    ("s", 1.0, 1.0, [0, 0, 1, 0]),
+    ("A", 1.0, 1.0, [0, 0, 0, 1]),
+    ("N", 1.0, 1.0, [1, 1, -2, 0]),
+    ("J", 1.0, 1.0, [1, 2, -2, 0]),
+    ("W", 1.0, 1.0, [1, 2, -3, 0]),
+    ("V", 1.0, 1.0, VOLT),
+    ("Wb", 1.0, 1.0, [1, 2, -2, -1]),
+    ("T", 1.0, 1.0, [1, 0, -2, -1]),
+    ("H", 1.0, 1.0, [1, 2, -2, -2]),
+    ("ohm", 1.0, 1.0, [1, 2, -3, -2]),
+    ("rad", 1.0, 1.0, NUMBER),
+];
+
+/// Units that take no prefix.
+const PLAIN: &[(&str, f64, f64, [i32; 4])] = &[
+    ("min", 60.0, 1.0, [0, 0, 1, 0]),
+    ("deg", std::f64::consts::PI, 180.0, NUMBER),
+    ("rev", std::f64::consts::TAU, 1.0, NUMBER),
+    ("rpm", std::f64::consts::TAU, 60.0, [0, 0, -1, 0]),
+    ("1", 1.0, 1.0, NUMBER),
+];
+
+const PREFIXES: &[(&str, f64, f64)] =
+    &[("n", 1.0, 1e9), ("u", 1.0, 1e6), ("m", 1.0, 1e3), ("c", 1.0, 1e2), ("k", 1e3, 1.0), ("M", 1e6, 1.0)];
+
+/// The units that messages propose, the coherent one of each dimension first.
+const USUAL: &[&str] = &[
+    "kg", "g", "m", "mm", "cm", "s", "ms", "min", "rad", "deg", "rad/s", "rpm", "deg/s", "rev/s", "m/s^2", "N", "kN",
+    "N m", "N mm", "kN m", "J", "N m s", "J s", "kg m^2", "g cm^2", "ohm", "mohm", "H", "mH", "uH", "Wb", "V s", "mWb",
+    "A", "mA", "V", "W",
+];
+
+impl Unit {
+    /// Reads a product of units such as `kg m^2/s`; the empty text is the number one.
+    pub fn parse(text: &str) -> Result<Self, NoUnit> {
+        let mut product = Unit { times: 1.0, per: 1.0, dimension: Dimension { exponents: NUMBER } };
+        let mut divided = false;
+        let spaced = text.replace(['*', '\u{b7}'], " ");
+        for word in spaced.split_whitespace() {
+            for (i, part) in word.split('/').enumerate() {
+                if i == 0 && divided {
+                    return Err(NoUnit::AmbiguousSlash { after: part.to_owned() });
+                }
+                divided |= i > 0;
+                let (factor, exponent) = power(part)?;
+                product.multiply(factor, if i > 0 { -exponent } else { exponent });
+            }
+        }
+        Ok(product)
+    }
+
+    /// A number of this unit in SI units.
+    pub fn to_si(self, number: f64) -> f64 {
+        number * self.times / self.per
+    }
+
+    /// What it measures.
+    pub fn dimension(self) -> Dimension {
+        self.dimension
+    }
+
+    fn multiply(&mut self, factor: Unit, exponent: i32) {
+        let (times, per) = if exponent < 0 { (factor.per, factor.times) } else { (factor.times, factor.per) };
+        for _ in 0..exponent.abs() {
+            self.times *= times;
+            self.per *= per;
+        }
+        for (sum, own) in self.dimension.exponents.iter_mut().zip(factor.dimension.exponents) {
+            *sum += own * exponent;
+        }
+    }
+}
+
+impl Dimension {
+    /// The dimension of a unit that is written in a program; the pure number where it is none.
+    pub fn of(unit: &str) -> Self {
+        Unit::parse(unit).map_or(Dimension { exponents: NUMBER }, Unit::dimension)
+    }
+
+    /// Whether it is that of a pure number.
+    pub fn is_number(self) -> bool {
+        self.exponents == NUMBER
+    }
+
+    /// Well-known units of this dimension.
+    pub fn usual(self) -> Vec<&'static str> {
+        USUAL.iter().copied().filter(|unit| Dimension::of(unit) == self).collect()
+    }
+}
+
+/// `kg`, `m^2`, `s^-1`.
+fn power(part: &str) -> Result<(Unit, i32), NoUnit> {
+    let malformed = || NoUnit::Malformed { part: part.to_owned() };
+    let (name, exponent) = match part.split_once('^') {
+        None => (part, 1),
+        Some((name, exponent)) => (name, exponent.parse::<i32>().map_err(|_| malformed())?),
+    };
+    if name.is_empty() || !(-9..=9).contains(&exponent) {
+        return Err(malformed());
+    }
+    Ok((named(name)?, exponent))
+}
+
+fn named(name: &str) -> Result<Unit, NoUnit> {
+    let exact = |name: &str| NAMED.iter().find(|(known, ..)| *known == name);
+    let unit =
+        |&(_, times, per, exponents): &(&str, f64, f64, _)| Unit { times, per, dimension: Dimension { exponents } };
+    let name = match name {
+        "\u{3a9}" | "\u{2126}" | "Ohm" => "ohm",
+        "\u{b0}" => "deg",
+        other => other,
+    };
+    if let Some(known) = PLAIN.iter().find(|(known, ..)| *known == name).or_else(|| exact(name)) {
+        return Ok(unit(known));
+    }
+    for (prefix, times, per) in PREFIXES {
+        if let Some(known) = name.strip_prefix(prefix).and_then(exact) {
+            let known = unit(known);
+            return Ok(Unit { times: known.times * times, per: known.per * per, ..known });
+        }
+    }
+    if name == "Hz" || name == "kHz" {
+        return Err(NoUnit::Hertz);
+    }
+    let single = USUAL.iter().copied().filter(|unit| !unit.contains([' ', '/', '^']));
+    Err(NoUnit::Unknown { name: name.to_owned(), nearest: super::nearest(name, single) })
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_number() {
+            return write!(f, "a pure number");
+        }
+        let powers = ["kg", "m", "s", "A"].iter().zip(self.exponents).filter(|(_, e)| *e != 0);
+        let words: Vec<String> =
+            powers.map(|(name, e)| if e == 1 { (*name).to_owned() } else { format!("{name}^{e}") }).collect();
+        write!(f, "{}", words.join(" "))
+    }
+}
+
+impl fmt::Display for NoUnit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unknown { name, nearest: Some(nearest) } => {
+                write!(f, "no unit is called `{name}`; is `{nearest}` meant?")
+            }
+            Self::Unknown { name, nearest: None } => write!(f, "no unit is called `{name}`"),
+            Self::Hertz => write!(f, "`Hz` may be turns or radians a second; write `rev/s` or `rad/s`"),
+            Self::AmbiguousSlash { after } => {
+                write!(f, "`{after}` stands after a slash: above or below the line? Write `/{after}` or put it first")
+            }
+            Self::Malformed { part } => write!(f, "`{part}` is no power of a unit; written so: `m^2`, `s^-1`"),
+        }
+    }
+}
