@@ -1,1 +1,35 @@
+//! What a paper says, and what a program finds of it.
+//!
+//! # Overview
+//! A [`Page`] is a paper's list of claims in the paper's own order and letters. A [`Claim`] holds a statement and the way
+//! to decide it; [`Claim::judge`] decides, by exact arithmetic alone, and returns a [`Judged`] claim: a [`Verdict`] with
+//! its evidence. Nobody writes a verdict down: the author of a page says what he *expects*, and a test compares.
+//!
+//! | statement | decided by |
+//! |---|---|
+//! | [`Line`]s: derived = printed, for all values | the normal form of the difference |
+//! | [`Theorem`]: from these conditions follows that one | a [`Proof`]: normal form, combination, signs, or an exact point |
+//! | definition | nothing: it makes no claim |
+//!
+//! Every claim is cross-examined without being asked ([`examine`]): its dimensions agree, its sides are not the same
+//! expression, a mutated right side is refuted, its hypotheses can be met.
 
+mod claim;
+mod condition;
+pub mod examine;
+mod judge;
+mod ledger;
+mod page;
+mod proof;
+mod snapshot;
+mod univariate;
+mod verdict;
+
+pub use claim::{Claim, Line, Statement, Theorem};
+pub use condition::{Condition, Point};
+pub use judge::Judged;
+pub use ledger::{Entry, entries};
+pub use page::{Draft, Page};
+pub use proof::Proof;
+pub use snapshot::render;
+pub use verdict::Verdict;

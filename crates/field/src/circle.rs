@@ -45,10 +45,32 @@ impl<S: Scalar> Circle<S> {
 }
 
 impl<S: Analytic> Circle<S> {
-    /// One eighth of a turn, pi/4: both coordinates are the root of 1/2.
-    pub fn eighth_turn() -> Self {
-        let root = S::ratio(1, 2).sqrt();
-        Circle { cos: root, sin: root }
+    /// The fraction `part / whole` of a full turn by roots of 2 and 3, for a `whole` that divides 24.
+    pub fn exact_turn(part: u32, whole: u32) -> Option<Self> {
+        if whole == 0 || 24 % whole != 0 {
+            return None;
+        }
+        let (two, three) = (S::int(2).sqrt(), S::int(3).sqrt());
+        let quarter = two * S::ratio(1, 4);
+        // cosines of 0, 15, ..., 90 degrees
+        let cosines = [
+            S::one(),
+            quarter * (three + S::one()),
+            three.half(),
+            two.half(),
+            S::ratio(1, 2),
+            quarter * (three - S::one()),
+            S::zero(),
+        ];
+        let steps = (part % whole * (24 / whole)) as usize;
+        let (quadrant, step) = (steps / 6, steps % 6);
+        let (cos, sin) = (cosines[step], cosines[6 - step]);
+        Some(match quadrant {
+            0 => Circle { cos, sin },
+            1 => Circle { cos: -sin, sin: cos },
+            2 => Circle { cos: -cos, sin: -sin },
+            _ => Circle { cos: sin, sin: -cos },
+        })
     }
 }
 

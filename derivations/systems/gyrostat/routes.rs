@@ -30,21 +30,24 @@ pub struct Motion<S: field::Scalar> {
 }
 
 impl<P: Base> Gyrostat<P> {
-    /// Angular momentum of all mass points about O, and of the rotor's about C' in the direction l.
+    /// x, the angular momentum of all mass points about O, and that of the rotor's about C', kg m^2/s.
+    pub fn angular_momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> [Vector3<S>; 2] {
+        let [carrier, rotor] = self.velocities::<S>(w, rotor_speed);
+        let own = AffineField::place(Vector3::zeros());
+        let centre = AffineField::place(self.rotor.centre.map(S::lift));
+        let of_carrier = self.carrier_points::<S>().cross(&own, &carrier);
+        let of_rotor = self.rotor_points::<S>().cross(&centre, &rotor);
+        [of_carrier + of_rotor, self.rotor_points::<S>().cross(&own, &rotor)]
+    }
+
+    /// The theorem of angular momentum: for all mass points about O, and for the rotor's about C' in the direction l.
     pub fn by_momentum<S: Over<P>>(&self, motion: &Motion<S>) -> [S; 4] {
         let w = motion.angular_velocity;
         let moving = Vector3::from(along(w.into(), motion.angular_acceleration.into()));
         let rotor_speed = Tangent::moving(motion.rotor_speed, motion.rotor_acceleration);
-        let [carrier, rotor] = self.velocities::<Tangent<S>>(moving, rotor_speed);
-        let centre = self.rotor.centre.map(|x| Tangent::fixed(S::lift(x)));
-
-        let own = AffineField::place(Vector3::zeros());
-        let of_carrier = self.carrier_points::<Tangent<S>>().cross(&own, &carrier);
-        let of_rotor = self.rotor_points::<Tangent<S>>().cross(&AffineField::place(centre), &rotor);
-        let spin = self.rotor_points::<Tangent<S>>().cross(&own, &rotor);
-
+        let [all, spin] = self.angular_momentum(moving, rotor_speed);
         let weight = self.first_moment().map(S::lift) * S::lift(self.gravity);
-        let total = absolute_rate(of_carrier + of_rotor, w) - weight.cross(&motion.vertical);
+        let total = absolute_rate(all, w) - weight.cross(&motion.vertical);
         let axial = absolute_rate(spin, w).dot(&self.rotor.axis.map(S::lift)) - motion.moment;
         [total.x, total.y, total.z, axial]
     }

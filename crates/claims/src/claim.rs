@@ -1,0 +1,80 @@
+//! A claim: a statement with the way to decide it.
+
+use crate::{Condition, Proof, Verdict};
+use symbolic::{Hypotheses, Sym};
+
+/// One line of a paper's page.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// Permanent: `paper/eqN/slug`.
+    pub id: String,
+    /// The paper's section.
+    pub section: &'static str,
+    /// The entry of the paper that it belongs to: `eq5.3`, `statement7`.
+    pub equation: &'static str,
+    /// What it says, in a sentence; LaTeX between dollar signs.
+    pub says: String,
+    pub statement: Statement,
+    /// What the author of the page expects; a test compares.
+    pub expected: Verdict,
+    /// What holds instead, where the claim fails.
+    pub correction: Option<Box<Claim>>,
+    /// Anything else a reader should know.
+    pub note: String,
+}
+
+/// What is stated.
+#[derive(Clone, Debug)]
+pub enum Statement {
+    /// Introduces names and makes no claim.
+    Definition(Vec<Line>),
+    /// Equalities for all values within the hypotheses.
+    Equations { lines: Vec<Line>, hypotheses: Hypotheses },
+    /// An implication.
+    Theorem(Theorem),
+}
+
+/// An equation of the paper beside what was derived without it.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    /// From first principles: equals `left - right` where the paper is right.
+    pub derived: Sym,
+    /// As printed.
+    pub left: Sym,
+    /// As printed.
+    pub right: Sym,
+    /// The derived side is the value of `right` alone, and `left` only its name.
+    pub names: bool,
+}
+
+impl Line {
+    /// An equation `left = right`, where `derived` vanishes along the motion and should be `left - right`.
+    pub fn equation(derived: Sym, left: Sym, right: Sym) -> Self {
+        Line { derived, left, right, names: false }
+    }
+
+    /// A formula `name = right` whose value was derived.
+    pub fn formula(derived: Sym, name: Sym, right: Sym) -> Self {
+        Line { derived, left: name, right, names: true }
+    }
+
+    /// The paper's side in the comparison.
+    pub fn printed(&self) -> Sym {
+        if self.names { self.right } else { self.left - self.right }
+    }
+
+    /// As the paper prints it, in LaTeX.
+    pub fn latex(&self) -> String {
+        format!("{} = {}", self.left.latex(), self.right.latex())
+    }
+}
+
+/// For all values: from the conditions `given` (and the rules) follows `then`.
+#[derive(Clone, Debug)]
+pub struct Theorem {
+    pub given: Vec<Condition>,
+    pub then: Vec<Condition>,
+    /// Relations that hold throughout, such as |l| = 1.
+    pub rules: Hypotheses,
+    pub proof: Proof,
+}

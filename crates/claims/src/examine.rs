@@ -1,0 +1,62 @@
+//! Cross-examination: what a claim must survive whatever its verdict.
+
+use crate::{Line, Proof, Theorem};
+use num_traits::One;
+use symbolic::{Decision, Dimension, Hypotheses, Sym, decide, dimension as dimension_of};
+
+/// How many terms of a right side are mutated: enough to see that the prover can say no.
+const MUTANTS: usize = 6;
+
+/// Objections to equalities: sides of different dimension or the same node, a mutant that passes, hypotheses that
+/// nothing satisfies.
+pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Vec<String> {
+    let mut objections = Vec::new();
+    for line in lines {
+        if line.derived == line.printed() {
+            objections.push(format!("both sides of {} = {} are one expression: nothing was compared", line.left, line.right));
+        }
+        for side in [line.left - line.right, line.derived - line.printed()] {
+            objections.extend(dimension_of(side, dimension).err().map(|mismatch| mismatch.to_string()));
+        }
+        // a mutant of a true line must fail; of a false line too, unless the mutation is the correction
+        let holds = decide(line.derived - line.printed(), hypotheses).is_zero();
+        for mutant in mutants(line.right).into_iter().take(MUTANTS).filter(|_| holds) {
+            let mutated = Line { right: mutant, ..*line };
+            if decide(mutated.derived - mutated.printed(), hypotheses).is_zero()
+                && !decide(mutant - line.right, hypotheses).is_zero()
+            {
+                objections.push(format!("the mutant {} = {mutant} passes too", line.left));
+            }
+        }
+    }
+    if !matches!(decide(Sym::one(), hypotheses), Decision::NonZero(_)) {
+        objections.push("no exact point satisfies the hypotheses".into());
+    }
+    objections
+}
+
+/// Objections to a theorem: conditions that mix dimensions; a proof that shows the opposite just as well.
+pub fn theorem(theorem: &Theorem, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Vec<String> {
+    let mut objections = Vec::new();
+    for condition in theorem.given.iter().chain(&theorem.then) {
+        objections.extend(dimension_of(condition.expression(), dimension).err().map(|mismatch| mismatch.to_string()));
+    }
+    let mutable = !matches!(theorem.proof, Proof::Counterexample(_) | Proof::NoRoot { .. } | Proof::Example(_));
+    if mutable && theorem.decide().0 == crate::Verdict::Proved {
+        let shifted = theorem.then.iter().map(|conclusion| conclusion.mutated()).collect();
+        let mutant = Theorem { then: shifted, ..theorem.clone() };
+        if mutant.decide().0 == crate::Verdict::Proved {
+            objections.push("the same proof shows a mutated conclusion".into());
+        }
+    }
+    objections
+}
+
+/// The expression with one sign turned, term by term, and doubled.
+pub fn mutants(expression: Sym) -> Vec<Sym> {
+    let terms = expression.terms();
+    let turned = (0..terms.len()).map(|k| {
+        terms.iter().enumerate().fold(Sym::ZERO, |sum, (j, &term)| if j == k { sum - term } else { sum + term })
+    });
+    turned.chain([expression + expression]).collect()
+}

@@ -1,0 +1,146 @@
+//! Deciding a claim.
+
+use crate::proof::Finding;
+use crate::{Claim, Condition, Line, Proof, Statement, Verdict, examine};
+use symbolic::{Decision, Dimension, Hypotheses, decide, normal};
+
+/// A claim with what was found, as text only: it can leave the thread whose expressions it was made of.
+#[derive(Clone, Debug, Default)]
+pub struct Judged {
+    pub id: String,
+    pub section: String,
+    pub equation: String,
+    pub says: String,
+    pub verdict: Verdict,
+    pub expected: Verdict,
+    /// The statement, a formula each: LaTeX.
+    pub latex: Vec<String>,
+    /// The same as text.
+    pub text: Vec<String>,
+    /// Hypotheses and denominators that must not vanish: text and LaTeX.
+    pub requires: Vec<(String, String)>,
+    /// How the verdict was reached.
+    pub evidence: String,
+    /// Where it fails: name and exact value.
+    pub counterexample: Vec<(String, String)>,
+    /// Derived less printed, text and LaTeX, where that is not zero.
+    pub difference: Option<(String, String)>,
+    pub correction: Option<Box<Judged>>,
+    pub note: String,
+    /// What the cross-examination objects to: empty for a sound claim.
+    pub objections: Vec<String>,
+}
+
+impl Judged {
+    /// Whether the verdict is the expected one, here and in the correction, and nothing is objected to.
+    pub fn sound(&self) -> Result<(), String> {
+        if self.verdict != self.expected {
+            return Err(format!(
+                "{}: {} was expected, found {}: {}",
+                self.id,
+                self.expected.name(),
+                self.verdict.name(),
+                self.evidence
+            ));
+        }
+        if let Some(objection) = self.objections.first() {
+            return Err(format!("{}: {objection}", self.id));
+        }
+        self.correction.as_ref().map_or(Ok(()), |correction| correction.sound())
+    }
+}
+
+impl Claim {
+    /// Decides the claim and cross-examines it. `dimension` knows the dimensions of the page's symbols.
+    pub fn judge(&self, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Judged {
+        let mut judged = Judged {
+            id: self.id.clone(),
+            section: self.section.into(),
+            equation: self.equation.into(),
+            says: self.says.clone(),
+            expected: self.expected,
+            note: self.note.clone(),
+            correction: self.correction.as_ref().map(|correction| Box::new(correction.judge(dimension))),
+            ..Judged::default()
+        };
+        match &self.statement {
+            Statement::Definition(lines) => {
+                judged.verdict = Verdict::Definition;
+                judged.evidence = "introduces names".into();
+                judged.show(lines);
+            }
+            Statement::Equations { lines, hypotheses } => {
+                judged.show(lines);
+                judged.requires = stated(hypotheses);
+                judged.equations(lines, hypotheses);
+                judged.objections = examine::equations(lines, hypotheses, dimension);
+            }
+            Statement::Theorem(theorem) => {
+                judged.text = theorem.then.iter().map(Condition::to_string).collect();
+                judged.latex = theorem.then.iter().map(|c| c.latex()).collect();
+                judged.requires = stated(&theorem.rules);
+                judged.requires.extend(theorem.given.iter().map(|c| (c.to_string(), c.latex())));
+                (judged.verdict, judged.evidence) = theorem.decide();
+                if let Proof::Counterexample(point) | Proof::Example(point) | Proof::NoRoot { at: point, .. } = &theorem.proof {
+                    judged.counterexample =
+                        point.values().iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
+                }
+                judged.objections = examine::theorem(theorem, dimension);
+            }
+        }
+        judged
+    }
+}
+
+impl Judged {
+    fn show(&mut self, lines: &[Line]) {
+        self.text = lines.iter().map(|line| format!("{} = {}", line.left, line.right)).collect();
+        self.latex = lines.iter().map(Line::latex).collect();
+    }
+
+    fn equations(&mut self, lines: &[Line], hypotheses: &Hypotheses) {
+        (self.verdict, self.evidence) = (Verdict::Proved, "normal form of the difference is zero".into());
+        for line in lines {
+            let (verdict, evidence) = self.line(line, hypotheses);
+            if verdict != Verdict::Proved {
+                (self.verdict, self.evidence) = (verdict, evidence);
+                return;
+            }
+        }
+    }
+
+    fn line(&mut self, line: &Line, hypotheses: &Hypotheses) -> Finding {
+        let difference = line.derived - line.printed();
+        match decide(difference, hypotheses) {
+            Decision::Zero(_) => {
+                self.require_denominators(line, hypotheses);
+                (Verdict::Proved, String::new())
+            }
+            Decision::NonZero(witness) => {
+                self.counterexample =
+                    witness.point.iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
+                self.difference = normal(difference, hypotheses)
+                    .ok()
+                    .map(|form| (form.to_string(), form.to_sym().latex()));
+                (Verdict::Refuted, format!("at the exact point the sides differ by {}", witness.value))
+            }
+            Decision::Undefined(denominator) => (Verdict::Undefined, format!("{denominator} vanishes identically")),
+            Decision::GaveUp(reason) => (Verdict::Undecided, reason.to_string()),
+        }
+    }
+
+    /// The printed side's own denominators belong to the statement.
+    fn require_denominators(&mut self, line: &Line, hypotheses: &Hypotheses) {
+        let Ok(form) = normal(line.printed(), hypotheses) else { return };
+        for denominator in form.requires() {
+            let stated = (format!("{denominator} != 0"), format!("{} \\neq 0", denominator.latex()));
+            if !self.requires.contains(&stated) {
+                self.requires.push(stated);
+            }
+        }
+    }
+}
+
+fn stated(hypotheses: &Hypotheses) -> Vec<(String, String)> {
+    hypotheses.statements().iter().map(|text| (text.clone(), text.clone())).collect()
+}

@@ -1,0 +1,180 @@
+//! The ways in which a theorem is decided.
+
+use crate::univariate::Univariate;
+use crate::{Condition, Point, Theorem, Verdict};
+use num_traits::{One, Zero};
+use symbolic::{Decision, Sym, coefficients, decide, normal};
+
+/// How an implication is shown, or shown wrong. Each is checked by exact arithmetic; none is taken on trust.
+#[derive(Clone, Debug)]
+pub enum Proof {
+    /// Every conclusion, an equality, has a difference with normal form zero under the rules alone.
+    NormalForm,
+    /// For each conclusion f = 0: m f = sum c_k g_k identically, where g_k are given equalities and the multiplier m is
+    /// a product of expressions given as non-zero or positive. For f != 0: d f = m + sum c_k g_k with any factor d.
+    Combinations(Vec<Combination>),
+    /// Every conclusion f > 0 (or f != 0) holds because f is a quotient of polynomials with coefficients of one sign in
+    /// symbols that are positive, or occur to even powers only.
+    Signs { positive: Vec<Sym> },
+    /// An exact point at which all that is given holds and a conclusion does not.
+    Counterexample(Point),
+    /// All values but one are given at an exact point; there the conclusions are polynomials in the unknown, without a
+    /// common root other than zero: so no value of the unknown satisfies them.
+    NoRoot { unknown: Sym, at: Point },
+    /// For a theorem of existence: an exact point at which all that is given and all conclusions hold.
+    Example(Point),
+}
+
+/// The certificate for one conclusion.
+#[derive(Clone, Debug, Default)]
+pub struct Combination {
+    /// Places in the list of what is given whose expressions are multiplied to m; empty for m = 1.
+    pub multiplier: Vec<usize>,
+    /// (place in the list of what is given, cofactor).
+    pub cofactors: Vec<(usize, Sym)>,
+    /// d, for conclusions f != 0.
+    pub factor: Option<Sym>,
+}
+
+/// What a check came to: the verdict and the reason in a few words.
+pub(crate) type Finding = (Verdict, String);
+
+impl Theorem {
+    pub(crate) fn decide(&self) -> Finding {
+        match &self.proof {
+            Proof::NormalForm => self.all(|_, conclusion| self.vanishes(conclusion.expression())),
+            Proof::Combinations(certificates) => self.all(|k, conclusion| match certificates.get(k) {
+                Some(certificate) => self.combine(certificate, conclusion),
+                None => (Verdict::Open, format!("no certificate is given for {conclusion}")),
+            }),
+            Proof::Signs { positive } => self.all(|_, conclusion| self.sign(positive, conclusion)),
+            Proof::Counterexample(point) => self.refute(point),
+            Proof::NoRoot { unknown, at } => self.without_root(*unknown, at),
+            Proof::Example(point) => {
+                match self.given.iter().chain(&self.then).find(|c| c.holds_at(point) != Some(true)) {
+                    Some(condition) => (Verdict::Undecided, format!("the example does not satisfy {condition}")),
+                    None => (Verdict::Proved, "an exact example".into()),
+                }
+            }
+        }
+    }
+
+    fn all(&self, check: impl Fn(usize, Condition) -> Finding) -> Finding {
+        let findings = self.then.iter().enumerate().map(|(k, &conclusion)| check(k, conclusion));
+        let mut last = (Verdict::Open, "nothing is concluded".to_string());
+        for finding in findings {
+            if finding.0 != Verdict::Proved {
+                return finding;
+            }
+            last = finding;
+        }
+        last
+    }
+
+    fn vanishes(&self, expression: Sym) -> Finding {
+        match decide(expression, &self.rules) {
+            Decision::Zero(_) => (Verdict::Proved, "normal form zero".into()),
+            Decision::NonZero(witness) => (Verdict::Undecided, format!("the difference is not zero: {witness}")),
+            Decision::Undefined(denominator) => (Verdict::Undefined, format!("{denominator} vanishes identically")),
+            Decision::GaveUp(reason) => (Verdict::Undecided, reason.to_string()),
+        }
+    }
+
+    fn combine(&self, certificate: &Combination, conclusion: Condition) -> Finding {
+        let mut multiplier = Sym::one();
+        for &k in &certificate.multiplier {
+            match self.given.get(k) {
+                Some(Condition::NonZero(factor) | Condition::Positive(factor)) => multiplier *= *factor,
+                _ => return (Verdict::Open, format!("given {k} is not said to differ from zero")),
+            }
+        }
+        let mut sum = Sym::zero();
+        for &(k, cofactor) in &certificate.cofactors {
+            match self.given.get(k) {
+                Some(relation @ (Condition::Zero(_) | Condition::Equal(..))) => sum += cofactor * relation.expression(),
+                _ => return (Verdict::Open, format!("given {k} is no equality")),
+            }
+        }
+        let gap = match (conclusion, certificate.factor) {
+            (Condition::Zero(_) | Condition::Equal(..), None) => multiplier * conclusion.expression() - sum,
+            (Condition::NonZero(f), Some(factor)) => factor * f - multiplier - sum,
+            _ => return (Verdict::Open, format!("no such certificate shows {conclusion}")),
+        };
+        match self.vanishes(gap) {
+            (Verdict::Proved, _) => (Verdict::Proved, "combination of what is given".into()),
+            finding => finding,
+        }
+    }
+
+    fn without_root(&self, unknown: Sym, at: &Point) -> Finding {
+        let free = |c: &&Condition| !c.expression().symbols_of().contains(&unknown);
+        if let Some(condition) = self.given.iter().filter(free).find(|c| c.holds_at(at) != Some(true)) {
+            return (Verdict::Undecided, format!("the counterexample does not satisfy {condition}"));
+        }
+        let polynomials: Option<Vec<Univariate>> =
+            self.then.iter().map(|c| Univariate::of(at.restrict(c.expression(), unknown), unknown)).collect();
+        match polynomials.map(Univariate::common_divisor) {
+            Some(divisor) if divisor.has_no_root_but_zero() => {
+                (Verdict::Refuted, format!("no {unknown} other than zero satisfies the conclusion there"))
+            }
+            Some(_) => (Verdict::Undecided, format!("some {unknown} satisfies the conclusion there")),
+            None => (Verdict::Undecided, "the conclusion is no polynomial there".into()),
+        }
+    }
+
+    fn sign(&self, positive: &[Sym], conclusion: Condition) -> Finding {
+        if let Some(stranger) = positive.iter().find(|s| !self.given.contains(&Condition::Positive(**s))) {
+            return (Verdict::Open, format!("{stranger} > 0 is not given"));
+        }
+        let nonzero = |symbol: &Sym| self.given.contains(&Condition::NonZero(*symbol));
+        let form = match normal(conclusion.expression(), &self.rules) {
+            Ok(form) => form,
+            Err(reason) => return (Verdict::Undecided, reason.to_string()),
+        };
+        let sign = match (one_sign(form.numerator(), positive, &nonzero), one_sign(form.denominator(), positive, &nonzero)) {
+            (Some(a), Some(b)) => a * b,
+            _ => return (Verdict::Undecided, format!("the terms of {form} differ in sign")),
+        };
+        match conclusion {
+            Condition::Positive(_) if sign > 0 => (Verdict::Proved, "every term is positive".into()),
+            Condition::NonZero(_) => (Verdict::Proved, "all terms have one sign".into()),
+            _ => (Verdict::Undecided, "every term is negative".into()),
+        }
+    }
+
+    fn refute(&self, point: &Point) -> Finding {
+        if let Some(condition) = self.given.iter().find(|c| c.holds_at(point) != Some(true)) {
+            return (Verdict::Undecided, format!("the counterexample does not satisfy {condition}"));
+        }
+        match self.then.iter().find(|c| c.holds_at(point) == Some(false)) {
+            Some(condition) => (Verdict::Refuted, format!("{condition} fails")),
+            None => (Verdict::Undecided, "the conclusion holds at the supposed counterexample".into()),
+        }
+    }
+}
+
+/// The sign of a polynomial all of whose terms have it, at least one of them strictly: 1 or -1.
+fn one_sign(polynomial: Sym, positive: &[Sym], nonzero: &impl Fn(&Sym) -> bool) -> Option<i32> {
+    let symbols = polynomial.symbols_of();
+    let terms = coefficients(polynomial, &symbols).ok()?;
+    let mut common = 0;
+    let mut strict = false;
+    for (exponents, coefficient) in terms {
+        let sign = coefficient.as_constant()?.sign()?;
+        let mut surely = true;
+        for (symbol, exponent) in symbols.iter().zip(exponents) {
+            if exponent > 0 && !positive.contains(symbol) {
+                if exponent % 2 == 1 {
+                    return None;
+                }
+                surely &= nonzero(symbol);
+            }
+        }
+        if common != 0 && sign != common {
+            return None;
+        }
+        common = sign;
+        strict |= surely;
+    }
+    (strict && common != 0).then_some(common)
+}

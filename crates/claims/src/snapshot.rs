@@ -1,0 +1,46 @@
+//! A page as text for review: exact content only, verdict in the first column, claims in the paper's order.
+
+use crate::{Judged, Verdict};
+use std::fmt::Write;
+
+/// A section of a page. Line 1 counts the verdicts.
+pub fn render(judged: &[Judged]) -> String {
+    let counts: Vec<String> = Verdict::ALL
+        .iter()
+        .map(|verdict| (verdict, judged.iter().filter(|claim| claim.verdict == *verdict).count()))
+        .filter(|(_, count)| *count > 0)
+        .map(|(verdict, count)| format!("{count} {}", verdict.name()))
+        .collect();
+    let mut page = format!("{} claims: {}\n", judged.len(), counts.join(", "));
+    for claim in judged {
+        page.push('\n');
+        write_claim(&mut page, claim, "");
+    }
+    page
+}
+
+fn write_claim(page: &mut String, claim: &Judged, indent: &str) {
+    // Writing to a String cannot fail.
+    let _ = writeln!(page, "{indent}{:<10} {}  {}", claim.verdict.name(), claim.id, claim.says);
+    for equation in &claim.text {
+        let _ = writeln!(page, "{indent}           | {equation}");
+    }
+    if !claim.requires.is_empty() {
+        let conditions: Vec<&str> = claim.requires.iter().map(|(text, _)| text.as_str()).collect();
+        let _ = writeln!(page, "{indent}           requires {}", conditions.join(", "));
+    }
+    if !claim.counterexample.is_empty() {
+        let values: Vec<String> = claim.counterexample.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        let _ = writeln!(page, "{indent}           at {}", values.join(", "));
+    }
+    if claim.verdict == Verdict::Refuted {
+        let _ = writeln!(page, "{indent}           {}", claim.evidence);
+    }
+    if let Some((difference, _)) = &claim.difference {
+        let _ = writeln!(page, "{indent}           excess {difference}");
+    }
+    if let Some(correction) = &claim.correction {
+        let _ = writeln!(page, "{indent}           instead:");
+        write_claim(page, correction, &format!("{indent}    "));
+    }
+}

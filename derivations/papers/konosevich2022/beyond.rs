@@ -1,0 +1,151 @@
+//! Beyond the paper: power balance, a function that never grows, integrals, and stationary motions as critical points.
+
+use super::letters::{Letters, current, cyclic, letter, number, one};
+use super::section3::{WithFriction, driven, excess_friction, friction};
+use crate::machines::{heat, stored_energy};
+use claims::{Condition, Page};
+use field::Tangent;
+use mechanics::differentiate::along;
+use mechanics::momentum::absolute_rate;
+use nalgebra::{Matrix3, Vector3};
+use symbolic::Sym;
+
+use Condition::{Equal, NonZero, Positive, Zero};
+
+pub fn claims(page: &mut Page, s: &Letters) {
+    page.section("Beyond the paper: power, integrals, critical points");
+    integrals(page, s);
+    power(page, s);
+    critical_points(page, s);
+    bounds(page, s);
+}
+
+/// What every machine conserves.
+fn integrals(page: &mut Page, s: &Letters) {
+    let g = s.general();
+    let moving = Vector3::from(along(s.w.into(), s.dw.into()));
+    let rotor = Tangent::moving(s.dphi, s.ddphi);
+    let [x, _] = g.angular_momentum(moving, rotor);
+    let nu = Vector3::from(along(s.nu.into(), s.nu.cross(&s.w).into()));
+    page.claim("beyond-integrals", "vertical", r"$\nu\cdot\nu$ is conserved: its rate along (4.6) vanishes")
+        .follows([Zero(nu.dot(&nu).slope)]);
+    let residual = g.by_momentum(&s.motion());
+    let carried = s.nu.dot(&Vector3::new(residual[0], residual[1], residual[2]));
+    page.claim("beyond-integrals", "momentum", r"the angular momentum about the vertical $x\cdot\nu$ is conserved for every machine: its rate is $\nu\cdot$(the carrier's equations), whatever $M$")
+        .under(&s.unit_axis)
+        .follows([Equal(x.dot(&nu).slope, carried)]);
+    let still = absolute_rate(x, s.w).dot(&s.nu) - carried;
+    page.claim("beyond-integrals", "no-weight", r"because the moment of the weight has no vertical part: $\nu\cdot(\Gamma e\times\nu)=0$")
+        .under(&s.unit_axis)
+        .follows([Zero(still - g.weight().cross(&s.nu).dot(&s.nu))]);
+}
+
+/// dE/dt for the bodies, for the circuits, and together.
+fn power(page: &mut Page, s: &Letters) {
+    let g = s.general();
+    let moving = Vector3::from(along(s.w.into(), s.dw.into()));
+    let rotor = Tangent::moving(s.dphi, s.ddphi);
+    let nu = Vector3::from(along(s.nu.into(), s.nu.cross(&s.w).into()));
+    let energy = g.kinetic_energy(moving, rotor) + g.potential_energy(nu);
+    let residual = g.by_momentum(&s.motion());
+    let along_motion = (0..3).fold(s.dphi * residual[3], |sum, i| sum + s.w[i] * residual[i]);
+    page.claim("beyond-power", "bodies", r"$\frac{d}{dt}(T + V) = M\dot\varphi'$ along the motion: the difference is $\omega\cdot$(carrier's equations) $+\ \dot\varphi'$(rotor's equation)")
+        .under(&s.unit_axis)
+        .follows([Equal(energy.slope - s.moment * s.dphi, along_motion)]);
+    circuits(page, s);
+}
+
+fn circuits(page: &mut Page, s: &Letters) {
+    let bars = 3;
+    let currents = s.currents(bars);
+    let motor = s.motor(bars);
+    let (moment, rates) = driven(motor.clone(), s, &currents);
+    let machine = WithFriction { machine: motor, friction: friction(s.dgamma + s.omega_field) };
+    let moving: Vec<Tangent<Sym>> = currents.iter().zip(&rates).map(|(&i, &rate)| Tangent::moving(i, rate)).collect();
+    let stored = stored_energy(&machine, s.angle().moving(s.dgamma), &moving);
+    let speed = s.dgamma + s.omega_field;
+    let lost = heat(&machine, &currents);
+    let friction_power = friction(speed) * speed;
+    let supplied = s.omega_field * (moment - friction(speed));
+    page.claim("beyond-power", "balance", r"with the circuits' energy $-b_0\cos\gamma + \frac12L_1x^2 + \frac12L_2\sum i_n^2$: $\dot E = \Omega(M - M_2) + \dot\varphi'M_2 - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$: supply of the turning field, friction, heat")
+        .follows([Equal(
+            moment * speed + stored.slope,
+            supplied + friction_power - letter("μ") * s.dgamma.powi(2) - lost,
+        )]);
+    // W = E - W_field A' p' + c0 g never grows: d(A' p')/dt = M
+    let falling = moment * speed + stored.slope - s.omega_field * moment - friction(s.omega_field) * s.dgamma;
+    page.claim("beyond-power", "falling", r"$W = E - \Omega A'p' + c_0\gamma$ has $\dot W = \dot\gamma\,\Delta M_2(\dot\gamma) - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$: it never grows, since $(A'p')' = M$ and friction is dissipative")
+        .note("At fixed vertical momentum and fixed integral nu.nu it is a Lyapunov function near a stationary motion where it has a strict minimum; in g this takes b0 cos g > 0, the family g(0).")
+        .follows([Equal(
+            falling,
+            s.dgamma * excess_friction(s) - letter("μ") * s.dgamma.powi(2) - lost,
+        )]);
+    let (secant, r1, r2, mu) = (letter("κ"), letter("R1"), letter("R2"), letter("μ"));
+    page.claim("beyond-power", "falling-strictly", r"with $\Delta M_2=-\kappa\dot\gamma$: $-\dot W > 0$ unless $\dot\gamma$ and all currents vanish")
+        .given([secant, r1, r2, mu].map(Positive))
+        .given([NonZero(s.dgamma)])
+        .by_signs([Positive(
+            secant * s.dgamma.powi(2) + mu * s.dgamma.powi(2) + r1 * letter("x").powi(2) + r2 * current(1).powi(2),
+        )]);
+    let potential = -(s.b0 * s.angle().cos);
+    page.claim("beyond-power", "minimum", r"as a function of $\gamma$ it has slope $b_0\sin\gamma + c_0$ and curvature $b_0\cos\gamma$: minima at $\gamma^{(0)}$, maxima at $\gamma^{(1)}$")
+        .follows([
+            Equal((potential + s.c0 * s.gamma).diff(s.gamma), s.b0 * s.angle().sin + s.c0),
+            Equal((potential + s.c0 * s.gamma).diff(s.gamma).diff(s.gamma), s.b0 * s.angle().cos),
+        ]);
+}
+
+/// Stationary directions are the critical points of a function on the sphere.
+fn critical_points(page: &mut Page, s: &Letters) {
+    let potential = (s.a_star.component_mul(&s.nu).dot(&s.nu) * s.omega0.powi(2)) / number(2, 1)
+        + s.axial * s.omega_field * s.omega0 * s.l.dot(&s.nu)
+        + s.big_gamma * s.e.dot(&s.nu);
+    let slope = s.nu.map(|n| potential.diff(n));
+    let tangential = slope.cross(&s.nu);
+    page.claim("beyond-critical", "gradient", r"(6.5) is $\operatorname{grad}U\times\nu=0$ with $U(\nu;\omega^0) = \frac12\omega^{0\,2}\,\nu\cdot A^*\nu + A'\Omega\omega^0\,l\cdot\nu + \Gamma\,e\cdot\nu$: the stationary directions for a given $\omega^0$ are the critical points of $U$ on the sphere, so there are at least two (greatest and least value)")
+        .follows((0..3).map(|i| Equal(tangential[i], s.conditions()[i])));
+    // (a_i - lambda) nu_i + d_i = 0, |nu| = 1
+    let lambda = Sym::symbol("λ");
+    let a = Vector3::from(["α1", "α2", "α3"].map(Sym::symbol));
+    let d = Vector3::from(["δ1", "δ2", "δ3"].map(Sym::symbol));
+    let squares = cyclic(|i, _, _| (a[i] - lambda).powi(2));
+    let others = |i: usize| squares[(i + 1) % 3] * squares[(i + 2) % 3];
+    let sextic = squares.x * squares.y * squares.z
+        - d.x.powi(2) * others(0)
+        - d.y.powi(2) * others(1)
+        - d.z.powi(2) * others(2);
+    let plus = cyclic(|i, _, _| (a[i] - lambda) * s.nu[i] + d[i]);
+    let minus = cyclic(|i, _, _| (a[i] - lambda) * s.nu[i] - d[i]);
+    let norm = s.nu.dot(&s.nu) - one();
+    page.claim("beyond-critical", "sextic", r"with $\alpha_i = \omega^{0\,2}A_i^*$, $\delta = A'\Omega\omega^0l+\Gamma e$ and the multiplier $\lambda$, $(\alpha_i-\lambda)\nu_i + \delta_i = 0$ and $|\nu|=1$ give a sextic in $\lambda$; where all $\delta_i\ne0$, $\nu_i = \delta_i/(\lambda-\alpha_i)$ is one direction a root: at most six")
+        .given([Zero(plus.x), Zero(plus.y), Zero(plus.z), Zero(norm)])
+        .by_combination([(
+            Zero(sextic),
+            vec![],
+            vec![
+                (0, minus.x * others(0)),
+                (1, minus.y * others(1)),
+                (2, minus.z * others(2)),
+                (3, -(squares.x * squares.y * squares.z)),
+            ],
+        )]);
+}
+
+/// D from the data: lower bound through the least moment a of A, in principal axes of A with A_i = a + d_i.
+fn bounds(page: &mut Page, s: &Letters) {
+    let least = Sym::symbol("a");
+    let d = ["d1", "d2", "d3"].map(Sym::symbol);
+    let l2 = s.l.map(|c| c.powi(2));
+    let compliance = (0..3).fold(Sym::ZERO, |sum, i| sum + l2[i] / (least + d[i]));
+    let all = Matrix3::from_diagonal(&Vector3::from_fn(|i, _| least + d[i])) + s.l * s.l.transpose() * s.axial;
+    let reduced = (least + d[0]) * (least + d[1]) * (least + d[2]);
+    page.claim("beyond-singular", "reciprocal", r"$1/D = 1 + A'\,l\cdot A^{-1}l$, in the principal axes of $A$ with moments $a+d_i$")
+        .follows([Equal(
+            mechanics::rotation::determinant(&all) / reduced,
+            one() + s.axial * compliance,
+        )]);
+    let room = l2.sum() / least - compliance;
+    page.claim("beyond-singular", "lower-bound", r"$D \ge a/(a+A')$ with the least principal moment $a$ of $A$ (no less than the carrier's least moment about $O$): $|l|^2/a - l\cdot A^{-1}l = \sum l_i^2d_i/(a(a+d_i)) \ge 0$, here for all $d_i>0$, $l_1\ne0$")
+        .given([Positive(least), Positive(d[0]), Positive(d[1]), Positive(d[2]), NonZero(s.l.x)])
+        .by_signs([Positive(room)]);
+}

@@ -1,0 +1,146 @@
+//! Section 4: the first form of the equations of motion, in the principal axes of A.
+
+use super::letters::{Letters, cyclic, letter, vector};
+use super::section2::formulas;
+use super::section3::driven;
+use crate::systems::gyrostat::forms::{FirstForm, Form};
+use claims::{Condition, Line, Page};
+use field::{Tangent, Scalar};
+use mechanics::differentiate::along;
+use mechanics::momentum::absolute_rate;
+use mechanics::rotation::{angular_velocity, euler, vertical};
+use nalgebra::Vector3;
+use symbolic::Sym;
+
+pub fn claims(page: &mut Page, s: &Letters) {
+    page.section("4. First form of the equations");
+    momentum_theorem(page, s);
+    page.claim("eq4.2", "components", "components of the unit vector $e$ from $O$ to the centre of mass").defines([]);
+    first_form(page, s);
+    kinematics(page, s);
+    currents(page, s);
+    solved(page, s);
+}
+
+/// (4.1) in arbitrary axes, from the mass points.
+fn momentum_theorem(page: &mut Page, s: &Letters) {
+    let g = s.general();
+    let [x, _] = g.angular_momentum(s.w, s.dphi);
+    let residual = g.by_momentum(&s.motion());
+    let weight = g.weight();
+    let rate = g.full_tensor() * s.dw + s.l * (s.axial * s.ddphi);
+    let gained = x.cross(&s.w) + weight.cross(&s.nu);
+    page.claim("eq4.1", "theorem", r"$d'x/dt = x\times\omega + \Gamma e\times\nu$, with $\Gamma e = g(m^0c^0 + m'h)$")
+        .under(&s.unit_axis)
+        .holds((0..3).map(|i| Line::equation(residual[i], rate[i], gained[i])));
+    page.claim("eq4.1", "weight", r"$m c$ is the first moment: $\Gamma e = m g c$ with $c = (m^0c^0 + m'h)/m$")
+        .holds((0..3).map(|i| {
+            let c = (g.carrier.mass * g.carrier.centre[i] + s.m_rotor * s.h[i]) / (g.carrier.mass + s.m_rotor);
+            Line::formula(weight[i], s.big_gamma * s.e[i], (g.carrier.mass + s.m_rotor) * g.gravity * c)
+        }));
+}
+
+fn first_form(page: &mut Page, s: &Letters) {
+    let g = s.in_axes_of_a();
+    let (a, w, l, nu, e) = (s.a, s.w, s.l, s.nu, s.e);
+    let [x, _] = g.angular_momentum(w, s.dphi);
+    let p = w.dot(&l) + s.dphi;
+    page.claim("eq4.3", "momentum", r"$x$ in the principal axes of $A$ (unnumbered, before (4.3))")
+        .under(&s.unit_axis)
+        .holds(formulas(vector("x"), x, cyclic(|i, _, _| a[i] * w[i] + s.axial * p * l[i])));
+
+    let right = |spin: Sym| {
+        cyclic(|i, j, k| {
+            (a[j] - a[k]) * w[j] * w[k]
+                + s.axial * spin * (l[j] * w[k] - l[k] * w[j])
+                + s.big_gamma * (e[j] * nu[k] - e[k] * nu[j])
+                - l[i] * s.moment
+        })
+    };
+    let less_rotor = |motion| {
+        let [r1, r2, r3, rotor] = g.by_momentum(&motion);
+        Vector3::new(r1, r2, r3) - l * rotor
+    };
+    let by_momentum = less_rotor(s.motion());
+    page.claim("eq4.3", "carrier", r"first form of the carrier's equations (the rotor's (2.9) used)")
+        .under(&s.unit_axis)
+        .holds((0..3).map(|i| Line::equation(by_momentum[i], a[i] * s.dw[i], right(p)[i])));
+    let [r1, r2, r3, rotor] = g.by_appell(&s.motion());
+    let by_appell = Vector3::new(r1, r2, r3) - l * rotor;
+    page.claim("eq4.3", "by-appell", r"the same from the acceleration energy of the mass points")
+        .under(&s.unit_axis)
+        .holds((0..3).map(|i| Line::equation(by_appell[i], a[i] * s.dw[i], right(p)[i])));
+
+    let from_field = less_rotor(s.motion_from_field());
+    let spin = w.x * l.x + w.y * l.y + w.z * l.z + s.dgamma + s.omega_field;
+    page.claim("eq4.4", "carrier", r"the same with $p' = \omega\cdot l + \dot\gamma + \Omega$")
+        .under(&s.unit_axis)
+        .holds((0..3).map(|i| Line::equation(from_field[i], a[i] * s.dw[i], right(spin)[i])));
+    let rotor = g.by_momentum(&s.motion_from_field())[3];
+    let right = -(s.axial * (l.x * s.dw.x + l.y * s.dw.y + l.z * s.dw.z)) + s.moment;
+    page.claim("eq4.5", "rotor", "equation of the rotor")
+        .under(&s.unit_axis)
+        .holds([Line::equation(rotor, s.axial * s.ddgamma, right)]);
+}
+
+/// (4.6) from the constancy of the vertical in space, and once more from the rotation matrix of Euler's angles.
+fn kinematics(page: &mut Page, s: &Letters) {
+    let (w, nu, dnu) = (s.w, s.nu, vector("ν̇"));
+    let absolute = absolute_rate(Vector3::from_fn(|i, _| Tangent::moving(nu[i], dnu[i])), w);
+    let printed = |w: Vector3<Sym>, nu: Vector3<Sym>| {
+        Vector3::new(w.z * nu.y - w.y * nu.z, w.x * nu.z - w.z * nu.x, w.y * nu.x - w.x * nu.y)
+    };
+    let right = printed(w, nu);
+    page.claim("eq4.6", "vertical", "the vertical is at rest in space")
+        .holds((0..3).map(|i| Line::equation(absolute[i], dnu[i], right[i])));
+
+    let angles = ["ψ", "θ", "φ"].map(Sym::symbol);
+    let rates = ["ψ̇", "θ̇", "φ̇"].map(Sym::symbol);
+    let turning = euler(along(angles, rates));
+    let moving = vertical(&turning);
+    let right = printed(angular_velocity(turning), moving.map(|x| x.value));
+    page.claim("eq4.6", "from-angles", r"the same from the rotation matrix: $\nu$ its third row, $[\omega] = R^TR'$")
+        .follows((0..3).map(|i| Condition::Equal(moving[i].slope, right[i])));
+}
+
+/// (4.7): the currents of the motor inside the gyrostat are those of the motor alone.
+fn currents(page: &mut Page, s: &Letters) {
+    let bars = 3;
+    let (_, rates) = driven(s.motor(bars), s, &s.currents(bars));
+    let gamma = s.angle();
+    let mut lines = vec![Line::equation(
+        letter("L1") * (letter("ẋ") - rates[0]),
+        letter("L1") * letter("ẋ"),
+        -(letter("R1") * letter("x")) + letter("a1") * s.dgamma * gamma.sin,
+    )];
+    for (n, bar) in (1..=bars).zip(s.motor(bars).bars) {
+        let (i, di) = (super::letters::current(n), Sym::named(&format!("i̇{n}"), &format!(r"\dot i_{{{n}}}")));
+        lines.push(Line::equation(
+            letter("L2") * (di - rates[n as usize]),
+            letter("L2") * di,
+            -(letter("R2") * i) + letter("a2") * s.dgamma * (gamma + bar).cos,
+        ));
+    }
+    page.claim("eq4.7", "currents", r"equations of the currents, $n_2 = 3$ (other $n_2$ under (3.3))").holds(lines);
+}
+
+/// What runs is what was derived: the accelerations of the code satisfy the equations.
+fn solved(page: &mut Page, s: &Letters) {
+    let g = s.in_axes_of_a();
+    let form = FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma);
+    let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.moment);
+    let motion = crate::systems::gyrostat::Motion { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
+    page.claim("eq4.3", "runs", "the right-hand side that is integrated makes the momentum equations vanish")
+        .under(&s.unit_axis)
+        .follows(g.by_momentum(&motion).map(Condition::Zero));
+    let (dw, reaction) = form.prescribed(s.w, s.nu, s.dphi);
+    let motion = crate::systems::gyrostat::Motion {
+        angular_acceleration: dw,
+        rotor_acceleration: Sym::int(0),
+        moment: reaction,
+        ..s.motion()
+    };
+    page.claim("eq4.3", "runs-prescribed", "so does the one with the rotor's speed prescribed")
+        .under(&s.unit_axis)
+        .follows(g.by_momentum(&motion).map(Condition::Zero));
+}

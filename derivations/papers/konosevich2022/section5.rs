@@ -1,0 +1,245 @@
+//! Section 5: the second form, in the principal axes of A*, and its singularity D = 0.
+
+use super::letters::{Letters, cyclic, letter, one, vector};
+use super::section2::formulas;
+use crate::systems::gyrostat::Motion;
+use crate::systems::gyrostat::forms::{Form, SecondForm};
+use claims::{Condition, Line, Page, Point};
+use field::{Rational, Scalar};
+use mechanics::rotation::{determinant, quaternion};
+use nalgebra::{Matrix3, Vector3};
+use symbolic::{Hypotheses, Sym};
+
+pub fn claims(page: &mut Page, s: &Letters) {
+    page.section("5. Second form of the equations");
+    second_form(page, s);
+    rotor(page, s);
+    determinant_identity(page, s);
+    singular(page, s);
+    agree(page, s);
+}
+
+/// D, as printed in (5.4).
+pub fn singularity(s: &Letters) -> Sym {
+    let (a, l) = (s.a_star, s.l);
+    one() - s.axial * l.x.powi(2) / a.x - s.axial * l.y.powi(2) / a.y - s.axial * l.z.powi(2) / a.z
+}
+
+/// The right sides of (5.2).
+fn right(s: &Letters) -> Vector3<Sym> {
+    let (a, w, l, nu, e) = (s.a_star, s.w, s.l, s.nu, s.e);
+    cyclic(|_, j, k| {
+        (a[j] - a[k]) * w[j] * w[k]
+            + s.axial * (s.dgamma + s.omega_field) * (l[j] * w[k] - l[k] * w[j])
+            + s.big_gamma * (e[j] * nu[k] - e[k] * nu[j])
+    })
+}
+
+fn second_form(page: &mut Page, s: &Letters) {
+    let g = s.in_axes_of_a_star();
+    let (a, l) = (s.a_star, s.l);
+    let [x, _] = g.angular_momentum(s.w, s.dphi);
+    page.claim("eq5.1", "momentum", r"$x$ in the principal axes of $A^*$")
+        .under(&s.unit_axis)
+        .holds(formulas(vector("x"), x, cyclic(|i, _, _| a[i] * s.w[i] + s.axial * s.dphi * l[i])));
+    let motion = s.motion_from_field();
+    for (slug, says, residual) in [
+        ("carrier", "second form of the carrier's equations, by angular momentum", g.by_momentum(&motion)),
+        ("by-appell", "the same from the acceleration energy of the mass points", g.by_appell(&motion)),
+    ] {
+        page.claim("eq5.2", slug, says).under(&s.unit_axis).holds((0..3).map(|i| {
+            Line::equation(residual[i], a[i] * s.dw[i] + s.axial * s.ddgamma * l[i], right(s)[i])
+        }));
+    }
+    let form = SecondForm::new(s.a_star, l, s.axial, s.e * s.big_gamma);
+    let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.moment);
+    let motion = Motion { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
+    page.claim("eq5.2", "runs", "the right-hand side that is integrated makes the momentum equations vanish")
+        .under(&s.unit_axis)
+        .follows(g.by_momentum(&motion).map(Condition::Zero));
+}
+
+/// The accelerations of the carrier eliminated from the rotor's equation: derived from the mass points' equations.
+fn eliminated(s: &Letters) -> Sym {
+    let [r1, r2, r3, rotor] = s.in_axes_of_a_star().by_momentum(&s.motion_from_field());
+    let at_rest = s.dw.map(|dw| (dw, Sym::ZERO));
+    let solved: Vec<(Sym, Sym)> = [r1, r2, r3]
+        .into_iter()
+        .enumerate()
+        .map(|(i, residual)| (s.dw[i], -(residual.substitute(at_rest.as_slice()) / s.a_star[i])))
+        .collect();
+    rotor.substitute(&solved)
+}
+
+fn rotor(page: &mut Page, s: &Letters) {
+    let (a, w, l, nu, e) = (s.a_star, s.w, s.l, s.nu, s.e);
+    let weighted = |v: Vector3<Sym>| l.x / a.x * v.x + l.y / a.y * v.y + l.z / a.z * v.z;
+    let inertial = cyclic(|_, j, k| (a[j] - a[k]) * w[j] * w[k]);
+    let left = s.axial * singularity(s) * s.ddgamma;
+    let right = -(s.axial * weighted(inertial))
+        - s.axial.powi(2) * (s.dgamma + s.omega_field) * weighted(l.cross(&w))
+        - s.axial * s.big_gamma * weighted(e.cross(&nu))
+        + s.moment;
+    let derived = eliminated(s);
+    page.claim("eq5.3", "rotor", "the rotor's equation with the carrier's accelerations eliminated")
+        .under(&s.unit_axis)
+        .holds([Line::equation(derived, left, right)]);
+    page.claim("section5.1", "elimination", r"(5.3) is (4.5) with (5.2) put in: $A^*_i\dot\omega_i$ from (5.2)")
+        .under(&s.unit_axis)
+        .follows([Condition::Equal(
+            derived,
+            s.axial * s.ddgamma
+                + s.axial * cyclic(|i, _, _| l[i] * (self::right(s)[i] - s.axial * s.ddgamma * l[i]) / a[i]).sum()
+                - s.moment,
+        )]);
+    page.claim("eq5.4", "coefficient", r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$ (the prime is lost in the text)")
+        .under(&s.unit_axis)
+        .holds([Line::formula(derived.diff(s.ddgamma) / s.axial, Sym::named("D", "D"), singularity(s))]);
+}
+
+fn determinant_identity(page: &mut Page, s: &Letters) {
+    let tensor = s.in_axes_of_a_star().reduced_tensor();
+    let (a, l) = (s.a_star, s.l);
+    page.claim("section5.2-det", "components", r"$\tilde A_{ii} = A^*_i - A'l_i^2$, $\tilde A_{ij} = -A'l_il_j$")
+        .under(&s.unit_axis)
+        .follows((0..3).flat_map(|i| {
+            let j = (i + 1) % 3;
+            [
+                Condition::Equal(tensor[(i, i)], a[i] - s.axial * l[i].powi(2)),
+                Condition::Equal(tensor[(i, j)], -(s.axial * l[i] * l[j])),
+                Condition::Equal(tensor[(j, i)], -(s.axial * l[i] * l[j])),
+            ]
+        }));
+    let product = a.x * a.y * a.z;
+    let name = Sym::named("det Ã", r"\det\tilde A");
+    page.claim("section5.2-det", "determinant", r"$\det\tilde A = A_1^*A_2^*A_3^*D$")
+        .under(&s.unit_axis)
+        .holds([Line::formula(determinant(&tensor), name, product * singularity(s))]);
+    // e_i = l_i sqrt(A'), so e_i e_j = A' l_i l_j
+    let scaled = Matrix3::from_fn(|i, j| {
+        let dyad = s.axial * l[i] * l[j] / a[i];
+        if i == j { one() - dyad } else { -dyad }
+    });
+    page.claim("section5.2-det", "scaled", r"the same as the printed determinant with $\varepsilon_i = l_i\sqrt{A'}$")
+        .under(&s.unit_axis)
+        .holds([Line::formula(determinant(&tensor), name, product * determinant(&scaled))]);
+}
+
+/// Can D vanish? Any axes will do, D being invariant: here the first along l. A = C C^T with C upper triangular.
+fn singular(page: &mut Page, s: &Letters) {
+    let c = |index: &str| Sym::named(&format!("C{index}"), &format!("C_{{{index}}}"));
+    let axial = Sym::named("a′", "a'");
+    let root = Matrix3::new(
+        c("11"), c("12"), c("13"),
+        Sym::ZERO, c("22"), c("23"),
+        Sym::ZERO, Sym::ZERO, c("33"),
+    );
+    let reduced = root * root.transpose();
+    let axis = Vector3::new(one(), Sym::ZERO, Sym::ZERO);
+    let full = reduced + axis * axis.transpose() * axial;
+    let d = determinant(&reduced) / determinant(&full);
+    let positive = [c("11"), c("22"), c("33"), axial].map(Condition::Positive);
+    page.claim("section5.2-singular", "regular", r"$0 < D < 1$ where $A$ is positive definite: $A = CC^T$ in axes with the first along $l$")
+        .given(positive)
+        .by_signs([Condition::Positive(d), Condition::Positive(one() - d)]);
+    page.claim("section5.2-singular", "bound", r"$D \le a/(a + A')$, where $a = l\cdot Al = l\cdot A^0l + m'|h\times l|^2$ is the moment about the rotor's axis without the rotor's own: $a/(a+A') - D \ge 0$ by signs, with equality where $l$ is a principal axis")
+        .given(positive)
+        .given([Condition::NonZero(c("12"))])
+        .by_signs([Condition::Positive(reduced[(0, 0)] / (reduced[(0, 0)] + axial) - d)]);
+    let g = s.general();
+    page.claim("section5.2-singular", "bound-data", r"$l\cdot A\,l = l\cdot A^0l + m'|h\times l|^2$ in the bodies' data")
+        .under(&s.unit_axis)
+        .follows([Condition::Equal(
+            s.l.dot(&(g.reduced_tensor() * s.l)),
+            s.l.dot(&(g.carrier.inertia * s.l)) + s.m_rotor * s.h.cross(&s.l).dot(&s.h.cross(&s.l)),
+        )]);
+    page.claim("section5.2-singular", "by-definition", r"the principal components of $A$ are positive by definition, so $D \neq 0$ for every body $S^0$")
+        .given([Condition::Equal(letter("l1"), one())])
+        .note("Counterexample: the carrier is a thin rod along the rotor's axis through O (moments 0, 1, 1), the rotor's centre lies on it. A has the moment 0 about l, A* has A' there, and D = 0. The statement needs that the carrier has inertia about the rotor's axis: as that inertia goes to zero, so does D.")
+        .refuted([Condition::NonZero(singularity(s))], rod(s));
+    let u = ["u1", "u2", "u3"].map(Sym::symbol);
+    let u = Vector3::from(u);
+    page.claim("section5.2-singular", "when", r"exactly: $u\cdot Au = u\cdot A^0u + m'|h\times u|^2 + B'|l\times u|^2$, a sum that vanishes for some $u\ne0$ only if $u\parallel l\parallel h$ (or $h=0$) and $l\cdot A^0l=0$: the mass of the carrier lies on the rotor's axis through $O$")
+        .under(&s.unit_axis)
+        .follows([Condition::Equal(
+            u.dot(&(g.reduced_tensor() * u)),
+            u.dot(&(g.carrier.inertia * u))
+                + s.m_rotor * s.h.cross(&u).dot(&s.h.cross(&u))
+                + s.transverse * s.l.cross(&u).dot(&s.l.cross(&u)),
+        )]);
+    page.correct();
+}
+
+/// A rod of mass 3 and length 1 from O along the first axis; rotor with A' = B' = 1, mass 1, centre at (1, 0, 0).
+fn rod(s: &Letters) -> Point {
+    let values = [(s.l.x, 1), (s.l.y, 0), (s.l.z, 0), (s.axial, 1), (s.a_star.x, 1), (s.a_star.y, 3), (s.a_star.z, 3)];
+    Point::of(values.map(|(symbol, value)| (symbol, Rational::int(value))))
+}
+
+/// Both forms describe one motion: first with full tensors in common axes, then each in its own.
+fn agree(page: &mut Page, s: &Letters) {
+    let name = |i: usize, j: usize| {
+        let (i, j) = (i.min(j) + 1, i.max(j) + 1);
+        Sym::named(&format!("A{i}{j}"), &format!("A_{{{i}{j}}}"))
+    };
+    let tensor = Matrix3::from_fn(name);
+    let full = tensor + s.l * s.l.transpose() * s.axial;
+    let weight = s.e * s.big_gamma;
+    let first = |a: Matrix3<Sym>, w: Vector3<Sym>, dw: Vector3<Sym>, l: Vector3<Sym>, weight: Vector3<Sym>, nu: Vector3<Sym>| {
+        let x = a * w + l * (s.axial * (w.dot(&l) + s.dphi));
+        a * dw - x.cross(&w) - weight.cross(&nu) + l * s.moment
+    };
+    let second = |a: Matrix3<Sym>| {
+        let x = a * s.w + s.l * (s.axial * s.dphi);
+        a * s.dw + s.l * (s.axial * s.ddphi) - x.cross(&s.w) - weight.cross(&s.nu)
+    };
+    let rotor = s.axial * (s.l.dot(&s.dw) + s.ddphi) - s.moment;
+    let gap = second(full) - first(tensor, s.w, s.dw, s.l, weight, s.nu) - s.l * rotor;
+    page.claim("forms-agree", "common-axes", r"second form $-$ first form $-\; l\,$(rotor's equation) $= 0$ with full symmetric tensors in arbitrary common axes, all parameters and $M$ free")
+        .follows(gap.iter().map(|&x| Condition::Zero(x)));
+
+    // own axes: the axes of A* are turned by R against those of A
+    let q = ["q0", "q1", "q2", "q3"].map(Sym::symbol);
+    let norm = q.iter().fold(Sym::ZERO, |sum, &c| sum + c.powi(2));
+    let turn = quaternion(q);
+    let back = turn.transpose();
+    let covariant = turn * first(back * tensor * turn, back * s.w, back * s.dw, back * s.l, back * weight, back * s.nu);
+    let here = first(tensor, s.w, s.dw, s.l, weight, s.nu);
+    page.claim("forms-agree", "rotated", r"the first form written in axes turned by any rotation $R(q)$, then turned back, is the first form: so each form may stand in its own principal axes")
+        .given([Condition::NonZero(norm)])
+        .follows((0..3).map(|i| Condition::Equal(covariant[i], here[i])));
+    let printed_first = cyclic(|i, j, k| {
+        s.a[i] * s.dw[i] - ((s.a[j] - s.a[k]) * s.w[j] * s.w[k]
+            + s.axial * (s.w.dot(&s.l) + s.dphi) * (s.l[j] * s.w[k] - s.l[k] * s.w[j])
+            + s.big_gamma * (s.e[j] * s.nu[k] - s.e[k] * s.nu[j])
+            - s.l[i] * s.moment)
+    });
+    let in_own = first(Matrix3::from_diagonal(&s.a), s.w, s.dw, s.l, weight, s.nu);
+    let printed_second = cyclic(|i, _, _| {
+        s.a_star[i] * s.dw[i] + s.axial * s.ddgamma * s.l[i] - right(s)[i]
+    });
+    let speed = [(s.dphi, s.dgamma + s.omega_field), (s.ddphi, s.ddgamma)];
+    let second_own = second(Matrix3::from_diagonal(&s.a_star)).map(|x| x.substitute(&speed));
+    page.claim("forms-agree", "own-axes", r"in principal axes the full forms become (4.3) and (5.2) as printed")
+        .follows((0..3).flat_map(|i| {
+            [Condition::Equal(in_own[i], printed_first[i]), Condition::Equal(second_own[i], printed_second[i])]
+        }));
+    explicit(page, s, tensor);
+}
+
+/// The accelerations of both forms, solved, are one rational function: full tensors, everything free.
+fn explicit(page: &mut Page, s: &Letters, tensor: Matrix3<Sym>) {
+    let full = tensor + s.l * s.l.transpose() * s.axial;
+    let weight = s.e * s.big_gamma;
+    let x = tensor * s.w + s.l * (s.axial * (s.w.dot(&s.l) + s.dphi));
+    let gain = x.cross(&s.w) + weight.cross(&s.nu);
+    let first = mechanics::rotation::inverse(&tensor) * (gain - s.l * s.moment);
+    let inverse = mechanics::rotation::inverse(&full);
+    let response = inverse * s.l;
+    let d = one() - s.axial * s.l.dot(&response);
+    let ddphi = (s.moment / s.axial - response.dot(&gain)) / d;
+    let second = inverse * gain - response * (s.axial * ddphi);
+    page.claim("forms-agree", "explicit", r"$\dot\omega$ solved from the first and from the second form is the same rational function of all parameters")
+        .under(&Hypotheses::none())
+        .follows((0..3).map(|i| Condition::Equal(first[i], second[i])));
+}
