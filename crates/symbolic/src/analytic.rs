@@ -17,15 +17,7 @@ impl Analytic for Sym {
     /// The circle point of an angle. An integer combination of angles is expanded by the addition theorems down to
     /// the coordinates of single terms; a term with a fraction, x / 3, is a term of its own.
     fn circle(self) -> Circle<Self> {
-        if self == Sym::UNDEFINED {
-            return Circle { cos: self, sin: self };
-        }
-        let mut point = None;
-        for (term, coefficient) in linear_terms(self) {
-            let next = multiple(term, coefficient);
-            point = Some(point.map_or(next, |before| before + next));
-        }
-        point.unwrap_or_else(Circle::zero)
+        circle_in_steps(self, |_, parts| parts)
     }
 
     /// The non-negative root. Of a rational number it is a product of roots of distinct primes, so that the products
@@ -38,9 +30,19 @@ impl Analytic for Sym {
     }
 }
 
+/// The circle point of an angle with every term taken in steps of one of so many parts of it, by default as many as
+/// the denominator of its coefficient says.
+pub(crate) fn circle_in_steps(angle: Sym, parts: impl Fn(Sym, i64) -> i64) -> Circle<Sym> {
+    if angle == Sym::UNDEFINED {
+        return Circle { cos: angle, sin: angle };
+    }
+    let points = linear_terms(angle).into_iter().map(|(term, coefficient)| multiple(term, coefficient, &parts));
+    points.reduce(|before, next| before + next).unwrap_or_else(Circle::zero)
+}
+
 /// The expression as a sum of distinct terms with rational coefficients, in the order of writing; the constant is a
 /// multiple of the term 1.
-fn linear_terms(expression: Sym) -> Vec<(Sym, Rational)> {
+pub(crate) fn linear_terms(expression: Sym) -> Vec<(Sym, Rational)> {
     let mut terms: Vec<(Sym, Rational)> = Vec::new();
     let mut open = vec![(expression, Rational::one())];
     while let Some((next, factor)) = open.pop() {
@@ -70,10 +72,14 @@ fn collect(terms: &mut Vec<(Sym, Rational)>, term: Sym, coefficient: Rational) {
     }
 }
 
-/// The circle point of p/q times the term: p times around by the step term/q.
-fn multiple(term: Sym, coefficient: Rational) -> Circle<Sym> {
-    let small = (term != Sym::ONE).then(|| small_quotient(coefficient)).flatten();
-    let (times, step) = match small {
+/// The circle point of p/q times the term: p times around by the step term/q, or finer.
+fn multiple(term: Sym, coefficient: Rational, parts: impl Fn(Sym, i64) -> i64) -> Circle<Sym> {
+    let counted = small_quotient(coefficient).filter(|_| term != Sym::ONE).and_then(|(times, denominator)| {
+        let parts = parts(term, denominator);
+        let times = times.checked_mul(parts / denominator)?;
+        (parts % denominator == 0 && times.abs() <= HIGHEST_MULTIPLE).then_some((times, parts))
+    });
+    let (times, step) = match counted {
         Some((times, 1)) => (times, term),
         Some((times, parts)) => (times, term / Sym::int(parts)),
         None if coefficient.sign() == Some(-1) => (-1, Sym::constant(-coefficient) * term),
@@ -84,11 +90,11 @@ fn multiple(term: Sym, coefficient: Rational) -> Circle<Sym> {
     if times < 0 { -around } else { around }
 }
 
-/// Numerator and denominator where the numerator is a multiple worth expanding.
-fn small_quotient(value: Rational) -> Option<(i64, i64)> {
+/// Numerator and denominator where both are of moderate size.
+pub(crate) fn small_quotient(value: Rational) -> Option<(i64, i64)> {
     let big = value.to_big()?;
-    let numerator = i64::try_from(big.numerator()).ok().filter(|n| n.abs() <= HIGHEST_MULTIPLE)?;
-    Some((numerator, i64::try_from(big.denominator()).ok()?))
+    let small = |n: i64| (n.abs() < 1 << 20).then_some(n);
+    Some((small(i64::try_from(big.numerator()).ok()?)?, small(i64::try_from(big.denominator()).ok()?)?))
 }
 
 /// sqrt(n/d) = sqrt(n d) / d, with the square part of n d taken out and the rest split into primes.

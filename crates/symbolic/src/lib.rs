@@ -11,6 +11,7 @@
 mod analytic;
 mod calculus;
 mod coefficients;
+mod dimension;
 mod evaluate;
 mod graph;
 pub mod linear;
@@ -23,6 +24,7 @@ mod tape;
 
 pub use calculus::substitute_all;
 pub use coefficients::{NotPolynomial, coefficients, degree};
+pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
 pub use graph::{Node, Sym};
 pub use prove::{Decision, Hypotheses, NormalForm, Proof, Refused, Witness, decide, decide_modulo, normal};

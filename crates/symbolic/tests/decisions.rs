@@ -77,6 +77,15 @@ fn angles_obey_the_addition_theorems() {
     assert!(none.equal((x * y).circle().cos, (y * x).circle().cos).is_zero());
     assert!(none.equal(((x + y) * y).circle().sin, (y * y + y * x).circle().sin).is_zero());
     assert!(none.equal(p.sin, p.cos).is_nonzero());
+    let (half, third) = ((x / Sym::int(2)).circle(), (x / Sym::int(3)).circle());
+    assert!(none.equal(p.cos, Sym::int(2) * half.cos.squared() - Sym::int(1)).is_zero());
+    assert!(
+        none.equal(half.sin * half.cos, (Sym::int(3) * third.sin - Sym::int(4) * third.sin.powi(3)).half()).is_zero()
+    );
+    assert!(none.equal(half.cos, third.cos).is_nonzero());
+    // Parts without a common step, and the coordinates of a number, depend on each other in ways not seen here.
+    assert!(matches!(none.equal((Sym::int(100) * x).circle().cos, p.cos), Decision::GaveUp(_)));
+    assert!(matches!(none.equal(Sym::int(1).circle().cos, Sym::ratio(1, 2)), Decision::GaveUp(_)));
 }
 
 #[test]
@@ -114,6 +123,18 @@ fn rules_that_are_not_coprime_are_refused() {
     let circle = Hypotheses::none().rule(x, 2, y * y).rule(y, 2, x);
     assert!(circle.check().is_err_and(|refused| refused.to_string().contains("in a circle")));
     assert!(Hypotheses::none().unit_vector([x, y]).rule(z, 3, x).check().is_ok());
+}
+
+#[test]
+fn a_witness_satisfies_every_rule() {
+    let [x, y, z, u] = symbols(["x", "y", "z", "u"]);
+    let both = Hypotheses::none().unit_vector([x, y]).unit_vector([x, z]).rule(u, 2, x + Sym::int(2));
+    let Decision::NonZero(witness) = both.equal(u * y, z) else { panic!("not refuted") };
+    let none = Hypotheses::none();
+    for (a, b) in [(x * x + y * y, Sym::int(1)), (x * x + z * z, Sym::int(1)), (u * u, x + Sym::int(2))] {
+        assert!(none.equal((a - b).substitute(&witness.point), Sym::int(0)).is_zero());
+    }
+    assert!(none.equal((u * y - z).substitute(&witness.point), witness.value).is_zero());
 }
 
 #[test]
@@ -164,7 +185,10 @@ fn a_function_is_a_generator_for_every_argument() {
     let none = Hypotheses::none();
     assert!(none.equal(moment, Sym::function("M2", t * s)).is_zero());
     assert_eq!(moment.diff(s).to_string(), "M2'(s*t)*t");
-    assert!(none.equal(moment, Sym::function("M2", s)).is_nonzero());
+    let Decision::NonZero(witness) = none.equal(Sym::function("M2", s), Sym::function("M2", t) * (s - t)) else {
+        panic!("not refuted")
+    };
+    assert!(witness.point.iter().all(|(_, value)| value.as_constant().is_some()));
 }
 
 #[test]

@@ -6,6 +6,7 @@
 use super::hypotheses::{Hypotheses, Refused, Rule, circle_rule};
 use super::normal::normal_form;
 use crate::Sym;
+use crate::analytic::{circle_in_steps, linear_terms, small_quotient};
 use crate::graph::Node;
 use crate::poly::Failure;
 use crate::print::natural_key;
@@ -28,6 +29,7 @@ impl Generators {
             return Err(Failure::Hypotheses(refused.to_string()));
         }
         let mut gathering = Gathering::new(hypotheses);
+        gathering.survey(expressions)?;
         gathering.visit(expressions)?;
         let mut leaves: Vec<Sym> = gathering.found.into_iter().collect();
         if leaves.len() > 1 {
@@ -112,11 +114,41 @@ struct Gathering<'a> {
     found: FxHashSet<Sym>,
     aliases: FxHashMap<Sym, Sym>,
     rules: Vec<Rule>,
+    /// Arguments with their normal forms.
+    normal: FxHashMap<Sym, Sym>,
+    /// Into how many parts an angle is divided, so that x/2 and x/3 are both whole numbers of parts of x.
+    parts: FxHashMap<Sym, i64>,
 }
 
 impl<'a> Gathering<'a> {
     fn new(hypotheses: &'a Hypotheses) -> Self {
-        Gathering { hypotheses, found: FxHashSet::default(), aliases: FxHashMap::default(), rules: Vec::new() }
+        Gathering {
+            hypotheses,
+            found: FxHashSet::default(),
+            aliases: FxHashMap::default(),
+            rules: Vec::new(),
+            normal: FxHashMap::default(),
+            parts: FxHashMap::default(),
+        }
+    }
+
+    /// Finds the common parts of all angles, also of those inside arguments.
+    fn survey(&mut self, expressions: &[Sym]) -> Result<(), Failure> {
+        let tails = self.hypotheses.rules.iter().map(|rule| rule.tail);
+        let all: Vec<Sym> = expressions.iter().copied().chain(tails).collect();
+        for each in Sym::ascending(&all) {
+            if let Node::Cos(angle) | Node::Sin(angle) = each.node()
+                && !matches!(angle.node(), Node::Symbol(_))
+            {
+                for (term, coefficient) in linear_terms(self.canonical(angle)?) {
+                    let denominator = small_quotient(coefficient).map_or(1, |(_, denominator)| denominator);
+                    let parts = self.parts.entry(term).or_insert(1);
+                    // Beyond any sensible number the angles stay apart, and a refutation is not attempted.
+                    *parts = least_common_multiple(*parts, denominator).unwrap_or(*parts);
+                }
+            }
+        }
+        Ok(())
     }
 
     fn visit(&mut self, expressions: &[Sym]) -> Result<(), Failure> {
@@ -149,11 +181,16 @@ impl<'a> Gathering<'a> {
         Ok(())
     }
 
-    fn canonical(&self, argument: Sym) -> Result<Sym, Failure> {
-        match argument.node() {
-            Node::Symbol(_) | Node::Constant(_) => Ok(argument),
-            _ => Ok(normal_form(argument, self.hypotheses)?.to_sym()),
+    fn canonical(&mut self, argument: Sym) -> Result<Sym, Failure> {
+        if let Node::Symbol(_) | Node::Constant(_) = argument.node() {
+            return Ok(argument);
         }
+        if let Some(&known) = self.normal.get(&argument) {
+            return Ok(known);
+        }
+        let canonical = normal_form(argument, self.hypotheses)?.to_sym();
+        self.normal.insert(argument, canonical);
+        Ok(canonical)
     }
 
     fn alias(&mut self, each: Sym, expression: Sym) {
@@ -164,7 +201,11 @@ impl<'a> Gathering<'a> {
 
     /// A coordinate of an angle, as an expression in coordinates of canonical angles.
     fn coordinate(&mut self, each: Sym, angle: Sym) -> Result<(), Failure> {
-        let point = self.canonical(angle)?.circle();
+        let canonical = self.canonical(angle)?;
+        let point = circle_in_steps(canonical, |term, denominator| match self.parts.get(&term) {
+            Some(parts) if parts % denominator == 0 => *parts,
+            _ => denominator,
+        });
         let expression = if matches!(each.node(), Node::Cos(_)) { point.cos } else { point.sin };
         for leaf in Sym::ascending_to_leaves(&[expression]) {
             if let Node::Sin(canonical) | Node::Cos(canonical) = leaf.node()
@@ -204,4 +245,13 @@ impl<'a> Gathering<'a> {
         self.alias(each, if denominator.is_one() { front * leaf } else { front * (leaf / denominator) });
         Ok(())
     }
+}
+
+/// For positive numbers of moderate size.
+fn least_common_multiple(a: i64, b: i64) -> Option<i64> {
+    let (mut divisor, mut rest) = (a, b);
+    while rest != 0 {
+        (divisor, rest) = (rest, divisor % rest);
+    }
+    (a / divisor).checked_mul(b).filter(|multiple| *multiple < 1 << 20)
 }

@@ -4,7 +4,8 @@ use super::generators::Generators;
 use super::hypotheses::Hypotheses;
 use super::normal::normal_form;
 use crate::Sym;
-use crate::graph::Node;
+use crate::analytic::linear_terms;
+use crate::graph::{Name, Node};
 use field::{Analytic, Rational, Scalar};
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
@@ -43,12 +44,7 @@ pub(super) fn search(expression: Sym, hypotheses: &Hypotheses) -> Option<Witness
     let mut all = vec![inside];
     all.extend(hypotheses.rules.iter().map(|rule| rule.lead));
     let generators = Generators::of(&all, hypotheses).ok()?;
-    let transcendental = |leaf: &Sym| match leaf.node() {
-        Node::Cos(angle) | Node::Sin(angle) => angle.as_constant().is_some(),
-        _ => false,
-    };
-    // The coordinates of a number, cos 1, have no exact value.
-    if generators.leaves.iter().any(transcendental) {
+    if !angles_are_free(&generators) {
         return None;
     }
     let target = generators.rewrite(inside);
@@ -56,6 +52,18 @@ pub(super) fn search(expression: Sym, hypotheses: &Hypotheses) -> Option<Witness
         let numbers = Numbers { state: attempt, attempt };
         let point = Point::at(&generators, hypotheses, numbers, attempt < RATIONAL_POINTS)?;
         point.witness(target, hypotheses, &generators)
+    })
+}
+
+/// Whether the points of all angles may be chosen: the coordinates of a number, cos 1, have no exact value, and parts
+/// of one angle that have no common step depend on each other.
+fn angles_are_free(generators: &Generators) -> bool {
+    let mut steps: FxHashMap<Sym, Sym> = FxHashMap::default();
+    generators.leaves.iter().all(|leaf| match leaf.node() {
+        Node::Cos(angle) | Node::Sin(angle) => linear_terms(angle)
+            .into_iter()
+            .all(|(term, _)| term != Sym::ONE && *steps.entry(term).or_insert(angle) == angle),
+        _ => true,
     })
 }
 
@@ -89,6 +97,9 @@ impl Point {
     fn at(generators: &Generators, hypotheses: &Hypotheses, mut numbers: Numbers, rational: bool) -> Option<Self> {
         let mut values: FxHashMap<Sym, Sym> = FxHashMap::default();
         for sphere in &hypotheses.spheres {
+            if sphere.iter().any(|each| values.contains_key(each)) {
+                continue;
+            }
             let free: Vec<Rational> = sphere[1..].iter().map(|_| numbers.next()).collect();
             let norm = free.iter().fold(Rational::zero(), |sum, t| sum + *t * *t);
             let first = (norm - Rational::one()) / (norm + Rational::one());
@@ -118,10 +129,11 @@ impl Point {
         }
         let mut point = Point { values };
         for rule in generators.rules.iter().rev().filter(|rule| rule.power <= 2) {
-            if point.values.contains_key(&rule.lead) {
-                continue;
-            }
             let tail = point.exact(generators.rewrite(rule.tail), generators)?;
+            if let Some(&value) = point.values.get(&rule.lead) {
+                let holds = value.powi(rule.power as i32) == tail;
+                if holds { continue } else { return None }
+            }
             let value = if rule.power == 1 { tail } else { Sym::constant(tail.as_constant()?).sqrt() };
             let value = point.with_sign(rule.lead, value, generators)?;
             let of_number = rule.tail.as_constant().is_some();
@@ -184,11 +196,30 @@ impl Point {
         Some(values[&expression])
     }
 
+    /// Whether no function has two values at arguments that are equal at the point.
+    fn functions_are_single_valued(&self, generators: &Generators) -> bool {
+        let mut seen: Vec<(Name, u32, Sym)> = Vec::new();
+        generators.leaves.iter().all(|leaf| {
+            let Node::Function(name, order, argument) = leaf.node() else { return true };
+            let known =
+                argument.substitute(&self.values.iter().map(|(&leaf, &value)| (leaf, value)).collect::<Vec<_>>());
+            let value = normal_form(known, &Hypotheses::none()).map_or(known, |form| form.to_sym());
+            let call = (name, order, value);
+            let new = !seen.contains(&call);
+            seen.push(call);
+            new
+        })
+    }
+
     fn witness(self, target: Sym, hypotheses: &Hypotheses, generators: &Generators) -> Option<Witness> {
         let value = self.exact(target, generators).filter(|value| !value.is_zero())?;
+        if !self.functions_are_single_valued(generators) {
+            return None;
+        }
         let mut point = Vec::new();
         let mut formal = Vec::new();
-        for &leaf in &generators.leaves {
+        let of_a_number = |leaf: &Sym| matches!(leaf.node(), Node::Root(square) if square.as_constant().is_some());
+        for &leaf in generators.leaves.iter().filter(|leaf| !of_a_number(leaf)) {
             point.push((leaf, self.values[&leaf]));
             if let Node::Cos(angle) | Node::Sin(angle) = leaf.node()
                 && angle.symbols_of().iter().any(|symbol| generators.index.contains_key(symbol))

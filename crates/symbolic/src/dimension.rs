@@ -1,0 +1,152 @@
+//! Physical dimensions of expressions.
+
+use crate::Sym;
+use crate::graph::Node;
+use field::Rational;
+use num_traits::{One, Zero};
+use rustc_hash::FxHashMap;
+use std::fmt;
+use std::ops::{Div, Mul};
+
+/// Rational exponents of kilogram, metre, second and ampere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dimension {
+    exponents: [Rational; 4],
+}
+
+const UNITS: [&str; 4] = ["kg", "m", "s", "A"];
+
+impl Dimension {
+    /// From integer exponents of kg, m, s, A.
+    pub fn of(kg: i64, m: i64, s: i64, a: i64) -> Self {
+        Dimension { exponents: [kg, m, s, a].map(|exponent| Rational::new(exponent, 1)) }
+    }
+
+    /// Plain numbers and angles.
+    pub fn none() -> Self {
+        Self::of(0, 0, 0, 0)
+    }
+
+    pub fn mass() -> Self {
+        Self::of(1, 0, 0, 0)
+    }
+
+    pub fn length() -> Self {
+        Self::of(0, 1, 0, 0)
+    }
+
+    pub fn time() -> Self {
+        Self::of(0, 0, 1, 0)
+    }
+
+    pub fn current() -> Self {
+        Self::of(0, 0, 0, 1)
+    }
+
+    /// The exponents of kg, m, s, A.
+    pub fn exponents(self) -> [Rational; 4] {
+        self.exponents
+    }
+
+    /// This dimension to a rational power.
+    pub fn power(self, exponent: Rational) -> Self {
+        Dimension { exponents: self.exponents.map(|own| own * exponent) }
+    }
+}
+
+impl Mul for Dimension {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Dimension { exponents: std::array::from_fn(|i| self.exponents[i] + other.exponents[i]) }
+    }
+}
+
+impl Div for Dimension {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        Dimension { exponents: std::array::from_fn(|i| self.exponents[i] - other.exponents[i]) }
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let powers = UNITS.iter().zip(self.exponents).filter(|(_, exponent)| !exponent.is_zero());
+        let named: Vec<String> = powers
+            .map(|(unit, exponent)| match exponent.to_string() {
+                _ if exponent.is_one() => unit.to_string(),
+                fraction if fraction.contains('/') => format!("{unit}^({fraction})"),
+                whole => format!("{unit}^{whole}"),
+            })
+            .collect();
+        if named.is_empty() { write!(f, "1") } else { write!(f, "{}", named.join(" ")) }
+    }
+}
+
+/// Why an expression has no dimension.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mismatch {
+    /// Two terms that are added or subtracted.
+    Sum(Box<[(Sym, Dimension); 2]>),
+    /// An argument of a cosine or sine that is not a number.
+    Angle { argument: Sym, dimension: Dimension },
+    /// Nobody said which dimension this symbol or function has.
+    Unknown(Sym),
+}
+
+impl fmt::Display for Mismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Mismatch::Sum(terms) => {
+                let [(left, first), (right, second)] = **terms;
+                write!(f, "`{left}` has the dimension {first} and `{right}` has {second}")
+            }
+            Mismatch::Angle { argument, dimension } => {
+                write!(f, "the angle `{argument}` has the dimension {dimension} and should have none")
+            }
+            Mismatch::Unknown(symbol) => write!(f, "the dimension of `{symbol}` is not known"),
+        }
+    }
+}
+
+impl std::error::Error for Mismatch {}
+
+/// The dimension of an expression from the dimensions of its symbols. A function is looked up as the function itself,
+/// whatever its argument; its derivatives follow. `None` stands for zero, which is of every dimension.
+///
+/// # Errors
+/// [`Mismatch`] names both sides of the first sum that does not agree.
+pub fn dimension(expression: Sym, lookup: &impl Fn(&str) -> Option<Dimension>) -> Result<Option<Dimension>, Mismatch> {
+    let mut known: FxHashMap<Sym, Option<Dimension>> = FxHashMap::default();
+    for each in Sym::ascending(&[expression]) {
+        let of = |a: Sym| known[&a];
+        let both = |a, b| Some((of(a)?, of(b)?));
+        let value = match each.node() {
+            Node::Constant(_) => (!each.is_zero()).then(Dimension::none),
+            Node::Symbol(name) => Some(lookup(&name.text()).ok_or(Mismatch::Unknown(each))?),
+            Node::Sum(left, right) | Node::Difference(left, right) => match (of(left), of(right)) {
+                (Some(first), Some(second)) if first != second => {
+                    return Err(Mismatch::Sum(Box::new([(left, first), (right, second)])));
+                }
+                (a, b) => a.or(b),
+            },
+            Node::Product(a, b) => both(a, b).map(|(a, b)| a * b),
+            Node::Quotient(a, b) => both(a, b).map(|(a, b)| a / b),
+            Node::Negation(a) => of(a),
+            Node::Power(a, n) => of(a).map(|a| a.power(Rational::new(n.into(), 1))),
+            Node::Root(a) => of(a).map(|a| a.power(Rational::new(1, 2))),
+            Node::Cos(argument) | Node::Sin(argument) => match of(argument) {
+                Some(dimension) if dimension != Dimension::none() => {
+                    return Err(Mismatch::Angle { argument, dimension });
+                }
+                _ => Some(Dimension::none()),
+            },
+            Node::Function(name, order, argument) => {
+                let own = lookup(&name.text()).ok_or(Mismatch::Unknown(each))?;
+                let below = of(argument).unwrap_or(Dimension::none());
+                Some(own / below.power(Rational::new(order.into(), 1)))
+            }
+        };
+        known.insert(each, value);
+    }
+    Ok(known[&expression])
+}
