@@ -117,10 +117,18 @@ fn statement(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
             div.counterexample {
                 p.side { "Counterexample" }
                 dl { @for (name, value) in &claim.counterexample {
-                    div { dt { (set.text(name)) } " " dd { (set.text(value)) } }
+                    div { dt { (set.text(name)) } " " dd { (set.text(&signed(value))) } }
                 } }
             }
         }
         @if !claim.note.is_empty() { p.note { (set.text(&claim.note)) } }
+    }
+}
+
+/// An exact value with a true minus sign.
+fn signed(value: &str) -> String {
+    match value.strip_prefix('-') {
+        Some(size) if size.starts_with(|c: char| c.is_ascii_digit()) => format!("−{size}"),
+        _ => value.to_owned(),
     }
 }

@@ -103,9 +103,10 @@ for (const card of document.querySelectorAll("[data-sphere]")) {
       }
     }
     if (!found) return (output.value = hint);
-    const at = found.at.map((x) => x.toFixed(3).replace("-", "−")).join(", ");
-    const value = found.value === null || found.value === undefined ? "" : `, ${data.value} = ${Number(found.value.toPrecision(4))}`;
-    output.value = `${found.name ? found.name + ": " : ""}(${at})${value}`.replaceAll("-", "−");
+    const at = found.at.map((x) => x.toFixed(3)).join(", ");
+    const value = found.value == null ? "" : `; ${data.value}: ${Number(found.value.toPrecision(4))}`;
+    const name = found.name ? `${found.name}: ` : "";
+    output.value = name + `(${at})${value}`.replaceAll("-", "−");
   };
 
   let held;
@@ -134,4 +135,5 @@ for (const card of document.querySelectorAll("[data-sphere]")) {
   svg.setAttribute("tabindex", "0");
   svg.setAttribute("aria-label", `${svg.getAttribute("aria-label")}. Arrow keys turn the sphere.`);
   readout.hidden = false;
+  look();
 }

@@ -63,6 +63,11 @@ impl Trajectory {
         for panel in &self.panels {
             let (top, bottom) = (drawing.height + HEADING, drawing.height + HEADING + room);
             drawing.text((LEFT, top - 7.0), Anchor::Start, "heading", &panel.y);
+            if let ([stop], true) = (&stops[..], drawing.height == 0.0) {
+                let room = ((RIGHT - LEFT) / 7.0) as usize;
+                let reason = shorten(&format!("✕ {}", stop.reason), room.saturating_sub(panel.y.chars().count() + 4));
+                drawing.text((RIGHT, top - 7.0), Anchor::End, "small", &reason);
+            }
             let values = panel.series.iter().flat_map(|track| finite(track).map(|point| point.1));
             let y = Axis::linear(values, bottom, top, 26.0, 0.06);
             frame(&mut drawing, &x, &y, top, bottom);
@@ -71,7 +76,7 @@ impl Trajectory {
                 draw_track(&mut drawing, track, look, &x, &y);
             }
             for track in &panel.series {
-                label_stop(&mut drawing, track, &stops, &x, &y);
+                number_stop(&mut drawing, track, &stops, &x, &y);
             }
             drawing.height = bottom + 2.0;
         }
@@ -178,18 +183,13 @@ fn draw_track(drawing: &mut Drawing, track: &Track, look: Look, x: &Axis, y: &Ax
     drawing.close();
 }
 
-/// Says beside the cross why the run stopped: in words where one run did, by its number where several did.
-fn label_stop(drawing: &mut Drawing, track: &Track, stops: &[Stop], x: &Axis, y: &Axis) {
-    let (Some(stop), Some(end)) = (Stop::of(track), finite(track).last()) else { return };
-    let (at, height) = (x.place(end.0), y.place(end.1));
-    let leftward = at > 0.5 * (LEFT + RIGHT);
-    let room = if leftward { at - LEFT } else { RIGHT - at } - 16.0;
-    let text = match stops.iter().position(|known| known.is(&stop)) {
-        Some(position) if stops.len() > 1 => (position + 1).to_string(),
-        _ => shorten(stop.reason, (room / 7.4) as usize),
-    };
-    let (anchor, start) = if leftward { (Anchor::End, at - 9.0) } else { (Anchor::Start, at + 9.0) };
-    drawing.text((start, height + 5.0), anchor, "heading said", &text);
+/// The number beside the cross, where several runs stopped; a single one is explained above the first panel.
+fn number_stop(drawing: &mut Drawing, track: &Track, stops: &[Stop], x: &Axis, y: &Axis) {
+    let (Some(stop), Some(end), [_, _, ..]) = (Stop::of(track), finite(track).last(), stops) else { return };
+    let number = stops.iter().position(|known| known.is(&stop)).map_or(0, |position| position + 1);
+    let at = x.place(end.0);
+    let (anchor, start) = if at > 0.5 * (LEFT + RIGHT) { (Anchor::End, at - 9.0) } else { (Anchor::Start, at + 9.0) };
+    drawing.text((start, y.place(end.1) + 5.0), anchor, "heading said", &number.to_string());
 }
 
 fn frame(drawing: &mut Drawing, x: &Axis, y: &Axis, top: f64, bottom: f64) {
@@ -219,7 +219,7 @@ mod tests {
     #[test]
     fn a_run_that_stopped_says_why() {
         let svg = one(vec![(0.0, 1.0), (1.0, 2.0)], Some("det A vanishes".into())).svg();
-        assert!(svg.contains("class=\"stop\"") && svg.contains(">det A vanishes</text>"));
+        assert!(svg.contains("class=\"stop\"") && svg.contains(">✕ det A vanishes</text>"));
         assert!(svg.contains("✕ run stopped at 1: det A vanishes"));
     }
 

@@ -9,18 +9,23 @@ pub struct Piece {
 }
 
 /// The content of a `<math>` element, cut before relations and signs of sums where it is wider than `limit`: first
-/// outside of all parentheses, then inside them where a piece is still too wide.
+/// outside of all parentheses, then ever deeper inside them where a piece is still too wide.
 pub fn pieces(math: &str, limit: f64) -> Vec<Piece> {
     let content = math.find('>').map_or("", |end| &math[end + 1..]).trim_end_matches("</math>");
     let elements: Vec<_> = children(content).into_iter().flat_map(|element| opened(element, limit)).collect();
-    let outer = if width(&elements) > limit { cut(&elements, 0) } else { vec![&elements[..]] };
-    outer
-        .into_iter()
-        .flat_map(|part| if width(part) > limit { cut(part, usize::MAX) } else { vec![part] })
-        .enumerate()
-        .map(|(position, part)| Piece { mathml: write(part, position > 0), width: width(part) })
-        .collect()
+    let mut parts = vec![&elements[..]];
+    for depth in 0..DEEPEST {
+        parts = parts
+            .into_iter()
+            .flat_map(|part| if width(part) > limit { cut(part, depth, limit) } else { vec![part] })
+            .collect();
+    }
+    let piece = |(position, part)| Piece { mathml: write(part, position > 0), width: width(part) };
+    parts.into_iter().enumerate().map(piece).collect()
 }
+
+/// So many parentheses deep a line may break.
+const DEEPEST: i32 = 4;
 
 /// The content of a bracketed row that is too wide for a line, or the element itself. Brackets that stood around
 /// fractions keep their height.
@@ -34,7 +39,7 @@ fn opened(element: Element<'_>, limit: f64) -> Vec<Element<'_>> {
     let tall = element.inner.contains("<mfrac");
     let last = inner.len() - 1;
     for at in [0, last] {
-        inner[at].attributes = if tall { TALL } else { "" };
+        inner[at].attributes = if tall { TALL } else { "stretchy=\"false\"" };
     }
     inner
 }
@@ -84,26 +89,47 @@ fn content_end(markup: &str) -> usize {
     markup.len()
 }
 
-/// Cuts before every relation or sign that stands at most `depth` parentheses deep, and after every wide space.
-fn cut<'e, 'a>(elements: &'e [Element<'a>], depth: usize) -> Vec<&'e [Element<'a>]> {
+/// Cuts before every relation or sign that stands at most `depth` parentheses deep, and after every wide space; short
+/// parentheses stay whole.
+fn cut<'e, 'a>(elements: &'e [Element<'a>], depth: i32, limit: f64) -> Vec<&'e [Element<'a>]> {
     let mut parts = Vec::new();
-    let (mut start, mut open) = (0, 0_usize);
+    let (mut start, mut open) = (0, 0);
     for (at, element) in elements.iter().enumerate().skip(1) {
         let before = &elements[at - 1];
-        match before.inner {
-            "(" | "[" | "{" => open += 1,
-            ")" | "]" | "}" => open = open.saturating_sub(1),
-            _ => {}
-        }
+        open = (open + nesting(before)).max(0);
         let binary = element.name == "mo" && BREAKS.contains(&element.inner) && !starts_an_operand(before);
         let spaced = before.name == "mspace" && space(before) >= 1.0;
-        if open <= depth && (binary || spaced) {
+        let room = open == 0 || (open <= depth && group_width(elements, at) > 0.5 * limit);
+        if room && (binary || spaced) {
             parts.push(&elements[start..at]);
             start = at;
         }
     }
     parts.push(&elements[start..]);
     parts
+}
+
+/// How wide the parentheses about a position are.
+fn group_width(elements: &[Element], at: usize) -> f64 {
+    let outwards = |steps: &mut dyn Iterator<Item = &Element>, sign: i32| {
+        let depths = steps.scan(0, |depth, element| {
+            *depth += sign * nesting(element);
+            Some(*depth)
+        });
+        depths.take_while(|depth| *depth >= 0).count()
+    };
+    let before = outwards(&mut elements[..at].iter().rev(), -1);
+    let after = outwards(&mut elements[at..].iter(), 1);
+    width(&elements[at - before..at + after])
+}
+
+/// 1 for an opening parenthesis, -1 for a closing one.
+fn nesting(element: &Element) -> i32 {
+    match element.inner {
+        "(" | "[" | "{" => 1,
+        ")" | "]" | "}" => -1,
+        _ => 0,
+    }
 }
 
 const BREAKS: [&str; 12] = ["=", "+", "−", "±", "≤", "≥", "&lt;", "&gt;", "≠", "≡", "⟹", "⟺"];
@@ -172,6 +198,13 @@ mod tests {
     fn a_sign_after_a_relation_stays_with_its_operand() {
         let parts = cut_all("<mi>a</mi><mo>=</mo><mo>−</mo><mi>b</mi>");
         assert_eq!(parts, ["<mi>a</mi>", "<mo form=\"infix\">=</mo><mo>−</mo><mi>b</mi>"]);
+    }
+
+    #[test]
+    fn a_short_parenthesis_stays_whole_beside_a_long_one() {
+        let sum = |terms| vec!["<mi>xxxx</mi>"; terms].join("<mo>+</mo>");
+        let content = format!("<mo>(</mo>{}<mo>)</mo><mo>[</mo>{}<mo>]</mo>", sum(2), sum(9));
+        assert_eq!(pieces(&format!("<math>{content}</math>"), 20.0).len(), 9);
     }
 
     #[test]

@@ -16,7 +16,7 @@ pub struct Unset {
 }
 
 /// Formulas wider than this, in em, are given places to break a line.
-const BREAK_ABOVE: f64 = 30.0;
+const BREAK_ABOVE: f64 = 20.0;
 /// What one line of print holds, in em; wider pieces are printed smaller.
 const PAPER: f64 = 44.0;
 

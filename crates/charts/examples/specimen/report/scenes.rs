@@ -101,9 +101,21 @@ fn trajectory(position: usize) -> Trajectory {
     Trajectory {
         title: "Motion".into(),
         x: "time, s".into(),
-        panels: panels.iter().take(2 + position % 3).enumerate().map(panel).collect(),
+        panels: panels
+            .iter()
+            .take(2 + position % 3)
+            .enumerate()
+            .map(panel)
+            .map(|panel| runs(panel, position))
+            .collect(),
         note: "Tracks of one name look alike in all panels.".into(),
     }
+}
+
+/// Some scenes have a run fewer.
+fn runs(mut panel: Panel, position: usize) -> Panel {
+    panel.series.truncate(if position == 3 { 2 } else { 3 });
+    panel
 }
 
 fn work(position: usize, x: Work) -> WorkPrecision {
