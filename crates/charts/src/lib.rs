@@ -1,1 +1,28 @@
+//! The report's pictures and its one self-contained page.
+//!
+//! # Overview
+//! The crate takes plain data and knows no physics and no paper. [`Report`] is everything that a page shows;
+//! [`page::render`] turns it into one HTML file without a single reference to the outside, that reads on a screen and on
+//! paper. Each chart ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Timings`]) is also a picture of its own, from
+//! its `svg` method: the same data give the same bytes.
+//!
+//! Texts may hold LaTeX between dollar signs; labels inside pictures are plain text. LaTeX that cannot be typeset is
+//! shown as its source and reported in [`Page::unset`].
+//!
+//! Key results, each a test: nothing is loaded from outside, every text is escaped, no number is silently left out.
 
+pub mod page;
+
+mod report;
+mod svg;
+mod text;
+mod verdict;
+
+pub use page::Page;
+pub use report::{ClaimRow, PaperSection, Parameter, Report, SceneSection, Table};
+pub use svg::sphere::{Curve, CurvePoint, Mark, Sphere};
+pub use svg::timings::{Contender, TimingRow, Timings};
+pub use svg::trajectory::{Panel, Track, Trajectory};
+pub use svg::work_precision::{Failure, Method, Point, Work, WorkPrecision};
+pub use text::Unset;
+pub use verdict::Verdict;

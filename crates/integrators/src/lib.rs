@@ -8,9 +8,13 @@
 
 mod adaptors;
 mod classical;
+mod collocation;
 mod drive;
 mod failure;
 mod gragg;
+mod implicit;
+mod jacobian;
+mod lu;
 mod meter;
 mod method;
 mod observer;
@@ -22,8 +26,10 @@ mod taylor;
 mod tolerance;
 mod watch;
 
+pub use collocation::{Collocation, Family};
 pub use failure::{Failure, Refusal};
-pub use method::{Method, Traits, integrate, integrate_in};
+pub use jacobian::Jacobian;
+pub use method::{MOST_STAGES, Method, Traits, integrate, integrate_in};
 pub use observer::{Observer, Progress, Record, Samples};
 pub use ode::{DIRECTIONS, Directions, Ode, System, Working};
 pub use outcome::{Deviation, End, Outcome, Work};

@@ -3,13 +3,19 @@
 use std::fmt;
 
 use crate::adaptors::dormand_prince::{self, Pair};
+use crate::adaptors::ryan_gast::{self, Choice};
 use crate::classical::{Euler, RungeKutta4};
+use crate::collocation::Family;
 use crate::drive::{drive, first_step};
 use crate::gragg::GraggBulirschStoer;
+use crate::implicit::Implicit;
 use crate::meter::Meter;
 use crate::taylor::Taylor;
 use crate::watch::Watch;
-use crate::{End, Failure, Observer, Outcome, Refusal, Span, System, Tolerance, Work, Working};
+use crate::{End, Failure, Observer, Outcome, Real, Refusal, Span, System, Tolerance, Work, Working};
+
+/// The most stages of a collocation method: tested to 30 digits up to here.
+pub const MOST_STAGES: u8 = 20;
 
 /// A method, by inventor and stages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -22,8 +28,20 @@ pub enum Method {
     DormandPrince5,
     /// Dormand-Prince 8(5,3), crate `ode_solvers`.
     DormandPrince8,
+    /// Verner's 6(5), crate `differential-equations`.
+    Verner6,
+    /// Verner's 9(8), crate `differential-equations`.
+    Verner9,
+    /// Hairer and Wanner's Radau5, crate `differential-equations`.
+    Radau5,
+    /// Kvaerno's ESDIRK 5(4) with 7 stages, crate `differential-equations`.
+    Kvaerno5,
     /// Gragg-Bulirsch-Stoer extrapolation, variable order.
     GraggBulirschStoer,
+    /// Gauss collocation, order 2s.
+    Gauss { stages: u8 },
+    /// Radau IIA collocation, order 2s - 1.
+    RadauIIA { stages: u8 },
     /// Taylor's method after Jorba and Zou, for systems that offer their coefficients.
     Taylor,
 }
@@ -52,16 +70,25 @@ impl Method {
             Method::RungeKutta4 { .. } => Traits { order: Some(4), adaptive: false, ..adaptive },
             Method::DormandPrince5 => Traits { order: Some(5), exact: false, ..adaptive },
             Method::DormandPrince8 => Traits { order: Some(8), exact: false, ..adaptive },
+            Method::Verner6 => Traits { order: Some(6), exact: false, ..adaptive },
+            Method::Verner9 => Traits { order: Some(9), exact: false, ..adaptive },
+            Method::Radau5 | Method::Kvaerno5 => Traits { order: Some(5), exact: false, implicit: true, ..adaptive },
             Method::GraggBulirschStoer => adaptive,
+            Method::Gauss { stages } => Traits { order: Some(2 * u32::from(stages)), implicit: true, ..adaptive },
+            Method::RadauIIA { stages } => {
+                Traits { order: Some((2 * u32::from(stages)).saturating_sub(1)), implicit: true, ..adaptive }
+            }
             Method::Taylor => Traits { lands: false, ..adaptive },
         }
     }
 
     /// What no run of this method could work with.
-    fn check(self, dimension: usize) -> Result<(), Refusal> {
-        let _ = dimension;
+    fn check(self) -> Result<(), Refusal> {
         match self {
             Method::Euler { steps: 0 } | Method::RungeKutta4 { steps: 0 } => Err(Refusal::Steps { given: 0 }),
+            Method::Gauss { stages } | Method::RadauIIA { stages } if !(1..=MOST_STAGES).contains(&stages) => {
+                Err(Refusal::Stages { given: stages.into(), least: 1, most: MOST_STAGES.into() })
+            }
             _ => Ok(()),
         }
     }
@@ -74,7 +101,13 @@ impl fmt::Display for Method {
             Method::RungeKutta4 { steps } => write!(f, "Runge-Kutta 4, {steps} steps"),
             Method::DormandPrince5 => write!(f, "Dormand-Prince 5(4)"),
             Method::DormandPrince8 => write!(f, "Dormand-Prince 8(5,3)"),
+            Method::Verner6 => write!(f, "Verner 6(5)"),
+            Method::Verner9 => write!(f, "Verner 9(8)"),
+            Method::Radau5 => write!(f, "Radau5"),
+            Method::Kvaerno5 => write!(f, "Kvaerno 5(4)"),
             Method::GraggBulirschStoer => write!(f, "Gragg-Bulirsch-Stoer"),
+            Method::Gauss { stages } => write!(f, "Gauss, {stages} stages"),
+            Method::RadauIIA { stages } => write!(f, "Radau IIA, {stages} stages"),
             Method::Taylor => write!(f, "Taylor"),
         }
     }
@@ -93,6 +126,10 @@ pub fn integrate(
     let run = |meter: &Meter<f64>, watch: Watch<'_, '_, f64>| match method {
         Method::DormandPrince5 => dormand_prince::run(Pair::Five, tolerance, meter, watch),
         Method::DormandPrince8 => dormand_prince::run(Pair::Eight, tolerance, meter, watch),
+        Method::Verner6 => ryan_gast::run(Choice::Verner6, system, tolerance, meter, watch),
+        Method::Verner9 => ryan_gast::run(Choice::Verner9, system, tolerance, meter, watch),
+        Method::Radau5 => ryan_gast::run(Choice::Radau5, system, tolerance, meter, watch),
+        Method::Kvaerno5 => ryan_gast::run(Choice::Kvaerno5, system, tolerance, meter, watch),
         _ => run_own(system, method, tolerance, meter, watch),
     };
     prepared(system, method, tolerance, span, observer, run)
@@ -128,7 +165,7 @@ fn prepared<S: Working>(
         work: Work::default(),
         deviations: Vec::new(),
     };
-    if let Err(refusal) = span.check(law.dimension(), followed).and_then(|()| method.check(law.dimension())) {
+    if let Err(refusal) = span.check(law.dimension(), followed).and_then(|()| method.check()) {
         return refuse(refusal);
     }
     let mut rates = vec![S::zero(); law.dimension()];
@@ -159,6 +196,8 @@ fn run_own<S: Working>(
             let first = first(stepper.first_order());
             drive(&mut stepper, first, meter, watch)
         }
+        Method::Gauss { stages } => collocate(system, Family::Gauss, stages.into(), tolerance, meter, watch).0,
+        Method::RadauIIA { stages } => collocate(system, Family::RadauIIA, stages.into(), tolerance, meter, watch).0,
         Method::Taylor => match S::series(system) {
             Some(source) => {
                 let mut stepper = Taylor::new(source, tolerance, n);
@@ -167,6 +206,27 @@ fn run_own<S: Working>(
             }
             None => watch.fail(Failure::Refused(Refusal::NoSeries), meter),
         },
-        Method::DormandPrince5 | Method::DormandPrince8 => watch.fail(Failure::Refused(Refusal::Field), meter),
+        Method::DormandPrince5
+        | Method::DormandPrince8
+        | Method::Verner6
+        | Method::Verner9
+        | Method::Radau5
+        | Method::Kvaerno5 => watch.fail(Failure::Refused(Refusal::Field), meter),
     }
+}
+
+/// A collocation method, and the integral of the spectral radius along its way.
+fn collocate<S: Real>(
+    system: &dyn System,
+    family: Family,
+    stages: usize,
+    tolerance: &Tolerance,
+    meter: &Meter<S>,
+    watch: Watch<'_, '_, S>,
+) -> (Outcome<S>, f64) {
+    let mut stepper = Implicit::new(family, stages, system, tolerance, meter.dimension());
+    // the stages alone must follow the first step: their order, not the higher one at its end
+    let first = first_step(meter, watch.state(), tolerance, stages as u32, watch.length().approx());
+    let outcome = drive(&mut stepper, first, meter, watch);
+    (outcome, stepper.turns)
 }

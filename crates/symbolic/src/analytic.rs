@@ -122,9 +122,9 @@ fn root_of_rational(value: Rational) -> Sym {
     } else {
         primes.push(rest);
     }
-    let rational = |n: UBig, d: UBig| Rational::from(dashu_ratio::RBig::from_parts(n.into(), d));
-    let front = Sym::constant(rational(outside, denominator));
-    primes
-        .into_iter()
-        .fold(front, |product, prime| product * Sym::from_node(Node::Root(Sym::constant(rational(prime, UBig::ONE)))))
+    let (above, below) = dashu_ratio::RBig::from_parts(outside.into(), denominator).into_parts();
+    let integer = |n: UBig| Sym::constant(Rational::from(dashu_ratio::RBig::from_parts(n.into(), UBig::ONE)));
+    let roots = primes.into_iter().map(|prime| Sym::from_node(Node::Root(integer(prime))));
+    let product = roots.fold(integer(above.unsigned_abs()), |product, root| product * root);
+    product / integer(below)
 }

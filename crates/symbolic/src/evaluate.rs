@@ -86,7 +86,7 @@ impl Sym {
 }
 
 /// An exact constant in any field: through small integers where they fit, otherwise digit by digit.
-fn constant<S: Scalar>(value: Rational) -> S {
+pub(crate) fn constant<S: Scalar>(value: Rational) -> S {
     let Some(big) = value.to_big() else {
         return S::one() / S::zero();
     };

@@ -45,6 +45,11 @@ pub enum Node {
 }
 
 impl Node {
+    /// Whether rational operations do not see inside: symbols, coordinates of angles, roots and functions.
+    pub fn is_leaf(self) -> bool {
+        matches!(self, Node::Symbol(_) | Node::Cos(_) | Node::Sin(_) | Node::Root(_) | Node::Function(..))
+    }
+
     /// The expressions that this one is made of.
     pub fn children(self) -> impl Iterator<Item = Sym> {
         let (first, second) = match self {
@@ -128,8 +133,8 @@ impl Graph {
 }
 
 impl Sym {
-    pub(crate) const ZERO: Sym = Sym::at(0);
-    pub(crate) const ONE: Sym = Sym::at(1);
+    pub const ZERO: Sym = Sym::at(0);
+    pub const ONE: Sym = Sym::at(1);
     pub(crate) const MINUS_ONE: Sym = Sym::at(2);
 
     /// The result of a division by the constant zero. It absorbs every operation.
@@ -163,6 +168,16 @@ impl Sym {
 
     /// All expressions inside the given ones and themselves, each after those it is made of.
     pub(crate) fn ascending(roots: &[Sym]) -> Vec<Sym> {
+        Sym::reached(roots, |_, _| true)
+    }
+
+    /// [`Sym::ascending`] without what is inside the arguments of leaves.
+    pub(crate) fn ascending_to_leaves(roots: &[Sym]) -> Vec<Sym> {
+        Sym::reached(roots, |_, node| !node.is_leaf())
+    }
+
+    /// [`Sym::ascending`] without what is inside the expressions that are not to be opened up.
+    pub(crate) fn reached(roots: &[Sym], open_up: impl Fn(Sym, Node) -> bool) -> Vec<Sym> {
         GRAPH.with_borrow(|graph| {
             let mut seen = FxHashSet::default();
             let mut open = roots.to_vec();
@@ -170,7 +185,10 @@ impl Sym {
             while let Some(next) = open.pop() {
                 if seen.insert(next) {
                     all.push(next);
-                    open.extend(graph.nodes[next.id as usize].children());
+                    let node = graph.nodes[next.id as usize];
+                    if open_up(next, node) {
+                        open.extend(node.children());
+                    }
                 }
             }
             // A node is interned after its children.

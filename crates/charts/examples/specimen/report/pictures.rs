@@ -1,0 +1,67 @@
+//! An invented cone of axes and invented timings.
+
+use charts::{Contender, Curve, CurvePoint, Mark, Sphere, TimingRow, Timings};
+use std::f64::consts::TAU;
+
+pub fn spheres() -> Vec<Sphere> {
+    let coloured = Sphere {
+        title: "Axes of permanent rotation, $\\Gamma \\ne 0$".into(),
+        description: "The curve in which a cone of degree 8 meets the unit sphere. Each point is an axis fixed in the \
+                      carrier; the colour is the angular velocity $\\omega^0$ about it."
+            .into(),
+        value: "angular velocity ω⁰, rad/s".into(),
+        axes: ["ξ₁", "ξ₂", "ξ₃"].map(String::from),
+        curves: vec![branch("upper branch", 1.0, true), branch("lower branch", -1.0, true)],
+        marks: vec![
+            Mark { name: "l".into(), at: [1.0, 2.0, 2.0], note: "axis of the rotor".into() },
+            Mark { name: "e".into(), at: [0.6, 0.0, 0.8], note: "direction to the centre of mass".into() },
+            Mark { name: "−e".into(), at: [-0.6, 0.0, -0.8], note: "hanging at rest".into() },
+        ],
+        view: (35.0, 24.0),
+        note: "Both half-axes of a direction are shown where both are axes of rotation.".into(),
+    };
+    let plain = Sphere {
+        title: "The same without weight, $\\Gamma = 0$".into(),
+        value: String::new(),
+        curves: vec![branch("cone of degree 2", 0.6, false), branch("its other sheet", -0.6, false)],
+        marks: vec![Mark { name: "l".into(), at: [1.0, 2.0, 2.0], note: "axis of the rotor".into() }],
+        description: String::new(),
+        note: String::new(),
+        ..coloured.clone()
+    };
+    vec![coloured, plain]
+}
+
+fn branch(name: &str, side: f64, valued: bool) -> Curve {
+    let point = |i: i32| {
+        let longitude = f64::from(i) * TAU / 900.0;
+        let latitude = side * (0.35 + 0.42 * (4.0 * longitude).sin() * (0.5 + 0.3 * longitude.cos()));
+        let at = [latitude.cos() * longitude.cos(), latitude.cos() * longitude.sin(), latitude.sin()];
+        let value = 12.0 * side * (2.0 * longitude).sin() + 0.4 / (0.02 + (longitude - 2.0).powi(2)).sqrt();
+        CurvePoint { at, value: valued.then_some(value) }
+    };
+    Curve { name: name.into(), points: (0..=900).map(point).collect() }
+}
+
+pub fn timings() -> Vec<Timings> {
+    let row = |task: &str, ours: f64, theirs: [Result<f64, &str>; 2]| TimingRow {
+        task: task.into(),
+        ours,
+        others: ["SymPy", "a C++ library"]
+            .into_iter()
+            .zip(theirs)
+            .map(|(name, outcome)| Contender { name: name.into(), outcome: outcome.map_err(String::from) })
+            .collect(),
+    };
+    vec![Timings {
+        title: "Against others".into(),
+        ours: "dalembert".into(),
+        rows: vec![
+            row("identity of the determinant, 12 variables", 8e-6, [Ok(40e-3), Ok(62e-6)]),
+            row("power with 600 000 terms", 0.51, [Ok(5.7), Ok(0.48)]),
+            row("equations of the gyrostat by Lagrange II, nine coordinates", 1.9e-3, [Ok(14.2), Err("not offered")]),
+            row("det(AB) = det A det B, generic 4 × 4", 0.75e-3, [Err("stopped after 600 s"), Ok(1.1e-3)]),
+        ],
+        note: "Specimen values; one core, median of 5.".into(),
+    }]
+}

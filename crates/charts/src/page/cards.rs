@@ -1,0 +1,55 @@
+//! The small parts that sections share.
+
+use crate::{Table, Verdict, text::Typesetter};
+use maud::{Markup, PreEscaped, html};
+
+/// A verdict as a word with its sign.
+pub(super) fn chip(verdict: Verdict) -> Markup {
+    html! {
+        span class={ "chip " (verdict.name()) } title=(verdict.meaning()) {
+            span.sign aria-hidden="true" { (verdict.sign()) } " " (verdict.name())
+        }
+    }
+}
+
+/// A picture with its title above and its note below.
+pub(super) fn figure(title: &str, svg: String, note: &str, set: &mut Typesetter) -> Markup {
+    html! {
+        figure {
+            figcaption { (set.text(title)) }
+            (PreEscaped(svg))
+            @if !note.is_empty() { p.note { (set.text(note)) } }
+        }
+    }
+}
+
+/// A table of texts that scrolls in its own box.
+pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
+    let columns = table.rows.iter().map(Vec::len).chain([table.head.len()]).max().unwrap_or(0);
+    let numeric: Vec<bool> = (0..columns)
+        .map(|column| table.rows.iter().filter_map(|row| row.get(column)).all(|cell| is_number(cell)))
+        .collect();
+    let class = |column: usize| numeric.get(column).copied().unwrap_or(false).then_some("number");
+    html! {
+        div.scroll {
+            table {
+                @if !table.caption.is_empty() { caption { (set.text(&table.caption)) } }
+                thead { tr { @for (column, cell) in table.head.iter().enumerate() {
+                    th scope="col" class=[class(column)] { (set.text(cell)) }
+                } } }
+                tbody { @for row in &table.rows { tr { @for (column, cell) in row.iter().enumerate() {
+                    td class=[class(column)] { (set.text(cell)) }
+                } } } }
+            }
+        }
+    }
+}
+
+/// Whether a cell starts like a number: `−3.2·10⁻⁹`, `1 234`, `—`.
+fn is_number(cell: &str) -> bool {
+    if cell.contains(", ") {
+        return false;
+    }
+    let digits = cell.trim_start_matches(['−', '-', '+', '<', '≤', '~', ' ']);
+    matches!(cell, "" | "—" | "–" | "-") || digits.starts_with(|c: char| c.is_ascii_digit())
+}

@@ -1,0 +1,60 @@
+//! Sections that are mostly pictures: spheres and timings.
+
+use super::cards::{figure, table};
+use crate::{Report, Sphere, Table, Timings, svg::timings::seconds, text::Typesetter};
+use maud::{Markup, html};
+
+pub(super) fn spheres(report: &Report, set: &mut Typesetter) -> Markup {
+    html! {
+        @if !report.spheres.is_empty() {
+            section #spheres {
+                h2 { "Directions on the sphere" }
+                div.pair { @for sphere in &report.spheres { (card(sphere, set)) } }
+            }
+        }
+    }
+}
+
+/// The picture stands as it is; the script of the page turns it from the data beside it.
+fn card(sphere: &Sphere, set: &mut Typesetter) -> Markup {
+    set.at(&sphere.title);
+    html! {
+        div.sphere data-sphere=(sphere.data()) {
+            (figure(&sphere.title, sphere.drawing().embedded(&sphere.title), "", set))
+            p.readout hidden { output { "Drag or use the arrow keys to turn; point at a curve to read its value." } " "
+                button type="button" { "First view" } }
+            @if !sphere.description.is_empty() { p { (set.text(&sphere.description)) } }
+            @if !sphere.note.is_empty() { p.note { (set.text(&sphere.note)) } }
+        }
+    }
+}
+
+pub(super) fn timings(report: &Report, set: &mut Typesetter) -> Markup {
+    html! {
+        @if !report.timings.is_empty() {
+            section #timings {
+                h2 { "Timings" }
+                @for timings in &report.timings {
+                    div.pair {
+                        (figure(&timings.title, timings.drawing().embedded(&timings.title), &timings.note, set))
+                        (table(&times(timings), set))
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The times behind the bars.
+fn times(timings: &Timings) -> Table {
+    let names = timings.names();
+    let head = ["Task", &timings.ours].into_iter().chain(names.iter().copied()).map(String::from).collect();
+    let row = |row: &crate::TimingRow| {
+        let theirs = names.iter().map(|name| match row.others.iter().find(|other| other.name == **name) {
+            Some(other) => other.outcome.as_ref().map_or("—".to_owned(), |time| seconds(*time)),
+            None => "—".to_owned(),
+        });
+        [row.task.clone(), seconds(row.ours)].into_iter().chain(theirs).collect()
+    };
+    Table { caption: "Times".into(), head, rows: timings.rows.iter().map(row).collect() }
+}

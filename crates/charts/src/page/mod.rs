@@ -1,0 +1,68 @@
+//! The page: one HTML file that needs nothing else.
+
+mod cards;
+mod claims;
+mod figures;
+mod font;
+mod outline;
+mod scenes;
+
+use crate::{Report, Unset, svg, text::Typesetter};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+/// A finished page.
+#[derive(Clone, Debug)]
+pub struct Page {
+    pub html: String,
+    /// LaTeX that is shown as source, because it could not be typeset.
+    pub unset: Vec<Unset>,
+}
+
+/// Writes the page. The same report gives the same bytes.
+pub fn render(report: &Report) -> Page {
+    let set = &mut Typesetter::default();
+    set.at("heading");
+    let body = html! {
+        a.skip href="#main" { "Skip to the content" }
+        div.shell {
+            (outline::heading(report, set))
+            (outline::contents(report, set))
+            main #main {
+                (claims::findings(report, set))
+                @for paper in &report.papers { (claims::ledger(paper, set)) }
+                (scenes::scenes(report, set))
+                (figures::spheres(report, set))
+                (figures::timings(report, set))
+                footer { p { (report.generated_by) } }
+            }
+        }
+    };
+    Page { html: document(&report.title, &body), unset: std::mem::take(set).into_unset() }
+}
+
+fn document(title: &str, body: &Markup) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                meta http-equiv="Content-Security-Policy"
+                    content="default-src 'none'; font-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+                title { (crate::text::plain(title)) }
+                style { (PreEscaped(font::face())) (PreEscaped(svg::STYLE)) (PreEscaped(include_str!("page.css"))) }
+            }
+            body {
+                (body)
+                script { (PreEscaped(include_str!("filter.js"))) (PreEscaped(include_str!("sphere.js"))) }
+            }
+        }
+    };
+    page.into_string()
+}
+
+/// A name as part of a link: no spaces.
+fn anchor(id: &str) -> String {
+    id.split_whitespace().collect::<Vec<_>>().join("-")
+}

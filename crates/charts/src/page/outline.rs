@@ -1,0 +1,74 @@
+//! The head of the page: title, summary, counts by verdict, contents.
+
+use super::{anchor, cards::chip};
+use crate::{Report, Verdict, text::Typesetter};
+use maud::{Markup, html};
+
+/// Title, summary and the table of counts.
+pub(super) fn heading(report: &Report, set: &mut Typesetter) -> Markup {
+    html! {
+        header.masthead {
+            h1 { (set.text(&report.title)) }
+            p.summary { (set.text(&report.summary)) }
+            @if !report.papers.is_empty() { (counts(report, set)) }
+        }
+    }
+}
+
+/// Verdicts against papers, with what each verdict means. Verdicts that no claim has are left out.
+fn counts(report: &Report, set: &mut Typesetter) -> Markup {
+    let number = |count: usize| html! { td.number { @if count > 0 { (count) } @else { span.none { "·" } } } };
+    let several = report.papers.len() > 1;
+    html! {
+        div.scroll tabindex="0" role="region" aria-label="Claims by verdict" {
+            table.counts {
+                thead { tr {
+                    th scope="col" { "Claims" }
+                    th scope="col" { span.visually-hidden { "Meaning" } }
+                    @for paper in &report.papers {
+                        th.number scope="col" { a href={ "#" (anchor(&paper.id)) } { (set.text(&paper.title)) } }
+                    }
+                    @if several { th.number scope="col" { "all" } }
+                } }
+                tbody { @for verdict in Verdict::ALL.into_iter().filter(|verdict| report.count(*verdict) > 0) { tr {
+                    th scope="row" { (chip(verdict)) }
+                    td.meaning { (verdict.meaning()) }
+                    @for paper in &report.papers { (number(paper.count(verdict))) }
+                    @if several { (number(report.count(verdict))) }
+                } } }
+                tfoot { tr {
+                    th scope="row" { "together" }
+                    td {}
+                    @for paper in &report.papers { (number(paper.claims.len())) }
+                    @if several { (number(report.papers.iter().map(|paper| paper.claims.len()).sum())) }
+                } }
+            }
+        }
+    }
+}
+
+/// The contents, beside the page or above it.
+pub(super) fn contents(report: &Report, set: &mut Typesetter) -> Markup {
+    let refuted = report.count(Verdict::Refuted);
+    html! {
+        nav.contents aria-label="Contents" {
+            h2 { "Contents" }
+            ol {
+                @if refuted > 0 { li { a href="#findings" { "Findings" } span.count { (refuted) " refuted" } } }
+                @for paper in &report.papers {
+                    li { a href={ "#" (anchor(&paper.id)) } { (set.text(&paper.title)) }
+                        span.count { (paper.claims.len()) " claims" } }
+                }
+                @if !report.scenes.is_empty() {
+                    li { a href="#scenes" { "Scenes" }
+                        ol { @for scene in &report.scenes {
+                            li { a href={ "#" (anchor(&scene.id)) } { (set.text(&scene.title)) } }
+                        } }
+                    }
+                }
+                @if !report.spheres.is_empty() { li { a href="#spheres" { "Directions on the sphere" } } }
+                @if !report.timings.is_empty() { li { a href="#timings" { "Timings" } } }
+            }
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Scenes: parameters, the run in a few lines, its trajectory, every method against every other.
+
+use super::{
+    anchor,
+    cards::{figure, table},
+};
+use crate::{Parameter, Report, SceneSection, Table, WorkPrecision, svg::tolerance, text::Typesetter};
+use maud::{Markup, html};
+
+pub(super) fn scenes(report: &Report, set: &mut Typesetter) -> Markup {
+    html! {
+        @if !report.scenes.is_empty() {
+            section #scenes {
+                h2 { "Scenes" }
+                @for scene in &report.scenes { (card(scene, set)) }
+            }
+        }
+    }
+}
+
+fn card(scene: &SceneSection, set: &mut Typesetter) -> Markup {
+    set.at(&scene.id);
+    html! {
+        article.scene id=(anchor(&scene.id)) {
+            h3 { (set.text(&scene.title)) }
+            p.lead { (set.text(&scene.description)) }
+            div.pair {
+                div {
+                    @if !scene.facts.is_empty() {
+                        h4 { "The run" }
+                        dl.facts { @for (name, value) in &scene.facts {
+                            div { dt { (set.text(name)) } dd { (set.text(value)) } }
+                        } }
+                    }
+                    @if !scene.parameters.is_empty() { h4 { "Parameters" } (parameters(&scene.parameters, set)) }
+                }
+                @if let Some(trajectory) = &scene.trajectory {
+                    (figure(&trajectory.title, trajectory.drawing().embedded(&trajectory.title), &trajectory.note, set))
+                }
+            }
+            div.pair { @for chart in &scene.work {
+                (figure(&chart.title, chart.drawing().embedded(&chart.title), &chart.note, set))
+            } }
+            @let failures = failures(&scene.work);
+            @if !failures.rows.is_empty() { (table(&failures, set)) }
+            @for extra in &scene.tables { (table(extra, set)) }
+            @if !scene.note.is_empty() { p.note { (set.text(&scene.note)) } }
+        }
+    }
+}
+
+fn parameters(parameters: &[Parameter], set: &mut Typesetter) -> Markup {
+    html! {
+        div.scroll { table.parameters {
+            thead { tr { th scope="col" { "Symbol" } th.number scope="col" { "Value" } th scope="col" { "Unit" }
+                th scope="col" { "Meaning" } } }
+            tbody { @for parameter in parameters { tr {
+                th scope="row" { (set.text(&parameter.symbol)) }
+                td.number { (set.text(&parameter.value)) }
+                td.unit { (set.text(&parameter.unit)) }
+                td { (set.text(&parameter.meaning)) }
+            } } }
+        } }
+    }
+}
+
+/// All failures of a scene's methods: one row for each method and reason, whatever the chart they come from.
+fn failures(charts: &[WorkPrecision]) -> Table {
+    let mut rows: Vec<(String, String, Vec<f64>)> = Vec::new();
+    for method in charts.iter().flat_map(|chart| &chart.series) {
+        for failure in &method.failures {
+            let known = rows.iter_mut().find(|(name, reason, _)| *name == method.name && *reason == failure.reason);
+            match known {
+                Some((_, _, tolerances)) if tolerances.contains(&failure.tolerance) => {}
+                Some((_, _, tolerances)) => tolerances.push(failure.tolerance),
+                None => rows.push((method.name.clone(), failure.reason.clone(), vec![failure.tolerance])),
+            }
+        }
+    }
+    let list = |tolerances: &[f64]| tolerances.iter().map(|t| tolerance(*t)).collect::<Vec<_>>().join(", ");
+    Table {
+        caption: "Methods that fail".into(),
+        head: ["Method", "At tolerance", "Reason"].map(String::from).into(),
+        rows: rows.into_iter().map(|(name, reason, tolerances)| vec![name, list(&tolerances), reason]).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Failure, Method};
+
+    #[test]
+    fn failures_of_two_charts_are_listed_once() {
+        let failure = |tolerance| Failure { work: 1.0, tolerance, reason: "stiff".into() };
+        let series = vec![Method { name: "M".into(), failures: vec![failure(1e-3), failure(1e-6)], points: vec![] }];
+        let chart = WorkPrecision { series, ..Default::default() };
+        assert_eq!(failures(&[chart.clone(), chart]).rows, [["M", "10⁻³, 10⁻⁶", "stiff"]]);
+    }
+}

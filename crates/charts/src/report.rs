@@ -1,0 +1,109 @@
+//! Everything that a page shows, as plain data.
+//!
+//! *Text* means prose that may hold LaTeX between dollar signs; *LaTeX* means one displayed formula without them.
+
+use crate::{Sphere, Timings, Trajectory, Verdict, WorkPrecision};
+
+/// The whole page, in the order in which it is read.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    pub title: String,
+    /// One paragraph of text: what was examined and what came out.
+    pub summary: String,
+    /// What made the page, for the last line: program and version.
+    pub generated_by: String,
+    pub papers: Vec<PaperSection>,
+    pub scenes: Vec<SceneSection>,
+    pub spheres: Vec<Sphere>,
+    pub timings: Vec<Timings>,
+}
+
+impl Report {
+    /// How many claims of all papers have this verdict.
+    pub fn count(&self, verdict: Verdict) -> usize {
+        self.papers.iter().map(|paper| paper.count(verdict)).sum()
+    }
+}
+
+/// The ledger of one paper.
+#[derive(Clone, Debug, Default)]
+pub struct PaperSection {
+    /// Short and without spaces, such as `doe2024`: names the section in links.
+    pub id: String,
+    pub title: String,
+    /// Authors, journal, year: text.
+    pub citation: String,
+    pub summary: String,
+    /// In the paper's own order.
+    pub claims: Vec<ClaimRow>,
+}
+
+impl PaperSection {
+    /// How many of the paper's claims have this verdict; corrections are not counted.
+    pub fn count(&self, verdict: Verdict) -> usize {
+        self.claims.iter().filter(|claim| claim.verdict == verdict).count()
+    }
+}
+
+/// One line of a ledger, or the correction of one.
+#[derive(Clone, Debug, Default)]
+pub struct ClaimRow {
+    /// Permanent: `paper/eqN/slug`.
+    pub id: String,
+    /// The paper's own number, as printed: `(5.3)`; empty where it has none.
+    pub equation_label: String,
+    /// Text.
+    pub title: String,
+    pub verdict: Verdict,
+    /// The statement, a displayed formula each.
+    pub latex: Vec<String>,
+    /// Hypotheses and denominators that must not vanish: texts.
+    pub requires: Vec<String>,
+    /// How the verdict was reached: text.
+    pub evidence: String,
+    /// Where it fails: name (text) and exact value (text).
+    pub counterexample: Vec<(String, String)>,
+    /// Left side minus right side: LaTeX.
+    pub difference: Option<String>,
+    /// What holds instead, with its own verdict.
+    pub correction: Option<Box<ClaimRow>>,
+    /// Anything else a reader should know: text, empty where there is nothing.
+    pub note: String,
+}
+
+/// A scene: one system, one set of parameters, every method.
+#[derive(Clone, Debug, Default)]
+pub struct SceneSection {
+    /// Short and without spaces: names the section in links.
+    pub id: String,
+    pub title: String,
+    pub description: String,
+    pub parameters: Vec<Parameter>,
+    /// The run in a few lines, name and value (texts): invariants, work, model.
+    pub facts: Vec<(String, String)>,
+    /// Any further tables.
+    pub tables: Vec<Table>,
+    pub trajectory: Option<Trajectory>,
+    /// Usually two: by evaluations and by time.
+    pub work: Vec<WorkPrecision>,
+    pub note: String,
+}
+
+/// A parameter of a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Parameter {
+    /// Text: `$A_1$`.
+    pub symbol: String,
+    pub value: String,
+    /// Text, empty for a pure number.
+    pub unit: String,
+    pub meaning: String,
+}
+
+/// A table of texts. Columns whose entries are all numbers are set flush right.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    pub caption: String,
+    pub head: Vec<String>,
+    pub rows: Vec<Vec<String>>,
+}

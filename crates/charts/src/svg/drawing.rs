@@ -1,0 +1,153 @@
+//! The sheet that charts are drawn on.
+
+use super::{
+    STYLE,
+    number::{coordinate, counted},
+};
+use maud::html;
+use std::fmt::Write;
+
+/// Every chart is this wide, in its own units: text has one size across the page.
+pub(crate) const WIDTH: f64 = 520.0;
+/// The height of a line of text.
+pub(crate) const LINE: f64 = 18.0;
+
+/// Where a text is held.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// SVG under construction. Texts and tooltips are escaped here and nowhere else.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Drawing {
+    body: String,
+    pub height: f64,
+}
+
+impl Drawing {
+    /// A group of a class; ends with [`Drawing::close`].
+    pub fn open(&mut self, class: &str) {
+        let _ = write!(self.body, "<g class=\"{class}\">");
+    }
+
+    pub fn close(&mut self) {
+        self.body += "</g>";
+    }
+
+    pub fn line(&mut self, (x1, y1): (f64, f64), (x2, y2): (f64, f64), class: &str) {
+        let [x1, y1, x2, y2] = [x1, y1, x2, y2].map(coordinate);
+        let _ = write!(self.body, "<path class=\"{class}\" d=\"M{x1} {y1}L{x2} {y2}\"/>");
+    }
+
+    pub fn rect(&mut self, (x, y): (f64, f64), width: f64, height: f64, class: &str) {
+        let [x, y, width, height] = [x, y, width, height].map(coordinate);
+        let _ =
+            write!(self.body, "<rect class=\"{class}\" x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/>");
+    }
+
+    pub fn circle(&mut self, (x, y): (f64, f64), radius: f64, class: &str) {
+        let [x, y, radius] = [x, y, radius].map(coordinate);
+        let _ = write!(self.body, "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"/>");
+    }
+
+    pub fn path(&mut self, d: &str, class: &str) {
+        if !d.is_empty() {
+            let _ = write!(self.body, "<path class=\"{class}\" d=\"{d}\"/>");
+        }
+    }
+
+    pub fn path_with_tooltip(&mut self, d: &str, class: &str, tooltip: &str) {
+        let tooltip = html! { @if !tooltip.is_empty() { title { (tooltip) } } }.0;
+        let _ = write!(self.body, "<path class=\"{class}\" d=\"{d}\">{tooltip}</path>");
+    }
+
+    pub fn text(&mut self, (x, y): (f64, f64), anchor: Anchor, class: &str, text: &str) {
+        let anchor = match anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        let (x, y) = (coordinate(x), coordinate(y));
+        let text = html!((text)).0;
+        let _ = write!(self.body, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{anchor}>{text}</text>");
+    }
+
+    /// A text read from below, centred on the point.
+    pub fn upward(&mut self, (x, y): (f64, f64), text: &str) {
+        let (x, y) = (coordinate(x), coordinate(y));
+        let text = html!((text)).0;
+        let _ =
+            write!(self.body, "<text text-anchor=\"middle\" transform=\"translate({x} {y})rotate(-90)\">{text}</text>");
+    }
+
+    /// A paragraph below everything drawn so far.
+    pub fn paragraph(&mut self, text: &str, class: &str) {
+        for line in wrap(text, 74) {
+            self.height += LINE - 1.0;
+            self.text((8.0, self.height - 5.0), Anchor::Start, class, &line);
+        }
+    }
+
+    /// The picture inside a page, which has the styles; `label` is what a screen reader says.
+    pub fn embedded(&self, label: &str) -> String {
+        self.element(label, "", "")
+    }
+
+    /// The picture as a file of its own, under its title.
+    pub fn standalone(&self, title: &str) -> String {
+        let style = format!("<style>{STYLE}</style>");
+        self.element(title, " xmlns=\"http://www.w3.org/2000/svg\"", &style)
+    }
+
+    fn element(&self, label: &str, namespace: &str, style: &str) -> String {
+        let label = html! { i title=(label) {} }.0;
+        let label = label.trim_start_matches("<i title=").trim_end_matches("></i>");
+        let (width, heading) = (coordinate(WIDTH), if style.is_empty() { 0.0 } else { 24.0 });
+        let (top, height) = (coordinate(-heading), coordinate(self.height.ceil() + heading));
+        let title = if style.is_empty() {
+            String::new()
+        } else {
+            format!("<text class=\"title\" x=\"8\" y=\"-6\">{}</text>", label.trim_matches('"'))
+        };
+        let body = &self.body;
+        format!(
+            "<svg{namespace} class=\"picture\" role=\"img\" aria-label={label} viewBox=\"0 {top} {width} {height}\">\
+             {style}{title}{body}</svg>"
+        )
+    }
+}
+
+/// Breaks a text into lines of at most so many characters; a longer word has a line of its own.
+pub(crate) fn wrap(text: &str, limit: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= limit => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// A text cut to so many characters, with an ellipsis where something is lost.
+pub(crate) fn shorten(text: &str, limit: usize) -> String {
+    if text.chars().count() <= limit {
+        return text.to_owned();
+    }
+    text.chars().take(limit.saturating_sub(1)).collect::<String>().trim_end().to_owned() + "…"
+}
+
+/// The sentence about what could not be drawn; empty where everything was.
+pub(crate) fn left_out(count: usize, why: &str) -> String {
+    match count {
+        0 => String::new(),
+        1 => format!("1 point left out: {why}."),
+        _ => format!("{} points left out: {why}.", counted(count as f64)),
+    }
+}

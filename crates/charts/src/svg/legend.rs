@@ -1,0 +1,44 @@
+//! Legends stand below the plot, so that they cover no data.
+
+use super::{
+    drawing::{Anchor, Drawing, LINE, WIDTH, shorten},
+    marker::Look,
+};
+
+/// One entry.
+pub(crate) struct Entry<'a> {
+    pub look: Look,
+    pub name: &'a str,
+}
+
+/// Draws the entries in as many columns as fit, each with its line and, where asked, its marker.
+pub(crate) fn draw(drawing: &mut Drawing, entries: &[Entry], markers: bool) {
+    let (rows, widths) =
+        (1..=4).rev().map(|columns| layout(entries, columns)).find(fits).unwrap_or((entries.len(), vec![]));
+    for (position, entry) in entries.iter().enumerate() {
+        let x = 8.0 + widths.iter().take(position / rows.max(1)).sum::<f64>();
+        let y = drawing.height + LINE * ((position % rows.max(1)) as f64 + 0.5);
+        drawing.open(&entry.look.class());
+        drawing.line((x, y), (x + 34.0, y), "line");
+        if markers {
+            entry.look.marker(drawing, (x + 17.0, y), 4.2, "");
+        }
+        drawing.close();
+        drawing.text((x + 41.0, y + 4.5), Anchor::Start, "small", &shorten(entry.name, LONGEST));
+    }
+    drawing.height += LINE * rows as f64 + 4.0;
+}
+
+const LONGEST: usize = 60;
+
+/// How many rows so many columns have, and how wide each column is.
+fn layout(entries: &[Entry], columns: usize) -> (usize, Vec<f64>) {
+    let rows = entries.len().div_ceil(columns).max(1);
+    let width = |name: &str| 7.1 * name.chars().count().min(LONGEST) as f64 + 57.0;
+    let widest = |column: &[Entry]| column.iter().map(|entry| width(entry.name)).fold(0.0, f64::max);
+    (rows, entries.chunks(rows).map(widest).collect())
+}
+
+fn fits((_, widths): &(usize, Vec<f64>)) -> bool {
+    widths.iter().sum::<f64>() <= WIDTH - 4.0
+}

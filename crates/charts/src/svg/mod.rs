@@ -1,0 +1,19 @@
+//! A small kit of charts: SVG with fixed decimals, so that the same data give the same bytes.
+
+pub(crate) mod sphere;
+pub(crate) mod timings;
+pub(crate) mod trajectory;
+pub(crate) mod work_precision;
+
+mod axis;
+mod decimate;
+mod drawing;
+mod legend;
+mod marker;
+mod number;
+mod path;
+
+pub(crate) use number::tolerance;
+
+/// How charts look, by class; a page adds its own colours for dark screens.
+pub(crate) const STYLE: &str = include_str!("chart.css");

@@ -1,0 +1,110 @@
+//! Numbers as text: coordinates with fixed decimals, values for people.
+
+/// A coordinate, to a tenth of a pixel, without a needless `.0` or `-0`.
+pub(crate) fn coordinate(x: f64) -> String {
+    tenths(x).to_string_tenths()
+}
+
+/// Tenths of a pixel as an integer, so that relative paths do not drift.
+pub(crate) fn tenths(x: f64) -> Tenths {
+    Tenths((x * 10.0).round() as i64)
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Tenths(pub i64);
+
+impl Tenths {
+    pub fn to_string_tenths(self) -> String {
+        let sign = if self.0 < 0 { "-" } else { "" };
+        let (whole, tenth) = (self.0.unsigned_abs() / 10, self.0.unsigned_abs() % 10);
+        match (whole, tenth) {
+            (whole, 0) => format!("{sign}{whole}"),
+            (0, tenth) => format!("{sign}.{tenth}"),
+            (whole, tenth) => format!("{sign}{whole}.{tenth}"),
+        }
+    }
+}
+
+/// A value with so many significant digits: plain between 0.001 and a million, with a power of ten elsewhere.
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return if value == 0.0 { "0".to_owned() } else { format!("{value}") };
+    }
+    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let text = if (-3..6).contains(&exponent) {
+        let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+        trim(&format!("{value:.decimals$}"))
+    } else {
+        format!("{}·10{}", trim(mantissa), superscript(exponent))
+    };
+    text.replace('-', "−")
+}
+
+/// A tolerance: a power of ten wherever it is one.
+pub(crate) fn tolerance(value: f64) -> String {
+    match format!("{value:.1e}").split_once('e') {
+        Some(("1.0", exponent)) => format!("10{}", superscript(exponent.parse().unwrap_or(0))),
+        _ => significant(value, 2),
+    }
+}
+
+fn trim(decimal: &str) -> String {
+    if decimal.contains('.') {
+        decimal.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        decimal.to_owned()
+    }
+}
+
+/// An integer in raised digits.
+pub(crate) fn superscript(value: i32) -> String {
+    let raise = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => char::from_u32('⁰' as u32 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit),
+    };
+    value.to_string().chars().map(raise).collect()
+}
+
+/// An integer with its thousands apart; anything else to four digits.
+pub(crate) fn counted(value: f64) -> String {
+    if value.fract() != 0.0 || value.abs() >= 1e15 {
+        return significant(value, 4);
+    }
+    let digits = format!("{:.0}", value.abs());
+    let mut out = String::new();
+    for (position, digit) in digits.chars().enumerate() {
+        if position > 0 && (digits.len() - position).is_multiple_of(3) {
+            out.push('\u{202f}');
+        }
+        out.push(digit);
+    }
+    if value < 0.0 { format!("−{out}") } else { out }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coordinates_have_one_decimal_at_most() {
+        let shown: Vec<_> = [1.0, -0.04, 0.25, -0.3, 12.34].map(coordinate).into();
+        assert_eq!(shown, ["1", "0", ".3", "-.3", "12.3"]);
+    }
+
+    #[test]
+    fn values_are_short_and_signs_are_minus_signs() {
+        let shown: Vec<_> = [0.0, -1.5, 123456.0, 3.2e-9, 1e7].map(|v| significant(v, 3)).into();
+        assert_eq!(shown, ["0", "−1.5", "123456", "3.2·10⁻⁹", "1·10⁷"]);
+    }
+
+    #[test]
+    fn thousands_stand_apart() {
+        assert_eq!(counted(1234567.0), "1\u{202f}234\u{202f}567");
+        assert_eq!(counted(-12.0), "−12");
+    }
+}

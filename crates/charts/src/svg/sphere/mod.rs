@@ -1,0 +1,215 @@
+//! Curves and points on the unit sphere, seen from afar; a page lets the reader turn it.
+
+mod scale;
+mod strand;
+mod view;
+
+use super::drawing::{Anchor, Drawing, LINE, WIDTH, left_out};
+use super::{marker::Look, number::significant};
+use scale::Scale;
+use strand::Strand;
+use view::View;
+
+/// Directions, as curves and marked points of the unit sphere.
+#[derive(Clone, Debug, Default)]
+pub struct Sphere {
+    pub title: String,
+    /// Text.
+    pub description: String,
+    /// The quantity that colours the curves, plain text with its unit.
+    pub value: String,
+    /// Names of the three axes, plain text.
+    pub axes: [String; 3],
+    pub curves: Vec<Curve>,
+    pub marks: Vec<Mark>,
+    /// From where it is seen first: azimuth from the first axis and height above the first two, in degrees.
+    pub view: (f64, f64),
+    /// Text below the picture.
+    pub note: String,
+}
+
+/// A curve through directions; they need not have length 1. Points may be sparse: arcs of great circles join them.
+#[derive(Clone, Debug, Default)]
+pub struct Curve {
+    pub name: String,
+    pub points: Vec<CurvePoint>,
+}
+
+/// A direction and the value there, where it has one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CurvePoint {
+    pub at: [f64; 3],
+    pub value: Option<f64>,
+}
+
+/// A direction with a name.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mark {
+    pub name: String,
+    pub at: [f64; 3],
+    /// Shown on hovering.
+    pub note: String,
+}
+
+pub(crate) const CENTRE: (f64, f64) = (0.5 * WIDTH, 232.0);
+pub(crate) const RADIUS: f64 = 186.0;
+
+impl Sphere {
+    /// The picture as an SVG file, from its first point of view.
+    pub fn svg(&self) -> String {
+        self.drawing().standalone(&self.title)
+    }
+
+    pub(crate) fn drawing(&self) -> Drawing {
+        let (strands, dropped) = self.strands();
+        let scale = self.scale();
+        let view = View::new(self.view);
+        let mut drawing = Drawing::default();
+        drawing.circle(CENTRE, RADIUS, "ball");
+        drawing.open("turning");
+        for front in [false, true] {
+            drawing.open(if front { "front" } else { "back" });
+            strands.iter().for_each(|strand| strand.draw(&mut drawing, &view, scale.as_ref(), front));
+            for (name, axis) in self.axes.iter().zip(AXES) {
+                point(&mut drawing, &view, axis.map(|x| 1.3 * x), front, "axis-name", name, "");
+            }
+            for mark in &self.marks {
+                if let Some(at) = strand::unit(mark.at) {
+                    point(&mut drawing, &view, at, front, "mark-name", &mark.name, &mark.note);
+                }
+            }
+            drawing.close();
+        }
+        drawing.close();
+        drawing.circle(CENTRE, RADIUS, "limb");
+        drawing.height = CENTRE.1 + RADIUS + 44.0;
+        if let Some(scale) = &scale {
+            scale.legend(&mut drawing, &self.value);
+        }
+        self.names(&mut drawing);
+        let sentence = left_out(dropped, "not a direction");
+        drawing.paragraph(&sentence, "small");
+        drawing
+    }
+
+    /// Everything that turns, for the script of the page, as JSON.
+    pub(crate) fn data(&self) -> String {
+        let (strands, _) = self.strands();
+        let strands: Vec<_> = strands.iter().map(Strand::json).collect();
+        let marks = self.marks.iter().filter_map(|mark| strand::unit(mark.at).map(|at| (at, &mark.name, &mark.note)));
+        let marks: Vec<_> = marks
+            .map(|(at, name, note)| format!("[{},{},{}]", strand::integers(at), quoted(name), quoted(note)))
+            .collect();
+        let axes: Vec<_> = self.axes.iter().map(|name| quoted(name)).collect();
+        let range = self.scale().map_or("null".to_owned(), |scale| scale.json());
+        let (azimuth, height) = View::new(self.view).degrees();
+        format!(
+            "{{\"view\":[{azimuth},{height}],\"centre\":[{},{}],\"radius\":{RADIUS},\"range\":{range},\"value\":{},\
+             \"axes\":[{}],\"marks\":[{}],\"strands\":[{}]}}",
+            CENTRE.0,
+            CENTRE.1,
+            quoted(&self.value),
+            axes.join(","),
+            marks.join(","),
+            strands.join(",")
+        )
+    }
+
+    /// The graticule, the stubs of the axes and the curves; and how many points are no directions.
+    fn strands(&self) -> (Vec<Strand>, usize) {
+        let mut strands = strand::graticule();
+        strands.extend(AXES.map(strand::stub));
+        let mut dropped = self.marks.iter().filter(|mark| strand::unit(mark.at).is_none()).count();
+        for (position, curve) in self.curves.iter().enumerate() {
+            let (curves, lost) = strand::curve(curve, Look::of(position));
+            strands.extend(curves);
+            dropped += lost;
+        }
+        (strands, dropped)
+    }
+
+    fn scale(&self) -> Option<Scale> {
+        Scale::of(self.curves.iter().flat_map(|curve| curve.points.iter().filter_map(|point| point.value)))
+    }
+
+    /// The names of the curves that no colour scale explains.
+    fn names(&self, drawing: &mut Drawing) {
+        for (position, curve) in self.curves.iter().enumerate() {
+            if !curve.name.is_empty() && curve.points.iter().all(|point| point.value.is_none()) {
+                let y = drawing.height + 0.5 * LINE;
+                drawing.open(&Look::of(position).class());
+                drawing.line((8.0, y), (42.0, y), "line");
+                drawing.close();
+                drawing.text((50.0, y + 4.5), Anchor::Start, "", &curve.name);
+                drawing.height += LINE;
+            }
+        }
+    }
+}
+
+pub(crate) const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// A named point, if it is on this side of the sphere.
+fn point(drawing: &mut Drawing, view: &View, at: [f64; 3], front: bool, class: &str, name: &str, note: &str) {
+    let (x, y, depth) = view.place(at);
+    if (depth >= 0.0) != front {
+        return;
+    }
+    if class == "mark-name" {
+        let tooltip = if note.is_empty() { name.to_owned() } else { format!("{name}: {note}") };
+        drawing.path_with_tooltip(&format!("M{x:.1} {y:.1}m-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0z"), "dot", &tooltip);
+        drawing.text((x + 9.0, y - 6.0), Anchor::Start, class, name);
+    } else {
+        drawing.text((x, y + 5.0), Anchor::Middle, class, name);
+    }
+}
+
+/// A JSON string.
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => out.extend(['\\', c]),
+            c if c.is_control() => out += &format!("\\u{:04x}", c as u32),
+            c => out.push(c),
+        }
+    }
+    out + "\""
+}
+
+/// A value for JSON, to five digits; what is not finite is absent.
+fn number(value: Option<f64>) -> String {
+    match value {
+        Some(value) if value.is_finite() => format!("{:e}", (format!("{value:.4e}")).parse::<f64>().unwrap_or(value)),
+        _ => "null".to_owned(),
+    }
+}
+
+/// A value for people.
+fn shown(value: f64) -> String {
+    significant(value, 3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_that_is_no_direction_is_dropped_and_said() {
+        let point = |x: f64| CurvePoint { at: [x, 0.0, 0.0], value: Some(1.0) };
+        let curve = Curve { points: vec![point(0.0), point(f64::NAN), point(2.0)], ..Default::default() };
+        let sphere = Sphere { curves: vec![curve], ..Default::default() };
+        assert!(sphere.svg().contains("2 points left out: not a direction."));
+        assert!(!sphere.data().contains("NaN"));
+    }
+
+    #[test]
+    fn strings_of_the_data_are_quoted() {
+        assert_eq!(quoted("a\"\\\n"), "\"a\\\"\\\\\\u000a\"");
+    }
+
+    #[test]
+    fn an_empty_sphere_is_a_picture() {
+        assert!(Sphere::default().svg().ends_with("</svg>"));
+    }
+}

@@ -1,0 +1,152 @@
+//! Prose and formulas as markup: everything escaped, LaTeX typeset as MathML, what cannot be typeset kept and reported.
+
+mod mathml;
+
+use math_core::{LatexToMathML, MathDisplay};
+use maud::{Markup, PreEscaped, html};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// LaTeX that the page shows as source, because it could not be typeset.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unset {
+    /// The claim, scene or heading that holds it.
+    pub place: String,
+    pub latex: String,
+    pub reason: String,
+}
+
+/// Formulas wider than this, in em, are given places to break a line.
+const BREAK_ABOVE: f64 = 30.0;
+/// What one line of print holds, in em; wider pieces are printed smaller.
+const PAPER: f64 = 44.0;
+
+/// Turns text and LaTeX into markup, and remembers what it could not typeset.
+#[derive(Debug, Default)]
+pub(crate) struct Typesetter {
+    converter: LatexToMathML,
+    place: String,
+    unset: Vec<Unset>,
+}
+
+impl Typesetter {
+    /// Says where the texts that follow stand, for the reports of failures.
+    pub fn at(&mut self, place: &str) {
+        place.clone_into(&mut self.place);
+    }
+
+    pub fn into_unset(self) -> Vec<Unset> {
+        self.unset
+    }
+
+    /// Prose with LaTeX between dollar signs; `\$` is a dollar sign, and so is one without a partner.
+    pub fn text(&mut self, text: &str) -> Markup {
+        let mut out = String::new();
+        let mut rest = text;
+        while let Some((prose, tail)) = split_at_dollar(rest) {
+            let Some((latex, after)) = split_at_dollar(tail) else { break };
+            out += &html!((unescape(prose))).0;
+            out += &self.inline(latex).0;
+            rest = after;
+        }
+        out += &html!((unescape(rest))).0;
+        PreEscaped(out)
+    }
+
+    fn inline(&mut self, latex: &str) -> Markup {
+        match self.convert(latex, MathDisplay::Inline) {
+            Ok(mathml) => PreEscaped(mathml),
+            Err(reason) => self.source(latex, reason),
+        }
+    }
+
+    /// One displayed formula. A long one comes in pieces between which a line may break, because MathML breaks none.
+    pub fn formula(&mut self, latex: &str) -> Markup {
+        let mathml = match self.convert(latex, MathDisplay::Block) {
+            Ok(mathml) => mathml,
+            Err(reason) => return html! { div.formula { (self.source(latex, reason)) } },
+        };
+        let pieces = mathml::pieces(&mathml, BREAK_ABOVE);
+        let widest = pieces.iter().map(|piece| piece.width).fold(0.0, f64::max);
+        let wide = widest > PAPER;
+        let shrink = wide.then(|| format!("--fit: {:.2}", (PAPER / widest).max(0.3)));
+        html! {
+            div.formula tabindex=[wide.then_some("0")] role=[wide.then_some("group")]
+                aria-label=[wide.then_some("wide formula, scrolls sideways")] style=[shrink] {
+                @for (position, piece) in pieces.iter().enumerate() {
+                    @if position > 0 { wbr; }
+                    math displaystyle="true" { (PreEscaped(&piece.mathml)) }
+                }
+            }
+        }
+    }
+
+    /// The converter panics on rare nonsense (an assertion of its debug builds): that, too, is only LaTeX that fails.
+    fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
+        let converted = catch_unwind(AssertUnwindSafe(|| self.converter.convert_with_local_state(latex, display)));
+        match converted {
+            Ok(Ok(converted)) => Ok(converted.mathml),
+            Ok(Err(error)) => Err(error.to_string()),
+            Err(_) => Err("the converter gave up".to_owned()),
+        }
+    }
+
+    fn source(&mut self, latex: &str, reason: String) -> Markup {
+        let shown = html! { code.unset title=(reason) { (latex) } };
+        self.unset.push(Unset { place: self.place.clone(), latex: latex.to_owned(), reason });
+        shown
+    }
+}
+
+/// The text without its LaTeX's dollar signs: for places that take no markup.
+pub(crate) fn plain(text: &str) -> String {
+    unescape(text).replace('$', "")
+}
+
+/// What stands before and after the first dollar sign that no backslash escapes.
+fn split_at_dollar(text: &str) -> Option<(&str, &str)> {
+    text.match_indices('$')
+        .map(|(at, _)| at)
+        .find(|&at| !text[..at].ends_with('\\'))
+        .map(|at| (&text[..at], &text[at + 1..]))
+}
+
+fn unescape(prose: &str) -> String {
+    prose.replace("\\$", "$")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prose_is_escaped_and_formulas_are_typeset() {
+        let mut set = Typesetter::default();
+        let shown = set.text("a <b> costs \\$3, $x < 1$").into_string();
+        assert!(shown.starts_with("a &lt;b&gt; costs $3, <math>"), "{shown}");
+        assert!(shown.contains("<mo>&lt;</mo>"), "{shown}");
+        assert!(set.into_unset().is_empty());
+    }
+
+    #[test]
+    fn a_dollar_sign_without_a_partner_is_a_dollar_sign() {
+        assert_eq!(Typesetter::default().text("5 $ a day").into_string(), "5 $ a day");
+    }
+
+    #[test]
+    fn latex_that_does_not_parse_shows_its_source_and_is_reported() {
+        let mut set = Typesetter::default();
+        set.at("doe/eq1");
+        let shown = set.formula(r"\frac{a}{<").into_string();
+        assert!(shown.contains("<code") && shown.contains(r"\frac{a}{&lt;"), "{shown}");
+        let unset = set.into_unset();
+        assert_eq!((unset.len(), unset[0].place.as_str()), (1, "doe/eq1"));
+    }
+
+    #[test]
+    fn a_long_sum_may_break_before_its_signs() {
+        let terms = (1..40).map(|i| format!("A_{{{i}}} x_{{{i}}}")).collect::<Vec<_>>().join(" + ");
+        let shown = Typesetter::default().formula(&format!("0 = {terms}")).into_string();
+        assert_eq!(shown.matches("<wbr>").count(), 39);
+        assert_eq!(shown.matches(r#"<mo form="infix">+</mo>"#).count(), 38);
+    }
+}

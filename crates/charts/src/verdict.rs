@@ -1,0 +1,71 @@
+//! The closed set of verdicts, as the page names and explains them.
+
+/// What is known of a claim.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Verdict {
+    Refuted,
+    Undefined,
+    Undecided,
+    Proved,
+    Enclosed,
+    Tested,
+    Definition,
+    #[default]
+    Open,
+}
+
+impl Verdict {
+    /// All of them, the ones that ask for a reader's attention first.
+    pub const ALL: [Verdict; 8] = [
+        Verdict::Refuted,
+        Verdict::Undefined,
+        Verdict::Undecided,
+        Verdict::Proved,
+        Verdict::Enclosed,
+        Verdict::Tested,
+        Verdict::Definition,
+        Verdict::Open,
+    ];
+
+    /// One word, lower case: the chip, the filter and the CSS class.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Refuted => "refuted",
+            Verdict::Undefined => "undefined",
+            Verdict::Undecided => "undecided",
+            Verdict::Proved => "proved",
+            Verdict::Enclosed => "enclosed",
+            Verdict::Tested => "tested",
+            Verdict::Definition => "definition",
+            Verdict::Open => "open",
+        }
+    }
+
+    /// A sign that tells verdicts apart where colour is lost.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Verdict::Refuted => "✗",
+            Verdict::Undefined => "∅",
+            Verdict::Undecided => "?",
+            Verdict::Proved => "✓",
+            Verdict::Enclosed => "[ ]",
+            Verdict::Tested => "≈",
+            Verdict::Definition => "≔",
+            Verdict::Open => "○",
+        }
+    }
+
+    /// What the word stands for, in one line.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Verdict::Refuted => "an exact counterexample exists",
+            Verdict::Undefined => "a denominator vanishes identically",
+            Verdict::Undecided => "the prover gave up",
+            Verdict::Proved => "holds for all values within the stated hypotheses",
+            Verdict::Enclosed => "shown on the stated set by interval or certificate arithmetic",
+            Verdict::Tested => "held wherever it was tried; not a proof",
+            Verdict::Definition => "introduces a name; makes no claim",
+            Verdict::Open => "not attempted",
+        }
+    }
+}

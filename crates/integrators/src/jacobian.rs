@@ -1,0 +1,65 @@
+//! The Jacobian of a law by forward differentiation: eight columns an evaluation, buffers made once.
+
+use num_dual::Derivative;
+
+use crate::{DIRECTIONS, Directions, Ode};
+
+/// df/dy, and df/dt where asked for, of a law of any dimension.
+pub struct Jacobian<'a> {
+    law: &'a dyn Ode<Directions>,
+    y: Vec<Directions>,
+    dy: Vec<Directions>,
+}
+
+impl<'a> Jacobian<'a> {
+    /// Makes the buffers.
+    pub fn new(law: &'a dyn Ode<Directions>) -> Self {
+        let zeros = vec![Directions::from_re(0.0); law.dimension()];
+        Jacobian { law, y: zeros.clone(), dy: zeros }
+    }
+
+    /// `matrix[i * n + j]` = df_i / dy_j at (t, y).
+    pub fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]) {
+        let n = y.len();
+        self.load(y);
+        for first in (0..n).step_by(DIRECTIONS) {
+            let block = DIRECTIONS.min(n - first);
+            for k in 0..block {
+                self.y[first + k] = variable(y[first + k], k);
+            }
+            self.law.rates(Directions::from_re(t), &self.y, &mut self.dy);
+            for (row, rate) in matrix.chunks_mut(n).zip(&self.dy) {
+                for k in 0..block {
+                    row[first + k] = slope(rate, k);
+                }
+            }
+            for k in 0..block {
+                self.y[first + k] = Directions::from_re(y[first + k]);
+            }
+        }
+    }
+
+    /// `slopes[i]` = df_i / dt at (t, y).
+    pub fn time_slopes(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
+        self.load(y);
+        self.law.rates(variable(t, 0), &self.y, &mut self.dy);
+        for (out, rate) in slopes.iter_mut().zip(&self.dy) {
+            *out = slope(rate, 0);
+        }
+    }
+
+    fn load(&mut self, y: &[f64]) {
+        self.y.iter_mut().zip(y).for_each(|(own, y)| *own = Directions::from_re(*y));
+    }
+}
+
+/// A number that varies along direction k.
+fn variable(value: f64, k: usize) -> Directions {
+    Directions::from_re(value).derivative(k)
+}
+
+/// The derivative of a number along direction k.
+fn slope(number: &Directions, k: usize) -> f64 {
+    let Derivative(slopes) = &number.eps;
+    slopes.as_ref().map_or(0.0, |slopes| slopes[k])
+}

@@ -1,0 +1,85 @@
+//! LaTeX: `l_2\omega_3 - l_3\omega_2`.
+
+use super::names::latex_name;
+use super::{Bond, Name, Notation, Printed};
+use field::Rational;
+
+pub(super) struct Latex;
+
+impl Notation for Latex {
+    fn symbol(&self, name: Name) -> String {
+        match name.latex() {
+            Some(latex) => latex.to_string(),
+            None => latex_name(&name.text()),
+        }
+    }
+
+    fn number(&self, size: Rational) -> Printed {
+        let text = size.to_string();
+        match text.split_once('/') {
+            Some((above, below)) => Printed { text: format!("\\frac{{{above}}}{{{below}}}"), bond: Bond::Power },
+            None if text == "undefined" => Printed { text: "\\text{undefined}".into(), bond: Bond::Atom },
+            None => Printed { text, bond: Bond::Atom },
+        }
+    }
+
+    fn parentheses(&self, inside: &str) -> String {
+        if inside.contains("\\frac") { format!("\\left({inside}\\right)") } else { format!("({inside})") }
+    }
+
+    /// Juxtaposition, with a space where a command would swallow a letter, a thin space after an argument without
+    /// parentheses, and a dot between numbers.
+    fn product(&self, factors: &[String]) -> String {
+        let mut product = String::new();
+        let mut before = "";
+        for factor in factors {
+            let open_argument = ["\\cos", "\\sin"].iter().any(|f| before.starts_with(f)) && !before.ends_with(')');
+            let command =
+                before.rsplit_once('\\').is_some_and(|(_, last)| last.chars().all(|c| c.is_ascii_alphabetic()));
+            if !before.is_empty() && factor.starts_with(|c: char| c.is_ascii_digit()) {
+                product.push_str("\\cdot ");
+            } else if open_argument {
+                product.push_str("\\,");
+            } else if command && factor.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                product.push(' ');
+            }
+            product.push_str(factor);
+            before = factor;
+        }
+        product
+    }
+
+    fn quotient(&self, above: Printed, below: Printed) -> Printed {
+        Printed { text: format!("\\frac{{{}}}{{{}}}", above.text, below.text), bond: Bond::Power }
+    }
+
+    fn power(&self, base: Printed, exponent: u32) -> Printed {
+        let base = match base {
+            Printed { text, bond: Bond::Atom } if text.contains('^') => self.parentheses(&text),
+            Printed { text, bond: Bond::Atom } if text.ends_with('\'') => format!("{{{text}}}"),
+            other => self.held(other, Bond::Atom),
+        };
+        Printed { text: format!("{base}^{}", braced(exponent)), bond: Bond::Power }
+    }
+
+    fn root(&self, square: String) -> String {
+        format!("\\sqrt{{{square}}}")
+    }
+
+    fn circle(&self, function: &str, angle: Printed, exponent: u32) -> Printed {
+        let power = if exponent == 1 { String::new() } else { format!("^{}", braced(exponent)) };
+        let argument = match angle {
+            Printed { text, bond: Bond::Atom } => format!(" {text}"),
+            other => self.parentheses(&other.text),
+        };
+        Printed { text: format!("\\{function}{power}{argument}"), bond: Bond::Power }
+    }
+
+    fn derivative(&self, name: Name, order: u32, argument: String) -> String {
+        format!("{}{}({argument})", self.symbol(name), "'".repeat(order as usize))
+    }
+}
+
+fn braced(exponent: u32) -> String {
+    if exponent < 10 { exponent.to_string() } else { format!("{{{exponent}}}") }
+}

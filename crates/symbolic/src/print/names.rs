@@ -1,0 +1,42 @@
+//! Names: their LaTeX, and the order in which people sort them.
+
+/// The Greek letters that LaTeX has as commands.
+const GREEK: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi \
+    rho sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega";
+
+/// `omega1` is \omega_1, `u_d` is u_d, `A12` is A_{12}; other words stand upright.
+pub(super) fn latex_name(name: &str) -> String {
+    let (base, index) = match name.split_once('_') {
+        Some(parts) => parts,
+        None => name.split_at(name.trim_end_matches(|c: char| c.is_ascii_digit()).len()),
+    };
+    let letter = if GREEK.split_whitespace().any(|letter| letter == base) {
+        format!("\\{base}")
+    } else if base.chars().count() == 1 {
+        base.to_string()
+    } else {
+        format!("\\mathrm{{{base}}}")
+    };
+    match index.chars().count() {
+        0 => letter,
+        1 => format!("{letter}_{index}"),
+        _ => format!("{letter}_{{{}}}", index.replace('_', ",")),
+    }
+}
+
+/// A key under which names sort as people sort them: digits by their number.
+pub(crate) fn natural_key(name: &str) -> Vec<(u64, char)> {
+    let mut key = Vec::with_capacity(name.len());
+    let mut number = None;
+    for letter in name.chars() {
+        match letter.to_digit(10) {
+            Some(digit) => number = Some(number.unwrap_or(0u64).saturating_mul(10).saturating_add(digit.into())),
+            None => {
+                key.extend(number.take().map(|n| (n.saturating_add(1), '\0')));
+                key.push((0, letter));
+            }
+        }
+    }
+    key.extend(number.map(|n| (n.saturating_add(1), '\0')));
+    key
+}

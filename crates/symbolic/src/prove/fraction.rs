@@ -1,0 +1,272 @@
+//! Fractions whose denominators stay products of known factors.
+//!
+//! A proof needs no greatest common divisors: over a common denominator the numerator is zero or it is not. Factors
+//! that once appeared are tried as divisors, which keeps numerators small where derivations cancel.
+
+use crate::poly::{Budget, Coefficient, Failure, Poly, monomial};
+
+/// numerator / (constant * product of factors^powers); the constant is positive.
+#[derive(Clone, Debug)]
+pub(super) struct Fraction<C, const W: usize> {
+    pub numerator: Poly<C, W>,
+    pub constant: C,
+    /// Numbers of factors, rising, with their exponents.
+    pub powers: Vec<(usize, u32)>,
+}
+
+/// scale * generator^power = tail.
+pub(super) struct PolyRule<C, const W: usize> {
+    pub generator: usize,
+    pub power: u32,
+    pub scale: C,
+    pub tail: Poly<C, W>,
+}
+
+/// Fractions modulo rules, with the factors of all denominators so far.
+pub(super) struct Arithmetic<C, const W: usize> {
+    pub budget: Budget,
+    pub rules: Vec<PolyRule<C, W>>,
+    /// Primitive, the first coefficient positive.
+    pub factors: Vec<Poly<C, W>>,
+}
+
+impl<C: Coefficient, const W: usize> Fraction<C, W> {
+    pub fn whole(numerator: Poly<C, W>) -> Self {
+        Fraction { numerator, constant: C::of(1), powers: Vec::new() }
+    }
+
+    pub fn negated(&self) -> Self {
+        Fraction { numerator: self.numerator.negated(), ..self.clone() }
+    }
+
+    /// The common factors of the coefficients above and below taken out.
+    pub fn without_content(mut self) -> Self {
+        if !self.constant.is_one() {
+            let mut common = self.constant.clone();
+            for (_, coefficient) in self.numerator.terms() {
+                if common.is_one() {
+                    return self;
+                }
+                common = common.common(coefficient);
+            }
+            if let (Some(numerator), Some(constant)) =
+                (self.numerator.over_constant(&common), self.constant.exact_quotient(&common))
+            {
+                (self.numerator, self.constant) = (numerator, constant);
+            }
+        }
+        self
+    }
+}
+
+impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
+    pub fn new() -> Self {
+        Arithmetic { budget: Budget::new(), rules: Vec::new(), factors: Vec::new() }
+    }
+
+    pub fn sum(&mut self, mut summands: Vec<Fraction<C, W>>) -> Result<Fraction<C, W>, Failure> {
+        summands.retain(|each| !each.numerator.is_zero());
+        if summands.iter().all(|each| each.constant.is_one() && each.powers.is_empty()) {
+            let polys = summands.into_iter().map(|each| each.numerator).collect();
+            return Ok(Fraction::whole(Poly::sum(polys, &self.budget)?));
+        }
+        let mut constant = C::of(1);
+        let mut powers: Vec<(usize, u32)> = Vec::new();
+        for each in &summands {
+            let common = constant.common(&each.constant);
+            let missing = each.constant.exact_quotient(&common).unwrap_or(C::of(1));
+            constant = constant.times(&missing)?;
+            powers = merged(&powers, &each.powers, u32::max);
+        }
+        let mut numerators = Vec::with_capacity(summands.len());
+        for each in summands {
+            let scale = constant.exact_quotient(&each.constant).unwrap_or(C::of(1));
+            let missing = merged(&powers, &each.powers, |all, own| all - own);
+            let raised = self.times_factors(each.numerator, &missing)?;
+            numerators.push(raised.times_constant(&scale)?);
+        }
+        let numerator = Poly::sum(numerators, &self.budget)?;
+        // Raised by factors that contain a rule's generator, the numerators are no longer reduced.
+        self.reduced(Fraction { numerator, constant, powers })
+    }
+
+    pub fn product(&mut self, a: &Fraction<C, W>, b: &Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+        let (mut first, mut second) = (a.numerator.clone(), b.numerator.clone());
+        let mut right = b.powers.clone();
+        let mut left = a.powers.clone();
+        self.cancel(&mut first, &mut right)?;
+        self.cancel(&mut second, &mut left)?;
+        let numerator = first.times(&second, &self.budget)?;
+        let constant = a.constant.times(&b.constant)?;
+        self.reduced(Fraction { numerator, constant, powers: merged(&left, &right, |a, b| a + b) })
+    }
+
+    /// a / b for a `b` with a numerator that is not zero.
+    pub fn quotient(&mut self, a: &Fraction<C, W>, b: &Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+        // The denominator of b against that of a, factor by factor.
+        let common = merged(&a.powers, &b.powers, u32::min);
+        let mut powers = merged(&a.powers, &common, |all, own| all - own);
+        let upward = merged(&b.powers, &common, |all, own| all - own);
+        let mut numerator = self.times_factors(a.numerator.clone(), &upward)?.times_constant(&b.constant)?;
+        let Inverse { mut content, multiplier, powers: mut below } = self.inverse(&b.numerator)?;
+        if content.is_negative() {
+            content = content.negated();
+            numerator = numerator.negated();
+        }
+        self.cancel(&mut numerator, &mut below)?;
+        if !multiplier.is_one() {
+            numerator = numerator.times(&multiplier, &self.budget)?;
+        }
+        powers = merged(&powers, &below, |a, b| a + b);
+        let constant = a.constant.times(&content)?;
+        self.reduced(Fraction { numerator, constant, powers })
+    }
+
+    /// The polynomial modulo the rules, as a fraction.
+    pub fn reduced(&mut self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+        let (numerator, constant) = self.reduce(fraction.numerator)?;
+        fraction.numerator = numerator;
+        fraction.constant = fraction.constant.times(&constant)?;
+        // Without rules the numerator is a product whose factors were tried already.
+        if self.rules.is_empty() && !fraction.numerator.is_zero() {
+            return Ok(fraction.without_content());
+        }
+        self.cancelled(fraction)
+    }
+
+    fn cancelled(&mut self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+        if fraction.numerator.is_zero() {
+            return Ok(Fraction::whole(fraction.numerator));
+        }
+        self.cancel(&mut fraction.numerator, &mut fraction.powers)?;
+        Ok(fraction.without_content())
+    }
+
+    /// Divides out the factors that divide.
+    fn cancel(&self, numerator: &mut Poly<C, W>, powers: &mut Vec<(usize, u32)>) -> Result<(), Failure> {
+        for (factor, exponent) in powers.iter_mut() {
+            while *exponent > 0 {
+                match numerator.exact_quotient(&self.factors[*factor], &self.budget)? {
+                    Some(quotient) => *numerator = quotient,
+                    None => break,
+                }
+                *exponent -= 1;
+            }
+        }
+        powers.retain(|&(_, exponent)| exponent > 0);
+        Ok(())
+    }
+
+    pub fn times_factors(&self, mut poly: Poly<C, W>, powers: &[(usize, u32)]) -> Result<Poly<C, W>, Failure> {
+        for &(factor, exponent) in powers {
+            for _ in 0..exponent {
+                poly = poly.times(&self.factors[factor], &self.budget)?;
+            }
+        }
+        Ok(poly)
+    }
+
+    /// A polynomial rewritten until no rule applies: it equals the first result divided by the second.
+    fn reduce(&self, mut poly: Poly<C, W>) -> Result<(Poly<C, W>, C), Failure> {
+        let mut constant = C::of(1);
+        for rule in &self.rules {
+            let mut highest = monomial::exponent(&poly.degrees(), rule.generator);
+            while highest >= rule.power {
+                let most = highest / rule.power;
+                let mut parts: Vec<Vec<_>> = vec![Vec::new(); most as usize + 1];
+                for (m, c) in poly.terms() {
+                    let times = monomial::exponent(m, rule.generator) / rule.power;
+                    let removed = monomial::power(rule.generator, times * rule.power)?;
+                    let rest = monomial::quotient(m, &removed).ok_or(Failure::Degree)?;
+                    parts[times as usize].push((rest, c.clone()));
+                }
+                let mut tail = Poly::one();
+                let mut summands = Vec::with_capacity(parts.len());
+                for (times, part) in parts.into_iter().enumerate() {
+                    if times > 0 {
+                        tail = tail.times(&rule.tail, &self.budget)?;
+                    }
+                    let scale = rule.scale.power(most - times as u32)?;
+                    summands.push(Poly::collected(part)?.times(&tail, &self.budget)?.times_constant(&scale)?);
+                }
+                constant = constant.times(&rule.scale.power(most)?)?;
+                poly = Poly::sum(summands, &self.budget)?;
+                highest = monomial::exponent(&poly.degrees(), rule.generator);
+            }
+        }
+        Ok((poly, constant))
+    }
+
+    /// 1 / poly: its content, its generators, the known factors that divide it, and the rest as a new factor.
+    fn inverse(&mut self, poly: &Poly<C, W>) -> Result<Inverse<C, W>, Failure> {
+        let mut content = poly.content();
+        let common = poly.common_monomial();
+        let mut rest = poly.over_constant(&content).and_then(|p| p.over_monomial(&common)).ok_or(Failure::Degree)?;
+        let mut multiplier = Poly::one();
+        let mut powers = Vec::new();
+        for (generator, exponent) in monomial::support(&common) {
+            let root = self.rules.iter().find(|rule| rule.generator == generator && rule.tail.as_constant().is_some());
+            match root {
+                // The root of a number: 1/g = scale g^(k-1) / tail.
+                Some(rule) => {
+                    let inverse = Poly::term(monomial::power(generator, rule.power - 1)?, rule.scale.clone());
+                    multiplier = multiplier.times(&inverse.power(exponent, &self.budget)?, &self.budget)?;
+                    content = content.times(&rule.tail.content().power(exponent)?)?;
+                }
+                None => powers.push((self.factor(Poly::term(monomial::power(generator, 1)?, C::of(1))), exponent)),
+            }
+        }
+        for known in 0..self.factors.len() {
+            if rest.as_constant().is_some() {
+                break;
+            }
+            let mut exponent = 0;
+            while let Some(quotient) = rest.exact_quotient(&self.factors[known], &self.budget)? {
+                rest = quotient;
+                exponent += 1;
+            }
+            if exponent > 0 {
+                powers.push((known, exponent));
+            }
+        }
+        if rest.as_constant().is_none() {
+            powers.push((self.factor(rest), 1));
+        }
+        powers.sort_unstable();
+        Ok(Inverse { content, multiplier, powers })
+    }
+
+    fn factor(&mut self, factor: Poly<C, W>) -> usize {
+        self.factors.iter().position(|known| *known == factor).unwrap_or_else(|| {
+            self.factors.push(factor);
+            self.factors.len() - 1
+        })
+    }
+}
+
+/// multiplier / (content * product of factors^powers).
+struct Inverse<C, const W: usize> {
+    content: C,
+    multiplier: Poly<C, W>,
+    powers: Vec<(usize, u32)>,
+}
+
+/// Exponents of the same factors combined; a factor that is missing has the exponent zero.
+fn merged(a: &[(usize, u32)], b: &[(usize, u32)], combine: fn(u32, u32) -> u32) -> Vec<(usize, u32)> {
+    let (mut a, mut b) = (a.iter().copied().peekable(), b.iter().copied().peekable());
+    let mut result = Vec::new();
+    loop {
+        let next = match (a.peek(), b.peek()) {
+            (None, None) => break,
+            (Some(first), None) => first.0,
+            (None, Some(second)) => second.0,
+            (Some(first), Some(second)) => first.0.min(second.0),
+        };
+        let own = |side: Option<(usize, u32)>| side.map_or(0, |(_, exponent)| exponent);
+        let exponent = combine(own(a.next_if(|each| each.0 == next)), own(b.next_if(|each| each.0 == next)));
+        if exponent > 0 {
+            result.push((next, exponent));
+        }
+    }
+    result
+}

@@ -1,0 +1,207 @@
+//! The generators of the ring in which an expression lives: symbols, coordinates of angles, roots, functions.
+//!
+//! Arguments are brought to normal form, so that cos(a*b) and cos(b*a) are one generator, and the root of a square
+//! sum that the hypotheses make 1 is 1.
+
+use super::hypotheses::{Hypotheses, Refused, Rule, circle_rule};
+use super::normal::normal_form;
+use crate::Sym;
+use crate::graph::Node;
+use crate::poly::Failure;
+use crate::print::natural_key;
+use field::Analytic;
+use num_traits::One;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+pub(crate) struct Generators {
+    /// The generators, sorted by name.
+    pub leaves: Vec<Sym>,
+    pub index: FxHashMap<Sym, usize>,
+    /// The rules whose leads occur, a rule before those that rewrite its tail.
+    pub rules: Vec<Rule>,
+    aliases: FxHashMap<Sym, Sym>,
+}
+
+impl Generators {
+    pub fn of(expressions: &[Sym], hypotheses: &Hypotheses) -> Result<Self, Failure> {
+        if let Some(refused) = hypotheses.refusal() {
+            return Err(Failure::Hypotheses(refused.to_string()));
+        }
+        let mut gathering = Gathering::new(hypotheses);
+        gathering.visit(expressions)?;
+        let mut leaves: Vec<Sym> = gathering.found.into_iter().collect();
+        if leaves.len() > 1 {
+            leaves.sort_by_cached_key(|leaf| natural_key(&leaf.to_string()));
+        }
+        let index = leaves.iter().enumerate().map(|(place, &leaf)| (leaf, place)).collect();
+        let mut generators = Generators { leaves, index, rules: Vec::new(), aliases: gathering.aliases };
+        generators.rules = generators.ordered(gathering.rules).map_err(|refused| Failure::Hypotheses(refused.0))?;
+        Ok(generators)
+    }
+
+    /// Whether the rules of the hypotheses alone have one admissible order.
+    pub fn check(hypotheses: &Hypotheses) -> Result<(), Refused> {
+        let leads: Vec<Sym> = hypotheses.rules.iter().map(|rule| rule.lead).collect();
+        match Self::of(&leads, hypotheses) {
+            Err(Failure::Hypotheses(reason)) => Err(Refused(reason)),
+            _ => Ok(()),
+        }
+    }
+
+    /// The expression over the generators alone.
+    pub fn rewrite(&self, expression: Sym) -> Sym {
+        if self.aliases.is_empty() {
+            return expression;
+        }
+        rewrite(expression, &self.aliases, &|each| self.index.contains_key(&each))
+    }
+
+    /// The rules in an order such that none brings back what an earlier one removed: all of them fall under the
+    /// lexicographic order of their leads.
+    fn ordered(&self, mut rules: Vec<Rule>) -> Result<Vec<Rule>, Refused> {
+        if rules.len() < 2 {
+            return Ok(rules);
+        }
+        let leads: FxHashSet<Sym> = rules.iter().map(|rule| rule.lead).collect();
+        let mut uses: FxHashMap<Sym, Vec<Sym>> = FxHashMap::default();
+        for rule in &rules {
+            let inside = self.inside(self.rewrite(rule.tail));
+            uses.insert(
+                rule.lead,
+                inside.into_iter().filter(|each| leads.contains(each) && *each != rule.lead).collect(),
+            );
+        }
+        let mut sorted = Vec::with_capacity(rules.len());
+        while !rules.is_empty() {
+            let free = |lead: Sym| !rules.iter().any(|other| uses[&other.lead].contains(&lead));
+            match rules.iter().position(|rule| free(rule.lead)) {
+                Some(place) => sorted.push(rules.remove(place)),
+                None => {
+                    let named: Vec<String> = rules.iter().map(|rule| rule.lead.to_string()).collect();
+                    return Err(Refused(format!(
+                        "the rules for {} rewrite each other in a circle, so that no order makes all of them fall",
+                        named.join(", ")
+                    )));
+                }
+            }
+        }
+        Ok(sorted)
+    }
+
+    /// All expressions inside the given one, generators not opened up, each after those it is made of.
+    pub fn inside(&self, expression: Sym) -> Vec<Sym> {
+        Sym::reached(&[expression], |each, node| !node.is_leaf() && !self.index.contains_key(&each))
+    }
+}
+
+fn rewrite(expression: Sym, aliases: &FxHashMap<Sym, Sym>, generator: &impl Fn(Sym) -> bool) -> Sym {
+    let mut new: FxHashMap<Sym, Sym> = FxHashMap::default();
+    for each in Sym::reached(&[expression], |each, node| !node.is_leaf() && !generator(each)) {
+        let value = match aliases.get(&each) {
+            Some(&alias) => rewrite(alias, aliases, generator),
+            None if each.node().is_leaf() || generator(each) => each,
+            None => each.node().rebuild(each, |a| new[a]),
+        };
+        new.insert(each, value);
+    }
+    new[&expression]
+}
+
+struct Gathering<'a> {
+    hypotheses: &'a Hypotheses,
+    found: FxHashSet<Sym>,
+    aliases: FxHashMap<Sym, Sym>,
+    rules: Vec<Rule>,
+}
+
+impl<'a> Gathering<'a> {
+    fn new(hypotheses: &'a Hypotheses) -> Self {
+        Gathering { hypotheses, found: FxHashSet::default(), aliases: FxHashMap::default(), rules: Vec::new() }
+    }
+
+    fn visit(&mut self, expressions: &[Sym]) -> Result<(), Failure> {
+        for each in Sym::ascending_to_leaves(expressions) {
+            if self.found.contains(&each) || self.aliases.contains_key(&each) {
+                continue;
+            }
+            match each.node() {
+                Node::Symbol(_) => self.symbol(each)?,
+                Node::Cos(angle) | Node::Sin(angle) => self.coordinate(each, angle)?,
+                Node::Root(square) => self.root(each, square)?,
+                Node::Function(name, order, argument) => {
+                    let canonical = Sym::function_of_order(name, order, self.canonical(argument)?);
+                    self.found.insert(canonical);
+                    self.alias(each, canonical);
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn symbol(&mut self, symbol: Sym) -> Result<(), Failure> {
+        self.found.insert(symbol);
+        let hypotheses = self.hypotheses;
+        for rule in hypotheses.rules.iter().filter(|rule| rule.lead == symbol) {
+            self.rules.push(*rule);
+            self.visit(&[rule.tail])?;
+        }
+        Ok(())
+    }
+
+    fn canonical(&self, argument: Sym) -> Result<Sym, Failure> {
+        match argument.node() {
+            Node::Symbol(_) | Node::Constant(_) => Ok(argument),
+            _ => Ok(normal_form(argument, self.hypotheses)?.to_sym()),
+        }
+    }
+
+    fn alias(&mut self, each: Sym, expression: Sym) {
+        if each != expression {
+            self.aliases.insert(each, expression);
+        }
+    }
+
+    /// A coordinate of an angle, as an expression in coordinates of canonical angles.
+    fn coordinate(&mut self, each: Sym, angle: Sym) -> Result<(), Failure> {
+        let point = self.canonical(angle)?.circle();
+        let expression = if matches!(each.node(), Node::Cos(_)) { point.cos } else { point.sin };
+        for leaf in Sym::ascending_to_leaves(&[expression]) {
+            if let Node::Sin(canonical) | Node::Cos(canonical) = leaf.node()
+                && self.found.insert(leaf)
+                && matches!(leaf.node(), Node::Sin(_))
+            {
+                let cos = Sym::from_node(Node::Cos(canonical));
+                self.found.insert(cos);
+                self.rules.push(circle_rule(cos, leaf));
+            }
+        }
+        self.alias(each, expression);
+        Ok(())
+    }
+
+    /// sqrt(c N/D) = sqrt(c) s/D with the positive constant c taken out and s = D sqrt(N/D), whose square N D is a
+    /// polynomial.
+    fn root(&mut self, each: Sym, square: Sym) -> Result<(), Failure> {
+        if square.as_constant().is_some() {
+            self.found.insert(each);
+            self.rules.push(Rule { lead: each, power: 2, tail: square });
+            return Ok(());
+        }
+        let form = normal_form(square, self.hypotheses)?;
+        if let Some(constant) = form.as_constant() {
+            let root = Sym::constant(constant).sqrt();
+            self.visit(&[root])?;
+            self.alias(each, root);
+            return Ok(());
+        }
+        let front = Sym::constant(form.content()).sqrt();
+        let (numerator, denominator) = (form.primitive_numerator(), form.primitive_denominator());
+        let leaf = denominator * Sym::from_node(Node::Root(numerator / denominator));
+        self.found.insert(leaf);
+        self.rules.push(Rule { lead: leaf, power: 2, tail: numerator * denominator });
+        self.visit(&[front, numerator, denominator])?;
+        self.alias(each, if denominator.is_one() { front * leaf } else { front * (leaf / denominator) });
+        Ok(())
+    }
+}

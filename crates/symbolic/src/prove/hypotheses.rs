@@ -1,0 +1,138 @@
+//! What a statement may assume.
+
+use crate::Sym;
+use crate::graph::Node;
+use field::{Circle, Scalar};
+use num_traits::One;
+use std::fmt;
+
+/// Relations between symbols under which a statement is decided.
+///
+/// A relation is a *rule* g^k -> tail, a pure power of a symbol rewritten by lower terms, or a symbol *given* by an
+/// expression. Rules with different leading symbols that fall under one admissible order are a Groebner basis, so the
+/// normal form under them is canonical; a set of rules that does not is refused. sin^2 -> 1 - cos^2 for every angle
+/// and r^2 -> a for every root need not be said.
+#[derive(Clone, Debug, Default)]
+pub struct Hypotheses {
+    pub(super) rules: Vec<Rule>,
+    pub(super) given: Vec<(Sym, Sym)>,
+    pub(super) spheres: Vec<Vec<Sym>>,
+    statements: Vec<String>,
+    refused: Option<Refused>,
+}
+
+/// lead^power = tail.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rule {
+    pub lead: Sym,
+    pub power: u32,
+    pub tail: Sym,
+}
+
+/// Hypotheses that do not make a canonical set of rules.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refused(pub String);
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the hypotheses are refused: {}", self.0)
+    }
+}
+
+impl std::error::Error for Refused {}
+
+impl Hypotheses {
+    /// Nothing is assumed.
+    pub fn none() -> Self {
+        Self::default()
+    }
+
+    /// The vector has length one: the square of its last component is rewritten.
+    pub fn unit_vector<const N: usize>(mut self, vector: [Sym; N]) -> Self {
+        let Some((&last, others)) = vector.split_last() else {
+            return self;
+        };
+        let tail = others.iter().fold(Sym::one(), |rest, &each| rest - each.powi(2));
+        let squares: Vec<String> = vector.iter().map(|each| format!("{each}^2")).collect();
+        self.spheres.push(vector.to_vec());
+        self.add_rule(last, 2, tail, format!("{} = 1", squares.join(" + ")))
+    }
+
+    /// The point lies on the unit circle.
+    pub fn on_circle(self, point: Circle<Sym>) -> Self {
+        self.unit_vector([point.cos, point.sin])
+    }
+
+    /// The rule lead^power = tail, for a symbol `lead` and a polynomial `tail` of lower terms.
+    pub fn rule(self, lead: Sym, power: u32, tail: Sym) -> Self {
+        let statement = format!("{} = {tail}", lead.powi(power as i32));
+        self.add_rule(lead, power, tail, statement)
+    }
+
+    /// The symbol stands for the expression, which must not contain it.
+    pub fn given(mut self, symbol: Sym, expression: Sym) -> Self {
+        let value = expression.substitute(&self.given);
+        if !matches!(symbol.node(), Node::Symbol(_)) {
+            return self.refuse(format!("`{symbol}` is given by an expression but is not a symbol"));
+        }
+        if value.symbols_of().contains(&symbol) {
+            return self.refuse(format!("`{symbol}` is given by an expression that contains it"));
+        }
+        if self.given.iter().any(|(known, _)| *known == symbol) {
+            return self.refuse(format!("`{symbol}` is given twice"));
+        }
+        for (_, known) in &mut self.given {
+            *known = known.substitute(&[(symbol, value)]);
+        }
+        self.given.push((symbol, value));
+        self.statements.push(format!("{symbol} = {expression}"));
+        self
+    }
+
+    /// The hypotheses in words, in the order in which they were made.
+    pub fn statements(&self) -> &[String] {
+        &self.statements
+    }
+
+    /// Whether the rules are canonical: different leading symbols, one admissible order.
+    ///
+    /// # Errors
+    /// [`Refused`] says which rules are at odds.
+    pub fn check(&self) -> Result<(), Refused> {
+        match &self.refused {
+            Some(refused) => Err(refused.clone()),
+            None => super::generators::Generators::check(self),
+        }
+    }
+
+    pub(super) fn refusal(&self) -> Option<&Refused> {
+        self.refused.as_ref()
+    }
+
+    fn add_rule(mut self, lead: Sym, power: u32, tail: Sym, statement: String) -> Self {
+        if !matches!(lead.node(), Node::Symbol(_)) || power == 0 {
+            return self.refuse(format!("the left side of `{statement}` is not a power of a symbol"));
+        }
+        if let Some(other) = self.rules.iter().position(|rule| rule.lead == lead) {
+            let other = self.rules[other];
+            return self.refuse(format!(
+                "`{}` and `{statement}` both rewrite powers of `{lead}`; their consequences would need a completion",
+                format_args!("{} = {}", other.lead.powi(other.power as i32), other.tail)
+            ));
+        }
+        self.rules.push(Rule { lead, power, tail });
+        self.statements.push(statement);
+        self
+    }
+
+    /// The first reason is kept.
+    fn refuse(mut self, reason: String) -> Self {
+        self.refused.get_or_insert(Refused(reason));
+        self
+    }
+}
+
+/// sin^2 = 1 - cos^2.
+pub(super) fn circle_rule(cos: Sym, sin: Sym) -> Rule {
+    Rule { lead: sin, power: 2, tail: Sym::int(1) - cos.powi(2) }
+}

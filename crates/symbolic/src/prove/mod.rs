@@ -1,0 +1,15 @@
+//! Normal forms of expressions, and what they decide.
+
+mod convert;
+mod decide;
+mod fraction;
+mod generators;
+mod hypotheses;
+mod kernel;
+mod normal;
+mod witness;
+
+pub use decide::{Decision, Proof, decide, decide_modulo};
+pub use hypotheses::{Hypotheses, Refused};
+pub use normal::{NormalForm, normal};
+pub use witness::Witness;

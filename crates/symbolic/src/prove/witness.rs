@@ -1,0 +1,208 @@
+//! Exact points at which an expression does not vanish.
+
+use super::generators::Generators;
+use super::hypotheses::Hypotheses;
+use super::normal::normal_form;
+use crate::Sym;
+use crate::graph::Node;
+use field::{Analytic, Rational, Scalar};
+use num_traits::{One, Zero};
+use rustc_hash::FxHashMap;
+use std::fmt;
+
+/// A point that satisfies the hypotheses, and what the expression is there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Witness {
+    /// Symbols, coordinates of angles, roots and functions with their values: rational numbers, or roots of them where
+    /// the hypotheses leave no other.
+    pub point: Vec<(Sym, Sym)>,
+    /// The value of the expression, different from zero.
+    pub value: Sym,
+    /// Coordinates of angles whose arguments also have a value at the point. As functions they are independent of
+    /// their arguments, which is what the refutation rests on; the point is then not literally one.
+    pub formal: Vec<Sym>,
+}
+
+impl fmt::Display for Witness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} at ", self.value)?;
+        for (place, (leaf, value)) in self.point.iter().enumerate() {
+            write!(f, "{}{leaf} = {value}", if place > 0 { ", " } else { "" })?;
+        }
+        Ok(())
+    }
+}
+
+/// Points tried that have rational coordinates only, and then with roots.
+const RATIONAL_POINTS: u32 = 400;
+const POINTS: u32 = 600;
+
+/// A point at which the expression is defined and not zero. The search takes small numbers in a fixed order.
+pub(super) fn search(expression: Sym, hypotheses: &Hypotheses) -> Option<Witness> {
+    let inside = expression.substitute(&hypotheses.given);
+    let mut all = vec![inside];
+    all.extend(hypotheses.rules.iter().map(|rule| rule.lead));
+    let generators = Generators::of(&all, hypotheses).ok()?;
+    let transcendental = |leaf: &Sym| match leaf.node() {
+        Node::Cos(angle) | Node::Sin(angle) => angle.as_constant().is_some(),
+        _ => false,
+    };
+    // The coordinates of a number, cos 1, have no exact value.
+    if generators.leaves.iter().any(transcendental) {
+        return None;
+    }
+    let target = generators.rewrite(inside);
+    (0..POINTS).find_map(|attempt| {
+        let numbers = Numbers { state: attempt, attempt };
+        let point = Point::at(&generators, hypotheses, numbers, attempt < RATIONAL_POINTS)?;
+        point.witness(target, hypotheses, &generators)
+    })
+}
+
+/// Small numbers in a fixed order, different for every attempt, growing slowly.
+struct Numbers {
+    state: u32,
+    attempt: u32,
+}
+
+impl Numbers {
+    fn next(&mut self) -> Rational {
+        self.state = self.state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let size = i64::from(2 + self.attempt / 8);
+        let draw = i64::from(self.state >> 8);
+        let numerator = draw % (2 * size + 1) - size;
+        let denominator = if self.attempt < 4 { 1 } else { 1 + draw / 64 % (1 + size / 2) };
+        // Zeros hide too much to be drawn often.
+        let numerator = if numerator == 0 && draw / 4096 % 4 != 0 { size } else { numerator };
+        Rational::new(numerator, denominator)
+    }
+}
+
+/// Values of the generators.
+struct Point {
+    values: FxHashMap<Sym, Sym>,
+}
+
+impl Point {
+    /// Free generators take numbers; spheres and circles their rational points; every other rule is solved for its
+    /// lead, which takes a root.
+    fn at(generators: &Generators, hypotheses: &Hypotheses, mut numbers: Numbers, rational: bool) -> Option<Self> {
+        let mut values: FxHashMap<Sym, Sym> = FxHashMap::default();
+        for sphere in &hypotheses.spheres {
+            let free: Vec<Rational> = sphere[1..].iter().map(|_| numbers.next()).collect();
+            let norm = free.iter().fold(Rational::zero(), |sum, t| sum + *t * *t);
+            let first = (norm - Rational::one()) / (norm + Rational::one());
+            let others = free.iter().map(|t| Rational::int(2) * *t / (norm + Rational::one()));
+            let coordinates = others.chain([first]);
+            values.extend(sphere.iter().copied().zip(coordinates.map(Sym::constant)));
+        }
+        for &leaf in &generators.leaves {
+            if let Node::Sin(angle) = leaf.node() {
+                let t = numbers.next();
+                let norm = Rational::one() + t * t;
+                values.insert(leaf, Sym::constant((t + t) / norm));
+                values.insert(Sym::from_node(Node::Cos(angle)), Sym::constant((Rational::one() - t * t) / norm));
+            }
+        }
+        let led = |leaf: &Sym| generators.rules.iter().any(|rule| rule.lead == *leaf);
+        for &leaf in &generators.leaves {
+            if !values.contains_key(&leaf) && !led(&leaf) {
+                // A lone cosine must lie between -1 and 1.
+                let number = numbers.next();
+                let bounded = match leaf.node() {
+                    Node::Cos(_) => (Rational::one() - number * number) / (Rational::one() + number * number),
+                    _ => number,
+                };
+                values.insert(leaf, Sym::constant(bounded));
+            }
+        }
+        let mut point = Point { values };
+        for rule in generators.rules.iter().rev().filter(|rule| rule.power <= 2) {
+            if point.values.contains_key(&rule.lead) {
+                continue;
+            }
+            let tail = point.exact(generators.rewrite(rule.tail), generators)?;
+            let value = if rule.power == 1 { tail } else { Sym::constant(tail.as_constant()?).sqrt() };
+            let value = point.with_sign(rule.lead, value, generators)?;
+            let of_number = rule.tail.as_constant().is_some();
+            if value == Sym::UNDEFINED || (rational && !of_number && value.as_constant().is_none()) {
+                return None;
+            }
+            point.values.insert(rule.lead, value);
+        }
+        generators.leaves.iter().all(|leaf| point.values.contains_key(leaf)).then_some(point)
+    }
+
+    /// The generator of a root of N/D is D sqrt(N/D): it has the sign of D.
+    fn with_sign(&self, lead: Sym, value: Sym, generators: &Generators) -> Option<Sym> {
+        match lead.node() {
+            Node::Product(denominator, _) => {
+                let denominator = self.exact(generators.rewrite(denominator), generators)?.as_constant()?;
+                match denominator.sign()? {
+                    0 => None,
+                    -1 => Some(-value),
+                    _ => Some(value),
+                }
+            }
+            _ => Some(value),
+        }
+    }
+
+    /// The exact value of an expression over the generators.
+    fn exact(&self, expression: Sym, generators: &Generators) -> Option<Sym> {
+        let rational = self.rational(expression, generators);
+        if let Some(value) = rational {
+            return value.is_defined().then(|| Sym::constant(value));
+        }
+        let mut new: FxHashMap<Sym, Sym> = FxHashMap::default();
+        for each in generators.inside(expression) {
+            let value = match self.values.get(&each) {
+                Some(&value) => value,
+                None => each.node().rebuild(each, |a| new[a]),
+            };
+            new.insert(each, value);
+        }
+        Some(normal_form(new[&expression], &Hypotheses::none()).ok()?.to_sym())
+    }
+
+    fn rational(&self, expression: Sym, generators: &Generators) -> Option<Rational> {
+        let mut values: FxHashMap<Sym, Rational> = FxHashMap::default();
+        for each in generators.inside(expression) {
+            let of = |a| values[&a];
+            let value = match (self.values.get(&each), each.node()) {
+                (Some(value), _) => value.as_constant()?,
+                (None, Node::Sum(a, b)) => of(a) + of(b),
+                (None, Node::Difference(a, b)) => of(a) - of(b),
+                (None, Node::Product(a, b)) => of(a) * of(b),
+                (None, Node::Quotient(a, b)) => of(a) / of(b),
+                (None, Node::Negation(a)) => -of(a),
+                (None, Node::Power(a, n)) => num_traits::pow(of(a), n as usize),
+                (None, _) => each.as_constant()?,
+            };
+            values.insert(each, value);
+        }
+        Some(values[&expression])
+    }
+
+    fn witness(self, target: Sym, hypotheses: &Hypotheses, generators: &Generators) -> Option<Witness> {
+        let value = self.exact(target, generators).filter(|value| !value.is_zero())?;
+        let mut point = Vec::new();
+        let mut formal = Vec::new();
+        for &leaf in &generators.leaves {
+            point.push((leaf, self.values[&leaf]));
+            if let Node::Cos(angle) | Node::Sin(angle) = leaf.node()
+                && angle.symbols_of().iter().any(|symbol| generators.index.contains_key(symbol))
+            {
+                formal.push(leaf);
+            }
+        }
+        for &(symbol, expression) in &hypotheses.given {
+            if let Ok(rest) = Generators::of(&[expression], hypotheses)
+                && rest.leaves.iter().all(|leaf| generators.index.contains_key(leaf))
+            {
+                point.push((symbol, self.exact(generators.rewrite(rest.rewrite(expression)), generators)?));
+            }
+        }
+        Some(Witness { point, value, formal })
+    }
+}

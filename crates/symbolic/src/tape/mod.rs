@@ -1,0 +1,79 @@
+//! Expressions as straight-line programs.
+
+mod record;
+mod run;
+mod series;
+
+pub use record::Untapeable;
+pub use run::Program;
+pub use series::{IllPosed, Series};
+
+use field::Rational;
+
+/// A straight-line program without branches: what the expressions compute, every common part once.
+///
+/// A tape knows nothing of the expression graph and may be sent to other threads. [`Tape::over`] readies it for a
+/// field, [`Tape::series`] for Taylor series of the differential equation that it is the right side of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tape {
+    inputs: usize,
+    constants: Vec<Rational>,
+    operations: Vec<Operation>,
+    outputs: Vec<Register>,
+    registers: usize,
+}
+
+/// A place for a number: inputs first, then constants, then results in the order of the operations.
+type Register = u32;
+
+/// What is computed from earlier registers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Operation {
+    Sum(Register, Register),
+    Difference(Register, Register),
+    Product(Register, Register),
+    /// A product whose first factor is a constant.
+    Multiple(Register, Register),
+    Quotient(Register, Register),
+    /// A quotient whose divisor is a constant.
+    Part(Register, Register),
+    Negation(Register),
+    Root(Register),
+    /// Cosine and sine of one angle, in two registers.
+    Circle(Register),
+}
+
+impl Operation {
+    fn operands(self) -> [Register; 2] {
+        match self {
+            Operation::Sum(a, b)
+            | Operation::Difference(a, b)
+            | Operation::Product(a, b)
+            | Operation::Multiple(a, b)
+            | Operation::Quotient(a, b)
+            | Operation::Part(a, b) => [a, b],
+            Operation::Negation(a) | Operation::Root(a) | Operation::Circle(a) => [a, a],
+        }
+    }
+
+    fn results(self) -> usize {
+        if matches!(self, Operation::Circle(_)) { 2 } else { 1 }
+    }
+}
+
+impl Tape {
+    /// How many numbers go in.
+    pub fn inputs(&self) -> usize {
+        self.inputs
+    }
+
+    /// How many numbers come out.
+    pub fn outputs(&self) -> usize {
+        self.outputs.len()
+    }
+
+    /// How many operations there are; a cosine with its sine is one.
+    pub fn operations(&self) -> usize {
+        self.operations.len()
+    }
+}

@@ -1,0 +1,55 @@
+//! Running a tape.
+
+use super::{Operation, Tape};
+use crate::evaluate::constant;
+use field::Analytic;
+
+/// A tape over a field, with its registers: evaluation allocates nothing.
+#[derive(Clone, Debug)]
+pub struct Program<'a, S> {
+    tape: &'a Tape,
+    registers: Vec<S>,
+}
+
+impl Tape {
+    /// The program over a field.
+    pub fn over<S: Analytic>(&self) -> Program<'_, S> {
+        let mut registers = vec![S::zero(); self.registers];
+        for (register, value) in registers[self.inputs..].iter_mut().zip(&self.constants) {
+            *register = constant(*value);
+        }
+        Program { tape: self, registers }
+    }
+}
+
+impl<S: Analytic> Program<'_, S> {
+    /// The outputs at the inputs; numbers that are missing in `inputs` stay what they were, superfluous ones are
+    /// ignored, and of the outputs as many are written as there is room for.
+    pub fn evaluate(&mut self, inputs: &[S], outputs: &mut [S]) {
+        let Tape { inputs: count, constants, operations, outputs: results, .. } = self.tape;
+        for (register, input) in self.registers[..*count].iter_mut().zip(inputs) {
+            *register = *input;
+        }
+        let mut next = count + constants.len();
+        for &operation in operations {
+            let [a, b] = operation.operands().map(|operand| self.registers[operand as usize]);
+            self.registers[next] = match operation {
+                Operation::Sum(..) => a + b,
+                Operation::Difference(..) => a - b,
+                Operation::Product(..) | Operation::Multiple(..) => a * b,
+                Operation::Quotient(..) | Operation::Part(..) => a / b,
+                Operation::Negation(_) => -a,
+                Operation::Root(_) => a.sqrt(),
+                Operation::Circle(_) => {
+                    let point = a.circle();
+                    self.registers[next + 1] = point.sin;
+                    point.cos
+                }
+            };
+            next += operation.results();
+        }
+        for (output, &register) in outputs.iter_mut().zip(results) {
+            *output = self.registers[register as usize];
+        }
+    }
+}
