@@ -32,6 +32,7 @@ pub use state::Axes;
 use crate::machines::AnyMachine;
 use crate::systems::gyrostat::Gyrostat;
 use read::Table;
+use std::io;
 use std::path::Path;
 
 /// What moves.
@@ -73,7 +74,7 @@ impl Scene {
         if path.is_dir() {
             return Err(SceneError::whole(&name, "this is a folder", needed));
         }
-        let bytes = std::fs::read(path).map_err(|error| SceneError::whole(&name, error.to_string(), needed))?;
+        let bytes = std::fs::read(path).map_err(|error| SceneError::whole(&name, unreadable(&error), needed))?;
         let text = String::from_utf8(bytes)
             .map_err(|error| SceneError::whole(&name, format!("this is no text: {}", error.utf8_error()), needed))?;
         Self::parse(&name, &text)
@@ -122,6 +123,15 @@ impl Scene {
         let ((machine, machine_data), system) = (machine?, system?);
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
         Some(Scene { title, description, system, machine, machine_data, start: start?, run: run? })
+    }
+}
+
+/// In the same words on every system where it matters.
+fn unreadable(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        io::ErrorKind::PermissionDenied => "this file may not be read".to_owned(),
+        _ => error.to_string(),
     }
 }
 

@@ -20,6 +20,8 @@ pub struct Table<'a> {
     asked: Vec<&'static str>,
     /// Whether a key that nobody asked for is wrong.
     judged: bool,
+    /// Keys that should be here, each with what is told if no misspelt key explains its absence.
+    missing: Vec<(&'static str, Issue)>,
     issues: Vec<Issue>,
 }
 
@@ -32,14 +34,11 @@ pub struct At<T> {
 impl<'a> Table<'a> {
     /// The top of a file.
     pub fn top(entries: &'a Spanned<DeTable<'a>>) -> Self {
-        Table {
-            name: "",
-            span: 0..0,
-            entries: Some(entries.get_ref()),
-            asked: Vec::new(),
-            judged: true,
-            issues: Vec::new(),
-        }
+        Self::new("", 0..0, Some(entries.get_ref()))
+    }
+
+    fn new(name: &'a str, span: Range<usize>, entries: Option<&'a DeTable<'a>>) -> Self {
+        Table { name, span, entries, asked: Vec::new(), judged: true, missing: Vec::new(), issues: Vec::new() }
     }
 
     /// A table inside this one.
@@ -53,11 +52,11 @@ impl<'a> Table<'a> {
             }
             None => {
                 let issue = Issue::at(self.span.clone(), format!("the table [{name}] is missing"), "in this file");
-                self.issues.push(issue.accepted(format!("[{name}] gives {holds}")));
+                self.missing.push((name, issue.accepted(format!("[{name}] gives {holds}"))));
                 (self.span.clone(), None)
             }
         };
-        Table { name, span, entries, asked: Vec::new(), judged: true, issues: Vec::new() }
+        Table::new(name, span, entries)
     }
 
     /// Where the heading of the table is.
@@ -72,7 +71,7 @@ impl<'a> Table<'a> {
 
     /// Whether anything was found wrong so far.
     pub fn has_issues(&self) -> bool {
-        !self.issues.is_empty()
+        !(self.issues.is_empty() && self.missing.is_empty())
     }
 
     /// Whether the value at a place was already found wrong, and replaced.
@@ -153,7 +152,7 @@ impl<'a> Table<'a> {
                     Ok(value) if (least..=most).contains(&value) => value,
                     _ => {
                         let title = format!("`{key}` is out of range");
-                        self.report(Issue::at(span.clone(), title, "too small or too large").accepted(accepted));
+                        self.report(Issue::at(span.clone(), title, "not in the range").accepted(accepted));
                         least
                     }
                 }
@@ -238,11 +237,11 @@ impl<'a> Table<'a> {
         self.entries?.get(key)
     }
 
-    fn missing(&mut self, key: &str, needed: &str) {
+    fn missing(&mut self, key: &'static str, needed: &str) {
         if self.exists() {
             let place = if self.name.is_empty() { "in this file".to_owned() } else { format!("in [{}]", self.name) };
             let issue = Issue::at(self.span(), format!("`{key}` is missing"), place);
-            self.report(issue.accepted(format!("`{key}` is the {needed}")));
+            self.missing.push((key, issue.accepted(format!("`{key}` is the {needed}"))));
         }
     }
 
@@ -259,18 +258,21 @@ impl<'a> Table<'a> {
                 continue;
             }
             let known = || self.asked.iter().copied();
-            let accepted = match nearest(name, known()) {
+            let absent = nearest(name, self.missing.iter().map(|(key, _)| *key));
+            let accepted = match absent.or_else(|| nearest(name, known())) {
                 Some(nearest) => format!("is `{nearest}` meant?"),
                 None => format!("known here: {}", known().collect::<Vec<_>>().join(", ")),
             };
+            self.missing.retain(|(key, _)| Some(*key) != absent);
             self.issues
                 .push(Issue::at(key.span(), format!("unknown key `{name}`"), "not known here").accepted(accepted));
         }
+        self.issues.extend(self.missing.into_iter().map(|(_, issue)| issue));
         self.issues
     }
 }
 
 fn of_quantity(key: &str, meaning: &str, span: Range<usize>, wrong: &NoQuantity, accepted: &str) -> Issue {
-    let title = format!("`{key}` is not the {meaning}");
+    let title = format!("`{key}`, the {meaning}, cannot be read");
     Issue::at(span, title, wrong.to_string()).accepted(accepted)
 }

@@ -45,7 +45,7 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, on_bench: bool, machin
     }
     let method = table.optional_text("method", "name of a method");
     let method = method.map_or(Ok(Method::DormandPrince8), |At { value, span }| {
-        methods::method(&value).map_err(|(wrong, accepted)| Issue::at(span, wrong, "not known").accepted(accepted))
+        methods::method(&value).map_err(|(wrong, accepted)| Issue::at(span, wrong, "not accepted").accepted(accepted))
     });
     let outputs = table.texts("outputs", "[\"slip\"]");
     if let Some(machine) = machine {

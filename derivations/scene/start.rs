@@ -46,14 +46,7 @@ pub fn read(
     }
     let rotor_angle = table.optional_scalar("rotor_angle", "angle of the rotor against the stator's field", "rad");
     let rotor_speed = rotor_speed(&mut table, machine);
-    let meaning = "currents, one for each winding: the excitation less its constant part, then the bars";
-    let currents = match machine {
-        Some(machine) => table.optional_row("currents", meaning, windings(machine), "A"),
-        None => {
-            table.known(&["currents"]);
-            None
-        }
-    };
+    let currents = currents(&mut table, machine);
     let sound = table.exists() && !table.has_issues();
     issues.extend(table.finish());
     sound.then(|| Start {
@@ -61,8 +54,26 @@ pub fn read(
         vertical,
         rotor_angle: rotor_angle.map_or(0.0, |angle| angle.value),
         rotor_speed,
-        currents: currents.map_or_else(Vec::new, |currents| currents.value),
+        currents,
     })
+}
+
+/// One for each winding, where they are not all zero.
+fn currents(table: &mut Table<'_>, machine: Option<&AnyMachine>) -> Vec<f64> {
+    let meaning = "row of currents, one for each winding: the excitation less its constant part, then the bars";
+    // without a machine nobody knows how many there must be
+    let Some(windings) = machine.map(windings) else {
+        table.known(&["currents"]);
+        return Vec::new();
+    };
+    match table.optional_row("currents", meaning, windings.max(1), "A") {
+        Some(given) if windings == 0 => {
+            let issue = Issue::at(given.span, "`currents` of a machine without windings", "it has no currents");
+            table.report(issue.accepted("leave it out"));
+            Vec::new()
+        }
+        given => given.map_or_else(Vec::new, |given| given.value),
+    }
 }
 
 /// A machine that keeps a speed needs none, and no other would be true.
