@@ -2,21 +2,26 @@
 
 use crate::{Line, Proof, Theorem};
 use num_traits::One;
-use symbolic::{Decision, Dimension, Hypotheses, Sym, decide, dimension as dimension_of};
+use symbolic::{Decision, Dimension, Hypotheses, Node, Sym, decide, dimension as dimension_of};
 
 /// How many terms of a right side are mutated: enough to see that the prover can say no.
 const MUTANTS: usize = 6;
 
 /// Objections to equalities: sides of different dimension or the same node, a mutant that passes, hypotheses that
 /// nothing satisfies.
-pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Vec<String> {
+pub fn equations(
+    lines: &[Line],
+    hypotheses: &Hypotheses,
+    dimension: &dyn Fn(&str) -> Option<Dimension>,
+) -> Vec<String> {
     let mut objections = Vec::new();
     for line in lines {
         if line.derived == line.printed() {
-            objections.push(format!("both sides of {} = {} are one expression: nothing was compared", line.left, line.right));
+            objections
+                .push(format!("both sides of {} = {} are one expression: nothing was compared", line.left, line.right));
         }
         for side in [line.left - line.right, line.derived - line.printed()] {
-            objections.extend(dimension_of(side, dimension).err().map(|mismatch| mismatch.to_string()));
+            objections.extend(mismatch(side, dimension));
         }
         // a mutant of a true line must fail; of a false line too, unless the mutation is the correction
         let holds = decide(line.derived - line.printed(), hypotheses).is_zero();
@@ -39,7 +44,7 @@ pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: &dyn Fn(&st
 pub fn theorem(theorem: &Theorem, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Vec<String> {
     let mut objections = Vec::new();
     for condition in theorem.given.iter().chain(&theorem.then) {
-        objections.extend(dimension_of(condition.expression(), dimension).err().map(|mismatch| mismatch.to_string()));
+        objections.extend(mismatch(condition.expression(), dimension));
     }
     let mutable = !matches!(theorem.proof, Proof::Counterexample(_) | Proof::NoRoot { .. } | Proof::Example(_));
     if mutable && theorem.decide().0 == crate::Verdict::Proved {
@@ -52,11 +57,24 @@ pub fn theorem(theorem: &Theorem, dimension: &dyn Fn(&str) -> Option<Dimension>)
     objections
 }
 
+fn mismatch(expression: Sym, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Option<String> {
+    dimension_of(expression, &|name: &str| dimension(name)).err().map(|mismatch| mismatch.to_string())
+}
+
 /// The expression with one sign turned, term by term, and doubled.
 pub fn mutants(expression: Sym) -> Vec<Sym> {
-    let terms = expression.terms();
+    let terms = summands(expression);
     let turned = (0..terms.len()).map(|k| {
         terms.iter().enumerate().fold(Sym::ZERO, |sum, (j, &term)| if j == k { sum - term } else { sum + term })
     });
     turned.chain([expression + expression]).collect()
+}
+
+/// What a sum adds up, signs included.
+fn summands(expression: Sym) -> Vec<Sym> {
+    match expression.node() {
+        Node::Sum(a, b) => [summands(a), summands(b)].concat(),
+        Node::Difference(a, b) => [summands(a), summands(b).into_iter().map(|term| -term).collect()].concat(),
+        _ => vec![expression],
+    }
 }

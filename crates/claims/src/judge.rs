@@ -81,7 +81,9 @@ impl Claim {
                 judged.requires = stated(&theorem.rules);
                 judged.requires.extend(theorem.given.iter().map(|c| (c.to_string(), c.latex())));
                 (judged.verdict, judged.evidence) = theorem.decide();
-                if let Proof::Counterexample(point) | Proof::Example(point) | Proof::NoRoot { at: point, .. } = &theorem.proof {
+                if let Proof::Counterexample(point) | Proof::Example(point) | Proof::NoRoot { at: point, .. } =
+                    &theorem.proof
+                {
                     judged.counterexample =
                         point.values().iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
                 }
@@ -119,9 +121,8 @@ impl Judged {
             Decision::NonZero(witness) => {
                 self.counterexample =
                     witness.point.iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
-                self.difference = normal(difference, hypotheses)
-                    .ok()
-                    .map(|form| (form.to_string(), form.to_sym().latex()));
+                self.difference =
+                    normal(difference, hypotheses).ok().map(|form| (form.to_string(), form.to_sym().latex()));
                 (Verdict::Refuted, format!("at the exact point the sides differ by {}", witness.value))
             }
             Decision::Undefined(denominator) => (Verdict::Undefined, format!("{denominator} vanishes identically")),

@@ -26,7 +26,11 @@ pub struct Draft<'a> {
 
 impl Page {
     /// An empty page. `dimensions` knows the dimension of every symbol of the paper.
-    pub fn of(paper: &'static str, title: &'static str, dimensions: impl Fn(&str) -> Option<Dimension> + 'static) -> Self {
+    pub fn of(
+        paper: &'static str,
+        title: &'static str,
+        dimensions: impl Fn(&str) -> Option<Dimension> + 'static,
+    ) -> Self {
         Page { paper, title, dimensions: Box::new(dimensions), section: "", claims: Vec::new() }
     }
 
@@ -125,7 +129,9 @@ impl<'a> Draft<'a> {
     ) -> &'a mut Page {
         let (conclusions, certificates) = then
             .into_iter()
-            .map(|(conclusion, multiplier, cofactors)| (conclusion, Combination { multiplier, cofactors, factor: None }))
+            .map(|(conclusion, multiplier, cofactors)| {
+                (conclusion, Combination { multiplier, cofactors, factor: None })
+            })
             .unzip::<_, _, Vec<_>, Vec<_>>();
         self.theorem(conclusions, Proof::Combinations(certificates), Verdict::Proved)
     }
@@ -162,8 +168,7 @@ impl<'a> Draft<'a> {
     }
 
     fn equations(self, lines: impl IntoIterator<Item = Line>, expected: Verdict) -> &'a mut Page {
-        let statement =
-            Statement::Equations { lines: lines.into_iter().collect(), hypotheses: self.rules.clone() };
+        let statement = Statement::Equations { lines: lines.into_iter().collect(), hypotheses: self.rules.clone() };
         self.finish(statement, expected)
     }
 

@@ -131,10 +131,11 @@ impl Theorem {
             Ok(form) => form,
             Err(reason) => return (Verdict::Undecided, reason.to_string()),
         };
-        let sign = match (one_sign(form.numerator(), positive, &nonzero), one_sign(form.denominator(), positive, &nonzero)) {
-            (Some(a), Some(b)) => a * b,
-            _ => return (Verdict::Undecided, format!("the terms of {form} differ in sign")),
-        };
+        let sign =
+            match (one_sign(form.numerator(), positive, &nonzero), one_sign(form.denominator(), positive, &nonzero)) {
+                (Some(a), Some(b)) => a * b,
+                _ => return (Verdict::Undecided, format!("the terms of {form} differ in sign")),
+            };
         match conclusion {
             Condition::Positive(_) if sign > 0 => (Verdict::Proved, "every term is positive".into()),
             Condition::NonZero(_) => (Verdict::Proved, "all terms have one sign".into()),

@@ -30,7 +30,8 @@ fn write_claim(page: &mut String, claim: &Judged, indent: &str) {
         let _ = writeln!(page, "{indent}           requires {}", conditions.join(", "));
     }
     if !claim.counterexample.is_empty() {
-        let values: Vec<String> = claim.counterexample.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        let values: Vec<String> =
+            claim.counterexample.iter().map(|(name, value)| format!("{name} = {value}")).collect();
         let _ = writeln!(page, "{indent}           at {}", values.join(", "));
     }
     if claim.verdict == Verdict::Refuted {

@@ -1,6 +1,6 @@
 //! Beyond the paper: power balance, a function that never grows, integrals, and stationary motions as critical points.
 
-use super::letters::{Letters, current, cyclic, letter, number, one};
+use super::letters::{Letters, current, cyclic, letter, number, one, vector};
 use super::section3::{WithFriction, driven, excess_friction, friction};
 use crate::machines::{heat, stored_energy};
 use claims::{Condition, Page};
@@ -35,9 +35,13 @@ fn integrals(page: &mut Page, s: &Letters) {
         .under(&s.unit_axis)
         .follows([Equal(x.dot(&nu).slope, carried)]);
     let still = absolute_rate(x, s.w).dot(&s.nu) - carried;
-    page.claim("beyond-integrals", "no-weight", r"because the moment of the weight has no vertical part: $\nu\cdot(\Gamma e\times\nu)=0$")
-        .under(&s.unit_axis)
-        .follows([Zero(still - g.weight().cross(&s.nu).dot(&s.nu))]);
+    page.claim(
+        "beyond-integrals",
+        "no-weight",
+        r"because the moment of the weight has no vertical part: $\nu\cdot(\Gamma e\times\nu)=0$",
+    )
+    .under(&s.unit_axis)
+    .follows([Zero(still - g.weight().cross(&s.nu).dot(&s.nu))]);
 }
 
 /// dE/dt for the bodies, for the circuits, and together.
@@ -81,12 +85,16 @@ fn circuits(page: &mut Page, s: &Letters) {
             s.dgamma * excess_friction(s) - letter("μ") * s.dgamma.powi(2) - lost,
         )]);
     let (secant, r1, r2, mu) = (letter("κ"), letter("R1"), letter("R2"), letter("μ"));
-    page.claim("beyond-power", "falling-strictly", r"with $\Delta M_2=-\kappa\dot\gamma$: $-\dot W > 0$ unless $\dot\gamma$ and all currents vanish")
-        .given([secant, r1, r2, mu].map(Positive))
-        .given([NonZero(s.dgamma)])
-        .by_signs([Positive(
-            secant * s.dgamma.powi(2) + mu * s.dgamma.powi(2) + r1 * letter("x").powi(2) + r2 * current(1).powi(2),
-        )]);
+    page.claim(
+        "beyond-power",
+        "falling-strictly",
+        r"with $\Delta M_2=-\kappa\dot\gamma$: $-\dot W > 0$ unless $\dot\gamma$ and all currents vanish",
+    )
+    .given([secant, r1, r2, mu].map(Positive))
+    .given([NonZero(s.dgamma)])
+    .by_signs([Positive(
+        secant * s.dgamma.powi(2) + mu * s.dgamma.powi(2) + r1 * letter("x").powi(2) + r2 * current(1).powi(2),
+    )]);
     let potential = -(s.b0 * s.angle().cos);
     page.claim("beyond-power", "minimum", r"as a function of $\gamma$ it has slope $b_0\sin\gamma + c_0$ and curvature $b_0\cos\gamma$: minima at $\gamma^{(0)}$, maxima at $\gamma^{(1)}$")
         .follows([
@@ -105,15 +113,13 @@ fn critical_points(page: &mut Page, s: &Letters) {
     page.claim("beyond-critical", "gradient", r"(6.5) is $\operatorname{grad}U\times\nu=0$ with $U(\nu;\omega^0) = \frac12\omega^{0\,2}\,\nu\cdot A^*\nu + A'\Omega\omega^0\,l\cdot\nu + \Gamma\,e\cdot\nu$: the stationary directions for a given $\omega^0$ are the critical points of $U$ on the sphere, so there are at least two (greatest and least value)")
         .follows((0..3).map(|i| Equal(tangential[i], s.conditions()[i])));
     // (a_i - lambda) nu_i + d_i = 0, |nu| = 1
-    let lambda = Sym::symbol("λ");
-    let a = Vector3::from(["α1", "α2", "α3"].map(Sym::symbol));
-    let d = Vector3::from(["δ1", "δ2", "δ3"].map(Sym::symbol));
+    let lambda = letter("λ");
+    let a = vector("α");
+    let d = vector("δ");
     let squares = cyclic(|i, _, _| (a[i] - lambda).powi(2));
     let others = |i: usize| squares[(i + 1) % 3] * squares[(i + 2) % 3];
-    let sextic = squares.x * squares.y * squares.z
-        - d.x.powi(2) * others(0)
-        - d.y.powi(2) * others(1)
-        - d.z.powi(2) * others(2);
+    let sextic =
+        squares.x * squares.y * squares.z - d.x.powi(2) * others(0) - d.y.powi(2) * others(1) - d.z.powi(2) * others(2);
     let plus = cyclic(|i, _, _| (a[i] - lambda) * s.nu[i] + d[i]);
     let minus = cyclic(|i, _, _| (a[i] - lambda) * s.nu[i] - d[i]);
     let norm = s.nu.dot(&s.nu) - one();
@@ -133,17 +139,18 @@ fn critical_points(page: &mut Page, s: &Letters) {
 
 /// D from the data: lower bound through the least moment a of A, in principal axes of A with A_i = a + d_i.
 fn bounds(page: &mut Page, s: &Letters) {
-    let least = Sym::symbol("a");
-    let d = ["d1", "d2", "d3"].map(Sym::symbol);
+    let least = letter("a");
+    let d = vector("d");
     let l2 = s.l.map(|c| c.powi(2));
     let compliance = (0..3).fold(Sym::ZERO, |sum, i| sum + l2[i] / (least + d[i]));
     let all = Matrix3::from_diagonal(&Vector3::from_fn(|i, _| least + d[i])) + s.l * s.l.transpose() * s.axial;
     let reduced = (least + d[0]) * (least + d[1]) * (least + d[2]);
-    page.claim("beyond-singular", "reciprocal", r"$1/D = 1 + A'\,l\cdot A^{-1}l$, in the principal axes of $A$ with moments $a+d_i$")
-        .follows([Equal(
-            mechanics::rotation::determinant(&all) / reduced,
-            one() + s.axial * compliance,
-        )]);
+    page.claim(
+        "beyond-singular",
+        "reciprocal",
+        r"$1/D = 1 + A'\,l\cdot A^{-1}l$, in the principal axes of $A$ with moments $a+d_i$",
+    )
+    .follows([Equal(mechanics::rotation::determinant(&all) / reduced, one() + s.axial * compliance)]);
     let room = l2.sum() / least - compliance;
     page.claim("beyond-singular", "lower-bound", r"$D \ge a/(a+A')$ with the least principal moment $a$ of $A$ (no less than the carrier's least moment about $O$): $|l|^2/a - l\cdot A^{-1}l = \sum l_i^2d_i/(a(a+d_i)) \ge 0$, here for all $d_i>0$, $l_1\ne0$")
         .given([Positive(least), Positive(d[0]), Positive(d[1]), Positive(d[2]), NonZero(s.l.x)])

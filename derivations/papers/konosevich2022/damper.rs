@@ -42,9 +42,13 @@ fn reduction(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
     let (same_moment, same_rates) = driven(equivalent.clone(), s, &lump(&currents));
     let lumped_rates = lump(&rates);
     let says = if lines == 1 {
-        format!(r"$n_2={bars}$: all bars lie along one line, and one winding with flux $a_2\sqrt{{{bars}}}$ does exactly the same")
+        format!(
+            r"$n_2={bars}$: all bars lie along one line, and one winding with flux $a_2\sqrt{{{bars}}}$ does exactly the same"
+        )
     } else {
-        format!(r"$n_2={bars}$: two equal windings across each other with flux $a_2\sqrt{{{bars}/2}}$ do exactly the same")
+        format!(
+            r"$n_2={bars}$: two equal windings across each other with flux $a_2\sqrt{{{bars}/2}}$ do exactly the same"
+        )
     };
     page.claim("beyond-damper", slug, says).follows(
         std::iter::once(Equal(moment, same_moment))
@@ -55,7 +59,7 @@ fn reduction(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
 
 /// For every N: the sum of u_n u_n^T over evenly spaced bars, through the sum of the doubled angles by induction.
 fn every_number(page: &mut Page, s: &Letters) {
-    let bar = |name: &str| Circle { cos: Sym::symbol(&format!("c{name}")), sin: Sym::symbol(&format!("s{name}")) };
+    let bar = |name: &str| Circle { cos: letter(&format!("c{name}")), sin: letter(&format!("s{name}")) };
     // half of the doubled step, h = 2 pi/N, and the doubled angle after n steps
     let (half, at) = (bar("h"), bar("n"));
     let step = half + half;
@@ -104,13 +108,14 @@ fn every_number(page: &mut Page, s: &Letters) {
 /// What the other combinations of currents do: for N = 3 the sum, for N = 2 the sum, for N = 4 two.
 fn other_modes(page: &mut Page, s: &Letters) {
     let mut decays = Vec::new();
-    for (bars, modes) in [(2u32, vec![vec![1, 1]]), (3, vec![vec![1, 1, 1]]), (4, vec![vec![1, 0, 1, 0], vec![0, 1, 0, 1]])] {
+    for (bars, modes) in
+        [(2u32, vec![vec![1, 1]]), (3, vec![vec![1, 1, 1]]), (4, vec![vec![1, 0, 1, 0], vec![0, 1, 0, 1]])]
+    {
         let currents = s.currents(bars);
         let (_, rates) = driven(s.evenly_spaced(bars), s, &currents);
         for mode in modes {
-            let along = |values: &[Sym]| {
-                mode.iter().zip(&values[1..]).fold(Sym::ZERO, |sum, (&m, &i)| sum + number(m, 1) * i)
-            };
+            let along =
+                |values: &[Sym]| mode.iter().zip(&values[1..]).fold(Sym::ZERO, |sum, (&m, &i)| sum + number(m, 1) * i);
             decays.push(Equal(along(&rates), -(letter("R2") / letter("L2") * along(&currents))));
         }
     }
@@ -144,9 +149,13 @@ fn constant_slip(page: &mut Page, s: &Letters) {
     let single = s.evenly_spaced(1).bars[0];
     let moment = -(a2 * steady(single) * (gamma + single).cos);
     let double = (gamma + single) + (gamma + single);
-    page.claim("beyond-damper", "pulsating", r"one bar: the moment pulsates with the double angle about half of Kloss' value, and takes both signs")
-        .follows([Equal(
-            moment,
-            -(a2.powi(2) * slip / (number(2, 1) * norm) * (r2 + r2 * double.cos + l2 * slip * double.sin)),
-        )]);
+    page.claim(
+        "beyond-damper",
+        "pulsating",
+        r"one bar: the moment pulsates with the double angle about half of Kloss' value, and takes both signs",
+    )
+    .follows([Equal(
+        moment,
+        -(a2.powi(2) * slip / (number(2, 1) * norm) * (r2 + r2 * double.cos + l2 * slip * double.sin)),
+    )]);
 }

@@ -2,13 +2,13 @@
 
 use crate::machines::multi_current::{MultiCurrent, Windings};
 use crate::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
-use field::{Analytic, Circle, Scalar};
+use field::{Analytic, Circle, Rational, Scalar};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::{One, Zero};
 use symbolic::{Dimension, Hypotheses, Sym};
 
-/// (name, LaTeX, exponents of kg, m, s, A). A `#` in a name stands for 1, 2, 3.
-const LETTERS: &[(&str, &str, [i32; 4])] = &[
+/// (name, LaTeX, exponents of kg, m, s, A). A `#` at the end of a name stands for 1, 2, 3, two for a pair of them.
+const LETTERS: &[(&str, &str, [i64; 4])] = &[
     ("ω#", r"\omega_#", [0, 0, -1, 0]),
     ("ω̇#", r"\dot\omega_#", [0, 0, -2, 0]),
     ("ν#", r"\nu_#", [0, 0, 0, 0]),
@@ -20,12 +20,9 @@ const LETTERS: &[(&str, &str, [i32; 4])] = &[
     ("A#", "A_#", [1, 2, 0, 0]),
     ("A⋆#", "A^*_#", [1, 2, 0, 0]),
     ("x#", "x_#", [1, 2, -1, 0]),
-    ("A⁰11", "A^0_{11}", [1, 2, 0, 0]),
-    ("A⁰22", "A^0_{22}", [1, 2, 0, 0]),
-    ("A⁰33", "A^0_{33}", [1, 2, 0, 0]),
-    ("A⁰12", "A^0_{12}", [1, 2, 0, 0]),
-    ("A⁰23", "A^0_{23}", [1, 2, 0, 0]),
-    ("A⁰31", "A^0_{31}", [1, 2, 0, 0]),
+    ("A⁰##", "A^0_{##}", [1, 2, 0, 0]),
+    ("A⋆##", "A^*_{##}", [1, 2, 0, 0]),
+    ("A##", "A_{##}", [1, 2, 0, 0]),
     ("m⁰", "m^0", [1, 0, 0, 0]),
     ("m′", "m'", [1, 0, 0, 0]),
     ("A′", "A'", [1, 2, 0, 0]),
@@ -37,6 +34,7 @@ const LETTERS: &[(&str, &str, [i32; 4])] = &[
     ("p′", "p'", [0, 0, -1, 0]),
     ("ṗ′", r"\dot p'", [0, 0, -2, 0]),
     ("M", "M", [1, 2, -2, 0]),
+    ("M2", "M_2", [1, 2, -2, 0]),
     ("γ", r"\gamma", [0, 0, 0, 0]),
     ("γ̇", r"\dot\gamma", [0, 0, -1, 0]),
     ("γ̈", r"\ddot\gamma", [0, 0, -2, 0]),
@@ -60,37 +58,84 @@ const LETTERS: &[(&str, &str, [i32; 4])] = &[
     ("R2", "R_2", [1, 2, -3, -2]),
     ("x", "x", [0, 0, 0, 1]),
     ("ẋ", r"\dot x", [0, 0, -1, 1]),
+    ("D", "D", [0, 0, 0, 0]),
+    ("det Ã", r"\det\tilde A", [3, 6, 0, 0]),
+    ("V⋆", "V^*", [1, 2, 0, 0]),
+    ("S⋆", "S^*", [1, 2, 0, 0]),
+    ("Δ⋆", r"\Delta^*", [2, 4, 0, 0]),
+    ("Π⋆", r"\Pi^*", [0, 0, 0, 0]),
+    ("l⁰", "l^0", [0, 0, 0, 0]),
+    // ours: Euler's angles, a quaternion, a direction, a scale, sines and cosines by name
+    ("ψ", r"\psi", [0, 0, 0, 0]),
+    ("θ", r"\theta", [0, 0, 0, 0]),
+    ("φ", r"\varphi", [0, 0, 0, 0]),
+    ("ψ̇", r"\dot\psi", [0, 0, -1, 0]),
+    ("θ̇", r"\dot\theta", [0, 0, -1, 0]),
+    ("φ̇", r"\dot\varphi", [0, 0, -1, 0]),
+    ("q0", "q_0", [0, 0, 0, 0]),
+    ("q#", "q_#", [0, 0, 0, 0]),
+    ("u#", "u_#", [0, 0, 0, 0]),
+    ("t", "t", [0, 0, 0, 0]),
+    ("r", "r", [0, 0, 0, 0]),
+    ("C", "C", [0, 0, 0, 0]),
+    ("c", "c", [0, 0, 0, 0]),
+    ("s", "s", [0, 0, 0, 0]),
+    ("ch", r"\cos h", [0, 0, 0, 0]),
+    ("sh", r"\sin h", [0, 0, 0, 0]),
+    ("cn", r"\cos 2nh", [0, 0, 0, 0]),
+    ("sn", r"\sin 2nh", [0, 0, 0, 0]),
+    ("ct", r"\cos t", [0, 0, 0, 0]),
+    ("st", r"\sin t", [0, 0, 0, 0]),
+    // ours: a multiplier with what it multiplies, moments of inertia
+    ("λ", r"\lambda", [1, 2, -2, 0]),
+    ("α#", r"\alpha_#", [1, 2, -2, 0]),
+    ("δ#", r"\delta_#", [1, 2, -2, 0]),
+    ("a", "a", [1, 2, 0, 0]),
+    ("d#", "d_#", [1, 2, 0, 0]),
 ];
 
 /// The dimension of a symbol of the paper; `None` for a name that the paper does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
-    let place = |exponents: [i32; 4]| Dimension::of(exponents);
+    let place = |[kg, m, s, a]: [i64; 4]| Dimension::of(kg, m, s, a);
     for (stem, exponents) in [("i̇", [0, 0, -1, 1]), ("i", [0, 0, 0, 1]), ("t", [0, 0, 0, 0])] {
         if name.strip_prefix(stem).is_some_and(|n| !n.is_empty() && n.chars().all(|c| c.is_ascii_digit())) {
             return Some(place(exponents));
         }
     }
+    if name.starts_with("C") && name.len() == 3 {
+        // the root of a moment of inertia
+        return dimension("A′").map(|inertia| inertia.power(Rational::new(1, 2)));
+    }
     LETTERS.iter().find(|(pattern, _, _)| matches(pattern, name)).map(|(_, _, exponents)| place(*exponents))
 }
 
 fn matches(pattern: &str, name: &str) -> bool {
-    match pattern.strip_suffix('#') {
-        Some(stem) => name.strip_prefix(stem).is_some_and(|rest| matches!(rest, "1" | "2" | "3")),
-        None => pattern == name,
-    }
+    let stem = pattern.trim_end_matches('#');
+    let places = pattern.len() - stem.len();
+    name.strip_prefix(stem).is_some_and(|rest| rest.len() == places && rest.chars().all(|c| matches!(c, '1'..='3')))
 }
 
 /// The symbol of a letter; the LaTeX comes from the table.
 pub fn letter(name: &str) -> Sym {
     let found = LETTERS.iter().find(|(pattern, _, _)| matches(pattern, name));
-    found.map_or_else(|| Sym::symbol(name), |(_, latex, _)| {
-        Sym::named(name, &latex.replace('#', name.trim_start_matches(|c: char| !c.is_ascii_digit())))
-    })
+    found.map_or_else(
+        || Sym::symbol(name),
+        |(_, latex, _)| {
+            let index: String = name.chars().filter(|c| matches!(c, '1'..='3')).collect();
+            Sym::named(name, &latex.replace("##", &index).replace('#', &index))
+        },
+    )
 }
 
 /// The three components of a vector.
 pub fn vector(stem: &str) -> Vector3<Sym> {
     Vector3::from_fn(|i, _| letter(&format!("{stem}{}", i + 1)))
+}
+
+/// A symmetric tensor with components 11, 22, 33, 12, 23, 31.
+pub fn tensor(stem: &str) -> Matrix3<Sym> {
+    let [a11, a22, a33, a12, a23, a31] = ["11", "22", "33", "12", "23", "31"].map(|ij| letter(&format!("{stem}{ij}")));
+    Matrix3::new(a11, a12, a31, a12, a22, a23, a31, a23, a33)
 }
 
 /// Everything that the paper names.
@@ -159,14 +204,8 @@ impl Letters {
 
     /// The gyrostat in arbitrary axes, every datum a symbol.
     pub fn general(&self) -> Gyrostat<Sym> {
-        let [a11, a22, a33, a12, a23, a31] =
-            ["11", "22", "33", "12", "23", "31"].map(|index| letter(&format!("A⁰{index}")));
         Gyrostat {
-            carrier: Carrier {
-                mass: letter("m⁰"),
-                centre: vector("c⁰"),
-                inertia: Matrix3::new(a11, a12, a31, a12, a22, a23, a31, a23, a33),
-            },
+            carrier: Carrier { mass: letter("m⁰"), centre: vector("c⁰"), inertia: tensor("A⁰") },
             rotor: self.rotor(),
             gravity: letter("g"),
         }
@@ -184,7 +223,8 @@ impl Letters {
         self.with_reduced_tensor(Matrix3::from_diagonal(&self.a_star) - along * self.axial)
     }
 
-    fn with_reduced_tensor(&self, reduced: Matrix3<Sym>) -> Gyrostat<Sym> {
+    /// The gyrostat in arbitrary axes with a given tensor A.
+    pub fn with_reduced_tensor(&self, reduced: Matrix3<Sym>) -> Gyrostat<Sym> {
         let (h, along) = (self.h, self.l * self.l.transpose());
         let identity = Matrix3::<Sym>::identity();
         let of_rotor = (identity * h.dot(&h) - h * h.transpose()) * self.m_rotor + (identity - along) * self.transverse;

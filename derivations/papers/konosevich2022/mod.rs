@@ -27,7 +27,7 @@ mod section6;
 mod section7;
 mod section8;
 
-pub use letters::Letters;
+pub use letters::{Letters, dimension};
 
 use claims::Page;
 
@@ -37,7 +37,7 @@ pub fn page() -> Page {
     let mut page = Page::of(
         "konosevich2022",
         "Konosevich, Konosevich 2022: gyrostat with an electric motor, model and stationary motions",
-        letters::dimension,
+        dimension,
     );
     section2::claims(&mut page, &letters);
     section3::claims(&mut page, &letters);

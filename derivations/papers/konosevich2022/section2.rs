@@ -1,6 +1,6 @@
 //! Section 2: the mechanical part. Angular momentum, the two inertia tensors, the rotor.
 
-use super::letters::{Letters, cyclic, letter, vector};
+use super::letters::{Letters, cyclic, letter, tensor, vector};
 use claims::{Condition, Line, Page};
 use mechanics::differentiate::gradient;
 use nalgebra::{Matrix3, Vector3};
@@ -16,7 +16,8 @@ pub fn claims(page: &mut Page, s: &Letters) {
     let centre_part = h.cross(&w.cross(&h)) * s.m_rotor;
     let across = l.cross(&w.cross(&l)) * s.transverse;
 
-    page.claim("eq2.1", "components", r"components of $\omega, \nu, l, h, c^0$ in axes fixed in the carrier").defines([]);
+    page.claim("eq2.1", "components", r"components of $\omega, \nu, l, h, c^0$ in axes fixed in the carrier")
+        .defines([]);
 
     let printed = a0 * w + centre_part + l * (s.axial * (w.dot(&l) + s.dphi)) + across;
     page.claim("eq2.2", "momentum", "angular momentum about $O$ as the integral over all mass points")
@@ -28,20 +29,31 @@ pub fn claims(page: &mut Page, s: &Letters) {
         .under(&s.unit_axis)
         .holds(formulas(x, by_energy.into(), printed));
 
-    let full = g.full_tensor();
-    page.claim("eq2.3", "momentum-full", r"$x = A^*\omega + A'\dot\varphi' l$, where $A^*$ is the tensor of all mass points")
-        .under(&s.unit_axis)
-        .holds(formulas(x, momentum, full * w + l * (s.axial * s.dphi)));
+    let along = l * l.transpose() * s.axial;
+    let (full, named) = (g.full_tensor(), tensor("A⋆"));
+    let [momentum, _] = s.with_reduced_tensor(named - along).angular_momentum(w, s.dphi);
+    page.claim(
+        "eq2.3",
+        "momentum-full",
+        r"$x = A^*\omega + A'\dot\varphi' l$, where $A^*$ is the tensor of all mass points",
+    )
+    .under(&s.unit_axis)
+    .holds(formulas(x, momentum, named * w + l * (s.axial * s.dphi)));
     let full_printed = a0 * w + centre_part + l * (s.axial * w.dot(&l)) + across;
-    page.claim("eq2.4", "full-tensor", r"$A^*\omega$ from the bodies' data")
-        .under(&s.unit_axis)
-        .holds(formulas(x, full * w, full_printed));
+    page.claim("eq2.4", "full-tensor", r"$A^*\omega$ from the bodies' data").under(&s.unit_axis).holds(formulas(
+        x,
+        full * w,
+        full_printed,
+    ));
 
-    let reduced = g.reduced_tensor();
+    let (reduced, named) = (g.reduced_tensor(), tensor("A"));
+    let [momentum, _] = s.with_reduced_tensor(named).angular_momentum(w, s.dphi);
     let p = w.dot(&l) + s.dphi;
-    page.claim("eq2.5", "momentum-reduced", r"$x = A\omega + A'p'l$")
-        .under(&s.unit_axis)
-        .holds(formulas(x, momentum, reduced * w + l * (s.axial * p)));
+    page.claim("eq2.5", "momentum-reduced", r"$x = A\omega + A'p'l$").under(&s.unit_axis).holds(formulas(
+        x,
+        momentum,
+        named * w + l * (s.axial * p),
+    ));
     page.claim("eq2.6", "reduced-tensor", r"$A\omega$: the same without the rotor's moment about its axis")
         .under(&s.unit_axis)
         .holds(formulas(x, reduced * w, a0 * w + centre_part + across));
@@ -69,17 +81,17 @@ fn components(page: &mut Page, s: &Letters, slug: &'static str, tensor: Matrix3<
             + axial * l[i].powi(2)
     });
     let mixed = cyclic(|i, j, _| a0[(i, j)] - s.m_rotor * h[i] * h[j] + (axial - s.transverse) * l[i] * l[j]);
-    let names = if slug == "full" { vector("A⋆") } else { vector("A") };
+    let names = super::letters::tensor(if slug == "full" { "A⋆" } else { "A" });
     let says = if slug == "full" { "components of $A^*$" } else { "components of $A$: the terms with $A'$ dropped" };
-    page.claim("eq2.8", slug, format!("{says}; diagonal, then 12, 23, 31"))
-        .under(&s.unit_axis)
-        .holds((0..3).flat_map(|i| {
+    page.claim("eq2.8", slug, format!("{says}; diagonal, then 12, 23, 31")).under(&s.unit_axis).holds((0..3).flat_map(
+        |i| {
             let j = (i + 1) % 3;
             [
-                Line::formula(tensor[(i, i)], names[i], diagonal[i]),
-                Line::formula(tensor[(i, j)], names[i], mixed[i]),
+                Line::formula(tensor[(i, i)], names[(i, i)], diagonal[i]),
+                Line::formula(tensor[(i, j)], names[(i, j)], mixed[i]),
             ]
-        }));
+        },
+    ));
     if slug == "full" {
         page.claim("eq2.8", "symmetric", "the other three components are equal to those with indices exchanged")
             .under(&s.unit_axis)

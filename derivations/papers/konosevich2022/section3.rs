@@ -75,35 +75,46 @@ fn currentless(page: &mut Page, s: &Letters) {
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f: Sym::zero() };
     let (moment, _) = driven(machine, s, &[]);
     let c0 = -friction(s.omega_field);
-    page.claim("eq3.1", "moment", r"from $U = -b_0\cos\gamma$ and friction; $\Delta M_2 = M_2(\dot\gamma+\Omega) + c_0$, $c_0 = -M_2(\Omega)$")
-        .holds([Line::formula(moment, s.moment, excess_friction(s) - s.b0 * s.angle().sin - c0)]);
+    page.claim(
+        "eq3.1",
+        "moment",
+        r"from $U = -b_0\cos\gamma$ and friction; $\Delta M_2 = M_2(\dot\gamma+\Omega) + c_0$, $c_0 = -M_2(\Omega)$",
+    )
+    .holds([Line::formula(moment, s.moment, excess_friction(s) - s.b0 * s.angle().sin - c0)]);
 }
 
 /// (3.2) and c0 > 0. A decreasing law has secants of negative slope: M2(u) - M2(v) = -kappa (u - v), kappa > 0.
 fn signs(page: &mut Page, s: &Letters) {
     let secant = letter("κ");
-    page.claim("eq3.2", "dissipative", r"$\dot\gamma\,\Delta M_2 < 0$: with the secant $\Delta M_2 = -\kappa\dot\gamma$ of a strictly decreasing law")
-        .given([Condition::Positive(secant), Condition::NonZero(s.dgamma)])
-        .note("Strictness is needed: a law that is constant between two speeds makes the product zero.")
-        .by_signs([Condition::Positive(-(s.dgamma * (-secant * s.dgamma)))]);
+    page.claim(
+        "eq3.2",
+        "dissipative",
+        r"$\dot\gamma\,\Delta M_2 < 0$: with the secant $\Delta M_2 = -\kappa\dot\gamma$ of a strictly decreasing law",
+    )
+    .given([Condition::Positive(secant), Condition::NonZero(s.dgamma)])
+    .note("Strictness is needed: a law that is constant between two speeds makes the product zero.")
+    .by_signs([Condition::Positive(-(s.dgamma * (-secant * s.dgamma)))]);
     page.claim("eq3.2", "at-synchronism", r"$\Delta M_2(0) = 0$")
         .follows([Condition::Zero(excess_friction(s).substitute(&[(s.dgamma, Sym::ZERO)]))]);
-    page.claim("section3-motors", "c0-positive", r"$c_0 = -M_2(\Omega) > 0$: odd, so $M_2(0)=0$, and $M_2(\Omega) = -\kappa\Omega$")
-        .given([Condition::Positive(secant), Condition::Positive(s.omega_field)])
-        .by_signs([Condition::Positive(secant * s.omega_field)]);
+    page.claim(
+        "section3-motors",
+        "c0-positive",
+        r"$c_0 = -M_2(\Omega) > 0$: odd, so $M_2(0)=0$, and $M_2(\Omega) = -\kappa\Omega$",
+    )
+    .given([Condition::Positive(secant), Condition::Positive(s.omega_field)])
+    .by_signs([Condition::Positive(secant * s.omega_field)]);
 }
 
 fn multi_current(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
     let currents = s.currents(bars);
     let (moment, rates) = driven(s.motor(bars), s, &currents);
-    let (a1, a2, l1, l2, r1, r2) =
-        (letter("a1"), letter("a2"), letter("L1"), letter("L2"), letter("R1"), letter("R2"));
+    let (a1, a2, l1, l2, r1, r2) = (letter("a1"), letter("a2"), letter("L1"), letter("L2"), letter("R1"), letter("R2"));
     let angles = s.motor(bars).bars;
     let gamma = s.angle();
     let bar_sum = (1..=bars).zip(&angles).fold(Sym::ZERO, |sum, (n, &bar)| sum + current(n) * (gamma + bar).cos);
-    let printed = -(letter("μ") * s.dgamma) + excess_friction(s) - a1 * letter("x") * gamma.sin - a2 * bar_sum
-        - s.b0 * gamma.sin
-        + friction(s.omega_field);
+    let printed =
+        -(letter("μ") * s.dgamma) + excess_friction(s) - a1 * letter("x") * gamma.sin - a2 * bar_sum - s.b0 * gamma.sin
+            + friction(s.omega_field);
     let mut lines = vec![
         Line::equation(s.axial * s.ddgamma - moment, s.axial * s.ddgamma, printed),
         Line::equation(
@@ -120,7 +131,8 @@ fn multi_current(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
             -(r2 * current(n)) + a2 * s.dgamma * (gamma + bar).cos,
         ));
     }
-    page.claim("eq3.3", slug, format!("the motor alone with $n_2 = {bars}$: rotor and currents by Lagrange-Maxwell")).holds(lines);
+    page.claim("eq3.3", slug, format!("the motor alone with $n_2 = {bars}$: rotor and currents by Lagrange-Maxwell"))
+        .holds(lines);
     page.claim("eq3.4", slug, format!(r"moment of the motor with $n_2 = {bars}$, from the fluxes $a_1\cos\gamma$ and $-a_2\sin(\gamma+t_n)$, whatever the angles $t_n$ (the paper: $-\pi/4+2\pi n/n_2$)"))
         .holds([Line::formula(moment, s.moment, printed)]);
 }
@@ -134,14 +146,18 @@ fn asynchronous(page: &mut Page, s: &Letters) {
         .note("The condition M1(0) > -M2(0) of the paper is M1(0) > 0, since an odd law of friction vanishes at rest.")
         .by_signs([Condition::Positive(k * omega), Condition::Positive(kappa * omega)]);
     let working = k * omega / (k + f);
-    page.claim("section3-motors", "linear", r"linear moments: $\Omega' = k\Omega/(k+f)$ lies between $0$ and $\Omega$, and $-\dot\gamma M > 0$ about it")
-        .given([k, f, omega].map(Condition::Positive))
-        .given([Condition::NonZero(s.dgamma)])
-        .by_signs([
-            Condition::Positive(working),
-            Condition::Positive(omega - working),
-            Condition::Positive(-(s.dgamma * linear_moment(s, working + s.dgamma))),
-        ]);
+    page.claim(
+        "section3-motors",
+        "linear",
+        r"linear moments: $\Omega' = k\Omega/(k+f)$ lies between $0$ and $\Omega$, and $-\dot\gamma M > 0$ about it",
+    )
+    .given([k, f, omega].map(Condition::Positive))
+    .given([Condition::NonZero(s.dgamma)])
+    .by_signs([
+        Condition::Positive(working),
+        Condition::Positive(omega - working),
+        Condition::Positive(-(s.dgamma * linear_moment(s, working + s.dgamma))),
+    ]);
     kloss(page, s);
 }
 
@@ -158,10 +174,14 @@ fn kloss(page: &mut Page, s: &Letters) {
     let without_friction = Kloss { f: Sym::ZERO, ..machine };
     let omega = s.omega_field;
     let slip_moment = |slip: Sym| without_friction.moment_law(slip, slip + omega);
-    page.claim("section3-motors", "slip-sign", r"Kloss: the moment of the motor has the sign opposite to $\dot\varphi' - \Omega$")
-        .given([pull_out, critical, omega].map(Condition::Positive))
-        .given([Condition::NonZero(s.dgamma)])
-        .by_signs([Condition::Positive(-(s.dgamma * slip_moment(s.dgamma)))]);
+    page.claim(
+        "section3-motors",
+        "slip-sign",
+        r"Kloss: the moment of the motor has the sign opposite to $\dot\varphi' - \Omega$",
+    )
+    .given([pull_out, critical, omega].map(Condition::Positive))
+    .given([Condition::NonZero(s.dgamma)])
+    .by_signs([Condition::Positive(-(s.dgamma * slip_moment(s.dgamma)))]);
 
     // Speeds W/2, 2W/3, 5W/6 are all working speeds for s_k = 1/6, M_k = 5/6 f W.
     let working = number(1, 2) * omega;

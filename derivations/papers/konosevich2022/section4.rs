@@ -1,11 +1,11 @@
 //! Section 4: the first form of the equations of motion, in the principal axes of A.
 
-use super::letters::{Letters, cyclic, letter, vector};
+use super::letters::{Letters, cyclic, letter, tensor, vector};
 use super::section2::formulas;
 use super::section3::driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form};
 use claims::{Condition, Line, Page};
-use field::{Tangent, Scalar};
+use field::{Scalar, Tangent};
 use mechanics::differentiate::along;
 use mechanics::momentum::absolute_rate;
 use mechanics::rotation::{angular_velocity, euler, vertical};
@@ -24,20 +24,22 @@ pub fn claims(page: &mut Page, s: &Letters) {
 
 /// (4.1) in arbitrary axes, from the mass points.
 fn momentum_theorem(page: &mut Page, s: &Letters) {
+    let full = tensor("A⋆");
+    let residual = s.with_reduced_tensor(full - s.l * s.l.transpose() * s.axial).by_momentum(&s.motion());
+    let x = full * s.w + s.l * (s.axial * s.dphi);
+    let rate = full * s.dw + s.l * (s.axial * s.ddphi);
+    let gained = x.cross(&s.w) + s.e.cross(&s.nu) * s.big_gamma;
     let g = s.general();
-    let [x, _] = g.angular_momentum(s.w, s.dphi);
-    let residual = g.by_momentum(&s.motion());
     let weight = g.weight();
-    let rate = g.full_tensor() * s.dw + s.l * (s.axial * s.ddphi);
-    let gained = x.cross(&s.w) + weight.cross(&s.nu);
     page.claim("eq4.1", "theorem", r"$d'x/dt = x\times\omega + \Gamma e\times\nu$, with $\Gamma e = g(m^0c^0 + m'h)$")
         .under(&s.unit_axis)
         .holds((0..3).map(|i| Line::equation(residual[i], rate[i], gained[i])));
-    page.claim("eq4.1", "weight", r"$m c$ is the first moment: $\Gamma e = m g c$ with $c = (m^0c^0 + m'h)/m$")
-        .holds((0..3).map(|i| {
+    page.claim("eq4.1", "weight", r"$m c$ is the first moment: $\Gamma e = m g c$ with $c = (m^0c^0 + m'h)/m$").holds(
+        (0..3).map(|i| {
             let c = (g.carrier.mass * g.carrier.centre[i] + s.m_rotor * s.h[i]) / (g.carrier.mass + s.m_rotor);
             Line::formula(weight[i], s.big_gamma * s.e[i], (g.carrier.mass + s.m_rotor) * g.gravity * c)
-        }));
+        }),
+    );
 }
 
 fn first_form(page: &mut Page, s: &Letters) {
@@ -78,9 +80,11 @@ fn first_form(page: &mut Page, s: &Letters) {
         .holds((0..3).map(|i| Line::equation(from_field[i], a[i] * s.dw[i], right(spin)[i])));
     let rotor = g.by_momentum(&s.motion_from_field())[3];
     let right = -(s.axial * (l.x * s.dw.x + l.y * s.dw.y + l.z * s.dw.z)) + s.moment;
-    page.claim("eq4.5", "rotor", "equation of the rotor")
-        .under(&s.unit_axis)
-        .holds([Line::equation(rotor, s.axial * s.ddgamma, right)]);
+    page.claim("eq4.5", "rotor", "equation of the rotor").under(&s.unit_axis).holds([Line::equation(
+        rotor,
+        s.axial * s.ddgamma,
+        right,
+    )]);
 }
 
 /// (4.6) from the constancy of the vertical in space, and once more from the rotation matrix of Euler's angles.
@@ -94,8 +98,8 @@ fn kinematics(page: &mut Page, s: &Letters) {
     page.claim("eq4.6", "vertical", "the vertical is at rest in space")
         .holds((0..3).map(|i| Line::equation(absolute[i], dnu[i], right[i])));
 
-    let angles = ["ψ", "θ", "φ"].map(Sym::symbol);
-    let rates = ["ψ̇", "θ̇", "φ̇"].map(Sym::symbol);
+    let angles = ["ψ", "θ", "φ"].map(letter);
+    let rates = ["ψ̇", "θ̇", "φ̇"].map(letter);
     let turning = euler(along(angles, rates));
     let moving = vertical(&turning);
     let right = printed(angular_velocity(turning), moving.map(|x| x.value));

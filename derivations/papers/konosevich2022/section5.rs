@@ -1,6 +1,6 @@
 //! Section 5: the second form, in the principal axes of A*, and its singularity D = 0.
 
-use super::letters::{Letters, cyclic, letter, one, vector};
+use super::letters::{Letters, cyclic, letter, one, tensor, vector};
 use super::section2::formulas;
 use crate::systems::gyrostat::Motion;
 use crate::systems::gyrostat::forms::{Form, SecondForm};
@@ -39,17 +39,19 @@ fn second_form(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
     let (a, l) = (s.a_star, s.l);
     let [x, _] = g.angular_momentum(s.w, s.dphi);
-    page.claim("eq5.1", "momentum", r"$x$ in the principal axes of $A^*$")
-        .under(&s.unit_axis)
-        .holds(formulas(vector("x"), x, cyclic(|i, _, _| a[i] * s.w[i] + s.axial * s.dphi * l[i])));
+    page.claim("eq5.1", "momentum", r"$x$ in the principal axes of $A^*$").under(&s.unit_axis).holds(formulas(
+        vector("x"),
+        x,
+        cyclic(|i, _, _| a[i] * s.w[i] + s.axial * s.dphi * l[i]),
+    ));
     let motion = s.motion_from_field();
     for (slug, says, residual) in [
         ("carrier", "second form of the carrier's equations, by angular momentum", g.by_momentum(&motion)),
         ("by-appell", "the same from the acceleration energy of the mass points", g.by_appell(&motion)),
     ] {
-        page.claim("eq5.2", slug, says).under(&s.unit_axis).holds((0..3).map(|i| {
-            Line::equation(residual[i], a[i] * s.dw[i] + s.axial * s.ddgamma * l[i], right(s)[i])
-        }));
+        page.claim("eq5.2", slug, says).under(&s.unit_axis).holds(
+            (0..3).map(|i| Line::equation(residual[i], a[i] * s.dw[i] + s.axial * s.ddgamma * l[i], right(s)[i])),
+        );
     }
     let form = SecondForm::new(s.a_star, l, s.axial, s.e * s.big_gamma);
     let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.moment);
@@ -92,9 +94,13 @@ fn rotor(page: &mut Page, s: &Letters) {
                 + s.axial * cyclic(|i, _, _| l[i] * (self::right(s)[i] - s.axial * s.ddgamma * l[i]) / a[i]).sum()
                 - s.moment,
         )]);
-    page.claim("eq5.4", "coefficient", r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$ (the prime is lost in the text)")
-        .under(&s.unit_axis)
-        .holds([Line::formula(derived.diff(s.ddgamma) / s.axial, Sym::named("D", "D"), singularity(s))]);
+    page.claim(
+        "eq5.4",
+        "coefficient",
+        r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$ (the prime is lost in the text)",
+    )
+    .under(&s.unit_axis)
+    .holds([Line::formula(derived.diff(s.ddgamma) / s.axial, letter("D"), singularity(s))]);
 }
 
 fn determinant_identity(page: &mut Page, s: &Letters) {
@@ -111,7 +117,7 @@ fn determinant_identity(page: &mut Page, s: &Letters) {
             ]
         }));
     let product = a.x * a.y * a.z;
-    let name = Sym::named("det Ã", r"\det\tilde A");
+    let name = letter("det Ã");
     page.claim("section5.2-det", "determinant", r"$\det\tilde A = A_1^*A_2^*A_3^*D$")
         .under(&s.unit_axis)
         .holds([Line::formula(determinant(&tensor), name, product * singularity(s))]);
@@ -128,37 +134,40 @@ fn determinant_identity(page: &mut Page, s: &Letters) {
 /// Can D vanish? Any axes will do, D being invariant: here the first along l. A = C C^T with C upper triangular.
 fn singular(page: &mut Page, s: &Letters) {
     let c = |index: &str| Sym::named(&format!("C{index}"), &format!("C_{{{index}}}"));
-    let axial = Sym::named("a′", "a'");
-    let root = Matrix3::new(
-        c("11"), c("12"), c("13"),
-        Sym::ZERO, c("22"), c("23"),
-        Sym::ZERO, Sym::ZERO, c("33"),
-    );
+    let axial = s.axial;
+    let root = Matrix3::new(c("11"), c("12"), c("13"), Sym::ZERO, c("22"), c("23"), Sym::ZERO, Sym::ZERO, c("33"));
     let reduced = root * root.transpose();
     let axis = Vector3::new(one(), Sym::ZERO, Sym::ZERO);
     let full = reduced + axis * axis.transpose() * axial;
     let d = determinant(&reduced) / determinant(&full);
     let positive = [c("11"), c("22"), c("33"), axial].map(Condition::Positive);
-    page.claim("section5.2-singular", "regular", r"$0 < D < 1$ where $A$ is positive definite: $A = CC^T$ in axes with the first along $l$")
-        .given(positive)
-        .by_signs([Condition::Positive(d), Condition::Positive(one() - d)]);
+    page.claim(
+        "section5.2-singular",
+        "regular",
+        r"$0 < D < 1$ where $A$ is positive definite: $A = CC^T$ in axes with the first along $l$",
+    )
+    .given(positive)
+    .by_signs([Condition::Positive(d), Condition::Positive(one() - d)]);
     page.claim("section5.2-singular", "bound", r"$D \le a/(a + A')$, where $a = l\cdot Al = l\cdot A^0l + m'|h\times l|^2$ is the moment about the rotor's axis without the rotor's own: $a/(a+A') - D \ge 0$ by signs, with equality where $l$ is a principal axis")
         .given(positive)
         .given([Condition::NonZero(c("12"))])
         .by_signs([Condition::Positive(reduced[(0, 0)] / (reduced[(0, 0)] + axial) - d)]);
     let g = s.general();
-    page.claim("section5.2-singular", "bound-data", r"$l\cdot A\,l = l\cdot A^0l + m'|h\times l|^2$ in the bodies' data")
-        .under(&s.unit_axis)
-        .follows([Condition::Equal(
-            s.l.dot(&(g.reduced_tensor() * s.l)),
-            s.l.dot(&(g.carrier.inertia * s.l)) + s.m_rotor * s.h.cross(&s.l).dot(&s.h.cross(&s.l)),
-        )]);
+    page.claim(
+        "section5.2-singular",
+        "bound-data",
+        r"$l\cdot A\,l = l\cdot A^0l + m'|h\times l|^2$ in the bodies' data",
+    )
+    .under(&s.unit_axis)
+    .follows([Condition::Equal(
+        s.l.dot(&(g.reduced_tensor() * s.l)),
+        s.l.dot(&(g.carrier.inertia * s.l)) + s.m_rotor * s.h.cross(&s.l).dot(&s.h.cross(&s.l)),
+    )]);
     page.claim("section5.2-singular", "by-definition", r"the principal components of $A$ are positive by definition, so $D \neq 0$ for every body $S^0$")
         .given([Condition::Equal(letter("l1"), one())])
         .note("Counterexample: the carrier is a thin rod along the rotor's axis through O (moments 0, 1, 1), the rotor's centre lies on it. A has the moment 0 about l, A* has A' there, and D = 0. The statement needs that the carrier has inertia about the rotor's axis: as that inertia goes to zero, so does D.")
         .refuted([Condition::NonZero(singularity(s))], rod(s));
-    let u = ["u1", "u2", "u3"].map(Sym::symbol);
-    let u = Vector3::from(u);
+    let u = vector("u");
     page.claim("section5.2-singular", "when", r"exactly: $u\cdot Au = u\cdot A^0u + m'|h\times u|^2 + B'|l\times u|^2$, a sum that vanishes for some $u\ne0$ only if $u\parallel l\parallel h$ (or $h=0$) and $l\cdot A^0l=0$: the mass of the carrier lies on the rotor's axis through $O$")
         .under(&s.unit_axis)
         .follows([Condition::Equal(
@@ -178,14 +187,15 @@ fn rod(s: &Letters) -> Point {
 
 /// Both forms describe one motion: first with full tensors in common axes, then each in its own.
 fn agree(page: &mut Page, s: &Letters) {
-    let name = |i: usize, j: usize| {
-        let (i, j) = (i.min(j) + 1, i.max(j) + 1);
-        Sym::named(&format!("A{i}{j}"), &format!("A_{{{i}{j}}}"))
-    };
-    let tensor = Matrix3::from_fn(name);
+    let tensor = tensor("A");
     let full = tensor + s.l * s.l.transpose() * s.axial;
     let weight = s.e * s.big_gamma;
-    let first = |a: Matrix3<Sym>, w: Vector3<Sym>, dw: Vector3<Sym>, l: Vector3<Sym>, weight: Vector3<Sym>, nu: Vector3<Sym>| {
+    let first = |a: Matrix3<Sym>,
+                 w: Vector3<Sym>,
+                 dw: Vector3<Sym>,
+                 l: Vector3<Sym>,
+                 weight: Vector3<Sym>,
+                 nu: Vector3<Sym>| {
         let x = a * w + l * (s.axial * (w.dot(&l) + s.dphi));
         a * dw - x.cross(&w) - weight.cross(&nu) + l * s.moment
     };
@@ -199,7 +209,7 @@ fn agree(page: &mut Page, s: &Letters) {
         .follows(gap.iter().map(|&x| Condition::Zero(x)));
 
     // own axes: the axes of A* are turned by R against those of A
-    let q = ["q0", "q1", "q2", "q3"].map(Sym::symbol);
+    let q = ["q0", "q1", "q2", "q3"].map(letter);
     let norm = q.iter().fold(Sym::ZERO, |sum, &c| sum + c.powi(2));
     let turn = quaternion(q);
     let back = turn.transpose();
@@ -209,15 +219,14 @@ fn agree(page: &mut Page, s: &Letters) {
         .given([Condition::NonZero(norm)])
         .follows((0..3).map(|i| Condition::Equal(covariant[i], here[i])));
     let printed_first = cyclic(|i, j, k| {
-        s.a[i] * s.dw[i] - ((s.a[j] - s.a[k]) * s.w[j] * s.w[k]
-            + s.axial * (s.w.dot(&s.l) + s.dphi) * (s.l[j] * s.w[k] - s.l[k] * s.w[j])
-            + s.big_gamma * (s.e[j] * s.nu[k] - s.e[k] * s.nu[j])
-            - s.l[i] * s.moment)
+        s.a[i] * s.dw[i]
+            - ((s.a[j] - s.a[k]) * s.w[j] * s.w[k]
+                + s.axial * (s.w.dot(&s.l) + s.dphi) * (s.l[j] * s.w[k] - s.l[k] * s.w[j])
+                + s.big_gamma * (s.e[j] * s.nu[k] - s.e[k] * s.nu[j])
+                - s.l[i] * s.moment)
     });
     let in_own = first(Matrix3::from_diagonal(&s.a), s.w, s.dw, s.l, weight, s.nu);
-    let printed_second = cyclic(|i, _, _| {
-        s.a_star[i] * s.dw[i] + s.axial * s.ddgamma * s.l[i] - right(s)[i]
-    });
+    let printed_second = cyclic(|i, _, _| s.a_star[i] * s.dw[i] + s.axial * s.ddgamma * s.l[i] - right(s)[i]);
     let speed = [(s.dphi, s.dgamma + s.omega_field), (s.ddphi, s.ddgamma)];
     let second_own = second(Matrix3::from_diagonal(&s.a_star)).map(|x| x.substitute(&speed));
     page.claim("forms-agree", "own-axes", r"in principal axes the full forms become (4.3) and (5.2) as printed")
@@ -239,7 +248,11 @@ fn explicit(page: &mut Page, s: &Letters, tensor: Matrix3<Sym>) {
     let d = one() - s.axial * s.l.dot(&response);
     let ddphi = (s.moment / s.axial - response.dot(&gain)) / d;
     let second = inverse * gain - response * (s.axial * ddphi);
-    page.claim("forms-agree", "explicit", r"$\dot\omega$ solved from the first and from the second form is the same rational function of all parameters")
-        .under(&Hypotheses::none())
-        .follows((0..3).map(|i| Condition::Equal(first[i], second[i])));
+    page.claim(
+        "forms-agree",
+        "explicit",
+        r"$\dot\omega$ solved from the first and from the second form is the same rational function of all parameters",
+    )
+    .under(&Hypotheses::none())
+    .follows((0..3).map(|i| Condition::Equal(first[i], second[i])));
 }

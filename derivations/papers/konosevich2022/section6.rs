@@ -31,17 +31,24 @@ fn currents(page: &mut Page, s: &Letters) {
     let mut residuals = vec![(at_rest(0, letter("L1")), r1, letter("x"))];
     residuals.extend((1..=bars).map(|n| (at_rest(n as usize, letter("L2")), r2, current(n))));
     for (equation, slug, says) in [
-        ("eq6.1", "currents", r"constant currents vanish at $\dot\gamma = 0$, here with $n_2 = 3$ (each winding by itself)"),
+        (
+            "eq6.1",
+            "currents",
+            r"constant currents vanish at $\dot\gamma = 0$, here with $n_2 = 3$ (each winding by itself)",
+        ),
         ("section6-currents", "all", r"all currents vanish: it takes $R_1 > 0$ and $R_2 > 0$"),
     ] {
         page.claim(equation, slug, says)
             .given([Condition::Positive(r1), Condition::Positive(r2)])
             .given(residuals.iter().map(|(residual, _, _)| Condition::Zero(*residual)))
-            .by_combination(residuals.iter().enumerate().map(|(k, &(_, _, i))| {
-                (Condition::Zero(i), vec![usize::from(k > 0)], vec![(k + 2, number(-1, 1))])
-            }));
+            .by_combination(
+                residuals.iter().enumerate().map(|(k, &(_, _, i))| {
+                    (Condition::Zero(i), vec![usize::from(k > 0)], vec![(k + 2, number(-1, 1))])
+                }),
+            );
     }
-    page.claim("eq6.2", "state", r"a stationary state has constant $\omega^0, \nu^0, \gamma^0$, and zeros elsewhere").defines([]);
+    page.claim("eq6.2", "state", r"a stationary state has constant $\omega^0, \nu^0, \gamma^0$, and zeros elsewhere")
+        .defines([]);
 }
 
 /// (6.3) and the two families of angles.
@@ -51,8 +58,12 @@ fn angles(page: &mut Page, s: &Letters) {
     let (moment, _) = driven(s.motor(bars), s, &zeros);
     let at_rest = moment.substitute(&[(s.dgamma, Sym::ZERO)]);
     let sine = s.angle().sin;
-    page.claim("eq6.3", "angle", r"$M = 0$ at rest without currents is $b_0\sin\gamma^0 + c_0 = 0$, with $c_0 = -M_2(\Omega)$")
-        .holds([Line::equation(-at_rest, s.b0 * sine - friction(s.omega_field), Sym::ZERO)]);
+    page.claim(
+        "eq6.3",
+        "angle",
+        r"$M = 0$ at rest without currents is $b_0\sin\gamma^0 + c_0 = 0$, with $c_0 = -M_2(\Omega)$",
+    )
+    .holds([Line::equation(-at_rest, s.b0 * sine - friction(s.omega_field), Sym::ZERO)]);
     page.claim("eq6.3", "rotor", r"the rotor's equation (4.5) at a constant state is $M = 0$, from the bodies")
         .under(&s.unit_axis)
         .follows([Condition::Equal(
@@ -61,47 +72,54 @@ fn angles(page: &mut Page, s: &Letters) {
         )]);
 
     // the two families as circle points: cosine C > 0 and sine -r, and the point of -pi less it
-    let (cosine, ratio) = (Sym::named("C", "C"), Sym::named("r", "r"));
+    let (cosine, ratio) = (letter("C"), letter("r"));
     let first = Circle { cos: cosine, sin: -ratio };
     let half_turn = Circle { cos: number(-1, 1), sin: Sym::ZERO };
     let second = -half_turn - first;
     let on_circle = Condition::Zero(first.defect());
     let balance = |p: Circle<Sym>| s.b0 * p.sin + s.c0;
-    page.claim("section6-gamma", "families", r"$\gamma^{(0)} = -\arcsin r$ and $\gamma^{(1)} = -\pi-\gamma^{(0)}$, $r = c_0/b_0$, both satisfy (6.3)")
-        .given([Condition::Zero(s.b0 * ratio - s.c0)])
-        .by_combination([first, second].map(|p| (Condition::Zero(balance(p)), vec![], vec![(0, number(-1, 1))])));
+    page.claim(
+        "section6-gamma",
+        "families",
+        r"$\gamma^{(0)} = -\arcsin r$ and $\gamma^{(1)} = -\pi-\gamma^{(0)}$, $r = c_0/b_0$, both satisfy (6.3)",
+    )
+    .given([Condition::Zero(s.b0 * ratio - s.c0)])
+    .by_combination([first, second].map(|p| (Condition::Zero(balance(p)), vec![], vec![(0, number(-1, 1))])));
     page.claim("section6-gamma", "ranges", r"quadrants: $\cos\gamma^{(0)} > 0 > \sin\gamma^{(0)}$ and $\cos\gamma^{(1)} < 0$, $\sin\gamma^{(1)} < 0$, where $0 < r < 1$, so $C = \sqrt{1-r^2} > 0$")
         .given([Condition::Positive(cosine), Condition::Positive(ratio)])
         .by_signs([first.cos, -first.sin, -second.cos, -second.sin].map(Condition::Positive));
-    let any = Circle { cos: Sym::symbol("c"), sin: Sym::symbol("s") };
-    page.claim("section6-gamma", "no-others", r"a point $(c,s)$ of the circle with $b_0s + c_0 = 0$ has $(c-C)(c+C) = 0$: up to turns there are no others")
-        .given([Condition::NonZero(s.b0), Condition::Zero(s.b0 * ratio - s.c0), on_circle])
-        .given([Condition::Zero(any.defect()), Condition::Zero(balance(any))])
-        .note("At c0 = b0 both families become one (C = 0), beyond it there is none: the motor falls out of step.")
-        .by_combination([(
-            Condition::Zero((any.cos - cosine) * (any.cos + cosine)),
-            vec![0, 0],
-            vec![
-                (1, s.b0 * ratio + s.c0),
-                (2, -(s.b0 * s.b0)),
-                (3, s.b0 * s.b0),
-                (4, s.c0 - s.b0 * any.sin),
-            ],
-        )]);
+    let any = Circle { cos: letter("c"), sin: letter("s") };
+    page.claim(
+        "section6-gamma",
+        "no-others",
+        r"a point $(c,s)$ of the circle with $b_0s + c_0 = 0$ has $(c-C)(c+C) = 0$: up to turns there are no others",
+    )
+    .given([Condition::NonZero(s.b0), Condition::Zero(s.b0 * ratio - s.c0), on_circle])
+    .given([Condition::Zero(any.defect()), Condition::Zero(balance(any))])
+    .note("At c0 = b0 both families become one (C = 0), beyond it there is none: the motor falls out of step.")
+    .by_combination([(
+        Condition::Zero((any.cos - cosine) * (any.cos + cosine)),
+        vec![0, 0],
+        vec![(1, s.b0 * ratio + s.c0), (2, -(s.b0 * s.b0)), (3, s.b0 * s.b0), (4, s.c0 - s.b0 * any.sin)],
+    )]);
 }
 
 /// (6.4), statement 1.
 fn rotation_about_the_vertical(page: &mut Page, s: &Letters) {
     let (w, nu) = (s.w, s.nu);
     let turning = nu.cross(&w);
-    page.claim("eq6.4", "parallel", r"$\omega\times\nu = 0$ gives $\omega = \omega^0\nu$ with $\omega^0 = \omega\cdot\nu$")
-        .under(&s.unit_vertical)
-        .given(turning.iter().map(|&x| Condition::Zero(x)))
-        .by_combination((0..3).map(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            // w - (w.nu) nu = (nu x w) x nu
-            (Condition::Equal(w[i], w.dot(&nu) * nu[i]), vec![], vec![(j, nu[k]), (k, -nu[j])])
-        }));
+    page.claim(
+        "eq6.4",
+        "parallel",
+        r"$\omega\times\nu = 0$ gives $\omega = \omega^0\nu$ with $\omega^0 = \omega\cdot\nu$",
+    )
+    .under(&s.unit_vertical)
+    .given(turning.iter().map(|&x| Condition::Zero(x)))
+    .by_combination((0..3).map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        // w - (w.nu) nu = (nu x w) x nu
+        (Condition::Equal(w[i], w.dot(&nu) * nu[i]), vec![], vec![(j, nu[k]), (k, -nu[j])])
+    }));
     page.claim("eq6.4", "sufficient", r"and then $\dot\nu = \nu\times\omega = 0$")
         .follows(nu.cross(&(nu * s.omega0)).iter().map(|&x| Condition::Zero(x)));
     let x = s.in_axes_of_a_star().angular_momentum(nu * s.omega0, s.omega_field)[0];
@@ -119,24 +137,33 @@ fn conditions(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
     let residual = g.by_momentum(&s.stationary(s.omega_field, Sym::ZERO));
     let printed = s.conditions();
-    page.claim("eq6.5", "relations", r"the carrier's equations at a constant state (the third relation restored by cyclic permutation)")
-        .under(&s.unit_axis)
-        .holds((0..3).map(|i| Line::equation(-residual[i], printed[i], Sym::ZERO)));
+    page.claim(
+        "eq6.5",
+        "relations",
+        r"the carrier's equations at a constant state (the third relation restored by cyclic permutation)",
+    )
+    .under(&s.unit_axis)
+    .holds((0..3).map(|i| Line::equation(-residual[i], printed[i], Sym::ZERO)));
     page.claim("statement2", "conditions", r"at a constant state the equations (5.2), (4.5), (4.6), (4.7) become (6.5), (6.3), (6.4), (6.1) and nothing else: each residual is a condition")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Condition::Equal(residual[i], -printed[i])).chain([Condition::Zero(residual[3])]));
 
-    page.claim("remark3", "identity", r"$\nu\cdot(6.5) = 0$ identically").follows([Condition::Zero(s.nu.dot(&printed))]);
+    page.claim("remark3", "identity", r"$\nu\cdot(6.5) = 0$ identically")
+        .follows([Condition::Zero(s.nu.dot(&printed))]);
     let zero = [Condition::Zero(printed.x), Condition::Zero(printed.y)];
     page.claim("remark3", "any-one", "each of the three relations follows from the other two")
         .given(zero)
         .given([Condition::Zero(s.nu.dot(&s.nu) - one())])
         .note("Where nu3 = 0 the third relation is independent of the first two.")
         .refuted([Condition::Zero(printed.z)], gyrostats::two_of_three().point(s));
-    page.claim("remark3", "where", r"the relation $k$ follows from the other two where $\nu_k \neq 0$; since $|\nu| = 1$, one of them always does")
-        .given(zero)
-        .given([Condition::NonZero(s.nu.z)])
-        .by_combination([(Condition::Zero(printed.z), vec![2], vec![(0, -s.nu.x), (1, -s.nu.y)])]);
+    page.claim(
+        "remark3",
+        "where",
+        r"the relation $k$ follows from the other two where $\nu_k \neq 0$; since $|\nu| = 1$, one of them always does",
+    )
+    .given(zero)
+    .given([Condition::NonZero(s.nu.z)])
+    .by_combination([(Condition::Zero(printed.z), vec![2], vec![(0, -s.nu.x), (1, -s.nu.y)])]);
     page.correct();
 }
 
@@ -146,22 +173,34 @@ fn remarks(page: &mut Page, s: &Letters) {
     let bars = 3;
     let (many, _) = driven(motor_with(s, bars, &none), s, &s.currents(bars));
     let (single, _) = driven(Synchronous { field_speed: s.omega_field, b0: s.b0, f: Sym::zero() }, s, &[]);
-    page.claim("remark1", "synchronous", r"$\mu = a_1 = a_2 = 0$ in (3.4) gives the synchronous motor without currents")
-        .follows([Condition::Equal(many, single)]);
+    page.claim(
+        "remark1",
+        "synchronous",
+        r"$\mu = a_1 = a_2 = 0$ in (3.4) gives the synchronous motor without currents",
+    )
+    .follows([Condition::Equal(many, single)]);
 
     let all: Vec<_> = ["μ", "a1", "a2", "b0"].map(|name| (letter(name), Sym::ZERO)).to_vec();
     let (rest, _) = driven(motor_with(s, bars, &all), s, &s.currents(bars));
     let excess = rest - friction(s.omega_field);
-    page.claim("remark2", "formal", r"$\mu = a_1 = a_2 = b_0 = c_0 = 0$ leaves $M = \Delta M_2(\dot\gamma)$, a function of the speed alone")
-        .follows([Condition::Equal(excess, excess_friction(s))]);
+    page.claim(
+        "remark2",
+        "formal",
+        r"$\mu = a_1 = a_2 = b_0 = c_0 = 0$ leaves $M = \Delta M_2(\dot\gamma)$, a function of the speed alone",
+    )
+    .follows([Condition::Equal(excess, excess_friction(s))]);
     // a linear asynchronous motor about its working speed
     let [k, f, working] = ["k", "f", "Ω′"].map(letter);
     let machine = Asynchronous { field_speed: s.omega_field, k, f };
     let slip = s.dgamma + working - machine.frame_speed();
     let moment = drive(&machine, Circle::zero(), slip, &[], &mut []);
-    page.claim("remark2", "asynchronous", r"the linear asynchronous motor has that shape about $\Omega'$: $M = -(k+f)\dot\gamma$")
-        .under(&Hypotheses::none().given(working, k * s.omega_field / (k + f)))
-        .holds([Line::formula(moment, s.moment, -((k + f) * s.dgamma))]);
+    page.claim(
+        "remark2",
+        "asynchronous",
+        r"the linear asynchronous motor has that shape about $\Omega'$: $M = -(k+f)\dot\gamma$",
+    )
+    .under(&Hypotheses::none().given(working, k * s.omega_field / (k + f)))
+    .holds([Line::formula(moment, s.moment, -((k + f) * s.dgamma))]);
     let by_momentum = s.in_axes_of_a_star().by_momentum(&s.stationary(working, Sym::ZERO));
     let printed = s.conditions().map(|x| x.substitute(&[(s.omega_field, working)]));
     page.claim("remark2", "conditions", r"stationary motions: (6.5) with $\Omega'$ in the place of $\Omega$")

@@ -66,16 +66,24 @@ fn unit(s: &Letters) -> [Condition; 1] {
 }
 
 fn functions(page: &mut Page, s: &Letters, f: &Relations) {
-    let named = |name, latex| Sym::named(name, latex);
-    page.claim("eq7.1", "v-and-delta", r"$V^* = l\cdot(A^*\nu\times\nu)$ and $\Delta^* = |A^*\nu\times\nu|^2$ in components").holds([
-        Line::formula(s.l.dot(&f.tilt), named("V⋆", "V^*"), f.v),
-        Line::formula(f.tilt.dot(&f.tilt), named("Δ⋆", r"\Delta^*"), f.delta),
+    page.claim(
+        "eq7.1",
+        "v-and-delta",
+        r"$V^* = l\cdot(A^*\nu\times\nu)$ and $\Delta^* = |A^*\nu\times\nu|^2$ in components",
+    )
+    .holds([
+        Line::formula(s.l.dot(&f.tilt), letter("V⋆"), f.v),
+        Line::formula(f.tilt.dot(&f.tilt), letter("Δ⋆"), f.delta),
     ]);
     let balanced = [(s.big_gamma, Sym::ZERO)];
-    page.claim("eq7.2", "necessary", r"$\Gamma=0$: (6.5) multiplied by $l_i$ and added is $\omega^{0\,2}V^*$, so $V^*=0$ where $\omega^0\ne0$")
-        .given(zeros(f.all.map(|x| x.substitute(&balanced))))
-        .given([NonZero(s.omega0)])
-        .by_combination([(Zero(f.v), vec![3, 3], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)])]);
+    page.claim(
+        "eq7.2",
+        "necessary",
+        r"$\Gamma=0$: (6.5) multiplied by $l_i$ and added is $\omega^{0\,2}V^*$, so $V^*=0$ where $\omega^0\ne0$",
+    )
+    .given(zeros(f.all.map(|x| x.substitute(&balanced))))
+    .given([NonZero(s.omega0)])
+    .by_combination([(Zero(f.v), vec![3, 3], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)])]);
     page.claim("eq7.3", "identically-zero", r"$V^*\equiv0$ if and only if $(A_2^*-A_3^*)l_1 = (A_3^*-A_1^*)l_2 = (A_1^*-A_2^*)l_3 = 0$: these are its coefficients")
         .follows(coefficients_of(s, f.v, s.l));
 }
@@ -106,16 +114,25 @@ fn statement3(page: &mut Page, s: &Letters, f: &Relations) {
 
 fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
     let vanishing = cyclic(|i, j, k| (s.a_star[j] - s.a_star[k]) * s.l[i]);
-    page.claim("statement3B", "identity", r"under (7.3) the condition (7.2) restricts nothing: $V^* = \sum(A_2^*-A_3^*)l_1\,\nu_2\nu_3$")
-        .given(zeros(vanishing))
-        .by_combination([(
-            Zero(f.v),
-            vec![],
-            vec![(0, s.nu.y * s.nu.z), (1, s.nu.z * s.nu.x), (2, s.nu.x * s.nu.y)],
-        )]);
-    for (slug, example) in [("any-direction", gyrostats::spherical()), ("any-direction-symmetric", gyrostats::symmetric())] {
+    page.claim(
+        "statement3B",
+        "identity",
+        r"under (7.3) the condition (7.2) restricts nothing: $V^* = \sum(A_2^*-A_3^*)l_1\,\nu_2\nu_3$",
+    )
+    .given(zeros(vanishing))
+    .by_combination([(Zero(f.v), vec![], vec![(0, s.nu.y * s.nu.z), (1, s.nu.z * s.nu.x), (2, s.nu.x * s.nu.y)])]);
+    for (slug, example) in
+        [("any-direction", gyrostats::spherical()), ("any-direction-symmetric", gyrostats::symmetric())]
+    {
         let draft = page
-            .claim("statement3B", slug, format!(r"under (7.3) every direction is an axis of rotation: (6.5) has a solution $\omega^0\ne0$ ({})", example.name))
+            .claim(
+                "statement3B",
+                slug,
+                format!(
+                    r"under (7.3) every direction is an axis of rotation: (6.5) has a solution $\omega^0\ne0$ ({})",
+                    example.name
+                ),
+            )
             .given(zeros(vanishing))
             .given([Zero(s.big_gamma), NonZero(f.spin)])
             .given(unit(s));
@@ -136,8 +153,13 @@ fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
                     (Zero(f.axis[i]), vec![2, 3], cofactors)
                 }));
         } else {
-            let along_first =
-                [(s.big_gamma, Sym::ZERO), (s.l.x, one()), (s.l.y, Sym::ZERO), (s.l.z, Sym::ZERO), (s.a_star.z, s.a_star.y)];
+            let along_first = [
+                (s.big_gamma, Sym::ZERO),
+                (s.l.x, one()),
+                (s.l.y, Sym::ZERO),
+                (s.l.z, Sym::ZERO),
+                (s.a_star.z, s.a_star.y),
+            ];
             let factor = (s.a_star.x - s.a_star.y) * s.omega0 * s.nu.x + f.spin;
             page.claim("statement3B", "symmetric", r"$A_2^*=A_3^*$, $l=\xi_1$: (6.5) is $\omega^0[(A_1^*-A_2^*)\omega^0\nu_1 + A'\Omega]\,(0,-\nu_3,\nu_2) = 0$: every direction with $\nu_1\ne0$ has exactly one $\omega^0\ne0$; across the axis there is none; along it all are")
                 .follows((0..3).map(|i| {
@@ -150,8 +172,12 @@ fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
 }
 
 fn statement3c(page: &mut Page, s: &Letters, f: &Relations) {
-    page.claim("statement3C", "cone", r"where (7.3) fails, $V^*=0$ is a cone of the second order: $V^*$ is a quadratic form that is not zero")
-        .follows(coefficients_of(s, f.v, s.l).into_iter().chain([scaling(s, f.v, 2)]));
+    page.claim(
+        "statement3C",
+        "cone",
+        r"where (7.3) fails, $V^*=0$ is a cone of the second order: $V^*$ is a quadratic form that is not zero",
+    )
+    .follows(coefficients_of(s, f.v, s.l).into_iter().chain([scaling(s, f.v, 2)]));
     let example = gyrostats::principal_axis();
     let draft = page
         .claim("statement3C", "every-axis", format!(r"about every axis of the cone there is a rotation with some $\omega^0\neq0$ ({})", example.name))
@@ -175,7 +201,7 @@ fn no_speed<'a>(draft: Draft<'a>, s: &Letters, f: &Relations, example: &Example)
 
 /// form(t nu) = t^degree form(nu).
 fn scaling(s: &Letters, form: Sym, degree: i32) -> Condition {
-    let t = Sym::symbol("t");
+    let t = letter("t");
     let scaled: Vec<(Sym, Sym)> = s.nu.iter().map(|&n| (n, t * n)).collect();
     Equal(form.substitute(&scaled), t.powi(degree) * form)
 }
@@ -183,9 +209,7 @@ fn scaling(s: &Letters, form: Sym, degree: i32) -> Condition {
 /// Statements 3D and 3E.
 fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     let bracket = f.tilt.dot(&f.axis);
-    let premises = || {
-        zeros(f.balanced).into_iter().chain([NonZero(f.delta), NonZero(s.omega0)]).collect::<Vec<_>>()
-    };
+    let premises = || zeros(f.balanced).into_iter().chain([NonZero(f.delta), NonZero(s.omega0)]).collect::<Vec<_>>();
     let example = gyrostats::opposite_sign();
     page.claim("statement3D", "formula", format!(r"$\omega^0 = +\frac{{A'\Omega}}{{\Delta^*}}[(A_2^*-A_3^*)\nu_2\nu_3(l_2\nu_3-l_3\nu_2)+\dots]$, sign as printed ({})", example.name))
         .given(premises())
@@ -193,25 +217,37 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
         .given(unit(s))
         .note("The relations read w0 G + A'W l x nu = 0; multiplied by G they give a minus sign. The bodies' equations of motion at the example confirm the corrected sign exactly.")
         .refuted([Equal(s.omega0, f.spin / f.delta * bracket)], example.point(s));
-    page.claim("statement3D", "formula-corrected", r"$\omega^0 = -\frac{A'\Omega}{\Delta^*}[\dots]$, and it is the only one")
-        .given(premises())
-        .by_combination([(
-            Equal(s.omega0, -(f.spin / f.delta * bracket)),
-            vec![3],
-            vec![(0, f.tilt.x), (1, f.tilt.y), (2, f.tilt.z)],
-        )]);
+    page.claim(
+        "statement3D",
+        "formula-corrected",
+        r"$\omega^0 = -\frac{A'\Omega}{\Delta^*}[\dots]$, and it is the only one",
+    )
+    .given(premises())
+    .by_combination([(
+        Equal(s.omega0, -(f.spin / f.delta * bracket)),
+        vec![3],
+        vec![(0, f.tilt.x), (1, f.tilt.y), (2, f.tilt.z)],
+    )]);
     page.correct();
     let turned: Vec<(Sym, Sym)> = s.nu.iter().map(|&n| (n, -n)).collect();
-    page.claim("statement3D", "opposite-direction", r"under $\nu\to-\nu$ the bracket changes its sign, $\Delta^*$ and $V^*$ do not: $\omega^0$ changes its sign")
-        .follows([
-            Equal(bracket.substitute(&turned), -bracket),
-            Equal(f.delta.substitute(&turned), f.delta),
-            Equal(f.v.substitute(&turned), f.v),
-        ]);
-    page.claim("statement3E", "parallel", r"$\Delta^*=0$, so $G=0$ (a sum of squares): with $l\times\nu=0$ every $\omega^0$ is one")
-        .given(zeros(f.tilt))
-        .given(zeros(f.axis))
-        .by_combination((0..3).map(|i| (Zero(f.balanced[i]), vec![], vec![(i, s.omega0), (3 + i, f.spin)])));
+    page.claim(
+        "statement3D",
+        "opposite-direction",
+        r"under $\nu\to-\nu$ the bracket changes its sign, $\Delta^*$ and $V^*$ do not: $\omega^0$ changes its sign",
+    )
+    .follows([
+        Equal(bracket.substitute(&turned), -bracket),
+        Equal(f.delta.substitute(&turned), f.delta),
+        Equal(f.v.substitute(&turned), f.v),
+    ]);
+    page.claim(
+        "statement3E",
+        "parallel",
+        r"$\Delta^*=0$, so $G=0$ (a sum of squares): with $l\times\nu=0$ every $\omega^0$ is one",
+    )
+    .given(zeros(f.tilt))
+    .given(zeros(f.axis))
+    .by_combination((0..3).map(|i| (Zero(f.balanced[i]), vec![], vec![(i, s.omega0), (3 + i, f.spin)])));
     page.claim("statement3E", "not-parallel", r"and only with $l\times\nu=0$")
         .given(zeros(f.tilt))
         .given(zeros(f.balanced))
@@ -224,7 +260,11 @@ fn staude(page: &mut Page, s: &Letters) {
     let zero = Vector3::repeat(Sym::ZERO);
     let (mass, gravity) = (letter("m⁰"), letter("g"));
     let body = Gyrostat {
-        carrier: Carrier { mass, centre: s.e * (s.big_gamma / (mass * gravity)), inertia: Matrix3::from_diagonal(&s.a) },
+        carrier: Carrier {
+            mass,
+            centre: s.e * (s.big_gamma / (mass * gravity)),
+            inertia: Matrix3::from_diagonal(&s.a),
+        },
         rotor: Rotor { mass: Sym::ZERO, centre: zero, axis: s.l, axial: Sym::ZERO, transverse: Sym::ZERO },
         gravity,
     };
@@ -247,9 +287,13 @@ fn statement4(page: &mut Page, s: &Letters, f: &Relations) {
         .given([NonZero(s.big_gamma)])
         .by_combination((0..3).map(|i| (Zero(f.weight[i]), vec![3], vec![(i, one())])));
     let both = s.unit_vertical.clone().unit_vector(s.e.into());
-    page.claim("statement4", "vertical", r"then the centre of mass is above or below $O$: $(e\cdot\nu)^2 = 1 - |e\times\nu|^2$")
-        .under(&both)
-        .follows([Equal(s.e.dot(&s.nu).powi(2), one() - f.weight.dot(&f.weight))]);
+    page.claim(
+        "statement4",
+        "vertical",
+        r"then the centre of mass is above or below $O$: $(e\cdot\nu)^2 = 1 - |e\times\nu|^2$",
+    )
+    .under(&both)
+    .follows([Equal(s.e.dot(&s.nu).powi(2), one() - f.weight.dot(&f.weight))]);
 }
 
 /// (7.4) to (7.8).
@@ -260,15 +304,25 @@ fn relations(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim("eq7.4", "first-power", r"(6.5) multiplied by $e_i$ and added, divided by $\omega^0$")
         .under(&s.unit_axis)
         .holds([Line::equation(s.e.dot(&moments) / s.omega0, s.omega0 * f.s - f.spin * f.pi, Sym::ZERO)]);
-    page.claim("eq7.5", "s", r"$S^* = e\cdot(A^*\nu\times\nu)$")
-        .holds([Line::formula(s.e.dot(&f.tilt), Sym::named("S⋆", "S^*"), f.s)]);
-    page.claim("eq7.6", "pi", r"$\Pi^* = \nu\cdot(l\times e)$")
-        .holds([Line::formula(s.nu.dot(&s.l.cross(&s.e)), Sym::named("Π⋆", r"\Pi^*"), f.pi)]);
+    page.claim("eq7.5", "s", r"$S^* = e\cdot(A^*\nu\times\nu)$").holds([Line::formula(
+        s.e.dot(&f.tilt),
+        letter("S⋆"),
+        f.s,
+    )]);
+    page.claim("eq7.6", "pi", r"$\Pi^* = \nu\cdot(l\times e)$").holds([Line::formula(
+        s.nu.dot(&s.l.cross(&s.e)),
+        letter("Π⋆"),
+        f.pi,
+    )]);
     page.claim("eq7.7", "second-power", r"(6.5) multiplied by $l_i$ and added")
         .under(&s.unit_axis)
         .holds([Line::equation(s.l.dot(&moments), s.omega0.powi(2) * f.v + s.big_gamma * f.pi, Sym::ZERO)]);
-    page.claim("eq7.8", "identically-zero", r"$S^*\equiv0$ if and only if $(A_2^*-A_3^*)e_1 = (A_3^*-A_1^*)e_2 = (A_1^*-A_2^*)e_3 = 0$")
-        .follows(coefficients_of(s, f.s, s.e));
+    page.claim(
+        "eq7.8",
+        "identically-zero",
+        r"$S^*\equiv0$ if and only if $(A_2^*-A_3^*)e_1 = (A_3^*-A_1^*)e_2 = (A_1^*-A_2^*)e_3 = 0$",
+    )
+    .follows(coefficients_of(s, f.s, s.e));
 }
 
 /// (7.4) and (7.7).
@@ -286,13 +340,17 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
             vec![(0, s.omega0 * s.nu.y * s.nu.z), (1, s.omega0 * s.nu.z * s.nu.x), (2, s.omega0 * s.nu.x * s.nu.y)],
         )]);
     let example = gyrostats::across();
-    page.claim("statement5", "only-parallel", format!(r"under (7.8) a rotation needs $\Pi^*\equiv0$, that is $l\parallel e$ ({})", example.name))
-        .given(zeros(vanishing))
-        .given(zeros(f.all))
-        .given([NonZero(s.omega0), NonZero(s.big_gamma)])
-        .given(unit(s))
-        .note(r"(7.4) asks only that $\Pi^*$ vanish at the given $\nu$.")
-        .refuted(zeros(s.l.cross(&s.e)), example.point(s));
+    page.claim(
+        "statement5",
+        "only-parallel",
+        format!(r"under (7.8) a rotation needs $\Pi^*\equiv0$, that is $l\parallel e$ ({})", example.name),
+    )
+    .given(zeros(vanishing))
+    .given(zeros(f.all))
+    .given([NonZero(s.omega0), NonZero(s.big_gamma)])
+    .given(unit(s))
+    .note(r"(7.4) asks only that $\Pi^*$ vanish at the given $\nu$.")
+    .refuted(zeros(s.l.cross(&s.e)), example.point(s));
     let along_first = [(s.e.x, one()), (s.e.y, Sym::ZERO), (s.e.z, Sym::ZERO), (s.a_star.z, s.a_star.y)];
     let stretch = s.omega0.powi(2) * (s.a_star.x - s.a_star.y) * s.nu.x + s.big_gamma;
     let vector = Vector3::new(stretch, Sym::ZERO, Sym::ZERO) + s.l * (f.spin * s.omega0);
@@ -300,31 +358,39 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
         .follows((0..3).map(|i| Equal(f.all[i].substitute(&along_first), vector.cross(&s.nu)[i])));
     page.correct();
 
-    let sign = Sym::named("l⁰", "l^0");
+    let sign = letter("l⁰");
     let parallel: Vec<(Sym, Sym)> = (0..3).map(|i| (s.l[i], sign * s.e[i])).collect();
     let with_parallel = derived(s, f).map(|x| x.substitute(&parallel));
-    page.claim("statement5", "derived-relations", r"with $l = l^0e$ besides, $S^*, \Pi^*, V^*\equiv0$: (7.4) and (7.7) hold for all $\nu$ and $\omega^0$")
-        .given(zeros(vanishing))
-        .by_combination(with_parallel.map(|relation| {
-            let scale = if relation == with_parallel[0] { s.omega0 } else { sign * s.omega0.powi(2) };
-            (
-                Zero(relation),
-                vec![],
-                vec![(0, scale * s.nu.y * s.nu.z), (1, scale * s.nu.z * s.nu.x), (2, scale * s.nu.x * s.nu.y)],
-            )
-        }));
+    page.claim(
+        "statement5",
+        "derived-relations",
+        r"with $l = l^0e$ besides, $S^*, \Pi^*, V^*\equiv0$: (7.4) and (7.7) hold for all $\nu$ and $\omega^0$",
+    )
+    .given(zeros(vanishing))
+    .by_combination(with_parallel.map(|relation| {
+        let scale = if relation == with_parallel[0] { s.omega0 } else { sign * s.omega0.powi(2) };
+        (
+            Zero(relation),
+            vec![],
+            vec![(0, scale * s.nu.y * s.nu.z), (1, scale * s.nu.z * s.nu.x), (2, scale * s.nu.x * s.nu.y)],
+        )
+    }));
     let example = gyrostats::along();
-    page.claim("statement5", "original-conditions", format!(r"so every $\nu$ and $\omega^0$ give a rotation: (6.5) holds too ({})", example.name))
-        .given(zeros(vanishing))
-        .given(zeros(s.l - s.e))
-        .given(unit(s))
-        .note(r"$e$ and $l$ are parallel, so (7.4) and (7.7) are two copies of one projection and say nothing of the others.")
-        .refuted(zeros(f.all), example.point(s));
+    page.claim(
+        "statement5",
+        "original-conditions",
+        format!(r"so every $\nu$ and $\omega^0$ give a rotation: (6.5) holds too ({})", example.name),
+    )
+    .given(zeros(vanishing))
+    .given(zeros(s.l - s.e))
+    .given(unit(s))
+    .note(
+        r"$e$ and $l$ are parallel, so (7.4) and (7.7) are two copies of one projection and say nothing of the others.",
+    )
+    .refuted(zeros(f.all), example.point(s));
     let factor = (s.a_star.x - s.a_star.y) * s.omega0.powi(2) * s.nu.x + f.spin * s.omega0 * sign + s.big_gamma;
-    let axes: Vec<(Sym, Sym)> = along_first
-        .into_iter()
-        .chain([(s.l.x, sign), (s.l.y, Sym::ZERO), (s.l.z, Sym::ZERO)])
-        .collect();
+    let axes: Vec<(Sym, Sym)> =
+        along_first.into_iter().chain([(s.l.x, sign), (s.l.y, Sym::ZERO), (s.l.z, Sym::ZERO)]).collect();
     page.claim("statement5", "original-corrected", r"(6.5) is $[(A_1^*-A_2^*)\nu_1\omega^{0\,2} + A'\Omega l^0\omega^0 + \Gamma]\,e\times\nu = 0$: either $\nu=\pm e$ with any $\omega^0$, or $\omega^0$ is a root of the quadratic equation")
         .follows((0..3).map(|i| {
             let direction = [Sym::ZERO, -s.nu.z, s.nu.y][i];
@@ -339,23 +405,27 @@ fn statement6(page: &mut Page, s: &Letters, f: &Relations) {
         .given([Zero(first), Zero(second), Zero(f.s), NonZero(f.spin), NonZero(s.omega0)])
         .by_combination([
             (Zero(f.pi), vec![3], vec![(0, number(-1, 1)), (2, s.omega0)]),
-            (
-                Zero(f.v),
-                vec![4, 4, 3],
-                vec![(1, f.spin), (0, s.big_gamma), (2, -(s.big_gamma * s.omega0))],
-            ),
+            (Zero(f.v), vec![4, 4, 3], vec![(1, f.spin), (0, s.big_gamma), (2, -(s.big_gamma * s.omega0))]),
         ]);
-    page.claim("statement6", "derived-relations", r"and where $S^*=\Pi^*=V^*=0$, every $\omega^0$ satisfies (7.4), (7.7)")
-        .given([Zero(f.s), Zero(f.pi), Zero(f.v)])
-        .by_combination([
-            (Zero(first), vec![], vec![(0, s.omega0), (1, -f.spin)]),
-            (Zero(second), vec![], vec![(2, s.omega0.powi(2)), (1, s.big_gamma)]),
-        ]);
+    page.claim(
+        "statement6",
+        "derived-relations",
+        r"and where $S^*=\Pi^*=V^*=0$, every $\omega^0$ satisfies (7.4), (7.7)",
+    )
+    .given([Zero(f.s), Zero(f.pi), Zero(f.v)])
+    .by_combination([
+        (Zero(first), vec![], vec![(0, s.omega0), (1, -f.spin)]),
+        (Zero(second), vec![], vec![(2, s.omega0.powi(2)), (1, s.big_gamma)]),
+    ]);
     let example = gyrostats::plane();
-    page.claim("statement6", "original-conditions", format!(r"so every $\omega^0$ gives a rotation about such an axis: (6.5) holds too ({})", example.name))
-        .given([Zero(f.s), Zero(f.pi), Zero(f.v)])
-        .given(unit(s))
-        .refuted(zeros(f.all), example.point(s));
+    page.claim(
+        "statement6",
+        "original-conditions",
+        format!(r"so every $\omega^0$ gives a rotation about such an axis: (6.5) holds too ({})", example.name),
+    )
+    .given([Zero(f.s), Zero(f.pi), Zero(f.v)])
+    .given(unit(s))
+    .refuted(zeros(f.all), example.point(s));
     let n = f.weight;
     let quadratic = |v: Vector3<Sym>| v.dot(&n);
     page.claim("statement6", "original-corrected", r"where $S^*=\Pi^*=0$ and $n = e\times\nu\ne0$, (6.5) is one equation: $|n|^2F = (F\cdot n)\,n$, so $\omega^0$ is a root of $(G\cdot n)\,\omega^{0\,2} + A'\Omega(u\cdot n)\,\omega^0 + \Gamma|n|^2 = 0$: at most two values")
@@ -379,9 +449,11 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim("eq7.9", "nonzero", r"$S^*\ne0$, $\omega^0\ne0$ and (7.4) give $\Pi^*\neq0$")
         .given([Zero(first), NonZero(f.s), NonZero(s.omega0)])
         .nonvanishing(f.pi, f.spin, vec![1, 2], vec![(0, number(-1, 1))]);
-    page.claim("eq7.10", "velocity", r"$\omega^0$ from (7.4)")
-        .given([Zero(first), NonZero(f.s)])
-        .by_combination([(Equal(s.omega0, f.spin * f.pi / f.s), vec![1], vec![(0, one())])]);
+    page.claim("eq7.10", "velocity", r"$\omega^0$ from (7.4)").given([Zero(first), NonZero(f.s)]).by_combination([(
+        Equal(s.omega0, f.spin * f.pi / f.s),
+        vec![1],
+        vec![(0, one())],
+    )]);
     page.claim("eq7.11", "surface", r"the directions: (7.10) in (7.7), divided by $\Pi^*$")
         .given([Zero(first), Zero(second), NonZero(f.pi)])
         .by_combination([(
@@ -397,18 +469,26 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
             vec![(1, f.s), (0, -(s.omega0 * f.v))],
         )]);
     let velocity = f.spin * f.pi / f.s;
-    page.claim("statement7", "sufficient", r"$S^*\ne0$ and (7.11): $\nu$ is an axis of rotation with $\omega^0$ by (7.10): the original (6.5) hold")
-        .given([Zero(surface), NonZero(f.s)])
-        .by_combination((0..3).map(|i| {
-            (Zero(f.all[i].substitute(&[(s.omega0, velocity)])), vec![1, 1], vec![(0, f.weight[i])])
-        }));
-    page.claim("statement7", "necessary", r"and every rotation with $S^*\ne0$ is of this kind: (6.5) give (7.4) and (7.7)")
-        .given(zeros(f.all))
-        .given([NonZero(s.omega0)])
-        .by_combination([
-            (Zero(first), vec![3], vec![(0, s.e.x), (1, s.e.y), (2, s.e.z)]),
-            (Zero(second), vec![], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)]),
-        ]);
+    page.claim(
+        "statement7",
+        "sufficient",
+        r"$S^*\ne0$ and (7.11): $\nu$ is an axis of rotation with $\omega^0$ by (7.10): the original (6.5) hold",
+    )
+    .given([Zero(surface), NonZero(f.s)])
+    .by_combination(
+        (0..3).map(|i| (Zero(f.all[i].substitute(&[(s.omega0, velocity)])), vec![1, 1], vec![(0, f.weight[i])])),
+    );
+    page.claim(
+        "statement7",
+        "necessary",
+        r"and every rotation with $S^*\ne0$ is of this kind: (6.5) give (7.4) and (7.7)",
+    )
+    .given(zeros(f.all))
+    .given([NonZero(s.omega0)])
+    .by_combination([
+        (Zero(first), vec![3], vec![(0, s.e.x), (1, s.e.y), (2, s.e.z)]),
+        (Zero(second), vec![], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)]),
+    ]);
     page.claim("statement7", "formulas-defined", r"both formulas have a meaning there: $V^*\neq0$ by (7.11)")
         .given([Zero(surface), NonZero(f.s), NonZero(s.big_gamma)])
         .nonvanishing(f.v, -(f.spin.powi(2) * f.pi), vec![2, 1, 1], vec![(0, number(-1, 1))]);
@@ -416,8 +496,12 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
 
 /// The surface (7.11) and its cone.
 fn degree(page: &mut Page, s: &Letters, f: &Relations) {
-    page.claim("section7.2-degree", "homogeneous", r"(7.11) is the sum of a form of degree 4, $\Gamma S^{*2}$, and one of degree 3, $(A'\Omega)^2\Pi^*V^*$")
-        .follows([scaling(s, f.s.powi(2), 4), scaling(s, f.pi * f.v, 3)]);
+    page.claim(
+        "section7.2-degree",
+        "homogeneous",
+        r"(7.11) is the sum of a form of degree 4, $\Gamma S^{*2}$, and one of degree 3, $(A'\Omega)^2\Pi^*V^*$",
+    )
+    .follows([scaling(s, f.s.powi(2), 4), scaling(s, f.pi * f.v, 3)]);
     let odd = f.spin.powi(2) * f.pi * f.v;
     let even = s.big_gamma * f.s.powi(2);
     let rule = &s.unit_vertical;

@@ -20,9 +20,13 @@ fn constant_speed(page: &mut Page, s: &Letters) {
     let residual = g.by_momentum(&motion);
     let gyrostatic = s.l * (s.axial * s.omega_field);
     let right = (s.a_star.component_mul(&s.w) + gyrostatic).cross(&s.w) + s.e.cross(&s.nu) * s.big_gamma;
-    page.claim("eq8.1", "carrier", r"$A^*\dot\omega = (A^*\omega + \lambda^*)\times\omega + \Gamma e\times\nu$, $\lambda^* = A'\Omega l$")
-        .under(&s.unit_axis)
-        .holds((0..3).map(|i| Line::equation(residual[i], s.a_star[i] * s.dw[i], right[i])));
+    page.claim(
+        "eq8.1",
+        "carrier",
+        r"$A^*\dot\omega = (A^*\omega + \lambda^*)\times\omega + \Gamma e\times\nu$, $\lambda^* = A'\Omega l$",
+    )
+    .under(&s.unit_axis)
+    .holds((0..3).map(|i| Line::equation(residual[i], s.a_star[i] * s.dw[i], right[i])));
     let dnu = vector("ν̇");
     let absolute = absolute_rate(Vector3::from_fn(|i, _| field::Tangent::moving(s.nu[i], dnu[i])), s.w);
     page.claim("eq8.1", "vertical", r"$\dot\nu = \nu\times\omega$")
@@ -32,9 +36,13 @@ fn constant_speed(page: &mut Page, s: &Letters) {
         .follows([Condition::Equal(residual[3], s.axial * s.l.dot(&s.dw) - s.moment)]);
     let still = Motion { moment: Sym::ZERO, ..s.stationary(s.omega_field, Sym::ZERO) };
     let stationary = g.by_momentum(&still);
-    page.claim("section8.1", "conditions", "its stationary motions satisfy (6.5): the same as with the synchronous motor")
-        .under(&s.unit_axis)
-        .follows((0..3).map(|i| Condition::Equal(-stationary[i], s.conditions()[i])));
+    page.claim(
+        "section8.1",
+        "conditions",
+        "its stationary motions satisfy (6.5): the same as with the synchronous motor",
+    )
+    .under(&s.unit_axis)
+    .follows((0..3).map(|i| Condition::Equal(-stationary[i], s.conditions()[i])));
 }
 
 /// 8.2: the rotor by inertia, in both forms.
@@ -43,34 +51,38 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     let rest = letter("Ω⁰");
     // first form: the relative speed that goes with p'
     let first = s.in_axes_of_a();
-    let free = Motion {
-        rotor_speed: p - s.w.dot(&s.l),
-        rotor_acceleration: -s.l.dot(&s.dw),
-        moment: Sym::ZERO,
-        ..s.motion()
-    };
+    let free =
+        Motion { rotor_speed: p - s.w.dot(&s.l), rotor_acceleration: -s.l.dot(&s.dw), moment: Sym::ZERO, ..s.motion() };
     let residual = first.by_momentum(&free);
     let right = (s.a.component_mul(&s.w) + s.l * (s.axial * p)).cross(&s.w) + s.e.cross(&s.nu) * s.big_gamma;
-    page.claim("section8.2", "first-form", r"$A\dot\omega = (A\omega + \lambda)\times\omega + \Gamma e\times\nu$, $\lambda = A'p'l$ with constant $p'$")
-        .under(&s.unit_axis)
-        .holds((0..3).map(|i| Line::equation(residual[i], s.a[i] * s.dw[i], right[i])));
+    page.claim(
+        "section8.2",
+        "first-form",
+        r"$A\dot\omega = (A\omega + \lambda)\times\omega + \Gamma e\times\nu$, $\lambda = A'p'l$ with constant $p'$",
+    )
+    .under(&s.unit_axis)
+    .holds((0..3).map(|i| Line::equation(residual[i], s.a[i] * s.dw[i], right[i])));
     page.claim("section8.2", "integral", r"$p'$ is an integral: with $M = 0$ the rotor's equation is $A'\dot p' = 0$")
         .under(&s.unit_axis)
         .follows([Condition::Zero(residual[3])]);
     let still = Motion { moment: Sym::ZERO, ..s.stationary(p - s.omega0 * s.nu.dot(&s.l), Sym::ZERO) };
     let stationary = first.by_momentum(&still);
-    let to_first: Vec<(Sym, Sym)> =
-        (0..3).map(|i| (s.a_star[i], s.a[i])).chain([(s.omega_field, p)]).collect();
+    let to_first: Vec<(Sym, Sym)> = (0..3).map(|i| (s.a_star[i], s.a[i])).chain([(s.omega_field, p)]).collect();
     let printed = s.conditions().map(|x| x.substitute(&to_first));
-    page.claim("section8.2", "conditions-first", r"stationary motions in the axes of $A$: (6.5) with $A_i$ for $A_i^*$ and $p'$ for $\Omega$")
-        .under(&s.unit_axis)
-        .follows((0..3).map(|i| Condition::Equal(-stationary[i], printed[i])));
+    page.claim(
+        "section8.2",
+        "conditions-first",
+        r"stationary motions in the axes of $A$: (6.5) with $A_i$ for $A_i^*$ and $p'$ for $\Omega$",
+    )
+    .under(&s.unit_axis)
+    .follows((0..3).map(|i| Condition::Equal(-stationary[i], printed[i])));
     let (s_star, pi_star) = (s.s_star().substitute(&to_first), s.pi_star());
-    page.claim("section8.2", "cones-first", r"hence $\omega^0 S - A'p'\Pi = 0$ with $A_i$ and $p'$: for each $p'$ a cone of its own")
-        .follows([Condition::Equal(
-            s.e.dot(&printed),
-            s.omega0 * (s.omega0 * s_star - s.axial * p * pi_star),
-        )]);
+    page.claim(
+        "section8.2",
+        "cones-first",
+        r"hence $\omega^0 S - A'p'\Pi = 0$ with $A_i$ and $p'$: for each $p'$ a cone of its own",
+    )
+    .follows([Condition::Equal(s.e.dot(&printed), s.omega0 * (s.omega0 * s_star - s.axial * p * pi_star))]);
 
     // second form
     let second = s.in_axes_of_a_star();
