@@ -4,7 +4,25 @@ pub mod konosevich2022;
 
 use claims::Page;
 
+/// A paper of the ledger.
+#[derive(Clone, Copy, Debug)]
+pub struct Paper {
+    /// What ids begin with.
+    pub key: &'static str,
+    /// Authors, title, journal.
+    pub citation: &'static str,
+    /// What the paper is about and what was found, in a paragraph; LaTeX between dollar signs.
+    pub summary: &'static str,
+    /// Everything it states: numbered equations, then statements. Each must have a claim.
+    pub entries: &'static [&'static str],
+    /// Its claims, made in the calling thread.
+    pub page: fn() -> Page,
+}
+
+/// Every paper.
+pub const ALL: &[Paper] = &[konosevich2022::PAPER];
+
 /// Every paper's page, made in the calling thread.
 pub fn pages() -> Vec<Page> {
-    vec![konosevich2022::page()]
+    ALL.iter().map(|paper| (paper.page)()).collect()
 }
