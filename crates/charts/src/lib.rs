@@ -16,8 +16,8 @@ pub mod page;
 mod report;
 mod svg;
 mod text;
-mod verdict;
 
+pub use claims::Verdict;
 pub use page::Page;
 pub use report::{ClaimRow, PaperSection, Parameter, Report, SceneSection, Table};
 pub use svg::sphere::{Curve, CurvePoint, Mark, Sphere};
@@ -25,4 +25,3 @@ pub use svg::timings::{Contender, TimingRow, Timings};
 pub use svg::trajectory::{Panel, Track, Trajectory};
 pub use svg::work_precision::{Failure, Method, Point, Work, WorkPrecision};
 pub use text::Unset;
-pub use verdict::Verdict;

@@ -20,6 +20,7 @@ mod damper;
 pub mod gyrostats;
 mod letters;
 mod relations;
+mod routes;
 mod section2;
 mod section3;
 mod section4;
@@ -130,6 +131,7 @@ pub fn page() -> Page {
     section7_balanced::claims(&mut page, &letters);
     section7_heavy::claims(&mut page, &letters);
     section8::claims(&mut page, &letters);
+    routes::claims(&mut page, &letters);
     damper::claims(&mut page, &letters);
     beyond::claims(&mut page, &letters);
     page
