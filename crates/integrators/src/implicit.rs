@@ -50,12 +50,6 @@ pub(crate) struct Implicit<'a, S> {
     pub turns: f64,
 }
 
-/// How Newton's iteration ended.
-enum Newton {
-    Converged,
-    Failed(Cause),
-}
-
 impl<'a, S: Real> Implicit<'a, S> {
     pub fn new(
         family: Family,
@@ -122,7 +116,7 @@ impl<'a, S: Real> Implicit<'a, S> {
     }
 
     /// J_j at every stage, and the factors of Newton's matrix.
-    fn linearise(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> bool {
+    fn linearise(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> Result<(), Cause> {
         let (n, direction) = (self.n, meter.direction.approx());
         for (j, matrix) in self.jacobians.chunks_mut(n * n).enumerate() {
             for c in 0..n {
@@ -141,8 +135,11 @@ impl<'a, S: Real> Implicit<'a, S> {
             }
             entries[row] += 1.0;
         }
+        if !self.jacobians.iter().all(|slope| slope.is_finite()) {
+            return Err(Cause::Undefined);
+        }
         meter.count_factorisation();
-        self.newton.factorise()
+        if self.newton.factorise() { Ok(()) } else { Err(Cause::Singular) }
     }
 
     /// One correction of Z; its size in units of the tolerance.
@@ -174,33 +171,32 @@ impl<'a, S: Real> Implicit<'a, S> {
         size
     }
 
-    fn newton(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> Newton {
-        if !self.linearise(tau, y, step, meter) {
-            return Newton::Failed(Cause::Singular);
-        }
+    /// Newton's iteration to a small part of the tolerance.
+    fn iterate(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> Result<(), Cause> {
+        self.linearise(tau, y, step, meter)?;
         let mut last = f64::INFINITY;
         let mut rate = 0.5;
         for iteration in 0..MOST_ITERATIONS {
             let size = self.correct(tau, y, step, meter);
             if !size.is_finite() {
-                return Newton::Failed(Cause::Undefined);
+                return Err(Cause::Undefined);
             }
             if iteration > 0 {
                 rate = size / last;
             }
             if size * (rate / (1.0 - rate).max(0.1)).min(1.0) <= LEFT_BY_NEWTON || (rate > 0.5 && size < 0.1) {
-                return Newton::Converged;
+                return Ok(());
             }
             if rate >= 2.0 || (iteration > 2 && rate >= 0.95) {
-                return Newton::Failed(Cause::Newton);
+                return Err(Cause::Newton);
             }
             let to_come = (LEFT_BY_NEWTON / size).ln() / rate.ln();
-            if iteration > 0 && !(to_come >= 0.0 && to_come < PATIENCE) && !self.linearise(tau, y, step, meter) {
-                return Newton::Failed(Cause::Singular);
+            if iteration > 0 && !(0.0..PATIENCE).contains(&to_come) {
+                self.linearise(tau, y, step, meter)?;
             }
             last = size;
         }
-        Newton::Failed(Cause::Newton)
+        Err(Cause::Newton)
     }
 
     /// The error in units of the tolerance, and the power of the step that it goes with.
@@ -263,7 +259,7 @@ impl<S: Real> Stepper<S> for Implicit<'_, S> {
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &Meter<S>) -> Attempt {
         let length = step.approx();
         self.predict(length);
-        if let Newton::Failed(cause) = self.newton(tau, before, step, meter) {
+        if let Err(cause) = self.iterate(tau, before, step, meter) {
             (self.z_step, self.accepted) = (None, false);
             let factor = if cause == Cause::Undefined { 0.25 } else { 0.5 };
             return Attempt::Rejected { next: factor * length, cause };

@@ -147,6 +147,24 @@ pub fn integrate_in<S: Working>(
     prepared(system, method, tolerance, span, observer, run)
 }
 
+/// Gauss collocation with the integral of the spectral radius along its way: how much there was to follow.
+pub(crate) fn collocate_gauss<S: Working>(
+    system: &dyn System,
+    stages: u8,
+    tolerance: &Tolerance,
+    span: &Span<'_, S>,
+    observer: &mut dyn Observer<S>,
+) -> (Outcome<S>, f64) {
+    let mut turns = 0.0;
+    let run = |meter: &Meter<S>, watch: Watch<'_, '_, S>| {
+        let outcome;
+        (outcome, turns) = collocate(system, Family::Gauss, stages.into(), tolerance, meter, watch);
+        outcome
+    };
+    let outcome = prepared(system, Method::Gauss { stages }, tolerance, span, observer, run);
+    (outcome, turns)
+}
+
 /// Checks the data, then runs.
 fn prepared<S: Working>(
     system: &dyn System,
