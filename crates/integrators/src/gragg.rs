@@ -7,6 +7,7 @@
 //! gains two orders a column (Bulirsch and Stoer 1966). Order and step are chosen together, as the pair with the least
 //! work per unit of time (Deuflhard 1983; Hairer, Norsett and Wanner I, II.9).
 
+use crate::classical::advance;
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::meter::Meter;
 use crate::{Real, Tolerance};
@@ -76,20 +77,17 @@ impl<S: Real> GraggBulirschStoer<S> {
         2 * self.column as u32
     }
 
-    /// One row: Gragg's rule into the first column, then the extrapolations; true if all is finite.
+    /// One row: Gragg's rule into the first column, then the extrapolations.
     fn row(&mut self, j: usize, tau: S, before: &[S], step: S, meter: &Meter<S>) {
         let n = substeps(j);
         let h = step / S::int(n as i64);
         self.previous.copy_from_slice(before);
-        for i in 0..before.len() {
-            self.current[i] = before[i] + h * self.first_slope[i];
-        }
+        advance(before, h, &self.first_slope, &mut self.current);
         for m in 1..n {
             meter.rates(tau + h * S::int(m as i64), &self.current, &mut self.slope);
-            for i in 0..before.len() {
-                let next = self.previous[i] + (h + h) * self.slope[i];
-                self.previous[i] = self.current[i];
-                self.current[i] = next;
+            for ((previous, current), slope) in self.previous.iter_mut().zip(&mut self.current).zip(&self.slope) {
+                let next = *previous + (h + h) * *slope;
+                *previous = std::mem::replace(current, next);
             }
         }
         meter.rates(tau + step, &self.current, &mut self.slope);

@@ -119,8 +119,8 @@ impl<'a, S: Real> Implicit<'a, S> {
     fn linearise(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> Result<(), Cause> {
         let (n, direction) = (self.n, meter.direction.approx());
         for (j, matrix) in self.jacobians.chunks_mut(n * n).enumerate() {
-            for c in 0..n {
-                self.plain[c] = (y[c] + self.z[j * n + c]).approx();
+            for ((plain, y), z) in self.plain.iter_mut().zip(y).zip(&self.z[j * n..]) {
+                *plain = (*y + *z).approx();
             }
             let t = meter.time(tau + step * self.method.nodes[j]).approx();
             self.jacobian.matrix(t, &self.plain, matrix);
@@ -146,8 +146,8 @@ impl<'a, S: Real> Implicit<'a, S> {
     fn correct(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> f64 {
         let n = self.n;
         for (j, slope) in self.slopes.chunks_mut(n).enumerate() {
-            for c in 0..n {
-                self.stage[c] = y[c] + self.z[j * n + c];
+            for ((stage, y), z) in self.stage.iter_mut().zip(y).zip(&self.z[j * n..]) {
+                *stage = *y + *z;
             }
             meter.rates(tau + step * self.method.nodes[j], &self.stage, slope);
             slope.iter_mut().for_each(|slope| *slope *= step);

@@ -10,12 +10,16 @@ use crate::drive::{drive, first_step};
 use crate::gragg::GraggBulirschStoer;
 use crate::implicit::Implicit;
 use crate::meter::Meter;
+use crate::rosenbrock::Rodas4;
 use crate::taylor::Taylor;
 use crate::watch::Watch;
 use crate::{End, Failure, Observer, Outcome, Real, Refusal, Span, System, Tolerance, Work, Working};
 
 /// The most stages of a collocation method: tested to 30 digits up to here.
 pub const MOST_STAGES: u8 = 20;
+
+/// The most unknowns of one implicit step: its dense matrix has this number squared.
+const MOST_UNKNOWNS: usize = 4000;
 
 /// A method, by inventor and stages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -42,6 +46,8 @@ pub enum Method {
     Gauss { stages: u8 },
     /// Radau IIA collocation, order 2s - 1.
     RadauIIA { stages: u8 },
+    /// Hairer and Wanner's Rosenbrock pair 4(3) with 6 stages.
+    Rodas4,
     /// Taylor's method after Jorba and Zou, for systems that offer their coefficients.
     Taylor,
 }
@@ -78,17 +84,24 @@ impl Method {
             Method::RadauIIA { stages } => {
                 Traits { order: Some((2 * u32::from(stages)).saturating_sub(1)), implicit: true, ..adaptive }
             }
+            Method::Rodas4 => Traits { order: Some(4), exact: false, implicit: true, ..adaptive },
             Method::Taylor => Traits { lands: false, ..adaptive },
         }
     }
 
     /// What no run of this method could work with.
-    fn check(self) -> Result<(), Refusal> {
+    fn check(self, dimension: usize) -> Result<(), Refusal> {
         match self {
             Method::Euler { steps: 0 } | Method::RungeKutta4 { steps: 0 } => Err(Refusal::Steps { given: 0 }),
             Method::Gauss { stages } | Method::RadauIIA { stages } if !(1..=MOST_STAGES).contains(&stages) => {
                 Err(Refusal::Stages { given: stages.into(), least: 1, most: MOST_STAGES.into() })
             }
+            Method::Gauss { stages } | Method::RadauIIA { stages }
+                if dimension > MOST_UNKNOWNS / usize::from(stages) =>
+            {
+                Err(Refusal::TooLarge { dimension, most: MOST_UNKNOWNS / usize::from(stages) })
+            }
+            Method::Rodas4 if dimension > MOST_UNKNOWNS => Err(Refusal::TooLarge { dimension, most: MOST_UNKNOWNS }),
             _ => Ok(()),
         }
     }
@@ -108,6 +121,7 @@ impl fmt::Display for Method {
             Method::GraggBulirschStoer => write!(f, "Gragg-Bulirsch-Stoer"),
             Method::Gauss { stages } => write!(f, "Gauss, {stages} stages"),
             Method::RadauIIA { stages } => write!(f, "Radau IIA, {stages} stages"),
+            Method::Rodas4 => write!(f, "Rodas4"),
             Method::Taylor => write!(f, "Taylor"),
         }
     }
@@ -130,12 +144,16 @@ pub fn integrate(
         Method::Verner9 => ryan_gast::run(Choice::Verner9, system, tolerance, meter, watch),
         Method::Radau5 => ryan_gast::run(Choice::Radau5, system, tolerance, meter, watch),
         Method::Kvaerno5 => ryan_gast::run(Choice::Kvaerno5, system, tolerance, meter, watch),
+        Method::Rodas4 => {
+            let first = first_step(meter, watch.state(), tolerance, 4, watch.length());
+            drive(&mut Rodas4::new(system, tolerance, meter.dimension()), first, meter, watch)
+        }
         _ => run_own(system, method, tolerance, meter, watch),
     };
     prepared(system, method, tolerance, span, observer, run)
 }
 
-/// Integrates in any working field: the own methods only, the crates' run in `f64`.
+/// Integrates in any working field: the methods that are `exact` by their [`Traits`], the others are refused.
 pub fn integrate_in<S: Working>(
     system: &dyn System,
     method: Method,
@@ -183,7 +201,7 @@ fn prepared<S: Working>(
         work: Work::default(),
         deviations: Vec::new(),
     };
-    if let Err(refusal) = span.check(law.dimension(), followed).and_then(|()| method.check()) {
+    if let Err(refusal) = span.check(law.dimension(), followed).and_then(|()| method.check(law.dimension())) {
         return refuse(refusal);
     }
     let mut rates = vec![S::zero(); law.dimension()];
@@ -229,7 +247,8 @@ fn run_own<S: Working>(
         | Method::Verner6
         | Method::Verner9
         | Method::Radau5
-        | Method::Kvaerno5 => watch.fail(Failure::Refused(Refusal::Field), meter),
+        | Method::Kvaerno5
+        | Method::Rodas4 => watch.fail(Failure::Refused(Refusal::Field), meter),
     }
 }
 

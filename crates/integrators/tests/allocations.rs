@@ -6,7 +6,7 @@ use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
 use field::DoubleDouble;
-use integrators::{Jacobian, Method, Ode, Span, Tolerance, Working, integrate_in};
+use integrators::{Jacobian, Method, Ode, Span, Tolerance, Working, integrate, integrate_in};
 use problems::{Chain, Kepler};
 
 /// Counts what the heap is asked for, thread by thread.
@@ -62,6 +62,16 @@ fn the_allocations_of_a_run_do_not_depend_on_its_number_of_steps() {
         let ((short, few), (long, many)) = (run::<DoubleDouble>(method, 5.0), run::<DoubleDouble>(method, 50.0));
         assert!(many > 5 * few && short == long, "{method}: {short} in {few} steps, {long} in {many}");
     }
+}
+
+#[test]
+fn the_allocations_of_rodas4_do_not_depend_on_its_number_of_steps() {
+    let ellipse = Kepler { eccentricity: 0.3 };
+    let count = |length| {
+        let span = Span::new(0.0, length, &ellipse.state::<f64>(0.0));
+        allocations(|| drop(integrate(&ellipse, Method::Rodas4, &Tolerance::both(1e-8), &span, &mut ())))
+    };
+    assert_eq!(count(5.0), count(50.0));
 }
 
 #[test]

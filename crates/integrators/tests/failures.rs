@@ -2,13 +2,16 @@
 
 mod problems;
 
+use std::time::Instant;
+
 use integrators::{Absolute, Failure, Method, Outcome, Record, Refusal, Span, System, Tolerance, integrate};
-use problems::{Explosion, Funnel, Kaps, Pendulum};
+use problems::{Explosion, Funnel, Growth, Kaps, Pendulum};
 
 const EXPLICIT: [Method; 5] =
     [Method::DormandPrince5, Method::DormandPrince8, Method::Verner6, Method::Verner9, Method::GraggBulirschStoer];
 
-const ADAPTIVE: [Method; 9] = [
+const ADAPTIVE: [Method; 10] = [
+    Method::Rodas4,
     Method::DormandPrince5,
     Method::DormandPrince8,
     Method::Verner6,
@@ -69,6 +72,55 @@ fn a_failing_run_keeps_the_samples_before_its_failure() {
         integrate(&Explosion, method, &Tolerance::both(1e-8), &span, &mut record);
         assert_eq!(record.times, [0.25, 0.5, 0.75], "{method}");
     }
+}
+
+#[test]
+fn a_system_at_rest_stays_there() {
+    for method in ADAPTIVE {
+        let outcome = run(&Growth { rate: 0.0 }, method, &Span::new(0.0, 10.0, &[1.0, 0.0, -2.0]));
+        assert!(outcome.reached(), "{method}: {:?}", outcome.failure());
+        assert_eq!(outcome.state, [1.0, 0.0, -2.0], "{method}");
+    }
+}
+
+#[test]
+fn overflow_within_the_first_step_is_a_failure_with_a_name() {
+    for method in ADAPTIVE {
+        let outcome = run(&Growth { rate: 1e200 }, method, &Span::new(0.0, 10.0, &[1.0, 1.0, 1.0]));
+        assert!(outcome.failure().is_some(), "{method}");
+    }
+}
+
+#[test]
+fn a_budget_of_any_size_is_kept() {
+    for method in ADAPTIVE {
+        for evaluations in [1, 2, 3, 10, 50] {
+            let span = Span::new(0.0, 100.0, &[1.0, 0.0]).with_evaluations(evaluations);
+            let outcome = run(&Pendulum { frequency: 1.0 }, method, &span);
+            let at = outcome.time;
+            let expected = Failure::TooManyEvaluations { at, allowed: evaluations };
+            assert_eq!(outcome.failure(), Some(expected), "{method}");
+            assert!(outcome.work.rates <= evaluations);
+        }
+    }
+}
+
+#[test]
+fn a_deadline_that_has_passed_stops_the_run() {
+    for method in ADAPTIVE {
+        let span = Span::new(0.0, 1e5, &[1.0, 0.0]).with_deadline(Instant::now());
+        let failure = run(&Pendulum { frequency: 1.0 }, method, &span).failure();
+        assert!(matches!(failure, Some(Failure::OutOfTime { .. })), "{method}: {failure:?}");
+    }
+}
+
+#[test]
+fn a_method_with_impossible_stages_or_steps_is_refused() {
+    let refused = |method| run(&Growth { rate: 0.0 }, method, &Span::new(0.0, 1.0, &[1.0; 3])).failure();
+    let stages = |given| Some(Failure::Refused(Refusal::Stages { given, least: 1, most: 20 }));
+    assert_eq!(refused(Method::Gauss { stages: 0 }), stages(0));
+    assert_eq!(refused(Method::RadauIIA { stages: 21 }), stages(21));
+    assert_eq!(refused(Method::Euler { steps: 0 }), Some(Failure::Refused(Refusal::Steps { given: 0 })));
 }
 
 #[test]

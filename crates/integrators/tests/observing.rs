@@ -5,7 +5,8 @@ mod problems;
 use integrators::{Method, Progress, Record, Samples, Span, Tolerance, integrate};
 use problems::{Drive, Kepler, Pendulum, distance};
 
-const METHODS: [Method; 9] = [
+const METHODS: [Method; 10] = [
+    Method::Rodas4,
     Method::DormandPrince5,
     Method::DormandPrince8,
     Method::Verner6,

@@ -51,6 +51,7 @@ fn runge_kutta_pairs_have_their_order() {
         (Method::Verner9, 1e-8, 1e-12),
         (Method::Radau5, 1e-8, 1e-12),
         (Method::Kvaerno5, 1e-8, 1e-12),
+        (Method::Rodas4, 1e-7, 1e-10),
     ] {
         let measured = slope(kepler(method, coarse), kepler(method, fine));
         // one step size more or less at the ends: of 13 steps this is much
@@ -75,7 +76,8 @@ fn collocation_has_order_2s_or_one_less() {
 }
 
 /// All methods that follow a tolerance, but Taylor's, which needs a series.
-const ADAPTIVE: [Method; 10] = [
+const ADAPTIVE: [Method; 11] = [
+    Method::Rodas4,
     Method::DormandPrince5,
     Method::DormandPrince8,
     Method::Verner6,

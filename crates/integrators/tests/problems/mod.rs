@@ -159,6 +159,23 @@ impl<S: Over<f64> + Analytic> Ode<S> for Lorenz {
 
 impl System for Lorenz {}
 
+/// y' = rate * y: nothing happens at rate 0, everything at rate 1e200.
+pub struct Growth {
+    pub rate: f64,
+}
+
+impl<S: Over<f64> + Analytic> Ode<S> for Growth {
+    fn dimension(&self) -> usize {
+        3
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        dy.iter_mut().zip(y).for_each(|(dy, y)| *dy = S::lift(self.rate) * *y);
+    }
+}
+
+impl System for Growth {}
+
 /// A chain of `bars` pendulums of slowly different lengths, each driving the next, and a drive in time.
 pub struct Chain {
     pub bars: usize,
