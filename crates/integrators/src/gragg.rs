@@ -175,10 +175,15 @@ impl<S: Real> Stepper<S> for GraggBulirschStoer<S> {
                 after.copy_from_slice(&self.table[j - 1]);
                 return Attempt::Accepted { next: self.after_success(j) };
             }
-            // what the columns up to `last` can still gain
-            let gain: f64 = (j + 1..=last).map(|k| (substeps(k) as f64 / substeps(1) as f64).powi(2)).product();
-            if j + 1 >= self.column && error > gain {
-                return Attempt::Rejected { next: self.after_failure(j), cause: Cause::Error };
+            // each further column shrinks the error at least so: hopeless if that is not enough
+            let gain =
+                |to: usize| (j + 1..=to).map(|k| (substeps(k) as f64 / substeps(1) as f64).powi(2)).product::<f64>();
+            if j + 1 >= self.column && error > gain(last) {
+                let hoped = error / gain(self.column);
+                let power = 1.0 / (2 * self.column - 1) as f64;
+                self.after_rejection = true;
+                let factor = (0.94 * (0.65 / hoped).powf(power)).clamp(0.1, 0.7);
+                return Attempt::Rejected { next: factor * step.approx(), cause: Cause::Error };
             }
         }
         Attempt::Rejected { next: self.after_failure(last), cause: Cause::Error }

@@ -15,6 +15,7 @@ use crate::drive::{Attempt, Cause, Stepper};
 use crate::jacobian::Jacobian;
 use crate::lu::Lu;
 use crate::meter::Meter;
+use crate::spectral::SpectralRadius;
 use crate::{Directions, Ode, Real, Tolerance};
 
 /// Iterations after which a step is shortened.
@@ -44,7 +45,7 @@ pub(crate) struct Implicit<'a, S> {
     filter: Lu,
     defect: Vec<f64>,
     plain: Vec<f64>,
-    squares: [Vec<f64>; 2],
+    spectrum: SpectralRadius,
     accepted: bool,
     /// The integral of the spectral radius over the accepted steps: how much there was to follow.
     pub turns: f64,
@@ -76,7 +77,7 @@ impl<'a, S: Real> Implicit<'a, S> {
             filter: Lu::new(n),
             defect: vec![0.0; n],
             plain: vec![0.0; n],
-            squares: [vec![0.0; n * n], vec![0.0; n * n]],
+            spectrum: SpectralRadius::new(n),
             accepted: false,
             turns: 0.0,
         }
@@ -223,35 +224,11 @@ impl<'a, S: Real> Implicit<'a, S> {
             Family::Gauss => (s, 2 * s + 1),
             Family::RadauIIA => (s - 1, 2 * (2 * s - 1)),
         };
-        let half_turn = 0.5 * step.approx() * self.spectral_radius();
+        let half_turn = 0.5 * step.approx() * self.spectrum.radius(&self.jacobians[..n * n]);
         let rough = (1..=degree).fold(1.0, |share, k| share * half_turn / (2 * k - 1) as f64);
         let share = (rough + plain / motion.max(f64::MIN_POSITIVE)).min(1.0);
         let power = if share > 0.5 { s + 1 } else { s + 1 + degree };
         (filtered * share / norm as f64, power as f64)
-    }
-
-    /// The spectral radius of the first stage's Jacobian, from above: the 16th root of the norm of its 16th power.
-    fn spectral_radius(&mut self) -> f64 {
-        let n = self.n;
-        let [power, square] = &mut self.squares;
-        power.copy_from_slice(&self.jacobians[..n * n]);
-        let mut logarithm = 0.0;
-        for doubling in 0..5 {
-            let norm = power.chunks(n).map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
-            if norm == 0.0 {
-                return 0.0;
-            }
-            logarithm += norm.ln() / f64::from(1 << doubling);
-            power.iter_mut().for_each(|entry| *entry /= norm);
-            square.fill(0.0);
-            for (out, row) in square.chunks_mut(n).zip(power.chunks(n)) {
-                for (factor, other) in row.iter().zip(power.chunks(n)) {
-                    out.iter_mut().zip(other).for_each(|(out, entry)| *out += factor * entry);
-                }
-            }
-            std::mem::swap(power, square);
-        }
-        logarithm.exp()
     }
 }
 
@@ -278,7 +255,7 @@ impl<S: Real> Stepper<S> for Implicit<'_, S> {
         self.accepted = error <= 1.0;
         let next = length * (0.9 * error.max(1e-300).powf(-1.0 / power)).clamp(0.2, most);
         if self.accepted {
-            self.turns += length * self.spectral_radius();
+            self.turns += length * self.spectrum.radius(&self.jacobians[..self.n * self.n]);
             Attempt::Accepted { next }
         } else {
             let cause = if error.is_nan() { Cause::Undefined } else { Cause::Error };

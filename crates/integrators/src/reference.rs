@@ -6,7 +6,7 @@
 
 use field::{DoubleDouble, Over};
 
-use crate::method::collocate_gauss;
+use crate::integrate::collocate_gauss;
 use crate::{
     Failure, Method, Observer, Outcome, Record, Refusal, Span, System, Tolerance, Work, Working, integrate,
     integrate_in,

@@ -26,8 +26,8 @@ pub struct Point {
 }
 
 /// Runs every method at every tolerance, a method with a constant step once. The methods take turns in every round, so
-/// that a slow moment of the machine meets them all, and the rounds end with the time allowed. A run may take its equal
-/// share of half that time before it is stopped as out of time.
+/// that a slow moment of the machine meets them all, and the rounds end with the time allowed. The first runs, which give
+/// the errors, have half of it: each may take its equal share of what the ones before have left.
 ///
 /// The reference must be one of the same span: same start, same outputs.
 pub fn work_precision(
@@ -46,8 +46,10 @@ pub fn work_precision(
         .filter(|(index, _, method)| method.traits().adaptive || *index == 0)
         .map(|(_, tolerance, method)| Trial::new(method, Tolerance::scaled(tolerance, &reference.sizes)))
         .collect();
-    let share = allowed / (2 * trials.len().max(1) as u32);
-    for trial in &mut trials {
+    let half = end - allowed / 2;
+    let count = trials.len();
+    for (index, trial) in trials.iter_mut().enumerate() {
+        let share = half.saturating_duration_since(Instant::now()) / (count - index) as u32;
         trial.judge(system, span, reference, share);
     }
     for _ in 0..ENOUGH {
