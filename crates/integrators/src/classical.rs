@@ -69,7 +69,7 @@ impl<S: Real> Stepper<S> for RungeKutta4<S> {
 }
 
 /// to = from + step * slope.
-fn advance<S: Real>(from: &[S], step: S, slope: &[S], to: &mut [S]) {
+pub(crate) fn advance<S: Real>(from: &[S], step: S, slope: &[S], to: &mut [S]) {
     for ((to, from), slope) in to.iter_mut().zip(from).zip(slope) {
         *to = *from + step * *slope;
     }

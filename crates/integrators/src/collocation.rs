@@ -132,23 +132,19 @@ fn weight<S: Real>(family: Family, s: usize, c: S) -> S {
     }
 }
 
-/// x with x A = b, by elimination with pivoting; A is regular for both families.
+/// x with x A = b, by Gauss and Jordan's elimination with pivoting; A is regular for both families.
 fn solve_transposed<S: Real>(matrix: &[Vec<S>], right: &[S]) -> Vec<S> {
     let n = right.len();
-    let mut rows: Vec<Vec<S>> =
-        (0..n).map(|i| matrix.iter().map(|row| row[i]).chain(std::iter::once(right[i])).collect()).collect();
+    let row = |i: usize| matrix.iter().map(|row| row[i]).chain(std::iter::once(right[i])).collect();
+    let mut rows: Vec<Vec<S>> = (0..n).map(row).collect();
     for k in 0..n {
-        let better = |best: usize, row: usize| {
-            if rows[row][k].magnitude() > rows[best][k].magnitude() { row } else { best }
-        };
-        let pivot = (k + 1..n).fold(k, better);
+        let size = |row: usize| rows[row][k].magnitude();
+        let pivot = (k + 1..n).fold(k, |best, row| if size(row) > size(best) { row } else { best });
         rows.swap(k, pivot);
-        for i in (0..n).filter(|i| *i != k) {
-            let factor = rows[i][k] / rows[k][k];
-            for j in k..=n {
-                let above = rows[k][j];
-                rows[i][j] -= factor * above;
-            }
+        let pivot_row = rows[k].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+            let factor = row[k] / pivot_row[k];
+            row.iter_mut().zip(&pivot_row).for_each(|(entry, above)| *entry -= factor * *above);
         }
     }
     (0..n).map(|k| rows[k][n] / rows[k][k]).collect()

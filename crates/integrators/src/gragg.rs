@@ -7,6 +7,7 @@
 //! gains two orders a column (Bulirsch and Stoer 1966). Order and step are chosen together, as the pair with the least
 //! work per unit of time (Deuflhard 1983; Hairer, Norsett and Wanner I, II.9).
 
+use crate::classical::advance;
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::meter::Meter;
 use crate::{Real, Tolerance};
@@ -76,20 +77,17 @@ impl<S: Real> GraggBulirschStoer<S> {
         2 * self.column as u32
     }
 
-    /// One row: Gragg's rule into the first column, then the extrapolations; true if all is finite.
+    /// One row: Gragg's rule into the first column, then the extrapolations.
     fn row(&mut self, j: usize, tau: S, before: &[S], step: S, meter: &Meter<S>) {
         let n = substeps(j);
         let h = step / S::int(n as i64);
         self.previous.copy_from_slice(before);
-        for i in 0..before.len() {
-            self.current[i] = before[i] + h * self.first_slope[i];
-        }
+        advance(before, h, &self.first_slope, &mut self.current);
         for m in 1..n {
             meter.rates(tau + h * S::int(m as i64), &self.current, &mut self.slope);
-            for i in 0..before.len() {
-                let next = self.previous[i] + (h + h) * self.slope[i];
-                self.previous[i] = self.current[i];
-                self.current[i] = next;
+            for ((previous, current), slope) in self.previous.iter_mut().zip(&mut self.current).zip(&self.slope) {
+                let next = *previous + (h + h) * *slope;
+                *previous = std::mem::replace(current, next);
             }
         }
         meter.rates(tau + step, &self.current, &mut self.slope);
@@ -177,10 +175,15 @@ impl<S: Real> Stepper<S> for GraggBulirschStoer<S> {
                 after.copy_from_slice(&self.table[j - 1]);
                 return Attempt::Accepted { next: self.after_success(j) };
             }
-            // what the columns up to `last` can still gain
-            let gain: f64 = (j + 1..=last).map(|k| (substeps(k) as f64 / substeps(1) as f64).powi(2)).product();
-            if j + 1 >= self.column && error > gain {
-                return Attempt::Rejected { next: self.after_failure(j), cause: Cause::Error };
+            // each further column shrinks the error at least so: hopeless if that is not enough
+            let gain =
+                |to: usize| (j + 1..=to).map(|k| (substeps(k) as f64 / substeps(1) as f64).powi(2)).product::<f64>();
+            if j + 1 >= self.column && error > gain(last) {
+                let hoped = error / gain(self.column);
+                let power = 1.0 / (2 * self.column - 1) as f64;
+                self.after_rejection = true;
+                let factor = (0.94 * (0.65 / hoped).powf(power)).clamp(0.1, 0.7);
+                return Attempt::Rejected { next: factor * step.approx(), cause: Cause::Error };
             }
         }
         Attempt::Rejected { next: self.after_failure(last), cause: Cause::Error }

@@ -15,6 +15,7 @@ use crate::drive::{Attempt, Cause, Stepper};
 use crate::jacobian::Jacobian;
 use crate::lu::Lu;
 use crate::meter::Meter;
+use crate::spectral::SpectralRadius;
 use crate::{Directions, Ode, Real, Tolerance};
 
 /// Iterations after which a step is shortened.
@@ -44,16 +45,10 @@ pub(crate) struct Implicit<'a, S> {
     filter: Lu,
     defect: Vec<f64>,
     plain: Vec<f64>,
-    squares: [Vec<f64>; 2],
+    spectrum: SpectralRadius,
     accepted: bool,
     /// The integral of the spectral radius over the accepted steps: how much there was to follow.
     pub turns: f64,
-}
-
-/// How Newton's iteration ended.
-enum Newton {
-    Converged,
-    Failed(Cause),
 }
 
 impl<'a, S: Real> Implicit<'a, S> {
@@ -82,7 +77,7 @@ impl<'a, S: Real> Implicit<'a, S> {
             filter: Lu::new(n),
             defect: vec![0.0; n],
             plain: vec![0.0; n],
-            squares: [vec![0.0; n * n], vec![0.0; n * n]],
+            spectrum: SpectralRadius::new(n),
             accepted: false,
             turns: 0.0,
         }
@@ -122,11 +117,11 @@ impl<'a, S: Real> Implicit<'a, S> {
     }
 
     /// J_j at every stage, and the factors of Newton's matrix.
-    fn linearise(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> bool {
+    fn linearise(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> Result<(), Cause> {
         let (n, direction) = (self.n, meter.direction.approx());
         for (j, matrix) in self.jacobians.chunks_mut(n * n).enumerate() {
-            for c in 0..n {
-                self.plain[c] = (y[c] + self.z[j * n + c]).approx();
+            for ((plain, y), z) in self.plain.iter_mut().zip(y).zip(&self.z[j * n..]) {
+                *plain = (*y + *z).approx();
             }
             let t = meter.time(tau + step * self.method.nodes[j]).approx();
             self.jacobian.matrix(t, &self.plain, matrix);
@@ -141,16 +136,19 @@ impl<'a, S: Real> Implicit<'a, S> {
             }
             entries[row] += 1.0;
         }
+        if !self.jacobians.iter().all(|slope| slope.is_finite()) {
+            return Err(Cause::Undefined);
+        }
         meter.count_factorisation();
-        self.newton.factorise()
+        if self.newton.factorise() { Ok(()) } else { Err(Cause::Singular) }
     }
 
     /// One correction of Z; its size in units of the tolerance.
     fn correct(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> f64 {
         let n = self.n;
         for (j, slope) in self.slopes.chunks_mut(n).enumerate() {
-            for c in 0..n {
-                self.stage[c] = y[c] + self.z[j * n + c];
+            for ((stage, y), z) in self.stage.iter_mut().zip(y).zip(&self.z[j * n..]) {
+                *stage = *y + *z;
             }
             meter.rates(tau + step * self.method.nodes[j], &self.stage, slope);
             slope.iter_mut().for_each(|slope| *slope *= step);
@@ -174,33 +172,32 @@ impl<'a, S: Real> Implicit<'a, S> {
         size
     }
 
-    fn newton(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> Newton {
-        if !self.linearise(tau, y, step, meter) {
-            return Newton::Failed(Cause::Singular);
-        }
+    /// Newton's iteration to a small part of the tolerance.
+    fn iterate(&mut self, tau: S, y: &[S], step: S, meter: &Meter<S>) -> Result<(), Cause> {
+        self.linearise(tau, y, step, meter)?;
         let mut last = f64::INFINITY;
         let mut rate = 0.5;
         for iteration in 0..MOST_ITERATIONS {
             let size = self.correct(tau, y, step, meter);
             if !size.is_finite() {
-                return Newton::Failed(Cause::Undefined);
+                return Err(Cause::Undefined);
             }
             if iteration > 0 {
                 rate = size / last;
             }
             if size * (rate / (1.0 - rate).max(0.1)).min(1.0) <= LEFT_BY_NEWTON || (rate > 0.5 && size < 0.1) {
-                return Newton::Converged;
+                return Ok(());
             }
             if rate >= 2.0 || (iteration > 2 && rate >= 0.95) {
-                return Newton::Failed(Cause::Newton);
+                return Err(Cause::Newton);
             }
             let to_come = (LEFT_BY_NEWTON / size).ln() / rate.ln();
-            if iteration > 0 && !(to_come >= 0.0 && to_come < PATIENCE) && !self.linearise(tau, y, step, meter) {
-                return Newton::Failed(Cause::Singular);
+            if iteration > 0 && !(0.0..PATIENCE).contains(&to_come) {
+                self.linearise(tau, y, step, meter)?;
             }
             last = size;
         }
-        Newton::Failed(Cause::Newton)
+        Err(Cause::Newton)
     }
 
     /// The error in units of the tolerance, and the power of the step that it goes with.
@@ -227,35 +224,11 @@ impl<'a, S: Real> Implicit<'a, S> {
             Family::Gauss => (s, 2 * s + 1),
             Family::RadauIIA => (s - 1, 2 * (2 * s - 1)),
         };
-        let half_turn = 0.5 * step.approx() * self.spectral_radius();
+        let half_turn = 0.5 * step.approx() * self.spectrum.radius(&self.jacobians[..n * n]);
         let rough = (1..=degree).fold(1.0, |share, k| share * half_turn / (2 * k - 1) as f64);
         let share = (rough + plain / motion.max(f64::MIN_POSITIVE)).min(1.0);
         let power = if share > 0.5 { s + 1 } else { s + 1 + degree };
         (filtered * share / norm as f64, power as f64)
-    }
-
-    /// The spectral radius of the first stage's Jacobian, from above: the 16th root of the norm of its 16th power.
-    fn spectral_radius(&mut self) -> f64 {
-        let n = self.n;
-        let [power, square] = &mut self.squares;
-        power.copy_from_slice(&self.jacobians[..n * n]);
-        let mut logarithm = 0.0;
-        for doubling in 0..5 {
-            let norm = power.chunks(n).map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
-            if norm == 0.0 {
-                return 0.0;
-            }
-            logarithm += norm.ln() / f64::from(1 << doubling);
-            power.iter_mut().for_each(|entry| *entry /= norm);
-            square.fill(0.0);
-            for (out, row) in square.chunks_mut(n).zip(power.chunks(n)) {
-                for (factor, other) in row.iter().zip(power.chunks(n)) {
-                    out.iter_mut().zip(other).for_each(|(out, entry)| *out += factor * entry);
-                }
-            }
-            std::mem::swap(power, square);
-        }
-        logarithm.exp()
     }
 }
 
@@ -263,7 +236,7 @@ impl<S: Real> Stepper<S> for Implicit<'_, S> {
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &Meter<S>) -> Attempt {
         let length = step.approx();
         self.predict(length);
-        if let Newton::Failed(cause) = self.newton(tau, before, step, meter) {
+        if let Err(cause) = self.iterate(tau, before, step, meter) {
             (self.z_step, self.accepted) = (None, false);
             let factor = if cause == Cause::Undefined { 0.25 } else { 0.5 };
             return Attempt::Rejected { next: factor * length, cause };
@@ -282,7 +255,7 @@ impl<S: Real> Stepper<S> for Implicit<'_, S> {
         self.accepted = error <= 1.0;
         let next = length * (0.9 * error.max(1e-300).powf(-1.0 / power)).clamp(0.2, most);
         if self.accepted {
-            self.turns += length * self.spectral_radius();
+            self.turns += length * self.spectrum.radius(&self.jacobians[..self.n * self.n]);
             Attempt::Accepted { next }
         } else {
             let cause = if error.is_nan() { Cause::Undefined } else { Cause::Error };

@@ -2,9 +2,25 @@
 //!
 //! # Overview
 //! A law is written once ([`Ode`], [`System`]) and run by any [`Method`] through one entry, [`integrate`]: adaptors to
-//! well-kept crates, and the methods that no crate has, over `f64` and double-double alike. A run has a budget, is shown
-//! to an [`Observer`], and ends in an [`Outcome`] that either reached its end or names one of a closed set of failures,
-//! with the last good state.
+//! well-kept crates, and the methods that no crate has, over `f64` and double-double alike ([`integrate_in`]). A run has
+//! a budget, is shown to an [`Observer`], and ends in an [`Outcome`] that either reached its end or names one of a closed
+//! set of failures, with the last good state. What a method is measured by is a [`reference()`]: two methods of different
+//! families in double-double, with the digits they share; [`work_precision()`] measures.
+//!
+//! | method | order | stiff | double-double | from |
+//! |---|---|---|---|---|
+//! | Euler, Runge-Kutta 4 (constant step) | 1, 4 | | yes | own |
+//! | Dormand-Prince 5(4), 8(5,3) | 5, 8 | says so | | `ode_solvers` |
+//! | Verner 6(5), 9(8) | 6, 9 | | | `differential-equations` |
+//! | Gragg-Bulirsch-Stoer | varies | | yes | own |
+//! | Taylor, for systems with a series | varies | | yes | own |
+//! | Gauss, Radau IIA with s stages | 2s, 2s - 1 | yes | yes | own |
+//! | Radau5, Kvaerno 5(4) | 5 | yes | | `differential-equations` |
+//! | Rodas4 | 4 | yes | | own |
+//!
+//! Key results: every method has its order on nonlinear laws (`tests/orders.rs`), its outputs are as accurate as its end,
+//! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double
+//! gives 26 digits at any stiffness in milliseconds.
 
 mod adaptors;
 mod classical;
@@ -13,6 +29,7 @@ mod drive;
 mod failure;
 mod gragg;
 mod implicit;
+mod integrate;
 mod jacobian;
 mod lu;
 mod meter;
@@ -21,19 +38,26 @@ mod observer;
 mod ode;
 mod outcome;
 mod real;
+mod reference;
+mod rosenbrock;
 mod span;
+mod spectral;
 mod taylor;
 mod tolerance;
 mod watch;
+mod work_precision;
 
 pub use collocation::{Collocation, Family};
 pub use failure::{Failure, Refusal};
+pub use integrate::{integrate, integrate_in};
 pub use jacobian::Jacobian;
-pub use method::{MOST_STAGES, Method, Traits, integrate, integrate_in};
+pub use method::{MOST_STAGES, Method, Traits};
 pub use observer::{Observer, Progress, Record, Samples};
 pub use ode::{DIRECTIONS, Directions, Ode, System, Working};
 pub use outcome::{Deviation, End, Outcome, Work};
 pub use real::Real;
-pub use span::{Budget, Monitor, Span};
+pub use reference::{ENOUGH_DIGITS, Reference, reference};
+pub use span::{Budget, Monitor, Quantity, Span};
 pub use taylor::TaylorSeries;
 pub use tolerance::{Absolute, Tolerance};
+pub use work_precision::{Point, work_precision};

@@ -34,7 +34,7 @@ pub struct Deviation {
     pub name: String,
     /// The value at the start.
     pub first: f64,
-    /// The largest |value - first| over the accepted steps.
+    /// The largest |value - first| over the accepted steps; infinite where the quantity has no value.
     pub largest: f64,
     /// Where it was reached.
     pub at: f64,

@@ -19,10 +19,13 @@ impl Default for Budget {
     }
 }
 
+/// A function of time and state.
+pub type Quantity<'a, S> = Box<dyn Fn(f64, &[S]) -> S + 'a>;
+
 /// A quantity that should keep its first value.
 pub struct Monitor<'a, S> {
     pub name: String,
-    pub value: Box<dyn Fn(f64, &[S]) -> S + 'a>,
+    pub value: Quantity<'a, S>,
 }
 
 /// An initial value problem but for its law: times, initial state, outputs, monitors, budget.

@@ -85,6 +85,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         let time = self.time();
         for (monitor, (first, deviation)) in self.span.monitors.iter().zip(&mut self.deviations) {
             let distance = ((monitor.value)(time, state) - *first).magnitude().approx();
+            let distance = if distance.is_nan() { f64::INFINITY } else { distance };
             if distance > deviation.largest {
                 (deviation.largest, deviation.at) = (distance, time);
             }

@@ -2,10 +2,26 @@
 
 mod problems;
 
-use integrators::{Absolute, Failure, Method, Outcome, Record, Refusal, Span, System, Tolerance, integrate};
-use problems::{Explosion, Funnel, Kaps, Pendulum};
+use std::time::Instant;
 
-const ADAPTIVE: [Method; 3] = [Method::DormandPrince5, Method::DormandPrince8, Method::GraggBulirschStoer];
+use integrators::{Absolute, Failure, Method, Outcome, Record, Refusal, Span, System, Tolerance, integrate};
+use problems::{Explosion, Funnel, Growth, Kaps, Pendulum};
+
+const EXPLICIT: [Method; 5] =
+    [Method::DormandPrince5, Method::DormandPrince8, Method::Verner6, Method::Verner9, Method::GraggBulirschStoer];
+
+const ADAPTIVE: [Method; 10] = [
+    Method::Rodas4,
+    Method::DormandPrince5,
+    Method::DormandPrince8,
+    Method::Verner6,
+    Method::Verner9,
+    Method::GraggBulirschStoer,
+    Method::Radau5,
+    Method::Kvaerno5,
+    Method::Gauss { stages: 3 },
+    Method::RadauIIA { stages: 3 },
+];
 
 fn run(system: &dyn System, method: Method, span: &Span<f64>) -> Outcome<f64> {
     let outcome = integrate(system, method, &Tolerance::both(1e-8), span, &mut ());
@@ -25,7 +41,6 @@ fn a_solution_that_explodes_stops_before_the_explosion() {
     for method in ADAPTIVE {
         let outcome = run(&Explosion, method, &Span::new(0.0, 2.0, &[1.0]));
         let failure = outcome.failure().unwrap_or_else(|| panic!("{method} passed the pole"));
-        println!("{method}: {failure}");
         assert!(outcome.time > 0.99 && outcome.time < 1.0 + 1e-6, "{method}: {failure}");
     }
 }
@@ -34,17 +49,15 @@ fn a_solution_that_explodes_stops_before_the_explosion() {
 fn a_solution_that_leaves_the_domain_of_its_law_is_named_so() {
     for method in ADAPTIVE {
         let outcome = run(&Funnel, method, &Span::new(0.0, 20.0, &[1.0]));
-        println!("{method}: {:?}", outcome.failure());
         assert!(matches!(outcome.failure(), Some(Failure::LeftTheNumbers { .. })), "{method}: {:?}", outcome.failure());
     }
 }
 
 #[test]
 fn a_stiff_problem_spends_the_budget_of_an_explicit_method_or_is_called_stiff() {
-    for method in ADAPTIVE {
+    for method in EXPLICIT {
         let span = Span::new(0.0, 10.0, &[1.0, 1.0]).with_evaluations(50_000);
         let outcome = run(&Kaps { lambda: 1e6 }, method, &span);
-        println!("{method}: {:?} {}", outcome.failure(), outcome.work);
         let named = matches!(outcome.failure(), Some(Failure::TooManyEvaluations { .. } | Failure::Stiff { .. }));
         assert!(named, "{method}: {:?}", outcome.failure());
         assert!(outcome.work.rates <= 50_000);
@@ -59,6 +72,55 @@ fn a_failing_run_keeps_the_samples_before_its_failure() {
         integrate(&Explosion, method, &Tolerance::both(1e-8), &span, &mut record);
         assert_eq!(record.times, [0.25, 0.5, 0.75], "{method}");
     }
+}
+
+#[test]
+fn a_system_at_rest_stays_there() {
+    for method in ADAPTIVE {
+        let outcome = run(&Growth { rate: 0.0 }, method, &Span::new(0.0, 10.0, &[1.0, 0.0, -2.0]));
+        assert!(outcome.reached(), "{method}: {:?}", outcome.failure());
+        assert_eq!(outcome.state, [1.0, 0.0, -2.0], "{method}");
+    }
+}
+
+#[test]
+fn overflow_within_the_first_step_is_a_failure_with_a_name() {
+    for method in ADAPTIVE {
+        let outcome = run(&Growth { rate: 1e200 }, method, &Span::new(0.0, 10.0, &[1.0, 1.0, 1.0]));
+        assert!(outcome.failure().is_some(), "{method}");
+    }
+}
+
+#[test]
+fn a_budget_of_any_size_is_kept() {
+    for method in ADAPTIVE {
+        for evaluations in [1, 2, 3, 10, 50] {
+            let span = Span::new(0.0, 100.0, &[1.0, 0.0]).with_evaluations(evaluations);
+            let outcome = run(&Pendulum { frequency: 1.0 }, method, &span);
+            let at = outcome.time;
+            let expected = Failure::TooManyEvaluations { at, allowed: evaluations };
+            assert_eq!(outcome.failure(), Some(expected), "{method}");
+            assert!(outcome.work.rates <= evaluations);
+        }
+    }
+}
+
+#[test]
+fn a_deadline_that_has_passed_stops_the_run() {
+    for method in ADAPTIVE {
+        let span = Span::new(0.0, 1e5, &[1.0, 0.0]).with_deadline(Instant::now());
+        let failure = run(&Pendulum { frequency: 1.0 }, method, &span).failure();
+        assert!(matches!(failure, Some(Failure::OutOfTime { .. })), "{method}: {failure:?}");
+    }
+}
+
+#[test]
+fn a_method_with_impossible_stages_or_steps_is_refused() {
+    let refused = |method| run(&Growth { rate: 0.0 }, method, &Span::new(0.0, 1.0, &[1.0; 3])).failure();
+    let stages = |given| Some(Failure::Refused(Refusal::Stages { given, least: 1, most: 20 }));
+    assert_eq!(refused(Method::Gauss { stages: 0 }), stages(0));
+    assert_eq!(refused(Method::RadauIIA { stages: 21 }), stages(21));
+    assert_eq!(refused(Method::Euler { steps: 0 }), Some(Failure::Refused(Refusal::Steps { given: 0 })));
 }
 
 #[test]

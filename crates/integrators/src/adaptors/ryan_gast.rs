@@ -1,7 +1,7 @@
 //! Verner's pairs, Radau5 and Kvaerno's pair from Ryan Gast's crate `differential-equations`, taken step by step.
 //!
-//! Its dense output is good to 1e-6 only, so each stretch between two outputs is a run of its own that ends there; the
-//! step size goes over. Tolerances are given by component: with a scalar its Radau5 transforms the one number once for
+//! Its dense output is good to 1e-6 only, so the steps land on the outputs. A step that must be cut for it is the first
+//! of a new run: the crate's Radau5 goes on with the factors of the uncut step, and takes too few iterations with them. Tolerances are given by component: with a scalar its Radau5 transforms the one number once for
 //! every component. The crate's Radau5 needs arrays of static size, so a state is padded with components at rest to the
 //! next size; its Jacobian is ours.
 
@@ -102,51 +102,67 @@ fn in_size<const N: usize>(
         }
         let result = match choice {
             Choice::Verner6 => {
-                let method = ExplicitRungeKutta::rkv655e().h0(first).max_steps(usize::MAX);
+                let method = ExplicitRungeKutta::rkv655e().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
                 stretch(method.rtol(relative).atol(absolute), &law, &mut watch)
             }
             Choice::Verner9 => {
-                let method = ExplicitRungeKutta::rkv988e().h0(first).max_steps(usize::MAX);
+                let method = ExplicitRungeKutta::rkv988e().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
                 stretch(method.rtol(relative).atol(absolute), &law, &mut watch)
             }
             Choice::Radau5 => {
-                let method = ImplicitRungeKutta::radau5().h0(first).max_steps(usize::MAX);
+                let method = ImplicitRungeKutta::radau5().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
+                let method = method.newton_tol(radau5_newton(tolerance.relative));
                 stretch(method.rtol(relative).atol(absolute), &law, &mut watch)
             }
             Choice::Kvaerno5 => {
-                let method = DiagonallyImplicitRungeKutta::kvaerno745().h0(first).max_steps(usize::MAX);
+                let method =
+                    DiagonallyImplicitRungeKutta::kvaerno745().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
                 let method = method.newton_tol(0.1 * finest);
                 stretch(method.rtol(relative).atol(absolute), &law, &mut watch)
             }
         };
         match result {
-            Ok(longest) => step = longest,
+            Ok(next) if first < step && next.clean => step = step.max(next.step),
+            Ok(next) => step = next.step,
             Err(failure) => return watch.fail(failure, meter),
         }
     }
     watch.finish(End::Reached, meter)
 }
 
-/// Steps to the next output, or to a step that left the numbers; the step to go on with.
+/// What Newton may leave in units of Radau5's inner tolerance, 0.1 relative^(2/3): Hairer's rule, which the crate replaces
+/// by a constant.
+fn radau5_newton(relative: f64) -> f64 {
+    let inner = 0.1 * relative.powf(2.0 / 3.0);
+    inner.sqrt().min(0.03).max(10.0 * f64::EPSILON / inner)
+}
+
+/// How to go on after some steps.
+struct Next {
+    step: f64,
+    /// No step was rejected.
+    clean: bool,
+}
+
+/// Steps up to an output, to where a step must be cut to land on one, or to a step that left the numbers.
 fn stretch<const N: usize, M: OrdinaryNumericalMethod<f64, [f64; N]>>(
     mut method: M,
     law: &Law<'_, N>,
     watch: &mut Watch<'_, '_, f64>,
-) -> Result<f64, Failure> {
+) -> Result<Next, Failure> {
     let (meter, n, stop) = (law.meter, law.meter.dimension(), watch.stop());
     let mut y = [0.0; N];
     y[..n].copy_from_slice(watch.state());
     let started = method.init(law, watch.tau(), stop, &y);
     started.map_err(|error| name(&error, meter, watch.time(), method.h()))?;
     method.set_status(Status::Solving);
-    let (mut longest, mut rejections) = (0.0_f64, 0);
+    let (mut rejections, mut clean, mut fresh) = (0, true, true);
     while watch.tau() < stop {
-        let (at, remaining, proposed) = (watch.time(), stop - watch.tau(), method.h());
-        let lands = proposed >= remaining * (1.0 - 1e-10);
-        if lands {
-            method.set_h(remaining);
+        let (at, remaining, step) = (watch.time(), stop - watch.tau(), method.h());
+        let lands = step >= remaining * (1.0 - 1e-10);
+        if lands && !fresh {
+            return Ok(Next { step, clean });
         }
-        let step = method.h();
         let collapsed = !lands && step <= 4.0 * f64::EPSILON * at.abs().max(watch.tau());
         let stuck = rejections > MOST_REJECTIONS || collapsed || !step.is_finite();
         if stuck && meter.was_undefined() {
@@ -155,6 +171,7 @@ fn stretch<const N: usize, M: OrdinaryNumericalMethod<f64, [f64; N]>>(
             return Err(Failure::StepCollapsed { at, step });
         }
         let result: Result<Evals, _> = method.step(law);
+        fresh = false;
         if let Some(failure) = meter.exhausted(at) {
             return Err(failure);
         }
@@ -164,27 +181,25 @@ fn stretch<const N: usize, M: OrdinaryNumericalMethod<f64, [f64; N]>>(
         }
         if matches!(method.status(), Status::RejectedStep) {
             watch.reject();
-            rejections += 1;
+            (rejections, clean) = (rejections + 1, false);
             continue;
         }
         // the crate's explicit pairs take an undefined error for none: back to the last good state
         if !method.y().iter().all(|y| y.is_finite()) {
             watch.reject();
-            return Ok(0.25 * step);
+            return Ok(Next { step: 0.25 * step, clean: false });
         }
         meter.was_undefined();
         rejections = 0;
-        longest = longest.max(proposed.min(watch.length())).max(method.h());
         watch.accept(if lands { stop } else { method.t() }, &method.y()[..n]);
     }
-    Ok(longest)
+    Ok(Next { step: method.h(), clean })
 }
 
 /// The crate's errors by our names.
 fn name<const N: usize>(error: &Error<f64, [f64; N]>, meter: &Meter<f64>, at: f64, step: f64) -> Failure {
     match error {
         _ if meter.was_undefined() => Failure::LeftTheNumbers { at },
-        Error::Stiffness { .. } => Failure::Stiff { at },
         Error::LinearAlgebra { .. } => Failure::Singular { at },
         _ => Failure::StepCollapsed { at, step },
     }

@@ -106,7 +106,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Explosion {
 
 impl System for Explosion {}
 
-/// y' = -sqrt(y): falls to zero at t = 2 from y(0) = 1, and has no rate below.
+/// y' = -sqrt(y - t / 10) from y(0) = 1: has no rate once y has fallen to t / 10, at about t = 1.52.
 pub struct Funnel;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Funnel {
@@ -120,6 +120,61 @@ impl<S: Over<f64> + Analytic> Ode<S> for Funnel {
 }
 
 impl System for Funnel {}
+
+/// y' = cos(t) y^2 from y(0) = 1/2: y = 1 / (2 - sin t).
+pub struct Drive;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Drive {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        dy[0] = t.circle().cos * y[0] * y[0];
+    }
+}
+
+impl System for Drive {}
+
+impl Drive {
+    pub fn state(t: f64) -> f64 {
+        1.0 / (2.0 - t.sin())
+    }
+}
+
+/// Lorenz' equations: two neighbours part tenfold in about 2.5 units of time.
+pub struct Lorenz;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Lorenz {
+    fn dimension(&self) -> usize {
+        3
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        dy[0] = S::int(10) * (y[1] - y[0]);
+        dy[1] = y[0] * (S::int(28) - y[2]) - y[1];
+        dy[2] = y[0] * y[1] - S::ratio(8, 3) * y[2];
+    }
+}
+
+impl System for Lorenz {}
+
+/// y' = rate * y: nothing happens at rate 0, everything at rate 1e200.
+pub struct Growth {
+    pub rate: f64,
+}
+
+impl<S: Over<f64> + Analytic> Ode<S> for Growth {
+    fn dimension(&self) -> usize {
+        3
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        dy.iter_mut().zip(y).for_each(|(dy, y)| *dy = S::lift(self.rate) * *y);
+    }
+}
+
+impl System for Growth {}
 
 /// A chain of `bars` pendulums of slowly different lengths, each driving the next, and a drive in time.
 pub struct Chain {

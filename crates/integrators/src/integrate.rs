@@ -1,0 +1,155 @@
+//! The one entry to all methods.
+
+use crate::adaptors::dormand_prince::{self, Pair};
+use crate::adaptors::ryan_gast::{self, Choice};
+use crate::classical::{Euler, RungeKutta4};
+use crate::collocation::Family;
+use crate::drive::{drive, first_step};
+use crate::gragg::GraggBulirschStoer;
+use crate::implicit::Implicit;
+use crate::meter::Meter;
+use crate::rosenbrock::Rodas4;
+use crate::taylor::Taylor;
+use crate::watch::Watch;
+use crate::{End, Failure, Method, Observer, Outcome, Real, Refusal, Span, System, Tolerance, Work, Working};
+
+/// Integrates a system over a span. The tolerance is ignored by a method with a constant step.
+///
+/// Never panics, never answers with a number that is not one: what goes wrong is the outcome's end.
+pub fn integrate(
+    system: &dyn System,
+    method: Method,
+    tolerance: &Tolerance,
+    span: &Span<'_, f64>,
+    observer: &mut dyn Observer<f64>,
+) -> Outcome<f64> {
+    let run = |meter: &Meter<f64>, watch: Watch<'_, '_, f64>| match method {
+        Method::DormandPrince5 => dormand_prince::run(Pair::Five, tolerance, meter, watch),
+        Method::DormandPrince8 => dormand_prince::run(Pair::Eight, tolerance, meter, watch),
+        Method::Verner6 => ryan_gast::run(Choice::Verner6, system, tolerance, meter, watch),
+        Method::Verner9 => ryan_gast::run(Choice::Verner9, system, tolerance, meter, watch),
+        Method::Radau5 => ryan_gast::run(Choice::Radau5, system, tolerance, meter, watch),
+        Method::Kvaerno5 => ryan_gast::run(Choice::Kvaerno5, system, tolerance, meter, watch),
+        Method::Rodas4 => {
+            let first = first_step(meter, watch.state(), tolerance, 4, watch.length());
+            drive(&mut Rodas4::new(system, tolerance, meter.dimension()), first, meter, watch)
+        }
+        _ => run_own(system, method, tolerance, meter, watch),
+    };
+    prepared(system, method, tolerance, span, observer, run)
+}
+
+/// Integrates in any working field: the methods that are `exact` by their [`Traits`], the others are refused.
+pub fn integrate_in<S: Working>(
+    system: &dyn System,
+    method: Method,
+    tolerance: &Tolerance,
+    span: &Span<'_, S>,
+    observer: &mut dyn Observer<S>,
+) -> Outcome<S> {
+    let run = |meter: &Meter<S>, watch: Watch<'_, '_, S>| run_own(system, method, tolerance, meter, watch);
+    prepared(system, method, tolerance, span, observer, run)
+}
+
+/// Gauss collocation with the integral of the spectral radius along its way: how much there was to follow.
+pub(crate) fn collocate_gauss<S: Working>(
+    system: &dyn System,
+    stages: u8,
+    tolerance: &Tolerance,
+    span: &Span<'_, S>,
+    observer: &mut dyn Observer<S>,
+) -> (Outcome<S>, f64) {
+    let mut turns = 0.0;
+    let run = |meter: &Meter<S>, watch: Watch<'_, '_, S>| {
+        let outcome;
+        (outcome, turns) = collocate(system, Family::Gauss, stages.into(), tolerance, meter, watch);
+        outcome
+    };
+    let outcome = prepared(system, Method::Gauss { stages }, tolerance, span, observer, run);
+    (outcome, turns)
+}
+
+/// Checks the data, then runs.
+fn prepared<S: Working>(
+    system: &dyn System,
+    method: Method,
+    tolerance: &Tolerance,
+    span: &Span<'_, S>,
+    observer: &mut dyn Observer<S>,
+    run: impl FnOnce(&Meter<S>, Watch<'_, '_, S>) -> Outcome<S>,
+) -> Outcome<S> {
+    let law = S::law(system);
+    let followed = method.traits().adaptive.then_some(tolerance);
+    let refuse = |refusal| Outcome {
+        end: End::Stopped(Failure::Refused(refusal)),
+        time: span.start,
+        state: span.state.clone(),
+        work: Work::default(),
+        deviations: Vec::new(),
+    };
+    if let Err(refusal) = span.check(law.dimension(), followed).and_then(|()| method.check(law.dimension())) {
+        return refuse(refusal);
+    }
+    let mut rates = vec![S::zero(); law.dimension()];
+    law.rates(S::lift(span.start), &span.state, &mut rates);
+    if let Some(component) = rates.iter().position(|rate| !rate.finite()) {
+        return refuse(Refusal::RatesNotFinite { component });
+    }
+    run(&Meter::new(law, span), Watch::new(span, observer))
+}
+
+/// The methods of this crate, over any field.
+fn run_own<S: Working>(
+    system: &dyn System,
+    method: Method,
+    tolerance: &Tolerance,
+    meter: &Meter<S>,
+    watch: Watch<'_, '_, S>,
+) -> Outcome<S> {
+    let (n, length) = (meter.dimension(), watch.length());
+    let first = |order| first_step(meter, watch.state(), tolerance, order, length.approx());
+    match method {
+        Method::Euler { steps } => drive(&mut Euler::new(length / S::int(steps.into()), n), 0.0, meter, watch),
+        Method::RungeKutta4 { steps } => {
+            drive(&mut RungeKutta4::new(length / S::int(steps.into()), n), 0.0, meter, watch)
+        }
+        Method::GraggBulirschStoer => {
+            let mut stepper = GraggBulirschStoer::new(tolerance, n);
+            let first = first(stepper.first_order());
+            drive(&mut stepper, first, meter, watch)
+        }
+        Method::Gauss { stages } => collocate(system, Family::Gauss, stages.into(), tolerance, meter, watch).0,
+        Method::RadauIIA { stages } => collocate(system, Family::RadauIIA, stages.into(), tolerance, meter, watch).0,
+        Method::Taylor => match S::series(system) {
+            Some(source) => {
+                let mut stepper = Taylor::new(source, tolerance, n);
+                let reach = stepper.look_ahead(S::zero(), watch.state(), meter);
+                drive(&mut stepper, reach.min(length.approx()), meter, watch)
+            }
+            None => watch.fail(Failure::Refused(Refusal::NoSeries), meter),
+        },
+        Method::DormandPrince5
+        | Method::DormandPrince8
+        | Method::Verner6
+        | Method::Verner9
+        | Method::Radau5
+        | Method::Kvaerno5
+        | Method::Rodas4 => watch.fail(Failure::Refused(Refusal::Field), meter),
+    }
+}
+
+/// A collocation method, and the integral of the spectral radius along its way.
+fn collocate<S: Real>(
+    system: &dyn System,
+    family: Family,
+    stages: usize,
+    tolerance: &Tolerance,
+    meter: &Meter<S>,
+    watch: Watch<'_, '_, S>,
+) -> (Outcome<S>, f64) {
+    let mut stepper = Implicit::new(family, stages, system, tolerance, meter.dimension());
+    // the stages alone must follow the first step: their order, not the higher one at its end
+    let first = first_step(meter, watch.state(), tolerance, stages as u32, watch.length().approx());
+    let outcome = drive(&mut stepper, first, meter, watch);
+    (outcome, stepper.turns)
+}

@@ -1,0 +1,136 @@
+//! Reference solutions: two methods of different families in double-double, and the digits on which they agree.
+//!
+//! The first is Gauss collocation. The second is, where the problem is not stiff, the system's own Taylor series or
+//! Gragg-Bulirsch-Stoer extrapolation; where it is, Radau IIA collocation with other nodes, another order and its own
+//! steps. The digits are what the chart may rely on: no more is claimed than the two share.
+
+use field::{DoubleDouble, Over};
+
+use crate::integrate::collocate_gauss;
+use crate::{
+    Failure, Method, Observer, Outcome, Record, Refusal, Span, System, Tolerance, Work, Working, integrate,
+    integrate_in,
+};
+
+/// The digits below which a reference is none.
+pub const ENOUGH_DIGITS: f64 = 20.0;
+
+/// The tightest tolerance that pays: below it rounding takes over.
+const TIGHTEST: f64 = 1e-29;
+
+/// Evaluations of an explicit method in a coarse run after which a problem counts as stiff for it.
+const COARSE_EVALUATIONS: u64 = 1_000_000;
+
+/// The product of step and spectral radius, on average, above which an explicit method would follow nothing but decay.
+const STIFF_STEP: f64 = 30.0;
+
+/// A solution good enough to measure others by.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    pub times: Vec<f64>,
+    /// One state for each time.
+    pub states: Vec<Vec<DoubleDouble>>,
+    /// -log10 of the largest difference of the two methods, relative to the size of each component.
+    pub digits: f64,
+    /// The largest magnitude of each component along the way, 1 for one that stays zero.
+    pub sizes: Vec<f64>,
+    /// The two methods, the first of which gave the states.
+    pub methods: [Method; 2],
+    pub work: [Work; 2],
+}
+
+impl Reference {
+    /// Whether the two methods agree on at least [`ENOUGH_DIGITS`].
+    pub fn is_trusted(&self) -> bool {
+        self.digits >= ENOUGH_DIGITS
+    }
+
+    /// The largest error of a trajectory at the reference's times, relative to the size of each component.
+    /// Not a number where the times differ.
+    pub fn error(&self, record: &Record<f64>) -> f64 {
+        if record.times != self.times {
+            return f64::NAN;
+        }
+        let states = record.states.iter().map(|state| state.iter().map(|y| DoubleDouble::lift(*y)).collect());
+        difference(&states.collect::<Vec<Vec<_>>>(), &self.states, &self.sizes)
+    }
+}
+
+/// Computes a reference at the outputs of a span, within the span's budget for each of the two methods.
+pub fn reference(system: &dyn System, span: &Span<'_, f64>) -> Result<Reference, Failure> {
+    if span.outputs.is_empty() {
+        let (start, end) = (span.start, span.end);
+        return Err(Failure::Refused(Refusal::Output { index: 0, time: f64::NAN, start, end }));
+    }
+    let (sizes, stiff) = survey(system, span)?;
+    let lifted: Vec<DoubleDouble> = span.state.iter().map(|y| DoubleDouble::lift(*y)).collect();
+    let mut exact = Span::new(span.start, span.end, &lifted).with_outputs(&span.outputs);
+    exact.budget = span.budget;
+    let stages = if span.state.len() > 6 { 12 } else { 16 };
+    let tolerance = Tolerance::scaled(TIGHTEST, &sizes);
+    let mut first = Record::new();
+    let (outcome, turns) = collocate_gauss(system, stages, &tolerance, &exact, &mut first);
+    let one = reached(outcome)?;
+    let stiff = stiff || turns / one.steps as f64 > STIFF_STEP;
+    let (method, other, second) = second_opinion(system, stiff, stages, &tolerance, &exact)?;
+    let digits = -difference(&first.states, &second.states, &sizes).max(1e-32).log10();
+    let methods = [Method::Gauss { stages }, method];
+    Ok(Reference { times: first.times, states: first.states, digits, sizes, methods, work: [one, other] })
+}
+
+/// The largest magnitudes along a coarse run, and whether an explicit method found it stiff.
+fn survey(system: &dyn System, span: &Span<'_, f64>) -> Result<(Vec<f64>, bool), Failure> {
+    let explicit = coarse(system, span, Method::DormandPrince8, COARSE_EVALUATIONS);
+    match explicit {
+        Ok(sizes) => Ok((sizes, false)),
+        Err(Failure::Refused(refusal)) => Err(Failure::Refused(refusal)),
+        Err(_) => Ok((coarse(system, span, Method::RadauIIA { stages: 3 }, span.budget.evaluations)?, true)),
+    }
+}
+
+fn coarse(system: &dyn System, span: &Span<'_, f64>, method: Method, evaluations: u64) -> Result<Vec<f64>, Failure> {
+    let mut plain = Span::new(span.start, span.end, &span.state).with_outputs(&span.outputs);
+    plain.budget = span.budget;
+    plain.budget.evaluations = evaluations.min(span.budget.evaluations);
+    let mut sizes = Sizes(span.state.iter().map(|y| y.abs()).collect());
+    reached(integrate(system, method, &Tolerance::both(1e-7), &plain, &mut sizes))?;
+    Ok(sizes.0.into_iter().map(|size| if size > 0.0 { size } else { 1.0 }).collect())
+}
+
+/// Keeps the largest magnitude of every component.
+struct Sizes(Vec<f64>);
+
+impl Observer<f64> for Sizes {
+    fn step(&mut self, _: f64, state: &[f64]) {
+        self.0.iter_mut().zip(state).for_each(|(size, y)| *size = size.max(y.abs()));
+    }
+}
+
+/// The run of another family: the first that reaches the end.
+fn second_opinion(
+    system: &dyn System,
+    stiff: bool,
+    stages: u8,
+    tolerance: &Tolerance,
+    span: &Span<'_, DoubleDouble>,
+) -> Result<(Method, Work, Record<DoubleDouble>), Failure> {
+    let implicit = Method::RadauIIA { stages: stages - 1 };
+    let explicit = if DoubleDouble::series(system).is_some() { Method::Taylor } else { Method::GraggBulirschStoer };
+    let run = |method| {
+        let mut record = Record::new();
+        reached(integrate_in(system, method, tolerance, span, &mut record)).map(|work| (method, work, record))
+    };
+    if stiff { run(implicit) } else { run(explicit).or_else(|_| run(implicit)) }
+}
+
+fn reached<S>(outcome: Outcome<S>) -> Result<Work, Failure> {
+    outcome.failure().map_or(Ok(outcome.work), Err)
+}
+
+/// The largest difference of two trajectories, relative to the sizes of the components.
+fn difference(a: &[Vec<DoubleDouble>], b: &[Vec<DoubleDouble>], sizes: &[f64]) -> f64 {
+    let state = |(a, b): (&Vec<DoubleDouble>, &Vec<DoubleDouble>)| {
+        a.iter().zip(b).zip(sizes).map(|((a, b), size)| (*a - *b).hi().abs() / size).fold(0.0, f64::max)
+    };
+    a.iter().zip(b).map(state).fold(0.0, f64::max)
+}

@@ -1,0 +1,61 @@
+//! The spectral radius of a matrix, from above, by Gelfand's formula: |J^16|^(1/16) tends to it from above.
+
+/// Four squarings see the largest eigenvalue where a norm would see the units of the components.
+const SQUARINGS: u32 = 4;
+
+/// The buffers of the squarings.
+pub(crate) struct SpectralRadius {
+    size: usize,
+    power: Vec<f64>,
+    square: Vec<f64>,
+}
+
+impl SpectralRadius {
+    pub fn new(size: usize) -> Self {
+        SpectralRadius { size, power: vec![0.0; size * size], square: vec![0.0; size * size] }
+    }
+
+    /// An upper bound for the spectral radius, close to it; every power is kept at norm 1 so that none overflows.
+    pub fn radius(&mut self, matrix: &[f64]) -> f64 {
+        let n = self.size;
+        self.power.copy_from_slice(matrix);
+        let mut logarithm = self.normalise().ln();
+        for squaring in 1..=SQUARINGS {
+            self.square.fill(0.0);
+            for (out, row) in self.square.chunks_mut(n).zip(self.power.chunks(n)) {
+                for (factor, other) in row.iter().zip(self.power.chunks(n)) {
+                    out.iter_mut().zip(other).for_each(|(out, entry)| *out += factor * entry);
+                }
+            }
+            std::mem::swap(&mut self.power, &mut self.square);
+            logarithm += self.normalise().ln() / f64::from(1_u32 << squaring);
+        }
+        logarithm.exp()
+    }
+
+    /// Divides the power by its largest row sum, and returns that.
+    fn normalise(&mut self) -> f64 {
+        let sums = self.power.chunks(self.size).map(|row| row.iter().map(|x| x.abs()).sum::<f64>());
+        let norm = sums.fold(0.0, f64::max);
+        if norm > 0.0 {
+            self.power.iter_mut().for_each(|entry| *entry /= norm);
+        }
+        norm
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SpectralRadius;
+
+    #[test]
+    fn an_oscillator_has_its_frequency_for_radius_in_any_units() {
+        let radius = SpectralRadius::new(2).radius(&[0.0, 1.0, -9e4, 0.0]);
+        assert!((299.9..450.0).contains(&radius), "{radius}");
+    }
+
+    #[test]
+    fn a_nilpotent_matrix_has_radius_zero() {
+        assert_eq!(SpectralRadius::new(2).radius(&[0.0, 5.0, 0.0, 0.0]), 0.0);
+    }
+}
