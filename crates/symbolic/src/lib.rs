@@ -27,6 +27,6 @@ pub use coefficients::{NotPolynomial, coefficients, degree};
 pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
 pub use graph::{Node, Sym};
-pub use prove::{Decision, Hypotheses, NormalForm, Proof, Refused, Witness, decide, decide_modulo, normal};
+pub use prove::{Decision, Hypotheses, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, normal};
 pub use sym::symbols;
 pub use tape::{IllPosed, Program, Series, Tape, Untapeable};

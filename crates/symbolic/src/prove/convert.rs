@@ -1,7 +1,8 @@
 //! From expressions to fractions of polynomials and back.
 
-use super::fraction::{Arithmetic, Fraction, PolyRule};
+use super::fraction::{Arithmetic, Fraction};
 use super::generators::Generators;
+use super::reduce::PolyRule;
 use crate::Sym;
 use crate::graph::Node;
 use crate::poly::{Coefficient, Failure, Poly, monomial};
