@@ -144,6 +144,12 @@ fn a_symbol_may_be_given_by_an_expression() {
     assert!(given.equal(c * b, a).is_zero());
     assert!(given.equal(b, a).is_nonzero());
     assert!(Hypotheses::none().given(c, a + c).check().is_err());
+    assert!(Hypotheses::none().unit_vector([a, b]).given(b, c).check().is_err());
+    assert!(Hypotheses::none().given(b, c).unit_vector([a, b]).check().is_err());
+    let within = Hypotheses::none().given(a, c * c).unit_vector([a, b]);
+    assert!(within.equal(b * b + c.powi(4), Sym::int(1)).is_zero());
+    let Decision::NonZero(witness) = within.equal(b, c) else { panic!("not refuted") };
+    assert!(Hypotheses::none().equal((a * a + b * b).substitute(&witness.point), Sym::int(1)).is_zero());
 }
 
 #[test]

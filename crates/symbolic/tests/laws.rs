@@ -88,7 +88,10 @@ fn expressions_obey_the_laws_of_a_field_and_of_the_circle() {
     }
     let (p, q) = (x.circle(), (y + z).circle());
     assert!(none.equal((p + q).defect(), Sym::int(0)).is_zero());
-    assert!(none.equal(Circle::<Sym>::eighth_turn().defect(), Sym::int(0)).is_zero());
+    for part in 0..24 {
+        let turn = Circle::<Sym>::exact_turn(part, 24).unwrap();
+        assert!(none.equal(turn.defect(), Sym::int(0)).is_zero());
+    }
 }
 
 proptest! {
