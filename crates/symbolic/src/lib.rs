@@ -6,7 +6,29 @@
 //!
 //! Angles are circle points and roots are generators with a known square, so that expressions are fractions of
 //! polynomials modulo rewriting rules ([`Hypotheses`]). Whether one vanishes is then decidable: [`decide`] brings it
-//! over a denominator kept as a product of known factors and looks at the numerator. [`normal`] gives the normal form.
+//! over a denominator kept as a product of known factors and looks at the numerator. [`normal`] gives the normal form,
+//! [`Tape`] the straight-line program and its Taylor series, [`dimension`] the physical dimension.
+//!
+//! ```
+//! use field::{Analytic, Scalar};
+//! use symbolic::{Decision, Hypotheses, Sym, normal, symbols};
+//!
+//! let [l1, l2, l3, x] = symbols(["l1", "l2", "l3", "x"]);
+//! let unit = Hypotheses::none().unit_vector([l1, l2, l3]);
+//! assert!(unit.equal((l1 * l1 + l2 * l2) / (Sym::int(1) - l3), Sym::int(1) + l3).is_zero());
+//!
+//! let Decision::NonZero(witness) = unit.equal(l1 + l2, l3) else { unreachable!() };
+//! assert_eq!(witness.to_string(), "-1/11 at l1 = 6/11, l2 = 2/11, l3 = 9/11");
+//!
+//! let half = (x / Sym::int(2)).circle();
+//! let form = normal(half.sin * half.cos / half.cos.powi(3), &Hypotheses::none()).unwrap();
+//! assert_eq!(form.to_string(), "sin(x/2)/cos(x/2)^2");
+//! ```
+//!
+//! # Limits
+//! Exponents up to 127, 160 generators, a million terms; beyond them a decision is [`Decision::GaveUp`], never a guess.
+//! An angle's parts are related among themselves (x/2 and x/3), other relations between transcendental numbers are not
+//! known. Rules rewrite powers of single symbols; anything else enters a proof through cofactors ([`decide_modulo`]).
 
 mod analytic;
 mod calculus;
@@ -27,6 +49,6 @@ pub use coefficients::{NotPolynomial, coefficients, degree};
 pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
 pub use graph::{Node, Sym};
-pub use prove::{Decision, Hypotheses, NormalForm, Proof, Refused, Witness, decide, decide_modulo, normal};
+pub use prove::{Decision, Hypotheses, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, normal};
 pub use sym::symbols;
 pub use tape::{IllPosed, Program, Series, Tape, Untapeable};

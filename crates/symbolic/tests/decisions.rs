@@ -144,6 +144,12 @@ fn a_symbol_may_be_given_by_an_expression() {
     assert!(given.equal(c * b, a).is_zero());
     assert!(given.equal(b, a).is_nonzero());
     assert!(Hypotheses::none().given(c, a + c).check().is_err());
+    assert!(Hypotheses::none().unit_vector([a, b]).given(b, c).check().is_err());
+    assert!(Hypotheses::none().given(b, c).unit_vector([a, b]).check().is_err());
+    let within = Hypotheses::none().given(a, c * c).unit_vector([a, b]);
+    assert!(within.equal(b * b + c.powi(4), Sym::int(1)).is_zero());
+    let Decision::NonZero(witness) = within.equal(b, c) else { panic!("not refuted") };
+    assert!(Hypotheses::none().equal((a * a + b * b).substitute(&witness.point), Sym::int(1)).is_zero());
 }
 
 #[test]
@@ -176,6 +182,39 @@ fn equal_rational_functions_print_equally() {
     assert_eq!(form(one / (x * x - one)), form(one / (x - one) / (x + one)));
     assert_eq!(form(x / Sym::int(2) + y / Sym::int(3)), "(3*x + 2*y)/6");
     assert_eq!(form((x + y).powi(3) / (x * y + y * y) - (x + y).powi(2) / y), "0");
+}
+
+#[test]
+fn angles_and_roots_in_denominators_print_equally_too() {
+    let [x, y] = symbols(["x", "y"]);
+    let form = |e| normal(e, &Hypotheses::none()).unwrap().to_string();
+    let (one, point) = (Sym::int(1), x.circle());
+    assert_eq!(form(point.sin / (one - point.cos)), form((one + point.cos) / point.sin));
+    assert_eq!(form(y / point.sin), "y/sin(x)");
+    assert_eq!(form(y * point.sin / (one - point.cos.squared())), "y/sin(x)");
+    assert_eq!(
+        form((y + point.sin) / point.sin.powi(3)),
+        form((point.sin + y) / point.sin / (one - point.cos.powi(2)))
+    );
+    assert_eq!(form(one / (one + Sym::int(2).sqrt())), "sqrt(2) - 1");
+    assert_eq!(form(one / x.sqrt()), "1/sqrt(x)");
+    assert_eq!(form(x / (x * y).sqrt()), form((x * y).sqrt() / y));
+    assert_eq!(form(x / (one / y).sqrt()), form(x * y * (one / y).sqrt()));
+    assert_eq!(form(one / (x.sqrt() + y.sqrt())), form((x.sqrt() - y.sqrt()) / (x - y)));
+}
+
+#[test]
+fn common_divisors_of_written_out_polynomials_are_found() {
+    let [x, y, z, t] = symbols(["x", "y", "z", "t"]);
+    let none = Hypotheses::none();
+    let written_out = |e: Sym| normal(e, &none).unwrap().to_sym();
+    let common = (x * y - z * t + Sym::int(3)).powi(2) * (x + y + z + t);
+    let (p, q) = ((x + y * z).powi(3) + t, (y - t * x).powi(2) + z * Sym::int(6));
+    let fraction = written_out(common * p * Sym::int(4)) / written_out(common * q * Sym::int(6));
+    assert_eq!(
+        normal(fraction, &none).unwrap().to_string(),
+        normal(p / q * Sym::ratio(2, 3), &none).unwrap().to_string()
+    );
 }
 
 #[test]

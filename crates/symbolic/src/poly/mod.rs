@@ -44,8 +44,8 @@ pub(crate) struct Budget {
 
 impl Budget {
     /// The largest number of terms of a polynomial.
-    pub const TERMS: usize = 4_000_000;
-    /// The largest number of operations on terms, some twenty seconds.
+    pub const TERMS: usize = 1 << 20;
+    /// The largest number of operations on terms: seconds with machine integers, a minute with big ones.
     const WORK: u64 = 1_000_000_000;
 
     pub fn new() -> Self {

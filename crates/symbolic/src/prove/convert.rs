@@ -1,13 +1,15 @@
 //! From expressions to fractions of polynomials and back.
 
-use super::fraction::{Arithmetic, Fraction, PolyRule};
+use super::fraction::{Arithmetic, Fraction};
 use super::generators::Generators;
+use super::reduce::PolyRule;
 use crate::Sym;
 use crate::graph::Node;
 use crate::poly::{Coefficient, Failure, Poly, monomial};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 use field::Rational;
+use num_traits::One;
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
@@ -179,9 +181,9 @@ pub(super) fn integer(value: IBig) -> Sym {
 pub(super) fn expression_of<C: Coefficient, const W: usize>(poly: &Poly<C, W>, leaves: &[Sym]) -> Sym {
     poly.terms().iter().fold(integer(IBig::ZERO), |sum, (m, c)| {
         let (negative, size) = if c.is_negative() { (true, c.negated()) } else { (false, c.clone()) };
-        let product = monomial::support(m).fold(integer(size.to_big()), |product, (generator, exponent)| {
-            product * leaves[generator].powi(exponent as i32)
-        });
+        let powers = monomial::support(m).map(|(generator, exponent)| leaves[generator].powi(exponent as i32));
+        // The coefficient stays apart, so that angles see the multiples that they are.
+        let product = integer(size.to_big()) * powers.fold(Sym::one(), |product, power| product * power);
         if negative { sum - product } else { sum + product }
     })
 }

@@ -3,6 +3,7 @@
 //! A proof needs no greatest common divisors: over a common denominator the numerator is zero or it is not. Factors
 //! that once appeared are tried as divisors, which keeps numerators small where derivations cancel.
 
+use super::reduce::{PolyRule, reduce};
 use crate::poly::{Budget, Coefficient, Failure, Poly, monomial};
 
 /// numerator / (constant * product of factors^powers); the constant is positive.
@@ -12,14 +13,6 @@ pub(super) struct Fraction<C, const W: usize> {
     pub constant: C,
     /// Numbers of factors, rising, with their exponents.
     pub powers: Vec<(usize, u32)>,
-}
-
-/// scale * generator^power = tail.
-pub(super) struct PolyRule<C, const W: usize> {
-    pub generator: usize,
-    pub power: u32,
-    pub scale: C,
-    pub tail: Poly<C, W>,
 }
 
 /// Fractions modulo rules, with the factors of all denominators so far.
@@ -124,7 +117,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
 
     /// The polynomial modulo the rules, as a fraction.
     pub fn reduced(&mut self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
-        let (numerator, constant) = self.reduce(fraction.numerator)?;
+        let (numerator, constant) = reduce(fraction.numerator, &self.rules, &self.budget)?;
         fraction.numerator = numerator;
         fraction.constant = fraction.constant.times(&constant)?;
         // Without rules the numerator is a product whose factors were tried already.
@@ -164,37 +157,6 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
             }
         }
         Ok(poly)
-    }
-
-    /// A polynomial rewritten until no rule applies: it equals the first result divided by the second.
-    fn reduce(&self, mut poly: Poly<C, W>) -> Result<(Poly<C, W>, C), Failure> {
-        let mut constant = C::of(1);
-        for rule in &self.rules {
-            let mut highest = monomial::exponent(&poly.degrees(), rule.generator);
-            while highest >= rule.power {
-                let most = highest / rule.power;
-                let mut parts: Vec<Vec<_>> = vec![Vec::new(); most as usize + 1];
-                for (m, c) in poly.terms() {
-                    let times = monomial::exponent(m, rule.generator) / rule.power;
-                    let removed = monomial::power(rule.generator, times * rule.power)?;
-                    let rest = monomial::quotient(m, &removed).ok_or(Failure::Degree)?;
-                    parts[times as usize].push((rest, c.clone()));
-                }
-                let mut tail = Poly::one();
-                let mut summands = Vec::with_capacity(parts.len());
-                for (times, part) in parts.into_iter().enumerate() {
-                    if times > 0 {
-                        tail = tail.times(&rule.tail, &self.budget)?;
-                    }
-                    let scale = rule.scale.power(most - times as u32)?;
-                    summands.push(Poly::collected(part)?.times(&tail, &self.budget)?.times_constant(&scale)?);
-                }
-                constant = constant.times(&rule.scale.power(most)?)?;
-                poly = Poly::sum(summands, &self.budget)?;
-                highest = monomial::exponent(&poly.degrees(), rule.generator);
-            }
-        }
-        Ok((poly, constant))
     }
 
     /// 1 / poly: its content, its generators, the known factors that divide it, and the rest as a new factor.

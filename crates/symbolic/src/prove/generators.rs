@@ -175,8 +175,9 @@ impl<'a> Gathering<'a> {
         self.found.insert(symbol);
         let hypotheses = self.hypotheses;
         for rule in hypotheses.rules.iter().filter(|rule| rule.lead == symbol) {
-            self.rules.push(*rule);
-            self.visit(&[rule.tail])?;
+            let tail = if hypotheses.given.is_empty() { rule.tail } else { rule.tail.substitute(&hypotheses.given) };
+            self.rules.push(Rule { tail, ..*rule });
+            self.visit(&[tail])?;
         }
         Ok(())
     }

@@ -81,6 +81,9 @@ impl Hypotheses {
         if self.given.iter().any(|(known, _)| *known == symbol) {
             return self.refuse(format!("`{symbol}` is given twice"));
         }
+        if self.rules.iter().any(|rule| rule.lead == symbol) {
+            return self.refuse(format!("`{symbol}` is given by an expression, and its powers are rewritten"));
+        }
         for (_, known) in &mut self.given {
             *known = known.substitute(&[(symbol, value)]);
         }
@@ -113,11 +116,13 @@ impl Hypotheses {
         if !matches!(lead.node(), Node::Symbol(_)) || power == 0 {
             return self.refuse(format!("the left side of `{statement}` is not a power of a symbol"));
         }
-        if let Some(other) = self.rules.iter().position(|rule| rule.lead == lead) {
-            let other = self.rules[other];
+        if self.given.iter().any(|(known, _)| *known == lead) {
+            return self.refuse(format!("`{lead}` is given by an expression, and its powers are rewritten"));
+        }
+        if let Some(Rule { power, tail, .. }) = self.rules.iter().find(|rule| rule.lead == lead).copied() {
+            let other = lead.powi(power as i32);
             return self.refuse(format!(
-                "`{}` and `{statement}` both rewrite powers of `{lead}`; their consequences would need a completion",
-                format_args!("{} = {}", other.lead.powi(other.power as i32), other.tail)
+                "`{other} = {tail}` and `{statement}` both rewrite powers of `{lead}`; their leading terms are not coprime"
             ));
         }
         self.rules.push(Rule { lead, power, tail });

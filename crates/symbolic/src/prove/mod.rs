@@ -6,10 +6,12 @@ mod fraction;
 mod generators;
 mod hypotheses;
 mod kernel;
+mod lowest;
 mod normal;
+mod reduce;
 mod witness;
 
 pub use decide::{Decision, Proof, decide, decide_modulo};
 pub use hypotheses::{Hypotheses, Refused};
-pub use normal::{NormalForm, normal};
+pub use normal::{NormalForm, NotNormal, normal};
 pub use witness::Witness;

@@ -1,10 +1,10 @@
 //! The normal form of an expression.
 
 use super::convert::{Converter, expression_of, integer};
-use super::fraction::{Arithmetic, Fraction};
 use super::generators::Generators;
 use super::hypotheses::Hypotheses;
 use super::kernel::{Computation, compute};
+use super::lowest::{LowestTerms, lowest_terms};
 use crate::Sym;
 use crate::poly::{Coefficient, Failure, Poly};
 use dashu_ratio::RBig;
@@ -15,8 +15,8 @@ use std::fmt;
 /// An expression as one fraction of polynomials in lowest terms: terms by falling powers of the generators, which are
 /// in natural order of their names, over a denominator whose first coefficient is positive.
 ///
-/// Equal rational functions have the same normal form. With circle points or roots in a denominator that is no longer
-/// so, while a normal form is zero exactly where the expression is.
+/// It is zero exactly where the expression vanishes, and equal expressions have the same normal form; only a
+/// denominator with so many angles and roots that their conjugates outgrow a limit is left as it came.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalForm {
     /// What the coefficients above and below have in common, positive.
@@ -24,16 +24,38 @@ pub struct NormalForm {
     primitive: Sym,
     numerator: Sym,
     denominator: Sym,
-    factors: Vec<(Sym, u32)>,
     requires: Vec<Sym>,
 }
+
+/// Why there is no normal form.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NotNormal {
+    /// This denominator vanishes identically.
+    Undefined(Sym),
+    /// The hypotheses are refused or a limit was reached.
+    GaveUp(String),
+}
+
+impl fmt::Display for NotNormal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NotNormal::Undefined(denominator) => write!(f, "undefined: the denominator {denominator} vanishes"),
+            NotNormal::GaveUp(reason) => write!(f, "gave up: {reason}"),
+        }
+    }
+}
+
+impl std::error::Error for NotNormal {}
 
 /// The normal form under the hypotheses.
 ///
 /// # Errors
-/// The reason where the expression is undefined, the hypotheses are refused, or a limit was reached.
-pub fn normal(expression: Sym, hypotheses: &Hypotheses) -> Result<NormalForm, String> {
-    normal_form(expression, hypotheses).map_err(|failure| failure.to_string())
+/// [`NotNormal`] where the expression is undefined, the hypotheses are refused, or a limit was reached.
+pub fn normal(expression: Sym, hypotheses: &Hypotheses) -> Result<NormalForm, NotNormal> {
+    normal_form(expression, hypotheses).map_err(|failure| match failure {
+        Failure::Undefined(denominator) => NotNormal::Undefined(denominator),
+        failure => NotNormal::GaveUp(failure.to_string()),
+    })
 }
 
 pub(super) fn normal_form(expression: Sym, hypotheses: &Hypotheses) -> Result<NormalForm, Failure> {
@@ -57,11 +79,6 @@ impl NormalForm {
     pub fn denominator(&self) -> Sym {
         let (_, below) = parts(self.content);
         below * self.denominator
-    }
-
-    /// The factors of the denominator that are known, with their exponents; constants left out.
-    pub fn factors(&self) -> &[(Sym, u32)] {
-        &self.factors
     }
 
     /// The denominators met in the expression, none of which may vanish, also where they cancelled in the end.
@@ -116,89 +133,22 @@ impl Computation for Normalising<'_> {
         let mut converter = Converter::<C, W>::new(self.generators)?;
         let fraction = (*converter.fraction(self.expression)?).clone();
         let requires = converter.requirements();
-        let lowest = lowest_terms(fraction, &mut converter.arithmetic)?;
+        let LowestTerms { numerator, constant, denominator } = lowest_terms(fraction, &mut converter.arithmetic)?;
         let leaves = &self.generators.leaves;
-        let mut below = lowest.numerator.content();
-        if below.is_negative() {
-            below = below.negated();
-        }
-        if below.is_zero() {
-            below = C::of(1);
-        }
-        let primitive = lowest.numerator.over_constant(&below).ok_or(Failure::Overflow)?;
-        let content = Rational::from(RBig::from_parts_signed(below.to_big(), lowest.constant.to_big()));
-        let factors: Vec<(Sym, u32)> =
-            lowest.factors.iter().map(|(factor, exponent)| (expression_of(factor, leaves), *exponent)).collect();
+        let above = match numerator.content() {
+            zero if zero.is_zero() => C::of(1),
+            negative if negative.is_negative() => negative.negated(),
+            positive => positive,
+        };
+        let primitive = numerator.over_constant(&above).ok_or(Failure::Overflow)?;
+        let common = denominator.common_monomial();
+        let rest = denominator.over_monomial(&common).ok_or(Failure::Degree)?;
         Ok(NormalForm {
-            content,
+            content: Rational::from(RBig::from_parts_signed(above.to_big(), constant.to_big())),
             primitive: expression_of(&primitive, leaves),
-            numerator: expression_of(&lowest.numerator, leaves),
-            denominator: denominator(&lowest.factors, leaves, &converter.arithmetic)?,
-            factors,
+            numerator: expression_of(&numerator, leaves),
+            denominator: expression_of(&Poly::term(common, C::of(1)), leaves) * expression_of(&rest, leaves),
             requires,
         })
     }
-}
-
-/// numerator / (constant * product of factors^exponents) with nothing in common.
-struct LowestTerms<C, const W: usize> {
-    numerator: Poly<C, W>,
-    constant: C,
-    factors: Vec<(Poly<C, W>, u32)>,
-}
-
-fn lowest_terms<C: Coefficient, const W: usize>(
-    fraction: Fraction<C, W>,
-    arithmetic: &mut Arithmetic<C, W>,
-) -> Result<LowestTerms<C, W>, Failure> {
-    let Fraction { mut numerator, constant, powers } = fraction.without_content();
-    let budget = &arithmetic.budget;
-    let mut factors: Vec<(Poly<C, W>, u32)> = Vec::new();
-    for (number, exponent) in powers {
-        for copy in 0..exponent {
-            let mut rest = arithmetic.factors[number].clone();
-            loop {
-                let common = numerator.common_divisor(&rest, budget)?;
-                if common.is_one() {
-                    break;
-                }
-                numerator = numerator.exact_quotient(&common, budget)?.ok_or(Failure::Overflow)?;
-                rest = rest.exact_quotient(&common, budget)?.ok_or(Failure::Overflow)?;
-            }
-            // A copy that keeps all of itself speaks for the copies after it.
-            let whole = rest == arithmetic.factors[number];
-            count(&mut factors, rest, if whole { exponent - copy } else { 1 });
-            if whole {
-                break;
-            }
-        }
-    }
-    factors.sort_by(|a, b| {
-        a.0.terms().len().cmp(&b.0.terms().len()).then_with(|| b.0.terms()[0].0.cmp(&a.0.terms()[0].0))
-    });
-    Ok(LowestTerms { numerator, constant, factors })
-}
-
-fn count<C: Coefficient, const W: usize>(factors: &mut Vec<(Poly<C, W>, u32)>, factor: Poly<C, W>, times: u32) {
-    match factors.iter_mut().find(|(known, _)| *known == factor) {
-        Some((_, exponent)) => *exponent += times,
-        None if factor.is_one() => {}
-        None => factors.push((factor, times)),
-    }
-}
-
-/// Generators first, then everything else multiplied out: how the denominator was found does not show.
-fn denominator<C: Coefficient, const W: usize>(
-    factors: &[(Poly<C, W>, u32)],
-    leaves: &[Sym],
-    arithmetic: &Arithmetic<C, W>,
-) -> Result<Sym, Failure> {
-    let mut product = Poly::one();
-    for (factor, exponent) in factors {
-        product = product.times(&factor.power(*exponent, &arithmetic.budget)?, &arithmetic.budget)?;
-    }
-    let common = product.common_monomial();
-    let rest = product.over_monomial(&common).ok_or(Failure::Degree)?;
-    let front = expression_of(&Poly::term(common, C::of(1)), leaves);
-    Ok(front * expression_of(&rest, leaves))
 }

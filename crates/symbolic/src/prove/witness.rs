@@ -67,7 +67,8 @@ fn angles_are_free(generators: &Generators) -> bool {
     })
 }
 
-/// Small numbers in a fixed order, different for every attempt, growing slowly.
+/// Small numbers in a fixed order, different for every attempt and growing slowly; positive in the first ones, as most
+/// quantities of mechanics are.
 struct Numbers {
     state: u32,
     attempt: u32,
@@ -76,13 +77,19 @@ struct Numbers {
 impl Numbers {
     fn next(&mut self) -> Rational {
         self.state = self.state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        let size = i64::from(2 + self.attempt / 8);
         let draw = i64::from(self.state >> 8);
-        let numerator = draw % (2 * size + 1) - size;
-        let denominator = if self.attempt < 4 { 1 } else { 1 + draw / 64 % (1 + size / 2) };
-        // Zeros hide too much to be drawn often.
-        let numerator = if numerator == 0 && draw / 4096 % 4 != 0 { size } else { numerator };
-        Rational::new(numerator, denominator)
+        let size = i64::from(3 + self.attempt / 8);
+        let numerator = 1 + draw % size;
+        match self.attempt {
+            0..4 => Rational::new(numerator, 1),
+            4..8 => Rational::new(numerator, 1 + draw / 64 % 3),
+            _ => {
+                let sign = draw / 4096 % 8;
+                // Zeros hide too much to be drawn often.
+                let numerator = if sign == 0 { 0 } else { numerator * (1 - 2 * (sign % 2)) };
+                Rational::new(numerator, 1 + draw / 64 % (1 + size / 2))
+            }
+        }
     }
 }
 
@@ -97,7 +104,8 @@ impl Point {
     fn at(generators: &Generators, hypotheses: &Hypotheses, mut numbers: Numbers, rational: bool) -> Option<Self> {
         let mut values: FxHashMap<Sym, Sym> = FxHashMap::default();
         for sphere in &hypotheses.spheres {
-            if sphere.iter().any(|each| values.contains_key(each)) {
+            let is_given = |each: &Sym| hypotheses.given.iter().any(|(symbol, _)| symbol == each);
+            if sphere.iter().any(|each| values.contains_key(each) || is_given(each)) {
                 continue;
             }
             let free: Vec<Rational> = sphere[1..].iter().map(|_| numbers.next()).collect();
