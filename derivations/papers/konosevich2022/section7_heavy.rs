@@ -4,6 +4,7 @@
 use super::gyrostats;
 use super::letters::{Letters, cyclic, letter, number, one};
 use super::relations::{Relations, coefficients_of, no_speed, scaling, unit, zeros};
+use crate::systems::gyrostat::stationary::Stationary;
 use claims::{Condition, Line, Page};
 use nalgebra::Vector3;
 use symbolic::Sym;
@@ -212,6 +213,23 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
             vec![2, 3, 4],
             vec![(1, f.s), (0, -(s.omega0 * f.v))],
         )]);
+    let code = Stationary { moments: s.a_star, axis: s.l, spin: f.spin, weight: s.e * s.big_gamma };
+    let (numerator, denominator) = code.speed(s.nu);
+    let missing = code.missing_moment(s.nu, s.omega0);
+    page.claim(
+        "eq7.11",
+        "runs",
+        r"what the program computes is $\Gamma$ times (7.11), (7.10) with $\Gamma$ in both terms of the fraction, and (6.5)",
+    )
+    .follows(
+        [
+            Equal(code.surface(s.nu), s.big_gamma * surface),
+            Equal(numerator, s.big_gamma * f.spin * f.pi),
+            Equal(denominator, s.big_gamma * f.s),
+        ]
+        .into_iter()
+        .chain((0..3).map(|i| Equal(missing[i], f.all[i]))),
+    );
     let velocity = f.spin * f.pi / f.s;
     page.claim(
         "statement7",

@@ -6,6 +6,7 @@
 //! * [`routes`]: the equations of motion by independent principles;
 //! * [`tensors`]: the two inertia tensors A and A*, principal axes, the weight;
 //! * [`forms`]: the equations solved for the accelerations, in the axes of A and of A*: what runs.
+//! * [`stationary`], [`cone`]: the conditions of rotations about the vertical, and the line of their axes on the sphere;
 //! * [`driven`]: a form with a motor, as the system of first-order equations that is integrated.
 //!
 //! Conventions: components in axes fixed in the carrier with origin O; w its angular velocity, v the unit vector of the
@@ -17,9 +18,11 @@
 
 pub mod admissible;
 pub mod bodies;
+pub mod cone;
 pub mod driven;
 pub mod forms;
 pub mod routes;
+pub mod stationary;
 pub mod tensors;
 
 pub use bodies::{Carrier, Gyrostat, Rotor};

@@ -1,0 +1,53 @@
+//! Stationary motions: rotations about the vertical with the rotor at a constant relative speed.
+//!
+//! In the axes of A*, with w = w0 v constant and the rotor at the relative speed W, the equations of motion ask that
+//!
+//!   F(v, w0) = (w0^2 A* v + A' W w0 l + Ge) x v = 0 .
+//!
+//! For a weight Ge that is not zero, the directions v are (but for special ones, where Ge.(A* v x v) = 0) the points of
+//! the sphere on the surface (Ge.t)^2 + (A' W)^2 (v.(l x Ge)) (l.t) = 0, t = A* v x v, each with one angular velocity.
+//! Source: Konosevich, Konosevich 2022, (6.5), (7.10), (7.11).
+
+use field::{Base, Over, Scalar};
+use nalgebra::Vector3;
+
+/// What the conditions need of a gyrostat with a rotor at a given relative speed, in the principal axes of A*.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stationary<P: Scalar> {
+    /// principal moments of A*, kg m^2
+    pub moments: Vector3<P>,
+    /// l
+    pub axis: Vector3<P>,
+    /// A' W, the rotor's angular momentum relative to the carrier, N m s
+    pub spin: P,
+    /// Ge, N m
+    pub weight: Vector3<P>,
+}
+
+impl<P: Base> Stationary<P> {
+    /// F, N m: the moment that is missing for w0 v to be a motion.
+    pub fn missing_moment<S: Over<P>>(&self, v: Vector3<S>, w0: S) -> Vector3<S> {
+        let momentum = v.component_mul(&self.moments.map(S::lift)) * w0 + self.axis.map(S::lift) * S::lift(self.spin);
+        (momentum * w0 + self.weight.map(S::lift)).cross(&v)
+    }
+
+    /// t = A* v x v.
+    fn tilt<S: Over<P>>(&self, v: Vector3<S>) -> Vector3<S> {
+        v.component_mul(&self.moments.map(S::lift)).cross(&v)
+    }
+
+    /// The left side of the equation of the surface, (N m)^2 (kg m^2)^2: Gamma times that of (7.11).
+    pub fn surface<S: Over<P>>(&self, v: Vector3<S>) -> S {
+        let (axis, weight, tilt) = (self.axis.map(S::lift), self.weight.map(S::lift), self.tilt(v));
+        let lean = weight.dot(&tilt);
+        let spin = S::lift(self.spin);
+        lean * lean + spin * spin * v.dot(&axis.cross(&weight)) * axis.dot(&tilt)
+    }
+
+    /// (numerator, denominator) of w0 = A' W (v.(l x Ge)) / (Ge.t), the angular velocity that goes with a direction on
+    /// the surface.
+    pub fn speed<S: Over<P>>(&self, v: Vector3<S>) -> (S, S) {
+        let (axis, weight) = (self.axis.map(S::lift), self.weight.map(S::lift));
+        (S::lift(self.spin) * v.dot(&axis.cross(&weight)), weight.dot(&self.tilt(v)))
+    }
+}
