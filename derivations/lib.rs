@@ -3,10 +3,12 @@
 //! # Overview
 //! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
+//! * [`recorded`]: a system with its laws as straight-line code;
 //! * [`scene`]: a system with a machine, data and an initial state, from a file;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
 
 pub mod machines;
 pub mod papers;
+pub mod recorded;
 pub mod scene;
 pub mod systems;

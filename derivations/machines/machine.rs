@@ -158,8 +158,6 @@ impl<S: Over<f64> + Analytic, M: Machine<f64>> Ode<S> for Bench<f64, M> {
     }
 }
 
-impl<M: Machine<f64>> System for Bench<f64, M> {}
-
 impl RotorState {
     /// How many numbers the state of the rotor has.
     pub const fn dimension(self) -> usize {

@@ -2,6 +2,7 @@
 
 use super::{Axes, Scene, System};
 use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
+use crate::recorded::Recorded;
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::Form;
@@ -73,7 +74,7 @@ where
     if conserved.spin {
         invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
     }
-    (law, invariants)
+    (Arc::new(Recorded::new(law)), invariants)
 }
 
 struct OnBench {
@@ -93,7 +94,7 @@ impl ForMachine for OnBench {
         if conserved.spin {
             invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
         }
-        (law, invariants)
+        (Arc::new(Recorded::new(law)), invariants)
     }
 }
 

@@ -35,6 +35,11 @@ impl Rational {
         Self::reduced(i128::from(numerator), i128::from(denominator))
     }
 
+    /// The very value of a float, which is a fraction over a power of two; undefined for infinities and NaN.
+    pub fn exactly(value: f64) -> Self {
+        RBig::try_from(value).map_or(Self::UNDEFINED, Self::from)
+    }
+
     /// Whether no division by zero led here.
     pub fn is_defined(self) -> bool {
         !matches!(self.0, Undefined)

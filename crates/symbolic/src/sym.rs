@@ -93,6 +93,13 @@ impl Over<Sym> for Sym {
     }
 }
 
+/// Data read as `f64` are exact constants.
+impl Over<f64> for Sym {
+    fn lift(parameter: f64) -> Self {
+        Sym::constant(Rational::exactly(parameter))
+    }
+}
+
 impl Over<Rational> for Sym {
     fn lift(parameter: Rational) -> Self {
         Sym::constant(parameter)

@@ -105,5 +105,3 @@ impl<S: Over<f64> + Analytic, F: Form<f64>, M: Machine<f64>> Ode<S> for Driven<f
         Driven::rates(self, y, dy);
     }
 }
-
-impl<F: Form<f64>, M: Machine<f64>> System for Driven<f64, F, M> {}
