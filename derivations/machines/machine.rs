@@ -1,7 +1,7 @@
 //! What a motor is: energies and laws of force. Everything else is derived.
 
 use field::{Analytic, Base, Circle, Over, Scalar};
-use integrators::{Ode, System};
+use integrators::Ode;
 
 /// How much of the rotor's motion is state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

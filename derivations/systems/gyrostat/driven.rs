@@ -3,7 +3,7 @@
 use super::forms::Form;
 use crate::machines::{Machine, RotorState, drive, state_names, stored_energy};
 use field::{Analytic, Base, Over, Tangent};
-use integrators::{Ode, System};
+use integrators::Ode;
 use nalgebra::Vector3;
 use std::marker::PhantomData;
 
