@@ -134,3 +134,12 @@ fn root_of_rational(value: Rational) -> Sym {
     let product = roots.fold(integer(above.unsigned_abs()), |product, root| product * root);
     product / integer(below)
 }
+
+/// The least common multiple of positive numbers, where it is of moderate size.
+pub(crate) fn least_common_multiple(a: i64, b: i64) -> Option<i64> {
+    let (mut divisor, mut rest) = (a, b);
+    while rest != 0 {
+        (divisor, rest) = (rest, divisor % rest);
+    }
+    (a / divisor).checked_mul(b).filter(|multiple| *multiple < 1 << 20)
+}

@@ -89,6 +89,15 @@ fn angles_obey_the_addition_theorems() {
 }
 
 #[test]
+fn a_sum_over_denominators_with_angles_is_rewritten_again() {
+    let point = Sym::symbol("x").circle();
+    let one = Sym::int(1);
+    let none = Hypotheses::none();
+    assert!(none.equal(point.sin / (one + point.cos), (one - point.cos) / point.sin).is_zero());
+    assert!(none.equal(one / (one + point.sin) + one / (one - point.sin), Sym::int(2) / point.cos.squared()).is_zero());
+}
+
+#[test]
 fn roots_of_rational_numbers_are_canonical() {
     let root = |n, d| Sym::ratio(n, d).sqrt();
     let none = Hypotheses::none();

@@ -91,7 +91,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         self.cancel(&mut second, &mut left)?;
         let numerator = first.times(&second, &self.budget)?;
         let constant = a.constant.times(&b.constant)?;
-        self.reduced(Fraction { numerator, constant, powers: merged(&left, &right, |a, b| a + b) })
+        self.reduced_product(Fraction { numerator, constant, powers: merged(&left, &right, |a, b| a + b) })
     }
 
     /// a / b for a `b` with a numerator that is not zero.
@@ -112,22 +112,26 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         }
         powers = merged(&powers, &below, |a, b| a + b);
         let constant = a.constant.times(&content)?;
-        self.reduced(Fraction { numerator, constant, powers })
+        self.reduced_product(Fraction { numerator, constant, powers })
     }
 
-    /// The polynomial modulo the rules, as a fraction.
-    pub fn reduced(&mut self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+    /// The fraction with its numerator modulo the rules, and what then cancels cancelled.
+    fn reduced(&mut self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
         let (numerator, constant) = reduce(fraction.numerator, &self.rules, &self.budget)?;
         fraction.numerator = numerator;
         fraction.constant = fraction.constant.times(&constant)?;
-        // Without rules the numerator is a product whose factors were tried already.
-        if self.rules.is_empty() && !fraction.numerator.is_zero() {
-            return Ok(fraction.without_content());
-        }
         self.cancelled(fraction)
     }
 
-    fn cancelled(&mut self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+    /// [`Arithmetic::reduced`] for a product whose factors were tried already: without rules nothing more cancels.
+    fn reduced_product(&mut self, product: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+        if self.rules.is_empty() && !product.numerator.is_zero() {
+            return Ok(product.without_content());
+        }
+        self.reduced(product)
+    }
+
+    fn cancelled(&self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
         if fraction.numerator.is_zero() {
             return Ok(Fraction::whole(fraction.numerator));
         }

@@ -6,7 +6,7 @@
 use super::hypotheses::{Hypotheses, Refused, Rule, circle_rule};
 use super::normal::normal_form;
 use crate::Sym;
-use crate::analytic::{circle_in_steps, linear_terms, small_quotient};
+use crate::analytic::{circle_in_steps, least_common_multiple, linear_terms, small_quotient};
 use crate::graph::Node;
 use crate::poly::Failure;
 use crate::print::natural_key;
@@ -246,13 +246,4 @@ impl<'a> Gathering<'a> {
         self.alias(each, if denominator.is_one() { front * leaf } else { front * (leaf / denominator) });
         Ok(())
     }
-}
-
-/// For positive numbers of moderate size.
-fn least_common_multiple(a: i64, b: i64) -> Option<i64> {
-    let (mut divisor, mut rest) = (a, b);
-    while rest != 0 {
-        (divisor, rest) = (rest, divisor % rest);
-    }
-    (a / divisor).checked_mul(b).filter(|multiple| *multiple < 1 << 20)
 }
