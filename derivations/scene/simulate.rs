@@ -39,7 +39,8 @@ impl Scene {
     /// Runs. `progress` is told the fraction done after every step.
     pub fn simulate(&self, choice: &Choice, progress: impl FnMut(f64)) -> Trajectory {
         let problem = self.problem(choice.axes);
-        let mut span = Span::new(0.0, self.run.span, &problem.state).with_even_outputs(choice.samples);
+        let samples = divisor(choice.method, choice.samples);
+        let mut span = Span::new(0.0, self.run.span, &problem.state).with_even_outputs(samples);
         span.outputs.insert(0, 0.0);
         for invariant in &problem.invariants {
             span = span.with_monitor(invariant.name, |_, y| (invariant.value)(y));
@@ -66,6 +67,13 @@ impl Scene {
             row
         }
     }
+}
+
+/// Methods land their steps on the samples. One of constant step keeps its steps only where their number is a multiple.
+fn divisor(method: Method, samples: usize) -> usize {
+    let (Method::Euler { steps } | Method::RungeKutta4 { steps }) = method else { return samples };
+    let steps = steps as usize;
+    (1..=samples.min(steps)).rev().find(|samples| steps.is_multiple_of(*samples)).unwrap_or(1)
 }
 
 impl Trajectory {

@@ -26,8 +26,14 @@ impl Ending {
 
     /// A file that cannot be written.
     pub fn unwritable(path: &Path, error: &io::Error) -> Self {
+        let reason = match error.kind() {
+            io::ErrorKind::NotFound => "there is no such folder".to_owned(),
+            io::ErrorKind::IsADirectory => "this is a folder".to_owned(),
+            io::ErrorKind::PermissionDenied => "this may not be written".to_owned(),
+            _ => error.to_string(),
+        };
         Ending::refused(format!(
-            "{} cannot be written: {error}; a file in a folder that exists is accepted",
+            "{} cannot be written: {reason}; a file in a folder that exists is accepted",
             path.display()
         ))
     }

@@ -5,7 +5,7 @@ use crate::csv;
 use crate::ending::{Ending, print};
 use crate::progress::Progress;
 use crate::summary::Summary;
-use derivations::scene::{Choice, Scene};
+use derivations::scene::{Choice, NoModel, Scene};
 use std::fs::File;
 use std::io::BufWriter;
 
@@ -14,8 +14,11 @@ pub fn run(asked: &Run) -> Result<Ending, Ending> {
     let mut scene = Scene::open(&asked.scene)?;
     if let Some(model) = &asked.model {
         scene = scene.with_model(model).map_err(|error| {
-            let made = scene.machine_data.ladder().join(", ");
-            Ending::refused(format!("{}: {error}; of its data can be made: {made}", asked.scene.display()))
+            let made = match error {
+                NoModel::Missing { .. } => format!("; it suffices for {}", scene.machine_data.ladder().join(", ")),
+                _ => String::new(),
+            };
+            Ending::refused(format!("{}: {error}{made}", asked.scene.display()))
         })?;
     }
     let choice = choice(&scene, asked);
