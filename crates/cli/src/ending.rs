@@ -68,3 +68,13 @@ pub fn print(text: &str) -> Result<(), Ending> {
         _ => Ok(()),
     }
 }
+
+/// Writes a file, and the folder it is in where that is missing.
+pub fn save(path: &Path, text: &str) -> Result<(), Ending> {
+    let unwritable = |error: io::Error| Ending::unwritable(path, &error);
+    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        std::fs::create_dir_all(folder).map_err(unwritable)?;
+    }
+    std::fs::write(path, text).map_err(unwritable)?;
+    print(&format!("{}\n", path.display()))
+}

@@ -8,19 +8,11 @@ use crate::summary::Summary;
 use derivations::scene::{Choice, NoModel, Scene};
 use std::fs::File;
 use std::io::BufWriter;
+use std::path::Path;
 
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
 pub fn run(asked: &Run) -> Result<Ending, Ending> {
-    let mut scene = Scene::open(&asked.scene)?;
-    if let Some(model) = &asked.model {
-        scene = scene.with_model(model).map_err(|error| {
-            let made = match error {
-                NoModel::Missing { .. } => format!("; it suffices for {}", scene.machine_data.ladder().join(", ")),
-                _ => String::new(),
-            };
-            Ending::refused(format!("{}: {error}{made}", asked.scene.display()))
-        })?;
-    }
+    let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     let choice = choice(&scene, asked);
     // before the work, so that a wrong name does not cost it
     let table = match &asked.out {
@@ -41,6 +33,18 @@ pub fn run(asked: &Run) -> Result<Ending, Ending> {
         Format::Json => summary.json(),
     })?;
     Ok(if trajectory.outcome.reached() { Ending::Done } else { Ending::Stopped })
+}
+
+/// The scene with the machine that is asked for, where one is.
+pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scene, Ending> {
+    let Some(model) = model else { return Ok(scene) };
+    scene.with_model(model).map_err(|error| {
+        let made = match error {
+            NoModel::Missing { .. } => format!("; it suffices for {}", scene.machine_data.ladder().join(", ")),
+            _ => String::new(),
+        };
+        Ending::refused(format!("{}: {error}{made}", path.display()))
+    })
 }
 
 /// The scene's own choices, but for those that are made on the command line.

@@ -84,7 +84,7 @@ fn the_table_has_a_row_for_the_start_and_for_every_sample() {
     assert!(lines[9].starts_with("2,"));
 }
 
-/// Ten explicit steps across a damper of 2 microseconds blow up at once.
+/// Explicit steps far longer than the damper's 2 microseconds blow up at once.
 #[test]
 fn a_run_that_stops_says_why_and_keeps_what_it_has() {
     let path = temporary("stopped.csv");
@@ -99,6 +99,48 @@ fn a_run_that_stops_says_why_and_keeps_what_it_has() {
     assert!(run["time"].as_f64().is_some_and(|time| time < 0.5));
     assert!(run["state"].as_object().expect("states").values().all(Value::is_number));
     assert!(table.lines().count() >= 2 && !table.contains("NaN") && !table.contains("inf"), "{table}");
+}
+
+/// The field turns so fast that no step above rounding is short enough.
+#[test]
+fn a_step_that_collapses_ends_the_run_with_a_reason() {
+    let path = temporary("collapse.toml");
+    let text = std::fs::read_to_string(root().join("scenes/bench.toml")).expect("it is there");
+    std::fs::write(&path, text.replace("150 rad/s", "1e200 rad/s")).expect("it can be written");
+    let output = run(&["run", &path.to_string_lossy(), "--format", "json"]);
+    std::fs::remove_file(&path).expect("it is there");
+    assert_eq!(output.status.code(), Some(1));
+    let run = json(&output);
+    assert!(run["stopped"].as_str().is_some_and(|reason| reason.starts_with("step collapsed")), "{run}");
+    assert!(run["state"].as_object().expect("states").values().all(Value::is_number));
+}
+
+#[test]
+fn a_chart_lists_every_method_and_draws_itself() {
+    for (file, needle) in [("chart.svg", "<svg"), ("chart.html", "<!DOCTYPE html>")] {
+        let path = temporary(file);
+        let output = run(&["chart", "scenes/constant_speed.toml", "--seconds", "1", "--out", &path.to_string_lossy()]);
+        let table = String::from_utf8(output.stdout).expect("text");
+        assert_eq!(output.status.code(), Some(0), "{table}");
+        assert!(["Dormand-Prince 8", "Gauss", "Rodas4", "1e-13"].iter().all(|word| table.contains(word)), "{table}");
+        let drawn = std::fs::read_to_string(&path).expect("it was written");
+        std::fs::remove_file(&path).expect("it is there");
+        assert!(drawn.contains(needle) && drawn.contains("Runge-Kutta 4"));
+    }
+}
+
+/// The main job on a folder with one small scene.
+#[test]
+fn the_report_is_one_page_with_the_scene_and_its_charts() {
+    let folder = temporary("scenes");
+    std::fs::create_dir_all(&folder).expect("a temporary folder");
+    std::fs::copy(root().join("scenes/free_rotor.toml"), folder.join("free_rotor.toml")).expect("it can be copied");
+    let page = folder.join("page/index.html");
+    let output = run(&["--scenes", &folder.to_string_lossy(), "--out", &page.to_string_lossy()]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let html = std::fs::read_to_string(&page).expect("it was written");
+    std::fs::remove_dir_all(&folder).expect("it is there");
+    assert!(html.contains("a fall from the unstable top") && html.matches("<svg").count() >= 3);
 }
 
 #[test]
