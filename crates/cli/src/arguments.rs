@@ -74,6 +74,9 @@ pub struct Run {
     /// Instants of the trajectory beside its start
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub samples: Option<u32>,
+    /// Stops a run that takes longer, and keeps what there is
+    #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    pub seconds: u32,
 }
 
 /// What is to be measured and drawn.

@@ -9,6 +9,7 @@ use derivations::scene::{Choice, NoModel, Scene};
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::Path;
+use std::time::Duration;
 
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
 pub fn run(asked: &Run) -> Result<Ending, Ending> {
@@ -55,5 +56,6 @@ fn choice(scene: &Scene, asked: &Run) -> Choice {
         tolerance: asked.tolerance.unwrap_or(own.tolerance),
         axes: asked.form,
         samples: asked.samples.map_or(own.samples, |samples| samples as usize),
+        allowed: Duration::from_secs(asked.seconds.into()),
     }
 }

@@ -116,6 +116,17 @@ fn a_step_that_collapses_ends_the_run_with_a_reason() {
 }
 
 #[test]
+fn a_run_that_takes_too_long_is_stopped() {
+    let path = temporary("long.toml");
+    let text = std::fs::read_to_string(root().join("scenes/bench.toml")).expect("it is there");
+    std::fs::write(&path, text.replace("150 rad/s", "1e200 rad/s")).expect("it can be written");
+    let output = run(&["run", &path.to_string_lossy(), "--method", "gauss", "--seconds", "1", "--format", "json"]);
+    std::fs::remove_file(&path).expect("it is there");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(json(&output)["stopped"].as_str().is_some_and(|reason| reason.starts_with("out of time")));
+}
+
+#[test]
 fn a_chart_lists_every_method_and_draws_itself() {
     for (file, needle) in [("chart.svg", "<svg"), ("chart.html", "<!DOCTYPE html>")] {
         let path = temporary(file);
