@@ -3,7 +3,6 @@
 use super::issue::{Issue, nearest};
 use super::read::Table;
 use crate::machines::{AnyMachine, Catalogued, ForMachine, Quantity, RotorState, Source};
-use std::collections::BTreeMap;
 use std::convert::Infallible;
 use std::fmt;
 
@@ -13,8 +12,10 @@ const MOST: usize = 1000;
 /// The data of a machine as a scene gives them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MachineData {
-    numbers: BTreeMap<&'static str, f64>,
-    counts: BTreeMap<&'static str, usize>,
+    /// In the machine's own order.
+    pub numbers: Vec<(&'static Quantity, f64)>,
+    /// (name, meaning, count).
+    pub counts: Vec<(&'static str, &'static str, usize)>,
     /// W of a machine whose rotor follows the stator's field: the speed that a machine of constant speed keeps.
     synchronous_speed: Option<f64>,
 }
@@ -77,13 +78,13 @@ impl Source for FromTable<'_> {
 
     fn quantity(&mut self, quantity: &'static Quantity) -> Result<f64, Infallible> {
         let value = self.table.scalar(quantity.name, quantity.meaning, quantity.unit).value;
-        self.data.numbers.insert(quantity.name, value);
+        self.data.numbers.push((quantity, value));
         Ok(value)
     }
 
     fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, Infallible> {
         let value = self.table.count(name, meaning, 1, MOST).value;
-        self.data.counts.insert(name, value);
+        self.data.counts.push((name, meaning, value));
         Ok(value)
     }
 }
@@ -100,12 +101,13 @@ impl Source for FromData<'_> {
         let Quantity { name, unit, meaning } = *quantity;
         let kept = if name == "speed" { self.data.synchronous_speed } else { None };
         let missing = || NoModel::Missing { model: self.model.to_owned(), datum: name, meaning, unit };
-        self.data.numbers.get(name).copied().or(kept).ok_or_else(missing)
+        let given = self.data.numbers.iter().find(|(given, _)| given.name == name).map(|(_, value)| *value);
+        given.or(kept).ok_or_else(missing)
     }
 
     fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
         let missing = || NoModel::Missing { model: self.model.to_owned(), datum: name, meaning, unit: "1" };
-        self.data.counts.get(name).copied().ok_or_else(missing)
+        self.data.counts.iter().find(|(given, ..)| *given == name).map(|(.., count)| *count).ok_or_else(missing)
     }
 }
 

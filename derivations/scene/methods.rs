@@ -1,19 +1,32 @@
 //! The methods of integration by the names that scenes and the command line use.
 
 use super::nearest;
-use integrators::Method;
+use integrators::{MOST_STAGES, Method};
 
 /// How a method is named: some take a number after a colon.
 enum Named {
     Plain(Method),
     /// A constant step: how many steps must be said.
     Steps(fn(u32) -> Method),
+    /// Stages, with a good number where none is said.
+    Stages(u8, fn(u8) -> Method),
 }
 
 const METHODS: &[(&str, Named, &str)] = &[
     ("dormand_prince_8", Named::Plain(Method::DormandPrince8), "explicit Runge-Kutta 8(5,3): the default"),
     ("dormand_prince_5", Named::Plain(Method::DormandPrince5), "explicit Runge-Kutta 5(4)"),
+    ("verner_9", Named::Plain(Method::Verner9), "explicit Runge-Kutta 9(8)"),
+    ("verner_6", Named::Plain(Method::Verner6), "explicit Runge-Kutta 6(5)"),
     ("gragg_bulirsch_stoer", Named::Plain(Method::GraggBulirschStoer), "extrapolation of variable order"),
+    ("radau_5", Named::Plain(Method::Radau5), "implicit, for stiff scenes"),
+    ("rodas_4", Named::Plain(Method::Rodas4), "linearly implicit, for stiff scenes at moderate tolerances"),
+    ("kvaerno_5", Named::Plain(Method::Kvaerno5), "diagonally implicit 5(4), for stiff scenes"),
+    (
+        "radau_iia",
+        Named::Stages(5, |stages| Method::RadauIIA { stages }),
+        "implicit collocation, order 2s - 1, for stiff scenes",
+    ),
+    ("gauss", Named::Stages(4, |stages| Method::Gauss { stages }), "implicit collocation, order 2s, symmetric"),
     ("runge_kutta_4", Named::Steps(|steps| Method::RungeKutta4 { steps }), "classical, so many equal steps"),
     ("euler", Named::Steps(|steps| Method::Euler { steps }), "explicit, so many equal steps"),
 ];
@@ -24,6 +37,7 @@ pub fn list() -> impl Iterator<Item = (String, &'static str)> {
         let written = match named {
             Named::Plain(_) => (*name).to_owned(),
             Named::Steps(_) => format!("{name}:STEPS"),
+            Named::Stages(usual, _) => format!("{name}:{usual}"),
         };
         (written, *what)
     })
@@ -47,6 +61,11 @@ pub fn method(text: &str) -> Result<Method, (String, String)> {
         (Named::Steps(make), Some(number)) => match number.parse() {
             Ok(steps) if steps > 0 => Ok(make(steps)),
             _ => wrong(format!("a positive whole number of steps is accepted: `{name}:20000`")),
+        },
+        (Named::Stages(usual, make), None) => Ok(make(*usual)),
+        (Named::Stages(usual, make), Some(number)) => match number.parse() {
+            Ok(stages) if (1..=MOST_STAGES).contains(&stages) => Ok(make(stages)),
+            _ => wrong(format!("from 1 to {MOST_STAGES} stages are accepted: `{name}:{usual}`")),
         },
         (Named::Steps(_), None) => wrong(format!("it has a constant step; say how many steps: `{name}:20000`")),
     }

@@ -6,11 +6,13 @@
 //! * [`read`], [`issue`]: tables with places, and messages with marks under the value;
 //! * [`bodies`], [`machine`], [`start`], [`run`]: the tables of a scene;
 //! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data;
-//! * [`problem`], [`simulate`]: the law that any method integrates, and the run.
+//! * [`problem`], [`simulate`]: the law that any method integrates, and the run;
+//! * [`measured`]: every method on a scene, speed against accuracy.
 
 pub mod bodies;
 pub mod issue;
 pub mod machine;
+pub mod measured;
 pub mod methods;
 pub mod problem;
 pub mod quantity;
@@ -23,6 +25,7 @@ pub mod units;
 
 pub use issue::{Issue, SceneError, nearest};
 pub use machine::{MachineData, NoModel};
+pub use measured::{Measured, Trials};
 pub use problem::{Invariant, Problem};
 pub use run::Run;
 pub use simulate::{Choice, Trajectory};

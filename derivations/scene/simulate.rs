@@ -4,6 +4,7 @@ use super::state::ROTOR_SPEED;
 use super::{Axes, Scene};
 use crate::machines::{Catalogued, ForMachine};
 use integrators::{Method, Observer, Outcome, Span, Tolerance, integrate};
+use std::time::{Duration, Instant};
 
 /// How a scene is to be run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +14,8 @@ pub struct Choice {
     pub axes: Axes,
     /// Instants kept beside the start.
     pub samples: usize,
+    /// After so long the run is stopped, and what there is is kept.
+    pub allowed: Duration,
 }
 
 /// A run, whether it reached its end or not.
@@ -33,13 +36,22 @@ impl Scene {
     /// What the scene itself asks for.
     pub fn choice(&self) -> Choice {
         let run = &self.run;
-        Choice { method: run.method, tolerance: run.tolerance, axes: Axes::First, samples: run.samples }
+        Choice {
+            method: run.method,
+            tolerance: run.tolerance,
+            axes: Axes::First,
+            samples: run.samples,
+            allowed: Duration::from_secs(300),
+        }
     }
 
     /// Runs. `progress` is told the fraction done after every step.
     pub fn simulate(&self, choice: &Choice, progress: impl FnMut(f64)) -> Trajectory {
         let problem = self.problem(choice.axes);
-        let mut span = Span::new(0.0, self.run.span, &problem.state).with_even_outputs(choice.samples);
+        let samples = divisor(choice.method, choice.samples);
+        let mut span = Span::new(0.0, self.run.span, &problem.state)
+            .with_even_outputs(samples)
+            .with_deadline(Instant::now() + choice.allowed);
         span.outputs.insert(0, 0.0);
         for invariant in &problem.invariants {
             span = span.with_monitor(invariant.name, |_, y| (invariant.value)(y));
@@ -66,6 +78,13 @@ impl Scene {
             row
         }
     }
+}
+
+/// Methods land their steps on the samples. One of constant step keeps its steps only where their number is a multiple.
+fn divisor(method: Method, samples: usize) -> usize {
+    let (Method::Euler { steps } | Method::RungeKutta4 { steps }) = method else { return samples };
+    let steps = steps as usize;
+    (1..=samples.min(steps)).rev().find(|samples| steps.is_multiple_of(*samples)).unwrap_or(1)
 }
 
 impl Trajectory {

@@ -84,6 +84,16 @@ pub fn names(on_bench: bool, machine: &AnyMachine) -> Vec<String> {
     names
 }
 
+/// The unit of a state or of the rotor's speed, by its name.
+pub fn unit(name: &str) -> &'static str {
+    match name.as_bytes() {
+        [b'v', ..] => "1",
+        [b'w', ..] | b"slip" | b"rotor_speed" => "rad/s",
+        b"angle" => "rad",
+        _ => "A",
+    }
+}
+
 /// How many windings a machine has.
 pub fn windings(machine: &AnyMachine) -> usize {
     machine.clone().apply(Windings)

@@ -8,12 +8,28 @@ use std::path::PathBuf;
 
 /// Derives, proves and runs equations of motion.
 ///
+/// Without a command: the main job. Every paper's statements are judged, every scene is run and charted, and one page
+/// is written that needs nothing else to be read.
+///
 /// Exit codes: 0 all is well; 1 a run stopped before its end; 2 the input is not acceptable.
 #[derive(Debug, Parser)]
-#[command(name = "dalembert", version, arg_required_else_help = true)]
+#[command(name = "dalembert", version, args_conflicts_with_subcommands = true)]
 pub struct Arguments {
     #[command(subcommand)]
-    pub command: Command,
+    pub command: Option<Command>,
+    #[command(flatten)]
+    pub report: Report,
+}
+
+/// The main job, where no command is given.
+#[derive(Args, Debug)]
+pub struct Report {
+    /// Where the scene files are
+    #[arg(long, value_name = "FOLDER", default_value = "scenes")]
+    pub scenes: PathBuf,
+    /// The page
+    #[arg(long, value_name = "FILE.html", default_value = "report/index.html")]
+    pub out: PathBuf,
 }
 
 #[derive(Debug, Subcommand)]
@@ -21,6 +37,8 @@ pub enum Command {
     /// Runs a scene and prints its last state, the work done and the invariants
     #[command(after_long_help = run_help())]
     Run(Run),
+    /// Measures every method on a scene: speed against accuracy
+    Chart(Chart),
     /// Lists the scenes of a folder, each with its title
     Scenes {
         /// Where the scene files are
@@ -56,6 +74,41 @@ pub struct Run {
     /// Instants of the trajectory beside its start
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub samples: Option<u32>,
+    /// Stops a run that takes longer, and keeps what there is
+    #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    pub seconds: u32,
+}
+
+/// What is to be measured and drawn.
+#[derive(Args, Debug)]
+pub struct Chart {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Draws the chart: one picture as .svg, or a page with both as .html
+    #[arg(long, value_name = "FILE.svg|FILE.html")]
+    pub out: Option<PathBuf>,
+    /// What the work of a picture is counted in
+    #[arg(long, value_enum, default_value_t)]
+    pub x: Axis,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// The equations in the axes of A (first) or of A* (second)
+    #[arg(long, default_value_t)]
+    pub form: Axes,
+    /// Time allowed for the reference, and again for the measurements
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=3600))]
+    pub seconds: u32,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Axis {
+    /// An integer, the same on every computer
+    #[default]
+    Evaluations,
+    /// A ratio to the fastest run
+    Time,
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]

@@ -26,8 +26,14 @@ impl Ending {
 
     /// A file that cannot be written.
     pub fn unwritable(path: &Path, error: &io::Error) -> Self {
+        let reason = match error.kind() {
+            io::ErrorKind::NotFound => "there is no such folder".to_owned(),
+            io::ErrorKind::IsADirectory => "this is a folder".to_owned(),
+            io::ErrorKind::PermissionDenied => "this may not be written".to_owned(),
+            _ => error.to_string(),
+        };
         Ending::refused(format!(
-            "{} cannot be written: {error}; a file in a folder that exists is accepted",
+            "{} cannot be written: {reason}; a file in a folder that exists is accepted",
             path.display()
         ))
     }
@@ -61,4 +67,14 @@ pub fn print(text: &str) -> Result<(), Ending> {
         }
         _ => Ok(()),
     }
+}
+
+/// Writes a file, and the folder it is in where that is missing.
+pub fn save(path: &Path, text: &str) -> Result<(), Ending> {
+    let unwritable = |error: io::Error| Ending::unwritable(path, &error);
+    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        std::fs::create_dir_all(folder).map_err(unwritable)?;
+    }
+    std::fs::write(path, text).map_err(unwritable)?;
+    print(&format!("{}\n", path.display()))
 }

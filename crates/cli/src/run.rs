@@ -5,19 +5,15 @@ use crate::csv;
 use crate::ending::{Ending, print};
 use crate::progress::Progress;
 use crate::summary::Summary;
-use derivations::scene::{Choice, Scene};
+use derivations::scene::{Choice, NoModel, Scene};
 use std::fs::File;
 use std::io::BufWriter;
+use std::path::Path;
+use std::time::Duration;
 
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
 pub fn run(asked: &Run) -> Result<Ending, Ending> {
-    let mut scene = Scene::open(&asked.scene)?;
-    if let Some(model) = &asked.model {
-        scene = scene.with_model(model).map_err(|error| {
-            let made = scene.machine_data.ladder().join(", ");
-            Ending::refused(format!("{}: {error}; of its data can be made: {made}", asked.scene.display()))
-        })?;
-    }
+    let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     let choice = choice(&scene, asked);
     // before the work, so that a wrong name does not cost it
     let table = match &asked.out {
@@ -40,6 +36,18 @@ pub fn run(asked: &Run) -> Result<Ending, Ending> {
     Ok(if trajectory.outcome.reached() { Ending::Done } else { Ending::Stopped })
 }
 
+/// The scene with the machine that is asked for, where one is.
+pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scene, Ending> {
+    let Some(model) = model else { return Ok(scene) };
+    scene.with_model(model).map_err(|error| {
+        let made = match error {
+            NoModel::Missing { .. } => format!("; it suffices for {}", scene.machine_data.ladder().join(", ")),
+            _ => String::new(),
+        };
+        Ending::refused(format!("{}: {error}{made}", path.display()))
+    })
+}
+
 /// The scene's own choices, but for those that are made on the command line.
 fn choice(scene: &Scene, asked: &Run) -> Choice {
     let own = scene.choice();
@@ -48,5 +56,6 @@ fn choice(scene: &Scene, asked: &Run) -> Choice {
         tolerance: asked.tolerance.unwrap_or(own.tolerance),
         axes: asked.form,
         samples: asked.samples.map_or(own.samples, |samples| samples as usize),
+        allowed: Duration::from_secs(asked.seconds.into()),
     }
 }

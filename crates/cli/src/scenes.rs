@@ -2,6 +2,7 @@
 
 use crate::ending::{Ending, print};
 use derivations::scene::Scene;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Prints each scene of a folder with its machine and title; one that is not acceptable with the number of its faults.
@@ -20,9 +21,14 @@ pub fn list(folder: &Path) -> Result<Ending, Ending> {
 
 /// The TOML files of a folder, by name.
 pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Ending> {
-    let unreadable = |error| {
+    let unreadable = |error: io::Error| {
         let accepted = "a folder with scene files is accepted; the project's own is `scenes`";
-        Ending::refused(format!("{}: {error}; {accepted}", folder.display()))
+        let reason = match error.kind() {
+            io::ErrorKind::NotFound => "there is no such folder".to_owned(),
+            io::ErrorKind::NotADirectory => "this is no folder".to_owned(),
+            _ => error.to_string(),
+        };
+        Ending::refused(format!("{}: {reason}; {accepted}", folder.display()))
     };
     let mut files = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {

@@ -62,10 +62,10 @@ impl Summary<'_> {
             Some(failure) => line("stopped", format!("{failure}; the last good state is at t = {} s", outcome.time)),
         }
         for (name, value) in trajectory.names.iter().zip(&trajectory.last).filter(|(name, _)| self.shown(name)) {
-            line(&format!("  {name}"), format!("{value:.9}"));
+            line(&format!("  {name}"), readable(*value));
         }
         for deviation in &outcome.deviations {
-            line(&deviation.name, format!("{:.9}, kept to {:.1e}", deviation.first, deviation.largest));
+            line(&deviation.name, format!("{}, kept to {:.1e}", readable(deviation.first), deviation.largest));
         }
         text
     }
@@ -75,4 +75,9 @@ impl Summary<'_> {
         let outputs = &self.scene.run.outputs;
         outputs.is_empty() || outputs.iter().any(|output| output == name)
     }
+}
+
+/// With nine digits after the point, or as a power of ten where those would say nothing.
+fn readable(value: f64) -> String {
+    if value == 0.0 || (1e-4..1e7).contains(&value.abs()) { format!("{value:.9}") } else { format!("{value:.9e}") }
 }

@@ -71,7 +71,7 @@ fn failures(charts: &[WorkPrecision]) -> Table {
         for failure in &method.failures {
             let known = rows.iter_mut().find(|(name, reason, _)| *name == method.name && *reason == failure.reason);
             match known {
-                Some((_, _, tolerances)) if tolerances.contains(&failure.tolerance) => {}
+                Some((_, _, tolerances)) if tolerances.iter().any(|t| t.total_cmp(&failure.tolerance).is_eq()) => {}
                 Some((_, _, tolerances)) => tolerances.push(failure.tolerance),
                 None => rows.push((method.name.clone(), failure.reason.clone(), vec![failure.tolerance])),
             }

@@ -42,8 +42,11 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     text.replace('-', "−")
 }
 
-/// A tolerance: a power of ten wherever it is one.
+/// A tolerance: a power of ten wherever it is one; a method of constant step follows none.
 pub(crate) fn tolerance(value: f64) -> String {
+    if value.is_nan() {
+        return "none".to_owned();
+    }
     match format!("{value:.1e}").split_once('e') {
         Some(("1.0", exponent)) => format!("10{}", superscript(exponent.parse().unwrap_or(0))),
         _ => significant(value, 2),

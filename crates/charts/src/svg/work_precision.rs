@@ -70,6 +70,7 @@ pub struct Point {
 pub struct Failure {
     /// Spent until it gave up; not finite where unknown.
     pub work: f64,
+    /// Not a number for a method of constant step.
     pub tolerance: f64,
     pub reason: String,
 }

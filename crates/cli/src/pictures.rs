@@ -1,0 +1,137 @@
+//! A scene's runs as the data of pictures.
+
+use charts::{Failure, Panel, Point, Track, Work, WorkPrecision};
+use derivations::scene::state::unit;
+use derivations::scene::{Measured, Scene, Trajectory};
+use integrators::{self as run, Method};
+
+/// Error against work, once in evaluations and once in time.
+pub fn work_precision(scene: &Scene, measured: &Measured) -> [WorkPrecision; 2] {
+    let dimension = scene.names().len() as u64;
+    let seconds = measured.points.iter().filter_map(|point| point.seconds);
+    let fastest = seconds.fold(f64::INFINITY, f64::min);
+    let evaluations = |point: &run::Point| evaluations(point, dimension) as f64;
+    let ratio = |point: &run::Point| point.seconds.map_or(f64::NAN, |seconds| seconds / fastest);
+    let reference = &measured.reference;
+    let note = format!(
+        "Reference: {} and {}, in double-double, agree to {:.0} digits.",
+        reference.methods[0], reference.methods[1], reference.digits
+    );
+    let chart = |x, work: &dyn Fn(&run::Point) -> f64, note: String| WorkPrecision {
+        title: match x {
+            Work::Evaluations => "Error against evaluations".to_owned(),
+            Work::TimeRatio => "Error against time".to_owned(),
+        },
+        x,
+        error: "largest error, relative to each component's size".to_owned(),
+        series: series(&measured.points, work),
+        note,
+    };
+    let counted = format!("A Jacobian counts as the {dimension} evaluations of its columns. {note}");
+    let timed = format!("Medians of one run of the program, in which the methods take turns. {note}");
+    [chart(Work::Evaluations, &evaluations, counted), chart(Work::TimeRatio, &ratio, timed)]
+}
+
+/// What a run costs in evaluations of the rates, its Jacobians included.
+pub fn evaluations(point: &run::Point, dimension: u64) -> u64 {
+    point.work.rates + point.work.jacobians * dimension
+}
+
+/// One for each method; runs of a constant step in all their numbers of steps are one.
+fn series(points: &[run::Point], work: &dyn Fn(&run::Point) -> f64) -> Vec<charts::Method> {
+    let mut series: Vec<charts::Method> = Vec::new();
+    for point in points {
+        let name = family(point.method);
+        let at = series.iter().position(|known| known.name == name).unwrap_or_else(|| {
+            series.push(charts::Method { name, ..Default::default() });
+            series.len() - 1
+        });
+        match &point.error {
+            Ok(error) => series[at].points.push(Point { work: work(point), error: *error }),
+            Err(failure) => series[at].failures.push(Failure {
+                work: work(point),
+                tolerance: point.tolerance.unwrap_or(f64::NAN),
+                reason: reason(failure).to_owned(),
+            }),
+        }
+    }
+    series
+}
+
+/// A method's name without its number of steps.
+pub fn family(method: Method) -> String {
+    match method {
+        Method::RungeKutta4 { .. } => "Runge-Kutta 4, constant step".to_owned(),
+        Method::Euler { .. } => "Euler, constant step".to_owned(),
+        other => other.to_string(),
+    }
+}
+
+/// The name of a failure without its place, so that equal failures stand together.
+pub fn reason(failure: &run::Failure) -> &'static str {
+    use run::Failure as Is;
+    match failure {
+        Is::Refused(_) => "refused",
+        Is::StepCollapsed { .. } => "step collapsed",
+        Is::TooManyEvaluations { .. } => "too many evaluations",
+        Is::OutOfTime { .. } => "out of time",
+        Is::NewtonFailed { .. } => "Newton did not converge",
+        Is::LeftTheNumbers { .. } => "left the numbers",
+        Is::Stiff { .. } => "found it stiff",
+        Is::Singular { .. } => "singular matrix",
+    }
+}
+
+/// The outputs that the scene names against time; components of one vector, and all currents, share a panel.
+pub fn trajectory(scene: &Scene, run: &Trajectory) -> charts::Trajectory {
+    let outputs = &scene.run.outputs;
+    let shown: Vec<&String> = run.names.iter().filter(|name| outputs.is_empty() || outputs.contains(name)).collect();
+    let stopped = run.outcome.failure().map(|failure| reason(&failure).to_owned());
+    let mut panels: Vec<(String, Panel)> = Vec::new();
+    for name in shown {
+        let Some(column) = run.column(name) else { continue };
+        let points = run.times.iter().zip(&run.rows).map(|(time, row)| (*time, row[column])).collect();
+        let track = Track { name: label(name), points, stopped: stopped.clone() };
+        let quantity = quantity(name);
+        match panels.iter_mut().find(|(known, _)| *known == quantity) {
+            Some((_, panel)) => panel.series.push(track),
+            None => panels.push((quantity.clone(), Panel { y: quantity, series: vec![track] })),
+        }
+    }
+    let panels = panels.into_iter().map(|(_, panel)| panel).collect();
+    charts::Trajectory {
+        title: "The run against time".to_owned(),
+        x: "time, s".to_owned(),
+        panels,
+        note: String::new(),
+    }
+}
+
+/// A state as a reader writes it.
+pub fn label(name: &str) -> String {
+    match name {
+        "angle" => "\u{3b3}".to_owned(),
+        "slip" => "\u{3b3}\u{307}".to_owned(),
+        "rotor_speed" => "\u{3c6}\u{307}".to_owned(),
+        _ => {
+            let letters = name.replace('w', "\u{3c9}").replace('v', "\u{3bd}");
+            letters.chars().map(|c| c.to_digit(10).and_then(|d| char::from_u32(0x2080 + d)).unwrap_or(c)).collect()
+        }
+    }
+}
+
+/// What a panel shows, with its unit.
+fn quantity(name: &str) -> String {
+    let kind = match name.as_bytes() {
+        b"angle" => "angle to the field",
+        b"slip" => "slip",
+        b"rotor_speed" => "speed of the rotor",
+        [b'w', ..] => "angular velocity",
+        [b'v', ..] => "vertical",
+        _ => "currents",
+    };
+    match unit(name) {
+        "1" => kind.to_owned(),
+        unit => format!("{kind}, {unit}"),
+    }
+}

@@ -1,0 +1,262 @@
+//! The program as its users meet it: what it prints, what it writes, how it ends.
+
+use serde_json::Value;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn program(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_dalembert"));
+    command.current_dir(root()).args(arguments);
+    command
+}
+
+fn run(arguments: &[&str]) -> Output {
+    program(arguments).output().expect("the program starts")
+}
+
+/// A file for one test.
+fn temporary(name: &str) -> PathBuf {
+    std::env::temp_dir().join(format!("dalembert_{}_{name}", std::process::id()))
+}
+
+fn json(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout).expect("one JSON object")
+}
+
+/// Asserts the exit code, then compares what was printed as an error.
+fn refused(name: &str, arguments: &[&str]) {
+    let output = run(arguments);
+    let message = String::from_utf8(output.stderr).expect("messages are text");
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(output.stdout.is_empty());
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(root().join("snapshots/program"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, message));
+}
+
+#[test]
+fn a_run_prints_one_object_with_what_was_promised() {
+    let output = run(&["run", "scenes/free_rotor.toml", "--format", "json", "--samples", "10"]);
+    assert_eq!(output.status.code(), Some(0));
+    let run = json(&output);
+    let keys: Vec<&String> = run.as_object().expect("an object").keys().collect();
+    assert!(
+        ["time", "state", "work", "invariants", "model", "method"].iter().all(|key| keys.contains(&&(*key).to_owned()))
+    );
+    assert_eq!(run["time"], 2.0);
+    assert_eq!(run["model"], "free_rotor");
+    let invariants = run["invariants"].as_object().expect("an object");
+    assert_eq!(invariants.len(), 4);
+    assert!(invariants.values().all(|invariant| invariant["largest_deviation"].as_f64().is_some_and(|d| d < 1e-7)));
+}
+
+#[test]
+fn both_forms_print_the_same_state() {
+    let [first, second] = ["first", "second"].map(|form| {
+        json(&run(&["run", "scenes/permanent_rotation.toml", "--form", form, "--samples", "1", "--format", "json"]))
+    });
+    assert_ne!(first["form"], second["form"]);
+    let (first, second) = (first["state"].as_object().expect("states"), second["state"].as_object().expect("states"));
+    for (name, value) in first {
+        let (a, b) = (value.as_f64().expect("a number"), second[name].as_f64().expect("a number"));
+        assert!((a - b).abs() < 1e-9, "{name}: {a} {b}");
+    }
+}
+
+#[test]
+fn the_table_has_a_row_for_the_start_and_for_every_sample() {
+    let path = temporary("table.csv");
+    let output = run(&["run", "scenes/bench.toml", "--samples", "8", "--out", &path.to_string_lossy()]);
+    assert_eq!(output.status.code(), Some(0));
+    let table = std::fs::read_to_string(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(lines.len(), 10);
+    assert!(lines[0].starts_with("time,angle,slip,x,i1"));
+    assert!(lines[1].starts_with("0,0,-150,"));
+    assert!(lines[9].starts_with("2,"));
+}
+
+/// Explicit steps far longer than the damper's 2 microseconds blow up at once.
+#[test]
+fn a_run_that_stops_says_why_and_keeps_what_it_has() {
+    let path = temporary("stopped.csv");
+    let asked = ["run", "scenes/stiff_damper.toml", "--method", "runge_kutta_4:2000", "--format", "json", "--out"];
+    let output = run(&[&asked[..], &[&path.to_string_lossy()]].concat());
+    let table = std::fs::read_to_string(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    assert_eq!(output.status.code(), Some(1));
+    let run = json(&output);
+    assert_eq!(run["reached"], false);
+    assert!(run["stopped"].as_str().is_some_and(|reason| reason.contains("not finite")), "{run}");
+    assert!(run["time"].as_f64().is_some_and(|time| time < 0.5));
+    assert!(run["state"].as_object().expect("states").values().all(Value::is_number));
+    assert!(table.lines().count() >= 2 && !table.contains("NaN") && !table.contains("inf"), "{table}");
+}
+
+/// The field turns so fast that no step above rounding is short enough.
+#[test]
+fn a_step_that_collapses_ends_the_run_with_a_reason() {
+    let path = temporary("collapse.toml");
+    let text = std::fs::read_to_string(root().join("scenes/bench.toml")).expect("it is there");
+    std::fs::write(&path, text.replace("150 rad/s", "1e200 rad/s")).expect("it can be written");
+    let output = run(&["run", &path.to_string_lossy(), "--format", "json"]);
+    std::fs::remove_file(&path).expect("it is there");
+    assert_eq!(output.status.code(), Some(1));
+    let run = json(&output);
+    assert!(run["stopped"].as_str().is_some_and(|reason| reason.starts_with("step collapsed")), "{run}");
+    assert!(run["state"].as_object().expect("states").values().all(Value::is_number));
+}
+
+#[test]
+fn a_run_that_takes_too_long_is_stopped() {
+    let path = temporary("long.toml");
+    let text = std::fs::read_to_string(root().join("scenes/bench.toml")).expect("it is there");
+    std::fs::write(&path, text.replace("150 rad/s", "1e200 rad/s")).expect("it can be written");
+    let output = run(&["run", &path.to_string_lossy(), "--method", "gauss", "--seconds", "1", "--format", "json"]);
+    std::fs::remove_file(&path).expect("it is there");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(json(&output)["stopped"].as_str().is_some_and(|reason| reason.starts_with("out of time")));
+}
+
+#[test]
+fn a_chart_lists_every_method_and_draws_itself() {
+    for (file, needle) in [("chart.svg", "<svg"), ("chart.html", "<!DOCTYPE html>")] {
+        let path = temporary(file);
+        let output = run(&["chart", "scenes/constant_speed.toml", "--seconds", "1", "--out", &path.to_string_lossy()]);
+        let table = String::from_utf8(output.stdout).expect("text");
+        assert_eq!(output.status.code(), Some(0), "{table}");
+        assert!(["Dormand-Prince 8", "Gauss", "Rodas4", "1e-13"].iter().all(|word| table.contains(word)), "{table}");
+        let drawn = std::fs::read_to_string(&path).expect("it was written");
+        std::fs::remove_file(&path).expect("it is there");
+        assert!(drawn.contains(needle) && drawn.contains("Runge-Kutta 4"));
+    }
+}
+
+/// The main job on a folder with one small scene.
+#[test]
+fn the_report_is_one_page_with_the_scene_and_its_charts() {
+    let folder = temporary("scenes");
+    std::fs::create_dir_all(&folder).expect("a temporary folder");
+    std::fs::copy(root().join("scenes/free_rotor.toml"), folder.join("free_rotor.toml")).expect("it can be copied");
+    let page = folder.join("page/index.html");
+    let output = run(&["--scenes", &folder.to_string_lossy(), "--out", &page.to_string_lossy()]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let html = std::fs::read_to_string(&page).expect("it was written");
+    std::fs::remove_dir_all(&folder).expect("it is there");
+    assert!(html.contains("a fall from the unstable top") && html.matches("<svg").count() >= 3);
+}
+
+#[test]
+fn a_smaller_model_is_named_in_the_result() {
+    let output = run(&["run", "scenes/spin_up.toml", "--model", "equivalent_windings", "--format", "json"]);
+    assert_eq!(json(&output)["model"], "equivalent_windings");
+}
+
+#[test]
+fn a_reader_who_stops_reading_is_no_error() {
+    for arguments in [&["scenes"][..], &["run", "--help"], &["run", "scenes/bench.toml", "--format", "json"]] {
+        let mut child = program(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
+        drop(child.stdout.take());
+        let mut message = String::new();
+        child.stderr.take().expect("piped").read_to_string(&mut message).expect("messages are text");
+        assert_eq!(child.wait().expect("it ends").code(), Some(0), "{arguments:?}: {message}");
+        assert_eq!(message, "", "{arguments:?}");
+    }
+}
+
+#[test]
+fn the_list_of_scenes_names_each_with_its_machine() {
+    let output = run(&["scenes"]);
+    let list = String::from_utf8(output.stdout).expect("text");
+    assert!(list.lines().count() >= 9 && list.contains("pull_out.toml"), "{list}");
+    assert!(!list.contains("faults"), "{list}");
+}
+
+#[test]
+fn a_scene_that_is_not_there() {
+    refused("a_scene_that_is_not_there", &["run", "scenes/no_such.toml"]);
+}
+
+#[test]
+fn a_folder_in_place_of_a_scene() {
+    refused("a_folder_in_place_of_a_scene", &["run", "scenes"]);
+}
+
+#[test]
+fn a_model_whose_data_the_scene_lacks() {
+    refused("a_model_whose_data_the_scene_lacks", &["run", "scenes/spin_up.toml", "--model", "asynchronous"]);
+}
+
+#[test]
+fn a_model_that_does_not_exist() {
+    refused("a_model_that_does_not_exist", &["run", "scenes/spin_up.toml", "--model", "synchronos"]);
+}
+
+#[test]
+fn a_method_that_does_not_exist() {
+    refused("a_method_that_does_not_exist", &["run", "scenes/spin_up.toml", "--method", "radau5"]);
+}
+
+#[test]
+fn a_method_with_too_many_stages() {
+    refused("a_method_with_too_many_stages", &["run", "scenes/spin_up.toml", "--method", "gauss:99"]);
+}
+
+#[test]
+fn a_tolerance_of_zero() {
+    refused("a_tolerance_of_zero", &["run", "scenes/spin_up.toml", "--tol", "0"]);
+}
+
+#[test]
+fn a_tolerance_that_is_no_number() {
+    refused("a_tolerance_that_is_no_number", &["run", "scenes/spin_up.toml", "--tol", "NaN"]);
+}
+
+#[test]
+fn a_form_that_does_not_exist() {
+    refused("a_form_that_does_not_exist", &["run", "scenes/spin_up.toml", "--form", "third"]);
+}
+
+#[test]
+fn a_table_in_a_folder_that_does_not_exist() {
+    refused(
+        "a_table_in_a_folder_that_does_not_exist",
+        &["run", "scenes/bench.toml", "--out", "no_such_folder/table.csv"],
+    );
+}
+
+#[test]
+fn a_folder_in_place_of_a_table() {
+    refused("a_folder_in_place_of_a_table", &["run", "scenes/bench.toml", "--out", "scenes"]);
+}
+
+#[test]
+fn a_folder_of_scenes_that_does_not_exist() {
+    refused("a_folder_of_scenes_that_does_not_exist", &["scenes", "no_such_folder"]);
+}
+
+#[test]
+fn a_folder_without_scenes() {
+    refused("a_folder_without_scenes", &["scenes", "derivations"]);
+}
+
+/// Absurd in size, and yet nothing breaks: the run ends with a reason.
+#[test]
+fn numbers_at_the_edge_of_the_range_end_with_a_reason() {
+    let path = temporary("huge.toml");
+    let text = std::fs::read_to_string(root().join("scenes/bench.toml")).expect("it is there");
+    let text = text.replace("span = \"2 s\"", "span = \"1e300 s\"").replace("150 rad/s", "1e300 rad/s");
+    std::fs::write(&path, text).expect("it can be written");
+    let output = run(&["run", &path.to_string_lossy(), "--format", "json"]);
+    std::fs::remove_file(&path).expect("it is there");
+    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(json(&output)["stopped"].is_string());
+}

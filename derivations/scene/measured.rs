@@ -1,0 +1,62 @@
+//! Speed against accuracy: every method on a scene, measured by a reference.
+
+use super::{Axes, Scene};
+use integrators::{Failure, Method, Point, Reference, Span, reference, work_precision};
+use std::time::{Duration, Instant};
+
+/// Times, beside the start, at which an error is taken: few, so that landing on them costs no method much.
+const INSTANTS: usize = 8;
+
+const TOLERANCES: [f64; 6] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13];
+
+/// What is tried on a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trials {
+    pub methods: Vec<Method>,
+    pub tolerances: Vec<f64>,
+    /// Evaluations of the rates in one run.
+    pub evaluations: u64,
+    /// For the reference, and again for the measurements.
+    pub allowed: Duration,
+}
+
+/// What came out.
+pub struct Measured {
+    pub reference: Reference,
+    pub points: Vec<Point>,
+}
+
+impl Default for Trials {
+    fn default() -> Self {
+        let constant = [250, 1_000, 4_000, 16_000].map(|steps| Method::RungeKutta4 { steps });
+        let adaptive = [
+            Method::DormandPrince5,
+            Method::DormandPrince8,
+            Method::Verner9,
+            Method::GraggBulirschStoer,
+            Method::Rodas4,
+            Method::Radau5,
+            Method::RadauIIA { stages: 5 },
+            Method::Gauss { stages: 6 },
+        ];
+        Trials {
+            methods: adaptive.into_iter().chain(constant).collect(),
+            tolerances: TOLERANCES.to_vec(),
+            evaluations: 100_000,
+            allowed: Duration::from_secs(8),
+        }
+    }
+}
+
+impl Scene {
+    /// Runs every method at every tolerance, and measures each by a reference that two methods confirm.
+    pub fn measure(&self, axes: Axes, trials: &Trials) -> Result<Measured, Failure> {
+        let problem = self.problem(axes);
+        let span = || Span::new(0.0, self.run.span, &problem.state).with_even_outputs(INSTANTS);
+        let system = &*problem.law;
+        let reference = reference(system, &span().with_deadline(Instant::now() + trials.allowed))?;
+        let span = span().with_evaluations(trials.evaluations);
+        let points = work_precision(system, &span, &trials.methods, &trials.tolerances, &reference, trials.allowed);
+        Ok(Measured { reference, points })
+    }
+}
