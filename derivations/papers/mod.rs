@@ -9,6 +9,8 @@ use claims::Page;
 pub struct Paper {
     /// What ids begin with.
     pub key: &'static str,
+    /// Authors, year, subject: for headings.
+    pub title: &'static str,
     /// Authors, title, journal.
     pub citation: &'static str,
     /// What the paper is about and what was found, in a paragraph; LaTeX between dollar signs.

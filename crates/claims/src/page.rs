@@ -7,7 +7,6 @@ use symbolic::{Dimension, Hypotheses, Sym};
 /// The claims of a paper.
 pub struct Page {
     paper: &'static str,
-    title: &'static str,
     dimensions: Box<dyn Fn(&str) -> Option<Dimension>>,
     section: &'static str,
     claims: Vec<Claim>,
@@ -26,22 +25,13 @@ pub struct Draft<'a> {
 
 impl Page {
     /// An empty page. `dimensions` knows the dimension of every symbol of the paper.
-    pub fn of(
-        paper: &'static str,
-        title: &'static str,
-        dimensions: impl Fn(&str) -> Option<Dimension> + 'static,
-    ) -> Self {
-        Page { paper, title, dimensions: Box::new(dimensions), section: "", claims: Vec::new() }
+    pub fn of(paper: &'static str, dimensions: impl Fn(&str) -> Option<Dimension> + 'static) -> Self {
+        Page { paper, dimensions: Box::new(dimensions), section: "", claims: Vec::new() }
     }
 
     /// The paper's key.
     pub fn paper(&self) -> &'static str {
         self.paper
-    }
-
-    /// Authors, year and title.
-    pub fn title(&self) -> &'static str {
-        self.title
     }
 
     /// The claims in order.

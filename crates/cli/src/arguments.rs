@@ -39,12 +39,62 @@ pub enum Command {
     Run(Run),
     /// Measures every method on a scene: speed against accuracy
     Chart(Chart),
+    /// Every claim of the papers with its verdict
+    Ledger(Ledger),
+    /// Equations of motion by a chosen principle
+    Derive(Derive),
     /// Lists the scenes of a folder, each with its title
     Scenes {
         /// Where the scene files are
         #[arg(default_value = "scenes")]
         folder: PathBuf,
     },
+}
+
+/// Which claims are to be listed.
+#[derive(Args, Debug)]
+pub struct Ledger {
+    /// Claims whose id contains this, such as konosevich2022/eq5.3 or statement3
+    #[arg(default_value = "")]
+    pub filter: String,
+    /// Text is a page as the tests lock it; JSON has one object a claim: id, paper, equation, verdict, statement,
+    /// requires, counterexample, correction
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// What is to be derived, and how.
+#[derive(Args, Debug)]
+pub struct Derive {
+    /// The system: gyrostat, motor
+    pub system: String,
+    /// The principle; without it the first that applies
+    #[arg(long, value_enum)]
+    pub principle: Option<PrincipleName>,
+    /// How to print the equations
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Equations,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum PrincipleName {
+    /// Angular momentum of the mass points
+    Momentum,
+    /// Appell, from the acceleration energy
+    Appell,
+    /// Boltzmann and Hamel, in quasi-velocities
+    Hamel,
+    /// Lagrange of the second kind, in Euler's angles
+    Lagrange,
+    /// Lagrange and Maxwell, for motors
+    Maxwell,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Equations {
+    #[default]
+    Text,
+    Latex,
 }
 
 /// How a scene is to be run; what is left out, the scene says.

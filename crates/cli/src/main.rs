@@ -2,19 +2,22 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * [`report`], [`run`], [`chart`], [`scenes`]: one file for each command;
-//! * [`summary`], [`csv`], [`pictures`]: a run as text, JSON, a table and the data of pictures;
+//! * [`report`], [`ledger`], [`derive`], [`run`], [`chart`], [`scenes`]: one file for each command;
+//! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`ending`]: exit codes, and writing that survives a closed pipe.
 
 mod arguments;
 mod chart;
 mod csv;
+mod derive;
 mod ending;
+mod ledger;
 mod pictures;
 mod progress;
 mod report;
 mod run;
 mod scenes;
+mod sphere;
 mod summary;
 
 use arguments::{Arguments, Command};
@@ -28,6 +31,8 @@ fn main() -> ExitCode {
         None => report(&arguments.report),
         Some(Command::Run(asked)) => run::run(&asked),
         Some(Command::Chart(asked)) => chart::chart(&asked),
+        Some(Command::Ledger(asked)) => ledger::list(&asked),
+        Some(Command::Derive(asked)) => derive::derive(&asked),
         Some(Command::Scenes { folder }) => scenes::list(&folder),
     };
     ending.unwrap_or_else(|refused| refused).tell()
@@ -35,6 +40,13 @@ fn main() -> ExitCode {
 
 /// The main job.
 fn report(asked: &arguments::Report) -> Result<Ending, Ending> {
-    let summary = "Every scene run, and every method on it measured by a reference that two methods confirm.";
-    report::write(&asked.out, &scenes::files(&asked.scenes)?, report::titled("dalembert", summary))
+    let files = scenes::files(&asked.scenes)?;
+    let ledgers = ledger::all();
+    let summary = "Equations of motion derived from bodies and energies; every statement of a paper judged by exact \
+                   arithmetic; every scene run, and every method on it measured by a reference that two methods confirm.";
+    let mut page = report::titled("dalembert", summary);
+    page.papers = ledgers.iter().map(|(paper, judged)| ledger::section(paper, judged)).collect();
+    let sound = ledgers.iter().flat_map(|(_, judged)| judged).all(|claim| claim.sound().is_ok());
+    let written = report::write(&asked.out, &files, page)?;
+    Ok(if sound { written } else { Ending::Stopped })
 }

@@ -3,6 +3,7 @@
 use crate::ending::{Ending, save};
 use crate::pictures;
 use crate::progress::Progress;
+use crate::sphere;
 use charts::{Parameter, Report, SceneSection, Table, WorkPrecision};
 use derivations::machines::Quantity;
 use derivations::scene::{Axes, Scene, Trajectory, Trials};
@@ -18,6 +19,7 @@ pub fn write(path: &Path, scenes: &[PathBuf], mut report: Report) -> Result<Endi
         progress.set(done as f64 / scenes.len() as f64);
         let (section, reached) = section(id, scene);
         report.scenes.push(section);
+        report.spheres.extend(sphere::of(id, scene));
         all_reached &= reached;
     }
     drop(progress);

@@ -30,7 +30,7 @@ mod section7_balanced;
 mod section7_heavy;
 mod section8;
 
-pub use letters::{Letters, dimension};
+pub use letters::{Letters, dimension, letter};
 
 use super::Paper;
 use claims::Page;
@@ -38,6 +38,7 @@ use claims::Page;
 /// The paper.
 pub const PAPER: Paper = Paper {
     key: "konosevich2022",
+    title: "Konosevich & Konosevich 2022: gyrostat with an electric motor",
     citation: "B. I. Konosevich, Yu. B. Konosevich: Gyrostat with an electric motor: mathematical model and stationary motions. Prikladnaya matematika i mekhanika 86 (2022) 6, 814-838",
     summary: r"A heavy gyrostat with a fixed point, whose rotor is the rotor of an electric motor: models of the motor, equations of motion in the principal axes of the tensor $A$ (without the rotor's moment about its own axis) and of $A^*$ (with it), and the conditions of stationary motions. The equations hold as printed. The sign of the angular velocity in statement 3D is wrong; several statements say of all directions, axes or angular velocities what the original conditions (6.5) grant only to some.",
     entries: &[
@@ -118,11 +119,7 @@ pub const PAPER: Paper = Paper {
 /// The page of the paper.
 pub fn page() -> Page {
     let letters = Letters::new();
-    let mut page = Page::of(
-        "konosevich2022",
-        "Konosevich, Konosevich 2022: gyrostat with an electric motor, model and stationary motions",
-        dimension,
-    );
+    let mut page = Page::of(PAPER.key, dimension);
     section2::claims(&mut page, &letters);
     section3::claims(&mut page, &letters);
     section4::claims(&mut page, &letters);

@@ -1,0 +1,72 @@
+//! `dalembert ledger`: every claim with its verdict.
+
+use crate::arguments::{Format, Ledger};
+use crate::ending::{Ending, print};
+use charts::{ClaimRow, PaperSection};
+use claims::{Judged, Verdict, entries};
+use derivations::papers::{self, Paper};
+
+/// Prints the claims whose id contains the filter.
+pub fn list(asked: &Ledger) -> Result<Ending, Ending> {
+    let judged: Vec<Judged> = all().into_iter().flat_map(|(_, judged)| judged).collect();
+    let chosen: Vec<Judged> = judged.into_iter().filter(|claim| claim.id.contains(&asked.filter)).collect();
+    if chosen.is_empty() {
+        let keys: Vec<&str> = papers::ALL.iter().map(|paper| paper.key).collect();
+        return Err(Ending::refused(format!(
+            "no claim's id contains `{}`; ids begin with: {}",
+            asked.filter,
+            keys.join(", ")
+        )));
+    }
+    let text = match asked.format {
+        Format::Text => claims::render(&chosen),
+        Format::Json => {
+            let rows = serde_json::to_string_pretty(&entries(&chosen));
+            rows.map_err(|error| Ending::refused(format!("the ledger cannot be written as JSON: {error}")))? + "\n"
+        }
+    };
+    print(&text)?;
+    let unsound: Vec<String> = chosen.iter().filter_map(|claim| claim.sound().err()).collect();
+    for reason in &unsound {
+        eprintln!("{reason}");
+    }
+    Ok(if unsound.is_empty() { Ending::Done } else { Ending::Stopped })
+}
+
+/// Every paper with its judged claims.
+pub fn all() -> Vec<(&'static Paper, Vec<Judged>)> {
+    papers::ALL.iter().map(|paper| (paper, (paper.page)().judge())).collect()
+}
+
+/// A paper's section of the report.
+pub fn section(paper: &Paper, judged: &[Judged]) -> PaperSection {
+    PaperSection {
+        id: paper.key.into(),
+        title: paper.title.into(),
+        citation: paper.citation.into(),
+        summary: paper.summary.into(),
+        claims: judged.iter().map(row).collect(),
+    }
+}
+
+fn row(claim: &Judged) -> ClaimRow {
+    let requires = claim.requires.iter().map(|(_, latex)| format!("${latex}$")).collect();
+    ClaimRow {
+        id: claim.id.clone(),
+        equation_label: label(&claim.equation),
+        title: claim.says.clone(),
+        verdict: claim.verdict,
+        latex: claim.latex.clone(),
+        requires,
+        evidence: if claim.verdict == Verdict::Definition { String::new() } else { claim.evidence.clone() },
+        counterexample: claim.counterexample.iter().map(|(name, value)| (name.clone(), value.clone())).collect(),
+        difference: claim.difference.as_ref().map(|(_, latex)| latex.clone()),
+        correction: claim.correction.as_ref().map(|correction| Box::new(row(correction))),
+        note: claim.note.clone(),
+    }
+}
+
+/// `eq5.3` is printed as (5.3); statements have names, not numbers.
+fn label(equation: &str) -> String {
+    equation.strip_prefix("eq").map_or_else(|| equation.to_owned(), |number| format!("({number})"))
+}
