@@ -34,6 +34,7 @@ impl Default for Trials {
             Method::DormandPrince8,
             Method::Verner9,
             Method::GraggBulirschStoer,
+            Method::Taylor,
             Method::Rodas4,
             Method::Radau5,
             Method::RadauIIA { stages: 5 },
@@ -43,7 +44,7 @@ impl Default for Trials {
             methods: adaptive.into_iter().chain(constant).collect(),
             tolerances: TOLERANCES.to_vec(),
             evaluations: 100_000,
-            allowed: Duration::from_secs(8),
+            allowed: Duration::from_secs(5),
         }
     }
 }

@@ -18,6 +18,7 @@ const METHODS: &[(&str, Named, &str)] = &[
     ("verner_9", Named::Plain(Method::Verner9), "explicit Runge-Kutta 9(8)"),
     ("verner_6", Named::Plain(Method::Verner6), "explicit Runge-Kutta 6(5)"),
     ("gragg_bulirsch_stoer", Named::Plain(Method::GraggBulirschStoer), "extrapolation of variable order"),
+    ("taylor", Named::Plain(Method::Taylor), "Taylor series from the recorded law, variable order"),
     ("radau_5", Named::Plain(Method::Radau5), "implicit, for stiff scenes"),
     ("rodas_4", Named::Plain(Method::Rodas4), "linearly implicit, for stiff scenes at moderate tolerances"),
     ("kvaerno_5", Named::Plain(Method::Kvaerno5), "diagonally implicit 5(4), for stiff scenes"),
