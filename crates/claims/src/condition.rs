@@ -49,6 +49,14 @@ impl Condition {
         }
     }
 
+    /// Whether its formula tells a reader something: not of one length of derived expressions, not 0 = 0.
+    pub(crate) fn tells(self) -> bool {
+        match self {
+            Self::Zero(e) | Self::NonZero(e) | Self::Positive(e) => readable(e) && e != Sym::ZERO,
+            Self::Equal(a, b) => a != b && (readable(a) || readable(b)),
+        }
+    }
+
     /// In LaTeX.
     pub fn latex(self) -> String {
         match self {
@@ -73,19 +81,18 @@ impl fmt::Display for Condition {
 
 /// What a reader can take in at once; longer expressions are named, not shown. The sentence of the claim says what
 /// they are.
-const READABLE: usize = 200;
+const READABLE: usize = 420;
+
+fn readable(expression: Sym) -> bool {
+    expression.to_string().chars().count() <= READABLE
+}
 
 fn text(expression: Sym) -> String {
-    let text = expression.to_string();
-    if text.chars().count() > READABLE { "[the derived expression]".into() } else { text }
+    if readable(expression) { expression.to_string() } else { "[the derived expression]".into() }
 }
 
 fn latex(expression: Sym) -> String {
-    if expression.to_string().chars().count() > READABLE {
-        r"[\text{the derived expression}]".into()
-    } else {
-        expression.latex()
-    }
+    if readable(expression) { expression.latex() } else { r"[\text{the derived expression}]".into() }
 }
 
 /// Exact values of symbols (and of circle coordinates, by the names `cos x` and `sin x`).

@@ -76,8 +76,9 @@ impl Claim {
                 judged.objections = examine::equations(lines, hypotheses, dimension);
             }
             Statement::Theorem(theorem) => {
-                judged.text = theorem.then.iter().map(Condition::to_string).collect();
-                judged.latex = theorem.then.iter().map(|c| c.latex()).collect();
+                let telling = || theorem.then.iter().filter(|conclusion| conclusion.tells());
+                judged.text = telling().map(Condition::to_string).collect();
+                judged.latex = telling().map(|conclusion| conclusion.latex()).collect();
                 judged.requires = stated(&theorem.rules);
                 judged.requires.extend(theorem.given.iter().map(|c| (c.to_string(), c.latex())));
                 (judged.verdict, judged.evidence) = theorem.decide();

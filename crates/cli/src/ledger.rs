@@ -66,7 +66,20 @@ fn row(claim: &Judged) -> ClaimRow {
     }
 }
 
-/// `eq5.3` is printed as (5.3); statements have names, not numbers.
+/// `eq5.3` is printed as (5.3), `statement3D` as Statement 3D, `section7.1-staude` as Section 7.1.
 fn label(equation: &str) -> String {
-    equation.strip_prefix("eq").map_or_else(|| equation.to_owned(), |number| format!("({number})"))
+    if let Some(number) = equation.strip_prefix("eq") {
+        return format!("({number})");
+    }
+    let head = equation.split('-').next().unwrap_or(equation);
+    let number = head.find(|c: char| c.is_ascii_digit()).unwrap_or(head.len());
+    let (word, number) = head.split_at(number);
+    match (word, number) {
+        ("statement" | "remark" | "section", number) if !number.is_empty() => {
+            format!("{}{} {number}", word[..1].to_uppercase(), &word[1..])
+        }
+        ("forms", _) => "Forms".into(),
+        ("beyond", _) => "Beyond".into(),
+        _ => equation.to_owned(),
+    }
 }
