@@ -12,12 +12,13 @@ use symbolic::Sym;
 use Condition::{Equal, NonZero, Zero};
 
 pub fn claims(page: &mut Page, s: &Letters) {
-    page.section("7.2. Conditions with weight");
+    page.section("7.2. Conditions with weight: statements 4 to 6");
     let f = Relations::new(s);
     statement4(page, s, &f);
     relations(page, s, &f);
     statement5(page, s, &f);
     statement6(page, s, &f);
+    page.section("7.2. Conditions with weight: statement 7, the cone");
     statement7(page, s, &f);
     degree(page, s, &f);
 }
