@@ -1,6 +1,7 @@
 //! Beyond the paper: power balance, a function that never grows, integrals, and stationary motions as critical points.
 
-use super::letters::{Letters, current, cyclic, letter, number, one, vector};
+use super::alphabet::{current, cyclic, letter, number, one, vector};
+use super::letters::Letters;
 use super::section3::{WithFriction, driven, excess_friction, friction};
 use crate::machines::{heat, stored_energy};
 use claims::{Condition, Page};

@@ -1,6 +1,7 @@
 //! Beyond the paper: what the bars of the damper do, how many windings they are worth, and at constant slip.
 
-use super::letters::{Letters, current, letter, number, one};
+use super::alphabet::{current, letter, number, one};
+use super::letters::Letters;
 use super::section3::driven;
 use crate::machines::{Machine, equivalent_windings::EquivalentWindings};
 use claims::{Condition, Page};

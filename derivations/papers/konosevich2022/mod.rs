@@ -15,6 +15,7 @@
 //! any asynchronous motor is dissipative about its working speed; that each of the relations (6.5) follows from the
 //! other two; that D = 0 is excluded by definition. Each comes with an exact gyrostat and with what holds instead.
 
+mod alphabet;
 mod beyond;
 mod damper;
 pub mod gyrostats;
@@ -30,7 +31,8 @@ mod section7_balanced;
 mod section7_heavy;
 mod section8;
 
-pub use letters::{Letters, dimension, letter};
+pub use alphabet::{dimension, letter};
+pub use letters::Letters;
 
 use super::Paper;
 use claims::Page;

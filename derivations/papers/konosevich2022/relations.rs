@@ -3,8 +3,9 @@
 //! F = w0^2 G + A' W w0 u + Gamma n, with G = A*nu x nu, u = l x nu, n = e x nu; all three are orthogonal to nu, and
 //! V* = l.G, S* = e.G, Pi* = nu.(l x e) = -e.u = l.n, Delta* = G.G.
 
+use super::alphabet::{cyclic, letter, one};
 use super::gyrostats::Example;
-use super::letters::{Letters, cyclic, letter, one};
+use super::letters::Letters;
 use claims::{Condition, Draft, Page};
 use nalgebra::Vector3;
 use symbolic::Sym;

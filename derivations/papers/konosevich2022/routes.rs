@@ -1,6 +1,7 @@
 //! Beyond the paper: the equations of motion by four principles are the same equations, in arbitrary axes.
 
-use super::letters::{Letters, letter};
+use super::alphabet::letter;
+use super::letters::Letters;
 use crate::systems::gyrostat::Motion;
 use claims::{Condition, Page};
 use mechanics::differentiate::along;

@@ -1,6 +1,7 @@
 //! Section 2: the mechanical part. Angular momentum, the two inertia tensors, the rotor.
 
-use super::letters::{Letters, cyclic, letter, tensor, vector};
+use super::alphabet::{cyclic, letter, tensor, vector};
+use super::letters::Letters;
 use claims::{Condition, Line, Page};
 use mechanics::differentiate::gradient;
 use nalgebra::{Matrix3, Vector3};
@@ -81,7 +82,7 @@ fn components(page: &mut Page, s: &Letters, slug: &'static str, tensor: Matrix3<
             + axial * l[i].powi(2)
     });
     let mixed = cyclic(|i, j, _| a0[(i, j)] - s.m_rotor * h[i] * h[j] + (axial - s.transverse) * l[i] * l[j]);
-    let names = super::letters::tensor(if slug == "full" { "A⋆" } else { "A" });
+    let names = super::alphabet::tensor(if slug == "full" { "A⋆" } else { "A" });
     let says = if slug == "full" { "components of $A^*$" } else { "components of $A$: the terms with $A'$ dropped" };
     page.claim("eq2.8", slug, format!("{says}; diagonal, then 12, 23, 31")).under(&s.unit_axis).holds((0..3).flat_map(
         |i| {

@@ -1,6 +1,7 @@
 //! Section 3: the motors. Moments and currents by Lagrange-Maxwell from the energies, and what is said of their signs.
 
-use super::letters::{Letters, current, letter, number};
+use super::alphabet::{current, letter, number};
+use super::letters::Letters;
 use crate::machines::kloss::Kloss;
 use crate::machines::multi_current::MultiCurrent;
 use crate::machines::synchronous::Synchronous;

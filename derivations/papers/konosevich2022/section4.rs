@@ -1,6 +1,7 @@
 //! Section 4: the first form of the equations of motion, in the principal axes of A.
 
-use super::letters::{Letters, cyclic, letter, tensor, vector};
+use super::alphabet::{cyclic, letter, tensor, vector};
+use super::letters::Letters;
 use super::section2::formulas;
 use super::section3::driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form};
@@ -118,7 +119,7 @@ fn currents(page: &mut Page, s: &Letters) {
         -(letter("R1") * letter("x")) + letter("a1") * s.dgamma * gamma.sin,
     )];
     for (n, bar) in (1..=bars).zip(s.motor(bars).bars) {
-        let (i, di) = (super::letters::current(n), Sym::named(&format!("i̇{n}"), &format!(r"\dot i_{{{n}}}")));
+        let (i, di) = (super::alphabet::current(n), Sym::named(&format!("i̇{n}"), &format!(r"\dot i_{{{n}}}")));
         lines.push(Line::equation(
             letter("L2") * (di - rates[n as usize]),
             letter("L2") * di,

@@ -1,6 +1,7 @@
 //! Section 5: the second form, in the principal axes of A*, and its singularity D = 0.
 
-use super::letters::{Letters, cyclic, letter, one, tensor, vector};
+use super::alphabet::{cyclic, letter, one, tensor, vector};
+use super::letters::Letters;
 use super::section2::formulas;
 use crate::systems::gyrostat::Motion;
 use crate::systems::gyrostat::forms::{Form, SecondForm};

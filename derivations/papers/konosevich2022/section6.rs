@@ -1,7 +1,8 @@
 //! Section 6: which constant states are motions.
 
+use super::alphabet::{current, letter, number, one};
 use super::gyrostats;
-use super::letters::{Letters, current, letter, number, one};
+use super::letters::Letters;
 use super::section3::{driven, excess_friction, friction, motor_with};
 use crate::machines::asynchronous::Asynchronous;
 use crate::machines::synchronous::Synchronous;

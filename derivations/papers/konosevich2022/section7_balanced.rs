@@ -1,7 +1,8 @@
 //! Section 7.1: statement 3, no weight (Gamma = 0), judged against the relations (6.5) themselves.
 
+use super::alphabet::{cyclic, letter, one};
 use super::gyrostats;
-use super::letters::{Letters, cyclic, letter, one};
+use super::letters::Letters;
 use super::relations::{Relations, coefficients_of, no_speed, scaling, unit, zeros};
 use crate::systems::gyrostat::{Carrier, Gyrostat, Rotor};
 use claims::{Condition, Line, Page};

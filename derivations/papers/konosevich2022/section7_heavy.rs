@@ -1,8 +1,9 @@
 //! Section 7.2: statements 4 to 7 with weight (Gamma > 0), judged against the original relations (6.5) and not only against
 //! (7.4) and (7.7), which are derived from them.
 
+use super::alphabet::{cyclic, letter, number, one};
 use super::gyrostats;
-use super::letters::{Letters, cyclic, letter, number, one};
+use super::letters::Letters;
 use super::relations::{Relations, coefficients_of, no_speed, scaling, unit, zeros};
 use crate::systems::gyrostat::stationary::Stationary;
 use claims::{Condition, Line, Page};

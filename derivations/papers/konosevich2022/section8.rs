@@ -1,6 +1,7 @@
 //! Section 8: the two classical gyrostats without a motor.
 
-use super::letters::{Letters, cyclic, letter, vector};
+use super::alphabet::{cyclic, letter, vector};
+use super::letters::Letters;
 use crate::systems::gyrostat::Motion;
 use claims::{Condition, Line, Page};
 use mechanics::momentum::absolute_rate;
