@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
-//! * [`derive`]: equations of motion by a chosen principle, for reading;
+//! * [`derive`](mod@derive): equations of motion by a chosen principle, for reading;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
 //! * [`recorded`]: a system with its laws as straight-line code;
 //! * [`scene`]: a system with a machine, data and an initial state, from a file;

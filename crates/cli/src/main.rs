@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * [`report`], [`ledger`], [`derive`], [`run`], [`chart`], [`scenes`]: one file for each command;
+//! * `report`, `ledger`, `derive`, `run`, `chart`, `scenes`: one file for each command;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`ending`]: exit codes, and writing that survives a closed pipe.
 
