@@ -39,7 +39,7 @@ pub fn integrate(
     prepared(system, method, tolerance, span, observer, run)
 }
 
-/// Integrates in any working field: the methods that are `exact` by their [`Traits`], the others are refused.
+/// Integrates in any working field: the methods that are `exact` by their traits, the others are refused.
 pub fn integrate_in<S: Working>(
     system: &dyn System,
     method: Method,

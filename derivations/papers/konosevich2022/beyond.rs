@@ -1,9 +1,7 @@
 //! Beyond the paper: power balance, a function that never grows, integrals, and stationary motions as critical points.
 
-use super::alphabet::{current, cyclic, letter, number, one, vector};
+use super::alphabet::{cyclic, letter, number, one, vector};
 use super::letters::Letters;
-use super::section3::{WithFriction, driven, excess_friction, friction};
-use crate::machines::{heat, stored_energy};
 use claims::{Condition, Page};
 use field::Tangent;
 use mechanics::differentiate::along;
@@ -14,9 +12,8 @@ use symbolic::Sym;
 use Condition::{Equal, NonZero, Positive, Zero};
 
 pub fn claims(page: &mut Page, s: &Letters) {
-    page.section("Beyond the paper: power, integrals, critical points");
+    page.section("Beyond the paper: integrals, critical points");
     integrals(page, s);
-    power(page, s);
     critical_points(page, s);
     bounds(page, s);
 }
@@ -43,65 +40,6 @@ fn integrals(page: &mut Page, s: &Letters) {
     )
     .under(&s.unit_axis)
     .follows([Zero(still - g.weight().cross(&s.nu).dot(&s.nu))]);
-}
-
-/// dE/dt for the bodies, for the circuits, and together.
-fn power(page: &mut Page, s: &Letters) {
-    let g = s.general();
-    let moving = Vector3::from(along(s.w.into(), s.dw.into()));
-    let rotor = Tangent::moving(s.dphi, s.ddphi);
-    let nu = Vector3::from(along(s.nu.into(), s.nu.cross(&s.w).into()));
-    let energy = g.kinetic_energy(moving, rotor) + g.potential_energy(nu);
-    let residual = g.by_momentum(&s.motion());
-    let along_motion = (0..3).fold(s.dphi * residual[3], |sum, i| sum + s.w[i] * residual[i]);
-    page.claim("beyond-power", "bodies", r"$\frac{d}{dt}(T + V) = M\dot\varphi'$ along the motion: the difference is $\omega\cdot$(carrier's equations) $+\ \dot\varphi'$(rotor's equation)")
-        .under(&s.unit_axis)
-        .follows([Equal(energy.slope - s.moment * s.dphi, along_motion)]);
-    circuits(page, s);
-}
-
-fn circuits(page: &mut Page, s: &Letters) {
-    let bars = 3;
-    let currents = s.currents(bars);
-    let motor = s.motor(bars);
-    let (moment, rates) = driven(motor.clone(), s, &currents);
-    let machine = WithFriction { machine: motor, friction: friction(s.dgamma + s.omega_field) };
-    let moving: Vec<Tangent<Sym>> = currents.iter().zip(&rates).map(|(&i, &rate)| Tangent::moving(i, rate)).collect();
-    let stored = stored_energy(&machine, s.angle().moving(s.dgamma), &moving);
-    let speed = s.dgamma + s.omega_field;
-    let lost = heat(&machine, &currents);
-    let friction_power = friction(speed) * speed;
-    let supplied = s.omega_field * (moment - friction(speed));
-    page.claim("beyond-power", "balance", r"with the circuits' energy $-b_0\cos\gamma + \frac12L_1x^2 + \frac12L_2\sum i_n^2$: $\dot E = \Omega(M - M_2) + \dot\varphi'M_2 - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$: supply of the turning field, friction, heat")
-        .follows([Equal(
-            moment * speed + stored.slope,
-            supplied + friction_power - letter("μ") * s.dgamma.powi(2) - lost,
-        )]);
-    // W = E - W_field A' p' + c0 g never grows: d(A' p')/dt = M
-    let falling = moment * speed + stored.slope - s.omega_field * moment - friction(s.omega_field) * s.dgamma;
-    page.claim("beyond-power", "falling", r"$W = E - \Omega A'p' + c_0\gamma$ has $\dot W = \dot\gamma\,\Delta M_2(\dot\gamma) - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$: it never grows, since $(A'p')' = M$ and friction is dissipative")
-        .note("At fixed vertical momentum and fixed integral nu.nu it is a Lyapunov function near a stationary motion where it has a strict minimum; in g this takes b0 cos g > 0, the family g(0).")
-        .follows([Equal(
-            falling,
-            s.dgamma * excess_friction(s) - letter("μ") * s.dgamma.powi(2) - lost,
-        )]);
-    let (secant, r1, r2, mu) = (letter("κ"), letter("R1"), letter("R2"), letter("μ"));
-    page.claim(
-        "beyond-power",
-        "falling-strictly",
-        r"with $\Delta M_2=-\kappa\dot\gamma$: $-\dot W > 0$ unless $\dot\gamma$ and all currents vanish",
-    )
-    .given([secant, r1, r2, mu].map(Positive))
-    .given([NonZero(s.dgamma)])
-    .by_signs([Positive(
-        secant * s.dgamma.powi(2) + mu * s.dgamma.powi(2) + r1 * letter("x").powi(2) + r2 * current(1).powi(2),
-    )]);
-    let potential = -(s.b0 * s.angle().cos);
-    page.claim("beyond-power", "minimum", r"as a function of $\gamma$ it has slope $b_0\sin\gamma + c_0$ and curvature $b_0\cos\gamma$: minima at $\gamma^{(0)}$, maxima at $\gamma^{(1)}$")
-        .follows([
-            Equal((potential + s.c0 * s.gamma).diff(s.gamma), s.b0 * s.angle().sin + s.c0),
-            Equal((potential + s.c0 * s.gamma).diff(s.gamma).diff(s.gamma), s.b0 * s.angle().cos),
-        ]);
 }
 
 /// Stationary directions are the critical points of a function on the sphere.

@@ -20,6 +20,7 @@ mod beyond;
 mod damper;
 pub mod gyrostats;
 mod letters;
+mod power;
 mod relations;
 mod routes;
 mod section2;
@@ -132,6 +133,7 @@ pub fn page() -> Page {
     section8::claims(&mut page, &letters);
     routes::claims(&mut page, &letters);
     damper::claims(&mut page, &letters);
+    power::claims(&mut page, &letters);
     beyond::claims(&mut page, &letters);
     page
 }

@@ -1,0 +1,119 @@
+//! Beyond the paper: the balance of power for every machine, and a function that never grows.
+
+use super::alphabet::{current, letter};
+use super::letters::Letters;
+use super::section3::{WithFriction, driven, excess_friction, friction};
+use crate::machines::asynchronous::Asynchronous;
+use crate::machines::equivalent_windings::EquivalentWindings;
+use crate::machines::free_rotor::FreeRotor;
+use crate::machines::kloss::Kloss;
+use crate::machines::synchronous::Synchronous;
+use crate::machines::{Machine, drive, heat, stored_energy};
+use crate::systems::gyrostat::forms::{Form, SecondForm};
+use claims::{Condition, Page};
+use field::{Circle, Tangent};
+use mechanics::differentiate::along;
+use nalgebra::Vector3;
+use symbolic::Sym;
+
+use Condition::{Equal, NonZero, Positive};
+
+pub fn claims(page: &mut Page, s: &Letters) {
+    page.section("Beyond the paper: power");
+    power(page, s);
+    every_machine(page, s);
+}
+
+/// dE/dt for the bodies, for the circuits, and together.
+fn power(page: &mut Page, s: &Letters) {
+    let g = s.general();
+    let moving = Vector3::from(along(s.w.into(), s.dw.into()));
+    let rotor = Tangent::moving(s.dphi, s.ddphi);
+    let nu = Vector3::from(along(s.nu.into(), s.nu.cross(&s.w).into()));
+    let energy = g.kinetic_energy(moving, rotor) + g.potential_energy(nu);
+    let residual = g.by_momentum(&s.motion());
+    let along_motion = (0..3).fold(s.dphi * residual[3], |sum, i| sum + s.w[i] * residual[i]);
+    page.claim("beyond-power", "bodies", r"$\frac{d}{dt}(T + V) = M\dot\varphi'$ along the motion: the difference is $\omega\cdot$(carrier's equations) $+\ \dot\varphi'$(rotor's equation)")
+        .under(&s.unit_axis)
+        .follows([Equal(energy.slope - s.moment * s.dphi, along_motion)]);
+    circuits(page, s);
+}
+
+fn circuits(page: &mut Page, s: &Letters) {
+    let bars = 3;
+    let currents = s.currents(bars);
+    let motor = s.motor(bars);
+    let (moment, rates) = driven(motor.clone(), s, &currents);
+    let machine = WithFriction { machine: motor, friction: friction(s.dgamma + s.omega_field) };
+    let moving: Vec<Tangent<Sym>> = currents.iter().zip(&rates).map(|(&i, &rate)| Tangent::moving(i, rate)).collect();
+    let stored = stored_energy(&machine, s.angle().moving(s.dgamma), &moving);
+    let speed = s.dgamma + s.omega_field;
+    let lost = heat(&machine, &currents);
+    let friction_power = friction(speed) * speed;
+    let supplied = s.omega_field * (moment - friction(speed));
+    page.claim("beyond-power", "balance", r"with the circuits' energy $-b_0\cos\gamma + \frac12L_1x^2 + \frac12L_2\sum i_n^2$: $\dot E = \Omega(M - M_2) + \dot\varphi'M_2 - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$: supply of the turning field, friction, heat")
+        .follows([Equal(
+            moment * speed + stored.slope,
+            supplied + friction_power - letter("μ") * s.dgamma.powi(2) - lost,
+        )]);
+    // W = E - W_field A' p' + c0 g never grows: d(A' p')/dt = M
+    let falling = moment * speed + stored.slope - s.omega_field * moment - friction(s.omega_field) * s.dgamma;
+    page.claim("beyond-power", "falling", r"$W = E - \Omega A'p' + c_0\gamma$ has $\dot W = \dot\gamma\,\Delta M_2(\dot\gamma) - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$: it never grows, since $(A'p')' = M$ and friction is dissipative")
+        .note("At fixed vertical momentum and fixed integral nu.nu it is a Lyapunov function near a stationary motion where it has a strict minimum; in g this takes b0 cos g > 0, the family g(0).")
+        .follows([Equal(
+            falling,
+            s.dgamma * excess_friction(s) - letter("μ") * s.dgamma.powi(2) - lost,
+        )]);
+    let (secant, r1, r2, mu) = (letter("κ"), letter("R1"), letter("R2"), letter("μ"));
+    page.claim(
+        "beyond-power",
+        "falling-strictly",
+        r"with $\Delta M_2=-\kappa\dot\gamma$: $-\dot W > 0$ unless $\dot\gamma$ and all currents vanish",
+    )
+    .given([secant, r1, r2, mu].map(Positive))
+    .given([NonZero(s.dgamma)])
+    .by_signs([Positive(
+        secant * s.dgamma.powi(2) + mu * s.dgamma.powi(2) + r1 * letter("x").powi(2) + r2 * current(1).powi(2),
+    )]);
+    let potential = -(s.b0 * s.angle().cos);
+    page.claim("beyond-power", "minimum", r"as a function of $\gamma$ it has slope $b_0\sin\gamma + c_0$ and curvature $b_0\cos\gamma$: minima at $\gamma^{(0)}$, maxima at $\gamma^{(1)}$")
+        .follows([
+            Equal((potential + s.c0 * s.gamma).diff(s.gamma), s.b0 * s.angle().sin + s.c0),
+            Equal((potential + s.c0 * s.gamma).diff(s.gamma).diff(s.gamma), s.b0 * s.angle().cos),
+        ]);
+}
+
+/// The same balance for each rung of the ladder: M phi' and what the circuits store, against supply, law and heat.
+fn every_machine(page: &mut Page, s: &Letters) {
+    let [k, f, pull_out, pull_out_slip] = ["k", "f", "Mk", "sk"].map(letter);
+    let field_speed = s.omega_field;
+    balance(page, s, "free-rotor", "free rotor", &FreeRotor::default());
+    balance(page, s, "asynchronous", "asynchronous, linear", &Asynchronous { field_speed, k, f });
+    balance(page, s, "kloss", "asynchronous after Kloss", &Kloss { field_speed, pull_out, pull_out_slip, f });
+    balance(page, s, "synchronous", "synchronous without currents", &Synchronous { field_speed, b0: s.b0, f });
+    let windings = EquivalentWindings::new(s.windings(), 3, Circle::zero());
+    balance(page, s, "equivalent-windings", "two equivalent windings", &windings);
+    balance(page, s, "multi-current", "three bars at any angles", &s.motor(3));
+    let form = SecondForm::new(s.a_star, s.l, s.axial, s.e * s.big_gamma);
+    let (dw, reaction) = form.prescribed(s.w, s.nu, field_speed);
+    let w = Vector3::from(along(s.w.into(), dw.into()));
+    let nu = Vector3::from(along(s.nu.into(), s.nu.cross(&s.w).into()));
+    let energy = form.energy(w, nu, Tangent::fixed(field_speed));
+    page.claim("beyond-power", "constant-speed", r"constant speed: along the motion that runs, $\dot E = \Omega M$ with the reaction $M = A'\,l\cdot\dot\omega = (A'p')'$, so $E - \Omega A'p'$ is conserved")
+        .follows([Equal(energy.slope, field_speed * reaction), Equal(reaction, s.axial * s.l.dot(&dw))]);
+}
+
+fn balance(page: &mut Page, s: &Letters, slug: &'static str, name: &str, machine: &impl Machine<Sym>) {
+    let currents: Vec<Sym> = s.currents(3).into_iter().take(machine.windings()).collect();
+    let mut rates = vec![Sym::ZERO; currents.len()];
+    let moment = drive(machine, s.angle(), s.dgamma, &currents, &mut rates);
+    let moving: Vec<Tangent<Sym>> = currents.iter().zip(rates).map(|(&i, rate)| Tangent::moving(i, rate)).collect();
+    let stored = stored_energy(machine, s.angle().moving(s.dgamma), &moving).slope;
+    let speed = s.dgamma + machine.frame_speed();
+    let law = machine.moment_law(s.dgamma, speed);
+    page.claim("beyond-power", slug, format!(r"{name}: $M\dot\varphi' + \dot W_m = \Omega M + \dot\gamma\,m - \sum R_ki_k^2$, with the energy $W_m$ of the circuits and the law $m$ of friction and slip"))
+        .follows([Equal(
+            moment * speed + stored,
+            machine.frame_speed() * moment + s.dgamma * law - heat(machine, &currents),
+        )]);
+}
