@@ -43,6 +43,8 @@ pub enum Command {
     Ledger(Ledger),
     /// Equations of motion by a chosen principle
     Derive(Derive),
+    /// What the bodies of a scene come to: both inertia tensors, principal axes, centre of mass, weight
+    Bodies(Bodies),
     /// Lists the scenes of a folder, each with its title
     Scenes {
         /// Where the scene files are
@@ -59,6 +61,17 @@ pub struct Ledger {
     pub filter: String,
     /// Text is a page as the tests lock it; JSON has one object a claim: id, paper, equation, verdict, statement,
     /// requires, counterexample, correction
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Whose bodies are to be looked at.
+#[derive(Args, Debug)]
+pub struct Bodies {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// How to print them
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

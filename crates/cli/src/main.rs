@@ -2,11 +2,12 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * `report`, `ledger`, `derive`, `run`, `chart`, `scenes`: one file for each command;
+//! * `report`, `ledger`, `derive`, `bodies`, `run`, `chart`, `scenes`: one file for each command;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`ending`]: exit codes, and writing that survives a closed pipe.
 
 mod arguments;
+mod bodies;
 mod chart;
 mod csv;
 mod derive;
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
         Some(Command::Chart(asked)) => chart::chart(&asked),
         Some(Command::Ledger(asked)) => ledger::list(&asked),
         Some(Command::Derive(asked)) => derive::derive(&asked),
+        Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Scenes { folder }) => scenes::list(&folder),
     };
     ending.unwrap_or_else(|refused| refused).tell()
