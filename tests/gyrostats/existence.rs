@@ -74,6 +74,17 @@ proptest! {
         broken!(&g, Inadmissible::Triangle { about: "its centre of mass", .. });
     }
 
+    /// A rod from O along the rotor's axis, with the rotor's centre on it: bodies that exist and have D = 0.
+    #[test]
+    fn a_carrier_without_inertia_about_the_rotors_axis_is_rejected(g in gyrostat(), length in 0.1..2.0f64) {
+        let mut g = rounded(&g);
+        let l = g.rotor.axis;
+        g.rotor.centre = l * length;
+        g.carrier.centre = l * length / 2.0;
+        g.carrier.inertia = (Matrix3::identity() - l * l.transpose()) * (g.carrier.mass * length * length / 3.0);
+        broken!(&g, Inadmissible::Undetermined { moment } if moment.abs() < 1e-14 * g.full_tensor().norm());
+    }
+
     #[test]
     fn a_rotor_flatter_than_a_disc_is_rejected(g in gyrostat(), excess in 1e-9..1.0f64) {
         let mut g = rounded(&g);
@@ -153,6 +164,7 @@ fn messages_name_the_inequality_and_its_value() {
     says(NotSymmetric { row: 1, column: 3, difference: 0.5 }, &["A0[1][3] = A0[3][1]", "5e-1"]);
     says(Indefinite { moment: -0.125 }, &["A0 positive", "-1.25e-1 kg m^2"]);
     says(Triangle { about: "O", largest: 5.0, sum_of_others: 3.0 }, &["J1 <= J2 + J3", "about O", "5e0 > 3e0 kg m^2"]);
+    says(Undetermined { moment: 0.0 }, &["D > 0", "0e0 kg m^2"]);
     says(RotorTriangle { axial: 0.5, twice_transverse: 0.25 }, &["A' <= 2 B'", "5e-1 > 2.5e-1 kg m^2"]);
     says(NotFinite { quantity: "h", value: f64::NAN }, &["h is NaN", "finite"]);
 }

@@ -1,6 +1,7 @@
 //! What every machine of the list leaves conserved, and where its power goes.
 
-use crate::physical::{Sample, every_machine, fixed, gyrostat, numbers, rounded};
+use crate::physical::machines::{Sample, every_machine, numbers};
+use crate::physical::{fixed, gyrostat, rounded};
 use derivations::machines::{Catalogued, ForMachine, RotorState, drive, heat};
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;

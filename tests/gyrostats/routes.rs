@@ -1,6 +1,7 @@
 //! Independent principles give one motion, and both forms of the equations have it.
 
-use crate::physical::{fixed, gyrostat, motion, numbers, rounded, rounded_twice};
+use crate::physical::machines::numbers;
+use crate::physical::{fixed, gyrostat, motion, rounded, rounded_twice};
 use derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 use derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
 use field::{DoubleDouble, Rational, Scalar};

@@ -2,9 +2,7 @@
 
 #![allow(dead_code, reason = "each test uses its part")]
 
-mod machines;
-
-pub use machines::{Sample, every_machine, numbers};
+pub mod machines;
 
 use derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
 use field::{DoubleDouble, Rational, Scalar};
