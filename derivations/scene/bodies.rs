@@ -105,8 +105,15 @@ impl Places {
                     .to_owned(),
             ),
             Is::RotorTriangle { .. } => (&self.axial, "at most twice the transverse moment is accepted".to_owned()),
+            Is::Undetermined { .. } => {
+                (&self.inertia, "a carrier whose mass does not all lie on the rotor's axis is accepted".to_owned())
+            }
         };
-        Issue::at(span.clone(), "no such body exists", condition.to_string()).accepted(accepted)
+        let problem = match condition {
+            Is::Undetermined { .. } => "the motion is not determined",
+            _ => "no such body exists",
+        };
+        Issue::at(span.clone(), problem, condition.to_string()).accepted(accepted)
     }
 }
 

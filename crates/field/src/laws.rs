@@ -6,29 +6,42 @@ use crate::{Circle, Scalar};
 ///
 /// `a`, `b`, `c` must be different from zero where the field can tell; the caller compares the sides with the
 /// equality of the field (exact, normal form, or to rounding).
+#[expect(clippy::eq_op, reason = "a law may name the same number twice")]
 pub fn field_laws<S: Scalar>(a: S, b: S, c: S) -> Vec<(&'static str, S, S)> {
     let (zero, one) = (S::zero(), S::one());
+    let assigned = |assign: fn(&mut S, S)| {
+        let mut left = a;
+        assign(&mut left, b);
+        left
+    };
     vec![
         ("a + b = b + a", a + b, b + a),
         ("(a + b) + c = a + (b + c)", (a + b) + c, a + (b + c)),
         ("a + 0 = a", a + zero, a),
         ("a - a = 0", a - a, zero),
         ("a - b = a + (-b)", a - b, a + -b),
+        ("-(-a) = a", -(-a), a),
         ("a b = b a", a * b, b * a),
         ("(a b) c = a (b c)", (a * b) * c, a * (b * c)),
         ("a 1 = a", a * one, a),
         ("a (b + c) = a b + a c", a * (b + c), a * b + a * c),
         ("a / a = 1", a / a, one),
+        ("(a + b) / c = a / c + b / c", (a + b) / c, a / c + b / c),
         ("(a / b) b = a", (a / b) * b, a),
         ("a / (b / c) = a c / b", a / (b / c), a * c / b),
         ("2 = 1 + 1", S::int(2), one + one),
         ("3/7 * 7 = 3", S::ratio(3, 7) * S::int(7), S::int(3)),
         ("half + half = whole", a.half() + a.half(), a),
         ("square", a.squared(), a * a),
+        ("a += b", assigned(|a, b| *a += b), a + b),
+        ("a -= b", assigned(|a, b| *a -= b), a - b),
+        ("a *= b", assigned(|a, b| *a *= b), a * b),
+        ("a /= b", assigned(|a, b| *a /= b), a / b),
     ]
 }
 
 /// The laws of circle points at two of them, given by their half tangents.
+#[expect(clippy::eq_op, reason = "a law may name the same number twice")]
 pub fn circle_laws<S: Scalar>(t: S, u: S) -> Vec<(&'static str, S, S)> {
     let (p, q) = (Circle::from_half_tangent(t), Circle::from_half_tangent(u));
     let sum = p + q;
@@ -36,7 +49,13 @@ pub fn circle_laws<S: Scalar>(t: S, u: S) -> Vec<(&'static str, S, S)> {
     vec![
         ("on the circle", p.defect(), S::zero()),
         ("sum on the circle", sum.defect(), S::zero()),
-        ("cosine of the sum is symmetric", sum.cos, (q + p).cos),
+        ("p + q = q + p (cos)", sum.cos, (q + p).cos),
+        ("p + q = q + p (sin)", sum.sin, (q + p).sin),
+        (
+            "p + p has the half tangent 2 t / (1 - t^2)",
+            (p + p).sin * (S::one() - t * t),
+            (S::one() + (p + p).cos) * (t + t),
+        ),
         ("p + q - q = p (cos)", back.cos, p.cos),
         ("p + q - q = p (sin)", back.sin, p.sin),
         ("p - p = 0", (p - p).cos, S::one()),

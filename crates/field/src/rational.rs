@@ -26,6 +26,9 @@ enum Repr {
 
 use Repr::{Large, Small, Undefined};
 
+/// An operation on two fractions [numerator, denominator] in machine integers; `None` where it leaves them.
+type InPlace = fn([i128; 2], [i128; 2]) -> Option<(i128, i128)>;
+
 impl Rational {
     /// The result of a division by zero.
     pub const UNDEFINED: Rational = Rational(Undefined);
@@ -83,14 +86,9 @@ impl Rational {
         }
     }
 
-    fn combine(
-        self,
-        b: Self,
-        small: fn(i128, i128, i128, i128) -> Option<(i128, i128)>,
-        big: fn(RBig, RBig) -> RBig,
-    ) -> Self {
+    fn combine(self, b: Self, small: InPlace, big: fn(RBig, RBig) -> RBig) -> Self {
         if let (Small { numerator: a, denominator: p }, Small { numerator: b, denominator: q }) = (self.0, b.0)
-            && let Some((n, d)) = small(a.into(), p.into(), b.into(), q.into())
+            && let Some((n, d)) = small([a.into(), p.into()], [b.into(), q.into()])
         {
             return Self::reduced(n, d);
         }
@@ -144,7 +142,7 @@ impl Add for Rational {
     fn add(self, b: Self) -> Self {
         self.combine(
             b,
-            |a, p, b, q| Some((a.checked_mul(q)?.checked_add(b.checked_mul(p)?)?, p.checked_mul(q)?)),
+            |[a, p], [b, q]| Some((a.checked_mul(q)?.checked_add(b.checked_mul(p)?)?, p.checked_mul(q)?)),
             |a, b| a + b,
         )
     }
@@ -160,7 +158,7 @@ impl Sub for Rational {
 impl Mul for Rational {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
-        self.combine(b, |a, p, b, q| Some((a.checked_mul(b)?, p.checked_mul(q)?)), |a, b| a * b)
+        self.combine(b, |[a, p], [b, q]| Some((a.checked_mul(b)?, p.checked_mul(q)?)), |a, b| a * b)
     }
 }
 
@@ -170,7 +168,7 @@ impl Div for Rational {
         if b.is_zero() {
             return Self::UNDEFINED;
         }
-        self.combine(b, |a, p, b, q| Some((a.checked_mul(q)?, p.checked_mul(b)?)), |a, b| a / b)
+        self.combine(b, |[a, p], [b, q]| Some((a.checked_mul(q)?, p.checked_mul(b)?)), |a, b| a / b)
     }
 }
 

@@ -184,7 +184,27 @@ pub fn on_the_line() -> Example {
     .example("three different moments; vertical along a principal axis")
 }
 
-/// All of them.
+/// (5.2) a thin rod of mass 3 kg and length 1 m from O along the rotor's axis, and the rotor at its end: D = 0.
+pub fn rod() -> Gyrostat<Rational> {
+    let (one, three) = (Rational::int(1), Rational::int(3));
+    Gyrostat {
+        carrier: Carrier {
+            mass: three,
+            centre: vector([1, 0, 0], 2),
+            inertia: Matrix3::from_diagonal(&vector([0, 1, 1], 1)),
+        },
+        rotor: Rotor {
+            mass: one,
+            centre: vector([1, 0, 0], 1),
+            axis: vector([1, 0, 0], 1),
+            axial: one,
+            transverse: one,
+        },
+        gravity: Rational::int(10),
+    }
+}
+
+/// All examples that concern stationary motions.
 pub fn all() -> Vec<Example> {
     vec![
         spherical(),
@@ -215,18 +235,21 @@ impl Example {
         )
     }
 
-    /// The residuals of the momentum equations for the rotation about the vertical: the moments that are missing for
-    /// it to be a motion. `None` where no angular velocity is given.
-    pub fn missing_moments(&self) -> Option<Vector3<Rational>> {
-        let motion = Motion {
-            angular_velocity: self.vertical * self.angular_velocity?,
+    /// The rotation about the vertical with an angular velocity, the rotor keeping the field's speed without a moment.
+    pub fn rotation(&self, angular_velocity: Rational) -> Motion<Rational> {
+        Motion {
+            angular_velocity: self.vertical * angular_velocity,
             vertical: self.vertical,
             rotor_speed: self.field_speed,
             angular_acceleration: Vector3::zeros(),
             rotor_acceleration: Rational::zero(),
             moment: Rational::zero(),
-        };
-        let [x, y, z, _] = self.gyrostat.by_momentum(&motion);
-        Some(Vector3::new(x, y, z))
+        }
+    }
+
+    /// The moments about O that are missing for this rotation to be a motion, by the theorem of angular momentum.
+    pub fn missing_moments(&self, angular_velocity: Rational) -> Vector3<Rational> {
+        let [x, y, z, _] = self.gyrostat.by_momentum(&self.rotation(angular_velocity));
+        Vector3::new(x, y, z)
     }
 }

@@ -1,12 +1,12 @@
 //! Section 5: the second form, in the principal axes of A*, and its singularity D = 0.
 
 use super::alphabet::{cyclic, letter, one, tensor, vector};
+use super::gyrostats;
 use super::letters::Letters;
 use super::section2::formulas;
 use crate::systems::gyrostat::Motion;
 use crate::systems::gyrostat::forms::{Form, SecondForm};
 use claims::{Condition, Line, Page, Point};
-use field::{Rational, Scalar};
 use mechanics::rotation::{determinant, quaternion};
 use nalgebra::{Matrix3, Vector3};
 use symbolic::{Hypotheses, Sym};
@@ -180,10 +180,11 @@ fn singular(page: &mut Page, s: &Letters) {
     page.correct();
 }
 
-/// A rod of mass 3 and length 1 from O along the first axis; rotor with A' = B' = 1, mass 1, centre at (1, 0, 0).
 fn rod(s: &Letters) -> Point {
-    let values = [(s.l.x, 1), (s.l.y, 0), (s.l.z, 0), (s.axial, 1), (s.a_star.x, 1), (s.a_star.y, 3), (s.a_star.z, 3)];
-    Point::of(values.map(|(symbol, value)| (symbol, Rational::int(value))))
+    let rod = gyrostats::rod();
+    let vectors = [(s.l, rod.rotor.axis), (s.a_star, rod.full_tensor().diagonal())];
+    let components = vectors.into_iter().flat_map(|(names, values)| (0..3).map(move |i| (names[i], values[i])));
+    Point::of(components.chain([(s.axial, rod.rotor.axial)]))
 }
 
 /// Both forms describe one motion: first with full tensors in common axes, then each in its own.

@@ -1,4 +1,4 @@
-//! Which data belong to bodies that can exist.
+//! Which data belong to bodies that can exist, and whose motion is determined.
 
 use super::Gyrostat;
 use nalgebra::{Matrix3, Vector3};
@@ -26,6 +26,8 @@ pub enum Inadmissible {
     Triangle { about: &'static str, largest: f64, sum_of_others: f64 },
     /// A' > 2 B'.
     RotorTriangle { axial: f64, twice_transverse: f64 },
+    /// The bodies exist, but nothing that could turn about the rotor's axis has inertia: A is singular, D = 0.
+    Undetermined { moment: f64 },
 }
 
 impl fmt::Display for Inadmissible {
@@ -56,6 +58,11 @@ impl fmt::Display for Inadmissible {
                     "A' <= 2 B' is broken: {axial:e} > {twice_transverse:e} kg m^2; no balanced rotor has such moments"
                 )
             }
+            Self::Undetermined { moment } => write!(
+                f,
+                "D > 0 is broken: the smallest principal moment of A = A* - A' l l is {moment:e} kg m^2; a carrier \
+                 without inertia about the rotor's axis has no determined motion"
+            ),
         }
     }
 }
@@ -63,12 +70,16 @@ impl fmt::Display for Inadmissible {
 impl std::error::Error for Inadmissible {}
 
 impl Gyrostat<f64> {
-    /// Checks that both bodies can exist; every condition that is broken comes back, not only the first.
+    /// Checks that both bodies can exist and move in a determined way; every condition that is broken comes back, not
+    /// only the first.
     pub fn admissible(&self) -> Result<(), Vec<Inadmissible>> {
         let mut broken = self.not_finite();
         if broken.is_empty() {
             self.check_scalars(&mut broken);
             self.check_carrier(&mut broken);
+        }
+        if broken.is_empty() {
+            self.check_motion(&mut broken);
         }
         if broken.is_empty() { Ok(()) } else { Err(broken) }
     }
@@ -143,6 +154,14 @@ impl Gyrostat<f64> {
                 });
                 return;
             }
+        }
+    }
+
+    /// A must be positive definite, so that the equations of motion can be solved for the accelerations.
+    fn check_motion(&self, broken: &mut Vec<Inadmissible>) {
+        let moment = self.reduced_tensor().symmetric_eigenvalues().min();
+        if moment <= ROUNDING * self.full_tensor().norm() {
+            broken.push(Inadmissible::Undetermined { moment });
         }
     }
 }

@@ -1,0 +1,232 @@
+//! Every field of the workbench obeys the laws of a field and of the circle: exactly where it is exact, otherwise to a
+//! few units of its own rounding.
+
+use field::laws::{circle_laws, field_laws};
+use field::{DoubleDouble, Rational, Scalar, Tangent};
+use num_dual::{Dual, Dual2, DualSVec, HyperDual};
+use num_traits::{One, Zero};
+use proptest::prelude::*;
+use proptest::test_runner::{RngSeed, TestCaseError};
+use symbolic::{Hypotheses, Sym, symbols};
+
+fn fixed(cases: u32) -> ProptestConfig {
+    ProptestConfig { cases, rng_seed: RngSeed::Fixed(1743), failure_persistence: None, ..ProptestConfig::default() }
+}
+
+/// A field whose numbers are rounded, with up to four derivatives.
+trait Rounded: Scalar {
+    /// The distance from 1 to the next number.
+    const EPSILON: f64 = f64::EPSILON;
+
+    /// From a value and what may serve as derivatives (or as low digits).
+    fn from_parts(parts: [f64; 5]) -> Self;
+
+    /// The largest component.
+    fn size(self) -> f64;
+}
+
+fn largest(parts: impl IntoIterator<Item = f64>) -> f64 {
+    parts.into_iter().map(f64::abs).fold(0.0, f64::max)
+}
+
+impl Rounded for f64 {
+    fn from_parts([value, ..]: [f64; 5]) -> Self {
+        value
+    }
+    fn size(self) -> f64 {
+        self.abs()
+    }
+}
+
+impl Rounded for DoubleDouble {
+    const EPSILON: f64 = f64::EPSILON * f64::EPSILON / 2.0;
+
+    fn from_parts([value, low, ..]: [f64; 5]) -> Self {
+        DoubleDouble::from(value) + DoubleDouble::from(low * f64::EPSILON)
+    }
+    fn size(self) -> f64 {
+        self.hi().abs()
+    }
+}
+
+impl Rounded for Dual<f64> {
+    fn from_parts([value, d, ..]: [f64; 5]) -> Self {
+        Dual::new(value, d)
+    }
+    fn size(self) -> f64 {
+        largest([self.re, self.eps])
+    }
+}
+
+impl Rounded for Dual2<f64> {
+    fn from_parts([value, d, dd, ..]: [f64; 5]) -> Self {
+        Dual2::new(value, d, dd)
+    }
+    fn size(self) -> f64 {
+        largest([self.re, self.v1, self.v2])
+    }
+}
+
+impl Rounded for HyperDual<f64> {
+    fn from_parts([value, d, e, de, _]: [f64; 5]) -> Self {
+        HyperDual::new(value, d, e, de)
+    }
+    fn size(self) -> f64 {
+        largest([self.re, self.eps1, self.eps2, self.eps1eps2])
+    }
+}
+
+impl Rounded for DualSVec<f64, 4> {
+    fn from_parts([value, slopes @ ..]: [f64; 5]) -> Self {
+        DualSVec::new(value, num_dual::Derivative::some(slopes.into()))
+    }
+    fn size(self) -> f64 {
+        let slopes = self.eps.unwrap_generic(nalgebra::Const::<4>, nalgebra::Const::<1>);
+        largest(slopes.iter().copied().chain([self.re]))
+    }
+}
+
+impl<S: Rounded> Rounded for Tangent<S> {
+    const EPSILON: f64 = S::EPSILON;
+
+    fn from_parts([value, d, e, de, _]: [f64; 5]) -> Self {
+        let part = |value, slope| S::from_parts([value, slope, 0.0, 0.0, 0.0]);
+        Tangent::moving(part(value, e), part(d, de))
+    }
+    fn size(self) -> f64 {
+        largest([self.value.size(), self.slope.size()])
+    }
+}
+
+/// A value between 1 and 2 in size, and derivatives up to 1.
+fn number() -> impl Strategy<Value = [f64; 5]> {
+    let d = || -1.0..1.0f64;
+    ([d(), d(), d(), d()], 1.0..2.0f64, any::<bool>())
+        .prop_map(|([d, e, de, f], size, negative)| [if negative { -size } else { size }, d, e, de, f])
+}
+
+/// For such numbers no term on the way exceeds 2^9, second derivatives included: so 2^12 units are a few roundings of
+/// the largest.
+fn agree<S: Rounded>(laws: Vec<(&str, S, S)>) -> Result<(), TestCaseError> {
+    for (law, left, right) in laws {
+        let off = (left - right).size() / S::EPSILON;
+        prop_assert!(off <= 4096.0, "{law}: {left:?} and {right:?} differ by {off} units of rounding");
+    }
+    Ok(())
+}
+
+macro_rules! to_rounding {
+    ($($test:ident: $field:ty;)*) => {
+        proptest! {
+            #![proptest_config(fixed(256))]
+            $(
+                #[test]
+                fn $test(numbers in [number(), number(), number()]) {
+                    let [a, b, c] = numbers.map(<$field>::from_parts);
+                    agree(field_laws(a, b, c))?;
+                    agree(circle_laws(a, b))?;
+                }
+            )*
+        }
+    };
+}
+
+to_rounding! {
+    double_precision_is_a_field_to_rounding: f64;
+    double_double_is_a_field_to_its_own_rounding: DoubleDouble;
+    dual_numbers_are_a_field_to_rounding: Dual<f64>;
+    second_order_dual_numbers_are_a_field_to_rounding: Dual2<f64>;
+    hyper_dual_numbers_are_a_field_to_rounding: HyperDual<f64>;
+    dual_vectors_are_a_field_to_rounding: DualSVec<f64, 4>;
+    tangents_are_a_field_to_rounding: Tangent<f64>;
+    tangents_of_tangents_are_a_field_to_rounding: Tangent<Tangent<f64>>;
+    tangents_of_double_double_are_a_field_to_its_rounding: Tangent<DoubleDouble>;
+}
+
+/// Fractions that stay in machine integers, and some that do not: up to four digits of the size 2^62 above and below.
+fn rational() -> impl Strategy<Value = Rational> {
+    let small = (-60..60i64, 1..60i64).prop_map(|(n, d)| Rational::new(n, d));
+    let digits = || prop::collection::vec(1 << 61..i64::MAX, 0..4);
+    let product = |digits: Vec<i64>| digits.into_iter().fold(Rational::one(), |product, n| product * Rational::int(n));
+    let large = (digits(), digits(), any::<bool>())
+        .prop_map(move |(n, d, negative)| product(n) / product(d) * Rational::int(if negative { -1 } else { 1 }));
+    prop_oneof![small, large].prop_filter("different from zero", |x| !x.is_zero())
+}
+
+fn tangent() -> impl Strategy<Value = Tangent<Rational>> {
+    (rational(), rational()).prop_map(|(value, slope)| Tangent { value, slope })
+}
+
+fn exactly<S: Scalar>(laws: Vec<(&str, S, S)>) -> Result<(), TestCaseError> {
+    for (law, left, right) in laws {
+        prop_assert!(left == right, "{law}: {left:?} and {right:?}");
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(fixed(256))]
+
+    #[test]
+    fn rationals_of_any_size_are_a_field_exactly(a in rational(), b in rational(), c in rational()) {
+        exactly(field_laws(a, b, c))?;
+        exactly(circle_laws(a, b))?;
+    }
+
+    #[test]
+    fn tangents_of_rationals_are_a_field_exactly(a in tangent(), b in tangent(), c in tangent()) {
+        exactly(field_laws(a, b, c))?;
+        exactly(circle_laws(a, b))?;
+    }
+
+    #[test]
+    fn nested_tangents_of_rationals_are_a_field_exactly(numbers in [tangent(), tangent(), tangent()], d in tangent()) {
+        let [a, b, c] = numbers.map(|value| Tangent { value, slope: d * value + d });
+        exactly(field_laws(a, b, c))?;
+        exactly(circle_laws(a, b))?;
+    }
+
+    #[test]
+    fn a_rational_has_the_sign_and_nearly_the_value_of_its_double(a in rational(), b in rational()) {
+        let (sum, product) = ((a + b).to_f64(), (a * b).to_f64());
+        prop_assert!((sum - (a.to_f64() + b.to_f64())).abs() <= 4.0 * f64::EPSILON * (a.to_f64().abs() + b.to_f64().abs()));
+        prop_assert!((product - a.to_f64() * b.to_f64()).abs() <= 4.0 * f64::EPSILON * product.abs());
+        prop_assert_eq!(a.sign(), Some(a.to_f64().signum() as i32));
+    }
+
+    #[test]
+    fn division_by_zero_is_undefined_and_absorbs_everything(a in rational()) {
+        let undefined = a / Rational::zero();
+        let with_it = [
+            undefined, -undefined, undefined + a, a + undefined, undefined - a, a - undefined, undefined * a,
+            a * undefined, undefined / a, a / undefined, undefined * Rational::zero(), Rational::zero() / undefined,
+            undefined - undefined, a % Rational::zero(), undefined.half(), undefined.squared(),
+        ];
+        for result in with_it {
+            prop_assert!(!result.is_defined());
+            prop_assert!(result != result && result != a && !result.is_zero() && result.to_f64().is_nan());
+            prop_assert!(result.sign().is_none() && result.to_big().is_none());
+        }
+        prop_assert!(!Rational::new(1, 0).is_defined() && !Rational::UNDEFINED.is_defined());
+    }
+}
+
+proptest! {
+    #![proptest_config(fixed(24))]
+
+    #[test]
+    fn expressions_are_a_field_by_their_normal_form(n in [1..9i64, 1..9, 1..9, 1..9, 1..9, 1..9]) {
+        let [x, y, z] = symbols(["x", "y", "z"]);
+        let n = n.map(Sym::int);
+        let (a, b, c) = (n[0] * x + n[1] * y, (n[2] * y - z) / (n[3] + x * x), n[4] * z + n[5] / x);
+        let none = Hypotheses::none();
+        for (law, left, right) in field_laws(a, b, c).into_iter().chain(circle_laws(a, n[0] * z)) {
+            prop_assert!(none.equal(left, right).is_zero(), "{law}: {left} and {right}");
+        }
+        let moving = |value: Sym, slope: Sym| Tangent { value, slope };
+        for (law, left, right) in field_laws(moving(a, y), moving(b, n[1] * x), moving(c, z - x)) {
+            prop_assert!(none.equal(left.value, right.value).is_zero(), "{law}");
+            prop_assert!(none.equal(left.slope, right.slope).is_zero(), "{law}: {} and {}", left.slope, right.slope);
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! The laws of every gyrostat that exists, at random ones made of mass points.
+
+mod existence;
+#[path = "../physical/mod.rs"]
+mod physical;
+mod points;
+mod power;
+mod routes;
+mod tensors;

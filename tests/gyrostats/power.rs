@@ -1,0 +1,163 @@
+//! What every machine of the list leaves conserved, and where its power goes.
+
+use crate::physical::machines::{Sample, every_machine, numbers};
+use crate::physical::{fixed, gyrostat, rounded};
+use derivations::machines::{Catalogued, ForMachine, RotorState, drive, heat};
+use derivations::systems::gyrostat::driven::Driven;
+use derivations::systems::gyrostat::forms::Form;
+use field::Tangent;
+use nalgebra::Vector3;
+use proptest::prelude::*;
+
+/// The rate of a quantity, and the sum of the terms' sizes in which it is made up.
+#[derive(Clone, Copy, Debug)]
+struct Rate {
+    value: f64,
+    size: f64,
+}
+
+/// The chain rule, coordinate by coordinate.
+fn rate(quantity: impl Fn(&[Tangent<f64>]) -> Tangent<f64>, y: &[f64], dy: &[f64]) -> Rate {
+    let mut moving: Vec<Tangent<f64>> = y.iter().map(|&y| Tangent::fixed(y)).collect();
+    let terms: Vec<f64> = (0..y.len())
+        .map(|i| {
+            moving[i].slope = dy[i];
+            let slope = quantity(&moving).slope;
+            moving[i].slope = 0.0;
+            slope
+        })
+        .collect();
+    Rate { value: terms.iter().sum(), size: terms.iter().map(|term| term.abs()).sum() }
+}
+
+impl Rate {
+    /// Equal to a sum of powers, up to rounding of the terms on both sides.
+    fn is(self, powers: &[f64]) -> bool {
+        let size: f64 = self.size + powers.iter().map(|p| p.abs()).sum::<f64>();
+        (self.value - powers.iter().sum::<f64>()).abs() <= 1e-12 * (1.0 + size)
+    }
+}
+
+/// What one machine does at one state.
+#[derive(Clone, Copy, Debug)]
+struct Instant {
+    /// d(v.v)/dt
+    length: Rate,
+    /// d(x.v)/dt
+    vertical_momentum: Rate,
+    /// dp/dt
+    rotor_momentum: Rate,
+    /// dE/dt
+    energy: Rate,
+    /// d(E - W p)/dt
+    jacobi: Rate,
+    /// M, N m
+    moment: f64,
+    /// m(g', phi'), N m
+    law: f64,
+    /// m(0, W), N m
+    law_at_synchronism: f64,
+    /// sum R_k i_k^2, W
+    heat: f64,
+    slip: f64,
+    /// W, rad/s
+    frame_speed: f64,
+}
+
+struct At<'a, F> {
+    form: F,
+    sample: &'a Sample,
+}
+
+impl<F: Form<f64>> ForMachine for At<'_, F> {
+    type Output = Instant;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Instant {
+        let driven = Driven::new(self.form, machine);
+        let y = self.sample.state(driven.dimension());
+        let mut dy = vec![0.0; y.len()];
+        driven.rates(&y, &mut dy);
+        let (rotor, currents) = y[6..].split_at(M::ROTOR.dimension());
+        let (angle, slip) = M::ROTOR.angle_and_slip(rotor);
+        let frame_speed = driven.machine.frame_speed();
+        let moment = if M::ROTOR == RotorState::Prescribed {
+            let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
+            driven.form.prescribed(w, v, frame_speed).1
+        } else {
+            drive(&driven.machine, angle, slip, currents, &mut vec![0.0; currents.len()])
+        };
+        Instant {
+            length: rate(|y| driven.vertical_length(y), &y, &dy),
+            vertical_momentum: rate(|y| driven.vertical_momentum(y), &y, &dy),
+            rotor_momentum: rate(|y| driven.rotor_momentum(y), &y, &dy),
+            energy: rate(|y| driven.energy(y), &y, &dy),
+            jacobi: rate(|y| driven.jacobi(y), &y, &dy),
+            moment,
+            law: driven.machine.moment_law(slip, slip + frame_speed),
+            law_at_synchronism: driven.machine.moment_law(0.0, frame_speed),
+            heat: heat(&driven.machine, currents),
+            slip,
+            frame_speed,
+        }
+    }
+}
+
+/// A law of every machine in both forms.
+fn always(
+    g: &derivations::systems::gyrostat::Gyrostat<field::Rational>,
+    sample: &Sample,
+    law: impl Fn(&Instant) -> bool,
+) -> Result<(), TestCaseError> {
+    let g = rounded(g);
+    for machine in every_machine(sample) {
+        let name = machine.name();
+        let first = machine.clone().apply(At { form: g.first_form().0, sample });
+        let second = machine.apply(At { form: g.second_form().0, sample });
+        for (form, instant) in [("first", first), ("second", second)] {
+            prop_assert!(law(&instant), "{name}, {form} form: {instant:?}");
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(fixed(128))]
+
+    #[test]
+    fn the_length_of_the_vertical_is_conserved(g in gyrostat(), sample in numbers()) {
+        always(&g, &sample, |now| now.length.is(&[]))?;
+    }
+
+    #[test]
+    fn the_momentum_about_the_vertical_is_conserved(g in gyrostat(), sample in numbers()) {
+        always(&g, &sample, |now| now.vertical_momentum.is(&[]))?;
+    }
+
+    #[test]
+    fn the_rotors_own_momentum_changes_by_the_moment(g in gyrostat(), sample in numbers()) {
+        always(&g, &sample, |now| now.rotor_momentum.is(&[now.moment]))?;
+    }
+
+    #[test]
+    fn the_energy_changes_by_what_the_field_supplies_less_friction_and_heat(g in gyrostat(), sample in numbers()) {
+        always(&g, &sample, |now| {
+            let supply = now.frame_speed * (now.moment - now.law);
+            let friction = (now.slip + now.frame_speed) * now.law;
+            now.energy.is(&[supply, friction, -now.heat])
+        })?;
+    }
+
+    #[test]
+    fn seen_from_the_turning_field_the_field_does_no_work(g in gyrostat(), sample in numbers()) {
+        always(&g, &sample, |now| now.jacobi.is(&[now.law * now.slip, -now.heat]))?;
+    }
+
+    /// E - W p + c0 g with c0 = -m(0, W).
+    #[test]
+    fn the_falling_function_never_grows(g in gyrostat(), sample in numbers()) {
+        always(&g, &sample, |now| {
+            let c0 = -now.law_at_synchronism;
+            now.jacobi.value + c0 * now.slip <= 1e-12 * (1.0 + now.jacobi.size + (c0 * now.slip).abs())
+        })?;
+    }
+}
