@@ -66,7 +66,7 @@ impl std::error::Error for NotDerived {}
 /// # Errors
 /// [`NotDerived`] says what would be accepted.
 pub fn derive(system: &str, principle: Option<Principle>) -> Result<Vec<Equation>, NotDerived> {
-    let s = Letters::new();
+    let s = Letters::default();
     match system {
         "gyrostat" => gyrostat(&s, principle.unwrap_or(Principle::Momentum)),
         "motor" => motor(&s, principle.unwrap_or(Principle::Maxwell)),

@@ -44,7 +44,7 @@ impl Condition {
         match self {
             Self::Zero(e) => Self::Zero(e + one),
             Self::Equal(a, b) => Self::Equal(a, b + b + one),
-            Self::NonZero(e) => Self::NonZero(e - e),
+            Self::NonZero(_) => Self::NonZero(Sym::ZERO),
             Self::Positive(e) => Self::Positive(-e),
         }
     }

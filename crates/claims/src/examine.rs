@@ -9,11 +9,7 @@ const MUTANTS: usize = 6;
 
 /// Objections to equalities: sides of different dimension or the same node, a mutant that passes, hypotheses that
 /// nothing satisfies.
-pub fn equations(
-    lines: &[Line],
-    hypotheses: &Hypotheses,
-    dimension: &dyn Fn(&str) -> Option<Dimension>,
-) -> Vec<String> {
+pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     let mut objections = Vec::new();
     for line in lines {
         if line.derived == line.printed() {
@@ -41,7 +37,7 @@ pub fn equations(
 }
 
 /// Objections to a theorem: conditions that mix dimensions; a proof that shows the opposite just as well.
-pub fn theorem(theorem: &Theorem, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Vec<String> {
+pub fn theorem(theorem: &Theorem, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     let mut objections = Vec::new();
     for condition in theorem.given.iter().chain(&theorem.then) {
         objections.extend(mismatch(condition.expression(), dimension));
@@ -57,8 +53,8 @@ pub fn theorem(theorem: &Theorem, dimension: &dyn Fn(&str) -> Option<Dimension>)
     objections
 }
 
-fn mismatch(expression: Sym, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Option<String> {
-    dimension_of(expression, &|name: &str| dimension(name)).err().map(|mismatch| mismatch.to_string())
+fn mismatch(expression: Sym, dimension: fn(&str) -> Option<Dimension>) -> Option<String> {
+    dimension_of(expression, &dimension).err().map(|mismatch| mismatch.to_string())
 }
 
 /// The expression with one sign turned, term by term, and doubled.

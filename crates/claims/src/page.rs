@@ -7,7 +7,7 @@ use symbolic::{Dimension, Hypotheses, Sym};
 /// The claims of a paper.
 pub struct Page {
     paper: &'static str,
-    dimensions: Box<dyn Fn(&str) -> Option<Dimension>>,
+    dimensions: fn(&str) -> Option<Dimension>,
     section: &'static str,
     claims: Vec<Claim>,
 }
@@ -25,8 +25,8 @@ pub struct Draft<'a> {
 
 impl Page {
     /// An empty page. `dimensions` knows the dimension of every symbol of the paper.
-    pub fn of(paper: &'static str, dimensions: impl Fn(&str) -> Option<Dimension> + 'static) -> Self {
-        Page { paper, dimensions: Box::new(dimensions), section: "", claims: Vec::new() }
+    pub fn of(paper: &'static str, dimensions: fn(&str) -> Option<Dimension>) -> Self {
+        Page { paper, dimensions, section: "", claims: Vec::new() }
     }
 
     /// The paper's key.
@@ -59,7 +59,7 @@ impl Page {
 
     /// Decides every claim.
     pub fn judge(&self) -> Vec<Judged> {
-        self.claims.iter().map(|claim| claim.judge(&*self.dimensions)).collect()
+        self.claims.iter().map(|claim| claim.judge(self.dimensions)).collect()
     }
 
     /// Attaches what holds instead to the claim before: the correction is drafted as a claim of its own.

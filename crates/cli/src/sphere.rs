@@ -44,7 +44,6 @@ pub fn of(id: &str, scene: &Scene) -> Option<Sphere> {
         marks: marks(own.rotor.axis, weight),
         view: (35.0, 25.0),
         note: format!("Scene {id}; uncoloured where the angular velocity exceeds {FASTEST} times the rotor's."),
-        ..Sphere::default()
     })
 }
 

@@ -40,9 +40,9 @@ pub struct Letters {
     pub unit_vertical: Hypotheses,
 }
 
-impl Letters {
-    /// The symbols, made in the calling thread.
-    pub fn new() -> Self {
+/// The symbols, made in the calling thread.
+impl Default for Letters {
+    fn default() -> Self {
         let (l, nu) = (vector("l"), vector("ν"));
         Letters {
             w: vector("ω"),
@@ -71,7 +71,9 @@ impl Letters {
             unit_vertical: Hypotheses::none().unit_vector(nu.into()),
         }
     }
+}
 
+impl Letters {
     /// The gyrostat in arbitrary axes, every datum a symbol.
     pub fn general(&self) -> Gyrostat<Sym> {
         Gyrostat {
@@ -179,7 +181,7 @@ impl Letters {
 
     /// x, i1, i2, ...
     pub fn currents(&self, bars: u32) -> Vec<Sym> {
-        std::iter::once(letter("x")).chain((1..=bars).map(|n| current(n))).collect()
+        std::iter::once(letter("x")).chain((1..=bars).map(current)).collect()
     }
 
     /// A* nu x nu.

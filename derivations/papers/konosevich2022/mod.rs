@@ -121,7 +121,7 @@ pub const PAPER: Paper = Paper {
 
 /// The page of the paper.
 pub fn page() -> Page {
-    let letters = Letters::new();
+    let letters = Letters::default();
     let mut page = Page::of(PAPER.key, dimension);
     section2::claims(&mut page, &letters);
     section3::claims(&mut page, &letters);
