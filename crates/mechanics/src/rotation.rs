@@ -26,7 +26,7 @@ pub fn quaternion<S: Scalar>([a, b, c, d]: [S; 4]) -> Matrix3<S> {
     ) / norm
 }
 
-/// The angular velocity in body components, from R along the motion: [w] = R^T R'.
+/// The angular velocity in body components, from R along the motion: `[w]` = R^T R'.
 pub fn angular_velocity<S: Scalar>(rotation: Matrix3<Tangent<S>>) -> Vector3<S> {
     let turn = rotation.map(|x| x.value).transpose() * rotation.map(|x| x.slope);
     Vector3::new(turn[(2, 1)], turn[(0, 2)], turn[(1, 0)])
