@@ -1,0 +1,160 @@
+//! What is false is not proved: each way of deciding a claim, shown something wrong.
+
+use claims::{Claim, Condition, Judged, Line, Page, Point, Verdict};
+use field::{Rational, Scalar};
+use symbolic::{Dimension, Hypotheses, Sym, symbols};
+
+fn dimensionless(name: &str) -> Option<Dimension> {
+    match name {
+        "length" => Some(Dimension::length()),
+        "time" => Some(Dimension::time()),
+        _ => Some(Dimension::none()),
+    }
+}
+
+fn judged(draft: impl FnOnce(&mut Page)) -> Judged {
+    let mut page = Page::of("test", dimensionless);
+    draft(&mut page);
+    let claim: &Claim = &page.claims()[0];
+    claim.judge(dimensionless)
+}
+
+fn int(n: i64) -> Sym {
+    Sym::int(n)
+}
+
+#[test]
+fn a_true_formula_is_proved_and_its_denominator_required() {
+    let [a, b, y] = symbols(["a", "b", "y"]);
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "").holds([Line::formula((a * a - b * b) / (a - b) / b, y, a / b + int(1))]);
+    });
+    assert_eq!(claim.verdict, Verdict::Proved);
+    assert!(claim.requires.iter().any(|(text, _)| text == "b != 0"), "{:?}", claim.requires);
+    assert_eq!(claim.sound(), Ok(()));
+}
+
+#[test]
+fn a_false_formula_is_refuted_at_an_exact_point() {
+    let [a, b, y] = symbols(["a", "b", "y"]);
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "").holds([Line::formula((a + b).powi(2), y, a * a + b * b)]);
+    });
+    assert_eq!(claim.verdict, Verdict::Refuted);
+    assert_eq!(claim.difference.as_ref().map(|(text, _)| text.as_str()), Some("2*a*b"));
+    assert!(!claim.counterexample.is_empty());
+    assert!(claim.sound().is_err(), "the author expected a proof");
+}
+
+#[test]
+fn a_line_compared_with_itself_is_objected_to() {
+    let [a, y] = symbols(["a", "y"]);
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "").holds([Line::formula(a, y, a)]);
+    });
+    assert!(claim.objections[0].contains("nothing was compared"));
+}
+
+#[test]
+fn a_sum_of_a_length_and_a_time_is_objected_to() {
+    let [l, t, y] = symbols(["length", "time", "y"]);
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "").holds([Line::formula((l + t) - t + t, y, l + t)]);
+    });
+    assert!(claim.objections.iter().any(|o| o.contains("length") && o.contains("time")), "{:?}", claim.objections);
+}
+
+#[test]
+fn contradictory_hypotheses_are_objected_to() {
+    let [a, b, y] = symbols(["a", "b", "y"]);
+    let impossible = Hypotheses::none().rule(a, 2, int(-1));
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "").under(&impossible).holds([Line::formula(b + b, y, int(2) * b)]);
+    });
+    assert!(claim.objections.iter().any(|o| o.contains("no exact point")), "{:?}", claim.objections);
+}
+
+#[test]
+fn a_certificate_with_a_wrong_cofactor_proves_nothing() {
+    let [a, b] = symbols(["a", "b"]);
+    let with = |cofactor: Sym| {
+        judged(|page| {
+            page.claim("eq1", "x", "").given([Condition::Zero(a - b)]).by_combination([(
+                Condition::Zero(a * a - b * b),
+                vec![],
+                vec![(0, cofactor)],
+            )]);
+        })
+        .verdict
+    };
+    assert_eq!(with(a + b), Verdict::Proved);
+    assert_eq!(with(a - b), Verdict::Undecided);
+}
+
+#[test]
+fn a_certificate_may_not_divide_by_what_may_vanish() {
+    let [a, b] = symbols(["a", "b"]);
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "").given([Condition::Zero(a * b)]).by_combination([(
+            Condition::Zero(b),
+            vec![0],
+            vec![(0, int(1))],
+        )]);
+    });
+    assert_eq!(claim.verdict, Verdict::Open, "{}", claim.evidence);
+}
+
+#[test]
+fn signs_need_every_term_and_one_that_cannot_vanish() {
+    let [a, x] = symbols(["a", "x"]);
+    let decide = |expression: Sym| {
+        judged(|page| {
+            page.claim("eq1", "x", "").given([Condition::Positive(a)]).by_signs([Condition::Positive(expression)]);
+        })
+        .verdict
+    };
+    assert_eq!(decide(a + x * x), Verdict::Proved);
+    assert_eq!(decide(x * x), Verdict::Undecided, "x may be zero");
+    assert_eq!(decide(a + x), Verdict::Undecided, "x may be negative");
+    assert_eq!(decide(a - x * x), Verdict::Undecided);
+}
+
+#[test]
+fn a_counterexample_must_satisfy_what_is_given_and_break_the_conclusion() {
+    let [a, b] = symbols(["a", "b"]);
+    let at = |x: i64, y: i64| {
+        judged(|page| {
+            page.claim("eq1", "x", "")
+                .given([Condition::Zero(a * a - b * b)])
+                .refuted([Condition::Equal(a, b)], Point::of([(a, Rational::int(x)), (b, Rational::int(y))]));
+        })
+        .verdict
+    };
+    assert_eq!(at(1, -1), Verdict::Refuted);
+    assert_eq!(at(1, 2), Verdict::Undecided, "the premise fails there");
+    assert_eq!(at(1, 1), Verdict::Undecided, "the conclusion holds there");
+}
+
+#[test]
+fn no_root_is_told_from_some_root() {
+    let [a, x] = symbols(["a", "x"]);
+    let with = |value: i64| {
+        judged(|page| {
+            let conclusions = [Condition::Zero(x * x - a * x), Condition::Zero(x * x * x - int(2) * x * x)];
+            page.claim("eq1", "x", "").without_root(conclusions, x, Point::of([(a, Rational::int(value))]));
+        })
+        .verdict
+    };
+    assert_eq!(with(3), Verdict::Refuted, "x = 3 and x = 2 have nothing in common but zero");
+    assert_eq!(with(2), Verdict::Undecided, "x = 2 satisfies both");
+}
+
+#[test]
+fn an_identically_vanishing_denominator_is_undefined() {
+    let [a, y] = symbols(["a", "y"]);
+    let nothing = (a + int(1)).powi(2) - a * a - int(2) * a - int(1);
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "").holds([Line::formula(a / nothing, y, a)]);
+    });
+    assert_eq!(claim.verdict, Verdict::Undefined);
+}
