@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test uses its part")]
 
 pub mod machines;
+pub mod rate;
 
 use derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
 use field::{DoubleDouble, Rational, Scalar};

@@ -7,6 +7,7 @@ use super::section2::formulas;
 use crate::systems::gyrostat::Motion;
 use crate::systems::gyrostat::forms::{Form, SecondForm};
 use claims::{Condition, Line, Page, Point};
+use field::Rational;
 use mechanics::rotation::{determinant, quaternion};
 use nalgebra::{Matrix3, Vector3};
 use symbolic::{Hypotheses, Sym};
@@ -182,9 +183,9 @@ fn singular(page: &mut Page, s: &Letters) {
 
 fn rod(s: &Letters) -> Point {
     let rod = gyrostats::rod();
-    let vectors = [(s.l, rod.rotor.axis), (s.a_star, rod.full_tensor().diagonal())];
-    let components = vectors.into_iter().flat_map(|(names, values)| (0..3).map(move |i| (names[i], values[i])));
-    Point::of(components.chain([(s.axial, rod.rotor.axial)]))
+    let components = |names: Vector3<Sym>, values: Vector3<Rational>| (0..3).map(move |i| (names[i], values[i]));
+    let axial = [(s.axial, rod.rotor.axial)];
+    Point::of(components(s.l, rod.rotor.axis).chain(axial).chain(components(s.a_star, rod.full_tensor().diagonal())))
 }
 
 /// Both forms describe one motion: first with full tensors in common axes, then each in its own.

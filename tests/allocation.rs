@@ -1,0 +1,93 @@
+//! The right-hand side allocates nothing: for every machine, with one bar or with forty, over every field that runs.
+
+use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, Source};
+use derivations::papers::konosevich2022::gyrostats;
+use derivations::systems::gyrostat::driven::Driven;
+use derivations::systems::gyrostat::forms::Form;
+use field::{Analytic, DoubleDouble, Over};
+use integrators::Directions;
+use physical::rounded;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::convert::Infallible;
+
+mod physical;
+
+/// The system's allocator, counting by thread.
+struct Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+// SAFETY: every call is handed on to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+/// How often a piece of work asked for memory.
+fn allocations(work: impl FnOnce()) -> usize {
+    let before = ALLOCATIONS.get();
+    work();
+    ALLOCATIONS.get() - before
+}
+
+/// Any machine with so many bars.
+struct Bars(usize);
+
+impl Source for Bars {
+    type Error = Infallible;
+
+    fn quantity(&mut self, _quantity: &'static Quantity) -> Result<f64, Infallible> {
+        Ok(0.7)
+    }
+
+    fn count(&mut self, _name: &'static str, _meaning: &'static str) -> Result<usize, Infallible> {
+        Ok(self.0)
+    }
+}
+
+struct Evaluate<F>(F);
+
+impl<F: Form<f64>> ForMachine for Evaluate<F> {
+    type Output = usize;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
+        fn over<S: Over<f64> + Analytic>(driven: &Driven<f64, impl Form<f64>, impl Catalogued>) -> usize {
+            let y: Vec<S> = (0..driven.dimension()).map(|i| S::lift(0.1 + i as f64)).collect();
+            let mut dy = vec![S::zero(); y.len()];
+            let count = allocations(|| driven.rates(&y, &mut dy));
+            assert!(dy.iter().any(|rate| !rate.is_zero()));
+            count
+        }
+        let driven = Driven::new(self.0, machine);
+        over::<f64>(&driven) + over::<Directions>(&driven) + over::<DoubleDouble>(&driven)
+    }
+}
+
+#[test]
+fn the_count_sees_an_allocation() {
+    assert_eq!(allocations(|| drop(std::hint::black_box(vec![1.0]))), 1);
+}
+
+#[test]
+fn the_right_hand_side_allocates_nothing() {
+    let g = rounded(&gyrostats::opposite_sign().gyrostat);
+    for (name, _) in AnyMachine::LIST {
+        for bars in [1, 6, 40] {
+            let Some(Ok(machine)) = AnyMachine::read(name, &mut Bars(bars)) else { panic!("{name} is in the list") };
+            assert_eq!(machine.clone().apply(Evaluate(g.first_form().0)), 0, "{name} with {bars} bars, first form");
+            assert_eq!(machine.apply(Evaluate(g.second_form().0)), 0, "{name} with {bars} bars, second form");
+        }
+    }
+}
