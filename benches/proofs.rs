@@ -1,0 +1,269 @@
+//! Seconds to build and to prove the statements that a prover of mechanics must decide at once: `cargo bench --bench
+//! proofs`. `benches/against_sympy.py` puts SymPy and FLINT beside; it asks for one statement after the other
+//! (`-- --answer`: letters in, JSON out).
+//!
+//! Every repetition builds its expressions afresh, in a fresh thread and so in an empty expression graph.
+
+use derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
+use field::{Scalar, Tangent};
+use mechanics::differentiate::along;
+use mechanics::lagrange::lagrange;
+use mechanics::rotation::{angular_velocity, euler, euler_forms, vertical};
+use nalgebra::{Matrix3, Matrix4, Vector3};
+use std::io::BufRead;
+use std::time::Instant;
+use symbolic::linear::{determinant, solve};
+use symbolic::{Hypotheses, Sym, decide, symbols};
+
+/// A letter, what is shown, and the seconds that each of its parts takes.
+type Statement = (&'static str, &'static str, fn() -> Vec<f64>);
+
+const STATEMENTS: [Statement; 6] = [
+    ("a", "det A~ = A1* A2* A3* D", || vec![proving(reduced_inertia)]),
+    ("b", "both forms agree, full tensors", || vec![proving(forms_agree)]),
+    ("c", "w' of both forms, rational functions", || vec![proving(explicit_forms_agree)]),
+    ("d", "det AB = det A det B, 4 x 4", || vec![proving(product_of_determinants)]),
+    ("e", "Lagrange in Euler's angles: derived, shown to be the second form", || from_bodies().into()),
+    ("f", "the same with A*, l, Ge free", || from_tensor().into()),
+];
+
+fn main() {
+    if std::env::args().any(|argument| argument == "--answer") {
+        for line in std::io::stdin().lock().lines().map_while(Result::ok) {
+            let known = STATEMENTS.iter().find(|(letter, ..)| *letter == line.trim());
+            println!("{:?}", known.map_or(Vec::new(), |(.., run)| afresh(*run)));
+        }
+        return;
+    }
+    for (letter, says, run) in STATEMENTS {
+        let mut runs: Vec<Vec<f64>> = (0..15).map(|_| afresh(run)).collect();
+        runs.sort_by(|a, b| a.iter().sum::<f64>().total_cmp(&b.iter().sum()));
+        let parts: Vec<String> = runs[runs.len() / 2].iter().map(|seconds| format!("{:.3} ms", seconds * 1e3)).collect();
+        println!("{letter}  {says}: {}", parts.join(" + "));
+    }
+}
+
+fn afresh(run: fn() -> Vec<f64>) -> Vec<f64> {
+    std::thread::spawn(run).join().expect("a true statement is proved")
+}
+
+/// The time to build the statement and to prove all of its parts.
+fn proving(statement: fn() -> Vec<Sym>) -> f64 {
+    let start = Instant::now();
+    prove(statement(), &Hypotheses::none());
+    start.elapsed().as_secs_f64()
+}
+
+fn prove(parts: impl IntoIterator<Item = Sym>, under: &Hypotheses) {
+    for part in parts {
+        assert!(decide(part, under).is_zero(), "a true statement was not proved");
+    }
+}
+
+fn vector(name: &str) -> Vector3<Sym> {
+    Vector3::from_fn(|i, _| Sym::symbol(&format!("{name}{}", i + 1)))
+}
+
+fn tensor(name: &str) -> Matrix3<Sym> {
+    Matrix3::from_fn(|i, j| Sym::symbol(&format!("{name}{}{}", i.min(j) + 1, i.max(j) + 1)))
+}
+
+/// det(diag(A*) - A' l l^T) = A1* A2* A3* D with D = 1 - sum A' l_i^2 / A_i*.
+fn reduced_inertia() -> Vec<Sym> {
+    let diagonal = symbols(["A1s", "A2s", "A3s"]);
+    let l = symbols(["l1", "l2", "l3"]);
+    let rotor = Sym::symbol("Ap");
+    let matrix: [[Sym; 3]; 3] = std::array::from_fn(|i| {
+        std::array::from_fn(|j| if i == j { diagonal[i] - rotor * l[i] * l[i] } else { -(rotor * l[i] * l[j]) })
+    });
+    let d = (0..3).fold(Sym::int(1), |d, i| d - rotor * l[i] * l[i] / diagonal[i]);
+    determinant(&matrix).map(|det| det - diagonal[0] * diagonal[1] * diagonal[2] * d).into_iter().collect()
+}
+
+/// A gyrostat with a rotor on a fixed axis l and full inertia tensors in common axes.
+struct Forms {
+    inertia: Matrix3<Sym>,
+    rotor: Sym,
+    axis: Vector3<Sym>,
+    speed: Vector3<Sym>,
+    rotor_speed: Sym,
+    weight: Vector3<Sym>,
+    moment: Sym,
+}
+
+impl Forms {
+    fn new() -> Self {
+        let [rotor, rotor_speed, gamma, moment] = symbols(["Ap", "dphi", "Gamma", "M"]);
+        Forms {
+            inertia: tensor("A"),
+            rotor,
+            axis: vector("l"),
+            speed: vector("omega"),
+            rotor_speed,
+            weight: vector("e").cross(&vector("nu")) * gamma,
+            moment,
+        }
+    }
+
+    fn whole_inertia(&self) -> Matrix3<Sym> {
+        self.inertia + self.axis * self.axis.transpose() * self.rotor
+    }
+
+    /// A w' in the first form, which has the rotor's speed relative to space.
+    fn first_right(&self) -> Vector3<Sym> {
+        let spin = self.rotor * (self.speed.dot(&self.axis) + self.rotor_speed);
+        (self.inertia * self.speed + self.axis * spin).cross(&self.speed) + self.weight - self.axis * self.moment
+    }
+
+    /// A* w' + A' g'' l in the second form, which has the rotor's speed relative to the body.
+    fn second_right(&self) -> Vector3<Sym> {
+        (self.whole_inertia() * self.speed + self.axis * (self.rotor * self.rotor_speed)).cross(&self.speed)
+            + self.weight
+    }
+}
+
+/// Second form - first form - l (rotor's equation) = 0 in every component.
+fn forms_agree() -> Vec<Sym> {
+    let body = Forms::new();
+    let rate = vector("domega");
+    let relative = Sym::symbol("ddg");
+    let first = body.inertia * rate - body.first_right();
+    let second = body.whole_inertia() * rate + body.axis * (body.rotor * relative) - body.second_right();
+    let rotor = body.rotor * (body.axis.dot(&rate) + relative) - body.moment;
+    (second - first - body.axis * rotor).iter().copied().collect()
+}
+
+/// w' from the 3 x 3 system of the first form and from the 4 x 4 system of the second.
+fn explicit_forms_agree() -> Vec<Sym> {
+    let body = Forms::new();
+    let rows = |m: Matrix3<Sym>| -> Vec<Vec<Sym>> { m.row_iter().map(|row| row.iter().copied().collect()).collect() };
+    let none = Hypotheses::none();
+    let mut matrix = rows(body.whole_inertia());
+    for (row, l) in matrix.iter_mut().zip(body.axis.iter()) {
+        row.push(body.rotor * *l);
+    }
+    matrix.push(body.axis.iter().map(|l| body.rotor * *l).chain([body.rotor]).collect());
+    let right: Vec<Sym> = body.second_right().iter().copied().chain([body.moment]).collect();
+    let first = solve(&rows(body.inertia), body.first_right().as_slice(), &none);
+    let second = solve(&matrix, &right, &none);
+    match (first, second) {
+        (Ok(first), Ok(second)) => first.values().into_iter().zip(second.values()).map(|(a, b)| a - b).collect(),
+        _ => vec![Sym::UNDEFINED],
+    }
+}
+
+fn product_of_determinants() -> Vec<Sym> {
+    let entries = |name: &str| {
+        let name = name.to_string();
+        Matrix4::from_fn(|i, j| Sym::symbol(&format!("{name}{}{}", i + 1, j + 1)))
+    };
+    let det = |m: Matrix4<Sym>| {
+        let rows: Vec<Vec<Sym>> = m.row_iter().map(|row| row.iter().copied().collect()).collect();
+        determinant(&rows).unwrap_or(Sym::UNDEFINED)
+    };
+    let (a, b) = (entries("a"), entries("b"));
+    vec![det(a * b) - det(a) * det(b)]
+}
+
+/// Euler's angles and the rotor's, with their rates and accelerations.
+struct Course {
+    angles: [Sym; 4],
+    rates: [Sym; 4],
+    accelerations: [Sym; 4],
+}
+
+impl Course {
+    fn new() -> Self {
+        Course {
+            angles: symbols(["psi", "theta", "phi", "rho"]),
+            rates: symbols(["dpsi", "dtheta", "dphi", "drho"]),
+            accelerations: symbols(["ddpsi", "ddtheta", "ddphi", "ddrho"]),
+        }
+    }
+
+    /// W and what happens to the carrier along it, w = W q'.
+    fn motion(&self, moment: Sym) -> (Matrix3<Sym>, Motion<Sym>) {
+        let [position, velocity, acceleration] =
+            [self.angles, self.rates, self.accelerations].map(|[a, b, c, _]| [a, b, c]);
+        let forms = euler_forms(along(position, velocity));
+        let moving = forms * Vector3::from(along(velocity, acceleration));
+        let motion = Motion {
+            angular_velocity: moving.map(|x| x.value),
+            angular_acceleration: moving.map(|x| x.slope),
+            vertical: vertical(&euler(position)),
+            rotor_speed: self.rates[3],
+            rotor_acceleration: self.accelerations[3],
+            moment,
+        };
+        (forms.map(|x| x.value), motion)
+    }
+}
+
+/// The second form's data in arbitrary axes.
+struct Second {
+    tensor: Matrix3<Sym>,
+    axis: Vector3<Sym>,
+    axial: Sym,
+    weight: Vector3<Sym>,
+}
+
+impl Second {
+    fn residuals(&self, m: &Motion<Sym>) -> (Vector3<Sym>, Sym) {
+        let (w, a) = (m.angular_velocity, m.angular_acceleration);
+        let momentum = self.tensor * w + self.axis * (self.axial * m.rotor_speed);
+        let gain = momentum.cross(&w) + self.weight.cross(&m.vertical);
+        let carrier = self.tensor * a + self.axis * (self.axial * m.rotor_acceleration) - gain;
+        (carrier, self.axial * (self.axis.dot(&a) + m.rotor_acceleration) - m.moment)
+    }
+
+    /// Derived equations against W^T times the carrier's and the rotor's own.
+    fn prove(&self, derived: [Sym; 4], course: &Course, moment: Sym, under: &Hypotheses) {
+        let (forms, motion) = course.motion(moment);
+        let (carrier, rotor) = self.residuals(&motion);
+        let carrier = forms.transpose() * carrier;
+        prove((0..3).map(|i| derived[i] - carrier[i]).chain([derived[3] - rotor]), under);
+    }
+}
+
+/// Seconds to derive Lagrange's equations from the bodies' data, all free, and to show that they are the second form.
+fn from_bodies() -> [f64; 2] {
+    let start = Instant::now();
+    let [carrier_mass, mass, axial, transverse, gravity, moment] = symbols(["m0", "mr", "Ap", "Bp", "g", "M"]);
+    let gyrostat = Gyrostat {
+        carrier: Carrier { mass: carrier_mass, centre: vector("c"), inertia: tensor("A") },
+        rotor: Rotor { mass, centre: vector("h"), axis: vector("l"), axial, transverse },
+        gravity,
+    };
+    let course = Course::new();
+    let derived = gyrostat.by_lagrange(course.angles, course.rates, course.accelerations, moment);
+    let deriving = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let axis = gyrostat.rotor.axis;
+    let unit = Hypotheses::none().unit_vector([axis.x, axis.y, axis.z]);
+    Second { tensor: gyrostat.full_tensor(), axis, axial, weight: gyrostat.weight() }
+        .prove(derived, &course, moment, &unit);
+    [deriving, start.elapsed().as_secs_f64()]
+}
+
+/// The same where the tensor of all masses and the weight are the data.
+fn from_tensor() -> [f64; 2] {
+    let start = Instant::now();
+    let [axial, moment] = symbols(["Ap", "M"]);
+    let second = Second { tensor: tensor("A"), axis: vector("l"), axial, weight: vector("c") };
+    let course = Course::new();
+    let energies = |[a, b, c, _]: [Tangent<Tangent<Sym>>; 4], [da, db, dc, speed]: [Tangent<Tangent<Sym>>; 4]| {
+        let lift = |x: Sym| Tangent::fixed(Tangent::fixed(x));
+        let turning = euler(along([a, b, c], [da, db, dc]));
+        let w = angular_velocity(turning);
+        let spin = lift(axial) * speed;
+        let twice = w.dot(&(second.tensor.map(lift) * w)) + spin * speed;
+        twice.half() + spin * w.dot(&second.axis.map(lift))
+            + vertical(&turning.map(|x| x.value)).dot(&second.weight.map(lift))
+    };
+    let mut derived = lagrange(energies, course.angles, course.rates, course.accelerations);
+    derived[3] -= moment;
+    let deriving = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    second.prove(derived, &course, moment, &Hypotheses::none());
+    [deriving, start.elapsed().as_secs_f64()]
+}
