@@ -124,7 +124,11 @@ impl Judged {
                     witness.point.iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
                 self.difference =
                     normal(difference, hypotheses).ok().map(|form| (form.to_string(), form.to_sym().latex()));
-                (Verdict::Refuted, format!("at the exact point the sides differ by {}", witness.value))
+                let mut evidence = format!("at the exact point the sides differ by {}", witness.value);
+                if !witness.formal.is_empty() {
+                    evidence += "; sines and cosines are taken there as independent of their angles";
+                }
+                (Verdict::Refuted, evidence)
             }
             Decision::Undefined(denominator) => (Verdict::Undefined, format!("{denominator} vanishes identically")),
             Decision::GaveUp(reason) => (Verdict::Undecided, reason.to_string()),
