@@ -59,11 +59,6 @@ pub fn determinant<S: Scalar>(m: &Matrix3<S>) -> S {
     m.column(0).dot(&m.column(1).cross(&m.column(2)))
 }
 
-/// The rate of a fixed direction of space in body components: v' = v x w.
-pub fn fixed_direction_rate<S: Scalar>(direction: Vector3<S>, angular_velocity: Vector3<S>) -> Vector3<S> {
-    direction.cross(&angular_velocity)
-}
-
 fn about_third<S: Scalar>(p: Circle<S>) -> Matrix3<S> {
     let (o, l) = (S::zero(), S::one());
     Matrix3::new(p.cos, -p.sin, o, p.sin, p.cos, o, o, o, l)
