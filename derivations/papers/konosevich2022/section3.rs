@@ -107,35 +107,36 @@ fn signs(page: &mut Page, s: &Letters) {
 }
 
 fn multi_current(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
-    let currents = s.currents(bars);
-    let (moment, rates) = driven(s.motor(bars), s, &currents);
-    let (a1, a2, l1, l2, r1, r2) = (letter("a1"), letter("a2"), letter("L1"), letter("L2"), letter("R1"), letter("R2"));
-    let angles = s.motor(bars).bars;
+    let (moment, rates) = driven(s.motor(bars), s, &s.currents(bars));
     let gamma = s.angle();
+    let angles = s.motor(bars).bars;
     let bar_sum = (1..=bars).zip(&angles).fold(Sym::ZERO, |sum, (n, &bar)| sum + current(n) * (gamma + bar).cos);
-    let printed =
-        -(letter("μ") * s.dgamma) + excess_friction(s) - a1 * letter("x") * gamma.sin - a2 * bar_sum - s.b0 * gamma.sin
-            + friction(s.omega_field);
-    let mut lines = vec![
-        Line::equation(s.axial * s.ddgamma - moment, s.axial * s.ddgamma, printed),
-        Line::equation(
-            l1 * (letter("ẋ") - rates[0]),
-            l1 * letter("ẋ"),
-            -(r1 * letter("x")) + a1 * s.dgamma * gamma.sin,
-        ),
-    ];
-    for (n, bar) in (1..=bars).zip(angles) {
-        let rate = Sym::named(&format!("i̇{n}"), &format!(r"\dot i_{{{n}}}"));
-        lines.push(Line::equation(
-            l2 * (rate - rates[n as usize]),
-            l2 * rate,
-            -(r2 * current(n)) + a2 * s.dgamma * (gamma + bar).cos,
-        ));
-    }
+    let printed = -(letter("μ") * s.dgamma) + excess_friction(s)
+        - letter("a1") * letter("x") * gamma.sin
+        - letter("a2") * bar_sum
+        - s.b0 * gamma.sin
+        + friction(s.omega_field);
+    let rotor = Line::equation(s.axial * s.ddgamma - moment, s.axial * s.ddgamma, printed);
     page.claim("eq3.3", slug, format!("the motor alone with $n_2 = {bars}$: rotor and currents by Lagrange-Maxwell"))
-        .holds(lines);
+        .holds([rotor].into_iter().chain(current_equations(s, bars, &rates)));
     page.claim("eq3.4", slug, format!(r"moment of the motor with $n_2 = {bars}$, from the fluxes $a_1\cos\gamma$ and $-a_2\sin(\gamma+t_n)$, whatever the angles $t_n$ (the paper: $-\pi/4+2\pi n/n_2$)"))
         .holds([Line::formula(moment, s.moment, printed)]);
+}
+
+/// The equations of the currents, the last of (3.3) and (4.7), beside rates that were derived.
+pub fn current_equations(s: &Letters, bars: u32, rates: &[Sym]) -> Vec<Line> {
+    let gamma = s.angle();
+    let line = |inductance: Sym, name: Sym, rate: Sym, right: Sym| {
+        Line::equation(inductance * (name - rate), inductance * name, right)
+    };
+    let excitation = -(letter("R1") * letter("x")) + letter("a1") * s.dgamma * gamma.sin;
+    let mut lines = vec![line(letter("L1"), letter("ẋ"), rates[0], excitation)];
+    for (n, bar) in (1..=bars).zip(s.motor(bars).bars) {
+        let name = Sym::named(&format!("i̇{n}"), &format!(r"\dot i_{{{n}}}"));
+        let right = -(letter("R2") * current(n)) + letter("a2") * s.dgamma * (gamma + bar).cos;
+        lines.push(line(letter("L2"), name, rates[n as usize], right));
+    }
+    lines
 }
 
 /// The claims about the asynchronous motor.

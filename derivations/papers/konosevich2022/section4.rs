@@ -3,7 +3,8 @@
 use super::alphabet::{cyclic, letter, tensor, vector};
 use super::letters::Letters;
 use super::section2::formulas;
-use super::section3::driven;
+use super::section3::{WithFriction, current_equations, friction};
+use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form};
 use claims::{Condition, Line, Page};
 use field::{Scalar, Tangent};
@@ -108,25 +109,17 @@ fn kinematics(page: &mut Page, s: &Letters) {
         .follows((0..3).map(|i| Condition::Equal(moving[i].slope, right[i])));
 }
 
-/// (4.7): the currents of the motor inside the gyrostat are those of the motor alone.
+/// (4.7): the currents of the motor inside the gyrostat, as the system of first-order equations runs them.
 fn currents(page: &mut Page, s: &Letters) {
     let bars = 3;
-    let (_, rates) = driven(s.motor(bars), s, &s.currents(bars));
-    let gamma = s.angle();
-    let mut lines = vec![Line::equation(
-        letter("L1") * (letter("ẋ") - rates[0]),
-        letter("L1") * letter("ẋ"),
-        -(letter("R1") * letter("x")) + letter("a1") * s.dgamma * gamma.sin,
-    )];
-    for (n, bar) in (1..=bars).zip(s.motor(bars).bars) {
-        let (i, di) = (super::alphabet::current(n), Sym::named(&format!("i̇{n}"), &format!(r"\dot i_{{{n}}}")));
-        lines.push(Line::equation(
-            letter("L2") * (di - rates[n as usize]),
-            letter("L2") * di,
-            -(letter("R2") * i) + letter("a2") * s.dgamma * (gamma + bar).cos,
-        ));
-    }
-    page.claim("eq4.7", "currents", r"equations of the currents, $n_2 = 3$ (other $n_2$ under (3.3))").holds(lines);
+    let form = FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma);
+    let machine = WithFriction { machine: s.motor(bars), friction: friction(s.dgamma + s.omega_field) };
+    let mechanical = [s.w.x, s.w.y, s.w.z, s.nu.x, s.nu.y, s.nu.z, s.gamma, s.dgamma];
+    let state: Vec<Sym> = mechanical.into_iter().chain(s.currents(bars)).collect();
+    let mut rates = vec![Sym::ZERO; state.len()];
+    Driven::new(form, machine).rates(&state, &mut rates);
+    page.claim("eq4.7", "currents", r"equations of the currents as the gyrostat runs them, $n_2 = 3$")
+        .holds(current_equations(s, bars, &rates[mechanical.len()..]));
 }
 
 /// What runs is what was derived: the accelerations of the code satisfy the equations.
