@@ -1,0 +1,121 @@
+//! CONTRIBUTING.md adds a motor; this does what it says, in a copy of the project, and runs the laws of all machines.
+//!
+//! A copy that cargo builds, and not an `include!` of the example, because the promise is about the whole: one file, one
+//! line, no other change. The copy keeps the times of the files and shares the folder of build products, so that only
+//! the root package is built anew, under a version of its own: seconds.
+
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A block of code with the last file named before it.
+struct Block {
+    path: String,
+    code: String,
+}
+
+fn blocks(section: &str) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let mut path = String::new();
+    let mut lines = section.lines();
+    while let Some(line) = lines.next() {
+        if line.starts_with("```") {
+            let code = lines.by_ref().take_while(|line| *line != "```").map(|line| format!("{line}\n")).collect();
+            blocks.push(Block { path: path.clone(), code });
+        } else if let Some(named) = line.split('`').skip(1).step_by(2).filter(|word| word.ends_with(".rs")).last() {
+            path = named.to_owned();
+        }
+    }
+    blocks
+}
+
+/// A folder outside of the project that goes when the test ends. Its place is always the same for a project, so that
+/// cargo compiles the next time only what differs.
+struct Copy(PathBuf);
+
+impl Copy {
+    fn of(project: &Path) -> Self {
+        let mut hasher = DefaultHasher::new();
+        project.hash(&mut hasher);
+        let folder = std::env::temp_dir().join(format!("dalembert-contributing-{:x}", hasher.finish()));
+        fs::create_dir_all(&folder).expect("a folder can be made");
+        Copy(folder)
+    }
+}
+
+impl Drop for Copy {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Files with their times, so that cargo sees nothing new in them.
+fn copy(from: &Path, to: &Path) {
+    if from.is_dir() {
+        fs::create_dir_all(to).expect("a folder can be made");
+        for entry in fs::read_dir(from).expect("a folder can be listed") {
+            let entry = entry.expect("an entry can be read");
+            copy(&entry.path(), &to.join(entry.file_name()));
+        }
+    } else {
+        fs::copy(from, to).expect("a file can be copied");
+        let time = fs::metadata(from).and_then(|data| data.modified()).expect("a file has a time");
+        fs::File::options().write(true).open(to).and_then(|file| file.set_modified(time)).expect("it can be set");
+    }
+}
+
+/// Puts a line at the end of the list `machines! { ... }`.
+fn listed(text: &str, line: &str) -> String {
+    let (before, list) = text.split_once("\nmachines! {").expect("the machines are in a list");
+    let (list, after) = list.split_once("\n}").expect("the list ends");
+    format!("{before}\nmachines! {{{list}\n{}\n}}{after}", line.trim_end())
+}
+
+/// A version of its own keeps the copy's products apart from the project's.
+fn with_own_version(manifest: &str) -> String {
+    let (workspace, package) = manifest.split_once("\n[package]\n").expect("the root is a package");
+    format!("{workspace}\n[package]\n{}", package.replacen("version.workspace = true", "version = \"0.0.0\"", 1))
+}
+
+fn change(path: &Path, by: impl Fn(&str) -> String) {
+    let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let changed = by(&text);
+    assert_ne!(changed, text, "nothing changed in {}", path.display());
+    fs::write(path, changed).expect("a file can be written");
+}
+
+#[test]
+fn the_motor_of_the_documentation_can_be_added_as_it_says() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = fs::read_to_string(root.join("CONTRIBUTING.md")).expect("there is a CONTRIBUTING.md");
+    let section = text.split("\n## ").find(|section| section.starts_with("Add a motor")).expect("it adds a motor");
+    let blocks = blocks(section);
+    assert_eq!(blocks.len(), 3, "a file, a line and a test");
+
+    let scratch = Copy::of(root);
+    for part in ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches"] {
+        copy(&root.join(part), &scratch.0.join(part));
+    }
+    change(&scratch.0.join("Cargo.toml"), with_own_version);
+    for Block { path, code } in &blocks {
+        let place = scratch.0.join(path);
+        if place.exists() {
+            change(&place, |text| listed(text, code));
+        } else {
+            fs::write(place, code).expect("a file can be written");
+        }
+    }
+    let name = Path::new(&blocks[0].path).file_stem().and_then(|name| name.to_str()).expect("the motor has a name");
+    let products = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("it lies in the folder of products");
+    let output = Command::new(env!("CARGO"))
+        .current_dir(&scratch.0)
+        .env("CARGO_TARGET_DIR", products)
+        .args(["test", "--offline", "--workspace", "--test", name, "--test", "gyrostats", "--", name])
+        .args(["power::", "the_moment"])
+        .output()
+        .expect("cargo runs");
+    let (said, log) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "{log}\n{said}");
+    assert_eq!(said.matches("test result: ok. 0 passed").count(), 0, "some test ran nothing:\n{said}");
+}
