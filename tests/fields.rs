@@ -1,8 +1,8 @@
 //! Every field of the workbench obeys the laws of a field and of the circle: exactly where it is exact, otherwise to a
 //! few units of its own rounding.
 
-use field::laws::{circle_laws, field_laws};
-use field::{DoubleDouble, Rational, Scalar, Tangent};
+use field::laws::{analytic_laws, circle_laws, field_laws};
+use field::{Analytic, Circle, DoubleDouble, Rational, Scalar, Tangent};
 use num_dual::{Dual, Dual2, DualSVec, HyperDual};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
@@ -125,6 +125,7 @@ macro_rules! to_rounding {
                     let [a, b, c] = numbers.map(<$field>::from_parts);
                     agree(field_laws(a, b, c))?;
                     agree(circle_laws(a, b))?;
+                    agree(analytic_laws(a * a, b * b))?;
                 }
             )*
         }
@@ -229,4 +230,25 @@ proptest! {
             prop_assert!(none.equal(left.slope, right.slope).is_zero(), "{law}: {} and {}", left.slope, right.slope);
         }
     }
+}
+
+#[test]
+fn exact_parts_of_a_turn_are_the_parts_of_a_turn() {
+    for whole in [1, 2, 3, 4, 6, 8, 12, 24] {
+        for part in 0..=2 * whole {
+            let (exact, near) = (Circle::<f64>::exact_turn(part, whole).expect("24 parts"), Circle::turn(part, whole));
+            assert!((exact.cos - near.cos).abs() < 1e-15 * f64::from(part + 1), "{part}/{whole}: {exact:?} {near:?}");
+            assert!((exact.sin - near.sin).abs() < 1e-15 * f64::from(part + 1), "{part}/{whole}: {exact:?} {near:?}");
+        }
+    }
+    assert_eq!(Circle::<f64>::exact_turn(1, 5), None);
+    assert_eq!(Circle::<f64>::exact_turn(1, 0), None);
+}
+
+/// The laws of the circle leave open how fast a point turns with its angle.
+#[test]
+fn a_point_turns_at_the_rate_of_its_angle() {
+    let angle = Tangent::moving(0.7, 3.0).circle();
+    assert!((angle.cos.slope + 3.0 * 0.7f64.sin()).abs() < 1e-15);
+    assert!((angle.sin.slope - 3.0 * 0.7f64.cos()).abs() < 1e-15);
 }

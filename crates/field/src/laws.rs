@@ -1,6 +1,6 @@
 //! The laws that make a field, as checks that a test runs over every field of the workbench.
 
-use crate::{Circle, Scalar};
+use crate::{Analytic, Circle, Scalar};
 
 /// The laws of a field at three of its numbers: pairs of sides that must agree, each with its name.
 ///
@@ -61,5 +61,22 @@ pub fn circle_laws<S: Scalar>(t: S, u: S) -> Vec<(&'static str, S, S)> {
         ("p - p = 0", (p - p).cos, S::one()),
         ("d cos = -sin", p.moving(S::one()).cos.slope, -p.sin),
         ("d sin = cos", p.moving(S::one()).sin.slope, p.cos),
+    ]
+}
+
+/// The laws of square roots and of angles as numbers, at two positive numbers.
+pub fn analytic_laws<S: Analytic>(a: S, b: S) -> Vec<(&'static str, S, S)> {
+    let (p, q) = (a.circle(), b.circle());
+    vec![
+        ("sqrt(a)^2 = a", a.sqrt() * a.sqrt(), a),
+        ("sqrt(a^2) = a", (a * a).sqrt(), a),
+        ("sqrt(a b) = sqrt(a) sqrt(b)", (a * b).sqrt(), a.sqrt() * b.sqrt()),
+        ("the point of an angle is on the circle", p.defect(), S::zero()),
+        ("cos(a + b)", (a + b).circle().cos, (p + q).cos),
+        ("sin(a + b)", (a + b).circle().sin, (p + q).sin),
+        ("cos(-a) = cos(a)", (-a).circle().cos, p.cos),
+        ("sin(-a) = -sin(a)", (-a).circle().sin, -p.sin),
+        ("cos(0) = 1", S::zero().circle().cos, S::one()),
+        ("sin(0) = 0", S::zero().circle().sin, S::zero()),
     ]
 }
