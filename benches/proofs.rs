@@ -39,7 +39,8 @@ fn main() {
     for (letter, says, run) in STATEMENTS {
         let mut runs: Vec<Vec<f64>> = (0..15).map(|_| afresh(run)).collect();
         runs.sort_by(|a, b| a.iter().sum::<f64>().total_cmp(&b.iter().sum()));
-        let parts: Vec<String> = runs[runs.len() / 2].iter().map(|seconds| format!("{:.3} ms", seconds * 1e3)).collect();
+        let parts: Vec<String> =
+            runs[runs.len() / 2].iter().map(|seconds| format!("{:.3} ms", seconds * 1e3)).collect();
         println!("{letter}  {says}: {}", parts.join(" + "));
     }
 }
@@ -265,7 +266,8 @@ fn from_tensor() -> [f64; 2] {
         let w = angular_velocity(turning);
         let spin = lift(axial) * speed;
         let twice = w.dot(&(second.tensor.map(lift) * w)) + spin * speed;
-        twice.half() + spin * w.dot(&second.axis.map(lift))
+        twice.half()
+            + spin * w.dot(&second.axis.map(lift))
             + vertical(&turning.map(|x| x.value)).dot(&second.weight.map(lift))
     };
     let mut derived = lagrange(energies, course.angles, course.rates, course.accelerations);

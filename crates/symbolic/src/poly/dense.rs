@@ -70,7 +70,8 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
             poly.terms.iter().map(|(m, c)| Some((digits.place(m), c.small()?))).collect()
         };
         let (a, b) = (small(self)?, small(other)?);
-        let sizes = |terms: &[(u32, i64)]| -> Vec<u128> { terms.iter().map(|(_, c)| c.unsigned_abs().into()).collect() };
+        let sizes =
+            |terms: &[(u32, i64)]| -> Vec<u128> { terms.iter().map(|(_, c)| c.unsigned_abs().into()).collect() };
         let largest = sizes(&b).into_iter().max()?;
         let bound = sizes(&a).into_iter().try_fold(0u128, |sum, size| sum.checked_add(size.checked_mul(largest)?))?;
         let terms = if i64::try_from(bound).is_ok() {
