@@ -18,13 +18,14 @@ use symbolic::{Hypotheses, Sym, decide, symbols};
 /// A letter, what is shown, and the seconds that each of its parts takes.
 type Statement = (&'static str, &'static str, fn() -> Vec<f64>);
 
-const STATEMENTS: [Statement; 6] = [
+const STATEMENTS: [Statement; 7] = [
     ("a", "det A~ = A1* A2* A3* D", || vec![proving(reduced_inertia)]),
     ("b", "both forms agree, full tensors", || vec![proving(forms_agree)]),
     ("c", "w' of both forms, rational functions", || vec![proving(explicit_forms_agree)]),
     ("d", "det AB = det A det B, 4 x 4", || vec![proving(product_of_determinants)]),
     ("e", "Lagrange in Euler's angles: derived, shown to be the second form", || from_bodies().into()),
     ("f", "the same with A*, l, Ge free", || from_tensor().into()),
+    ("g", "(F + 1)(F - 1) = F^2 - 1, F = (1 + x + y + z + t)^14", || vec![proving(dense_squares)]),
 ];
 
 fn main() {
@@ -164,6 +165,13 @@ fn product_of_determinants() -> Vec<Sym> {
     };
     let (a, b) = (entries("a"), entries("b"));
     vec![det(a * b) - det(a) * det(b)]
+}
+
+/// Two products of 3060 terms by 3060.
+fn dense_squares() -> Vec<Sym> {
+    let one = Sym::int(1);
+    let power = symbols(["x", "y", "z", "t"]).into_iter().fold(one, |sum, x| sum + x).powi(14);
+    vec![(power + one) * (power - one) - (power * power - one)]
 }
 
 /// Euler's angles and the rotor's, with their rates and accelerations.

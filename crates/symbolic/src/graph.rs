@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 use field::Rational;
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::cell::RefCell;
 use std::marker::PhantomData;
 use std::rc::Rc;
@@ -79,7 +79,35 @@ struct Graph {
     known_constants: FxHashMap<RBig, Constant>,
     names: Vec<Naming>,
     known_names: FxHashMap<Rc<str>, Name>,
+    visits: RefCell<Visits>,
 }
+
+/// Which nodes the current walk has met: those marked with its number.
+#[derive(Default)]
+struct Visits {
+    walk: u32,
+    marks: Vec<u32>,
+}
+
+impl Visits {
+    fn begin(&mut self, nodes: usize) {
+        self.walk = self.walk.wrapping_add(1);
+        if self.walk == 0 {
+            self.marks.fill(0);
+            self.walk = 1;
+        }
+        self.marks.resize(nodes, 0);
+    }
+
+    /// Whether the node is met for the first time.
+    #[inline]
+    fn meets(&mut self, node: Sym) -> bool {
+        std::mem::replace(&mut self.marks[node.id as usize], self.walk) != self.walk
+    }
+}
+
+/// Room for the nodes of a small statement: growing up to it costs more than the room.
+const EXPECTED: usize = 896;
 
 thread_local! {
     static GRAPH: RefCell<Graph> = RefCell::new(Graph::new());
@@ -89,12 +117,13 @@ impl Graph {
     /// The first four nodes are fixed: 0, 1, -1 and the undefined constant.
     fn new() -> Self {
         let mut graph = Graph {
-            nodes: Vec::new(),
-            known: FxHashMap::default(),
+            nodes: Vec::with_capacity(EXPECTED),
+            known: FxHashMap::with_capacity_and_hasher(EXPECTED, FxBuildHasher),
             constants: vec![Rational::UNDEFINED],
             known_constants: FxHashMap::default(),
             names: Vec::new(),
             known_names: FxHashMap::default(),
+            visits: RefCell::default(),
         };
         for value in [Rational::new(0, 1), Rational::new(1, 1), Rational::new(-1, 1), Rational::UNDEFINED] {
             graph.constant(value);
@@ -179,11 +208,12 @@ impl Sym {
     /// [`Sym::ascending`] without what is inside the expressions that are not to be opened up.
     pub(crate) fn reached(roots: &[Sym], open_up: impl Fn(Sym, Node) -> bool) -> Vec<Sym> {
         GRAPH.with_borrow(|graph| {
-            let mut seen = FxHashSet::default();
+            let mut visits = graph.visits.borrow_mut();
+            visits.begin(graph.nodes.len());
             let mut open = roots.to_vec();
             let mut all = Vec::new();
             while let Some(next) = open.pop() {
-                if seen.insert(next) {
+                if visits.meets(next) {
                     all.push(next);
                     let node = graph.nodes[next.id as usize];
                     if open_up(next, node) {

@@ -121,30 +121,42 @@ impl Stretch<'_, '_> {
         self.pair == Pair::Eight
     }
 
-    /// Static vectors up to 16 components and the clock, which need no heap; beyond, dynamic ones.
+    /// Static vectors up to 16 components and the clock, which need no heap, padded with components at rest to the
+    /// next size (every size is compiled by itself); beyond, dynamic ones.
     fn run_in_its_dimension(&self, watch: &mut Watch<'_, '_, f64>) -> (f64, Result<Ended, IntegrationError>) {
         let mut y = watch.state().to_vec();
         self.units.write(&mut y);
         if self.has_clock() {
             y.push(self.from);
         }
+        let used = y.len();
         macro_rules! dispatch {
             ($($n:literal)*) => {
-                match y.len() {
-                    $($n => self.run(SVector::<f64, $n>::from_column_slice(&y), watch),)*
-                    _ => self.run(DVector::from_column_slice(&y), watch),
+                match used {
+                    $(0..=$n => {
+                        y.resize($n, 0.0);
+                        self.run(SVector::<f64, $n>::from_column_slice(&y), used, watch)
+                    })*
+                    _ => self.run(DVector::from_column_slice(&y), used, watch),
                 }
             };
         }
-        dispatch!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17)
+        dispatch!(2 4 8 9 12 17)
     }
 
     /// The longest step tried, and how it ended.
-    fn run<V: Column>(&self, y: V, watch: &mut Watch<'_, '_, f64>) -> (f64, Result<Ended, IntegrationError>) {
+    fn run<V: Column>(
+        &self,
+        y: V,
+        used: usize,
+        watch: &mut Watch<'_, '_, f64>,
+    ) -> (f64, Result<Ended, IntegrationError>) {
+        // the crate's errors are means over all components
+        let share = (used as f64 / y.slice().len() as f64).sqrt();
         let mut trace = Trace { longest: 0.0, last: self.from, finite: true };
         let buffer = RefCell::new(vec![0.0; self.meter.dimension()]);
         let law = Law { stretch: self, watch, trace: &mut trace, buffer };
-        let result = V::solve(law, self, y);
+        let result = V::solve(law, self, share, y);
         let longest = if trace.longest > 0.0 { trace.longest } else { self.step };
         if let Ok(stats) = &result {
             watch.rejected(u64::from(stats.rejected_steps));
@@ -171,14 +183,14 @@ struct Law<'t, 's, 'l, 'w, 'm> {
 impl<V: Column> System<f64, V> for Law<'_, '_, '_, '_, '_> {
     fn system(&self, tau: f64, y: &V, dy: &mut V) {
         let mut buffer = self.buffer.borrow_mut();
-        let (n, clock) = (buffer.len(), y.slice()[y.slice().len() - 1]);
+        let n = buffer.len();
+        let tau = if self.stretch.has_clock() { y.slice()[n] } else { tau };
         let y = self.stretch.units.read(y.slice(), &mut buffer);
         let dy = dy.slice_mut();
+        self.stretch.meter.rates(tau, y, &mut dy[..n]);
+        dy[n..].fill(0.0);
         if self.stretch.has_clock() {
-            self.stretch.meter.rates(clock, y, &mut dy[..n]);
             dy[n] = 1.0;
-        } else {
-            self.stretch.meter.rates(tau, y, dy);
         }
         self.stretch.units.write(dy);
     }
@@ -201,8 +213,14 @@ impl<V: Column> System<f64, V> for Law<'_, '_, '_, '_, '_> {
 trait Column: Clone {
     fn slice(&self) -> &[f64];
     fn slice_mut(&mut self) -> &mut [f64];
-    /// Runs the pair that the stretch asks for. The parameters are those of Hairer's codes.
-    fn solve(law: Law<'_, '_, '_, '_, '_>, stretch: &Stretch<'_, '_>, y: Self) -> Result<Stats, IntegrationError>;
+    /// Runs the pair that the stretch asks for, at this share of its tolerance. The parameters are those of Hairer's
+    /// codes.
+    fn solve(
+        law: Law<'_, '_, '_, '_, '_>,
+        stretch: &Stretch<'_, '_>,
+        share: f64,
+        y: Self,
+    ) -> Result<Stats, IntegrationError>;
 }
 
 macro_rules! column {
@@ -216,9 +234,14 @@ macro_rules! column {
                 self.as_mut_slice()
             }
 
-            fn solve(law: Law<'_, '_, '_, '_, '_>, stretch: &Stretch<'_, '_>, y: Self) -> Result<Stats, IntegrationError> {
-                let (from, to, absolute) = (stretch.from, stretch.to, stretch.units.absolute);
-                let (relative, longest) = (stretch.tolerance.relative, to - from);
+            fn solve(
+                law: Law<'_, '_, '_, '_, '_>,
+                stretch: &Stretch<'_, '_>,
+                share: f64,
+                y: Self,
+            ) -> Result<Stats, IntegrationError> {
+                let (from, to, longest) = (stretch.from, stretch.to, stretch.to - stretch.from);
+                let (relative, absolute) = (share * stretch.tolerance.relative, share * stretch.units.absolute);
                 let (first, most, every) = (stretch.step.min(longest), LONGEST_STRETCH, STIFFNESS_EVERY);
                 let quiet = OutputType::Sparse;
                 match stretch.pair {

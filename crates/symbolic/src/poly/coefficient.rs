@@ -21,6 +21,10 @@ pub(crate) trait Coefficient: Clone + Debug + PartialEq + 'static {
     fn common(&self, other: &Self) -> Self;
     /// The residue modulo a prime below 2^62.
     fn modulo(&self, prime: u64) -> u64;
+    /// The number where it has at most 64 bits.
+    fn small(&self) -> Option<i64>;
+    /// From a sum of products of machine integers; `None` for the smallest of all.
+    fn from_wide(value: i128) -> Option<Self>;
 
     fn is_one(&self) -> bool {
         *self == Self::of(1)
@@ -106,6 +110,15 @@ impl Coefficient for i128 {
             Err(_) => self.rem_euclid(prime.into()) as u64,
         }
     }
+
+    #[inline]
+    fn small(&self) -> Option<i64> {
+        i64::try_from(*self).ok()
+    }
+
+    fn from_wide(value: i128) -> Option<Self> {
+        (value != i128::MIN).then_some(value)
+    }
 }
 
 impl Coefficient for IBig {
@@ -158,5 +171,13 @@ impl Coefficient for IBig {
         let remainder = self % IBig::from(prime);
         let positive = if remainder < IBig::ZERO { remainder + IBig::from(prime) } else { remainder };
         u64::try_from(&positive).unwrap_or(0)
+    }
+
+    fn small(&self) -> Option<i64> {
+        i64::try_from(self).ok()
+    }
+
+    fn from_wide(value: i128) -> Option<Self> {
+        Some(value.into())
     }
 }

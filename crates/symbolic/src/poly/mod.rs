@@ -4,6 +4,7 @@
 //! Nothing here knows expressions: generators are numbers.
 
 mod coefficient;
+mod dense;
 mod division;
 pub(crate) mod gcd;
 mod modular;
@@ -65,6 +66,9 @@ impl Budget {
 pub(crate) struct Poly<C, const W: usize> {
     terms: Vec<(Monomial<W>, C)>,
 }
+
+/// Up to this many terms a sum is sorted; above, its summands are merged.
+const MERGED: usize = 1 << 8;
 
 impl<C: Coefficient, const W: usize> Poly<C, W> {
     pub fn zero() -> Self {
@@ -167,6 +171,21 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
             return Err(Failure::Terms);
         }
         Ok(Poly { terms: sum })
+    }
+
+    /// The sum of many, of those marked with their signs changed.
+    pub fn signed_sum(summands: &[(&Self, bool)], budget: &Budget) -> Result<Self, Failure> {
+        let all = summands.iter().map(|(each, _)| each.len()).sum();
+        if all > MERGED {
+            let signed = |(each, negative): &(&Self, bool)| if *negative { each.negated() } else { (*each).clone() };
+            return Self::sum(summands.iter().map(signed).collect(), budget);
+        }
+        budget.spend(all)?;
+        let mut terms = Vec::with_capacity(all);
+        for (each, negative) in summands {
+            terms.extend(each.terms.iter().map(|(m, c)| (*m, if *negative { c.negated() } else { c.clone() })));
+        }
+        Self::collected(terms)
     }
 
     /// The sum of many, merged in pairs so that no term is touched more often than there are levels.

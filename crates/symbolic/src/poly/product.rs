@@ -3,7 +3,7 @@
 use super::{Budget, Coefficient, Failure, Monomial, Poly, monomial};
 use std::cmp::Reverse;
 
-/// Up to this many products of terms are sorted; above, equal monomials are found by hashing.
+/// Up to this many products of terms are sorted; above, equal monomials are found in an array or by hashing.
 const SORTED: usize = 1 << 10;
 
 impl<C: Coefficient, const W: usize> Poly<C, W> {
@@ -23,6 +23,9 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
                 }
             }
             return Self::collected(terms);
+        }
+        if let Some(product) = short.dense_product(long) {
+            return if product.len() > Budget::TERMS { Err(Failure::Terms) } else { Ok(product) };
         }
         let mut table = Table::new(4 * long.len());
         for (a, p) in &short.terms {

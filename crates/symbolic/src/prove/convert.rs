@@ -52,6 +52,7 @@ impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
     pub fn fraction(&mut self, expression: Sym) -> Result<Shared<C, W>, Failure> {
         let expression = self.generators.rewrite(expression);
         let order = self.generators.inside(expression);
+        self.done.reserve(order.len());
         let inner = inner_sums(&order, expression, self.generators);
         for each in order {
             if self.done.contains_key(&each) || inner.contains_key(&each) {
@@ -70,12 +71,11 @@ impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
         match each.node() {
             Node::Constant(_) => constant(each),
             Node::Sum(..) | Node::Difference(..) | Node::Negation(_) => {
-                let mut summands = Vec::new();
+                let mut summands: Vec<(Shared<C, W>, bool)> = Vec::new();
                 let mut open = vec![(each, false)];
                 while let Some((next, negative)) = open.pop() {
                     if next != each && !inner.contains_key(&next) {
-                        let summand = &self.done[&next];
-                        summands.push(if negative { summand.negated() } else { (**summand).clone() });
+                        summands.push((self.done[&next].clone(), negative));
                         continue;
                     }
                     match next.node() {
@@ -148,6 +148,7 @@ impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
 fn inner_sums(order: &[Sym], root: Sym, generators: &Generators) -> FxHashMap<Sym, ()> {
     let additive = |node: Node| matches!(node, Node::Sum(..) | Node::Difference(..) | Node::Negation(_));
     let mut uses: FxHashMap<Sym, (u32, bool)> = FxHashMap::default();
+    uses.reserve(order.len());
     for &each in order.iter().filter(|each| !generators.index.contains_key(each)) {
         let node = each.node();
         if node.is_leaf() {

@@ -5,6 +5,7 @@
 
 use super::reduce::{PolyRule, reduce};
 use crate::poly::{Budget, Coefficient, Failure, Poly, monomial};
+use std::rc::Rc;
 
 /// numerator / (constant * product of factors^powers); the constant is positive.
 #[derive(Clone, Debug)]
@@ -26,10 +27,6 @@ pub(super) struct Arithmetic<C, const W: usize> {
 impl<C: Coefficient, const W: usize> Fraction<C, W> {
     pub fn whole(numerator: Poly<C, W>) -> Self {
         Fraction { numerator, constant: C::of(1), powers: Vec::new() }
-    }
-
-    pub fn negated(&self) -> Self {
-        Fraction { numerator: self.numerator.negated(), ..self.clone() }
     }
 
     /// The common factors of the coefficients above and below taken out.
@@ -57,25 +54,27 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         Arithmetic { budget: Budget::new(), rules: Vec::new(), factors: Vec::new() }
     }
 
-    pub fn sum(&mut self, mut summands: Vec<Fraction<C, W>>) -> Result<Fraction<C, W>, Failure> {
-        summands.retain(|each| !each.numerator.is_zero());
-        if summands.iter().all(|each| each.constant.is_one() && each.powers.is_empty()) {
-            let polys = summands.into_iter().map(|each| each.numerator).collect();
-            return Ok(Fraction::whole(Poly::sum(polys, &self.budget)?));
+    /// The sum of fractions, of those marked with their signs changed.
+    pub fn sum(&mut self, mut summands: Vec<(Rc<Fraction<C, W>>, bool)>) -> Result<Fraction<C, W>, Failure> {
+        summands.retain(|(each, _)| !each.numerator.is_zero());
+        if summands.iter().all(|(each, _)| each.constant.is_one() && each.powers.is_empty()) {
+            let polys: Vec<_> = summands.iter().map(|(each, negative)| (&each.numerator, *negative)).collect();
+            return Ok(Fraction::whole(Poly::signed_sum(&polys, &self.budget)?));
         }
         let mut constant = C::of(1);
         let mut powers: Vec<(usize, u32)> = Vec::new();
-        for each in &summands {
+        for (each, _) in &summands {
             let common = constant.common(&each.constant);
             let missing = each.constant.exact_quotient(&common).unwrap_or(C::of(1));
             constant = constant.times(&missing)?;
             powers = merged(&powers, &each.powers, u32::max);
         }
         let mut numerators = Vec::with_capacity(summands.len());
-        for each in summands {
+        for (each, negative) in summands {
             let scale = constant.exact_quotient(&each.constant).unwrap_or(C::of(1));
+            let scale = if negative { scale.negated() } else { scale };
             let missing = merged(&powers, &each.powers, |all, own| all - own);
-            let raised = self.times_factors(each.numerator, &missing)?;
+            let raised = self.times_factors(each.numerator.clone(), &missing)?;
             numerators.push(raised.times_constant(&scale)?);
         }
         let numerator = Poly::sum(numerators, &self.budget)?;
@@ -84,6 +83,11 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
     }
 
     pub fn product(&mut self, a: &Fraction<C, W>, b: &Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+        if a.powers.is_empty() && b.powers.is_empty() {
+            let numerator = a.numerator.times(&b.numerator, &self.budget)?;
+            let constant = a.constant.times(&b.constant)?;
+            return self.reduced_product(Fraction { numerator, constant, powers: Vec::new() });
+        }
         let (mut first, mut second) = (a.numerator.clone(), b.numerator.clone());
         let mut right = b.powers.clone();
         let mut left = a.powers.clone();

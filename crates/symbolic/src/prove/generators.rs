@@ -33,7 +33,7 @@ impl Generators {
         gathering.visit(expressions)?;
         let mut leaves: Vec<Sym> = gathering.found.into_iter().collect();
         if leaves.len() > 1 {
-            leaves.sort_by_cached_key(|leaf| natural_key(&leaf.to_string()));
+            leaves.sort_by_cached_key(|leaf| natural_key(&leaf.symbol_name().unwrap_or_else(|| leaf.to_string())));
         }
         let index = leaves.iter().enumerate().map(|(place, &leaf)| (leaf, place)).collect();
         let mut generators = Generators { leaves, index, rules: Vec::new(), aliases: gathering.aliases };

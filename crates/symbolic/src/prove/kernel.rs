@@ -9,21 +9,19 @@ pub(super) trait Computation {
     fn run<C: Coefficient, const W: usize>(&self) -> Result<Self::Output, Failure>;
 }
 
-/// Runs with the narrowest monomials for the number of generators, and with machine integers if they suffice.
+/// Runs with monomials that suffice for the generators, and with machine integers if they do. Every pair of a width
+/// and a coefficient is compiled by itself, so there are few: big integers cost more than wide monomials.
 pub(super) fn compute<T: Computation>(computation: &T, generators: usize) -> Result<T::Output, Failure> {
-    match with_coefficients::<i128, T>(computation, generators) {
-        Err(Failure::Overflow) => with_coefficients::<IBig, T>(computation, generators),
-        result => result,
-    }
-}
-
-fn with_coefficients<C: Coefficient, T: Computation>(computation: &T, generators: usize) -> Result<T::Output, Failure> {
-    match generators {
-        0..=8 => computation.run::<C, 1>(),
-        9..=16 => computation.run::<C, 2>(),
-        17..=32 => computation.run::<C, 4>(),
-        33..=64 => computation.run::<C, 8>(),
-        65..=160 => computation.run::<C, 20>(),
+    let by_machine_integers = match generators {
+        0..=16 => computation.run::<i128, 2>(),
+        17..=32 => computation.run::<i128, 4>(),
+        33..=64 => computation.run::<i128, 8>(),
+        65..=160 => computation.run::<i128, 20>(),
         _ => Err(Failure::Generators(generators)),
+    };
+    match by_machine_integers {
+        Err(Failure::Overflow) if generators <= 32 => computation.run::<IBig, 4>(),
+        Err(Failure::Overflow) => computation.run::<IBig, 20>(),
+        result => result,
     }
 }
