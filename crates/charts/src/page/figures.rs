@@ -31,9 +31,10 @@ fn card(sphere: &Sphere, set: &mut Typesetter) -> Markup {
 
 pub(super) fn timings(report: &Report, set: &mut Typesetter) -> Markup {
     html! {
-        @if !report.timings.is_empty() {
+        @if !report.timings.is_empty() || !report.timings_missing.is_empty() {
             section #timings {
                 h2 { "Timings" }
+                @if report.timings.is_empty() { p.lead { (set.text(&report.timings_missing)) } }
                 @for timings in &report.timings {
                     div.pair {
                         (figure(&timings.title, timings.drawing().embedded(&timings.title), &timings.note, set))
