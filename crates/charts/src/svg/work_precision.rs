@@ -138,20 +138,31 @@ impl WorkPrecision {
         drawing.close();
     }
 
-    /// The markers of a method's failures, crossed out; those of unknown work stand at the left.
+    /// The markers of a method's failures, those of unknown work at the left, and beside them whose they are.
     fn failures(&self, drawing: &mut Drawing, method: &Method, look: Look, x: &Axis, height: f64) {
+        let (mut leftmost, mut rightmost, mut unknown) = (RIGHT, LEFT, 0);
         drawing.open(&look.class());
         for failure in &method.failures {
             let known = positive(failure.work);
-            let at = if known { x.place(failure.work) } else { LEFT + 8.0 };
+            let at = if known { x.place(failure.work) } else { LEFT + 10.0 + 12.0 * f64::from(unknown) };
+            unknown += i32::from(!known);
+            (leftmost, rightmost) = (leftmost.min(at), rightmost.max(at));
             let spent =
                 if known { format!("after {}", self.x.amount(failure.work)) } else { "work unknown".to_owned() };
             let (name, given) = (&method.name, tolerance(failure.tolerance));
             let tooltip = format!("{name} fails at tolerance {given}, {spent}: {}", failure.reason);
             look.marker(drawing, (at, height), 4.0, &tooltip);
-            drawing.path(&format!("M{:.1} {:.1}l14 -14", at - 7.0, height + 7.0), "cross");
         }
         drawing.close();
+        let (failed, all) = (method.failures.len(), method.failures.len() + method.points.len());
+        let label = format!("{}: {failed} of {all}", method.name);
+        let room = 6.7 * label.chars().count() as f64 + 14.0;
+        let (anchor, start) = match () {
+            () if rightmost + room < RIGHT => (Anchor::Start, rightmost + 11.0),
+            () if leftmost - room > LEFT => (Anchor::End, leftmost - 11.0),
+            () => (Anchor::Middle, 0.5 * (leftmost + rightmost)),
+        };
+        drawing.text((start, height + 4.5), anchor, "small said", &label);
     }
 
     /// What is not drawn where it belongs, and why.
@@ -210,7 +221,7 @@ mod tests {
     fn a_failure_stays_on_the_chart() {
         let reason = "step below 1e-14 at t = 3.2".to_owned();
         let svg = chart(vec![], vec![Failure { work: f64::NAN, tolerance: 1e-6, reason }]).svg();
-        assert!(svg.contains("class=\"band\"") && svg.contains("class=\"cross\""));
+        assert!(svg.contains("class=\"band\"") && svg.contains(">M: 1 of 1</text>"));
         assert!(svg.contains("M fails at tolerance 10⁻⁶, work unknown: step below 1e-14 at t = 3.2"), "{svg}");
     }
 
