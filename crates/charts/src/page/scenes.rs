@@ -4,7 +4,7 @@ use super::{
     anchor,
     cards::{figure, table},
 };
-use crate::{Parameter, Report, SceneSection, Table, WorkPrecision, svg::tolerance, text::Typesetter};
+use crate::{Parameter, Report, SceneSection, Table, WorkPrecision, svg::number::tolerance, text::Typesetter};
 use maud::{Markup, html};
 
 pub(super) fn scenes(report: &Report, set: &mut Typesetter) -> Markup {
