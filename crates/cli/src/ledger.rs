@@ -2,6 +2,7 @@
 
 use crate::arguments::{Format, Ledger};
 use crate::ending::{Ending, print};
+use crate::values;
 use charts::{ClaimRow, PaperSection};
 use claims::{Judged, Verdict, entries};
 use derivations::papers::{self, Paper};
@@ -54,12 +55,13 @@ fn row(claim: &Judged) -> ClaimRow {
     ClaimRow {
         id: claim.id.clone(),
         equation_label: label(&claim.equation),
+        section: claim.section.clone(),
         title: claim.says.clone(),
         verdict: claim.verdict,
         latex: claim.latex.clone(),
         requires,
         evidence: if claim.verdict == Verdict::Definition { String::new() } else { claim.evidence.clone() },
-        counterexample: claim.counterexample.iter().map(|(name, value)| (name.clone(), value.clone())).collect(),
+        counterexample: values::compact(&claim.counterexample),
         difference: claim.difference.as_ref().map(|(_, latex)| latex.clone()),
         correction: claim.correction.as_ref().map(|correction| Box::new(row(correction))),
         note: claim.note.clone(),
