@@ -60,11 +60,23 @@ fn row(claim: &Judged) -> ClaimRow {
         verdict: claim.verdict,
         latex: claim.latex.clone(),
         requires,
-        evidence: if claim.verdict == Verdict::Definition { String::new() } else { claim.evidence.clone() },
+        evidence: evidence(claim),
         counterexample: values::compact(&claim.counterexample),
         difference: claim.difference.as_ref().map(|(_, latex)| latex.clone()),
         correction: claim.correction.as_ref().map(|correction| Box::new(row(correction))),
         note: claim.note.clone(),
+    }
+}
+
+/// How the verdict was reached. A formula that fails is named by its place: it stands typeset above.
+fn evidence(claim: &Judged) -> String {
+    let failing =
+        claim.evidence.strip_suffix(" fails").and_then(|text| claim.text.iter().position(|line| line == text));
+    match (claim.verdict, failing) {
+        (Verdict::Definition, _) => String::new(),
+        (_, Some(_)) if claim.text.len() == 1 => "it fails for the values below".into(),
+        (_, Some(place)) => format!("its line {} fails for the values below", place + 1),
+        _ => claim.evidence.clone(),
     }
 }
 

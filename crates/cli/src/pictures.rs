@@ -12,12 +12,6 @@ pub fn work_precision(scene: &Scene, measured: &Measured) -> [WorkPrecision; 2] 
     let fastest = seconds.fold(f64::INFINITY, f64::min);
     let evaluations = |point: &run::Point| evaluations(point, dimension) as f64;
     let ratio = |point: &run::Point| point.seconds.map_or(f64::NAN, |seconds| seconds / fastest);
-    let reference = &measured.reference;
-    let note = format!(
-        "Error: the largest over eight instants and all states, each relative to its size. Reference: {} and {}, in \
-         double-double, agree to {:.0} digits.",
-        reference.methods[0], reference.methods[1], reference.digits
-    );
     let chart = |x, work: &dyn Fn(&run::Point) -> f64, note: String| WorkPrecision {
         title: match x {
             Work::Evaluations => "Error against evaluations".to_owned(),
@@ -28,9 +22,19 @@ pub fn work_precision(scene: &Scene, measured: &Measured) -> [WorkPrecision; 2] 
         series: series(&measured.points, work),
         note,
     };
-    let counted = format!("A Jacobian counts as the {dimension} evaluations of its columns. {note}");
-    let timed = format!("Medians of one run of the program, in which the methods take turns. {note}");
+    let counted = format!("A Jacobian counts as the {dimension} evaluations of its columns.");
+    let timed = "Medians of one run of the program, in which the methods take turns.".to_owned();
     [chart(Work::Evaluations, &evaluations, counted), chart(Work::TimeRatio, &ratio, timed)]
+}
+
+/// What the errors of a scene are, for the line below its charts.
+pub fn measured_by(measured: &Measured) -> String {
+    let reference = &measured.reference;
+    format!(
+        "Error: the largest over eight instants and all states, each relative to its size. Reference: {} and {}, in \
+         double-double, which agree to {:.0} digits.",
+        reference.methods[0], reference.methods[1], reference.digits
+    )
 }
 
 /// What a run costs in evaluations of the rates, its Jacobians included.

@@ -7,9 +7,8 @@ use crate::sphere;
 use crate::timings;
 use charts::{Parameter, Report, SceneSection, Table, Verdict, WorkPrecision, significant, tolerance};
 use derivations::machines::Quantity;
-use derivations::scene::{Axes, Scene, System, Trajectory, Trials};
+use derivations::scene::{Axes, Scene, Trajectory, Trials};
 use integrators::{Failure, Reference};
-use nalgebra::Vector3;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -33,6 +32,7 @@ pub fn write(path: &Path, scenes: &[PathBuf], mut report: Report) -> Result<Endi
                 digits = digits.min(reference.digits);
                 let measured = scene.measure_by(reference, Axes::First, &Trials::default());
                 section.work = pictures::work_precision(scene, &measured).into();
+                section.note = pictures::measured_by(&measured);
             }
             Err(failure) => section.note = format!("No chart, because the reference stopped: {failure}."),
         }
@@ -117,9 +117,9 @@ fn side_by_side<S: Sync, T: Send>(items: &[S], work: impl Fn(&S) -> T + Sync, mu
 }
 
 /// A page with nothing but a scene and its charts.
-pub fn of_scene(scene: &Scene, work: Vec<WorkPrecision>) -> String {
+pub fn of_scene(scene: &Scene, work: Vec<WorkPrecision>, note: String) -> String {
     let run = scene.simulate(&scene.choice(), |_| ());
-    let section = SceneSection { work, ..described("scene", scene, &run) };
+    let section = SceneSection { work, note, ..described("scene", scene, &run) };
     let report = Report { scenes: vec![section], ..titled(&scene.title, &scene.description) };
     charts::page::render(&report).html
 }
@@ -169,24 +169,7 @@ fn facts(scene: &Scene, run: &Trajectory) -> Vec<(String, String)> {
     for deviation in &run.outcome.deviations {
         facts.push((deviation.name.replace('_', " "), format!("kept to {}", significant(deviation.largest, 2))));
     }
-    facts.extend(bodies(scene));
     facts
-}
-
-/// What the carrier and the rotor of a gyrostat come to, in the principal axes of A*.
-fn bodies(scene: &Scene) -> Vec<(String, String)> {
-    let System::Gyrostat(bodies) = &scene.system else { return Vec::new() };
-    let derived = bodies.derived();
-    let numbers = |v: Vector3<f64>| v.iter().map(|x| significant(*x, 3)).collect::<Vec<_>>().join(", ");
-    let to_axes = |v: Vector3<f64>| format!("({})", numbers(derived.full.axes.transpose() * v));
-    let fact = |name: &str, value: String| (name.to_owned(), value);
-    vec![
-        fact("principal moments of $A^*$", format!("{} kg m²", numbers(derived.full.moments))),
-        fact("rotor's axis $l$ in its axes", to_axes(bodies.rotor.axis)),
-        fact("direction $e$ of the centre of mass", to_axes(derived.direction)),
-        fact("weight times distance $\\Gamma$", format!("{} N m", significant(derived.gamma, 3))),
-        fact("$D = \\det A / \\det A^*$", significant(derived.singularity, 4)),
-    ]
 }
 
 fn parameters(scene: &Scene) -> Vec<Parameter> {

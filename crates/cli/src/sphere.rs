@@ -14,33 +14,45 @@ const ROUNDING: f64 = 1e-9;
 
 /// One picture for each gyrostat and speed of its rotor: scenes that share these share the picture.
 pub fn all<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Vec<Sphere> {
-    let mut found: Vec<(Stationary<f64>, f64, Vec<&str>)> = Vec::new();
+    let mut found: Vec<(Case, Vec<&str>)> = Vec::new();
     for scene in scenes {
-        let Some((conditions, speed)) = conditions(scene) else { continue };
-        match found.iter_mut().find(|(known, ..)| *known == conditions) {
-            Some((.., titles)) => titles.push(&scene.title),
-            None => found.push((conditions, speed, vec![&scene.title])),
+        let Some(case) = case(scene) else { continue };
+        match found.iter_mut().find(|(known, _)| known.conditions == case.conditions) {
+            Some((_, titles)) => titles.push(&scene.title),
+            None => found.push((case, vec![&scene.title])),
         }
     }
-    found.iter().map(|(conditions, speed, titles)| sphere(conditions, *speed, titles)).collect()
+    found.iter().map(|(case, titles)| sphere(case, titles)).collect()
 }
 
-/// What decides where a scene's gyrostat may turn for ever, with the rotor's relative speed; `None` where there is no
-/// line to draw: no gyrostat, no weight, or a machine that does not prescribe the speed of its field.
-fn conditions(scene: &Scene) -> Option<(Stationary<f64>, f64)> {
+/// Where a gyrostat may turn for ever, and what it is.
+struct Case {
+    conditions: Stationary<f64>,
+    /// The rotor's relative speed, rad/s.
+    speed: f64,
+    /// D = det A / det A*
+    singularity: f64,
+}
+
+/// `None` where there is no line to draw: no gyrostat, no weight, or a machine that does not prescribe the speed of its
+/// field.
+fn case(scene: &Scene) -> Option<Case> {
     let System::Gyrostat(bodies) = &scene.system else { return None };
     let speed = field_speed(&scene.machine)?;
-    let principal = bodies.derived().full;
+    let derived = bodies.derived();
+    let principal = derived.full;
     let own = bodies.in_axes(&principal.axes);
     let spin = own.rotor.axial * speed;
     let weight = own.weight();
     if spin == 0.0 || weight.norm() == 0.0 {
         return None;
     }
-    Some((Stationary { moments: principal.moments, axis: own.rotor.axis, spin, weight }, speed))
+    let conditions = Stationary { moments: principal.moments, axis: own.rotor.axis, spin, weight };
+    Some(Case { conditions, speed, singularity: derived.singularity })
 }
 
-fn sphere(conditions: &Stationary<f64>, speed: f64, titles: &[&str]) -> Sphere {
+fn sphere(case: &Case, titles: &[&str]) -> Sphere {
+    let (conditions, speed) = (&case.conditions, case.speed);
     let coloured = |value: &f64| value.abs() <= FASTEST * speed.abs();
     let curves = conditions.spherical_line().into_iter().map(|piece| Curve {
         name: format!("faster than {} rad/s", significant(FASTEST * speed.abs(), 3)),
@@ -57,6 +69,7 @@ fn sphere(conditions: &Stationary<f64>, speed: f64, titles: &[&str]) -> Sphere {
                       speed: the spherical line (7.11). The colour is the angular velocity $\\omega^0$ of (7.10), the \
                       only one that goes with the direction. At $e$ and $-e$ the carrier rests."
             .to_owned(),
+        facts: facts(case),
         value: "angular velocity of the carrier, rad/s".to_owned(),
         axes: ["\u{3be}₁".into(), "\u{3be}₂".into(), "\u{3be}₃".into()],
         curves: curves.collect(),
@@ -64,6 +77,23 @@ fn sphere(conditions: &Stationary<f64>, speed: f64, titles: &[&str]) -> Sphere {
         view: (35.0, 25.0),
         note: format!("The gyrostat of: {}.", titles.join("; ")),
     }
+}
+
+/// What carrier and rotor come to, in the principal axes of A*.
+fn facts(case: &Case) -> Vec<(String, String)> {
+    let Case { conditions, speed, singularity } = case;
+    let numbers = |v: Vector3<f64>| v.iter().map(|x| significant(*x, 3)).collect::<Vec<_>>().join(", ");
+    let weight = conditions.weight;
+    let facts = [
+        ("principal moments of $A^*$", format!("{} kg m²", numbers(conditions.moments))),
+        ("rotor's axis $l$", format!("({})", numbers(conditions.axis))),
+        ("direction $e$ of the centre of mass", format!("({})", numbers(weight.normalize()))),
+        ("$\\Gamma$, weight times distance", format!("{} N m", significant(weight.norm(), 3))),
+        ("$A'\\Omega$, the rotor's own momentum", format!("{} N m s", significant(conditions.spin, 3))),
+        ("$\\Omega$, its relative speed", format!("{} rad/s", significant(*speed, 4))),
+        ("$D = \\det A / \\det A^*$", significant(*singularity, 4)),
+    ];
+    facts.map(|(name, value)| (name.to_owned(), value)).into()
 }
 
 /// The directions that the gyrostat itself has.

@@ -2,7 +2,7 @@
 
 use super::{
     anchor,
-    cards::{figure, table},
+    cards::{facts, figure, table},
 };
 use crate::{Parameter, Report, SceneSection, Table, WorkPrecision, svg::number::tolerance, text::Typesetter};
 use maud::{Markup, html};
@@ -26,12 +26,7 @@ fn card(scene: &SceneSection, set: &mut Typesetter) -> Markup {
             p.lead { (set.text(&scene.description)) }
             div.pair {
                 div {
-                    @if !scene.facts.is_empty() {
-                        h4 { "The run" }
-                        dl.facts { @for (name, value) in &scene.facts {
-                            div { dt { (set.text(name)) } dd { (set.text(value)) } }
-                        } }
-                    }
+                    @if !scene.facts.is_empty() { h4 { "The run" } (facts(&scene.facts, set)) }
                     @if !scene.parameters.is_empty() { h4 { "Parameters" } (parameters(&scene.parameters, set)) }
                 }
                 @if let Some(trajectory) = &scene.trajectory {
@@ -41,10 +36,9 @@ fn card(scene: &SceneSection, set: &mut Typesetter) -> Markup {
             div.pair { @for chart in &scene.work {
                 (figure(&chart.title, chart.drawing().embedded(&chart.title), &chart.note, set))
             } }
-            @let failures = failures(&scene.work);
-            @if !failures.rows.is_empty() { (table(&failures, set)) }
-            @for extra in &scene.tables { (table(extra, set)) }
             @if !scene.note.is_empty() { p.note { (set.text(&scene.note)) } }
+            @let tables: Vec<Table> = std::iter::once(failures(&scene.work)).chain(scene.tables.iter().cloned()).collect();
+            div.pair { @for extra in tables.iter().filter(|table| !table.rows.is_empty()) { (table(extra, set)) } }
         }
     }
 }

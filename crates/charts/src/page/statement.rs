@@ -21,8 +21,10 @@ pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
 fn statement(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     html! {
         @for latex in &claim.latex { (set.formula(latex)) }
-        (conditions::requires(&claim.requires, set))
-        @if !claim.evidence.is_empty() { p.evidence { b { "Evidence " } (set.text(&claim.evidence)) } }
+        div.known {
+            (conditions::requires(&claim.requires, set))
+            @if !claim.evidence.is_empty() { p.evidence { b { "Evidence " } (set.text(&claim.evidence)) } }
+        }
         @if let Some(difference) = &claim.difference {
             div.difference { p.side { "Left minus right" } (set.formula(difference)) }
         }

@@ -9,6 +9,7 @@ pub fn spheres() -> Vec<Sphere> {
         description: "The curve in which a cone of degree 8 meets the unit sphere. Each point is an axis fixed in the \
                       carrier; the colour is the angular velocity $\\omega^0$ about it."
             .into(),
+        facts: vec![("weight".into(), "2 N m".into())],
         value: "angular velocity ω⁰, rad/s".into(),
         axes: ["ξ₁", "ξ₂", "ξ₃"].map(String::from),
         curves: vec![branch("upper branch", 1.0, true), branch("lower branch", -1.0, true)],

@@ -16,6 +16,8 @@ pub struct Sphere {
     pub title: String,
     /// Text.
     pub description: String,
+    /// Data beside the picture: name and value (texts).
+    pub facts: Vec<(String, String)>,
     /// The quantity that colours the curves, plain text with its unit.
     pub value: String,
     /// Names of the three axes, plain text.
