@@ -55,13 +55,13 @@ fn sphere(case: &Case, titles: &[&str]) -> Sphere {
     let (conditions, speed) = (&case.conditions, case.speed);
     let coloured = |value: &f64| value.abs() <= FASTEST * speed.abs();
     let curves = conditions.spherical_line().into_iter().map(|piece| Curve {
-        name: format!("faster than {} rad/s", significant(FASTEST * speed.abs(), 3)),
+        name: format!("faster than {} rad/s, without bound", significant(FASTEST * speed.abs(), 3)),
         points: piece
             .into_iter()
             .map(|point| CurvePoint { at: point.direction.into(), value: point.speed.filter(coloured) })
             .collect(),
     });
-    let marks = named(conditions).into_iter().chain(idle(conditions)).collect();
+    let marks = idle(conditions).into_iter().chain(named(conditions)).collect();
     Sphere {
         title: format!("Axes of permanent rotation, the rotor at {} rad/s", significant(speed, 4)),
         description: "Each point of the line is a direction in the carrier, in the principal axes of $A^*$, that can \

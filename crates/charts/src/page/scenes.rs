@@ -71,24 +71,36 @@ fn failures(charts: &[WorkPrecision]) -> Table {
             }
         }
     }
-    let list = |tolerances: &[f64]| tolerances.iter().map(|t| tolerance(*t)).collect::<Vec<_>>().join(", ");
+    let series = || charts.iter().flat_map(|chart| &chart.series);
+    let total =
+        |name: &str| series().filter(|method| method.name == name).map(|m| m.points.len() + m.failures.len()).max();
+    let list = |name: &str, tolerances: &[f64]| match total(name) {
+        Some(all) if all > 1 && all == tolerances.len() => "all".to_owned(),
+        _ => tolerances.iter().map(|t| tolerance(*t)).collect::<Vec<_>>().join(", "),
+    };
     Table {
         caption: "Methods that fail".into(),
         head: ["Method", "At tolerance", "Reason"].map(String::from).into(),
-        rows: rows.into_iter().map(|(name, reason, tolerances)| vec![name, list(&tolerances), reason]).collect(),
+        rows: rows
+            .into_iter()
+            .map(|(name, reason, tolerances)| vec![name.clone(), list(&name, &tolerances), reason])
+            .collect(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Failure, Method};
+    use crate::{Failure, Method, Point};
 
     #[test]
     fn failures_of_two_charts_are_listed_once() {
         let failure = |tolerance| Failure { work: 1.0, tolerance, reason: "stiff".into() };
-        let series = vec![Method { name: "M".into(), failures: vec![failure(1e-3), failure(1e-6)], points: vec![] }];
+        let method =
+            |name: &str, points| Method { name: name.into(), failures: vec![failure(1e-3), failure(1e-6)], points };
+        let series = vec![method("M", vec![Point { work: 1.0, error: 1.0 }]), method("N", vec![])];
         let chart = WorkPrecision { series, ..Default::default() };
-        assert_eq!(failures(&[chart.clone(), chart]).rows, [["M", "10⁻³, 10⁻⁶", "stiff"]]);
+        let rows = failures(&[chart.clone(), chart]).rows;
+        assert_eq!(rows, [["M", "10⁻³, 10⁻⁶", "stiff"], ["N", "all", "stiff"]]);
     }
 }

@@ -147,16 +147,18 @@ impl Sphere {
         }
     }
 
-    /// The names of the curves that no colour scale explains.
+    /// The names of the curves that no colour scale explains, or not everywhere.
     fn names(&self, drawing: &mut Drawing) {
+        let mut told: Vec<(String, &str)> = Vec::new();
         for (position, curve) in self.curves.iter().enumerate() {
-            if !curve.name.is_empty() && curve.points.iter().all(|point| point.value.is_none()) {
+            let entry = (strand::class(curve, Look::of(position)), curve.name.as_str());
+            let plain = curve.points.iter().any(|point| point.value.is_none());
+            if plain && !curve.name.is_empty() && !told.contains(&entry) {
                 let y = drawing.height + 0.5 * LINE;
-                drawing.open(&Look::of(position).class());
-                drawing.line((8.0, y), (42.0, y), "line");
-                drawing.close();
-                drawing.text((50.0, y + 4.5), Anchor::Start, "", &curve.name);
+                drawing.line((8.0, y), (42.0, y), &entry.0);
+                drawing.text((50.0, y + 4.5), Anchor::Start, "small", &curve.name);
                 drawing.height += LINE;
+                told.push(entry);
             }
         }
     }
