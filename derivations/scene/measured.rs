@@ -52,12 +52,27 @@ impl Default for Trials {
 impl Scene {
     /// Runs every method at every tolerance, and measures each by a reference that two methods confirm.
     pub fn measure(&self, axes: Axes, trials: &Trials) -> Result<Measured, Failure> {
+        let reference = self.reference(axes, trials.allowed)?;
+        Ok(self.measure_by(reference, axes, trials))
+    }
+
+    /// What errors are measured by: many scenes' at a time, if there are processors, since it is not timed.
+    pub fn reference(&self, axes: Axes, allowed: Duration) -> Result<Reference, Failure> {
         let problem = self.problem(axes);
-        let span = || Span::new(0.0, self.run.span, &problem.state).with_even_outputs(INSTANTS);
-        let system = &*problem.law;
-        let reference = reference(system, &span().with_deadline(Instant::now() + trials.allowed))?;
-        let span = span().with_evaluations(trials.evaluations);
-        let points = work_precision(system, &span, &trials.methods, &trials.tolerances, &reference, trials.allowed);
-        Ok(Measured { reference, points })
+        let span = self.instants(&problem.state);
+        reference(&*problem.law, &span.with_deadline(Instant::now() + allowed))
+    }
+
+    /// Runs every method at every tolerance; one scene at a time, since the runs are timed.
+    pub fn measure_by(&self, reference: Reference, axes: Axes, trials: &Trials) -> Measured {
+        let problem = self.problem(axes);
+        let span = self.instants(&problem.state).with_evaluations(trials.evaluations);
+        let Trials { methods, tolerances, allowed, .. } = trials;
+        let points = work_precision(&*problem.law, &span, methods, tolerances, &reference, *allowed);
+        Measured { reference, points }
+    }
+
+    fn instants(&self, state: &[f64]) -> Span<'static, f64> {
+        Span::new(0.0, self.run.span, state).with_even_outputs(INSTANTS)
     }
 }

@@ -20,6 +20,7 @@ mod text;
 pub use claims::Verdict;
 pub use page::Page;
 pub use report::{ClaimRow, PaperSection, Parameter, Report, SceneSection, Table};
+pub use svg::number::{significant, tolerance};
 pub use svg::sphere::{Curve, CurvePoint, Mark, Sphere};
 pub use svg::timings::{Contender, TimingRow, Timings};
 pub use svg::trajectory::{Panel, Track, Trajectory};

@@ -16,6 +16,8 @@ pub struct Report {
     pub scenes: Vec<SceneSection>,
     pub spheres: Vec<Sphere>,
     pub timings: Vec<Timings>,
+    /// What stands in place of timings where there are none: text; empty where nothing is missed.
+    pub timings_missing: String,
 }
 
 impl Report {
@@ -34,7 +36,7 @@ pub struct PaperSection {
     /// Authors, journal, year: text.
     pub citation: String,
     pub summary: String,
-    /// In the paper's own order.
+    /// In the paper's own order: those of one of its sections stand together.
     pub claims: Vec<ClaimRow>,
 }
 
@@ -42,6 +44,11 @@ impl PaperSection {
     /// How many of the paper's claims have this verdict; corrections are not counted.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.claims.iter().filter(|claim| claim.verdict == verdict).count()
+    }
+
+    /// The claims by the paper's own sections, in their order.
+    pub fn groups(&self) -> impl Iterator<Item = &[ClaimRow]> {
+        self.claims.chunk_by(|a, b| a.section == b.section)
     }
 }
 
@@ -52,6 +59,8 @@ pub struct ClaimRow {
     pub id: String,
     /// The paper's own number, as printed: `(5.3)`; empty where it has none.
     pub equation_label: String,
+    /// The heading of the paper under which it stands: text, empty where there is none.
+    pub section: String,
     /// Text.
     pub title: String,
     pub verdict: Verdict,

@@ -2,6 +2,7 @@
 
 use crate::arguments::{Format, Ledger};
 use crate::ending::{Ending, print};
+use crate::values;
 use charts::{ClaimRow, PaperSection};
 use claims::{Judged, Verdict, entries};
 use derivations::papers::{self, Paper};
@@ -54,15 +55,28 @@ fn row(claim: &Judged) -> ClaimRow {
     ClaimRow {
         id: claim.id.clone(),
         equation_label: label(&claim.equation),
+        section: claim.section.clone(),
         title: claim.says.clone(),
         verdict: claim.verdict,
         latex: claim.latex.clone(),
         requires,
-        evidence: if claim.verdict == Verdict::Definition { String::new() } else { claim.evidence.clone() },
-        counterexample: claim.counterexample.iter().map(|(name, value)| (name.clone(), value.clone())).collect(),
+        evidence: evidence(claim),
+        counterexample: values::compact(&claim.counterexample),
         difference: claim.difference.as_ref().map(|(_, latex)| latex.clone()),
         correction: claim.correction.as_ref().map(|correction| Box::new(row(correction))),
         note: claim.note.clone(),
+    }
+}
+
+/// How the verdict was reached. A formula that fails is named by its place: it stands typeset above.
+fn evidence(claim: &Judged) -> String {
+    let failing =
+        claim.evidence.strip_suffix(" fails").and_then(|text| claim.text.iter().position(|line| line == text));
+    match (claim.verdict, failing) {
+        (Verdict::Definition, _) => String::new(),
+        (_, Some(_)) if claim.text.len() == 1 => "it fails for the values below".into(),
+        (_, Some(place)) => format!("its line {} fails for the values below", place + 1),
+        _ => claim.evidence.clone(),
     }
 }
 

@@ -4,6 +4,7 @@
 //! * [`arguments`]: what can be asked on the command line;
 //! * `report`, `ledger`, `derive`, `bodies`, `run`, `chart`, `scenes`: one file for each command;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
+//! * [`values`], [`timings`]: exact values and measured times for a reader;
 //! * [`ending`]: exit codes, and writing that survives a closed pipe.
 
 mod arguments;
@@ -20,6 +21,8 @@ mod run;
 mod scenes;
 mod sphere;
 mod summary;
+mod timings;
+mod values;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -45,7 +48,7 @@ fn report(asked: &arguments::Report) -> Result<Ending, Ending> {
     let files = scenes::files(&asked.scenes)?;
     let ledgers = ledger::all();
     let summary = "Equations of motion derived from bodies and energies; every statement of a paper judged by exact \
-                   arithmetic; every scene run, and every method on it measured by a reference that two methods confirm.";
+                   arithmetic; every method on every scene measured by a reference that two methods confirm.";
     let mut page = report::titled("dalembert", summary);
     page.papers = ledgers.iter().map(|(paper, judged)| ledger::section(paper, judged)).collect();
     let sound = ledgers.iter().flat_map(|(_, judged)| judged).all(|claim| claim.sound().is_ok());

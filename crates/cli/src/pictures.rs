@@ -12,24 +12,29 @@ pub fn work_precision(scene: &Scene, measured: &Measured) -> [WorkPrecision; 2] 
     let fastest = seconds.fold(f64::INFINITY, f64::min);
     let evaluations = |point: &run::Point| evaluations(point, dimension) as f64;
     let ratio = |point: &run::Point| point.seconds.map_or(f64::NAN, |seconds| seconds / fastest);
-    let reference = &measured.reference;
-    let note = format!(
-        "Reference: {} and {}, in double-double, agree to {:.0} digits.",
-        reference.methods[0], reference.methods[1], reference.digits
-    );
     let chart = |x, work: &dyn Fn(&run::Point) -> f64, note: String| WorkPrecision {
         title: match x {
             Work::Evaluations => "Error against evaluations".to_owned(),
             Work::TimeRatio => "Error against time".to_owned(),
         },
         x,
-        error: "largest error, relative to each component's size".to_owned(),
+        error: "largest relative error".to_owned(),
         series: series(&measured.points, work),
         note,
     };
-    let counted = format!("A Jacobian counts as the {dimension} evaluations of its columns. {note}");
-    let timed = format!("Medians of one run of the program, in which the methods take turns. {note}");
+    let counted = format!("A Jacobian counts as the {dimension} evaluations of its columns.");
+    let timed = "Medians of one run of the program, in which the methods take turns.".to_owned();
     [chart(Work::Evaluations, &evaluations, counted), chart(Work::TimeRatio, &ratio, timed)]
+}
+
+/// What the errors of a scene are, for the line below its charts.
+pub fn measured_by(measured: &Measured) -> String {
+    let reference = &measured.reference;
+    format!(
+        "Error: the largest over eight instants and all states, each relative to its size. Reference: {} and {}, in \
+         double-double, which agree to {:.0} digits.",
+        reference.methods[0], reference.methods[1], reference.digits
+    )
 }
 
 /// What a run costs in evaluations of the rates, its Jacobians included.
@@ -98,7 +103,7 @@ pub fn trajectory(scene: &Scene, run: &Trajectory) -> charts::Trajectory {
             None => panels.push((quantity.clone(), Panel { y: quantity, series: vec![track] })),
         }
     }
-    let panels = panels.into_iter().map(|(_, panel)| panel).collect();
+    let panels = panels.into_iter().map(|(_, panel)| small(panel)).collect();
     charts::Trajectory {
         title: "The run against time".to_owned(),
         x: "time, s".to_owned(),
@@ -107,11 +112,35 @@ pub fn trajectory(scene: &Scene, run: &Trajectory) -> charts::Trajectory {
     }
 }
 
+/// Where the curves of a panel stand far apart and each hardly moves, the motion is what departs from the start.
+fn small(mut panel: Panel) -> Panel {
+    let extent = |points: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = points.fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
+        high - low
+    };
+    let own = panel.series.iter().map(|track| extent(&mut track.points.iter().map(|point| point.1)));
+    let largest = own.fold(0.0, f64::max);
+    let whole = extent(&mut panel.series.iter().flat_map(|track| track.points.iter().map(|point| point.1)));
+    if largest > SMALL * whole {
+        return panel;
+    }
+    for track in &mut panel.series {
+        let start = track.points.first().map_or(0.0, |point| point.1);
+        track.points.iter_mut().for_each(|point| point.1 -= start);
+    }
+    panel.y = format!("change of {}", panel.y);
+    panel
+}
+
+/// Curves that move less than this share of what they cover together are shown as changes.
+const SMALL: f64 = 0.1;
+
 /// A state as a reader writes it.
 pub fn label(name: &str) -> String {
     match name {
         "angle" => "\u{3b3}".to_owned(),
         "slip" => "\u{3b3}\u{307}".to_owned(),
+        "x" => "x (excitation)".to_owned(),
         "rotor_speed" => "\u{3c6}\u{307}".to_owned(),
         _ => {
             let letters = name.replace('w', "\u{3c9}").replace('v', "\u{3bd}");
@@ -133,5 +162,19 @@ fn quantity(name: &str) -> String {
     match unit(name) {
         "1" => kind.to_owned(),
         unit => format!("{kind}, {unit}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn curves_far_apart_that_hardly_move_are_shown_as_changes() {
+        let track = |values: [f64; 2]| Track { points: vec![(0.0, values[0]), (1.0, values[1])], ..Track::default() };
+        let panel = |series| small(Panel { y: "speed".into(), series });
+        assert_eq!(panel(vec![track([6.0, 6.01]), track([0.0, 0.02])]).y, "change of speed");
+        assert_eq!(panel(vec![track([6.0, 1.0]), track([0.0, 0.02])]).y, "speed");
+        assert_eq!(panel(vec![track([6.0, 6.01])]).y, "speed");
     }
 }

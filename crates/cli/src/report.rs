@@ -4,33 +4,122 @@ use crate::ending::{Ending, save};
 use crate::pictures;
 use crate::progress::Progress;
 use crate::sphere;
-use charts::{Parameter, Report, SceneSection, Table, WorkPrecision};
+use crate::timings;
+use charts::{Parameter, Report, SceneSection, Table, Verdict, WorkPrecision, significant, tolerance};
 use derivations::machines::Quantity;
 use derivations::scene::{Axes, Scene, Trajectory, Trials};
+use integrators::{Failure, Reference};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::time::Duration;
 
 /// Runs and charts the scenes, adds them to a report that holds the ledger, and writes the page.
 pub fn write(path: &Path, scenes: &[PathBuf], mut report: Report) -> Result<Ending, Ending> {
     // all are read before the first is run: what is wrong is told at once
+    let folder = scenes.first().and_then(|file| file.parent()).unwrap_or(Path::new("")).to_owned();
     let scenes = scenes.iter().map(|file| Ok((id(file), Scene::open(file)?))).collect::<Result<Vec<_>, Ending>>()?;
-    let mut all_reached = true;
-    let mut progress = Progress::new("scenes");
-    for (done, (id, scene)) in scenes.iter().enumerate() {
-        progress.set(done as f64 / scenes.len() as f64);
-        let (section, reached) = section(id, scene);
+    let mut progress = Progress::new("runs and references");
+    let prepared = side_by_side(&scenes, prepare, |done| progress.set(REFERENCES * done));
+    drop(progress);
+    let mut progress = Progress::new("methods measured");
+    let (mut all_reached, mut digits) = (true, f64::INFINITY);
+    for (done, ((_, scene), Prepared { mut section, reached, reference })) in scenes.iter().zip(prepared).enumerate() {
+        progress.set(REFERENCES + (1.0 - REFERENCES) * done as f64 / scenes.len() as f64);
+        all_reached &= reached && reference.is_ok();
+        match reference {
+            Ok(reference) => {
+                digits = digits.min(reference.digits);
+                let measured = scene.measure_by(reference, Axes::First, &Trials::default());
+                section.work = pictures::work_precision(scene, &measured).into();
+                section.note = pictures::measured_by(&measured);
+            }
+            Err(failure) => section.note = format!("No chart, because the reference stopped: {failure}."),
+        }
         report.scenes.push(section);
-        report.spheres.extend(sphere::of(id, scene));
-        all_reached &= reached;
     }
     drop(progress);
+    report.spheres = sphere::all(scenes.iter().map(|(_, scene)| scene));
+    match timings::read(&folder) {
+        Ok(timings) => report.timings = vec![timings],
+        Err(reason) => report.timings_missing = reason,
+    }
+    report.summary = format!("{} {}", report.summary, found(&report, digits));
     save(path, &charts::page::render(&report).html)?;
     Ok(if all_reached { Ending::Done } else { Ending::Stopped })
 }
 
+/// The share of the work that comes before the measurements.
+const REFERENCES: f64 = 0.1;
+/// References share the processors, so that one of them has less than when it is alone.
+const PATIENCE: Duration = Duration::from_secs(15);
+
+/// What came out, and where to begin to read.
+fn found(report: &Report, digits: f64) -> String {
+    let claims: usize = report.papers.iter().map(|paper| paper.claims.len()).sum();
+    let mut text = String::new();
+    if claims > 0 {
+        text += &format!("Of {claims} claims, {}. ", counted(report));
+    }
+    if report.count(Verdict::Refuted) > 0 {
+        text += "Begin with the findings: each refuted statement with exact values for which it fails, and the proved \
+                 statement that holds instead. ";
+    }
+    if digits.is_finite() {
+        let count = report.scenes.len();
+        let scenes = if count == 1 { "The scene is".to_owned() } else { format!("The {count} scenes are") };
+        text += &format!(
+            "{scenes} measured by references on which two methods agree to {digits:.0} digits or more: look for the one \
+             nearest to your own problem, whose charts tell which method is cheapest at which accuracy."
+        );
+    }
+    text.trim_end().to_owned()
+}
+
+/// `149 are proved, 11 refuted, 3 definitions`: the most frequent first.
+fn counted(report: &Report) -> String {
+    let mut counts = Verdict::ALL.map(|verdict| (report.count(verdict), verdict));
+    counts.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+    let name = |count: usize, verdict: Verdict| match verdict {
+        Verdict::Definition if count > 1 => "definitions",
+        other => other.name(),
+    };
+    let present = counts.into_iter().filter(|(count, _)| *count > 0).enumerate();
+    let one =
+        |(place, (count, verdict))| format!("{count} {}{}", if place == 0 { "are " } else { "" }, name(count, verdict));
+    present.map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// Does the same to all scenes, as many at a time as there are processors; results in the scenes' order.
+fn side_by_side<S: Sync, T: Send>(items: &[S], work: impl Fn(&S) -> T + Sync, mut done: impl FnMut(f64)) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let mut results: Vec<Option<T>> = items.iter().map(|_| None).collect();
+    std::thread::scope(|scope| {
+        let (sender, receiver) = mpsc::channel();
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from).min(items.len()) {
+            let (sender, next, work) = (sender.clone(), &next, &work);
+            scope.spawn(move || {
+                while let Some((at, item)) =
+                    Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|at| Some((at, items.get(at)?)))
+                {
+                    // the other end lives as long as this scope
+                    let _ = sender.send((at, work(item)));
+                }
+            });
+        }
+        drop(sender);
+        for (count, (at, result)) in receiver.iter().enumerate() {
+            results[at] = Some(result);
+            done((count + 1) as f64 / items.len() as f64);
+        }
+    });
+    results.into_iter().flatten().collect()
+}
+
 /// A page with nothing but a scene and its charts.
-pub fn of_scene(scene: &Scene, work: Vec<WorkPrecision>) -> String {
+pub fn of_scene(scene: &Scene, work: Vec<WorkPrecision>, note: String) -> String {
     let run = scene.simulate(&scene.choice(), |_| ());
-    let section = SceneSection { work, ..described("scene", scene, &run) };
+    let section = SceneSection { work, note, ..described("scene", scene, &run) };
     let report = Report { scenes: vec![section], ..titled(&scene.title, &scene.description) };
     charts::page::render(&report).html
 }
@@ -41,18 +130,18 @@ pub fn titled(title: &str, summary: &str) -> Report {
     Report { title: title.to_owned(), summary: summary.to_owned(), generated_by, ..Default::default() }
 }
 
-/// The section of a scene, and whether its run and its reference reached the end.
-fn section(id: &str, scene: &Scene) -> (SceneSection, bool) {
+/// A scene's section without its charts, whether its run reached the end, and what its methods are measured by.
+struct Prepared {
+    section: SceneSection,
+    reached: bool,
+    reference: Result<Reference, Failure>,
+}
+
+fn prepare((id, scene): &(String, Scene)) -> Prepared {
     let run = scene.simulate(&scene.choice(), |_| ());
     let mut section = described(id, scene, &run);
     section.tables.extend(ladder(scene, &run));
-    let measured = scene.measure(Axes::First, &Trials::default());
-    let reached = run.outcome.reached() && measured.is_ok();
-    match measured {
-        Ok(measured) => section.work = pictures::work_precision(scene, &measured).into(),
-        Err(failure) => section.note = format!("No chart, because the reference stopped: {failure}."),
-    }
-    (section, reached)
+    Prepared { section, reached: run.outcome.reached(), reference: scene.reference(Axes::First, PATIENCE) }
 }
 
 fn described(id: &str, scene: &Scene, run: &Trajectory) -> SceneSection {
@@ -71,14 +160,14 @@ fn facts(scene: &Scene, run: &Trajectory) -> Vec<(String, String)> {
     let choice = scene.choice();
     let mut facts = vec![
         ("model".to_owned(), scene.machine.name().replace('_', " ")),
-        ("method".to_owned(), format!("{}, tolerance {:e}", choice.method, choice.tolerance)),
+        ("method".to_owned(), format!("{}, tolerance {}", choice.method, tolerance(choice.tolerance))),
         ("work".to_owned(), run.outcome.work.to_string()),
     ];
     if let Some(failure) = run.outcome.failure() {
         facts.push(("stopped".to_owned(), failure.to_string()));
     }
     for deviation in &run.outcome.deviations {
-        facts.push((deviation.name.replace('_', " "), format!("kept to {:.1e}", deviation.largest)));
+        facts.push((deviation.name.replace('_', " "), format!("kept to {}", significant(deviation.largest, 2))));
     }
     facts
 }
@@ -109,12 +198,12 @@ fn ladder(scene: &Scene, run: &Trajectory) -> Option<Table> {
         let other = smaller.simulate(&smaller.choice(), |_| ());
         let states = smaller.names().len().to_string();
         let row = match other.outcome.failure() {
-            None => format!("{:.1e}", difference(run, &other)),
+            None => significant(difference(run, &other), 2),
             Some(failure) => pictures::reason(&failure).to_owned(),
         };
         rows.push(vec![model.replace('_', " "), states, other.outcome.work.rates.to_string(), row]);
     }
-    let head = ["Model", "States", "Evaluations", "Largest difference of \u{3c9}, rad/s or of the slip"];
+    let head = ["Model", "States", "Evaluations", "Largest difference of \u{3c9} or \u{3c6}\u{307}, rad/s"];
     let caption = format!("The same scene with smaller models than {}", scene.machine.name().replace('_', " "));
     (!rows.is_empty()).then(|| Table { caption, head: head.map(String::from).into(), rows })
 }

@@ -17,7 +17,7 @@ pub struct AxisPoint {
 }
 
 /// Cells along an edge of the cube.
-const CELLS: i32 = 96;
+const CELLS: i32 = 288;
 
 /// A vertex of the grid on the cube [-CELLS, CELLS]^3.
 type Vertex = [i32; 3];

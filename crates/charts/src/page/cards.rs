@@ -23,6 +23,15 @@ pub(super) fn figure(title: &str, svg: String, note: &str, set: &mut Typesetter)
     }
 }
 
+/// Names with their values, line by line.
+pub(super) fn facts(facts: &[(String, String)], set: &mut Typesetter) -> Markup {
+    html! {
+        @if !facts.is_empty() {
+            dl.facts { @for (name, value) in facts { div { dt { (set.text(name)) } dd { (set.text(value)) } } } }
+        }
+    }
+}
+
 /// A table of texts that scrolls in its own box.
 pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
     let columns = table.rows.iter().map(Vec::len).chain([table.head.len()]).max().unwrap_or(0);

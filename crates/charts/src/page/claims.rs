@@ -1,80 +1,63 @@
-//! The ledger: findings first, then every claim in its paper's order.
+//! The ledger: every claim in its paper's order, under the paper's own headings.
 
-use super::{anchor, cards::chip};
-use crate::{ClaimRow, PaperSection, Report, Verdict, text::Typesetter};
+use super::{anchor, cards::chip, statement};
+use crate::{ClaimRow, PaperSection, Verdict, text::Typesetter};
 use maud::{Markup, html};
-
-/// Every refuted claim beside what holds instead.
-pub(super) fn findings(report: &Report, set: &mut Typesetter) -> Markup {
-    let refuted = |paper: &PaperSection| paper.claims.iter().filter(|c| c.verdict == Verdict::Refuted).count();
-    let total: usize = report.papers.iter().map(refuted).sum();
-    html! {
-        @if total > 0 {
-            section #findings {
-                h2 { "Findings" }
-                p.lead { "Printed statements that fail, each with an exact counterexample, and what holds instead." }
-                @for paper in report.papers.iter().filter(|paper| refuted(paper) > 0) {
-                    h3.paper { (set.text(&paper.title)) }
-                    @for claim in paper.claims.iter().filter(|claim| claim.verdict == Verdict::Refuted) {
-                        (finding(claim, set))
-                    }
-                }
-            }
-        }
-    }
-}
-
-fn finding(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
-    set.at(&claim.id);
-    html! {
-        article.finding {
-            div.title {
-                h4 {
-                    @if !claim.equation_label.is_empty() { span.label { (claim.equation_label) } " " }
-                    (set.text(&claim.title))
-                }
-                a.id href={ "#" (anchor(&claim.id)) } { (claim.id) }
-            }
-            div.verses {
-                p.side { "As printed" }
-                div.said.refuted { @for latex in &claim.latex { (set.formula(latex)) } }
-                @if let Some(correction) = &claim.correction {
-                    p.side { "Holds instead " (chip(correction.verdict)) }
-                    div class={ "said " (correction.verdict.name()) } {
-                        @for latex in &correction.latex { (set.formula(latex)) }
-                        @if correction.latex.is_empty() { p { (set.text(&correction.title)) } }
-                    }
-                } @else if let Some(difference) = &claim.difference {
-                    p.side { "Left minus right" }
-                    div.said { (set.formula(difference)) }
-                }
-            }
-            @if !claim.note.is_empty() { p.note { (set.text(&claim.note)) } }
-        }
-    }
-}
 
 /// A paper's claims, with filters where scripts run.
 pub(super) fn ledger(paper: &PaperSection, set: &mut Typesetter) -> Markup {
     set.at(&paper.id);
-    let present = Verdict::ALL.into_iter().filter(|verdict| paper.count(*verdict) > 0);
     html! {
         section.ledger id=(anchor(&paper.id)) {
             h2 { (set.text(&paper.title)) }
             @if !paper.citation.is_empty() { p.citation { (set.text(&paper.citation)) } }
             @if !paper.summary.is_empty() { p.lead { (set.text(&paper.summary)) } }
-            div.filter role="group" aria-label={ "Show claims of " (paper.id) } hidden {
-                @for verdict in present {
-                    button type="button" data-verdict=(verdict.name()) aria-pressed="false" class={ "chip " (verdict.name()) } {
-                        span.sign aria-hidden="true" { (verdict.sign()) } " " (verdict.name()) " "
-                        span.count { (paper.count(verdict)) }
+            (filter(paper))
+            @for (position, group) in paper.groups().enumerate() {
+                div.group {
+                    @if let Some(heading) = heading(group) {
+                        h3.part id=(part(paper, position)) { (set.text(heading)) " " span.count { (counts(group)) } }
                     }
+                    @for claim in group { (row(claim, set)) }
                 }
-                label { span.visually-hidden { "Filter by text" }
-                    input type="search" placeholder="filter by text" autocomplete="off" spellcheck="false"; }
-                output aria-live="polite" {}
             }
-            @for claim in &paper.claims { (row(claim, set)) }
+        }
+    }
+}
+
+/// What stands above claims of one section.
+pub(super) fn heading(group: &[ClaimRow]) -> Option<&str> {
+    group.first().map(|claim| claim.section.as_str()).filter(|section| !section.is_empty())
+}
+
+/// The link to a section of a paper: sections are known by their places.
+pub(super) fn part(paper: &PaperSection, position: usize) -> String {
+    format!("{}/part{}", anchor(&paper.id), position + 1)
+}
+
+/// How many claims, and how many of them need a reader's attention.
+pub(super) fn counts(group: &[ClaimRow]) -> String {
+    let noteworthy = [Verdict::Refuted, Verdict::Undefined, Verdict::Undecided, Verdict::Open];
+    let counted = noteworthy.map(|verdict| (verdict, group.iter().filter(|claim| claim.verdict == verdict).count()));
+    let total = group.len();
+    let head = if total == 1 { "1 claim".to_owned() } else { format!("{total} claims") };
+    let named = counted.iter().filter(|(_, count)| *count > 0);
+    named.fold(head, |text, (verdict, count)| format!("{text}, {count} {}", verdict.name()))
+}
+
+fn filter(paper: &PaperSection) -> Markup {
+    let present = Verdict::ALL.into_iter().filter(|verdict| paper.count(*verdict) > 0);
+    html! {
+        div.filter role="group" aria-label={ "Show claims of " (paper.id) } hidden {
+            @for verdict in present {
+                button type="button" data-verdict=(verdict.name()) aria-pressed="false" class={ "chip " (verdict.name()) } {
+                    span.sign aria-hidden="true" { (verdict.sign()) } " " (verdict.name()) " "
+                    span.count { (paper.count(verdict)) }
+                }
+            }
+            label { span.visually-hidden { "Filter by text" }
+                input type="search" placeholder="filter by text" autocomplete="off" spellcheck="false"; }
+            output aria-live="polite" {}
         }
     }
 }
@@ -86,49 +69,34 @@ fn row(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
         article class={ "claim " (claim.verdict.name()) } id=(anchor) data-verdict=(claim.verdict.name()) {
             div.margin { (chip(claim.verdict)) span.label { (claim.equation_label) } }
             div.body {
-                div.title { h3 { (set.text(&claim.title)) } a.id href={ "#" (anchor) } { (claim.id) } }
-                (statement(claim, set))
-                @if let Some(correction) = &claim.correction {
-                    div class={ "correction " (correction.verdict.name()) } {
-                        p.side { "Holds instead " (chip(correction.verdict)) }
-                        @if !correction.title.is_empty() { p { (set.text(&correction.title)) } }
-                        (statement(correction, set))
-                    }
-                }
+                div.title { h4 { (set.text(&claim.title)) } a.id href={ "#" (anchor) } { (claim.id) } }
+                (statement::whole(claim, set))
             }
         }
     }
 }
 
-/// What a claim says and what is known of it, without its heading.
-fn statement(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
-    html! {
-        @for latex in &claim.latex { (set.formula(latex)) }
-        @if !claim.requires.is_empty() {
-            p.requires { b { "Requires " } @for (position, condition) in claim.requires.iter().enumerate() {
-                @if position > 0 { "; " } (set.text(condition))
-            } }
-        }
-        @if !claim.evidence.is_empty() { p.evidence { b { "Evidence " } (set.text(&claim.evidence)) } }
-        @if let Some(difference) = &claim.difference {
-            div.difference { p.side { "Left minus right" } (set.formula(difference)) }
-        }
-        @if !claim.counterexample.is_empty() {
-            div.counterexample {
-                p.side { "Counterexample" }
-                dl { @for (name, value) in &claim.counterexample {
-                    div { dt { (set.text(name)) } " " dd { (set.text(&signed(value))) } }
-                } }
-            }
-        }
-        @if !claim.note.is_empty() { p.note { (set.text(&claim.note)) } }
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// An exact value with a true minus sign.
-fn signed(value: &str) -> String {
-    match value.strip_prefix('-') {
-        Some(size) if size.starts_with(|c: char| c.is_ascii_digit()) => format!("−{size}"),
-        _ => value.to_owned(),
+    fn claim(section: &str, verdict: Verdict) -> ClaimRow {
+        ClaimRow { section: section.into(), verdict, ..Default::default() }
+    }
+
+    #[test]
+    fn claims_stand_under_the_headings_of_their_paper() {
+        let claims =
+            vec![claim("1. A", Verdict::Proved), claim("1. A", Verdict::Refuted), claim("2. B", Verdict::Proved)];
+        let paper = PaperSection { id: "doe".into(), claims, ..Default::default() };
+        let html = ledger(&paper, &mut Typesetter::default()).into_string();
+        assert!(html.contains("id=\"doe/part1\">1. A <span class=\"count\">2 claims, 1 refuted</span>"), "{html}");
+        assert!(html.contains("id=\"doe/part2\">2. B <span class=\"count\">1 claim</span>"), "{html}");
+    }
+
+    #[test]
+    fn claims_without_sections_have_no_headings() {
+        let paper = PaperSection { claims: vec![claim("", Verdict::Proved)], ..Default::default() };
+        assert!(!ledger(&paper, &mut Typesetter::default()).into_string().contains("<h3"));
     }
 }

@@ -1,6 +1,6 @@
 //! Sections that are mostly pictures: spheres and timings.
 
-use super::cards::{figure, table};
+use super::cards::{facts, figure, table};
 use crate::{Report, Sphere, Table, Timings, svg::timings::seconds, text::Typesetter};
 use maud::{Markup, html};
 
@@ -9,7 +9,7 @@ pub(super) fn spheres(report: &Report, set: &mut Typesetter) -> Markup {
         @if !report.spheres.is_empty() {
             section #spheres {
                 h2 { "Directions on the sphere" }
-                div.pair { @for sphere in &report.spheres { (card(sphere, set)) } }
+                @for sphere in &report.spheres { (card(sphere, set)) }
             }
         }
     }
@@ -19,21 +19,27 @@ pub(super) fn spheres(report: &Report, set: &mut Typesetter) -> Markup {
 fn card(sphere: &Sphere, set: &mut Typesetter) -> Markup {
     set.at(&sphere.title);
     html! {
-        div.sphere data-sphere=(sphere.data()) {
-            (figure(&sphere.title, sphere.drawing().embedded(&sphere.title), "", set))
-            p.readout hidden { output { "Drag or use the arrow keys to turn; point at a curve to read its value." } " "
-                button type="button" { "First view" } }
-            @if !sphere.description.is_empty() { p { (set.text(&sphere.description)) } }
-            @if !sphere.note.is_empty() { p.note { (set.text(&sphere.note)) } }
+        div.sphere.pair data-sphere=(sphere.data()) {
+            div {
+                (figure(&sphere.title, sphere.drawing().embedded(&sphere.title), "", set))
+                p.readout hidden { output { "Drag or use the arrow keys to turn; point at a curve to read its value." } " "
+                    button type="button" { "First view" } }
+            }
+            div {
+                @if !sphere.description.is_empty() { p { (set.text(&sphere.description)) } }
+                (facts(&sphere.facts, set))
+                @if !sphere.note.is_empty() { p.note { (set.text(&sphere.note)) } }
+            }
         }
     }
 }
 
 pub(super) fn timings(report: &Report, set: &mut Typesetter) -> Markup {
     html! {
-        @if !report.timings.is_empty() {
+        @if !report.timings.is_empty() || !report.timings_missing.is_empty() {
             section #timings {
                 h2 { "Timings" }
+                @if report.timings.is_empty() { p.lead { (set.text(&report.timings_missing)) } }
                 @for timings in &report.timings {
                     div.pair {
                         (figure(&timings.title, timings.drawing().embedded(&timings.title), &timings.note, set))

@@ -5,6 +5,7 @@ for (const ledger of document.querySelectorAll(".ledger")) {
   const buttons = [...bar.querySelectorAll("button")];
   const input = bar.querySelector("input");
   const output = bar.querySelector("output");
+  const groups = [...ledger.querySelectorAll(".group")];
   const claims = [...ledger.querySelectorAll(".claim")];
   const texts = new Map(claims.map((claim) => [claim, claim.textContent.toLowerCase()]));
 
@@ -19,6 +20,7 @@ for (const ledger of document.querySelectorAll(".ledger")) {
       claim.hidden = !visible;
       shown += visible;
     }
+    for (const group of groups) group.hidden = !group.querySelector(".claim:not([hidden])");
     output.value = shown < claims.length ? `${shown} of ${claims.length}` : "";
   };
 
@@ -42,3 +44,15 @@ for (const ledger of document.querySelectorAll(".ledger")) {
   addEventListener("hashchange", reveal);
   bar.hidden = false;
 }
+
+// What is folded on the screen is open on paper.
+const unfolded = [];
+addEventListener("beforeprint", () => {
+  for (const folded of document.querySelectorAll("details:not([open])")) {
+    folded.open = true;
+    unfolded.push(folded);
+  }
+});
+addEventListener("afterprint", () => {
+  while (unfolded.length) unfolded.pop().open = false;
+});

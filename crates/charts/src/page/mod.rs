@@ -2,10 +2,13 @@
 
 mod cards;
 mod claims;
+mod conditions;
 mod figures;
+mod findings;
 mod font;
 mod outline;
 mod scenes;
+mod statement;
 
 use crate::{Report, Unset, svg, text::Typesetter};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -28,7 +31,7 @@ pub fn render(report: &Report) -> Page {
             (outline::heading(report, set))
             (outline::contents(report, set))
             main #main {
-                (claims::findings(report, set))
+                (findings::findings(report, set))
                 @for paper in &report.papers { (claims::ledger(paper, set)) }
                 (scenes::scenes(report, set))
                 (figures::spheres(report, set))

@@ -1,6 +1,6 @@
 //! The head of the page: title, summary, counts by verdict, contents.
 
-use super::{anchor, cards::chip};
+use super::{anchor, cards::chip, claims};
 use crate::{Report, Verdict, text::Typesetter};
 use maud::{Markup, html};
 
@@ -57,7 +57,14 @@ pub(super) fn contents(report: &Report, set: &mut Typesetter) -> Markup {
                 @if refuted > 0 { li { a href="#findings" { "Findings" } span.count { (refuted) " refuted" } } }
                 @for paper in &report.papers {
                     li { a href={ "#" (anchor(&paper.id)) } { (set.text(&paper.title)) }
-                        span.count { (paper.claims.len()) " claims" } }
+                        span.count { (claims::counts(&paper.claims)) }
+                        ol { @for (position, group) in paper.groups().enumerate() {
+                            @if let Some(heading) = claims::heading(group) { li {
+                                a href={ "#" (claims::part(paper, position)) } { (set.text(heading)) } " "
+                                span.count { (group.len()) }
+                            } }
+                        } }
+                    }
                 }
                 @if !report.scenes.is_empty() {
                     li { a href="#scenes" { "Scenes" }
@@ -67,7 +74,7 @@ pub(super) fn contents(report: &Report, set: &mut Typesetter) -> Markup {
                     }
                 }
                 @if !report.spheres.is_empty() { li { a href="#spheres" { "Directions on the sphere" } } }
-                @if !report.timings.is_empty() { li { a href="#timings" { "Timings" } } }
+                @if !report.timings.is_empty() || !report.timings_missing.is_empty() { li { a href="#timings" { "Timings" } } }
             }
         }
     }

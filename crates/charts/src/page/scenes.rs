@@ -2,9 +2,9 @@
 
 use super::{
     anchor,
-    cards::{figure, table},
+    cards::{facts, figure, table},
 };
-use crate::{Parameter, Report, SceneSection, Table, WorkPrecision, svg::tolerance, text::Typesetter};
+use crate::{Parameter, Report, SceneSection, Table, WorkPrecision, svg::number::tolerance, text::Typesetter};
 use maud::{Markup, html};
 
 pub(super) fn scenes(report: &Report, set: &mut Typesetter) -> Markup {
@@ -26,12 +26,7 @@ fn card(scene: &SceneSection, set: &mut Typesetter) -> Markup {
             p.lead { (set.text(&scene.description)) }
             div.pair {
                 div {
-                    @if !scene.facts.is_empty() {
-                        h4 { "The run" }
-                        dl.facts { @for (name, value) in &scene.facts {
-                            div { dt { (set.text(name)) } dd { (set.text(value)) } }
-                        } }
-                    }
+                    @if !scene.facts.is_empty() { h4 { "The run" } (facts(&scene.facts, set)) }
                     @if !scene.parameters.is_empty() { h4 { "Parameters" } (parameters(&scene.parameters, set)) }
                 }
                 @if let Some(trajectory) = &scene.trajectory {
@@ -41,10 +36,9 @@ fn card(scene: &SceneSection, set: &mut Typesetter) -> Markup {
             div.pair { @for chart in &scene.work {
                 (figure(&chart.title, chart.drawing().embedded(&chart.title), &chart.note, set))
             } }
-            @let failures = failures(&scene.work);
-            @if !failures.rows.is_empty() { (table(&failures, set)) }
-            @for extra in &scene.tables { (table(extra, set)) }
             @if !scene.note.is_empty() { p.note { (set.text(&scene.note)) } }
+            @let tables: Vec<Table> = std::iter::once(failures(&scene.work)).chain(scene.tables.iter().cloned()).collect();
+            div.pair { @for extra in tables.iter().filter(|table| !table.rows.is_empty()) { (table(extra, set)) } }
         }
     }
 }
@@ -77,24 +71,36 @@ fn failures(charts: &[WorkPrecision]) -> Table {
             }
         }
     }
-    let list = |tolerances: &[f64]| tolerances.iter().map(|t| tolerance(*t)).collect::<Vec<_>>().join(", ");
+    let series = || charts.iter().flat_map(|chart| &chart.series);
+    let total =
+        |name: &str| series().filter(|method| method.name == name).map(|m| m.points.len() + m.failures.len()).max();
+    let list = |name: &str, tolerances: &[f64]| match total(name) {
+        Some(all) if all > 1 && all == tolerances.len() => "all".to_owned(),
+        _ => tolerances.iter().map(|t| tolerance(*t)).collect::<Vec<_>>().join(", "),
+    };
     Table {
         caption: "Methods that fail".into(),
         head: ["Method", "At tolerance", "Reason"].map(String::from).into(),
-        rows: rows.into_iter().map(|(name, reason, tolerances)| vec![name, list(&tolerances), reason]).collect(),
+        rows: rows
+            .into_iter()
+            .map(|(name, reason, tolerances)| vec![name.clone(), list(&name, &tolerances), reason])
+            .collect(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Failure, Method};
+    use crate::{Failure, Method, Point};
 
     #[test]
     fn failures_of_two_charts_are_listed_once() {
         let failure = |tolerance| Failure { work: 1.0, tolerance, reason: "stiff".into() };
-        let series = vec![Method { name: "M".into(), failures: vec![failure(1e-3), failure(1e-6)], points: vec![] }];
+        let method =
+            |name: &str, points| Method { name: name.into(), failures: vec![failure(1e-3), failure(1e-6)], points };
+        let series = vec![method("M", vec![Point { work: 1.0, error: 1.0 }]), method("N", vec![])];
         let chart = WorkPrecision { series, ..Default::default() };
-        assert_eq!(failures(&[chart.clone(), chart]).rows, [["M", "10⁻³, 10⁻⁶", "stiff"]]);
+        let rows = failures(&[chart.clone(), chart]).rows;
+        assert_eq!(rows, [["M", "10⁻³, 10⁻⁶", "stiff"], ["N", "all", "stiff"]]);
     }
 }

@@ -19,8 +19,8 @@ for (const card of document.querySelectorAll("[data-sphere]")) {
     dot(basis.towards, x, y, z),
   ];
   const level = (value) => {
-    const [low, high] = data.range;
-    const share = high > low ? (value - low) / (high - low) : 0.5;
+    const [low, high, at] = [data.range[0], data.range[1], value].map((x) => Math.asinh(x / data.range[2]));
+    const share = high > low ? (at - low) / (high - low) : 0.5;
     return Math.max(0, Math.min(LEVELS - 1, Math.floor(share * LEVELS)));
   };
   const look = () => {
@@ -66,11 +66,11 @@ for (const card of document.querySelectorAll("[data-sphere]")) {
       const [x, y, depth] = place(...[0, 1, 2].map((j) => (i === j ? 1.3 : 0)));
       element(layers[depth >= 0 ? 1 : 0], "text", { class: "axis-name", x, y: y + 5, "text-anchor": "middle" }, name);
     });
-    for (const [px, py, pz, name, note] of data.marks) {
+    for (const [px, py, pz, name, note, hollow] of data.marks) {
       const [x, y, depth] = place(px / 1e4, py / 1e4, pz / 1e4);
       const side = layers[depth >= 0 ? 1 : 0];
-      const circle = element(side, "circle", { class: "dot", cx: x, cy: y, r: 5 });
-      element(circle, "title", {}, note ? `${name}: ${note}` : name);
+      const circle = element(side, "circle", { class: hollow ? "hole" : "dot", cx: x, cy: y, r: 5 });
+      element(circle, "title", {}, note);
       element(side, "text", { class: "mark-name", x: x + 9, y: y - 6 }, name);
     }
   };

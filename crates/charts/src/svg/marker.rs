@@ -1,21 +1,31 @@
-//! Eight shapes of marker, eight patterns of dashes, eight colours: a series is known by any one of them.
+//! Twelve colours, shapes of marker and patterns of dashes: a series is known by any one of them.
 
 use super::{drawing::Drawing, number::coordinate};
 
-const SHAPES: usize = 8;
+const STYLES: usize = 12;
 
 /// How the series at this position is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Look {
-    /// Chooses colour and dashes: class `s0` to `s7`.
+    /// Chooses colour and dashes: class `s0` to `s11`.
     style: usize,
     shape: usize,
 }
 
+/// How a marker is painted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Paint {
+    Full,
+    /// Paper inside.
+    Hollow,
+    /// Lines only.
+    Lines,
+}
+
 impl Look {
-    /// Repeats after 64 series: each round of colours takes other shapes.
+    /// Repeats after 144 series: each round of colours takes other shapes.
     pub fn of(position: usize) -> Self {
-        Look { style: position % SHAPES, shape: (position + position / SHAPES) % SHAPES }
+        Look { style: position % STYLES, shape: (position + position / STYLES) % STYLES }
     }
 
     pub fn class(self) -> String {
@@ -24,30 +34,56 @@ impl Look {
 
     /// The marker about a point; `r` is about half its width.
     pub fn marker(self, drawing: &mut Drawing, (x, y): (f64, f64), r: f64, tooltip: &str) {
-        let (shape, open) = outline(self.shape, r);
-        let class = if open { "mark open" } else { "mark" };
+        let (shape, paint) = outline(self.shape, r);
+        let class = match paint {
+            Paint::Full => "mark",
+            Paint::Hollow => "mark hollow",
+            Paint::Lines => "mark open",
+        };
         drawing.path_with_tooltip(&format!("M{} {}{shape}", coordinate(x), coordinate(y)), class, tooltip);
     }
 }
 
-/// A relative path from the centre, and whether it is lines only.
-fn outline(shape: usize, r: f64) -> (String, bool) {
+/// A relative path from the centre.
+fn outline(shape: usize, r: f64) -> (String, Paint) {
     let n = coordinate;
     let (small, big) = (r * 0.9, r * 1.25);
+    let (thin, wide) = (r * 0.8, r * 1.15);
     match shape {
-        0 => (format!("m{} 0a{r} {r} 0 1 0 {} 0a{r} {r} 0 1 0 {} 0z", n(-r), n(2.0 * r), n(-2.0 * r), r = n(r)), false),
-        1 => (format!("m{0} {0}h{1}v{1}h{2}z", n(-small), n(2.0 * small), n(-2.0 * small)), false),
-        2 => (format!("m0 {}l{} {}h{}z", n(-big), n(big), n(2.0 * r), n(-2.0 * big)), false),
-        3 => (format!("m0 {}l{1} {1}l{2} {1}l{2} {2}z", n(-1.4 * r), n(1.4 * r), n(-1.4 * r)), false),
-        4 => (format!("m0 {}l{} {}h{}z", n(big), n(big), n(-2.0 * r), n(-2.0 * big)), false),
-        5 => (format!("m{} 0h{}m{} {}v{}", n(-big), n(2.0 * big), n(-big), n(-big), n(2.0 * big)), true),
-        6 => (format!("m{0} {0}l{1} {1}m{2} 0l{1} {2}", n(-r), n(2.0 * r), n(-2.0 * r)), true),
-        _ => (
-            format!("m{} {}l{} {}h{}l{} {}z", n(-r), n(-0.6 * r), n(r), n(1.9 * r), n(0.0), n(r), n(-1.9 * r))
-                + &format!("m{} {}h{}", n(0.0), n(0.0), n(2.0 * r)),
-            false,
-        ),
+        0 => (circle(r), Paint::Full),
+        1 => (square(small), Paint::Full),
+        2 => (triangle(big, 1.0), Paint::Full),
+        3 => (diamond(1.4 * r), Paint::Full),
+        4 => (triangle(big, -1.0), Paint::Full),
+        5 => (format!("m{} 0h{}m{} {}v{}", n(-big), n(2.0 * big), n(-big), n(-big), n(2.0 * big)), Paint::Lines),
+        6 => (format!("m{0} {0}l{1} {1}m{2} 0l{1} {2}", n(-r), n(2.0 * r), n(-2.0 * r)), Paint::Lines),
+        7 => (circle(r), Paint::Hollow),
+        8 => (square(thin), Paint::Hollow),
+        9 => (triangle(wide, 1.0), Paint::Hollow),
+        10 => (diamond(1.25 * r), Paint::Hollow),
+        _ => (triangle(wide, -1.0), Paint::Hollow),
     }
+}
+
+fn circle(r: f64) -> String {
+    let n = coordinate;
+    format!("m{} 0a{r} {r} 0 1 0 {} 0a{r} {r} 0 1 0 {} 0z", n(-r), n(2.0 * r), n(-2.0 * r), r = n(r))
+}
+
+fn square(half: f64) -> String {
+    let n = coordinate;
+    format!("m{0} {0}h{1}v{1}h{2}z", n(-half), n(2.0 * half), n(-2.0 * half))
+}
+
+/// Its point is up where the sign is 1 and down where it is -1.
+fn triangle(half: f64, sign: f64) -> String {
+    let n = coordinate;
+    format!("m0 {}l{} {}h{}z", n(-sign * half), n(half), n(sign * 1.75 * half), n(-2.0 * half))
+}
+
+fn diamond(half: f64) -> String {
+    let n = coordinate;
+    format!("m0 {}l{1} {1}l{2} {1}l{2} {2}z", n(-half), n(half), n(-half))
 }
 
 #[cfg(test)]
@@ -55,8 +91,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_two_of_64_series_look_alike() {
-        let looks: Vec<_> = (0..64).map(Look::of).collect();
-        assert!((0..64).all(|i| (0..i).all(|j| looks[i] != looks[j])));
+    fn no_two_of_144_series_look_alike() {
+        let looks: Vec<_> = (0..144).map(Look::of).collect();
+        assert!((0..144).all(|i| (0..i).all(|j| looks[i] != looks[j])));
     }
 }

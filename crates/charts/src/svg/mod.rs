@@ -1,5 +1,6 @@
 //! A small kit of charts: SVG with fixed decimals, so that the same data give the same bytes.
 
+pub(crate) mod number;
 pub(crate) mod sphere;
 pub(crate) mod timings;
 pub(crate) mod trajectory;
@@ -10,10 +11,7 @@ mod decimate;
 mod drawing;
 mod legend;
 mod marker;
-mod number;
 mod path;
-
-pub(crate) use number::tolerance;
 
 /// How charts look, by class; a page adds its own colours for dark screens.
 pub(crate) const STYLE: &str = include_str!("chart.css");

@@ -26,7 +26,7 @@ impl Tenths {
 }
 
 /// A value with so many significant digits: plain between 0.001 and a million, with a power of ten elsewhere.
-pub(crate) fn significant(value: f64, digits: usize) -> String {
+pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 { "0".to_owned() } else { format!("{value}") };
     }
@@ -43,7 +43,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
 }
 
 /// A tolerance: a power of ten wherever it is one; a method of constant step follows none.
-pub(crate) fn tolerance(value: f64) -> String {
+pub fn tolerance(value: f64) -> String {
     if value.is_nan() {
         return "none".to_owned();
     }

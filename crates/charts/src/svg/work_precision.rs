@@ -138,20 +138,26 @@ impl WorkPrecision {
         drawing.close();
     }
 
-    /// The markers of a method's failures, crossed out; those of unknown work stand at the left.
+    /// The markers of a method's failures, those of unknown work at the left, and beside them whose they are.
     fn failures(&self, drawing: &mut Drawing, method: &Method, look: Look, x: &Axis, height: f64) {
+        let (mut taken, mut unknown) = (vec![LEFT, RIGHT], 0);
         drawing.open(&look.class());
         for failure in &method.failures {
             let known = positive(failure.work);
-            let at = if known { x.place(failure.work) } else { LEFT + 8.0 };
+            let at = if known { x.place(failure.work) } else { LEFT + 10.0 + 12.0 * f64::from(unknown) };
+            unknown += i32::from(!known);
+            taken.push(at);
             let spent =
                 if known { format!("after {}", self.x.amount(failure.work)) } else { "work unknown".to_owned() };
             let (name, given) = (&method.name, tolerance(failure.tolerance));
             let tooltip = format!("{name} fails at tolerance {given}, {spent}: {}", failure.reason);
             look.marker(drawing, (at, height), 4.0, &tooltip);
-            drawing.path(&format!("M{:.1} {:.1}l14 -14", at - 7.0, height + 7.0), "cross");
         }
         drawing.close();
+        let (failed, all) = (method.failures.len(), method.failures.len() + method.points.len());
+        let label = format!("{}: {failed} of {all}", method.name);
+        let (anchor, start) = free(taken, 6.9 * label.chars().count() as f64 + 14.0);
+        drawing.text((start, height + 4.5), anchor, "small said", &label);
     }
 
     /// What is not drawn where it belongs, and why.
@@ -166,6 +172,21 @@ impl WorkPrecision {
             if tiny > 0 { format!("Errors below 10⁻³² are drawn there ({tiny}).") } else { String::new() },
         ];
         sentences.into_iter().filter(|sentence| !sentence.is_empty()).collect()
+    }
+}
+
+/// Where a label of so much width stands beside marks in a row: behind the last, before the first, or in the widest gap.
+fn free(mut marks: Vec<f64>, width: f64) -> (Anchor, f64) {
+    marks.sort_by(f64::total_cmp);
+    let gaps: Vec<(f64, f64)> = marks.windows(2).map(|pair| (pair[0], pair[1])).collect();
+    let fits = |(from, to): &(f64, f64)| to - from > width;
+    match (gaps.last(), gaps.first()) {
+        (Some(last), _) if fits(last) => (Anchor::Start, last.0 + 11.0),
+        (_, Some(first)) if fits(first) => (Anchor::End, first.1 - 11.0),
+        _ => {
+            let widest = gaps.iter().max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)));
+            (Anchor::Middle, widest.map_or(0.5 * (LEFT + RIGHT), |gap| 0.5 * (gap.0 + gap.1)))
+        }
     }
 }
 
@@ -210,8 +231,15 @@ mod tests {
     fn a_failure_stays_on_the_chart() {
         let reason = "step below 1e-14 at t = 3.2".to_owned();
         let svg = chart(vec![], vec![Failure { work: f64::NAN, tolerance: 1e-6, reason }]).svg();
-        assert!(svg.contains("class=\"band\"") && svg.contains("class=\"cross\""));
+        assert!(svg.contains("class=\"band\"") && svg.contains(">M: 1 of 1</text>"));
         assert!(svg.contains("M fails at tolerance 10⁻⁶, work unknown: step below 1e-14 at t = 3.2"), "{svg}");
+    }
+
+    #[test]
+    fn the_name_of_a_failing_method_covers_none_of_its_marks() {
+        assert!(matches!(free(vec![LEFT, RIGHT, 100.0], 120.0), (Anchor::Start, x) if x == 111.0));
+        assert!(matches!(free(vec![LEFT, RIGHT, 400.0], 120.0), (Anchor::End, x) if x == 389.0));
+        assert!(matches!(free(vec![LEFT, RIGHT, 100.0, 500.0], 120.0), (Anchor::Middle, x) if x == 300.0));
     }
 
     #[test]

@@ -123,9 +123,11 @@ fn group_width(elements: &[Element], at: usize) -> f64 {
     width(&elements[at - before..at + after])
 }
 
-/// 1 for an opening parenthesis, -1 for a closing one.
+/// 1 for an opening parenthesis, -1 for a closing one, which may carry an exponent.
 fn nesting(element: &Element) -> i32 {
-    match element.inner {
+    let scripted = matches!(element.name, "msup" | "msub" | "msubsup");
+    let base = if scripted { children(element.inner).first().map_or("", |base| base.inner) } else { element.inner };
+    match base {
         "(" | "[" | "{" => 1,
         ")" | "]" | "}" => -1,
         _ => 0,
@@ -205,6 +207,14 @@ mod tests {
         let sum = |terms| vec!["<mi>xxxx</mi>"; terms].join("<mo>+</mo>");
         let content = format!("<mo>(</mo>{}<mo>)</mo><mo>[</mo>{}<mo>]</mo>", sum(2), sum(9));
         assert_eq!(pieces(&format!("<math>{content}</math>"), 20.0).len(), 9);
+    }
+
+    #[test]
+    fn a_parenthesis_with_an_exponent_is_closed() {
+        let sum = ["<mi>xxxx</mi>"; 9].join("<mo>+</mo>");
+        let content = format!("<mo>(</mo>{sum}<msup><mo>)</mo><mn>2</mn></msup><mo>=</mo><mi>y</mi>");
+        let parts = pieces(&format!("<math>{content}</math>"), 30.0);
+        assert_eq!(parts.last().map(|part| part.mathml.as_str()), Some("<mo form=\"infix\">=</mo><mi>y</mi>"));
     }
 
     #[test]

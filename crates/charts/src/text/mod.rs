@@ -17,6 +17,8 @@ pub struct Unset {
 
 /// Formulas wider than this, in em, are given places to break a line.
 const BREAK_ABOVE: f64 = 20.0;
+/// The same inside prose, where a narrow screen must hold the formula and a sentence goes on around it.
+const BREAK_IN_PROSE: f64 = 16.0;
 /// What one line of print holds, in em; wider pieces are printed smaller.
 const PAPER: f64 = 44.0;
 
@@ -52,11 +54,36 @@ impl Typesetter {
         PreEscaped(out)
     }
 
+    /// A formula within prose. A long one may break like a displayed one; what still is too wide scrolls by itself.
     fn inline(&mut self, latex: &str) -> Markup {
-        match self.convert(latex, MathDisplay::Inline) {
-            Ok(mathml) => PreEscaped(mathml),
-            Err(reason) => self.source(latex, reason),
+        let mathml = match self.convert(latex, MathDisplay::Inline) {
+            Ok(mathml) => mathml,
+            Err(reason) => return self.source(latex, reason),
+        };
+        let pieces = mathml::pieces(&mathml, BREAK_IN_PROSE);
+        if pieces.iter().all(|piece| piece.width <= BREAK_IN_PROSE) && pieces.len() == 1 {
+            return PreEscaped(mathml);
         }
+        html! { @for (position, piece) in pieces.iter().enumerate() {
+            @if position > 0 { wbr; }
+            @let math = html! { math { (PreEscaped(&piece.mathml)) } };
+            @if piece.width > BREAK_IN_PROSE { span.wide { (math) } } @else { (math) }
+        } }
+    }
+
+    /// How wide a text is on one line, in em: enough to tell a short one from a long one.
+    pub fn width(&self, text: &str) -> f64 {
+        let (mut width, mut rest, mut formula) = (0.0, text, false);
+        while let Some((part, tail)) = split_at_dollar(rest) {
+            width += if formula { self.formula_width(part) } else { prose_width(part) };
+            (rest, formula) = (tail, !formula);
+        }
+        width + prose_width(rest)
+    }
+
+    fn formula_width(&self, latex: &str) -> f64 {
+        let converted = self.convert(latex, MathDisplay::Inline);
+        converted.map_or(prose_width(latex), |math| mathml::pieces(&math, f64::INFINITY).iter().map(|p| p.width).sum())
     }
 
     /// One displayed formula. A long one comes in pieces between which a line may break, because MathML breaks none.
@@ -97,6 +124,17 @@ impl Typesetter {
     }
 }
 
+/// The LaTeX of a text that is one formula and nothing else.
+pub(crate) fn sole_formula(text: &str) -> Option<&str> {
+    let (before, rest) = split_at_dollar(text.trim())?;
+    let (latex, after) = split_at_dollar(rest)?;
+    (before.is_empty() && after.is_empty()).then_some(latex)
+}
+
+fn prose_width(prose: &str) -> f64 {
+    0.5 * prose.chars().count() as f64
+}
+
 /// The text without its LaTeX's dollar signs: for places that take no markup.
 pub(crate) fn plain(text: &str) -> String {
     unescape(text).replace('$', "")
@@ -130,6 +168,22 @@ mod tests {
     #[test]
     fn a_dollar_sign_without_a_partner_is_a_dollar_sign() {
         assert_eq!(Typesetter::default().text("5 $ a day").into_string(), "5 $ a day");
+    }
+
+    #[test]
+    fn a_long_formula_within_prose_may_break_and_a_short_one_stays_whole() {
+        let terms = (1..20).map(|i| format!("A_{{{i}}} x_{{{i}}}")).collect::<Vec<_>>().join(" + ");
+        let mut set = Typesetter::default();
+        let (short, long) =
+            (set.text("so $a + b = c$").into_string(), set.text(&format!("so ${terms}$")).into_string());
+        assert_eq!((short.matches("<wbr>").count(), long.matches("<wbr>").count()), (0, 18));
+        assert!(set.width("so $a + b = c$") < 10.0 && set.width(&format!("${terms}$")) > 40.0);
+    }
+
+    #[test]
+    fn a_text_that_is_one_formula_is_known_as_such() {
+        assert_eq!(sole_formula("$x = 1$"), Some("x = 1"));
+        assert_eq!((sole_formula("$x$ or $y$"), sole_formula("where $x$"), sole_formula("x")), (None, None, None));
     }
 
     #[test]

@@ -19,5 +19,6 @@ pub fn specimen() -> Report {
         scenes: scenes::scenes(),
         spheres: pictures::spheres(),
         timings: pictures::timings(),
+        timings_missing: String::new(),
     }
 }

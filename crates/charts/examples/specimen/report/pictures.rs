@@ -9,13 +9,19 @@ pub fn spheres() -> Vec<Sphere> {
         description: "The curve in which a cone of degree 8 meets the unit sphere. Each point is an axis fixed in the \
                       carrier; the colour is the angular velocity $\\omega^0$ about it."
             .into(),
+        facts: vec![("weight".into(), "2 N m".into())],
         value: "angular velocity ω⁰, rad/s".into(),
         axes: ["ξ₁", "ξ₂", "ξ₃"].map(String::from),
         curves: vec![branch("upper branch", 1.0, true), branch("lower branch", -1.0, true)],
         marks: vec![
-            Mark { name: "l".into(), at: [1.0, 2.0, 2.0], note: "axis of the rotor".into() },
-            Mark { name: "e".into(), at: [0.6, 0.0, 0.8], note: "direction to the centre of mass".into() },
-            Mark { name: "−e".into(), at: [-0.6, 0.0, -0.8], note: "hanging at rest".into() },
+            Mark { name: "l".into(), at: [1.0, 2.0, 2.0], note: "axis of the rotor".into(), hollow: false },
+            Mark {
+                name: "e".into(),
+                at: [0.6, 0.0, 0.8],
+                note: "direction to the centre of mass".into(),
+                hollow: false,
+            },
+            Mark { name: "−e".into(), at: [-0.6, 0.0, -0.8], note: "on no branch".into(), hollow: true },
         ],
         view: (35.0, 24.0),
         note: "Both half-axes of a direction are shown where both are axes of rotation.".into(),
@@ -24,7 +30,7 @@ pub fn spheres() -> Vec<Sphere> {
         title: "The same without weight, $\\Gamma = 0$".into(),
         value: String::new(),
         curves: vec![branch("cone of degree 2", 0.6, false), branch("its other sheet", -0.6, false)],
-        marks: vec![Mark { name: "l".into(), at: [1.0, 2.0, 2.0], note: "axis of the rotor".into() }],
+        marks: vec![Mark { name: "l".into(), at: [1.0, 2.0, 2.0], note: "axis of the rotor".into(), hollow: false }],
         description: String::new(),
         note: String::new(),
         ..coloured.clone()

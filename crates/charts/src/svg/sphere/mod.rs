@@ -5,7 +5,7 @@ mod strand;
 mod view;
 
 use super::drawing::{Anchor, Drawing, LINE, WIDTH, left_out};
-use super::{marker::Look, number::significant};
+use super::marker::Look;
 use scale::Scale;
 use strand::Strand;
 use view::View;
@@ -16,6 +16,8 @@ pub struct Sphere {
     pub title: String,
     /// Text.
     pub description: String,
+    /// Data beside the picture: name and value (texts).
+    pub facts: Vec<(String, String)>,
     /// The quantity that colours the curves, plain text with its unit.
     pub value: String,
     /// Names of the three axes, plain text.
@@ -47,8 +49,10 @@ pub struct CurvePoint {
 pub struct Mark {
     pub name: String,
     pub at: [f64; 3],
-    /// Shown on hovering.
+    /// Shown on hovering; of hollow marks also below the picture, each sentence once.
     pub note: String,
+    /// A ring in place of a dot: a direction on a curve that is none of those the curve stands for.
+    pub hollow: bool,
 }
 
 pub(crate) const CENTRE: (f64, f64) = (0.5 * WIDTH, 232.0);
@@ -71,13 +75,12 @@ impl Sphere {
             drawing.open(if front { "front" } else { "back" });
             strands.iter().for_each(|strand| strand.draw(&mut drawing, &view, scale.as_ref(), front));
             for (name, axis) in self.axes.iter().zip(AXES) {
-                point(&mut drawing, &view, axis.map(|x| 1.3 * x), front, "axis-name", name, "");
-            }
-            for mark in &self.marks {
-                if let Some(at) = strand::unit(mark.at) {
-                    point(&mut drawing, &view, at, front, "mark-name", &mark.name, &mark.note);
+                let (x, y, depth) = view.place(axis.map(|x| 1.3 * x));
+                if (depth >= 0.0) == front {
+                    drawing.text((x, y + 5.0), Anchor::Middle, "axis-name", name);
                 }
             }
+            self.marks.iter().for_each(|mark| mark.draw(&mut drawing, &view, front));
             drawing.close();
         }
         drawing.close();
@@ -87,6 +90,7 @@ impl Sphere {
             scale.legend(&mut drawing, &self.value);
         }
         self.names(&mut drawing);
+        self.holes(&mut drawing);
         let sentence = left_out(dropped, "not a direction");
         drawing.paragraph(&sentence, "small");
         drawing
@@ -96,10 +100,7 @@ impl Sphere {
     pub(crate) fn data(&self) -> String {
         let (strands, _) = self.strands();
         let strands: Vec<_> = strands.iter().map(Strand::json).collect();
-        let marks = self.marks.iter().filter_map(|mark| strand::unit(mark.at).map(|at| (at, &mark.name, &mark.note)));
-        let marks: Vec<_> = marks
-            .map(|(at, name, note)| format!("[{},{},{}]", strand::integers(at), quoted(name), quoted(note)))
-            .collect();
+        let marks: Vec<_> = self.marks.iter().filter_map(Mark::json).collect();
         let axes: Vec<_> = self.axes.iter().map(|name| quoted(name)).collect();
         let range = self.scale().map_or("null".to_owned(), |scale| scale.json());
         let (azimuth, height) = View::new(self.view).degrees();
@@ -132,16 +133,32 @@ impl Sphere {
         Scale::of(self.curves.iter().flat_map(|curve| curve.points.iter().filter_map(|point| point.value)))
     }
 
-    /// The names of the curves that no colour scale explains.
-    fn names(&self, drawing: &mut Drawing) {
-        for (position, curve) in self.curves.iter().enumerate() {
-            if !curve.name.is_empty() && curve.points.iter().all(|point| point.value.is_none()) {
+    /// What rings stand for, each sentence once.
+    fn holes(&self, drawing: &mut Drawing) {
+        let mut told: Vec<&str> = Vec::new();
+        for mark in self.marks.iter().filter(|mark| mark.hollow && !mark.note.is_empty()) {
+            if !told.contains(&mark.note.as_str()) {
+                told.push(&mark.note);
                 let y = drawing.height + 0.5 * LINE;
-                drawing.open(&Look::of(position).class());
-                drawing.line((8.0, y), (42.0, y), "line");
-                drawing.close();
-                drawing.text((50.0, y + 4.5), Anchor::Start, "", &curve.name);
+                drawing.circle((25.0, y), 5.0, "hole");
+                drawing.text((50.0, y + 4.5), Anchor::Start, "small", &mark.note);
                 drawing.height += LINE;
+            }
+        }
+    }
+
+    /// The names of the curves that no colour scale explains, or not everywhere.
+    fn names(&self, drawing: &mut Drawing) {
+        let mut told: Vec<(String, &str)> = Vec::new();
+        for (position, curve) in self.curves.iter().enumerate() {
+            let entry = (strand::class(curve, Look::of(position)), curve.name.as_str());
+            let plain = curve.points.iter().any(|point| point.value.is_none());
+            if plain && !curve.name.is_empty() && !told.contains(&entry) {
+                let y = drawing.height + 0.5 * LINE;
+                drawing.line((8.0, y), (42.0, y), &entry.0);
+                drawing.text((50.0, y + 4.5), Anchor::Start, "small", &curve.name);
+                drawing.height += LINE;
+                told.push(entry);
             }
         }
     }
@@ -149,18 +166,28 @@ impl Sphere {
 
 pub(crate) const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// A named point, if it is on this side of the sphere.
-fn point(drawing: &mut Drawing, view: &View, at: [f64; 3], front: bool, class: &str, name: &str, note: &str) {
-    let (x, y, depth) = view.place(at);
-    if (depth >= 0.0) != front {
-        return;
+impl Mark {
+    /// The point with its name, if it is on this side of the sphere.
+    fn draw(&self, drawing: &mut Drawing, view: &View, front: bool) {
+        let Some((x, y, depth)) = strand::unit(self.at).map(|at| view.place(at)) else { return };
+        if (depth >= 0.0) != front {
+            return;
+        }
+        let class = if self.hollow { "hole" } else { "dot" };
+        let ring = format!("M{x:.1} {y:.1}m-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0z");
+        drawing.path_with_tooltip(&ring, class, &self.told());
+        drawing.text((x + 9.0, y - 6.0), Anchor::Start, "mark-name", &self.name);
     }
-    if class == "mark-name" {
-        let tooltip = if note.is_empty() { name.to_owned() } else { format!("{name}: {note}") };
-        drawing.path_with_tooltip(&format!("M{x:.1} {y:.1}m-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0z"), "dot", &tooltip);
-        drawing.text((x + 9.0, y - 6.0), Anchor::Start, class, name);
-    } else {
-        drawing.text((x, y + 5.0), Anchor::Middle, class, name);
+
+    fn told(&self) -> String {
+        let parts: Vec<&str> = [&self.name, &self.note].into_iter().map(|s| &**s).filter(|s| !s.is_empty()).collect();
+        parts.join(": ")
+    }
+
+    /// `[x, y, z, name, note, hollow]`.
+    fn json(&self) -> Option<String> {
+        let at = strand::integers(strand::unit(self.at)?);
+        Some(format!("[{at},{},{},{}]", quoted(&self.name), quoted(&self.told()), self.hollow))
     }
 }
 
@@ -185,11 +212,6 @@ fn number(value: Option<f64>) -> String {
     }
 }
 
-/// A value for people.
-fn shown(value: f64) -> String {
-    significant(value, 3)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -201,6 +223,14 @@ mod tests {
         let sphere = Sphere { curves: vec![curve], ..Default::default() };
         assert!(sphere.svg().contains("2 points left out: not a direction."));
         assert!(!sphere.data().contains("NaN"));
+    }
+
+    #[test]
+    fn rings_are_explained_once() {
+        let ring = |at| Mark { at, note: "no rotation".into(), hollow: true, ..Default::default() };
+        let sphere = Sphere { marks: AXES.map(ring).into(), ..Default::default() };
+        assert_eq!(sphere.svg().matches(">no rotation</text>").count(), 1);
+        assert_eq!(sphere.data().matches("\"no rotation\",true]").count(), 3);
     }
 
     #[test]

@@ -1,17 +1,22 @@
 //! The scale of colours along curves: twelve steps, dark to light also in grey.
 
 use super::{
-    super::drawing::{Anchor, Drawing, WIDTH},
-    number, shown,
+    super::{
+        drawing::{Anchor, Drawing, WIDTH},
+        number::significant,
+    },
+    number,
 };
 
 pub(crate) const LEVELS: usize = 12;
 
-/// Bounds of the colours. Outliers do not stretch them: they take the last colour.
+/// Bounds of the colours, and the size of a usual value: beyond it the colours go by ratios, so that a few large values
+/// do not take all of them. Outliers do not stretch the bounds: they take the last colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
     low: f64,
     high: f64,
+    usual: f64,
     /// Values lie below or above the bounds.
     beyond: (bool, bool),
 }
@@ -22,22 +27,45 @@ impl Scale {
         let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
         values.sort_by(f64::total_cmp);
         let (first, last) = (*values.first()?, *values.last()?);
+        let mut sizes: Vec<f64> = values.iter().map(|value| value.abs()).collect();
+        sizes.sort_by(f64::total_cmp);
+        let middle = sizes[sizes.len() / 2];
+        let mut scale = Scale { low: first, high: last, usual: middle, beyond: (false, false) };
+        if middle == 0.0 {
+            scale.usual = first.abs().max(last).max(1.0);
+        }
         let at = |share: f64| values[((values.len() - 1) as f64 * share).round() as usize];
-        let (low, high) = (at(0.04), at(0.96));
+        let (low, high) = (scale.bent(at(0.04)), scale.bent(at(0.96)));
         let room = 1.5 * (high - low);
-        let low = if first < low - room { low } else { first };
-        let high = if last > high + room { high } else { last };
-        Some(Scale { low, high, beyond: (first < low, last > high) })
+        if scale.bent(first) < low - room {
+            (scale.low, scale.beyond.0) = (at(0.04), true);
+        }
+        if scale.bent(last) > high + room {
+            (scale.high, scale.beyond.1) = (at(0.96), true);
+        }
+        Some(scale)
+    }
+
+    /// Nearly proportional for usual values and smaller ones, logarithmic for larger ones.
+    fn bent(&self, value: f64) -> f64 {
+        (value / self.usual).asinh()
+    }
+
+    /// The value at a share of the way through the colours.
+    fn value(&self, share: f64) -> f64 {
+        let (low, high) = (self.bent(self.low), self.bent(self.high));
+        self.usual * (low + share * (high - low)).sinh()
     }
 
     /// Which of the colours a value has.
     pub fn level(&self, value: f64) -> usize {
-        let share = if self.high > self.low { (value - self.low) / (self.high - self.low) } else { 0.5 };
+        let (low, high) = (self.bent(self.low), self.bent(self.high));
+        let share = if high > low { (self.bent(value) - low) / (high - low) } else { 0.5 };
         ((share * LEVELS as f64) as usize).min(LEVELS - 1)
     }
 
     pub fn json(&self) -> String {
-        format!("[{},{}]", number(Some(self.low)), number(Some(self.high)))
+        format!("[{},{},{}]", number(Some(self.low)), number(Some(self.high)), number(Some(self.usual)))
     }
 
     /// A bar of the colours with its bounds, below the picture.
@@ -48,10 +76,13 @@ impl Scale {
             drawing.rect((left + step * level as f64, top), step + 0.3, 11.0, &format!("v{level} swatch"));
         }
         let sign = |beyond: bool, sign: &str| if beyond { format!("{sign} ") } else { String::new() };
+        let short = |value: f64| significant(value, 2);
         let ends = [
-            (0.0, sign(self.beyond.0, "≤") + &shown(self.low)),
-            (0.5, shown(0.5 * (self.low + self.high))),
-            (1.0, sign(self.beyond.1, "≥") + &shown(self.high)),
+            (0.0, sign(self.beyond.0, "≤") + &short(self.low)),
+            (0.25, short(self.value(0.25))),
+            (0.5, short(self.value(0.5))),
+            (0.75, short(self.value(0.75))),
+            (1.0, sign(self.beyond.1, "≥") + &short(self.high)),
         ];
         for (share, text) in ends {
             drawing.text((left + 300.0 * share, top + 27.0), Anchor::Middle, "", &text);
@@ -69,8 +100,15 @@ mod tests {
     fn an_outlier_does_not_stretch_the_scale() {
         let scale = Scale::of((0..100).map(f64::from).chain([1e9])).unwrap();
         assert_eq!((scale.low, scale.beyond), (0.0, (false, true)));
-        assert!(scale.high < 100.0);
+        assert!(scale.high < 100.0 && scale.beyond == (false, true));
         assert_eq!((scale.level(-5.0), scale.level(1e9)), (0, LEVELS - 1));
+    }
+
+    #[test]
+    fn a_few_large_values_leave_colours_for_the_small_ones() {
+        let scale = Scale::of((-30..=30).map(|i| f64::from(i).powi(5))).unwrap();
+        assert!(scale.level(1e6) > scale.level(1e3) && scale.level(-1e3) > scale.level(-1e6));
+        assert!((scale.value(1.0) - scale.high).abs() < 1e-6 * scale.high);
     }
 
     #[test]

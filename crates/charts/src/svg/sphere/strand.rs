@@ -81,9 +81,15 @@ pub(super) fn stub(axis: [f64; 3]) -> Strand {
     Strand { class: "axis".into(), name: String::new(), points }
 }
 
+/// Stretches without a value of a curve that has values elsewhere look alike on all curves.
+pub(super) fn class(curve: &Curve, look: Look) -> String {
+    let valued = curve.points.iter().any(|point| point.value.is_some());
+    if valued { "curve beyond".to_owned() } else { format!("curve {}", look.class()) }
+}
+
 /// A curve as strands that end where a point is no direction, and how many such points it has.
 pub(super) fn curve(curve: &Curve, look: Look) -> (Vec<Strand>, usize) {
-    let class = format!("curve {}", look.class());
+    let class = class(curve, look);
     let fresh = || Strand { class: class.clone(), name: curve.name.clone(), points: Vec::new() };
     let (mut strands, mut lost) = (vec![fresh()], 0);
     for point in &curve.points {

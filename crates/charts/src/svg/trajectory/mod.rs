@@ -1,14 +1,15 @@
 //! Quantities against time, in panels that share the time.
 
+mod track;
+
 use super::{
     axis::{Axis, Tick},
-    decimate::decimate,
     drawing::{Anchor, Drawing, WIDTH, left_out, shorten},
     legend::{self, Entry},
     marker::Look,
     number::significant,
-    path,
 };
+use track::{Stop, finite};
 
 /// Stacked panels over one axis of time.
 #[derive(Clone, Debug, Default)]
@@ -41,7 +42,6 @@ pub struct Track {
 const LEFT: f64 = 66.0;
 const RIGHT: f64 = WIDTH - 12.0;
 const HEADING: f64 = 22.0;
-const COLUMNS: usize = 400;
 
 impl Trajectory {
     /// The chart as an SVG file.
@@ -60,28 +60,48 @@ impl Trajectory {
         };
         let mut drawing = Drawing::default();
         let stops = self.stops();
+        let shared = self.shared();
         for panel in &self.panels {
             let (top, bottom) = (drawing.height + HEADING, drawing.height + HEADING + room);
-            drawing.text((LEFT, top - 7.0), Anchor::Start, "heading", &panel.y);
-            if let ([stop], true) = (&stops[..], drawing.height == 0.0) {
-                let room = ((RIGHT - LEFT) / 7.0) as usize;
-                let reason = shorten(&format!("✕ {}", stop.reason), room.saturating_sub(panel.y.chars().count() + 4));
-                drawing.text((RIGHT, top - 7.0), Anchor::End, "small", &reason);
-            }
+            let own = panel.names();
+            let legend = if shared { &names } else { &own };
+            let look = |track: &Track| Look::of(legend.iter().position(|name| *name == track.name).unwrap_or(0));
+            self.head(&mut drawing, panel, top - 7.0, if shared { &[] } else { &own }, &stops);
             let values = panel.series.iter().flat_map(|track| finite(track).map(|point| point.1));
             let y = Axis::linear(values, bottom, top, 26.0, 0.06);
             frame(&mut drawing, &x, &y, top, bottom);
             for track in &panel.series {
-                let look = Look::of(names.iter().position(|name| *name == track.name).unwrap_or(0));
-                draw_track(&mut drawing, track, look, &x, &y);
+                track::draw(&mut drawing, track, look(track), &x, &y);
             }
             for track in &panel.series {
-                number_stop(&mut drawing, track, &stops, &x, &y);
+                track::number(&mut drawing, track, &stops, &x, &y);
             }
             drawing.height = bottom + 2.0;
         }
-        self.foot(&mut drawing, &x, &names, &stops);
+        self.foot(&mut drawing, &x, if shared { &names } else { &[] }, &stops);
         drawing
+    }
+
+    /// Whether one legend serves all panels: they show the same runs, or the names have no room above a panel.
+    fn shared(&self) -> bool {
+        let names = self.names();
+        let same = self.panels.iter().all(|panel| panel.names() == names);
+        let fits = |panel: &Panel| {
+            legend::in_a_row(&mut Drawing::default(), &entries(&panel.names()), (beyond(&panel.y), 0.0), RIGHT)
+        };
+        (same && (self.panels.len() > 1 || names.len() < 2)) || !self.panels.iter().all(fits)
+    }
+
+    /// The line above a panel: what it shows, its legend, and why the only run that stopped did.
+    fn head(&self, drawing: &mut Drawing, panel: &Panel, y: f64, legend: &[&str], stops: &[Stop]) {
+        drawing.text((LEFT, y), Anchor::Start, "heading", &panel.y);
+        legend::in_a_row(drawing, &entries(legend), (beyond(&panel.y), y), RIGHT);
+        if let ([stop], true) = (stops, drawing.height == 0.0) {
+            let taken = panel.y.chars().count() + legend.iter().map(|name| name.chars().count() + 7).sum::<usize>();
+            let room = ((RIGHT - LEFT) / 7.0) as usize;
+            let reason = shorten(&format!("✕ {}", stop.reason), room.saturating_sub(taken + 4));
+            drawing.text((RIGHT, y), Anchor::End, "small", &reason);
+        }
     }
 
     /// What stands below the last panel: times, legend, who stopped and why, what was left out.
@@ -97,13 +117,11 @@ impl Trajectory {
         drawing.text((0.5 * (LEFT + RIGHT), drawing.height + 38.0), Anchor::Middle, "", &self.x);
         drawing.height += 50.0;
         if names.len() > 1 {
-            let entries: Vec<_> =
-                names.iter().enumerate().map(|(at, name)| Entry { look: Look::of(at), name }).collect();
-            legend::draw(drawing, &entries, false);
+            legend::draw(drawing, &entries(names), false);
         }
         for (position, stop) in stops.iter().enumerate() {
             let Stop { name, reason, time } = stop;
-            let sign = sign(stops, position);
+            let sign = track::sign(stops, position);
             drawing.paragraph(&format!("{sign} {name} stopped at {}: {reason}", significant(*time, 4)), "small");
         }
         let missing = self.tracks().map(|track| track.points.len() - finite(track).count()).sum();
@@ -129,67 +147,33 @@ impl Trajectory {
 
     /// The names of all tracks, each once.
     fn names(&self) -> Vec<&str> {
-        let mut names: Vec<&str> = Vec::new();
-        for track in self.tracks() {
-            if !names.contains(&track.name.as_str()) {
-                names.push(&track.name);
-            }
+        once(self.tracks())
+    }
+}
+
+impl Panel {
+    fn names(&self) -> Vec<&str> {
+        once(self.series.iter())
+    }
+}
+
+fn once<'a>(tracks: impl Iterator<Item = &'a Track>) -> Vec<&'a str> {
+    let mut names: Vec<&str> = Vec::new();
+    for track in tracks {
+        if !names.contains(&track.name.as_str()) {
+            names.push(&track.name);
         }
-        names
     }
+    names
 }
 
-/// Where and why a run stopped.
-struct Stop<'a> {
-    name: &'a str,
-    reason: &'a str,
-    time: f64,
+fn entries<'a>(names: &[&'a str]) -> Vec<Entry<'a>> {
+    names.iter().enumerate().map(|(at, name)| Entry { look: Look::of(at), name }).collect()
 }
 
-impl<'a> Stop<'a> {
-    fn of(track: &'a Track) -> Option<Self> {
-        let (reason, end) = (track.stopped.as_deref()?, finite(track).last()?);
-        Some(Stop { name: &track.name, reason, time: end.0 })
-    }
-
-    fn is(&self, other: &Stop) -> bool {
-        self.name == other.name && self.reason == other.reason
-    }
-}
-
-/// The cross, with a number where several runs stopped.
-fn sign(stops: &[Stop], position: usize) -> String {
-    if stops.len() > 1 { format!("✕{}", position + 1) } else { "✕".to_owned() }
-}
-
-fn is_finite(point: &(f64, f64)) -> bool {
-    point.0.is_finite() && point.1.is_finite()
-}
-
-fn finite(track: &Track) -> impl Iterator<Item = (f64, f64)> {
-    track.points.iter().copied().filter(is_finite)
-}
-
-fn draw_track(drawing: &mut Drawing, track: &Track, look: Look, x: &Axis, y: &Axis) {
-    drawing.open(&look.class());
-    for run in track.points.chunk_by(|a, b| is_finite(a) == is_finite(b)).filter(|run| is_finite(&run[0])) {
-        let places: Vec<_> = decimate(run, COLUMNS).into_iter().map(|(t, v)| (x.place(t), y.place(v))).collect();
-        drawing.path(&path::polyline(&places), "line");
-    }
-    if let (Some(reason), Some(end)) = (&track.stopped, finite(track).last()) {
-        let d = format!("M{:.1} {:.1}m-5-5l10 10m-10 0l10-10", x.place(end.0), y.place(end.1));
-        drawing.path_with_tooltip(&d, "stop", &format!("{} stopped: {reason}", track.name));
-    }
-    drawing.close();
-}
-
-/// The number beside the cross, where several runs stopped; a single one is explained above the first panel.
-fn number_stop(drawing: &mut Drawing, track: &Track, stops: &[Stop], x: &Axis, y: &Axis) {
-    let (Some(stop), Some(end), [_, _, ..]) = (Stop::of(track), finite(track).last(), stops) else { return };
-    let number = stops.iter().position(|known| known.is(&stop)).map_or(0, |position| position + 1);
-    let at = x.place(end.0);
-    let (anchor, start) = if at > 0.5 * (LEFT + RIGHT) { (Anchor::End, at - 9.0) } else { (Anchor::Start, at + 9.0) };
-    drawing.text((start, y.place(end.1) + 5.0), anchor, "heading said", &number.to_string());
+/// Where a panel's heading ends.
+fn beyond(heading: &str) -> f64 {
+    LEFT + 8.6 * heading.chars().count() as f64 + 14.0
 }
 
 fn frame(drawing: &mut Drawing, x: &Axis, y: &Axis, top: f64, bottom: f64) {
@@ -235,6 +219,16 @@ mod tests {
         for chart in [Trajectory::default(), one(vec![], Some("x".into())), one(vec![(1.0, 1.0)], None)] {
             assert!(chart.svg().ends_with("</svg>"));
         }
+    }
+
+    #[test]
+    fn panels_with_names_of_their_own_have_their_legends_above_them() {
+        let track = |name: &str| Track { name: name.into(), points: vec![(0.0, 0.0), (1.0, 1.0)], stopped: None };
+        let panel = |names: [&str; 2]| Panel { y: "y".into(), series: names.map(track).into() };
+        let chart = |second| Trajectory { panels: vec![panel(["a", "b"]), panel(second)], ..Default::default() };
+        let (own, shared) = (chart(["c", "d"]).svg(), chart(["a", "b"]).svg());
+        assert!(own.contains(">c</text>") && !own.contains("class=\"s2\""), "{own}");
+        assert_eq!((own.matches(">a</text>").count(), shared.matches(">a</text>").count()), (1, 1));
     }
 
     #[test]

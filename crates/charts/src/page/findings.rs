@@ -1,0 +1,88 @@
+//! Every refuted claim beside what holds instead, before anything else.
+
+use super::{anchor, cards::chip, conditions, statement};
+use crate::{ClaimRow, PaperSection, Report, Verdict, text::Typesetter};
+use maud::{Markup, html};
+
+pub(super) fn findings(report: &Report, set: &mut Typesetter) -> Markup {
+    let failing = |paper: &&PaperSection| paper.count(Verdict::Refuted) > 0;
+    html! {
+        @if report.count(Verdict::Refuted) > 0 {
+            section #findings {
+                h2 { "Findings" }
+                p.lead { "Printed statements that fail, each with exact values at which it does, and what holds instead." }
+                @for paper in report.papers.iter().filter(failing) {
+                    h3.paper { (set.text(&paper.title)) }
+                    @for claim in paper.claims.iter().filter(|claim| claim.verdict == Verdict::Refuted) {
+                        (finding(claim, set))
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn finding(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
+    set.at(&claim.id);
+    html! {
+        article.finding {
+            div.title {
+                h4 {
+                    @if !claim.equation_label.is_empty() { span.label { (claim.equation_label) } " " }
+                    (set.text(&claim.title))
+                }
+                a.id href={ "#" (anchor(&claim.id)) } { (claim.id) }
+            }
+            div.verses {
+                p.side { "As printed" }
+                div.said.refuted { @for latex in &claim.latex { (set.formula(latex)) } }
+                @if !claim.counterexample.is_empty() {
+                    p.side { "Fails for" }
+                    div.said { (statement::values(&claim.counterexample, set)) }
+                }
+                @if let Some(correction) = &claim.correction {
+                    p.side { "Holds instead " (chip(correction.verdict)) }
+                    div class={ "said " (correction.verdict.name()) } { (correct(claim, correction, set)) }
+                } @else if let Some(difference) = &claim.difference {
+                    p.side { "Left minus right" }
+                    div.said { (set.formula(difference)) }
+                }
+            }
+            @if !claim.note.is_empty() { p.note { (set.text(&claim.note)) } }
+        }
+    }
+}
+
+/// The sentence that holds, then its formulas: those that are not the printed ones once more. Where only the conditions
+/// differ, these are what is to be seen.
+fn correct(claim: &ClaimRow, correction: &ClaimRow, set: &mut Typesetter) -> Markup {
+    let same = correction.latex == claim.latex;
+    html! {
+        @if !correction.title.is_empty() { p.holds { (set.text(&correction.title)) } }
+        @for latex in correction.latex.iter().filter(|latex| !claim.latex.contains(latex)) { (set.formula(latex)) }
+        @if same { (conditions::requires(&correction.requires, set)) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_finding_tells_the_sentence_that_holds_and_where_the_printed_one_fails() {
+        let correction =
+            ClaimRow { title: "only where x > 0".into(), latex: vec!["x = y".into()], ..Default::default() };
+        let claim = ClaimRow {
+            latex: vec!["x = y".into()],
+            counterexample: vec![("x".into(), "-1".into())],
+            correction: Some(Box::new(correction)),
+            ..Default::default()
+        };
+        let shown = finding(&claim, &mut Typesetter::default()).into_string();
+        assert!(
+            shown.contains("only where x &gt; 0") && shown.contains("Fails for") && shown.contains("−1"),
+            "{shown}"
+        );
+        assert_eq!(shown.matches("class=\"formula\"").count(), 1);
+    }
+}

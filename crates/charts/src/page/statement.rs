@@ -1,0 +1,74 @@
+//! What a claim says and what is known of it.
+
+use super::{cards::chip, conditions};
+use crate::{ClaimRow, text::Typesetter};
+use maud::{Markup, html};
+
+/// All but the heading, what holds instead included.
+pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
+    html! {
+        (statement(claim, set))
+        @if let Some(correction) = &claim.correction {
+            div class={ "correction " (correction.verdict.name()) } {
+                p.side { "Holds instead " (chip(correction.verdict)) }
+                @if !correction.title.is_empty() { p.holds { (set.text(&correction.title)) } }
+                (statement(correction, set))
+            }
+        }
+    }
+}
+
+fn statement(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
+    html! {
+        @for latex in &claim.latex { (set.formula(latex)) }
+        div.known {
+            (conditions::requires(&claim.requires, set))
+            @if !claim.evidence.is_empty() { p.evidence { b { "Evidence " } (set.text(&claim.evidence)) } }
+        }
+        @if let Some(difference) = &claim.difference {
+            div.difference { p.side { "Left minus right" } (set.formula(difference)) }
+        }
+        @if !claim.counterexample.is_empty() {
+            div.counterexample {
+                p.side { (if claim.verdict == crate::Verdict::Refuted { "Counterexample" } else { "Exact values" }) }
+                (values(&claim.counterexample, set))
+            }
+        }
+        @if !claim.note.is_empty() { p.note { (set.text(&claim.note)) } }
+    }
+}
+
+/// Names with their values, side by side.
+pub(super) fn values(values: &[(String, String)], set: &mut Typesetter) -> Markup {
+    html! {
+        dl.values { @for (name, value) in values {
+            div { dt { (set.text(name)) } " " dd { (set.text(&signed(value))) } }
+        } }
+    }
+}
+
+/// Exact values with true minus signs.
+fn signed(value: &str) -> String {
+    let mut out = String::with_capacity(value.len());
+    let mut letters = value.chars().peekable();
+    let mut before = ' ';
+    while let Some(c) = letters.next() {
+        let minus = c == '-' && !before.is_alphanumeric() && letters.peek().is_some_and(char::is_ascii_digit);
+        out.push(if minus { '−' } else { c });
+        before = c;
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn minus_signs_are_true_ones_and_hyphens_stay() {
+        assert_eq!(
+            [signed("-1/2"), signed("(0, -3/5)"), signed("e-3"), signed("-x")],
+            ["−1/2", "(0, −3/5)", "e-3", "-x"]
+        );
+    }
+}
