@@ -35,7 +35,7 @@ pub fn chart(asked: &Chart) -> Result<Ending, Ending> {
 fn drawn(scene: &Scene, measured: &Measured, asked: &Chart, path: &Path) -> String {
     let [counted, timed] = pictures::work_precision(scene, measured);
     if path.extension().is_some_and(|extension| extension == "html" || extension == "htm") {
-        return report::of_scene(scene, vec![counted, timed], pictures::measured_by(measured));
+        return report::of_scene(scene, vec![counted, timed], pictures::measured_by(scene, measured));
     }
     let mut chart = match asked.x {
         Axis::Evaluations => counted,

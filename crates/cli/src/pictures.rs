@@ -12,7 +12,7 @@ pub fn work_precision(scene: &Scene, measured: &Measured) -> [WorkPrecision; 2] 
     let fastest = seconds.fold(f64::INFINITY, f64::min);
     let evaluations = |point: &run::Point| evaluations(point, dimension) as f64;
     let ratio = |point: &run::Point| point.seconds.map_or(f64::NAN, |seconds| seconds / fastest);
-    let chart = |x, work: &dyn Fn(&run::Point) -> f64, note: String| WorkPrecision {
+    let chart = |x, work: &dyn Fn(&run::Point) -> f64| WorkPrecision {
         title: match x {
             Work::Evaluations => "Error against evaluations".to_owned(),
             Work::TimeRatio => "Error against time".to_owned(),
@@ -20,20 +20,22 @@ pub fn work_precision(scene: &Scene, measured: &Measured) -> [WorkPrecision; 2] 
         x,
         error: "largest relative error".to_owned(),
         series: series(&measured.points, work),
-        note,
+        note: String::new(),
     };
-    let counted = format!("A Jacobian counts as the {dimension} evaluations of its columns.");
-    let timed = "Medians of one run of the program, in which the methods take turns.".to_owned();
-    [chart(Work::Evaluations, &evaluations, counted), chart(Work::TimeRatio, &ratio, timed)]
+    [chart(Work::Evaluations, &evaluations), chart(Work::TimeRatio, &ratio)]
 }
 
-/// What the errors of a scene are, for the line below its charts.
-pub fn measured_by(measured: &Measured) -> String {
+/// What errors, evaluations and times of a scene are, for the line below its charts.
+pub fn measured_by(scene: &Scene, measured: &Measured) -> String {
     let reference = &measured.reference;
     format!(
-        "Error: the largest over eight instants and all states, each relative to its size. Reference: {} and {}, in \
-         double-double, which agree to {:.0} digits.",
-        reference.methods[0], reference.methods[1], reference.digits
+        "Error: the largest over eight instants and all states, each relative to its size, by the reference: {} and {} \
+         in double-double, which agree to {:.0} digits. A Jacobian counts as the {} evaluations of its columns. Times \
+         are medians within one run of the program, in which the methods take turns.",
+        reference.methods[0],
+        reference.methods[1],
+        reference.digits,
+        scene.names().len()
     )
 }
 

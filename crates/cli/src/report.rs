@@ -32,7 +32,7 @@ pub fn write(path: &Path, scenes: &[PathBuf], mut report: Report) -> Result<Endi
                 digits = digits.min(reference.digits);
                 let measured = scene.measure_by(reference, Axes::First, &Trials::default());
                 section.work = pictures::work_precision(scene, &measured).into();
-                section.note = pictures::measured_by(&measured);
+                section.note = pictures::measured_by(scene, &measured);
             }
             Err(failure) => section.note = format!("No chart, because the reference stopped: {failure}."),
         }

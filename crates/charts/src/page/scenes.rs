@@ -24,7 +24,7 @@ fn card(scene: &SceneSection, set: &mut Typesetter) -> Markup {
         article.scene id=(anchor(&scene.id)) {
             h3 { (set.text(&scene.title)) }
             p.lead { (set.text(&scene.description)) }
-            div.pair {
+            div.pair.first {
                 div {
                     @if !scene.facts.is_empty() { h4 { "The run" } (facts(&scene.facts, set)) }
                     @if !scene.parameters.is_empty() { h4 { "Parameters" } (parameters(&scene.parameters, set)) }

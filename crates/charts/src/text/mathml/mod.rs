@@ -1,5 +1,9 @@
 //! Where a long formula may break. MathML breaks no line, so a long one is cut into pieces that stand in a row.
 
+mod element;
+
+use element::{Element, children, element_width, space, width};
+
 /// A part of a formula that stays on one line.
 #[derive(Debug, PartialEq)]
 pub struct Piece {
@@ -28,9 +32,13 @@ pub fn pieces(math: &str, limit: f64) -> Vec<Piece> {
 const DEEPEST: i32 = 4;
 
 /// The content of a bracketed row that is too wide for a line, or the element itself. Brackets that stood around
-/// fractions keep their height.
+/// fractions keep their height. A fraction wider than two lines becomes a quotient of brackets, which may break.
 fn opened(element: Element<'_>, limit: f64) -> Vec<Element<'_>> {
     let mut inner = children(element.inner);
+    if element.name == "mfrac" && inner.len() == 2 && element_width(&element) > 2.0 * limit {
+        let (above, below) = (operand(inner[0], limit), operand(inner[1], limit));
+        return [above, vec![sign("/")], below].concat();
+    }
     let bracketed =
         inner.first().is_some_and(|first| first.name == "mo") && inner.last().is_some_and(|last| last.name == "mo");
     if element.name != "mrow" || !bracketed || element_width(&element) <= limit || element.inner.contains("<mtable") {
@@ -44,50 +52,20 @@ fn opened(element: Element<'_>, limit: f64) -> Vec<Element<'_>> {
     inner
 }
 
+/// A part of a fraction beside its slash: in brackets where it is more than one element.
+fn operand(element: Element<'_>, limit: f64) -> Vec<Element<'_>> {
+    if element.name != "mrow" {
+        return vec![element];
+    }
+    let content = children(element.inner).into_iter().flat_map(|inner| opened(inner, limit));
+    std::iter::once(sign("(")).chain(content).chain([sign(")")]).collect()
+}
+
+fn sign(sign: &'static str) -> Element<'static> {
+    Element { name: "mo", attributes: "stretchy=\"false\"", inner: sign }
+}
+
 const TALL: &str = "minsize=\"2.4em\" maxsize=\"2.4em\"";
-
-/// An element and what it holds.
-#[derive(Clone, Copy, Debug)]
-struct Element<'a> {
-    name: &'a str,
-    attributes: &'a str,
-    inner: &'a str,
-}
-
-/// The elements at the top level of well-formed markup; text between them is skipped.
-fn children(markup: &str) -> Vec<Element<'_>> {
-    let mut found = Vec::new();
-    let mut rest = markup;
-    while let Some(start) = rest.find('<') {
-        let Some(length) = rest[start..].find('>') else { break };
-        let tag = &rest[start + 1..start + length];
-        rest = &rest[start + length + 1..];
-        let (name, attributes) = tag.trim_end_matches('/').split_once(' ').unwrap_or((tag.trim_end_matches('/'), ""));
-        let end = if tag.ends_with('/') { 0 } else { content_end(rest) };
-        found.push(Element { name, attributes, inner: &rest[..end] });
-        if !tag.ends_with('/') {
-            rest = rest[end..].find('>').map_or("", |close| &rest[end + close + 1..]);
-        }
-    }
-    found
-}
-
-/// Where the content of the element just opened ends: at the first closing tag without a partner.
-fn content_end(markup: &str) -> usize {
-    let mut depth = 0_usize;
-    for (at, _) in markup.match_indices('<') {
-        let tag = &markup[at..];
-        if tag.starts_with("</") {
-            if depth == 0 {
-                return at;
-            }
-            depth -= 1;
-        } else if !tag[..tag.find('>').unwrap_or(0)].ends_with('/') {
-            depth += 1;
-        }
-    }
-    markup.len()
-}
 
 /// Cuts before every relation or sign that stands at most `depth` parentheses deep, and after every wide space; short
 /// parentheses stay whole.
@@ -152,42 +130,6 @@ fn write(part: &[Element], continued: bool) -> String {
     out
 }
 
-fn width(elements: &[Element]) -> f64 {
-    elements.iter().map(element_width).sum()
-}
-
-/// A rough width in em: enough to tell a line from a line and a half.
-fn element_width(element: &Element) -> f64 {
-    let glyphs = element.inner.chars().count() as f64;
-    match element.name {
-        "mo" if glyphs > 1.0 && !element.inner.starts_with('&') => 0.5 * glyphs + 0.3,
-        "mo" if matches!(element.inner, "(" | ")" | "[" | "]" | "," | "\u{2062}" | "\u{2061}" | "′" | "|") => 0.35,
-        "mo" => 1.25,
-        "mi" | "mn" | "mtext" => 0.52 * glyphs,
-        "mspace" => space(element),
-        name => {
-            let inner = children(element.inner);
-            let widths = inner.iter().map(element_width);
-            match name {
-                "mfrac" | "mover" | "munder" | "munderover" | "mtable" => widths.fold(0.0, f64::max),
-                "msub" | "msup" | "msubsup" => {
-                    let base = inner.first().map_or(0.0, element_width);
-                    base + 0.7 * widths.skip(1).fold(0.0, f64::max)
-                }
-                "mtd" => widths.sum::<f64>() + 0.8,
-                "mtr" | "mrow" | "mstyle" | "mpadded" => widths.sum(),
-                _ => widths.sum::<f64>() + 0.8,
-            }
-        }
-    }
-}
-
-/// The width of an `<mspace>` in em.
-fn space(element: &Element) -> f64 {
-    let value = element.attributes.split("width=\"").nth(1).unwrap_or("");
-    value.split("em").next().and_then(|number| number.parse().ok()).unwrap_or(0.0)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -218,9 +160,18 @@ mod tests {
     }
 
     #[test]
-    fn a_fraction_stays_whole() {
+    fn a_fraction_of_two_lines_or_less_stays_whole() {
         let fraction = "<mfrac><mrow><mi>a</mi><mo>+</mo><mi>b</mi></mrow><mi>c</mi></mfrac>";
-        assert_eq!(cut_all(fraction), [fraction]);
+        assert_eq!(pieces(&format!("<math>{fraction}</math>"), 2.0)[0].mathml, fraction);
+    }
+
+    #[test]
+    fn a_fraction_wider_than_two_lines_becomes_a_quotient_that_may_break() {
+        let sum = ["<mi>xxxx</mi>"; 9].join("<mo>+</mo>");
+        let fraction = format!("<mfrac><mrow>{sum}</mrow><mi>c</mi></mfrac>");
+        let parts = pieces(&format!("<math>{fraction}</math>"), 10.0);
+        assert_eq!(parts.len(), 9);
+        assert!(parts[8].mathml.ends_with("<mo stretchy=\"false\">/</mo><mi>c</mi>"), "{parts:?}");
     }
 
     #[test]
