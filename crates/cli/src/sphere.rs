@@ -106,7 +106,7 @@ fn named(conditions: &Stationary<f64>) -> [Mark; 3] {
     };
     let down = conditions.weight.normalize();
     [
-        mark("l", conditions.axis, "the rotor's axis"),
+        mark("l, rotor", conditions.axis, "the rotor's axis"),
         mark("e, hanging", down, "the centre of mass below the fixed point, at rest"),
         mark("\u{2212}e, upright", -down, "the centre of mass above the fixed point, at rest"),
     ]

@@ -53,13 +53,22 @@ fn finding(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     }
 }
 
+/// Beside a sentence longer formulas, in em, are left to the card of the claim.
+const LONG: f64 = 75.0;
+
 /// The sentence that holds, then its formulas: those that are not the printed ones once more. Where only the conditions
 /// differ, these are what is to be seen.
 fn correct(claim: &ClaimRow, correction: &ClaimRow, set: &mut Typesetter) -> Markup {
     let same = correction.latex == claim.latex;
+    let (long, short): (Vec<&String>, Vec<&String>) = correction
+        .latex
+        .iter()
+        .filter(|latex| !claim.latex.contains(latex))
+        .partition(|latex| !correction.title.is_empty() && set.width(&format!("${latex}$")) > LONG);
     html! {
         @if !correction.title.is_empty() { p.holds { (set.text(&correction.title)) } }
-        @for latex in correction.latex.iter().filter(|latex| !claim.latex.contains(latex)) { (set.formula(latex)) }
+        @for latex in short { (set.formula(latex)) }
+        @if !long.is_empty() { p.note { "The equations that were proved: " a href={ "#" (anchor(&claim.id)) } { (claim.id) } } }
         @if same { (conditions::requires(&correction.requires, set)) }
     }
 }

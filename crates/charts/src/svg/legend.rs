@@ -31,16 +31,16 @@ pub(crate) fn draw(drawing: &mut Drawing, entries: &[Entry], markers: bool) {
 
 /// Draws the entries in one row that begins at a place, without markers; nothing and false where it has no room.
 pub(crate) fn in_a_row(drawing: &mut Drawing, entries: &[Entry], (left, y): (f64, f64), right: f64) -> bool {
-    let width = |entry: &Entry| 7.6 * entry.name.chars().count().min(LONGEST) as f64 + 46.0;
+    let width = |entry: &Entry| 7.6 * entry.name.chars().count().min(LONGEST) as f64 + 37.0;
     if left + entries.iter().map(width).sum::<f64>() > right {
         return false;
     }
     let mut x = left;
     for entry in entries {
         drawing.open(&entry.look.class());
-        drawing.line((x, y - 4.5), (x + 26.0, y - 4.5), "line");
+        drawing.line((x, y - 4.5), (x + 22.0, y - 4.5), "line");
         drawing.close();
-        drawing.text((x + 31.0, y), Anchor::Start, "small", &shorten(entry.name, LONGEST));
+        drawing.text((x + 26.0, y), Anchor::Start, "small", &shorten(entry.name, LONGEST));
         x += width(entry);
     }
     true

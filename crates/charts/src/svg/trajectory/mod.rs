@@ -173,7 +173,7 @@ fn entries<'a>(names: &[&'a str]) -> Vec<Entry<'a>> {
 
 /// Where a panel's heading ends.
 fn beyond(heading: &str) -> f64 {
-    LEFT + 8.6 * heading.chars().count() as f64 + 14.0
+    LEFT + 8.0 * heading.chars().count() as f64 + 12.0
 }
 
 fn frame(drawing: &mut Drawing, x: &Axis, y: &Axis, top: f64, bottom: f64) {
