@@ -38,7 +38,7 @@ def prepare(copy: Path) -> None:
 
 def build(copy: Path) -> dict[str, Path] | None:
     """The test programs by name; None where the copy does not compile."""
-    command = ["cargo", "test", "--offline", "--quiet", "--package", "dalembert", "--no-run", "--message-format=json"]
+    command = ["cargo", "test", "--quiet", "--package", "dalembert", "--no-run", "--message-format=json"]
     command += [argument for test in [LEDGER, *LAWS] for argument in ["--test", test]]
     command += [argument for crate in OPTIMISED for argument in ["--config", f"profile.dev.package.{crate}.opt-level=2"]]
     settings = {"CARGO_PROFILE_DEV_OPT_LEVEL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TARGET_DIR": str(copy / "target")}
@@ -65,7 +65,7 @@ def examine(copy: Path) -> tuple[list[str], list[str]]:
     """The claims and the laws that fail."""
     programs = build(copy)
     if programs is None:
-        sys.exit("a mutant does not compile: mend mutants.toml")
+        sys.exit("it does not compile: mend mutants.toml")
     claims = [name.removeprefix("konosevich2022/") for name in failures(programs[LEDGER], copy)]
     laws = [f"{test}: {name}" for test in LAWS for name in failures(programs[test], copy)]
     return claims, laws

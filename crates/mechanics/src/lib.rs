@@ -15,6 +15,8 @@
 //! one of the forms; that it makes every residual vanish is a claim, and is proved.
 
 pub mod appell;
+pub mod constrained;
+pub mod definite;
 pub mod differentiate;
 pub mod hamel;
 pub mod lagrange;

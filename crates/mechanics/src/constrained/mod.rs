@@ -1,0 +1,81 @@
+//! Systems with constraints, in the coordinates of their mass points.
+//!
+//! # Overview
+//! A system is given in N coordinates x with masses m, so that T = 1/2 sum m_i x_i'^2: the Cartesian coordinates of mass
+//! points, and of the points that stand for a rigid body. A plane body of mass m and moment J about its centre is
+//! (x, y, c, s) with the masses (m, m, J, J) and c^2 + s^2 = 1; a body in space is its centre and its axes. Everything
+//! is then algebraic: every law has exact values at rational points, and angles come in with a chart only.
+//!
+//! * [`System`], [`Constrained`]: masses, forces and constraints, of which everything else is derived;
+//! * [`Charted`]: coordinates q and quasi-velocities p that satisfy the constraints identically;
+//! * [`rates`](mod@rates): constraints differentiated along a motion, their matrix;
+//! * [`contacts`]: rough curves that the system touches, from one side or from both;
+//! * [`multipliers`]: Lagrange's equations of the first kind.
+
+pub mod contacts;
+pub mod multipliers;
+pub mod rates;
+
+use field::{Analytic, Base, Over, Scalar};
+
+/// An instant of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<S, const N: usize> {
+    /// t, s
+    pub time: S,
+    /// x
+    pub place: [S; N],
+    /// x'
+    pub velocity: [S; N],
+}
+
+/// The value of a constraint, of one of two kinds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Constraint<S> {
+    /// f(x, t) = 0
+    Geometric(S),
+    /// phi(x, x', t) = 0, linear in x' or not; its virtual displacements are those of Chetaev, (dphi/dx').dx = 0.
+    Kinematic(S),
+}
+
+impl<S> Constraint<S> {
+    /// The value, whatever the kind.
+    pub fn value(self) -> S {
+        match self {
+            Self::Geometric(value) | Self::Kinematic(value) => value,
+        }
+    }
+}
+
+/// N coordinates with masses and given forces.
+pub trait System<const N: usize> {
+    /// The field of the parameters.
+    type Given: Base;
+
+    /// m, the mass that belongs to each coordinate; positive.
+    fn masses<S: Over<Self::Given>>(&self) -> [S; N];
+
+    /// X, the given forces.
+    fn force<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [S; N];
+}
+
+/// A system with C constraints that hold as equations.
+pub trait Constrained<const N: usize, const C: usize>: System<N> {
+    /// The constraints in a fixed order. A geometric one must not look at the velocity.
+    fn constraints<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [Constraint<S>; C];
+}
+
+/// Generalised coordinates q (K of them) and quasi-velocities p (R of them): whatever they are, the constraints hold that
+/// the chart is made for.
+pub trait Charted<const N: usize, const K: usize, const R: usize>: System<N> {
+    /// x = a(q, t)
+    fn place<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; K]) -> [S; N];
+
+    /// q' = b(q, p, t)
+    fn rates<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; K], p: [S; R]) -> [S; K];
+}
+
+/// T = 1/2 sum m_i x_i'^2, J.
+pub fn kinetic_energy<S: Scalar, const N: usize>(masses: [S; N], velocity: [S; N]) -> S {
+    masses.into_iter().zip(velocity).fold(S::zero(), |sum, (m, v)| sum + m * v * v).half()
+}

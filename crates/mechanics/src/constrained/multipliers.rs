@@ -1,0 +1,37 @@
+//! Lagrange's equations of the first kind: m_i x_i'' = X_i + sum over the constraints of lambda J_i.
+
+use super::rates::{jacobian, rates};
+use super::{Constrained, State};
+use crate::definite::{NotDefinite, solve};
+use field::Over;
+
+/// What the constraints do to the forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reaction<S, const N: usize, const C: usize> {
+    /// x''
+    pub acceleration: [S; N],
+    /// lambda: the reaction of the k-th constraint is lambda_k (df_k/dx), or lambda_k (dphi_k/dx').
+    pub multipliers: [S; C],
+}
+
+/// Accelerations and multipliers under a force: J M^-1 J^T lambda = -(rates at x'' = M^-1 X). The force is the given
+/// one, [`Constrained::force`], and whatever else acts beside it, such as friction.
+///
+/// # Errors
+/// [`NotDefinite`] names the first constraint that depends on those before it.
+pub fn multipliers<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
+    system: &Q,
+    at: &State<S, N>,
+    force: [S; N],
+) -> Result<Reaction<S, N, C>, NotDefinite> {
+    let masses: [S; N] = system.masses();
+    let rows = jacobian(system, at);
+    let free: [S; N] = std::array::from_fn(|i| force[i] / masses[i]);
+    let matrix: [[S; C]; C] = std::array::from_fn(|a| {
+        std::array::from_fn(|b| (0..N).fold(S::zero(), |sum, i| sum + rows[a][i] * rows[b][i] / masses[i]))
+    });
+    let multipliers = solve(matrix, rates(system, at, free).map(|rate| -rate))?;
+    let acceleration =
+        std::array::from_fn(|i| (0..C).fold(free[i], |sum, k| sum + multipliers[k] * rows[k][i] / masses[i]));
+    Ok(Reaction { acceleration, multipliers })
+}

@@ -1,0 +1,44 @@
+//! Linear equations with a symmetric positive definite matrix, over any field.
+//!
+//! Elimination needs no choice of pivots there (all of them are positive), and a scalar without order could not choose.
+
+use field::Scalar;
+
+/// A pivot vanished: the matrix is not definite.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotDefinite {
+    /// The first row that depends on those before it.
+    pub row: usize,
+}
+
+impl std::fmt::Display for NotDefinite {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "row {} of the matrix depends on those before it", self.row + 1)
+    }
+}
+
+impl std::error::Error for NotDefinite {}
+
+/// x with A x = b, by elimination in the order of the rows.
+///
+/// # Errors
+/// [`NotDefinite`] where a pivot is exactly zero.
+pub fn solve<S: Scalar, const N: usize>(mut a: [[S; N]; N], mut b: [S; N]) -> Result<[S; N], NotDefinite> {
+    for k in 0..N {
+        if a[k][k].is_zero() {
+            return Err(NotDefinite { row: k });
+        }
+        for i in k + 1..N {
+            let factor = a[i][k] / a[k][k];
+            for j in k + 1..N {
+                a[i][j] = a[i][j] - factor * a[k][j];
+            }
+            b[i] = b[i] - factor * b[k];
+        }
+    }
+    for k in (0..N).rev() {
+        let rest = (k + 1..N).fold(b[k], |sum, j| sum - a[k][j] * b[j]);
+        b[k] = rest / a[k][k];
+    }
+    Ok(b)
+}

@@ -1,0 +1,69 @@
+//! Appell's ladder: a rod between a rough wall and a rough floor.
+//!
+//! A plane body in the coordinates (x, y, c, s) of its centre G and of its direction, with the masses (m, m, J, J); y points
+//! upwards. alpha goes from the wall to the ladder, (c, s) = (cos alpha, sin alpha): A = G + l (-s, c) leans on the wall
+//! x = 0, B = G + l (s, -c) stands on the floor y = 0.
+
+use field::{Analytic, Base, Over};
+use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
+use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+
+/// The data of the ladder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ladder<P> {
+    /// m, kg
+    pub mass: P,
+    /// J about the centre, kg m^2; m l^2/3 for a uniform ladder
+    pub inertia: P,
+    /// l, half of its length, m
+    pub half_length: P,
+    /// g, m/s^2
+    pub gravity: P,
+    /// f of the wall at A, f of the floor at B
+    pub friction: [P; 2],
+}
+
+/// The ladder on wall and floor: rigidity, wall, floor.
+pub type LeaningLadder<P> = Closed<Ladder<P>, 1, 2>;
+
+impl<P: Base> System<4> for Ladder<P> {
+    type Given = P;
+
+    fn masses<S: Over<P>>(&self) -> [S; 4] {
+        [self.mass, self.mass, self.inertia, self.inertia].map(S::lift)
+    }
+
+    fn force<S: Over<P>>(&self, _at: &State<S, 4>) -> [S; 4] {
+        [P::zero(), -self.mass * self.gravity, P::zero(), P::zero()].map(S::lift)
+    }
+}
+
+impl<P: Base> Constrained<4, 1> for Ladder<P> {
+    fn constraints<S: Over<P>>(&self, at: &State<S, 4>) -> [Constraint<S>; 1] {
+        let [_, _, c, s] = at.place;
+        [Constraint::Geometric((c.squared() + s.squared() - S::one()).half())]
+    }
+}
+
+impl<P: Base> Contacts<4, 1, 2> for Ladder<P> {
+    fn contacts<S: Over<P>>(&self, _time: S, [x, y, c, s]: [S; 4]) -> [Contact<S>; 2] {
+        let half = S::lift(self.half_length);
+        let [wall, floor] = self.friction.map(S::lift);
+        [
+            Contact { gap: x - half * s, along: y + half * c, friction: wall, sides: Sides::One },
+            Contact { gap: y - half * c, along: x + half * s, friction: floor, sides: Sides::One },
+        ]
+    }
+}
+
+/// On wall and floor: q = alpha, p = alpha'.
+impl<P: Base> Charted<4, 1, 1> for Ladder<P> {
+    fn place<S: Over<P> + Analytic>(&self, _time: S, [alpha]: [S; 1]) -> [S; 4] {
+        let (point, half) = (alpha.circle(), S::lift(self.half_length));
+        [half * point.sin, half * point.cos, point.cos, point.sin]
+    }
+
+    fn rates<S: Over<P> + Analytic>(&self, _time: S, _q: [S; 1], p: [S; 1]) -> [S; 1] {
+        p
+    }
+}

@@ -1,0 +1,67 @@
+//! Painleve's rod: two mass points on a massless rod, the first of them on a rough horizontal guide.
+//!
+//! Coordinates (x, y, x1, y1) of M and M1 with the masses (m, m, m1, m1); y points downwards, as gravity does. The angle
+//! theta goes from the guide to the rod: x1 = x + l cos theta, y1 = y + l sin theta.
+
+use field::{Analytic, Base, Over};
+use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
+use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+
+/// The data of the rod.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rod<P> {
+    /// m of the point M on the guide, kg
+    pub guided: P,
+    /// m1 of the point M1, kg
+    pub free: P,
+    /// l, m
+    pub length: P,
+    /// g, m/s^2
+    pub gravity: P,
+    /// f of the guide
+    pub friction: P,
+    /// Whether the guide holds M from above only (a floor below it) or from both sides.
+    pub sides: Sides,
+}
+
+/// The rod with M on the guide: the length is the first constraint, the guide the second.
+pub type GuidedRod<P> = Closed<Rod<P>, 1, 1>;
+
+impl<P: Base> System<4> for Rod<P> {
+    type Given = P;
+
+    fn masses<S: Over<P>>(&self) -> [S; 4] {
+        [self.guided, self.guided, self.free, self.free].map(S::lift)
+    }
+
+    fn force<S: Over<P>>(&self, _at: &State<S, 4>) -> [S; 4] {
+        [P::zero(), self.guided * self.gravity, P::zero(), self.free * self.gravity].map(S::lift)
+    }
+}
+
+impl<P: Base> Constrained<4, 1> for Rod<P> {
+    fn constraints<S: Over<P>>(&self, at: &State<S, 4>) -> [Constraint<S>; 1] {
+        let [x, y, x1, y1] = at.place;
+        let length = S::lift(self.length);
+        [Constraint::Geometric(((x1 - x).squared() + (y1 - y).squared() - length.squared()).half())]
+    }
+}
+
+/// The gap is the height of M above the floor, -y: a floor pushes upwards.
+impl<P: Base> Contacts<4, 1, 1> for Rod<P> {
+    fn contacts<S: Over<P>>(&self, _time: S, [x, y, ..]: [S; 4]) -> [Contact<S>; 1] {
+        [Contact { gap: -y, along: x, friction: S::lift(self.friction), sides: self.sides }]
+    }
+}
+
+/// q = (x, theta), p = q'.
+impl<P: Base> Charted<4, 2, 2> for Rod<P> {
+    fn place<S: Over<P> + Analytic>(&self, _time: S, [x, theta]: [S; 2]) -> [S; 4] {
+        let (point, length) = (theta.circle(), S::lift(self.length));
+        [x, S::zero(), x + length * point.cos, length * point.sin]
+    }
+
+    fn rates<S: Over<P> + Analytic>(&self, _time: S, _q: [S; 2], p: [S; 2]) -> [S; 2] {
+        p
+    }
+}

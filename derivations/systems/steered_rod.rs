@@ -1,0 +1,70 @@
+//! The steered rod: Painleve's rod whose middle moves along the rod.
+//!
+//! Coordinates (x1, y1, x2, y2) of M1 on the guide and of M2; y points downwards; a horizontal force X acts on M1. The
+//! condition on the middle is kinematic, and in disguise geometric: see the classification.
+
+use field::{Analytic, Base, Over};
+use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
+use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+
+/// The data of the steered rod.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteeredRod<P> {
+    /// m1 of the point M1 on the guide, kg
+    pub guided: P,
+    /// m2 of the point M2, kg
+    pub free: P,
+    /// l, m
+    pub length: P,
+    /// g, m/s^2
+    pub gravity: P,
+    /// X, the force on M1 along the guide, N
+    pub drive: P,
+    /// f of the guide
+    pub friction: P,
+    /// What holds M1 on the guide.
+    pub sides: Sides,
+}
+
+/// The steered rod with M1 on the guide: length, middle, guide.
+pub type GuidedSteeredRod<P> = Closed<SteeredRod<P>, 2, 1>;
+
+impl<P: Base> System<4> for SteeredRod<P> {
+    type Given = P;
+
+    fn masses<S: Over<P>>(&self) -> [S; 4] {
+        [self.guided, self.guided, self.free, self.free].map(S::lift)
+    }
+
+    fn force<S: Over<P>>(&self, _at: &State<S, 4>) -> [S; 4] {
+        [self.drive, self.guided * self.gravity, P::zero(), self.free * self.gravity].map(S::lift)
+    }
+}
+
+impl<P: Base> Constrained<4, 2> for SteeredRod<P> {
+    fn constraints<S: Over<P>>(&self, at: &State<S, 4>) -> [Constraint<S>; 2] {
+        let ([x1, y1, x2, y2], [u1, v1, u2, v2]) = (at.place, at.velocity);
+        let length = S::lift(self.length);
+        let stretch = ((x2 - x1).squared() + (y2 - y1).squared() - length.squared()).half();
+        let sideways = (x2 - x1) * (v2 + v1) - (y2 - y1) * (u2 + u1);
+        [Constraint::Geometric(stretch), Constraint::Kinematic(sideways)]
+    }
+}
+
+impl<P: Base> Contacts<4, 2, 1> for SteeredRod<P> {
+    fn contacts<S: Over<P>>(&self, _time: S, [x1, y1, ..]: [S; 4]) -> [Contact<S>; 1] {
+        [Contact { gap: -y1, along: x1, friction: S::lift(self.friction), sides: self.sides }]
+    }
+}
+
+/// On the guide: q = (x1, theta), p = x1': theta' = 2 x1' sin theta / l has no singular angle.
+impl<P: Base> Charted<4, 2, 1> for SteeredRod<P> {
+    fn place<S: Over<P> + Analytic>(&self, _time: S, [x1, theta]: [S; 2]) -> [S; 4] {
+        let (point, length) = (theta.circle(), S::lift(self.length));
+        [x1, S::zero(), x1 + length * point.cos, length * point.sin]
+    }
+
+    fn rates<S: Over<P> + Analytic>(&self, _time: S, [_, theta]: [S; 2], [u]: [S; 1]) -> [S; 2] {
+        [u, S::int(2) * u * theta.circle().sin / S::lift(self.length)]
+    }
+}
