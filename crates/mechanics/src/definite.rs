@@ -28,12 +28,14 @@ pub fn solve<S: Scalar, const N: usize>(mut a: [[S; N]; N], mut b: [S; N]) -> Re
         if a[k][k].is_zero() {
             return Err(NotDefinite { row: k });
         }
+        let pivot = a[k];
         for i in k + 1..N {
-            let factor = a[i][k] / a[k][k];
+            let factor = a[i][k] / pivot[k];
             for j in k + 1..N {
-                a[i][j] = a[i][j] - factor * a[k][j];
+                a[i][j] -= factor * pivot[j];
             }
-            b[i] = b[i] - factor * b[k];
+            let known = b[k];
+            b[i] -= factor * known;
         }
     }
     for k in (0..N).rev() {
