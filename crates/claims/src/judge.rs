@@ -148,5 +148,6 @@ impl Judged {
 }
 
 fn stated(hypotheses: &Hypotheses) -> Vec<(String, String)> {
-    hypotheses.statements().iter().map(|text| (text.clone(), text.clone())).collect()
+    let equations = hypotheses.statements().iter().map(|&(left, right)| Condition::Equal(left, right));
+    equations.map(|equation| (equation.to_string(), equation.latex())).collect()
 }

@@ -17,7 +17,7 @@ pub struct Hypotheses {
     pub(super) rules: Vec<Rule>,
     pub(super) given: Vec<(Sym, Sym)>,
     pub(super) spheres: Vec<Vec<Sym>>,
-    statements: Vec<String>,
+    statements: Vec<(Sym, Sym)>,
     refused: Option<Refused>,
 }
 
@@ -53,9 +53,9 @@ impl Hypotheses {
             return self;
         };
         let tail = others.iter().fold(Sym::one(), |rest, &each| rest - each.powi(2));
-        let squares: Vec<String> = vector.iter().map(|each| format!("{each}^2")).collect();
+        let square = vector.iter().map(|each| each.powi(2)).reduce(|sum, each| sum + each);
         self.spheres.push(vector.to_vec());
-        self.add_rule(last, 2, tail, format!("{} = 1", squares.join(" + ")))
+        self.add_rule(last, 2, tail, (square.unwrap_or(Sym::ZERO), Sym::one()))
     }
 
     /// The point lies on the unit circle.
@@ -65,8 +65,7 @@ impl Hypotheses {
 
     /// The rule lead^power = tail, for a symbol `lead` and a polynomial `tail` of lower terms.
     pub fn rule(self, lead: Sym, power: u32, tail: Sym) -> Self {
-        let statement = format!("{} = {tail}", lead.powi(power as i32));
-        self.add_rule(lead, power, tail, statement)
+        self.add_rule(lead, power, tail, (lead.powi(power as i32), tail))
     }
 
     /// The symbol stands for the expression, which must not contain it.
@@ -88,12 +87,12 @@ impl Hypotheses {
             *known = known.substitute(&[(symbol, value)]);
         }
         self.given.push((symbol, value));
-        self.statements.push(format!("{symbol} = {expression}"));
+        self.statements.push((symbol, expression));
         self
     }
 
-    /// The hypotheses in words, in the order in which they were made.
-    pub fn statements(&self) -> &[String] {
+    /// The hypotheses as equations, in the order in which they were made.
+    pub fn statements(&self) -> &[(Sym, Sym)] {
         &self.statements
     }
 
@@ -112,9 +111,10 @@ impl Hypotheses {
         self.refused.as_ref()
     }
 
-    fn add_rule(mut self, lead: Sym, power: u32, tail: Sym, statement: String) -> Self {
+    fn add_rule(mut self, lead: Sym, power: u32, tail: Sym, statement: (Sym, Sym)) -> Self {
+        let written = format!("{} = {}", statement.0, statement.1);
         if !matches!(lead.node(), Node::Symbol(_)) || power == 0 {
-            return self.refuse(format!("the left side of `{statement}` is not a power of a symbol"));
+            return self.refuse(format!("the left side of `{written}` is not a power of a symbol"));
         }
         if self.given.iter().any(|(known, _)| *known == lead) {
             return self.refuse(format!("`{lead}` is given by an expression, and its powers are rewritten"));
@@ -122,7 +122,7 @@ impl Hypotheses {
         if let Some(Rule { power, tail, .. }) = self.rules.iter().find(|rule| rule.lead == lead).copied() {
             let other = lead.powi(power as i32);
             return self.refuse(format!(
-                "`{other} = {tail}` and `{statement}` both rewrite powers of `{lead}`; their leading terms are not coprime"
+                "`{other} = {tail}` and `{written}` both rewrite powers of `{lead}`; their leading terms are not coprime"
             ));
         }
         self.rules.push(Rule { lead, power, tail });
