@@ -43,27 +43,55 @@ pub enum Refusal {
     Field,
 }
 
+/// A time for reading: six digits, as a power of ten where plain digits would be zeros.
+struct Instant(f64);
+
+impl fmt::Display for Instant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0.abs() {
+            0.0 => write!(f, "0"),
+            size if (1e-3..1e6).contains(&size) => {
+                let decimals = (5 - size.log10().floor() as i32).max(0) as usize;
+                let plain = format!("{:.decimals$}", self.0);
+                let trimmed = if decimals > 0 { plain.trim_end_matches('0').trim_end_matches('.') } else { &plain };
+                write!(f, "{trimmed}")
+            }
+            _ => write!(f, "{:.5e}", self.0),
+        }
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Failure::Refused(refusal) => write!(f, "refused: {refusal}"),
             Failure::StepCollapsed { at, step } => {
-                write!(f, "step collapsed at t = {at}: the tolerance asks for a step of {step:.1e}, below rounding")
+                write!(
+                    f,
+                    "step collapsed at t = {}: the tolerance asks for a step of {step:.1e}, below rounding",
+                    Instant(*at)
+                )
             }
             Failure::TooManyEvaluations { at, allowed } => {
-                write!(f, "too many evaluations: the {allowed} allowed were spent at t = {at}")
+                write!(f, "too many evaluations: the {allowed} allowed were spent at t = {}", Instant(*at))
             }
-            Failure::OutOfTime { at } => write!(f, "out of time: the deadline passed at t = {at}"),
+            Failure::OutOfTime { at } => write!(f, "out of time: the deadline passed at t = {}", Instant(*at)),
             Failure::NewtonFailed { at, step } => {
-                write!(f, "Newton did not converge at t = {at}, with a step down to {step:.1e}")
+                write!(f, "Newton did not converge at t = {}, with a step down to {step:.1e}", Instant(*at))
             }
             Failure::LeftTheNumbers { at } => {
-                write!(f, "left the numbers: the rates or the state are not finite after t = {at}")
+                write!(f, "left the numbers: the rates or the state are not finite after t = {}", Instant(*at))
             }
             Failure::Stiff { at } => {
-                write!(f, "stiff at t = {at}: an explicit method wastes its steps here, take an implicit one")
+                write!(
+                    f,
+                    "stiff at t = {}: an explicit method wastes its steps here, take an implicit one",
+                    Instant(*at)
+                )
             }
-            Failure::Singular { at } => write!(f, "the matrix of the implicit step is singular at t = {at}"),
+            Failure::Singular { at } => {
+                write!(f, "the matrix of the implicit step is singular at t = {}", Instant(*at))
+            }
         }
     }
 }
@@ -116,3 +144,17 @@ impl fmt::Display for Refusal {
 
 impl std::error::Error for Failure {}
 impl std::error::Error for Refusal {}
+
+#[cfg(test)]
+mod tests {
+    use super::Failure;
+
+    #[test]
+    fn times_read_well_at_every_size() {
+        let read = |at: f64| Failure::OutOfTime { at }.to_string().split("t = ").nth(1).unwrap_or_default().to_owned();
+        assert_eq!(
+            [0.0, 2.0, 0.123456789, 1234.5678, 3.2e-9].map(read),
+            ["0", "2", "0.123457", "1234.57", "3.20000e-9"]
+        );
+    }
+}
