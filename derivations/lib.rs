@@ -11,6 +11,7 @@
 pub mod derive;
 pub mod machines;
 pub mod papers;
+pub mod principles;
 pub mod recorded;
 pub mod scene;
 pub mod systems;
