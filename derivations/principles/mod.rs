@@ -2,6 +2,8 @@
 
 pub mod alphabet;
 pub mod equal;
+mod lost;
+mod museum;
 pub mod systems;
 
 pub use alphabet::{dimension, letter};
@@ -21,6 +23,8 @@ pub const PAPER: Paper = Paper {
 
 /// The page.
 pub fn page() -> Page {
-    let page = Page::of(PAPER.key, dimension);
+    let mut page = Page::of(PAPER.key, dimension);
+    lost::claims(&mut page);
+    museum::claims(&mut page);
     page
 }
