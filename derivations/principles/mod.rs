@@ -1,7 +1,10 @@
 //! The principles of mechanics, equal on every system; where one is valid under a condition only, the condition.
 
 pub mod alphabet;
+mod any;
+mod combining;
 pub mod equal;
+mod friction;
 mod lost;
 mod museum;
 pub mod systems;
@@ -24,6 +27,8 @@ pub const PAPER: Paper = Paper {
 /// The page.
 pub fn page() -> Page {
     let mut page = Page::of(PAPER.key, dimension);
+    combining::claims(&mut page);
+    friction::claims(&mut page);
     lost::claims(&mut page);
     museum::claims(&mut page);
     page
