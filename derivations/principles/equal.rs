@@ -1,6 +1,7 @@
 //! One system, every principle: the same accelerations.
 
 use claims::{Condition, Page};
+use mechanics::constrained::classify::{Class, Unclassified, classify};
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::multipliers::{Reaction, multipliers};
 use mechanics::constrained::newton::{Reactions, newton};
@@ -35,6 +36,14 @@ where
     pub fn motion(&self) -> Motion<Sym, N, R> {
         let (time, q, p) = self.at;
         Motion::at(&self.system, time, q, p)
+    }
+
+    /// What kind of constraints these are.
+    ///
+    /// # Errors
+    /// [`Unclassified`] where the prover gave up.
+    pub fn class(&self) -> Result<Class, Unclassified> {
+        classify(&self.system, self.at.0, self.motion().state.place)
     }
 
     /// By Lagrange's multipliers, under the given forces and others. What cannot be solved is undefined, and the claims

@@ -27,8 +27,10 @@
 //! [`combining`] splits reactions with friction; [`classify`] tells what kind of constraints these are.
 
 pub mod appell;
+pub mod classify;
 pub mod combining;
 pub mod contacts;
+mod distribution;
 pub mod gauss;
 pub mod motion;
 pub mod multipliers;
