@@ -52,7 +52,8 @@ const LETTERS: &[(&str, &str, [i64; 3])] = &[
     // a system of any kind: rows of J without dimension, forces, accelerations
     ("J##", "J_{##}", [0, 0, 0]),
     ("R#", "R_#", [1, 1, -2]),
-    ("N#", "N_#", [1, 1, -2]),
+    ("lost#", r"\mathrm{lost}_#", [1, 1, -2]),
+    ("slip", r"\mathrm{slip}", [0, 1, -1]),
     ("λ#", r"\lambda_#", [1, 1, -2]),
     ("X#", "X_#", [1, 1, -2]),
     ("w#", "w_#", [0, 1, -2]),

@@ -39,6 +39,7 @@ pub fn claims(page: &mut Page) {
     unique::<2, 1>(page, "unique-2-1");
     unique::<3, 2>(page, "unique-3-2");
     unique::<4, 2>(page, "unique-4-2");
+    unique_parts::<4, 2>(page);
     page.claim("combining", "multipliers", r"with the extended friction $R^\tau$ beside the given forces the multipliers are those without friction, whatever the masses: kinematic constraints included")
         .follows(all.multipliers);
     page.claim("combining", "motion", r"a force of friction as it acts, $R$, at a contact for one, changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$")
@@ -145,6 +146,21 @@ fn unique<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     page.claim("combining", slug, format!(r"the extended decomposition is unique for {N} coordinates and {C} constraints where $\det JM^{{-1}}J^T\ne0$: the difference of two, $J^T\lambda+R^\tau=0$ with $JM^{{-1}}R^\tau=0$, is zero"))
         .given([NonZero(det)].into_iter().chain(sums).chain(orthogonal))
         .by_combination(lambdas.chain(frictions));
+}
+
+/// Without the full rank: sum (R^tau_i)^2/m_i is a combination too, so that R^tau and R^n are unique even then.
+fn unique_parts<const N: usize, const C: usize>(page: &mut Page) {
+    let any = AnySystem::<N, C>::new();
+    let (lambda, friction): ([Sym; C], [Sym; N]) = (numbered("λ"), numbered("R"));
+    let reaction = any.reaction(lambda);
+    let sums = (0..N).map(|i| Zero(reaction[i] + friction[i]));
+    let orthogonal = any.along_rows(any.per_mass(friction)).map(Zero);
+    let length = (0..N).fold(Sym::ZERO, |sum, i| sum + friction[i] * friction[i] / any.masses[i]);
+    let by_sums = any.per_mass(friction).into_iter().enumerate();
+    let cofactors = by_sums.chain((0..C).map(|k| (N + k, -lambda[k]))).collect();
+    page.claim("combining", "unique-parts", r"where $J$ has not full rank $\lambda$ is not unique, but $R^n$ and $R^\tau$ are: the difference of two decompositions has $\sum (R^\tau)^2/m = 0$")
+        .given(sums.chain(orthogonal))
+        .by_combination([(Zero(length), vec![], cofactors)]);
 }
 
 /// J R^tau = 0 instead of J M^-1 R^tau = 0.

@@ -56,8 +56,20 @@ where
         multipliers(&self.system, &state, force).unwrap_or(undefined)
     }
 
-    /// That the chart keeps the constraints, and that every principle which uses the chart, the constraints or the
-    /// reactions gives the accelerations of Lagrange's multipliers.
+    /// That the chart keeps the constraints.
+    pub fn chart(&self, page: &mut Page) {
+        let state = self.motion().state;
+        let values = self.system.constraints(&state).map(|constraint| constraint.value());
+        let first = rates::first_rates(&self.system, &state);
+        page.claim(
+            self.entry,
+            "chart",
+            format!("{}: its coordinates and quasi-velocities keep every constraint", self.name),
+        )
+        .follows(values.into_iter().chain(first).map(Zero));
+    }
+
+    /// That the principles which use the chart or the reactions give the accelerations of Lagrange's multipliers.
     pub fn claims(&self, page: &mut Page) {
         let motion = self.motion();
         let force = self.system.force(&motion.state);
@@ -65,11 +77,6 @@ where
         let same = |found: [Sym; N]| (0..N).map(move |i| Equal(found[i], expected[i]));
         let moved = |rates: Option<[Sym; R]>| motion.acceleration(rates.unwrap_or([Sym::UNDEFINED; R]));
         let name = self.name;
-
-        let values = self.system.constraints(&motion.state).map(|constraint| constraint.value());
-        let first = rates::first_rates(&self.system, &motion.state);
-        page.claim(self.entry, "chart", format!("{name}: its coordinates and quasi-velocities keep every constraint"))
-            .follows(values.into_iter().chain(first).map(Zero));
         let pushed = newton(&self.system, &motion.state, force).map(|pushed| pushed.acceleration);
         page.claim(self.entry, "newton", format!("{name}: Newton's equations, with each reaction pushing where it does, give Lagrange's accelerations with multipliers"))
             .follows(same(pushed.unwrap_or([Sym::UNDEFINED; N])));

@@ -74,10 +74,10 @@ fn knife_edge(page: &mut Page) {
         "knife-edge",
         r"the equations hold for nonholonomic systems too: nothing is lost on the knife edge, first equation",
     )
-    .fails([Line::formula(in_all.lost[0], letter("N1"), Sym::ZERO)]);
+    .fails([Line::formula(in_all.lost[0], letter("lost1"), Sym::ZERO)]);
     page.claim("shulgin", "knife-edge-lost", r"they lose this term of the inertia").holds([Line::formula(
         in_all.lost[0],
-        letter("N1"),
+        letter("lost1"),
         m * dtheta * (d * dtheta * point.cos + v * point.sin) / point.cos.powi(2),
     )]);
     page.correct();
@@ -105,7 +105,7 @@ fn knife_edge(page: &mut Page) {
     page.claim("shulgin", "coordinates", r"and whether anything is lost depends on the velocities chosen: in $\dot x$ of the redundant coordinates something is, with $d=0$ too")
         .holds([Line::formula(
             in_all.lost[0].substitute(&[(d, Sym::ZERO)]),
-            letter("N1"),
+            letter("lost1"),
             m * v * dtheta * point.sin / point.cos.powi(2),
         )]);
 }

@@ -1,10 +1,14 @@
-//! Appell's equations made by writing q'' for q' in the kinetic energy.
+//! Two public faults: Appell's equations made by writing q'' for q' in the kinetic energy; a test whose expected result
+//! comes from the same wrong kinematics as the code.
 
-use super::alphabet::letters;
+use super::alphabet::{letter, letters};
+use super::systems;
+use crate::systems::knife_edge::KnifeEdge;
 use claims::{Condition, Line, Page};
 use field::{Analytic, Base, Over, Tangent};
 use mechanics::appell::appell;
 use mechanics::constrained::motion::{Motion, velocity};
+use mechanics::constrained::rates::first_rates;
 use mechanics::constrained::{Charted, State, System, appell as equations, kinetic_energy};
 use mechanics::differentiate::fixed;
 use symbolic::Sym;
@@ -39,8 +43,68 @@ impl<P: Base> Charted<2, 2, 2> for Point<P> {
     }
 }
 
+/// The knife edge with the velocities of a body whose blade is ahead of its centre, where it is behind.
+#[derive(Clone, Copy, Debug)]
+struct Reversed<P>(KnifeEdge<P>);
+
+impl<P: Base> System<4> for Reversed<P> {
+    type Given = P;
+
+    fn masses<S: Over<P>>(&self) -> [S; 4] {
+        self.0.masses()
+    }
+
+    fn force<S: Over<P>>(&self, at: &State<S, 4>) -> [S; 4] {
+        self.0.force(at)
+    }
+}
+
+impl<P: Base> Charted<4, 3, 2> for Reversed<P> {
+    fn place<S: Over<P> + Analytic>(&self, time: S, q: [S; 3]) -> [S; 4] {
+        self.0.place(time, q)
+    }
+
+    fn rates<S: Over<P> + Analytic>(&self, time: S, q: [S; 3], p: [S; 2]) -> [S; 3] {
+        KnifeEdge { offset: -self.0.offset, ..self.0 }.rates(time, q, p)
+    }
+}
+
 pub fn claims(page: &mut Page) {
     page.section("Museum");
+    appell_from_kinetic_energy(page);
+    kinematics_of_the_code(page);
+}
+
+/// Code and expectation agree, because both are derived from the chart; the constraint was asked by neither.
+fn kinematics_of_the_code(page: &mut Page) {
+    let case = systems::knife_edge();
+    let code = Reversed(case.system);
+    let (time, q, p) = case.at;
+    let rates = letters(["v̇", "θ̈"]);
+    let motion = Motion::at(&code, time, q, p);
+    let found = equations::residual(&code, &motion, code.force(&motion.state), rates);
+    let [m, j, d, g, v, dtheta] = letters(["m", "J", "d", "g", "v", "θ̇"]);
+    let (cos, sin) = (letter("θ").circle().cos, letter("θ").circle().sin);
+    let expected = [
+        m * (rates[0] + d * dtheta * dtheta) - m * g * cos,
+        (j + m * d * d) * rates[1] - m * d * v * dtheta - m * g * d * sin,
+    ];
+    page.claim("museum", "kinematics-agree", r"the fault: the knife edge with $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$; Appell's equations from the code are what one expects from these velocities on paper. The test passes")
+        .follows((0..2).map(|i| Equal(found[i], expected[i])));
+    let slip = first_rates(&case.system, &motion.state)[1];
+    page.claim("museum", "kinematics", "so these are velocities of the knife edge: its blade does not slip sideways")
+        .fails([Line::formula(slip, letter("slip"), Sym::ZERO)]);
+    page.claim(
+        "museum",
+        "kinematics-right",
+        r"it slips at this rate. What a chart must keep is asked of the constraint, which knows nothing of the chart",
+    )
+    .holds([Line::formula(slip, letter("slip"), -(d * dtheta + d * dtheta))]);
+    page.correct();
+}
+
+/// S with q'' in the place of q' of T.
+fn appell_from_kinetic_energy(page: &mut Page) {
     let [m, r, theta, dr, dtheta, ddr, ddtheta] = letters(["m", "r", "θ", "ṙ", "θ̇", "r̈", "θ̈"]);
     let point = Point(m);
     let motion = Motion::at(&point, Sym::ZERO, [r, theta], [dr, dtheta]);
