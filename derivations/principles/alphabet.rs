@@ -53,6 +53,7 @@ const LETTERS: &[(&str, &str, [i64; 3])] = &[
     ("J##", "J_{##}", [0, 0, 0]),
     ("R#", "R_#", [1, 1, -2]),
     ("lost#", r"\mathrm{lost}_#", [1, 1, -2]),
+    ("slope", r"\partial Z/\partial\ddot\theta", [1, 2, -2]),
     ("slip", r"\mathrm{slip}", [0, 1, -1]),
     ("λ#", r"\lambda_#", [1, 1, -2]),
     ("X#", "X_#", [1, 1, -2]),

@@ -6,8 +6,8 @@
 use super::alphabet::{letter, letters};
 use super::any::{AnySystem, numbered};
 use super::systems;
-use claims::{Condition, Line, Page, Point};
-use field::{Analytic, Rational};
+use claims::{Condition, Line, Page};
+use field::Analytic;
 use mechanics::constrained::System;
 use mechanics::constrained::combining::{extended, painleve};
 use mechanics::constrained::rates::jacobian;
@@ -33,19 +33,24 @@ pub fn claims(page: &mut Page) {
     all.add::<3, 2>();
     all.add::<4, 2>();
     page.claim("combining", "exists", r"every reaction is $R = J^T\lambda + R^\tau$ with $JM^{-1}R^\tau=0$ (the extended choice) and also with $JR^\tau=0$ (Painlevé's), where $J$ has full rank")
+        .in_words()
         .follows(all.exists);
     page.claim("combining", "rank", r"the determinant of $JM^{-1}J^T$ is the sum of the squares of the minors of $J$, each over its masses: it is positive if and only if $J$ has full rank")
+        .in_words()
         .follows(all.rank);
     unique::<2, 1>(page, "unique-2-1");
     unique::<3, 2>(page, "unique-3-2");
     unique::<4, 2>(page, "unique-4-2");
     unique_parts::<4, 2>(page);
     page.claim("combining", "multipliers", r"with the extended friction $R^\tau$ beside the given forces the multipliers are those without friction, whatever the masses: kinematic constraints included")
+        .in_words()
         .follows(all.multipliers);
     page.claim("combining", "motion", r"a force of friction as it acts, $R$, at a contact for one, changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$")
+        .in_words()
         .follows(all.motion);
     painleves_choice(page);
     page.claim("combining", "commutes", r"with the projector $P$ onto the virtual displacements, $JM^{-1}P = J(M^{-1}P-PM^{-1})$ and $M^{-1}P-PM^{-1} = J^T(JJ^T)^{-1}K - K^T(JJ^T)^{-1}J$ with $K=JM^{-1}P$: Painlevé's choice leaves the multipliers alone if and only if $M$ commutes with $P$; equal masses are enough")
+        .in_words()
         .follows(all.commutes);
     rod(page);
 }
@@ -143,7 +148,8 @@ fn unique<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     };
     let lambdas = (0..C).map(|k| (Zero(lambda[k]), vec![0], of_multiplier(k)));
     let frictions = (0..N).map(|i| (Zero(friction[i]), vec![0], of_friction(i)));
-    page.claim("combining", slug, format!(r"the extended decomposition is unique for {N} coordinates and {C} constraints where $\det JM^{{-1}}J^T\ne0$: the difference of two, $J^T\lambda+R^\tau=0$ with $JM^{{-1}}R^\tau=0$, is zero"))
+    page.claim("combining", slug, format!(r"the extended decomposition is unique, $(N,C)=({N},{C})$, where $\det JM^{{-1}}J^T\ne0$: the difference of two, $J^T\lambda+R^\tau=0$ with $JM^{{-1}}R^\tau=0$, is zero"))
+        .in_words()
         .given([NonZero(det)].into_iter().chain(sums).chain(orthogonal))
         .by_combination(lambdas.chain(frictions));
 }
@@ -159,6 +165,7 @@ fn unique_parts<const N: usize, const C: usize>(page: &mut Page) {
     let by_sums = any.per_mass(friction).into_iter().enumerate();
     let cofactors = by_sums.chain((0..C).map(|k| (N + k, -lambda[k]))).collect();
     page.claim("combining", "unique-parts", r"where $J$ has not full rank $\lambda$ is not unique, but $R^n$ and $R^\tau$ are: the difference of two decompositions has $\sum (R^\tau)^2/m = 0$")
+        .in_words()
         .given(sums.chain(orthogonal))
         .by_combination([(Zero(length), vec![], cofactors)]);
 }
@@ -171,18 +178,8 @@ fn painleves_choice(page: &mut Page) {
     let change = any.under(friction).multipliers[0] - any.under([Sym::ZERO; 2]).multipliers[0];
     let [[j1, j2]] = any.rows;
     let ([m1, m2], [r1, r2]) = (any.masses, reaction);
-    let one = Rational::new(1, 1);
-    let point = Point::of([
-        (m1, one),
-        (m2, Rational::new(2, 1)),
-        (j1, one),
-        (j2, one),
-        (r1, one),
-        (r2, Rational::new(0, 1)),
-        (letter("β1"), one),
-    ]);
-    page.claim("combining", "painleve", r"with Painlevé's choice the multipliers are those without friction, whatever the masses (two coordinates, one constraint)")
-        .refuted([Zero(change)], point);
+    page.claim("combining", "painleve", r"with Painlevé's choice the multipliers are those without friction, whatever the masses: with two coordinates and one constraint, $\lambda_1$ does not change")
+        .fails([Line::formula(change, letter("λ1"), Sym::ZERO)]);
     let square = j1 * j1 + j2 * j2;
     page.claim(
         "combining",
@@ -217,44 +214,26 @@ fn rod(page: &mut Page) {
     let mu = push / (m + m1 * cos * cos);
     let expected = [m * mu, Sym::ZERO, m1 * mu * cos * cos, m1 * mu * sin * cos];
     page.claim("combining", "rod", r"the guide's reaction $(R_1,R_2)$ on the rod's point $M$ has $R^\tau = \mu\,(m, 0, m_1\cos^2\theta, m_1\sin\theta\cos\theta)$ with $\mu = R_1/(m+m_1\cos^2\theta)$")
+        .in_words()
         .follows((0..4).map(|i| Equal(split.of_friction[i], expected[i])));
-    // the second row is the gap -y
-    page.claim("combining", "rod-normal", r"and its part across the guide is $R_2 = \lambda + m_1\mu\sin\theta\cos\theta$: the contact's normal force is not the multiplier")
-        .follows([Equal(up, -split.multipliers[1] + m1 * mu * sin * cos)]);
+    // the second row is the gap -y, so that its multiplier is -lambda_2 here
+    page.claim("combining", "rod-normal", r"and its part across the guide is $R_2 = \lambda_2 + m_1\mu\sin\theta\cos\theta$: the contact's normal force is not the multiplier")
+        .holds([Line::formula(up + split.multipliers[1], up - letter("λ2"), m1 * mu * sin * cos)]);
 
     let friction = letter("F");
     let normal = |rubbing: Sym| case.by_multipliers([rubbing, Sym::ZERO, Sym::ZERO, Sym::ZERO]).multipliers[1];
-    let rational = Rational::new;
-    let values = Point::named(
-        [
-            ("m", rational(1, 1)),
-            ("m1", rational(1, 1)),
-            ("l", rational(1, 1)),
-            ("g", rational(10, 1)),
-            ("cos θ", rational(3, 5)),
-            ("sin θ", rational(4, 5)),
-            ("ẋ", rational(1, 1)),
-            ("θ̇", rational(0, 1)),
-            ("x", rational(0, 1)),
-            ("F", rational(-1, 1)),
-        ]
-        .map(|(name, value)| (name.to_string(), value)),
-    );
+    let change = normal(friction) - normal(Sym::ZERO);
     page.claim(
         "combining",
         "contact",
-        r"the guide's push on the rod does not depend on the friction $F$ along the guide",
+        r"the guide's push on the rod does not change with the friction $F$ along the guide: $R_2=0$ for the change",
     )
-    .refuted([Equal(normal(friction), normal(Sym::ZERO))], values);
+    .fails([Line::formula(change, letter("R2"), Sym::ZERO)]);
     page.claim(
         "combining",
         "contact-change",
         r"it changes by this; of the multipliers, only those of the decomposition do not",
     )
-    .holds([Line::formula(
-        normal(friction) - normal(Sym::ZERO),
-        letter("R2"),
-        -(m1 * friction * sin * cos / (m + m1 * cos * cos)),
-    )]);
+    .holds([Line::formula(change, letter("R2"), -(m1 * friction * sin * cos / (m + m1 * cos * cos)))]);
     page.correct();
 }

@@ -66,6 +66,7 @@ where
             "chart",
             format!("{}: its coordinates and quasi-velocities keep every constraint", self.name),
         )
+        .in_words()
         .follows(values.into_iter().chain(first).map(Zero));
     }
 
@@ -79,6 +80,7 @@ where
         let name = self.name;
         let pushed = newton(&self.system, &motion.state, force).map(|pushed| pushed.acceleration);
         page.claim(self.entry, "newton", format!("{name}: Newton's equations, with each reaction pushing where it does, give Lagrange's accelerations with multipliers"))
+            .in_words()
             .follows(same(pushed.unwrap_or([Sym::UNDEFINED; N])));
         page.claim(
             self.entry,
@@ -87,8 +89,10 @@ where
                 "{name}: so do Lagrange's equations of the second kind (Maggi's, where a kinematic constraint is left)"
             ),
         )
+        .in_words()
         .follows(same(moved(second_kind::rates(&self.system, self.at, force).ok())));
         page.claim(self.entry, "appell", format!(r"{name}: so do Appell's, $\partial S'/\partial\dot p_j = Q'_j$"))
+            .in_words()
             .follows(same(moved(appell::rates(&self.system, &motion, force).ok())));
         self.combining(page, &motion);
     }
@@ -101,6 +105,7 @@ where
         });
         let (with, without) = (self.by_multipliers(friction), self.by_multipliers([Sym::ZERO; N]));
         page.claim(self.entry, "friction", format!(r"{} with the friction $R^\tau = \sum\mu_j\,m\,\partial\dot x/\partial p_j$: the multipliers are those without it", self.name))
+            .in_words()
             .follows((0..C).map(|k| Equal(with.multipliers[k], without.multipliers[k])));
     }
 
@@ -113,6 +118,7 @@ where
             Split::<N, C, R>::new(self.dependent).and_then(|split| accelerations(&self.system, &split, &state).ok());
         let least = admissible.and_then(|admissible| gauss::least(masses, force, &admissible).ok());
         page.claim(self.entry, "gauss", format!("{}: so does Gauss' principle, the stationary point of $Z = \\frac12\\sum m(\\ddot x - X/m)^2$ over the accelerations that the constraints admit", self.name))
+            .in_words()
             .follows((0..N).map(|i| Equal(least.unwrap_or([Sym::UNDEFINED; N])[i], expected[i])));
         let directions = admissible.map_or([[Sym::UNDEFINED; N]; R], |admissible| admissible.directions);
         let varied: [Sym; N] =
@@ -120,6 +126,7 @@ where
         let moved = std::array::from_fn(|i| expected[i] + varied[i]);
         let more = gauss::constraint(masses, force, moved) - gauss::constraint(masses, force, expected);
         page.claim(self.entry, "least", format!(r"{}: and the stationary point is the minimum: $Z(\ddot x+\delta)-Z(\ddot x) = \frac12\sum m\,\delta^2$ for every admissible $\delta$", self.name))
+            .in_words()
             .follows([Equal(more, kinetic_energy(masses, varied))]);
     }
 
@@ -129,7 +136,9 @@ where
         let (masses, force): ([Sym; N], [Sym; N]) = (self.system.masses(), self.system.force(&state));
         let acceleration = self.by_multipliers([Sym::ZERO; N]).acceleration;
         let power = (0..N).fold(Sym::ZERO, |sum, i| sum + (masses[i] * acceleration[i] - force[i]) * state.velocity[i]);
-        page.claim(self.entry, "energy", format!("{}: the reactions do no work", self.name)).follows([Zero(power)]);
+        page.claim(self.entry, "energy", format!("{}: the reactions do no work", self.name))
+            .in_words()
+            .follows([Zero(power)]);
     }
 
     /// Shulgin: redundant coordinates, with the lost term put back.
@@ -153,6 +162,7 @@ where
                 self.name
             ),
         )
+        .in_words()
         .follows((0..N).map(|i| Equal(found.unwrap_or([Sym::UNDEFINED; N])[i], expected[i])));
     }
 }

@@ -1,12 +1,13 @@
 //! Gauss' principle with friction: frozen, and with the law of friction substituted.
 
-use super::alphabet::letters;
+use super::alphabet::{letter, letters};
 use super::any::{AnySystem, numbered};
 use super::systems;
-use claims::{Condition, Page, Point};
-use field::{Rational, Tangent};
+use claims::{Condition, Line, Page};
+use field::{Analytic, Tangent};
 use mechanics::constrained::appell::residual;
 use mechanics::constrained::{System, gauss::constraint, kinetic_energy};
+use mechanics::definite::root;
 use mechanics::differentiate::{along, fixed, gradient, unit};
 use symbolic::Sym;
 
@@ -33,7 +34,8 @@ fn frozen<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let moved = std::array::from_fn(|i| w[i] + delta[i]);
     let more = constraint(any.masses, force, moved) - constraint(any.masses, force, w);
     let cofactors = (0..N).map(|i| (i, delta[i])).chain((0..C).map(|k| (N + k, lambda[k]))).collect();
-    page.claim("gauss-friction", slug, format!(r"friction frozen, {N} coordinates and {C} constraints: with $X$ the given forces and any friction beside them, as it is at the true motion, $Z(\ddot x+\delta)-Z(\ddot x)=\frac12\sum m\,\delta^2$ for all $\delta$ with $J\delta=0$; the motion is the only minimum"))
+    page.claim("gauss-friction", slug, format!(r"friction frozen, $(N,C)=({N},{C})$: with $X$ the given forces and any friction beside them, as it is at the true motion, $Z(\ddot x+\delta)-Z(\ddot x)=\frac12\sum m\,\delta^2$ for all $\delta$ with $J\delta=0$; the motion is the only minimum"))
+        .in_words()
         .given(motion.chain(admissible))
         .by_combination([(Equal(more, kinetic_energy(any.masses, delta)), vec![], cofactors)]);
 }
@@ -55,7 +57,8 @@ fn substituted<const N: usize, const C: usize>(page: &mut Page, slug: &'static s
     let right = of_constraints + kinetic_energy(any.masses, missed);
     // the mixed term is lambda . J (w - w0 - M^-1 R^tau)
     let cofactors = (0..C).flat_map(|k| [(k, lambda[k]), (C + k, -lambda[k]), (2 * C + k, -lambda[k])]).collect();
-    page.claim("gauss-friction", slug, format!(r"the law of friction substituted, {N} coordinates and {C} constraints: where $R^\tau(\ddot x)$ is that of the extended decomposition, $Z = \frac12\sum (J^T\lambda)^2/m + \frac12\sum m\,(\ddot x-\ddot x_0-R^\tau/m)^2$ for all accelerations that the constraints admit, with $\ddot x_0$, $\lambda$ of the motion without friction. The first sum does not depend on $\ddot x$; the second is zero at the motions with friction and nowhere else: they are the minima, wherever one exists"))
+    page.claim("gauss-friction", slug, format!(r"the law of friction substituted, $(N,C)=({N},{C})$: where $R^\tau(\ddot x)$ is that of the extended decomposition, $Z = \frac12\sum (J^T\lambda)^2/m + \frac12\sum m\,(\ddot x-\ddot x_0-R^\tau/m)^2$ for all accelerations that the constraints admit, with $\ddot x_0$, $\lambda$ of the motion without friction. The first sum does not depend on $\ddot x$; the second is zero at the motions with friction and nowhere else: they are the minima, wherever one exists"))
+        .in_words()
         .given(keeps(w).into_iter().chain(keeps(w0)).chain(orthogonal))
         .by_combination([(Equal(constraint(any.masses, with_friction, w), right), vec![], cofactors)]);
 }
@@ -64,65 +67,41 @@ fn substituted<const N: usize, const C: usize>(page: &mut Page, slug: &'static s
 fn contact(page: &mut Page) {
     let case = systems::rod();
     let motion = case.motion();
-    let [m, m1, g, f] = letters(["m", "m1", "g", "f"]);
-    let rates = letters(["ẍ", "θ̈"]);
+    let [m, m1, l, g, f, dtheta] = letters(["m", "m1", "l", "g", "f", "θ̇"]);
     let given: [Sym; 4] = case.system.force(&motion.state);
+    let lifted = motion.fixed();
     let law = |w: [Tangent<Sym>; 4]| {
         let [m, m1, g, f] = [m, m1, g, f].map(Tangent::fixed);
         -f * ((m + m1) * g - m * w[1] - m1 * w[3])
     };
-    let lifted = motion.fixed();
-    let z = |rates: [Tangent<Sym>; 2]| {
-        let w = lifted.acceleration(rates);
-        let force = fixed(given);
-        constraint(case.system.masses(), [force[0] + law(w), force[1], force[2], force[3]], w)
+    let rubbed = |rates: [Tangent<Sym>; 2]| {
+        let [x, others @ ..] = fixed(given);
+        let [y, x1, y1] = others;
+        [x + law(lifted.acceleration(rates)), y, x1, y1]
     };
-    let slopes = gradient(z, rates);
-    let w = motion.acceleration(rates);
-    let friction = law(fixed(w)).value;
-    let force = [given[0] + friction, given[1], given[2], given[3]];
-    let moving = residual(&case.system, &motion, force, rates);
-
-    let rational = Rational::new;
-    let values = [
-        ("m", rational(1, 1)),
-        ("m1", rational(1, 1)),
-        ("l", rational(1, 1)),
-        ("g", rational(10, 1)),
-        ("f", rational(1, 2)),
-        ("cos θ", rational(3, 5)),
-        ("sin θ", rational(4, 5)),
-        ("ẋ", rational(1, 1)),
-        ("θ̇", rational(0, 1)),
-        ("x", rational(0, 1)),
-        ("t", rational(0, 1)),
-    ];
-    let point = at_motion(&moving, rates, &values);
-    page.claim("gauss-friction", "contact", r"with the contact's friction $F=-fN(\ddot x)$ itself in $Z$, and not the $R^\tau$ of a decomposition, the rod's motion makes $Z$ stationary")
-        .given(moving.map(Zero))
-        .refuted(slopes.map(Zero), point);
-    let excess = w[0] - force[0] / m;
-    let slope = |j: usize| law(lifted.acceleration(along(rates, unit(j)))).slope;
-    page.claim("gauss-friction", "contact-slope", r"$\partial Z/\partial\ddot q_j$ is the equation of motion less $(\ddot x - F/m)\,\partial F/\partial\ddot q_j$: friction must be held while $Z$ is varied, or the rod must not pull along the guide")
-        .follows((0..2).map(|j| Equal(slopes[j], moving[j] - excess * slope(j))));
+    let z = |rates| constraint(case.system.masses(), rubbed(rates), lifted.acceleration(rates));
+    let at_motion = root(|rates| residual(&case.system, &lifted, rubbed(rates), rates)).unwrap_or([Sym::UNDEFINED; 2]);
+    let slope = gradient(z, at_motion)[1];
+    page.claim("gauss-friction", "contact", r"with the contact's friction $F=-fN(\ddot x)$ itself in $Z$, and not the $R^\tau$ of a decomposition, the rod's motion makes $Z$ stationary: $\partial Z/\partial\ddot\theta=0$ there")
+        .fails([Line::formula(slope, letter("slope"), Sym::ZERO)]);
+    let point = letter("θ").circle();
+    let (cos, sin) = (point.cos, point.sin);
+    // S: the rod's length is kept while M is rubbed by F = -f (m g - S sin)
+    let push = -(m * m1 * (l * dtheta * dtheta + g * sin + f * g * cos)) / (m + m1 * cos * (cos - f * sin));
+    page.claim(
+        "gauss-friction",
+        "contact-slope",
+        r"it has this slope: $f l (m_1/m) \cos^2\theta$ times the push of the rod",
+    )
+    .holds([Line::formula(slope, letter("slope"), f * l * m1 * cos * cos / m * push)]);
     page.correct();
-}
-
-/// The exact point at which the equations of motion hold: their two unknowns from the other values.
-fn at_motion(moving: &[Sym; 2], rates: [Sym; 2], values: &[(&str, Rational)]) -> Point {
-    let named: Vec<(String, Rational)> = values.iter().map(|(name, value)| (name.to_string(), *value)).collect();
-    let with = |first: i64, second: i64| {
-        let mut all = named.clone();
-        all.push((rates[0].to_string(), Rational::new(first, 1)));
-        all.push((rates[1].to_string(), Rational::new(second, 1)));
-        Point::named(all)
-    };
-    let value = |point: &Point, i: usize| point.value(moving[i]).unwrap_or(Rational::UNDEFINED);
-    let (origin, first, second) = (with(0, 0), with(1, 0), with(0, 1));
-    let rest = [0, 1].map(|i| value(&origin, i));
-    let matrix = [0, 1].map(|i| [value(&first, i) - rest[i], value(&second, i) - rest[i]]);
-    let solved = mechanics::definite::solve(matrix, rest.map(|r| -r)).unwrap_or([Rational::UNDEFINED; 2]);
-    let mut all = named.clone();
-    all.extend(rates.iter().zip(solved).map(|(rate, value)| (rate.to_string(), value)));
-    Point::named(all)
+    let rates = letters(["ẍ", "θ̈"]);
+    let forces = rubbed(fixed(rates)).map(|force| force.value);
+    let moving = residual(&case.system, &motion, forces, rates);
+    let slopes = gradient(z, rates);
+    let excess = motion.acceleration(rates)[0] - forces[0] / m;
+    let of_law = |j: usize| law(lifted.acceleration(along(rates, unit(j)))).slope;
+    page.claim("gauss-friction", "contact-frozen", r"in general $\partial Z/\partial\ddot q_j$ is the equation of motion less $(\ddot x - F/m)\,\partial F/\partial\ddot q_j$: the friction must be held while $Z$ is varied")
+        .in_words()
+        .follows((0..2).map(|j| Equal(slopes[j], moving[j] - excess * of_law(j))));
 }

@@ -68,6 +68,7 @@ fn knife_edge(page: &mut Page) {
     let point = letter("θ").circle();
     let (in_all, is) = redundant(&case, [ddx, letter("κ1")]);
     page.claim("shulgin", "identity", r"on the knife edge $\frac{d}{dt}\frac{\partial T^*}{\partial\dot x_j} - E_j(T^*) - \sum m\ddot x\frac{\partial\dot x}{\partial\dot x_j} = \sum_\alpha m_\alpha\dot x_\alpha\bigl(\frac{dA_{\alpha j}}{dt} - E_j(\dot x_\alpha)\bigr)$, the lost term, at all accelerations")
+        .in_words()
         .follows((0..2).map(|j| Equal(in_all.energy[j] - is[j], in_all.lost[j])));
     page.claim(
         "shulgin",
@@ -101,6 +102,7 @@ fn knife_edge(page: &mut Page) {
     ]);
     page.correct();
     page.claim("shulgin", "momentum", r"with the centre on the blade, $d=0$, the constraint is as little integrable, and yet nothing is lost in $v$, $\dot\theta$: the momentum across the blade, which the bracket multiplies, is zero. Integrability is enough, not necessary")
+        .in_words()
         .follows(in_blade.lost.map(|term| Zero(term.substitute(&[(d, Sym::ZERO)]))));
     page.claim("shulgin", "coordinates", r"and whether anything is lost depends on the velocities chosen: in $\dot x$ of the redundant coordinates something is, with $d=0$ too")
         .holds([Line::formula(
@@ -142,16 +144,19 @@ fn disc(page: &mut Page) {
         sides.into_iter().enumerate().map(|(i, (left, r))| Line::equation(is[i] - weight[i], left, r)).collect()
     };
     page.claim("museum", "disc-wrong", r"the fault's equations of the rolling disc: the centre's velocity by rolling is put into $T$, and Lagrange's equations are written for $\psi$, $\theta$, $\varphi$")
+        .in_words()
         .follows((0..3).map(|i| Equal(found.energy[i] - weight[i], wrong[i].0 - wrong[i].1)));
     page.claim("museum", "disc", r"these are the equations of motion of the rolling disc").fails(lines(wrong));
     page.claim("museum", "disc-right", r"the right ones; the fault lost $-m a^2\sin\theta\,\dot\theta\dot\varphi$ in the first and $m a^2\sin\theta\,\dot\theta\dot\psi$ in the third")
         .holds(lines(right));
     page.correct();
-    page.claim("museum", "disc-lost", r"the lost term, from the brackets").follows([
-        Equal(found.lost[0], -(m * a * a * sin * dtheta * dphi)),
-        Zero(found.lost[1]),
-        Equal(found.lost[2], m * a * a * sin * dtheta * dpsi),
-    ]);
+    page.claim("museum", "disc-lost", r"and these two are what the identity names as lost, $\sum m\dot x\bigl(\frac{d}{dt}\frac{\partial\dot x}{\partial p_j} - X_j(\dot x)\bigr)$")
+        .in_words()
+        .follows([
+            Equal(found.lost[0], -(m * a * a * sin * dtheta * dphi)),
+            Zero(found.lost[1]),
+            Equal(found.lost[2], m * a * a * sin * dtheta * dpsi),
+        ]);
 }
 
 /// A constraint that is not linear in the velocities leaves nothing in the energy.

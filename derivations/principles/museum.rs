@@ -90,6 +90,7 @@ fn kinematics_of_the_code(page: &mut Page) {
         (j + m * d * d) * rates[1] - m * d * v * dtheta - m * g * d * sin,
     ];
     page.claim("museum", "kinematics-agree", r"the fault: the knife edge with $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$; Appell's equations from the code are what one expects from these velocities on paper. The test passes")
+        .in_words()
         .follows((0..2).map(|i| Equal(found[i], expected[i])));
     let slip = first_rates(&case.system, &motion.state)[1];
     page.claim("museum", "kinematics", "so these are velocities of the knife edge: its blade does not slip sideways")
@@ -117,6 +118,7 @@ fn appell_from_kinetic_energy(page: &mut Page) {
     let wrong = appell(energy, [ddr, ddtheta]);
     let inertia = [m * ddr, m * r * r * ddtheta];
     page.claim("museum", "appell-from", r"the fault: $S$ made of $T$ by writing $\ddot q$ for $\dot q$ gives $m\ddot r$ and $m r^2\ddot\theta$ for a point in polar coordinates")
+        .in_words()
         .follows([Equal(wrong[0], inertia[0]), Equal(wrong[1], inertia[1])]);
     page.claim("museum", "appell", r"these are the equations of motion of a free point")
         .fails([Line::equation(right[0], inertia[0], Sym::ZERO), Line::equation(right[1], inertia[1], Sym::ZERO)]);
@@ -135,5 +137,6 @@ fn appell_from_kinetic_energy(page: &mut Page) {
         motion.generalised(forces)
     };
     page.claim("museum", "appell-lost", r"in every chart the lost term is $\sum m\ddot x|_{\dot p=0}\,\partial\dot x/\partial p_j$; it vanishes in Cartesian coordinates")
+        .in_words()
         .follows((0..2).map(|j| Equal(right[j] - wrong[j], of_drift[j])));
 }
