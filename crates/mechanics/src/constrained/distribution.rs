@@ -46,6 +46,16 @@ impl Place {
         }
     }
 
+    /// The first component, from a column on, that does not vanish at the place.
+    fn first_present(&self, vector: &[Sym], from: usize) -> Result<Option<usize>, Unclassified> {
+        for (column, &component) in vector.iter().enumerate().skip(from) {
+            if !self.vanishes(component)? {
+                return Ok(Some(column));
+            }
+        }
+        Ok(None)
+    }
+
     /// A vector at the place.
     fn values_of(&self, vector: &[Sym]) -> Vec<Sym> {
         substitute_all(vector, &self.values)
@@ -70,13 +80,7 @@ pub(super) fn solve(place: &Place, numbered: &[(usize, Vec<Sym>)]) -> Result<Sol
             let factor = row[*column];
             row = row.iter().zip(known).map(|(&entry, &below)| entry - factor * below).collect();
         }
-        let mut pivot = None;
-        for column in 1..row.len() {
-            if !place.vanishes(row[column])? {
-                pivot = Some(column);
-                break;
-            }
-        }
+        let pivot = place.first_present(&row, 1)?;
         let Some(pivot) = pivot else {
             if !place.vanishes(row[0])? {
                 return Err(Unclassified::Contradiction(*number));
@@ -174,13 +178,9 @@ impl Span {
             let factor = rest[*pivot];
             rest = rest.iter().zip(row).map(|(&entry, &known)| entry - factor * known).collect();
         }
-        for pivot in 0..rest.len() {
-            if !place.vanishes(rest[pivot])? {
-                let scale = rest[pivot];
-                self.rows.push((pivot, rest.iter().map(|&entry| entry / scale).collect()));
-                return Ok(true);
-            }
-        }
-        Ok(false)
+        let Some(pivot) = place.first_present(&rest, 0)? else { return Ok(false) };
+        let scale = rest[pivot];
+        self.rows.push((pivot, rest.iter().map(|&entry| entry / scale).collect()));
+        Ok(true)
     }
 }
