@@ -45,7 +45,7 @@ pub fn claims(page: &mut Page) {
     page.claim("combining", "multipliers", r"with the extended friction $R^\tau$ beside the given forces the multipliers are those without friction, whatever the masses: kinematic constraints included")
         .in_words()
         .follows(all.multipliers);
-    page.claim("combining", "motion", r"a force of friction as it acts, $R$, at a contact for one, changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$")
+    page.claim("combining", "motion", r"a force of friction as it acts, $R$, at a contact for one, changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$. So the motion depends on $R^\tau$ alone, and the normal forces of contacts do not depend on the friction there if and only if $JM^{-1}R=0$")
         .in_words()
         .follows(all.motion);
     painleves_choice(page);
@@ -164,7 +164,7 @@ fn unique_parts<const N: usize, const C: usize>(page: &mut Page) {
     let length = (0..N).fold(Sym::ZERO, |sum, i| sum + friction[i] * friction[i] / any.masses[i]);
     let by_sums = any.per_mass(friction).into_iter().enumerate();
     let cofactors = by_sums.chain((0..C).map(|k| (N + k, -lambda[k]))).collect();
-    page.claim("combining", "unique-parts", r"where $J$ has not full rank $\lambda$ is not unique, but $R^n$ and $R^\tau$ are: the difference of two decompositions has $\sum (R^\tau)^2/m = 0$")
+    page.claim("combining", "unique-parts", r"where $J$ has not full rank $\lambda$ is not unique, but $R^n$ and $R^\tau$ are: the difference of two decompositions has $\sum (R^\tau)^2/m = 0$. Painlevé's choice is the extended one of equal masses")
         .in_words()
         .given(sums.chain(orthogonal))
         .by_combination([(Zero(length), vec![], cofactors)]);

@@ -4,12 +4,13 @@ use super::alphabet::{letter, letters};
 use super::equal::Case;
 use super::systems;
 use claims::{Condition, Line, Page};
-use field::Analytic;
+use field::{Analytic, Tangent};
 use mechanics::constrained::appell;
 use mechanics::constrained::newton::Reactions;
 use mechanics::constrained::quasi::{Operator, operator};
 use mechanics::constrained::redundant::{Redundant, Split};
-use mechanics::constrained::{Charted, Constrained, motion::Motion};
+use mechanics::constrained::{Charted, Constrained, System, motion::Motion};
+use mechanics::differentiate::{along, fixed, unit};
 use symbolic::Sym;
 
 use Condition::{Equal, Zero};
@@ -17,6 +18,7 @@ use Condition::{Equal, Zero};
 pub fn claims(page: &mut Page) {
     page.section("Constraints put into the energy: the lost term");
     nothing_lost(page);
+    condition(page);
     knife_edge(page);
     disc(page);
     kept_speed(page);
@@ -48,6 +50,25 @@ fn inertia<Q: Charted<N, K, R, Given = Sym>, const N: usize, const K: usize, con
     rates: [Sym; R],
 ) -> [Sym; R] {
     appell::residual(system, motion, [Sym::ZERO; N], rates)
+}
+
+/// sum over k of p_k (the momentum along [X_k, X_j]): the lost term of a chart whose velocities are linear forms of p.
+fn by_brackets<Q: Charted<N, K, R, Given = Sym>, const N: usize, const K: usize, const R: usize>(
+    system: &Q,
+    (time, q, p): (Sym, [Sym; K], [Sym; R]),
+) -> [Sym; R] {
+    let masses: [Sym; N] = system.masses();
+    let velocity = Motion::at(system, time, q, p).state.velocity;
+    // X_k(dx'_i/dp_j)
+    let slopes: [[[Sym; N]; R]; R] = std::array::from_fn(|k| {
+        let field = system.rates(Tangent::fixed(time), fixed(q), along(p, unit(k))).map(|speed| speed.slope);
+        let moved = Motion::at(system, Tangent::fixed(time), along(q, field), fixed(p));
+        moved.fields.map(|field| field.map(|component| component.slope))
+    });
+    std::array::from_fn(|j| {
+        let terms = (0..R).flat_map(|k| (0..N).map(move |i| (k, i)));
+        terms.fold(Sym::ZERO, |sum, (k, i)| sum + p[k] * masses[i] * velocity[i] * (slopes[k][j][i] - slopes[j][k][i]))
+    })
 }
 
 fn nothing_lost(page: &mut Page) {
@@ -82,9 +103,9 @@ fn knife_edge(page: &mut Page) {
         m * dtheta * (d * dtheta * point.cos + v * point.sin) / point.cos.powi(2),
     )]);
     page.correct();
-    let (in_blade, along) = (operator(&case.system, case.at, letters(["v̇", "θ̈"])), case.motion());
-    let is = inertia(&case.system, &along, letters(["v̇", "θ̈"]));
-    let weight = along.generalised(mechanics::constrained::System::force(&case.system, &along.state));
+    let (in_blade, on_way) = (operator(&case.system, case.at, letters(["v̇", "θ̈"])), case.motion());
+    let is = inertia(&case.system, &on_way, letters(["v̇", "θ̈"]));
+    let weight = on_way.generalised(case.system.force(&on_way.state));
     let (dv, ddtheta) = (letter("v̇"), letter("θ̈"));
     page.claim("shulgin", "sleigh", r"the knife edge in the blade's speed $v$ and $\dot\theta$, with $T^*=\frac12m(v^2+d^2\dot\theta^2)+\frac12J\dot\theta^2$")
         .fails([
@@ -112,12 +133,26 @@ fn knife_edge(page: &mut Page) {
         )]);
 }
 
+/// The condition: what the lost term is made of.
+fn condition(page: &mut Page) {
+    let (sleigh, disc) = (systems::knife_edge(), systems::disc());
+    let (of_sleigh, of_disc) = (
+        operator(&sleigh.system, sleigh.at, letters(["v̇", "θ̈"])).lost,
+        operator(&disc.system, disc.at, letters(["ψ̈", "θ̈", "φ̈"])).lost,
+    );
+    let pairs = of_sleigh.into_iter().zip(by_brackets(&sleigh.system, sleigh.at));
+    let all = pairs.chain(of_disc.into_iter().zip(by_brackets(&disc.system, disc.at)));
+    page.claim("shulgin", "brackets", r"the lost term is $\sum_k p_k\sum_i m_i\dot x_i\,(X_kX_j-X_jX_k)x_i$, on the knife edge and on the disc: the momentum along the brackets of the fields. It vanishes where these do, which is Frobenius' condition, or where the momentum along them does")
+        .in_words()
+        .follows(all.map(|(lost, brackets)| Equal(lost, brackets)));
+}
+
 /// The widely read fault: the rolling put into T, and Lagrange's equations on Euler's angles alone.
 fn disc(page: &mut Page) {
     let case = systems::disc();
     let rates = letters(["ψ̈", "θ̈", "φ̈"]);
     let motion = case.motion();
-    let weight = motion.generalised(mechanics::constrained::System::force(&case.system, &motion.state));
+    let weight = motion.generalised(case.system.force(&motion.state));
     let is = inertia(&case.system, &motion, rates);
     let found = operator(&case.system, case.at, rates);
     let [m, p, a, g, dpsi, dtheta, dphi] = letters(["m", "P", "a", "g", "ψ̇", "θ̇", "φ̇"]);

@@ -1,7 +1,7 @@
 //! The principles of mechanics, equal on every system; where one is valid under a condition only, the condition.
 //!
 //! # Overview
-//! * [`systems`]: the systems, each a [`Case`](equal::Case) at a general instant;
+//! * [`systems`]: the systems, each a [`Case`] at a general instant;
 //! * `equal`: what every principle gives for one of them, beside Lagrange's multipliers;
 //! * `combining`, `friction`: Painleve's method of combining constraints and Gauss' principle with friction, as theorems
 //!   on masses, rows of constraints and reactions that are all symbols;
