@@ -6,6 +6,8 @@ use super::systems;
 use claims::{Condition, Line, Page};
 use field::{Analytic, Tangent};
 use mechanics::constrained::appell::residual;
+use mechanics::constrained::combining::extended;
+use mechanics::constrained::rates::jacobian;
 use mechanics::constrained::{System, gauss::constraint, kinetic_energy};
 use mechanics::definite::root;
 use mechanics::differentiate::{along, fixed, gradient, unit};
@@ -21,6 +23,7 @@ pub fn claims(page: &mut Page) {
     substituted::<3, 2>(page, "substituted-3-2");
     substituted::<4, 2>(page, "substituted-4-2");
     contact(page);
+    paradox(page);
 }
 
 /// m w = X + J^T lambda and J delta = 0 give Z(w + delta) - Z(w) = 1/2 sum m delta^2.
@@ -104,4 +107,24 @@ fn contact(page: &mut Page) {
     page.claim("gauss-friction", "contact-frozen", r"in general $\partial Z/\partial\ddot q_j$ is the equation of motion less $(\ddot x - F/m)\,\partial F/\partial\ddot q_j$: the friction must be held while $Z$ is varied")
         .in_words()
         .follows((0..2).map(|j| Equal(slopes[j], moving[j] - excess * of_law(j))));
+}
+
+/// Where the motion that the minimum should be does not exist.
+fn paradox(page: &mut Page) {
+    let case = systems::rod();
+    let state = case.motion().state;
+    let [m, m1, g, f, along] = letters(["m", "m1", "g", "f", "R1"]);
+    let (masses, rows): ([Sym; 4], [[Sym; 4]; 2]) = (case.system.masses(), jacobian(&case.system, &state));
+    let contact = [along, Sym::ZERO, Sym::ZERO, Sym::ZERO];
+    let friction = extended(masses, rows, contact).map_or([Sym::UNDEFINED; 4], |split| split.of_friction);
+    let free = case.by_multipliers([Sym::ZERO; 4]);
+    let w: [Sym; 4] = std::array::from_fn(|i| free.acceleration[i] + friction[i] / masses[i]);
+    // R_2 by the balance of all vertical forces, y downwards; sliding to the right, and the floor pushes upwards
+    let across = m * w[1] + m1 * w[3] - (m + m1) * g;
+    let point = letter("θ").circle();
+    let inertia = m + m1 * point.cos * point.cos;
+    let sigma = (inertia - f * m1 * point.sin * point.cos) / inertia;
+    page.claim("gauss-friction", "paradox", r"on the rod Coulomb's law $R_1=fR_2$ for the motion with $R^\tau$ is $\sigma R_1 = f\lambda_2$ with $\sigma = (m+m_1\cos^2\theta-f m_1\sin\theta\cos\theta)/(m+m_1\cos^2\theta)$ and $\lambda_2$ of the motion without friction: where $\sigma=0$ and $\lambda_2\ne0$ there is no motion (Painlevé's paradox), and the minimum of $Z$, which there always is, is none")
+        .in_words()
+        .follows([Equal(along - f * across, sigma * along + f * free.multipliers[1])]);
 }
