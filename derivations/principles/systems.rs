@@ -73,7 +73,8 @@ pub fn disc() -> Case<Disc<Sym>, 9, 6, 5, 3> {
 pub fn disc_in_axes() -> Case<Disc<Sym>, 9, 6, 5, 3> {
     let case = disc();
     let (time, [x, y, _, theta, _], p) = case.at;
-    Case { at: (time, [x, y, Sym::ZERO, theta, Sym::ZERO], p), ..case }
+    let name = r"the rolling disc, in axes with $\psi=\varphi=0$ at the instant";
+    Case { name, at: (time, [x, y, Sym::ZERO, theta, Sym::ZERO], p), ..case }
 }
 
 /// The knife edge on a slope.
