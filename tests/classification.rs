@@ -67,6 +67,8 @@ enum Pair {
     Repeated,
     /// x = t and x = 0
     Contradictory,
+    /// dz = y dt: no forms of dx and dy in it, and not integrable
+    Driven,
     /// dz = t dx: integrable at each instant, not in space and time
     Growing,
 }
@@ -93,6 +95,7 @@ impl Constrained<4, 2> for Pair {
             Pair::Mixed => [Kinematic(dz - y * dx), Kinematic(dw - S::one())],
             Pair::Repeated => [Geometric(x * y - S::one()), Kinematic(x * dy + y * dx)],
             Pair::Contradictory => [Geometric(x - t), Geometric(x)],
+            Pair::Driven => [Kinematic(dz - y), Geometric(w)],
             Pair::Growing => [Kinematic(dz - t * dx), Geometric(w)],
         }
     }
@@ -114,6 +117,7 @@ fn what_can_be_integrated_is_counted_however_deep_the_brackets_go() {
         (Pair::Engel, "nonholonomic: 0 geometric, 2 kinematic and not integrable"),
         (Pair::Mixed, "nonholonomic: 0 geometric, 1 kinematic and integrable, 1 kinematic and not integrable"),
         (Pair::Repeated, "holonomic: 1 geometric; redundant: constraint 2"),
+        (Pair::Driven, "nonholonomic: 1 geometric, 1 kinematic and not integrable"),
         (Pair::Growing, "nonholonomic: 1 geometric, 1 kinematic and not integrable; rheonomic: constraint 1"),
     ];
     for (pair, class) in expected {
