@@ -4,8 +4,9 @@
 //! upwards. alpha goes from the wall to the ladder, (c, s) = (cos alpha, sin alpha): A = G + l (-s, c) leans on the wall
 //! x = 0, B = G + l (s, -c) stands on the floor y = 0.
 
-use field::{Analytic, Base, Over};
+use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
+use mechanics::constrained::newton::{Reactions, at_point};
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
 
 /// The data of the ladder.
@@ -53,6 +54,20 @@ impl<P: Base> Contacts<4, 1, 2> for Ladder<P> {
             Contact { gap: x - half * s, along: y + half * c, friction: wall, sides: Sides::One },
             Contact { gap: y - half * c, along: x + half * s, friction: floor, sides: Sides::One },
         ]
+    }
+}
+
+/// The ladder's stiffness; the wall pushes at A, the floor at B.
+impl<P: Base> Reactions<4, 3> for Ladder<P> {
+    fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 3] {
+        let half = Tangent::lift(self.half_length);
+        let (top, foot) = (
+            |[x, y, c, s]: [Tangent<S>; 4]| [x - half * s, y + half * c],
+            |[x, y, c, s]: [Tangent<S>; 4]| [x + half * s, y - half * c],
+        );
+        let [_, _, c, s] = at.place;
+        let (o, l) = (S::zero(), S::one());
+        [[o, o, c, s], at_point(top, at.place, [l, o]), at_point(foot, at.place, [o, l])]
     }
 }
 

@@ -1,6 +1,10 @@
 //! Mechanical systems.
 
+pub mod disc;
 pub mod gyrostat;
+pub mod kept_speed;
+pub mod knife_edge;
 pub mod ladder;
 pub mod rod;
 pub mod steered_rod;
+pub mod swing;

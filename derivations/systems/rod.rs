@@ -5,6 +5,7 @@
 
 use field::{Analytic, Base, Over};
 use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
+use mechanics::constrained::newton::Reactions;
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
 
 /// The data of the rod.
@@ -51,6 +52,15 @@ impl<P: Base> Constrained<4, 1> for Rod<P> {
 impl<P: Base> Contacts<4, 1, 1> for Rod<P> {
     fn contacts<S: Over<P>>(&self, _time: S, [x, y, ..]: [S; 4]) -> [Contact<S>; 1] {
         [Contact { gap: -y, along: x, friction: S::lift(self.friction), sides: self.sides }]
+    }
+}
+
+/// The rod pushes its ends apart, the guide pushes upwards.
+impl<P: Base> Reactions<4, 2> for Rod<P> {
+    fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 2] {
+        let ([x, y, x1, y1], length) = (at.place, S::lift(self.length));
+        let (cos, sin) = ((x1 - x) / length, (y1 - y) / length);
+        [[-cos, -sin, cos, sin], [S::zero(), -S::one(), S::zero(), S::zero()]]
     }
 }
 

@@ -3,8 +3,9 @@
 //! Coordinates (x1, y1, x2, y2) of M1 on the guide and of M2; y points downwards; a horizontal force X acts on M1. The
 //! condition on the middle is kinematic, and in disguise geometric: see the classification.
 
-use field::{Analytic, Base, Over};
+use field::{Analytic, Base, Over, Scalar, Tangent};
 use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
+use mechanics::constrained::newton::{Reactions, at_point};
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
 
 /// The data of the steered rod.
@@ -54,6 +55,16 @@ impl<P: Base> Constrained<4, 2> for SteeredRod<P> {
 impl<P: Base> Contacts<4, 2, 1> for SteeredRod<P> {
     fn contacts<S: Over<P>>(&self, _time: S, [x1, y1, ..]: [S; 4]) -> [Contact<S>; 1] {
         [Contact { gap: -y1, along: x1, friction: S::lift(self.friction), sides: self.sides }]
+    }
+}
+
+/// The rod pushes its ends apart, the steering pushes across the middle, the guide upwards.
+impl<P: Base> Reactions<4, 3> for SteeredRod<P> {
+    fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 3] {
+        let ([x1, y1, x2, y2], length) = (at.place, S::lift(self.length));
+        let (cos, sin) = ((x2 - x1) / length, (y2 - y1) / length);
+        let middle = |[x1, y1, x2, y2]: [Tangent<S>; 4]| [(x1 + x2).half(), (y1 + y2).half()];
+        [[-cos, -sin, cos, sin], at_point(middle, at.place, [-sin, cos]), [S::zero(), -S::one(), S::zero(), S::zero()]]
     }
 }
 

@@ -21,6 +21,8 @@ pub struct Claim {
     pub correction: Option<Box<Claim>>,
     /// Anything else a reader should know.
     pub note: String,
+    /// The sentence says it all: no formula is shown.
+    pub in_words: bool,
 }
 
 /// What is stated.

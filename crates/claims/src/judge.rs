@@ -76,11 +76,13 @@ impl Claim {
                 judged.objections = examine::equations(lines, hypotheses, dimension);
             }
             Statement::Theorem(theorem) => {
-                let telling = || theorem.then.iter().filter(|conclusion| conclusion.tells());
+                let shown = |condition: &&Condition| !self.in_words && condition.tells();
+                let telling = || theorem.then.iter().filter(shown);
                 judged.text = telling().map(Condition::to_string).collect();
                 judged.latex = telling().map(|conclusion| conclusion.latex()).collect();
                 judged.requires = stated(&theorem.rules);
-                judged.requires.extend(theorem.given.iter().map(|c| (c.to_string(), c.latex())));
+                let given = theorem.given.iter().filter(|_| !self.in_words);
+                judged.requires.extend(given.map(|c| (c.to_string(), c.latex())));
                 (judged.verdict, judged.evidence) = theorem.decide();
                 if let Proof::Counterexample(point) | Proof::Example(point) | Proof::NoRoot { at: point, .. } =
                     &theorem.proof

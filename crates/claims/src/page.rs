@@ -21,6 +21,7 @@ pub struct Draft<'a> {
     rules: Hypotheses,
     given: Vec<Condition>,
     note: String,
+    in_words: bool,
 }
 
 impl Page {
@@ -54,6 +55,7 @@ impl Page {
             rules: Hypotheses::none(),
             given: Vec::new(),
             note: String::new(),
+            in_words: false,
         }
     }
 
@@ -82,6 +84,12 @@ impl<'a> Draft<'a> {
     /// A remark for the reader.
     pub fn note(mut self, note: impl Into<String>) -> Self {
         self.note = note.into();
+        self
+    }
+
+    /// The sentence says it all: expressions as they are derived would tell a reader nothing more.
+    pub fn in_words(mut self) -> Self {
+        self.in_words = true;
         self
     }
 
@@ -178,6 +186,7 @@ impl<'a> Draft<'a> {
             expected,
             correction: None,
             note: self.note,
+            in_words: self.in_words,
         });
         self.page
     }

@@ -2,7 +2,8 @@
 //!
 //! Elimination needs no choice of pivots there (all of them are positive), and a scalar without order could not choose.
 
-use field::Scalar;
+use crate::differentiate::{along, fixed, unit};
+use field::{Scalar, Tangent};
 
 /// A pivot vanished: the matrix is not definite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,4 +44,17 @@ pub fn solve<S: Scalar, const N: usize>(mut a: [[S; N]; N], mut b: [S; N]) -> Re
         b[k] = rest / a[k][k];
     }
     Ok(b)
+}
+
+/// The root of an affine map with such a matrix: its value at zero, and one tangent pass for each unknown.
+///
+/// # Errors
+/// [`NotDefinite`] where a pivot is exactly zero.
+pub fn root<S: Scalar, const N: usize>(
+    map: impl Fn([Tangent<S>; N]) -> [Tangent<S>; N],
+) -> Result<[S; N], NotDefinite> {
+    let origin = [S::zero(); N];
+    let columns: [[S; N]; N] = std::array::from_fn(|k| map(along(origin, unit(k))).map(|image| image.slope));
+    let matrix = std::array::from_fn(|i| std::array::from_fn(|k| columns[k][i]));
+    solve(matrix, map(fixed(origin)).map(|image| -image.value))
 }

@@ -5,7 +5,7 @@ use field::{Scalar, Tangent};
 
 /// d/dt (dL/dq'_i) - dL/dq_i for each i, at a position, velocity and acceleration.
 ///
-/// One nested pass for each coordinate: the outer tangent moves along the motion (q', q''), the inner one varies q'_i,
+/// One nested pass for each coordinate: the outer tangent varies q'_i, the inner one moves along the motion (q', q''),
 /// so that their mixed derivative is the total time derivative of the momentum.
 pub fn lagrange<S: Scalar, const N: usize>(
     lagrangian: impl Fn([Tangent<Tangent<S>>; N], [Tangent<Tangent<S>>; N]) -> Tangent<Tangent<S>>,
@@ -13,14 +13,25 @@ pub fn lagrange<S: Scalar, const N: usize>(
     velocity: [S; N],
     acceleration: [S; N],
 ) -> [S; N] {
+    rheonomic(|_, q, dq| lagrangian(q, dq), S::zero(), position, velocity, acceleration)
+}
+
+/// The same for L(t, q, q').
+pub fn rheonomic<S: Scalar, const N: usize>(
+    lagrangian: impl Fn(Tangent<Tangent<S>>, [Tangent<Tangent<S>>; N], [Tangent<Tangent<S>>; N]) -> Tangent<Tangent<S>>,
+    time: S,
+    position: [S; N],
+    velocity: [S; N],
+    acceleration: [S; N],
+) -> [S; N] {
     let moving = |x: [S; N], rate: [S; N], variation: [S; N]| {
         std::array::from_fn(|j| Tangent::moving(Tangent::moving(x[j], rate[j]), Tangent::fixed(variation[j])))
     };
+    let (now, running) = (Tangent::fixed(Tangent::fixed(time)), Tangent::fixed(Tangent::variable(time)));
     let rest = [S::zero(); N];
     std::array::from_fn(|i| {
-        let momentum_rate =
-            lagrangian(moving(position, velocity, rest), moving(velocity, acceleration, unit(i))).slope.slope;
-        let force = lagrangian(fixed(along(position, unit(i))), fixed(fixed(velocity))).value.slope;
-        momentum_rate - force
+        let varied = lagrangian(running, moving(position, velocity, rest), moving(velocity, acceleration, unit(i)));
+        let force = lagrangian(now, fixed(along(position, unit(i))), fixed(fixed(velocity))).value.slope;
+        varied.slope.slope - force
     })
 }

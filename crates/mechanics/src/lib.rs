@@ -11,6 +11,9 @@
 //! | Appell | the acceleration energy S of the mass points | [`appell`] |
 //! | angular momentum | the moment of momentum of the mass points | [`momentum`] |
 //!
+//! For systems given by masses, forces and constraints in the coordinates of their mass points, [`constrained`] derives
+//! the same and more from that one description: multipliers, reactions, Gauss' minimum, redundant coordinates.
+//!
 //! Each returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side that runs is
 //! one of the forms; that it makes every residual vanish is a claim, and is proved.
 

@@ -1,5 +1,6 @@
 //! Points that touch rough curves.
 
+use super::newton::Reactions;
 use super::{Charted, Constrained, Constraint, State, System};
 use field::{Analytic, Over};
 
@@ -72,5 +73,14 @@ where
 
     fn rates<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; A], p: [S; R]) -> [S; A] {
         self.0.rates(time, q, p)
+    }
+}
+
+/// By the reactions of the system, those of its contacts among them.
+impl<Q: Reactions<N, D>, const N: usize, const C: usize, const K: usize, const D: usize> Reactions<N, D>
+    for Closed<Q, C, K>
+{
+    fn reactions<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [[S; N]; D] {
+        self.0.reactions(at)
     }
 }

@@ -10,13 +10,37 @@
 //! * [`Charted`]: coordinates q and quasi-velocities p that satisfy the constraints identically;
 //! * [`rates`](mod@rates): constraints differentiated along a motion, their matrix;
 //! * [`contacts`]: rough curves that the system touches, from one side or from both;
-//! * [`multipliers`]: Lagrange's equations of the first kind.
+//! * [`motion`]: velocities and accelerations by a chart.
+//!
+//! # Principles
+//! Each turns a system into accelerations; that they are the same is proved, system by system.
+//!
+//! | principle | from | module |
+//! |---|---|---|
+//! | Lagrange I | constraints, multipliers | [`multipliers`] |
+//! | Newton | what pushes where, reactions | [`newton`] |
+//! | Gauss | constraints, a minimum | [`gauss`] |
+//! | Lagrange II, Maggi | a chart, T(q, q') | [`second_kind`] |
+//! | Appell | a chart, S'(p') | [`mod@appell`] |
+//! | Shulgin | redundant coordinates, T*; with the term it loses | [`redundant`], [`quasi`] |
+//!
+//! [`combining`] splits reactions with friction; [`classify`] tells what kind of constraints these are.
 
+pub mod appell;
+pub mod classify;
+pub mod combining;
 pub mod contacts;
+mod distribution;
+pub mod gauss;
+pub mod motion;
 pub mod multipliers;
+pub mod newton;
+pub mod quasi;
 pub mod rates;
+pub mod redundant;
+pub mod second_kind;
 
-use field::{Analytic, Base, Over, Scalar};
+use field::{Analytic, Base, Over, Scalar, Tangent};
 
 /// An instant of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +51,17 @@ pub struct State<S, const N: usize> {
     pub place: [S; N],
     /// x'
     pub velocity: [S; N],
+}
+
+impl<S: Scalar, const N: usize> State<S, N> {
+    /// The same, seen where derivatives are taken of something else.
+    pub fn fixed(self) -> State<Tangent<S>, N> {
+        State {
+            time: Tangent::fixed(self.time),
+            place: self.place.map(Tangent::fixed),
+            velocity: self.velocity.map(Tangent::fixed),
+        }
+    }
 }
 
 /// The value of a constraint, of one of two kinds.

@@ -1,7 +1,7 @@
 //! Constraints differentiated along a motion until they speak of accelerations.
 
 use super::{Constrained, Constraint, State};
-use crate::differentiate::unit;
+use crate::differentiate::{along, unit};
 use field::{Over, Tangent};
 
 /// d^2f/dt^2 of the geometric and dphi/dt of the kinematic constraints, at an acceleration. They are affine in it.
@@ -24,17 +24,29 @@ pub fn rates<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: u
     })
 }
 
+/// df/dt of the geometric constraints at the velocity, and the kinematic ones themselves.
+pub fn first_rates<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
+    system: &Q,
+    at: &State<S, N>,
+) -> [S; C] {
+    let moving = State {
+        time: Tangent::variable(at.time),
+        place: along(at.place, at.velocity),
+        velocity: at.velocity.map(Tangent::fixed),
+    };
+    system.constraints(&moving).map(|constraint| match constraint {
+        Constraint::Geometric(f) => f.slope,
+        Constraint::Kinematic(phi) => phi.value,
+    })
+}
+
 /// The rows df/dx and dphi/dx': the coefficients of the accelerations in [`rates`], and the directions of ideal
 /// reactions.
 pub fn jacobian<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
 ) -> [[S; N]; C] {
-    let fixed = State {
-        time: Tangent::fixed(at.time),
-        place: at.place.map(Tangent::fixed),
-        velocity: at.velocity.map(Tangent::fixed),
-    };
+    let fixed = at.fixed();
     let columns: [[S; C]; N] = std::array::from_fn(|i| {
         let direction = unit::<S, N>(i).map(|along| Tangent::moving(S::zero(), along));
         rates(system, &fixed, direction).map(|rate| rate.slope)

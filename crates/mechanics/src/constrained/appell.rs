@@ -1,0 +1,38 @@
+//! Appell's equations in quasi-velocities: dS'/dp'_j = Q'_j, with the acceleration energy S' = 1/2 sum m_i x_i''^2.
+
+use super::System;
+use super::motion::Motion;
+use crate::appell::appell;
+use crate::definite::{NotDefinite, root};
+use crate::differentiate::fixed;
+use field::{Over, Scalar};
+
+/// dS'/dp'_j - Q'_j at the rates p'.
+pub fn residual<Q: System<N>, S: Over<Q::Given>, const N: usize, const R: usize>(
+    system: &Q,
+    motion: &Motion<S, N, R>,
+    force: [S; N],
+    rates: [S; R],
+) -> [S; R] {
+    let lifted = motion.fixed();
+    let by_energy = appell(|dp| acceleration_energy(system.masses(), lifted.acceleration(dp)), rates);
+    let generalised = motion.generalised(force);
+    std::array::from_fn(|j| by_energy[j] - generalised[j])
+}
+
+/// p' by Appell's equations.
+///
+/// # Errors
+/// [`NotDefinite`] names the first field that depends on those before it.
+pub fn rates<Q: System<N>, S: Over<Q::Given>, const N: usize, const R: usize>(
+    system: &Q,
+    motion: &Motion<S, N, R>,
+    force: [S; N],
+) -> Result<[S; R], NotDefinite> {
+    root(|dp| residual(system, &motion.fixed(), fixed(force), dp))
+}
+
+/// S = 1/2 sum m_i x_i''^2.
+fn acceleration_energy<S: Scalar, const N: usize>(masses: [S; N], acceleration: [S; N]) -> S {
+    super::kinetic_energy(masses, acceleration)
+}

@@ -1,0 +1,51 @@
+//! Painleve's method of combining constraints: a reaction R as the force of the constraints and the force of friction.
+//!
+//! R = R^n + R^tau, where R^n = J^T lambda does no work on virtual displacements (J dx = 0), and R^tau points to one:
+//!
+//! * Painleve: R^tau itself is a virtual displacement, J R^tau = 0;
+//! * extended: M^-1 R^tau is one, J M^-1 R^tau = 0.
+//!
+//! Both are orthogonal projections, in the metric 1 and in M^-1. Both exist and are unique; lambda is unique where J has
+//! full rank. In the extended one lambda is what it would be without friction, because R^tau moves no constraint.
+
+use crate::definite::{NotDefinite, solve};
+use field::Scalar;
+
+/// The two parts of a reaction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Combined<S, const N: usize, const C: usize> {
+    /// lambda
+    pub multipliers: [S; C],
+    /// R^n = J^T lambda
+    pub of_constraints: [S; N],
+    /// R^tau
+    pub of_friction: [S; N],
+}
+
+/// The extended decomposition with the masses m.
+///
+/// # Errors
+/// [`NotDefinite`] names the first row of J that depends on those before it.
+pub fn extended<S: Scalar, const N: usize, const C: usize>(
+    masses: [S; N],
+    rows: [[S; N]; C],
+    reaction: [S; N],
+) -> Result<Combined<S, N, C>, NotDefinite> {
+    let weighted = |a: [S; N], b: [S; N]| (0..N).fold(S::zero(), |sum, i| sum + a[i] * b[i] / masses[i]);
+    let matrix = rows.map(|a| rows.map(|b| weighted(a, b)));
+    let multipliers = solve(matrix, rows.map(|row| weighted(row, reaction)))?;
+    let of_constraints = std::array::from_fn(|i| (0..C).fold(S::zero(), |sum, k| sum + multipliers[k] * rows[k][i]));
+    let of_friction = std::array::from_fn(|i| reaction[i] - of_constraints[i]);
+    Ok(Combined { multipliers, of_constraints, of_friction })
+}
+
+/// Painleve's own decomposition: the extended one of a system with equal masses.
+///
+/// # Errors
+/// [`NotDefinite`] names the first row of J that depends on those before it.
+pub fn painleve<S: Scalar, const N: usize, const C: usize>(
+    rows: [[S; N]; C],
+    reaction: [S; N],
+) -> Result<Combined<S, N, C>, NotDefinite> {
+    extended([S::one(); N], rows, reaction)
+}

@@ -1,0 +1,149 @@
+//! Redundant coordinates: as many coordinates as before, fewer velocities.
+//!
+//! C constraints that are linear in the velocities give C of the velocities by the others, x'_a = sum A_aj x'_j + A_a0. All
+//! coordinates are kept. That is a chart with q = x and p the free velocities; its fields are Shulgin's operators
+//! E_j = d/dx_j + sum A_aj d/dx_a. Shulgin's equations d/dt dT*/dx'_j - E_j(T*) = X_j + sum A_aj X_a come from
+//! [`quasi`](super::quasi), with the term that they lose where the constraints are not integrable:
+//! lost_j = sum over a of m_a x'_a (dA_aj/dt - E_j(x'_a)).
+
+use super::rates::{first_rates, jacobian, rates};
+use super::{Charted, Constrained, State, System};
+use crate::definite::{NotDefinite, solve};
+use field::{Analytic, Over, Scalar};
+
+/// Which coordinates the constraints determine, the k-th one the k-th; the others are free, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Split<const N: usize, const C: usize, const F: usize> {
+    dependent: [usize; C],
+    free: [usize; F],
+}
+
+impl<const N: usize, const C: usize, const F: usize> Split<N, C, F> {
+    /// By the places of the dependent coordinates; `None` where they are not C different ones of N = C + F.
+    pub fn new(dependent: [usize; C]) -> Option<Self> {
+        const { assert!(N == C + F, "dependent and free coordinates are all") };
+        let mut others = (0..N).filter(|i| !dependent.contains(i));
+        let free = std::array::from_fn(|_| others.next().unwrap_or(N));
+        let complete = dependent.iter().chain(&free).all(|&i| i < N) && others.next().is_none();
+        complete.then_some(Split { dependent, free })
+    }
+
+    /// x from its dependent and free parts.
+    fn join<S: Scalar>(&self, dependent: [S; C], free: [S; F]) -> [S; N] {
+        let mut all = [S::zero(); N];
+        for (&i, value) in self.dependent.iter().zip(dependent).chain(self.free.iter().zip(free)) {
+            all[i] = value;
+        }
+        all
+    }
+}
+
+/// Vectors that satisfy the constraints differentiated: one of them, and the directions that all others differ by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Admissible<S, const N: usize, const F: usize> {
+    /// The one whose free parts are zero.
+    pub particular: [S; N],
+    /// The virtual displacements, by a unit of each free coordinate.
+    pub directions: [[S; N]; F],
+}
+
+impl<S: Scalar, const N: usize, const F: usize> Admissible<S, N, F> {
+    /// The one with these free parts.
+    pub fn vector(&self, free: [S; F]) -> [S; N] {
+        std::array::from_fn(|i| (0..F).fold(self.particular[i], |sum, j| sum + free[j] * self.directions[j][i]))
+    }
+}
+
+/// The velocities that satisfy constraints linear in them.
+///
+/// # Errors
+/// [`NotDefinite`] names the first constraint that does not determine its coordinate.
+pub fn velocities<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize, const F: usize>(
+    system: &Q,
+    split: &Split<N, C, F>,
+    time: S,
+    place: [S; N],
+) -> Result<Admissible<S, N, F>, NotDefinite> {
+    let at = State { time, place, velocity: [S::zero(); N] };
+    admissible(split, jacobian(system, &at), first_rates(system, &at))
+}
+
+/// The accelerations that satisfy any constraints.
+///
+/// # Errors
+/// [`NotDefinite`] names the first constraint that does not determine its coordinate.
+pub fn accelerations<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize, const F: usize>(
+    system: &Q,
+    split: &Split<N, C, F>,
+    at: &State<S, N>,
+) -> Result<Admissible<S, N, F>, NotDefinite> {
+    admissible(split, jacobian(system, at), rates(system, at, [S::zero(); N]))
+}
+
+/// The solutions v of J v + rest = 0.
+fn admissible<S: Scalar, const N: usize, const C: usize, const F: usize>(
+    split: &Split<N, C, F>,
+    rows: [[S; N]; C],
+    rest: [S; C],
+) -> Result<Admissible<S, N, F>, NotDefinite> {
+    let block = rows.map(|row| split.dependent.map(|i| row[i]));
+    let particular = split.join(solve(block, rest.map(|r| -r))?, [S::zero(); F]);
+    let mut directions = [[S::zero(); N]; F];
+    for (j, direction) in directions.iter_mut().enumerate() {
+        let dependent = solve(block, rows.map(|row| -row[split.free[j]]))?;
+        *direction = split.join(dependent, crate::differentiate::unit(j));
+    }
+    Ok(Admissible { particular, directions })
+}
+
+/// A system in redundant coordinates, as a chart.
+#[derive(Clone, Copy, Debug)]
+pub struct Redundant<'a, Q, const N: usize, const C: usize, const F: usize> {
+    system: &'a Q,
+    split: Split<N, C, F>,
+}
+
+impl<'a, Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> Redundant<'a, Q, N, C, F> {
+    /// About a place at which the constraints determine the dependent velocities.
+    ///
+    /// # Errors
+    /// [`NotDefinite`] names the first constraint that does not.
+    pub fn about<S: Over<Q::Given>>(
+        system: &'a Q,
+        split: Split<N, C, F>,
+        time: S,
+        place: [S; N],
+    ) -> Result<Self, NotDefinite> {
+        velocities(system, &split, time, place).map(|_| Redundant { system, split })
+    }
+
+    /// The free velocities among all.
+    pub fn free<S: Scalar>(&self, velocity: [S; N]) -> [S; F] {
+        self.split.free.map(|i| velocity[i])
+    }
+}
+
+impl<Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> System<N> for Redundant<'_, Q, N, C, F> {
+    type Given = Q::Given;
+
+    fn masses<S: Over<Self::Given>>(&self) -> [S; N] {
+        self.system.masses()
+    }
+
+    fn force<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [S; N] {
+        self.system.force(at)
+    }
+}
+
+impl<Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> Charted<N, N, F>
+    for Redundant<'_, Q, N, C, F>
+{
+    fn place<S: Over<Self::Given> + Analytic>(&self, _time: S, x: [S; N]) -> [S; N] {
+        x
+    }
+
+    fn rates<S: Over<Self::Given> + Analytic>(&self, time: S, x: [S; N], p: [S; F]) -> [S; N] {
+        // `about` has seen that the pivots do not vanish
+        velocities(self.system, &self.split, time, x).map_or([S::zero(); N], |admissible| admissible.vector(p))
+    }
+}

@@ -1,0 +1,168 @@
+//! One system, every principle: the same accelerations.
+
+use claims::{Condition, Page};
+use mechanics::constrained::classify::{Class, Unclassified, classify};
+use mechanics::constrained::motion::Motion;
+use mechanics::constrained::multipliers::{Reaction, multipliers};
+use mechanics::constrained::newton::{Reactions, newton};
+use mechanics::constrained::redundant::{Redundant, Split, accelerations};
+use mechanics::constrained::{Charted, Constrained, appell, gauss, kinetic_energy, quasi, rates, second_kind};
+use symbolic::Sym;
+
+use Condition::{Equal, Zero};
+
+/// A system at an instant that is free but for the constraints.
+pub struct Case<Q, const N: usize, const C: usize, const K: usize, const R: usize> {
+    /// The entry of the page.
+    pub entry: &'static str,
+    /// What it is called in a sentence.
+    pub name: &'static str,
+    pub system: Q,
+    /// t, q, p
+    pub at: (Sym, [Sym; K], [Sym; R]),
+    /// The coordinates that the constraints determine, one each.
+    pub dependent: [usize; C],
+    /// mu of the friction as the extended method writes it: R^tau_i = sum mu_j m_i dx'_i/dp_j.
+    pub friction: [Sym; R],
+    /// Variations of the free accelerations.
+    pub variations: [Sym; R],
+}
+
+impl<Q, const N: usize, const C: usize, const K: usize, const R: usize> Case<Q, N, C, K, R>
+where
+    Q: Charted<N, K, R, Given = Sym> + Constrained<N, C> + Reactions<N, C>,
+{
+    /// The system on its way.
+    pub fn motion(&self) -> Motion<Sym, N, R> {
+        let (time, q, p) = self.at;
+        Motion::at(&self.system, time, q, p)
+    }
+
+    /// What kind of constraints these are.
+    ///
+    /// # Errors
+    /// [`Unclassified`] where the prover gave up.
+    pub fn class(&self) -> Result<Class, Unclassified> {
+        classify(&self.system, self.at.0, self.motion().state.place)
+    }
+
+    /// By Lagrange's multipliers, under the given forces and others. What cannot be solved is undefined, and the claims
+    /// about it are then red.
+    pub fn by_multipliers(&self, others: [Sym; N]) -> Reaction<Sym, N, C> {
+        let state = self.motion().state;
+        let given: [Sym; N] = self.system.force(&state);
+        let force = std::array::from_fn(|i| given[i] + others[i]);
+        let undefined = Reaction { acceleration: [Sym::UNDEFINED; N], multipliers: [Sym::UNDEFINED; C] };
+        multipliers(&self.system, &state, force).unwrap_or(undefined)
+    }
+
+    /// That the chart keeps the constraints.
+    pub fn chart(&self, page: &mut Page) {
+        let state = self.motion().state;
+        let values = self.system.constraints(&state).map(|constraint| constraint.value());
+        let first = rates::first_rates(&self.system, &state);
+        page.claim(
+            self.entry,
+            "chart",
+            format!("{}: its coordinates and quasi-velocities keep every constraint", self.name),
+        )
+        .in_words()
+        .follows(values.into_iter().chain(first).map(Zero));
+    }
+
+    /// That the principles which use the chart or the reactions give the accelerations of Lagrange's multipliers.
+    pub fn claims(&self, page: &mut Page) {
+        let motion = self.motion();
+        let force = self.system.force(&motion.state);
+        let expected = self.by_multipliers([Sym::ZERO; N]).acceleration;
+        let same = |found: [Sym; N]| (0..N).map(move |i| Equal(found[i], expected[i]));
+        let moved = |rates: Option<[Sym; R]>| motion.acceleration(rates.unwrap_or([Sym::UNDEFINED; R]));
+        let name = self.name;
+        let pushed = newton(&self.system, &motion.state, force).map(|pushed| pushed.acceleration);
+        page.claim(self.entry, "newton", format!("{name}: Newton's equations, with each reaction pushing where it does, give Lagrange's accelerations with multipliers"))
+            .in_words()
+            .follows(same(pushed.unwrap_or([Sym::UNDEFINED; N])));
+        page.claim(
+            self.entry,
+            "lagrange",
+            format!(
+                "{name}: so do Lagrange's equations of the second kind (Maggi's, where a kinematic constraint is left)"
+            ),
+        )
+        .in_words()
+        .follows(same(moved(second_kind::rates(&self.system, self.at, force).ok())));
+        page.claim(self.entry, "appell", format!(r"{name}: so do Appell's, $\partial S'/\partial\dot p_j = Q'_j$"))
+            .in_words()
+            .follows(same(moved(appell::rates(&self.system, &motion, force).ok())));
+        self.combining(page, &motion);
+    }
+
+    /// The extended friction moves no constraint: rows times fields vanish, so the multipliers do not see it.
+    fn combining(&self, page: &mut Page, motion: &Motion<Sym, N, R>) {
+        let masses: [Sym; N] = self.system.masses();
+        let friction = std::array::from_fn(|i| {
+            (0..R).fold(Sym::ZERO, |sum, j| sum + self.friction[j] * masses[i] * motion.fields[j][i])
+        });
+        let (with, without) = (self.by_multipliers(friction), self.by_multipliers([Sym::ZERO; N]));
+        page.claim(self.entry, "friction", format!(r"{} with the friction $R^\tau = \sum\mu_j\,m\,\partial\dot x/\partial p_j$: the multipliers are those without it", self.name))
+            .in_words()
+            .follows((0..C).map(|k| Equal(with.multipliers[k], without.multipliers[k])));
+    }
+
+    /// Gauss: the minimum over what the constraints admit, and that it is one.
+    pub fn gauss(&self, page: &mut Page) {
+        let state = self.motion().state;
+        let (masses, force) = (self.system.masses(), self.system.force(&state));
+        let expected = self.by_multipliers([Sym::ZERO; N]).acceleration;
+        let admissible =
+            Split::<N, C, R>::new(self.dependent).and_then(|split| accelerations(&self.system, &split, &state).ok());
+        let least = admissible.and_then(|admissible| gauss::least(masses, force, &admissible).ok());
+        page.claim(self.entry, "gauss", format!("{}: so does Gauss' principle, the stationary point of $Z = \\frac12\\sum m(\\ddot x - X/m)^2$ over the accelerations that the constraints admit", self.name))
+            .in_words()
+            .follows((0..N).map(|i| Equal(least.unwrap_or([Sym::UNDEFINED; N])[i], expected[i])));
+        let directions = admissible.map_or([[Sym::UNDEFINED; N]; R], |admissible| admissible.directions);
+        let varied: [Sym; N] =
+            std::array::from_fn(|i| (0..R).fold(Sym::ZERO, |sum, j| sum + self.variations[j] * directions[j][i]));
+        let moved = std::array::from_fn(|i| expected[i] + varied[i]);
+        let more = gauss::constraint(masses, force, moved) - gauss::constraint(masses, force, expected);
+        page.claim(self.entry, "least", format!(r"{}: and the stationary point is the minimum: $Z(\ddot x+\delta)-Z(\ddot x) = \frac12\sum m\,\delta^2$ for every admissible $\delta$", self.name))
+            .in_words()
+            .follows([Equal(more, kinetic_energy(masses, varied))]);
+    }
+
+    /// Ideal constraints without time in them do no work: the power of the forces is that of the inertia.
+    pub fn energy(&self, page: &mut Page) {
+        let state = self.motion().state;
+        let (masses, force): ([Sym; N], [Sym; N]) = (self.system.masses(), self.system.force(&state));
+        let acceleration = self.by_multipliers([Sym::ZERO; N]).acceleration;
+        let power = (0..N).fold(Sym::ZERO, |sum, i| sum + (masses[i] * acceleration[i] - force[i]) * state.velocity[i]);
+        page.claim(self.entry, "energy", format!("{}: the reactions do no work", self.name))
+            .in_words()
+            .follows([Zero(power)]);
+    }
+
+    /// Shulgin: redundant coordinates, with the lost term put back.
+    pub fn shulgin(&self, page: &mut Page) {
+        let motion = self.motion();
+        let state = motion.state;
+        let expected = self.by_multipliers([Sym::ZERO; N]).acceleration;
+        let found = Split::<N, C, R>::new(self.dependent)
+            .and_then(|split| Redundant::about(&self.system, split, state.time, state.place).ok())
+            .and_then(|redundant| {
+                let at = (state.time, state.place, redundant.free(state.velocity));
+                let force = self.system.force(&state);
+                let rates = quasi::rates(&redundant, at, force).ok()?;
+                Some(Motion::at(&redundant, at.0, at.1, at.2).acceleration(rates))
+            });
+        page.claim(
+            self.entry,
+            "shulgin",
+            format!(
+                "{}: so do Shulgin's equations in redundant coordinates, with the term that they lose put back",
+                self.name
+            ),
+        )
+        .in_words()
+        .follows((0..N).map(|i| Equal(found.unwrap_or([Sym::UNDEFINED; N])[i], expected[i])));
+    }
+}

@@ -1,0 +1,112 @@
+//! A thin disc that rolls on a horizontal plane.
+//!
+//! Coordinates (r, e, e'): the centre and two orthogonal unit vectors in the disc, with the masses (m, m, m, P, ..., P); P is
+//! the second moment of the mass in each direction, m a^2/4 for a uniform disc and m a^2/2 for a ring. The axis n = e x e'
+//! is not needed. z points upwards. The lowest point of the disc is r - a (e_z e + e'_z e')/s with s^2 = e_z^2 + e'_z^2;
+//! where it touches the plane, s = z/a, and that keeps the rolling algebraic.
+
+use field::{Analytic, Base, Over, Scalar};
+use mechanics::constrained::newton::{Reactions, at_point};
+use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+use mechanics::rotation::euler;
+
+/// The data of the disc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disc<P> {
+    /// m, kg
+    pub mass: P,
+    /// P, the second moment along a diameter, kg m^2: half of the moment about the axis
+    pub second_moment: P,
+    /// a, m
+    pub radius: P,
+    /// g, m/s^2
+    pub gravity: P,
+}
+
+/// The coordinates, one vector after the other.
+fn vectors<S: Scalar>([x, y, z, ex, ey, ez, fx, fy, fz]: [S; 9]) -> [[S; 3]; 3] {
+    [[x, y, z], [ex, ey, ez], [fx, fy, fz]]
+}
+
+fn dot<S: Scalar>(a: [S; 3], b: [S; 3]) -> S {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+impl<P: Base> System<9> for Disc<P> {
+    type Given = P;
+
+    fn masses<S: Over<P>>(&self) -> [S; 9] {
+        let (m, p) = (S::lift(self.mass), S::lift(self.second_moment));
+        [m, m, m, p, p, p, p, p, p]
+    }
+
+    fn force<S: Over<P>>(&self, _at: &State<S, 9>) -> [S; 9] {
+        let mut force = [S::zero(); 9];
+        force[2] = -S::lift(self.mass) * S::lift(self.gravity);
+        force
+    }
+}
+
+/// Two unit vectors, orthogonal; the plane is touched; the point that touches it has no velocity along x and y.
+impl<P: Base> Constrained<9, 6> for Disc<P> {
+    fn constraints<S: Over<P>>(&self, at: &State<S, 9>) -> [Constraint<S>; 6] {
+        let ([r, e, f], [dr, de, df]) = (vectors(at.place), vectors(at.velocity));
+        let square = S::lift(self.radius).squared();
+        let slip = |i: usize| r[2] * dr[i] - square * (e[2] * de[i] + f[2] * df[i]);
+        [
+            Constraint::Geometric((dot(e, e) - S::one()).half()),
+            Constraint::Geometric((dot(f, f) - S::one()).half()),
+            Constraint::Geometric(dot(e, f)),
+            Constraint::Geometric((r[2].squared() - square * (e[2].squared() + f[2].squared())).half()),
+            Constraint::Kinematic(slip(0)),
+            Constraint::Kinematic(slip(1)),
+        ]
+    }
+}
+
+/// The disc's stiffness keeps its two vectors; the plane pushes at the point that touches it, upwards and along.
+impl<P: Base> Reactions<9, 6> for Disc<P> {
+    fn reactions<S: Over<P>>(&self, at: &State<S, 9>) -> [[S; 9]; 6] {
+        let [r, e, f] = vectors(at.place);
+        let (o, l) = (S::zero(), S::one());
+        // the place in the disc of the point that touches, by its coordinates along e and e'
+        let radius = S::lift(self.radius);
+        let [along_e, along_f] = [e[2], f[2]].map(|height| -radius * radius * height / r[2]);
+        let push = |force: [S; 3]| {
+            at_point(
+                |x| {
+                    let [r, e, f] = vectors(x);
+                    let fixed = field::Tangent::fixed;
+                    std::array::from_fn(|i| r[i] + fixed(along_e) * e[i] + fixed(along_f) * f[i])
+                },
+                at.place,
+                force,
+            )
+        };
+        [
+            [o, o, o, e[0], e[1], e[2], o, o, o],
+            [o, o, o, o, o, o, f[0], f[1], f[2]],
+            [o, o, o, f[0], f[1], f[2], e[0], e[1], e[2]],
+            push([o, o, l]),
+            push([l, o, o]),
+            push([o, l, o]),
+        ]
+    }
+}
+
+/// q = (x, y, psi, theta, phi) with Euler's angles, theta from the vertical to the axis; p = (psi', theta', phi').
+impl<P: Base> Charted<9, 5, 3> for Disc<P> {
+    fn place<S: Over<P> + Analytic>(&self, _time: S, [x, y, psi, theta, phi]: [S; 5]) -> [S; 9] {
+        let axes = euler([psi, theta, phi]);
+        let (e, f) = (axes.column(0), axes.column(1));
+        [x, y, S::lift(self.radius) * theta.circle().sin, e[0], e[1], e[2], f[0], f[1], f[2]]
+    }
+
+    /// The centre moves by -a (phi' + psi' cos theta) along the plane's line and by a theta' sin theta across it.
+    fn rates<S: Over<P> + Analytic>(&self, _time: S, q: [S; 5], [spin, tilt, roll]: [S; 3]) -> [S; 5] {
+        let (psi, theta) = (q[2].circle(), q[3].circle());
+        let radius = S::lift(self.radius);
+        let (forward, sideways) = (-radius * (roll + spin * theta.cos), radius * tilt * theta.sin);
+        [forward * psi.cos + sideways * psi.sin, forward * psi.sin - sideways * psi.cos, spin, tilt, roll]
+    }
+}

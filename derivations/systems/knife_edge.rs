@@ -1,0 +1,69 @@
+//! A knife edge on an inclined plane: Chaplygin's sleigh.
+//!
+//! A plane body in the coordinates (x, y, c, s) of its centre G and of its direction (c, s) = (cos theta, sin theta), with the
+//! masses (m, m, J, J); x points down the slope. The blade at A = G - d (c, s) moves along (c, s) only.
+
+use field::{Analytic, Base, Over, Tangent};
+use mechanics::constrained::newton::{Reactions, at_point};
+use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+
+/// The data of the sleigh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KnifeEdge<P> {
+    /// m, kg
+    pub mass: P,
+    /// J about the centre, kg m^2
+    pub inertia: P,
+    /// d from the blade to the centre, m
+    pub offset: P,
+    /// g times the sine of the slope, m/s^2
+    pub slope: P,
+}
+
+impl<P: Base> System<4> for KnifeEdge<P> {
+    type Given = P;
+
+    fn masses<S: Over<P>>(&self) -> [S; 4] {
+        [self.mass, self.mass, self.inertia, self.inertia].map(S::lift)
+    }
+
+    fn force<S: Over<P>>(&self, _at: &State<S, 4>) -> [S; 4] {
+        [self.mass * self.slope, P::zero(), P::zero(), P::zero()].map(S::lift)
+    }
+}
+
+impl<P: Base> Constrained<4, 2> for KnifeEdge<P> {
+    fn constraints<S: Over<P>>(&self, at: &State<S, 4>) -> [Constraint<S>; 2] {
+        let ([_, _, c, s], [dx, dy, dc, ds]) = (at.place, at.velocity);
+        let d = S::lift(self.offset);
+        [
+            Constraint::Geometric((c.squared() + s.squared() - S::one()).half()),
+            Constraint::Kinematic(c * (dy - d * ds) - s * (dx - d * dc)),
+        ]
+    }
+}
+
+/// The body's stiffness; the ice, across the blade.
+impl<P: Base> Reactions<4, 2> for KnifeEdge<P> {
+    fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 2] {
+        let [_, _, c, s] = at.place;
+        let blade = |[x, y, c, s]: [Tangent<S>; 4]| {
+            let d = Tangent::lift(self.offset);
+            [x - d * c, y - d * s]
+        };
+        [[S::zero(), S::zero(), c, s], at_point(blade, at.place, [-s, c])]
+    }
+}
+
+/// q = (x, y, theta), p = (u, w): the blade's speed along itself and theta'.
+impl<P: Base> Charted<4, 3, 2> for KnifeEdge<P> {
+    fn place<S: Over<P> + Analytic>(&self, _time: S, [x, y, theta]: [S; 3]) -> [S; 4] {
+        let point = theta.circle();
+        [x, y, point.cos, point.sin]
+    }
+
+    fn rates<S: Over<P> + Analytic>(&self, _time: S, [_, _, theta]: [S; 3], [u, w]: [S; 2]) -> [S; 3] {
+        let (point, d) = (theta.circle(), S::lift(self.offset));
+        [u * point.cos - d * w * point.sin, u * point.sin + d * w * point.cos, w]
+    }
+}
