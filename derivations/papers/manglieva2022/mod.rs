@@ -6,12 +6,17 @@ mod section11_extended;
 mod section11_lagrange;
 mod section11_law;
 mod section11_painleve;
+mod section13_friction;
+mod section13_lagrange;
+mod section13_motion;
+mod steered;
 
 pub use alphabet::{dimension, letter};
 
 use super::Paper;
 use claims::Page;
 use rod::RodLetters;
+use steered::SteeredLetters;
 
 /// The paper.
 pub const PAPER: Paper = Paper {
@@ -31,5 +36,9 @@ pub fn page() -> Page {
     section11_extended::claims(&mut page, &rod);
     section11_law::claims(&mut page, &rod);
     section11_lagrange::claims(&mut page, &rod);
+    let steered = SteeredLetters::default();
+    section13_friction::claims(&mut page, &steered);
+    section13_motion::claims(&mut page, &steered);
+    section13_lagrange::claims(&mut page, &steered);
     page
 }
