@@ -7,7 +7,7 @@ use field::{Analytic, Tangent};
 use mechanics::constrained::{System, kinetic_energy};
 use symbolic::{Hypotheses, Sym};
 
-use Condition::{Equal, NonZero, Positive, Zero};
+use Condition::{Equal, Positive, Zero};
 
 pub fn claims(page: &mut Page, s: &SteeredLetters) {
     page.section("1.3. Task 1, Lagrange's equation");
@@ -227,8 +227,12 @@ fn rest(page: &mut Page, s: &SteeredLetters) {
     let unit = Hypotheses::none().rule(sign, 2, int(1));
     page.claim("section1.3-static", "start", r"beyond (1.100) $R_x=\varepsilon f\lambda$ with the sign $\varepsilon$ opposite to the force $N$ that rest would need: friction then has the direction of $N$")
         .note("At theta = 0 with m_2 > m_1 the guide pulls: lambda > 0.")
-        .given([Positive(s.f), NonZero(name), Positive(-(sign * needed)), Equal(sign.powi(2), int(1))])
+        .given([
+            Positive(s.f), Positive(m1), Positive(m2), Positive(g), Equal(name, weight), Equal(needed, -held),
+            Positive(held.powi(2) - (s.f * name).powi(2)), Equal(sign.powi(2), int(1)), Positive(-(sign * needed)),
+        ])
         .refuted([Positive(sign * s.f * name * needed)], exact([
+            ("m1", 1, 1), ("m2", 2, 1), ("g", 1, 1), ("X", -1, 1), ("cos θ", 1, 1), ("sin θ", 0, 1),
             ("f", 1, 2), ("λ", 1, 1), ("ε", -1, 1), ("N", 1, 1),
         ]));
     let push = letter("Y");

@@ -1,0 +1,292 @@
+//! Section 1.3, task 2: the uniform ladder integrated, (1.108)-(1.110), and the smooth one.
+
+use super::alphabet::{exact, int, letter, letters, tidy};
+use super::ladder::LadderLetters;
+use claims::{Condition, Line, Page};
+use field::{Circle, Tangent};
+use symbolic::Sym;
+
+use Condition::{Equal, NonZero, Positive, Zero};
+
+pub fn claims(page: &mut Page, s: &LadderLetters) {
+    page.section("1.3. Task 2, the quadrature");
+    let u = Uniform::new(s);
+    first_order(page, s, &u);
+    variation(page, s, &u);
+    solution(page, s, &u);
+    reactions(page, s, &u);
+    ideal(page, s);
+}
+
+/// The uniform ladder with f at both ends, as (1.108) has it.
+struct Uniform {
+    f: Sym,
+    /// 2 / (1 + f^2)
+    a: Sym,
+    /// a - 2/3
+    inertia: Sym,
+    /// af/(a - 2/3): how the homogeneous solution grows
+    growth: Sym,
+    /// -2af/(a - 2/3)
+    b: Sym,
+    /// alpha'' of the motion
+    derived: Sym,
+}
+
+impl Uniform {
+    fn new(s: &LadderLetters) -> Self {
+        let f = letter("f");
+        let a = int(2) / (int(1) + f.powi(2));
+        let inertia = a - int(2) / int(3);
+        let growth = a * f / inertia;
+        Uniform { f, a, inertia, growth, b: -int(2) * a * f / inertia, derived: tidy(s.uniform(s.acceleration())) }
+    }
+
+    /// (af^2 - 1) sin + af cos
+    fn load<S: field::Scalar>(&self, lift: impl Fn(Sym) -> S, point: Circle<S>) -> S {
+        lift(self.a * self.f.powi(2) - int(1)) * point.sin + lift(self.a * self.f) * point.cos
+    }
+
+    /// ((af^2 - 1) b + af) sin + (baf - (af^2 - 1)) cos
+    fn integrated<S: field::Scalar>(&self, lift: impl Fn(Sym) -> S, point: Circle<S>) -> S {
+        let (weight, wedge) = (self.a * self.f.powi(2) - int(1), self.a * self.f);
+        lift(weight * self.b + wedge) * point.sin + lift(self.b * wedge - weight) * point.cos
+    }
+
+    /// A symbol for e^{b alpha} along alpha.
+    fn exponential(&self, name: Sym) -> Tangent<Sym> {
+        Tangent::moving(name, self.b * name)
+    }
+}
+
+fn along_alpha(s: &LadderLetters) -> Circle<Tangent<Sym>> {
+    s.point.moving(int(1))
+}
+
+fn first_order(page: &mut Page, s: &LadderLetters, u: &Uniform) {
+    let slope = letter("dα̇/dα");
+    let derived = u.inertia * (s.dalpha * slope - u.derived);
+    page.claim(
+        "eq1.108",
+        "first-order",
+        r"(1.107) for the uniform ladder with $\ddot\alpha=\dot\alpha\,d\dot\alpha/d\alpha$, $a=2/(1+f^2)$",
+    )
+    .holds([Line::equation(
+        derived,
+        u.inertia * s.dalpha * slope,
+        u.a * u.f * s.dalpha.powi(2) - s.g / s.l * u.load(|x| x, s.point),
+    )]);
+}
+
+/// The steps of the variation of constants, with a symbol for e^{b alpha}: e^{k alpha} for k = -b/2 has its square's inverse.
+fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
+    let [constant, rate] = letters(["C₁", "C₁′"]);
+    // G stands for e^{k alpha}, with k of the homogeneous equation
+    let grown = letter("E");
+    let moving = Tangent::moving(grown, u.growth * grown);
+    let varied = Tangent::moving(constant, rate) * moving;
+    let homogeneous = Tangent::fixed(constant) * moving;
+    page.claim(
+        "section1.3-ladder-quadrature",
+        "homogeneous",
+        r"$\dot\alpha=C_1G$, $G=e^{af\alpha/(a-2/3)}$ (here $E$ for $G$), solves (1.108) without its load",
+    )
+    .follows([Equal(u.inertia * homogeneous.value * homogeneous.slope, u.a * u.f * homogeneous.value.powi(2))]);
+    page.claim(
+        "section1.3-ladder-quadrature",
+        "varied",
+        r"$d\dot\alpha/d\alpha$ with $C_1$ varied (here $E$ for $e^{af\alpha/(a-2/3)}$)",
+    )
+    .holds([Line::formula(varied.slope, letter("dα̇/dα"), rate * grown + constant * u.a * u.f / u.inertia * grown)]);
+    let left =
+        u.inertia * varied.value * (varied.slope - u.derived.substitute(&[(s.dalpha, varied.value)]) / varied.value);
+    let load = -(s.g / s.l * u.load(|x| x, s.point));
+    page.claim("section1.3-ladder-quadrature", "constant", r"the equation for $C_1$, as printed with $e^{+2af\alpha/(a-2/3)}$ on the right (here $E$ for $e^{af\alpha/(a-2/3)}$)")
+        .fails([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load * grown.powi(2))]);
+    page.claim(
+        "section1.3-ladder-quadrature",
+        "constant-corrected",
+        r"with $e^{b\alpha}=e^{-2af\alpha/(a-2/3)}$, as the integrals then have it",
+    )
+    .holds([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load / grown.powi(2))]);
+    page.correct();
+    let point = along_alpha(s);
+    let exponential = u.exponential(letter("E"));
+    let fixed = |x: Sym| Tangent::fixed(x);
+    let norm = fixed(int(1) + u.b.powi(2));
+    let sine = (fixed(u.b) * point.sin - point.cos) * exponential / norm;
+    let cosine = (point.sin + fixed(u.b) * point.cos) * exponential / norm;
+    page.claim(
+        "section1.3-ladder-quadrature",
+        "integrals",
+        r"$I_1=\int e^{b\alpha}\sin\alpha\,d\alpha$ and $I_2=\int e^{b\alpha}\cos\alpha\,d\alpha$: their derivatives",
+    )
+    .follows([
+        Equal(sine.slope, exponential.value * s.point.sin),
+        Equal(cosine.slope, exponential.value * s.point.cos),
+    ]);
+    let integral = u.integrated(fixed, point) * exponential / norm;
+    page.claim("section1.3-ladder-quadrature", "constant-integrated", r"$\frac12(a-\frac23)(C_1^2-\tilde C)$ by these integrals: its derivative is that of $(a-\frac23)C_1C_1'$ with $e^{b\alpha}$")
+        .follows([Equal(-(s.g / s.l) * integral.slope, load * exponential.value)]);
+}
+
+/// (1.109).
+fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
+    let (fixed, point) = (|x: Sym| Tangent::fixed(x), along_alpha(s));
+    let constant = letter("C̃");
+    let exponential = u.exponential(letter("E"));
+    let factor = int(2) * s.g / (s.l * (int(1) + u.b.powi(2)) * (int(2) / int(3) - u.a));
+    let forced = fixed(factor) * u.integrated(fixed, point);
+    let [name] = letters(["d(α̇²)/dα"]);
+    // d(alpha'^2)/dalpha = 2 alpha'' of the motion, at the alpha'^2 of the formula
+    let motion = |square: Sym| {
+        let [spin] = letters(["Q"]);
+        let linear = u.derived.substitute(&[(s.dalpha, Sym::ZERO)]);
+        let growth = (u.derived - linear) / s.dalpha.powi(2) * spin;
+        int(2) * (linear + tidy(growth)).substitute(&[(spin, square)])
+    };
+    let printed = forced + fixed(constant) * exponential;
+    page.claim("eq1.109", "square", r"$\dot\alpha^2$ as printed with $\tilde Ce^{b\alpha}$ (and $2g$ for the printed $g^2$): its derivative along $\alpha$ against $2\ddot\alpha$ of the motion")
+        .note("g^2 over l is no square of an angular velocity; 2 g is.")
+        .fails([Line::formula(motion(printed.value), name, printed.slope)]);
+    let corrected = forced + fixed(constant) / exponential;
+    page.claim("eq1.109", "square-corrected", r"$\dot\alpha^2=\frac{2g}{l(1+b^2)(\frac23-a)}[\dots]+\tilde Ce^{-b\alpha}$ solves the equation of motion for every $\tilde C$")
+        .holds([Line::formula(motion(corrected.value), name, corrected.slope)]);
+    page.correct();
+
+    let [start, speed, begun, now] = letters(["α₀", "α̇₀", "E₀", "E"]);
+    let at_start = |expression: Sym| {
+        let point = field::Analytic::circle(start);
+        expression.substitute(&[(s.point.cos, point.cos), (s.point.sin, point.sin), (now, begun)])
+    };
+    let initial = speed.powi(2) - at_start(forced.value);
+    // the constant for which the right formula has alpha'_0 at alpha_0
+    let begins = at_start(corrected.value) - speed.powi(2);
+    let derived = -(begins.substitute(&[(constant, Sym::ZERO)]) / begins.diff(constant));
+    page.claim(
+        "eq1.109",
+        "constant",
+        r"$\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$ from the initial state, the sign of $b$ as printed",
+    )
+    .note(r"Printed e^{-b\alpha} without the index.")
+    .fails([Line::formula(derived, constant, initial / begun)]);
+    page.claim("eq1.109", "constant-corrected", r"$\tilde C=e^{b\alpha_0}[\dot\alpha_0^2-\dots]$")
+        .holds([Line::formula(derived, constant, initial * begun)]);
+    page.correct();
+}
+
+/// (1.110).
+fn reactions(page: &mut Page, s: &LadderLetters, u: &Uniform) {
+    let (c, sin, l, g, f) = (s.point.cos, s.point.sin, s.l, s.g, u.f);
+    let derived = s.normal_reactions().map(|push| tidy(s.uniform(push)).substitute(&[(s.ddalpha, u.derived)]));
+    let [at_a, at_b] = letters(["RAn", "RBn"]);
+    let spin = s.dalpha.powi(2);
+    let both = int(1) + f.powi(2);
+    let (a, inertia) = (u.a, u.inertia);
+    let wall = |wedge: Sym| {
+        s.m / both
+            * (((a * l * f / inertia - f * l) * c - (a * l * f.powi(2) / inertia + l) * sin) * spin
+                - g / inertia * (c - f * sin) * ((a * f.powi(2) - int(1)) * sin + wedge * c)
+                + f * g)
+    };
+    page.claim("eq1.110", "wall", r"$R_A$ by the angle, as printed with $a\cos\alpha$").fails([Line::formula(
+        derived[0],
+        at_a,
+        wall(a),
+    )]);
+    page.claim("eq1.110", "wall-corrected", r"with $af\cos\alpha$").holds([Line::formula(
+        derived[0],
+        at_a,
+        wall(a * f),
+    )]);
+    page.correct();
+    let floor = |pull: Sym| s.m / both * (pull * spin + g / inertia * (sin + f * c) * u.load(|x| x, s.point) + g);
+    let coefficients = |below: Sym| [(a / below - int(1)) * l * f * sin, (a * f.powi(2) / below + int(1)) * l * c];
+    let [first, second] = coefficients(int(2));
+    page.claim(
+        "eq1.110",
+        "floor",
+        r"$R_B$ by the angle, as printed with $\frac a2$, $\frac{af^2}2$ and a plus before the second",
+    )
+    .note("The denominators a - 2/3 are cut down to 2; with them put back the plus is still wrong.")
+    .fails([Line::formula(derived[1], at_b, floor(-first + second))]);
+    let [first, second] = coefficients(inertia);
+    page.claim("eq1.110", "floor-corrected", r"with $a-\frac23$ below, and both terms subtracted")
+        .holds([Line::formula(derived[1], at_b, floor(-first - second))]);
+    page.correct();
+}
+
+/// The smooth ladder.
+fn ideal(page: &mut Page, s: &LadderLetters) {
+    let (c, sin, l, m, g) = (s.point.cos, s.point.sin, s.l, s.m, s.g);
+    let smooth = [(s.at_wall, Sym::ZERO), (s.at_floor, Sym::ZERO)];
+    let uniform = [(s.inertia, m * l.powi(2) / int(3))];
+    let balance = s.balance().substitute(&smooth);
+    page.claim("section1.3-ladder-ideal", "motion", r"$f=0$: the equation of motion, $P=mg$").holds([Line::equation(
+        balance,
+        (m * l.powi(2) + s.inertia) * s.ddalpha,
+        m * g * l * sin,
+    )]);
+    let acceleration = tidy(s.acceleration().substitute(&smooth).substitute(&uniform));
+    let quarter = int(3) * g / (int(4) * l);
+    page.claim("section1.3-ladder-ideal", "uniform", "the uniform ladder").holds([Line::formula(
+        acceleration,
+        s.ddalpha,
+        quarter * sin,
+    )]);
+    let half = int(1) / int(2);
+    let energy =
+        Tangent::fixed(half) * Tangent::moving(s.dalpha, acceleration) * Tangent::moving(s.dalpha, acceleration)
+            + Tangent::fixed(quarter) * s.point.moving(s.dalpha).cos;
+    page.claim(
+        "section1.3-ladder-ideal",
+        "energy",
+        r"$\frac12\dot\alpha^2+\frac{3g}{4l}\cos\alpha$ is constant: its rate",
+    )
+    .follows([Zero(energy.slope)]);
+    let [wall, floor] =
+        s.normal_reactions().map(|push| push.substitute(&smooth).substitute(&[(s.ddalpha, acceleration)]));
+    let three = int(3) / int(4);
+    let spin = s.dalpha.powi(2);
+    page.claim("section1.3-ladder-ideal", "reactions", "reactions of wall and floor").holds([
+        Line::formula(wall, letter("RAn"), m * (three * g * c * sin - l * sin * spin)),
+        Line::formula(floor, letter("RBn"), m * g - m * (three * g * sin.powi(2) + l * c * spin)),
+    ]);
+    let start = field::Analytic::circle(letter("α₀")).cos;
+    let premises = [
+        Positive(m),
+        Positive(g),
+        Positive(l),
+        NonZero(sin),
+        Zero(tidy(wall)),
+        Equal(spin, int(2) * quarter * (start - c)),
+    ];
+    page.claim(
+        "section1.3-ladder-ideal",
+        "detachment",
+        r"from rest at $\alpha_0$ the wall is left, $R_A^n=0$, at $\cos\alpha=2\cos\alpha_0$, as printed",
+    )
+    .note(r"While it slides down, cos alpha is less than cos alpha_0.")
+    .given(premises)
+    .refuted(
+        [Equal(c, int(2) * start)],
+        exact([
+            ("m", 1, 1),
+            ("g", 5, 1),
+            ("l", 1, 1),
+            ("cos α₀", 9, 10),
+            ("cos α", 3, 5),
+            ("sin α", 4, 5),
+            ("α̇", 3, 2),
+        ]),
+    );
+    // m sin (3/4 g c - l spin) = 0 and spin = 3g/2l (c0 - c)
+    page.claim("section1.3-ladder-ideal", "detachment-corrected", r"at $\cos\alpha=\frac23\cos\alpha_0$")
+        .given(premises)
+        .by_combination([(
+            Equal(c, int(2) / int(3) * start),
+            vec![0, 1, 3],
+            vec![(4, int(4) / int(9)), (5, int(4) / int(9) * m * l * sin)],
+        )]);
+    page.correct();
+}
