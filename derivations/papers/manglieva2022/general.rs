@@ -5,7 +5,7 @@
 //! constraint whose gradient allows it to be solved for the coordinate that is named.
 
 use super::alphabet::{indexed, letter};
-use field::{Analytic, Over, Scalar};
+use field::{Analytic, Over};
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::multipliers::{Reaction, multipliers};
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System};

@@ -45,14 +45,11 @@ fn displacements(page: &mut Page) {
     let [_, d2, d3] = displacement;
     page.claim("eq1.46", "all", r"and every virtual displacement is of this form")
         .given([Zero(dot(row, displacement))])
-        .by_combination(
-            (0..3)
-                .map(|i| {
-                    let along = motion.fields[0][i] * d2 + motion.fields[1][i] * d3;
-                    (Equal(displacement[i], along), vec![], if i == 0 { vec![(0, int(1))] } else { vec![] })
-                })
-                .take(1),
-        );
+        .by_combination([(
+            Equal(displacement[0], motion.fields[0][0] * d2 + motion.fields[1][0] * d3),
+            vec![],
+            vec![(0, int(1))],
+        )]);
 }
 
 /// (1.47)-(1.51).
