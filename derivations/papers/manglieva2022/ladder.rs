@@ -83,16 +83,25 @@ impl LadderLetters {
     }
 
     /// m x'' - X - reactions in each coordinate: in the last two what rigidity has to balance.
-    pub fn newton(&self, reactions: [Sym; 4]) -> [Sym; 4] {
+    pub fn newton(&self, acceleration: [Sym; 4], reactions: [Sym; 4]) -> [Sym; 4] {
         let (masses, weight): ([Sym; 4], [Sym; 4]) = (self.ladder.masses(), self.ladder.force(&self.motion().state));
-        let acceleration = self.motion().acceleration([self.ddalpha]);
         std::array::from_fn(|i| masses[i] * acceleration[i] - weight[i] - reactions[i])
+    }
+
+    /// The accelerations of the coordinates at alpha''.
+    pub fn turning(&self) -> [Sym; 4] {
+        self.motion().acceleration([self.ddalpha])
     }
 
     /// The normal reactions with sliding friction f_A N_A, f_B N_B, by the theorem of the centre of mass.
     pub fn normal_reactions(&self) -> [Sym; 2] {
+        self.normal_reactions_at(self.turning())
+    }
+
+    /// The same at given accelerations of the coordinates.
+    pub fn normal_reactions_at(&self, acceleration: [Sym; 4]) -> [Sym; 2] {
         let Pushes { normal, tangential } = self.pushes();
-        let missing = self.newton([Sym::ZERO; 4]);
+        let missing = self.newton(acceleration, [Sym::ZERO; 4]);
         let column = |k: usize, way: i64, friction: Sym| {
             [0, 1].map(|i| normal[k][i] + Sym::int(way) * friction * tangential[k][i])
         };
@@ -108,7 +117,7 @@ impl LadderLetters {
 
     /// The equation of motion: what is missing along the chart with sliding friction at both ends.
     pub fn balance(&self) -> Sym {
-        let [balance] = self.motion().generalised(self.newton(self.sliding(self.normal_reactions())));
+        let [balance] = self.motion().generalised(self.newton(self.turning(), self.sliding(self.normal_reactions())));
         balance
     }
 

@@ -26,7 +26,7 @@ fn combination(page: &mut Page, s: &RodLetters) {
     let friction = parts.of_friction;
 
     page.claim("eq1.6", "along-the-guide", r"friction at $M$ has the line of action $Ox$, since $\vec\rho\,\delta t/m$ is a virtual displacement")
-        .note(r"In the lines before, $\vec\rho_1'$ in the force of friction at M stands for $\vec R_1'$, as the repetition of the formula shows.")
+        .note(r"In the lines before, $\vec\rho_1'$ in the force of friction at $M$ stands for $\vec R_1'$, as the repetition of the formula shows.")
         .holds([Line::formula(friction[1] / s.m, letter("ρy") / s.m, Sym::ZERO)]);
     page.claim("eq1.7", "vertical", r"$R_y - Y = \rho_1\sin\theta$, with the guide's normal force $Y$ and the rod's friction $\rho_1 = R_1-R'_1$ as they are combined")
         .follows([Equal(ry - of_guide, along * sin)]);

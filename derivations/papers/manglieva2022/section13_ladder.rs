@@ -73,27 +73,27 @@ fn friction(page: &mut Page, s: &LadderLetters) {
 fn reactions(page: &mut Page, s: &LadderLetters) {
     let (c, sin, l, m, g) = (s.point.cos, s.point.sin, s.l, s.m, s.g);
     let [push_a, push_b, at_a, at_b] = letters(["RAn", "RBn", "RAτ", "RBτ"]);
-    let missing = s.newton(s.reactions([push_a, push_b], [at_a, at_b]));
-    let [ddx, ddy, ..] = s.motion().acceleration([s.ddalpha]);
+    let [ddx, ddy, ..] = s.turning();
     let [name_x, name_y] = letters(["ẍG", "ÿG"]);
-    let named = |residual: Sym, name: Sym, value: Sym| residual + m * (name - value);
-    page.claim("eq1.104", "centre", "theorem of the centre of mass").holds([
-        Line::equation(named(missing[0], name_x, ddx), m * name_x, push_a - at_b),
-        Line::equation(named(missing[1], name_y, ddy), m * name_y, push_b + at_a - m * g),
-    ]);
-    page.claim("eq1.104", "acceleration", "acceleration of the centre").holds([
-        Line::formula(ddx, name_x, l * c * s.ddalpha - l * sin * s.dalpha.powi(2)),
-        Line::formula(ddy, name_y, -l * (sin * s.ddalpha + c * s.dalpha.powi(2))),
+    let named = [name_x, name_y, Sym::ZERO, Sym::ZERO];
+    let (by_x, by_y) = (l * c * s.ddalpha - l * sin * s.dalpha.powi(2), -l * (sin * s.ddalpha + c * s.dalpha.powi(2)));
+    page.claim("eq1.104", "acceleration", "acceleration of the centre")
+        .holds([Line::formula(ddx, name_x, by_x), Line::formula(ddy, name_y, by_y)]);
+    let missing = s.newton(s.turning(), s.reactions([push_a, push_b], [at_a, at_b]));
+    page.claim("eq1.104", "centre", "theorem of the centre of mass, with this acceleration").holds([
+        Line::equation(missing[0], m * by_x, push_a - at_b),
+        Line::equation(missing[1], m * by_y, push_b + at_a - m * g),
     ]);
     let (wall, floor) = (s.at_wall, s.at_floor);
-    let [derived_a, derived_b] = s.normal_reactions();
     let both = int(1) + wall * floor;
+    let [by_x, by_y] = s.normal_reactions_at(named);
     page.claim("eq1.105", "by-centre", r"normal reactions by the acceleration of the centre")
-        .note("The text names R^tau here and means R^n.")
+        .note(r"The text names $R^\tau$ here and means $R^n$.")
         .holds([
-            Line::formula(derived_a, push_a, m * (ddx + floor * (ddy + g)) / both),
-            Line::formula(derived_b, push_b, m * (ddy - wall * ddx + g) / both),
+            Line::formula(by_x, push_a, m * (name_x + floor * (name_y + g)) / both),
+            Line::formula(by_y, push_b, m * (name_y - wall * name_x + g) / both),
         ]);
+    let [derived_a, derived_b] = s.normal_reactions();
     let (turn, spin) = (s.ddalpha, s.dalpha.powi(2));
     page.claim("eq1.105", "by-angle", r"normal reactions by the angle").holds([
         Line::formula(derived_b, push_b, -(m / both * (l * (sin + wall * c) * turn + l * (c - wall * sin) * spin - g))),

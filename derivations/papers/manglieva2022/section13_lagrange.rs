@@ -1,6 +1,6 @@
 //! Section 1.3, task 1: Lagrange's equation of the steered rod, (1.92)-(1.99).
 
-use super::alphabet::{int, letter, letters};
+use super::alphabet::{int, letter, letters, tidy};
 use super::steered::SteeredLetters;
 use claims::{Condition, Line, Page};
 use field::{Analytic, Tangent};
@@ -61,7 +61,7 @@ fn work(page: &mut Page, s: &SteeredLetters) {
     )]);
     let two = int(2);
     page.claim("eq1.93", "given-forces", r"generalised force of $X$ and the weights")
-        .note("Printed m g l; (1.96) has m_2: the index is lost.")
+        .note(r"Printed $mgl$; (1.96) has $m_2$: the index is lost.")
         .holds([Line::formula(
             along_angle(s, s.given_force()),
             letter("Q"),
@@ -77,7 +77,7 @@ fn work(page: &mut Page, s: &SteeredLetters) {
     let at_m1 = s.friction()[0];
     let guide = [(rx, (m1 + m2) * s.mu)];
     page.claim("eq1.94", "work", r"work of the reactions, as printed $\rho_1\delta x_1 = m_1\mu\,\delta x_1$ and terms that cancel: with $\delta x_1=\frac{l}{2\sin\theta}\delta\theta$")
-        .note("In place of R in (R + R_22) the paper puts Y + rho_1, without -rho_21 + rho_22 of (1.68); the reaction across the rod does no work at all.")
+        .note(r"In place of $\vec R$ in $\vec R+\vec R_{22}$ the text puts $\vec Y+\vec\rho_1$, without $\vec\rho_{21}-\vec\rho_{22}$ of (1.68); the reaction across the rod does no work at all.")
         .fails([Line::formula(all.substitute(&guide) * turned, name, at_m1 * across)]);
     page.claim("eq1.94", "work-corrected", r"the guide's $R_x\delta x_1=(m_1+m_2)\mu\,\delta x_1$ alone does work")
         .holds([Line::formula(all.substitute(&guide) * turned, name, (m1 + m2) * s.mu * across)]);
@@ -108,7 +108,7 @@ fn equation(page: &mut Page, s: &SteeredLetters) {
         let fixed = |value: Sym| Tangent::fixed(value);
         let sine = Tangent::moving(s.theta, s.dtheta).circle().sin;
         let below = (1..power).fold(sine, |product, _| product * sine);
-        (fixed((m1 + m2) * l.powi(2)) * Tangent::moving(s.dtheta, s.ddtheta) / (fixed(int(4)) * below)).slope
+        tidy((fixed((m1 + m2) * l.powi(2)) * Tangent::moving(s.dtheta, s.ddtheta) / (fixed(int(4)) * below)).slope)
     };
     let right = |mass: Sym| s.drive * l / (two * sin) + m2 * s.g * l * c + mass * s.mu * l / (two * sin);
     page.claim("eq1.96", "motion", r"Lagrange's equation, as printed: $\frac{d}{dt}[(m_1+m_2)\frac{l^2\dot\theta}{4\sin\theta}]$ on the left, $m_1\mu$ on the right")

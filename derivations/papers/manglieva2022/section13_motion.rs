@@ -167,8 +167,8 @@ fn painleve(page: &mut Page, s: &SteeredLetters) {
     let across = (s.drive * q * sin + s.m1 * (pull * sin * c + turn * (q + c.powi(2)) * c)) / (q * (q + one));
     let along = (s.drive * q * c - s.m1 * (pull * (q + sin.powi(2)) + turn * c.powi(2) * sin)) / (q * (q + one));
     let share = (q - one) / (q + one) * mu;
-    page.claim("eq1.90", "across", r"$\lambda_2$ by Painlev\'e's displacements, $q=m_1/m_2$, as printed with $+(q-1)\mu$")
-        .note("mu is the horizontal force of friction at M1, as in (1.1). No other scale of mu makes both printed terms right: they must be as cosine to sine.")
+    page.claim("eq1.90", "across", r"$\lambda_2$ by Painlevé's displacements, $q=m_1/m_2$, as printed with $+(q-1)\mu$")
+        .note(r"$\mu$ is the horizontal force of friction at $M_1$, as in (1.1). No other scale of $\mu$ makes both printed terms right: those of $\lambda_1$ and $\lambda_2$ must be as cosine to sine.")
         .fails([Line::formula(derived[1], s.lambda2, across + (q - one) * mu)]);
     page.claim("eq1.90", "across-corrected", r"with $-\frac{q-1}{q+1}\mu\sin\theta$").holds([Line::formula(
         derived[1],

@@ -4,7 +4,7 @@ use super::alphabet::{exact, int, letter, letters, tidy};
 use super::ladder::LadderLetters;
 use claims::{Condition, Line, Page};
 use field::{Circle, Tangent};
-use symbolic::Sym;
+use symbolic::{Hypotheses, Sym};
 
 use Condition::{Equal, NonZero, Positive, Zero};
 
@@ -18,28 +18,28 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     ideal(page, s);
 }
 
-/// The uniform ladder with f at both ends, as (1.108) has it.
+/// The uniform ladder with f at both ends, by the paper's letters a and b.
 struct Uniform {
     f: Sym,
-    /// 2 / (1 + f^2)
     a: Sym,
     /// a - 2/3
     inertia: Sym,
+    b: Sym,
     /// af/(a - 2/3): how the homogeneous solution grows
     growth: Sym,
-    /// -2af/(a - 2/3)
-    b: Sym,
     /// alpha'' of the motion
     derived: Sym,
+    /// a = 2/(1 + f^2), b = -2af/(a - 2/3)
+    names: Hypotheses,
 }
 
 impl Uniform {
     fn new(s: &LadderLetters) -> Self {
-        let f = letter("f");
-        let a = int(2) / (int(1) + f.powi(2));
+        let [f, a, b] = letters(["f", "a", "b"]);
         let inertia = a - int(2) / int(3);
         let growth = a * f / inertia;
-        Uniform { f, a, inertia, growth, b: -int(2) * a * f / inertia, derived: tidy(s.uniform(s.acceleration())) }
+        let names = Hypotheses::none().given(a, int(2) / (int(1) + f.powi(2))).given(b, -(int(2) * a * f / inertia));
+        Uniform { f, a, inertia, b, growth, derived: tidy(s.uniform(s.acceleration())), names }
     }
 
     /// (af^2 - 1) sin + af cos
@@ -71,6 +71,7 @@ fn first_order(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         "first-order",
         r"(1.107) for the uniform ladder with $\ddot\alpha=\dot\alpha\,d\dot\alpha/d\alpha$, $a=2/(1+f^2)$",
     )
+    .under(&u.names)
     .holds([Line::equation(
         derived,
         u.inertia * s.dalpha * slope,
@@ -78,36 +79,44 @@ fn first_order(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     )]);
 }
 
-/// The steps of the variation of constants, with a symbol for e^{b alpha}: e^{k alpha} for k = -b/2 has its square's inverse.
+/// The steps of the variation of constants, with symbols for the exponentials, each with its rate along alpha.
 fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     let [constant, rate] = letters(["C₁", "C₁′"]);
-    // G stands for e^{k alpha}, with k of the homogeneous equation
-    let grown = letter("E");
+    // G stands for e^{k alpha}, with k = af/(a - 2/3) of the homogeneous equation
+    let grown = letter("G");
     let moving = Tangent::moving(grown, u.growth * grown);
     let varied = Tangent::moving(constant, rate) * moving;
     let homogeneous = Tangent::fixed(constant) * moving;
     page.claim(
         "section1.3-ladder-quadrature",
         "homogeneous",
-        r"$\dot\alpha=C_1G$, $G=e^{af\alpha/(a-2/3)}$ (here $E$ for $G$), solves (1.108) without its load",
+        r"$\dot\alpha=C_1G$, $G=e^{af\alpha/(a-2/3)}$, solves (1.108) without its load",
     )
+    .under(&u.names)
     .follows([Equal(u.inertia * homogeneous.value * homogeneous.slope, u.a * u.f * homogeneous.value.powi(2))]);
     page.claim(
         "section1.3-ladder-quadrature",
         "varied",
-        r"$d\dot\alpha/d\alpha$ with $C_1$ varied (here $E$ for $e^{af\alpha/(a-2/3)}$)",
+        r"$d\dot\alpha/d\alpha$ with $C_1$ varied, $G=e^{af\alpha/(a-2/3)}$",
     )
+    .under(&u.names)
     .holds([Line::formula(varied.slope, letter("dα̇/dα"), rate * grown + constant * u.a * u.f / u.inertia * grown)]);
     let left =
         u.inertia * varied.value * (varied.slope - u.derived.substitute(&[(s.dalpha, varied.value)]) / varied.value);
     let load = -(s.g / s.l * u.load(|x| x, s.point));
-    page.claim("section1.3-ladder-quadrature", "constant", r"the equation for $C_1$, as printed with $e^{+2af\alpha/(a-2/3)}$ on the right (here $E$ for $e^{af\alpha/(a-2/3)}$)")
-        .fails([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load * grown.powi(2))]);
+    page.claim(
+        "section1.3-ladder-quadrature",
+        "constant",
+        r"the equation for $C_1$, as printed with $e^{+2af\alpha/(a-2/3)}=G^2$ on the right, $G=e^{af\alpha/(a-2/3)}$",
+    )
+    .under(&u.names)
+    .fails([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load * grown.powi(2))]);
     page.claim(
         "section1.3-ladder-quadrature",
         "constant-corrected",
-        r"with $e^{b\alpha}=e^{-2af\alpha/(a-2/3)}$, as the integrals then have it",
+        r"with $e^{b\alpha}=e^{-2af\alpha/(a-2/3)}=G^{-2}$, as the integrals then have it",
     )
+    .under(&u.names)
     .holds([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load / grown.powi(2))]);
     page.correct();
     let point = along_alpha(s);
@@ -121,12 +130,13 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         "integrals",
         r"$I_1=\int e^{b\alpha}\sin\alpha\,d\alpha$ and $I_2=\int e^{b\alpha}\cos\alpha\,d\alpha$: their derivatives",
     )
+    .under(&u.names)
     .follows([
         Equal(sine.slope, exponential.value * s.point.sin),
         Equal(cosine.slope, exponential.value * s.point.cos),
     ]);
     let integral = u.integrated(fixed, point) * exponential / norm;
-    page.claim("section1.3-ladder-quadrature", "constant-integrated", r"$\frac12(a-\frac23)(C_1^2-\tilde C)$ by these integrals: its derivative is that of $(a-\frac23)C_1C_1'$ with $e^{b\alpha}$")
+    page.claim("section1.3-ladder-quadrature", "constant-integrated", r"$\frac12(a-\frac23)(C_1^2-\tilde C)$ by these integrals: its derivative is that of $(a-\frac23)C_1C_1'$ with $e^{b\alpha}$").under(&u.names)
         .follows([Equal(-(s.g / s.l) * integral.slope, load * exponential.value)]);
 }
 
@@ -146,11 +156,11 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         int(2) * (linear + tidy(growth)).substitute(&[(spin, square)])
     };
     let printed = forced + fixed(constant) * exponential;
-    page.claim("eq1.109", "square", r"$\dot\alpha^2$ as printed with $\tilde Ce^{b\alpha}$ (and $2g$ for the printed $g^2$): its derivative along $\alpha$ against $2\ddot\alpha$ of the motion")
-        .note("g^2 over l is no square of an angular velocity; 2 g is.")
+    page.claim("eq1.109", "square", r"$\dot\alpha^2$ as printed with $\tilde Ce^{b\alpha}$ (and $2g$ for the printed $g^2$): its derivative along $\alpha$ against $2\ddot\alpha$ of the motion").under(&u.names)
+        .note(r"$g^2/l$ is no square of an angular velocity, $2g/l$ is.")
         .fails([Line::formula(motion(printed.value), name, printed.slope)]);
     let corrected = forced + fixed(constant) / exponential;
-    page.claim("eq1.109", "square-corrected", r"$\dot\alpha^2=\frac{2g}{l(1+b^2)(\frac23-a)}[\dots]+\tilde Ce^{-b\alpha}$ solves the equation of motion for every $\tilde C$")
+    page.claim("eq1.109", "square-corrected", r"$\dot\alpha^2=\frac{2g}{l(1+b^2)(\frac23-a)}[\dots]+\tilde Ce^{-b\alpha}$ solves the equation of motion for every $\tilde C$").under(&u.names)
         .holds([Line::formula(motion(corrected.value), name, corrected.slope)]);
     page.correct();
 
@@ -168,9 +178,11 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         "constant",
         r"$\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$ from the initial state, the sign of $b$ as printed",
     )
-    .note(r"Printed e^{-b\alpha} without the index.")
+    .under(&u.names)
+    .note(r"Printed $e^{-b\alpha}$ without the index.")
     .fails([Line::formula(derived, constant, initial / begun)]);
     page.claim("eq1.109", "constant-corrected", r"$\tilde C=e^{b\alpha_0}[\dot\alpha_0^2-\dots]$")
+        .under(&u.names)
         .holds([Line::formula(derived, constant, initial * begun)]);
     page.correct();
 }
@@ -189,12 +201,10 @@ fn reactions(page: &mut Page, s: &LadderLetters, u: &Uniform) {
                 - g / inertia * (c - f * sin) * ((a * f.powi(2) - int(1)) * sin + wedge * c)
                 + f * g)
     };
-    page.claim("eq1.110", "wall", r"$R_A$ by the angle, as printed with $a\cos\alpha$").fails([Line::formula(
-        derived[0],
-        at_a,
-        wall(a),
-    )]);
-    page.claim("eq1.110", "wall-corrected", r"with $af\cos\alpha$").holds([Line::formula(
+    page.claim("eq1.110", "wall", r"$R_A$ by the angle, as printed with $a\cos\alpha$")
+        .under(&u.names)
+        .fails([Line::formula(derived[0], at_a, wall(a))]);
+    page.claim("eq1.110", "wall-corrected", r"with $af\cos\alpha$").under(&u.names).holds([Line::formula(
         derived[0],
         at_a,
         wall(a * f),
@@ -208,10 +218,12 @@ fn reactions(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         "floor",
         r"$R_B$ by the angle, as printed with $\frac a2$, $\frac{af^2}2$ and a plus before the second",
     )
-    .note("The denominators a - 2/3 are cut down to 2; with them put back the plus is still wrong.")
+    .under(&u.names)
+    .note(r"The denominators $a-\frac23$ are cut down to 2; with them put back the plus is still wrong.")
     .fails([Line::formula(derived[1], at_b, floor(-first + second))]);
     let [first, second] = coefficients(inertia);
     page.claim("eq1.110", "floor-corrected", r"with $a-\frac23$ below, and both terms subtracted")
+        .under(&u.names)
         .holds([Line::formula(derived[1], at_b, floor(-first - second))]);
     page.correct();
 }
@@ -266,7 +278,7 @@ fn ideal(page: &mut Page, s: &LadderLetters) {
         "detachment",
         r"from rest at $\alpha_0$ the wall is left, $R_A^n=0$, at $\cos\alpha=2\cos\alpha_0$, as printed",
     )
-    .note(r"While it slides down, cos alpha is less than cos alpha_0.")
+    .note(r"While it slides down, $\cos\alpha<\cos\alpha_0$.")
     .given(premises)
     .refuted(
         [Equal(c, int(2) * start)],

@@ -47,7 +47,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
 
     // what keeps M1 at rest: the motion's equation with no acceleration
     let [missing] = s.motion().generalised(s.newton([Sym::ZERO; 4], s.friction()));
-    let mu = -(missing.substitute(&[(s.mu, Sym::ZERO)]) / missing.diff(s.mu));
+    let mu = tidy(-(missing.substitute(&[(s.mu, Sym::ZERO)]) / tidy(missing.diff(s.mu))));
     page.claim("section1.3-static", "friction", r"friction at $M_1$ that keeps the rod at rest")
         .holds([Line::formula(m1 * mu, m1 * s.mu, -(m1 / (m1 + m2) * (drive + m2 * g * double.sin)))]);
     page.claim("section1.3-static", "by-multipliers", r"it is $\lambda_1\cos\theta+\lambda_2\sin\theta-X$")
@@ -64,7 +64,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     let name = s.lambda;
     let unit = Hypotheses::none().rule(sign, 2, int(1));
     page.claim("section1.3-static", "start", r"beyond (1.100) $R_x=\varepsilon f\lambda$ with the sign $\varepsilon$ opposite to the force $N$ that rest would need: friction then has the direction of $N$")
-        .note("At theta = 0 with m_2 > m_1 the guide pulls: lambda > 0.")
+        .note(r"At $\theta=0$ with $m_2>m_1$ the guide pulls: $\lambda>0$.")
         .given([
             Positive(s.f), Positive(m1), Positive(m2), Positive(g), Equal(name, weight), Equal(needed, -held),
             Positive(held.powi(2) - (s.f * name).powi(2)), Equal(sign.powi(2), int(1)), Positive(-(sign * needed)),

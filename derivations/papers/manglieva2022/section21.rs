@@ -35,7 +35,7 @@ fn displacements(page: &mut Page) {
         .defines([]);
     let displacement: [Sym; 4] = indexed("δx#");
     page.claim("eq2.3", "displacements", r"virtual displacements, after Chetaev: $\frac{\partial f}{\partial x_\gamma}$ and $\frac{\partial\varphi}{\partial\dot x_\gamma}$ for $f_{,\gamma}$, $\varphi_{,\dot\gamma}$")
-        .note(r"The second condition is printed with \delta\dot x; (2.5) and (2.14) use it with \delta x.")
+        .note(r"The second condition is printed with $\delta\dot x$; (2.5) and (2.14) use it with $\delta x$.")
         .defines([
             Line::equation(Sym::ZERO, dot(indexed("f#"), displacement), Sym::ZERO),
             Line::equation(Sym::ZERO, dot(indexed("φ#"), displacement), Sym::ZERO),
@@ -112,9 +112,8 @@ fn identities(page: &mut Page) {
         let [_, kinematic]: [Constraint<Tangent<Sym>>; 2] = Mixed.constraints(&at);
         kinematic.value().slope
     });
-    let length = letter("t");
-    page.claim("eq2.8", "identity-kinematic", r"$\sum_\gamma\frac{\partial\varphi}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$, as printed with $\partial\varphi/\partial x_\gamma$ (here times a time $t$)")
-        .fails([Line::formula(length * dot(by_place, pushed), letter("ẍ2"), Sym::ZERO)]);
+    page.claim("eq2.8", "identity-kinematic", r"$\sum_\gamma\frac{\partial\varphi}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$, as printed with $\partial\varphi/\partial x_\gamma$")
+        .fails([Line::formula(dot(by_place, pushed), letter("Σφμ"), Sym::ZERO)]);
     page.claim("eq2.8", "identity-kinematic-corrected", r"with $\partial\varphi/\partial\dot x_\gamma$")
         .follows([Zero(dot(steered, pushed))]);
     page.correct();
@@ -130,7 +129,7 @@ fn dynamics(page: &mut Page) {
     let [lambda, u] = first.multipliers;
     let moved = std::array::from_fn(|i| (force[i] + lambda * rows[0][i] + u * rows[1][i]) / masses[i]);
     page.claim("eq2.8", "motion", r"the accelerations (2.8) satisfy (2.1) differentiated twice and (2.2) once, with multipliers from these two linear equations")
-        .note(r"After (2.8) the multipliers u_\beta are called \mu_\beta once.")
+        .note(r"After (2.8) the multipliers $u_\beta$ are called $\mu_\beta$ once.")
         .follows(rates(&Mixed, &motion.state, moved).map(Zero));
     let mu = indexed::<2>("μ#");
     page.claim(

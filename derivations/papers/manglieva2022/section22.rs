@@ -84,7 +84,7 @@ fn variations(page: &mut Page) {
             Zero(dot(steered, possible) + turned),
         ]
     };
-    page.claim("eq2.14", "variations", r"$\delta\ddot x=\ddot x-\ddot x'$ satisfies the conditions on virtual displacements (three conditions in one place: $f$ and $\varphi$)")
+    page.claim("eq2.14", "variations", r"$\delta\ddot x=\ddot x-\ddot x'$ satisfies the conditions on virtual displacements, those of $f$ and those of $\varphi$")
         .note("Named as following from (2.9), (2.12), (2.13): it is (2.10)-(2.13).")
         .given(admissible())
         .by_combination([
@@ -147,7 +147,7 @@ fn measures(page: &mut Page) {
         Zero(product),
     ];
     page.claim("eq2.19", "measures", r"$A_{d\mu}+A_{dD}-A_{\mu D}=0$ for the measures of deviation between true ($d$), possible ($\mu$) and released ($D$) accelerations")
-        .note(r"Printed A_{\mu g} for the measure between possible and released accelerations.")
+        .note(r"Printed $A_{\mu g}$ for the measure between possible and released accelerations.")
         .given(named)
         .by_combination([(
             Zero(between + d_true - possible_free),
@@ -193,7 +193,7 @@ fn least(page: &mut Page) {
     let (by_place, by_velocity): (Four, Four) = (indexed("f#"), indexed("φ#"));
     let [lambda, u] = letters(["λ", "u"]);
     page.claim("eq2.22", "stationary", r"the function (2.21) is stationary under (2.10), (2.11), with multipliers $\lambda$, $u$, where (2.8) holds; $R^\tau$ for the sum of friction")
-        .note(r"Printed F_\gamma for X_\gamma.")
+        .note(r"Printed $F_\gamma$ for $X_\gamma$.")
         .holds((0..4).map(|i| {
             Line::equation(
                 (slopes[i] - lambda * by_place[i] - u * by_velocity[i]) / masses[i],
@@ -216,7 +216,7 @@ fn least(page: &mut Page) {
 fn laws(page: &mut Page, s: &RodLetters) {
     let motion = mixed();
     let masses: Four = indexed("m#");
-    let [p1, p2, mu1, mu2, change1, change2] = letters(["ṗ1", "ṗ2", "μ1", "μ2", "q̈1", "q̈2"]);
+    let [p1, p2, mu1, mu2, change1, change2] = letters(["ṗ1", "ṗ2", "μ1", "μ2", "Δμ1", "Δμ2"]);
     let force = with_friction(motion.fields);
     let changed = force.map(|f| f.substitute(&[(mu1, mu1 + change1), (mu2, mu2 + change2)]));
     let first = first_kind(&Mixed, &motion.state, force).acceleration;
@@ -225,8 +225,8 @@ fn laws(page: &mut Page, s: &RodLetters) {
     let shift = displaced([p1, p2]);
     let moved: Four = std::array::from_fn(|i| first[i] + shift[i]);
     let excess = displaced([p1 - change1, p2 - change2]);
-    page.claim("section2.2-gauss", "law", r"the principle does not need friction to be held: where $\mu_j$ is $\mu_j+\Delta\mu_j$ (here $\ddot q_j$) at the accelerations $\ddot x+\delta$, $\delta=\sum\dot p_j\partial\dot x/\partial p_j$, the function (2.21) grows by $\frac12\sum m(\delta-\sum\Delta\mu_j\,\partial\dot x/\partial p_j)^2\ge0$")
-        .note("Because R^n does no work on what friction points to; where the growth is zero the other acceleration satisfies (2.8) with its own friction.")
+    page.claim("section2.2-gauss", "law", r"the principle does not need friction to be held: where $\mu_j$ is $\mu_j+\Delta\mu_j$ at the accelerations $\ddot x+\delta$, $\delta=\sum\dot p_j\partial\dot x/\partial p_j$, the function (2.21) grows by $\frac12\sum m(\delta-\sum\Delta\mu_j\,\partial\dot x/\partial p_j)^2\ge0$")
+        .note("Because $R^n$ does no work on what friction points to; where the growth is zero the other acceleration satisfies (2.8) with its own friction.")
         .follows([Equal(
             gauss::constraint(masses, changed, moved) - gauss::constraint(masses, force, first),
             gauss::constraint(masses, [Sym::ZERO; 4], excess),
