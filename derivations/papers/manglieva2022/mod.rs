@@ -38,8 +38,10 @@ mod section13_lagrange;
 mod section13_motion;
 mod section13_quadrature;
 mod section13_rest;
+mod section13_smooth;
 mod section21;
 mod section22;
+mod section22_law;
 mod steered;
 mod work;
 
@@ -220,7 +222,9 @@ pub fn page() -> Page {
     let ladder = LadderLetters::default();
     section13_ladder::claims(&mut page, &ladder);
     section13_quadrature::claims(&mut page, &ladder);
+    section13_smooth::claims(&mut page, &ladder);
     section21::claims(&mut page);
-    section22::claims(&mut page, &rod);
+    section22::claims(&mut page);
+    section22_law::claims(&mut page, &rod);
     page
 }

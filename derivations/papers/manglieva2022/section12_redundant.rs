@@ -1,7 +1,7 @@
 //! Section 1.2, end: redundant coordinates after Shulgin, Appell's equations, (1.58)-(1.65).
 
 use super::alphabet::{indexed, letter};
-use super::general::{Surface, dot, first_kind, friction, with_friction};
+use super::general::{Mixed, Surface, dot, first_kind, friction, mixed, with_friction};
 use super::work::nowhere_zero;
 use claims::{Condition, Line, Page};
 use mechanics::constrained::appell;
@@ -52,6 +52,15 @@ pub fn claims(page: &mut Page) {
         r"Appell's equations $\partial S'/\partial\dot p_j=Q_j'+(R_j^\tau)'$ along the same motion, $p_j=\dot x_j$",
     )
     .follows(appell::residual(&chart, &motion, force, [a2, a3]).map(Zero));
+    let kinematic = mixed();
+    let force = with_friction(kinematic.fields);
+    let [_, _, a3, a4] = first_kind(&Mixed, &kinematic.state, force).acceleration;
+    page.claim(
+        "eq1.65",
+        "nonholonomic",
+        r"and so with a kinematic constraint, nonlinear in the velocities (the system of section 2.1)",
+    )
+    .follows(appell::residual(&Mixed, &kinematic, force, [a3, a4]).map(Zero));
 }
 
 /// (1.58)-(1.61).

@@ -8,7 +8,7 @@ use mechanics::constrained::contacts::{Closed, Sides};
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::multipliers::multipliers;
 use mechanics::constrained::rates::{jacobian, rates};
-use mechanics::constrained::{Charted, Constrained, State, System};
+use mechanics::constrained::{Constrained, State, System};
 use symbolic::Sym;
 
 /// The letters of task 1 and the steered rod written in them. In the coordinates (x1, y1, x2, y2); y points downwards.
@@ -71,15 +71,20 @@ impl SteeredLetters {
         Motion::at(&self.rod, Sym::ZERO, [self.x1, self.theta], [self.dx1])
     }
 
-    /// theta' at the speed x1'.
+    /// theta' by x1', from the constraint of the middle.
     pub fn turning(&self) -> Sym {
-        let [_, turning]: [Sym; 2] = self.rod.rates(Sym::ZERO, [self.x1, self.theta], [self.dx1]);
-        turning
+        self.root_of_middle(self.dtheta)
     }
 
-    /// x1' by theta'.
+    /// x1' by theta', likewise.
     pub fn speed(&self) -> Sym {
-        self.dtheta / self.turning().diff(self.dx1)
+        self.root_of_middle(self.dx1)
+    }
+
+    /// The constraint of the middle is linear in both velocities.
+    fn root_of_middle(&self, velocity: Sym) -> Sym {
+        let middle = self.middle();
+        -(tidy(middle.substitute(&[(velocity, Sym::ZERO)])) / tidy(middle.diff(velocity)))
     }
 
     /// The weights and the force X.
