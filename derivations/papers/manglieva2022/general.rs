@@ -6,9 +6,11 @@
 
 use super::alphabet::{indexed, letter};
 use field::{Analytic, Over};
+use mechanics::constrained::combining::Combined;
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::multipliers::{Reaction, multipliers};
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+use mechanics::definite::NotDefinite;
 use symbolic::Sym;
 
 /// Three coordinates and f(x, t) = 0, in implicit form.
@@ -155,4 +157,15 @@ pub fn first_kind<Q: Constrained<N, C, Given = Sym>, const N: usize, const C: us
 /// sum of a_i b_i
 pub fn dot<const N: usize>(a: [Sym; N], b: [Sym; N]) -> Sym {
     (0..N).fold(Sym::ZERO, |sum, i| sum + a[i] * b[i])
+}
+
+/// The parts of a reaction; the elimination meets no zero pivot, since the rows are independent.
+pub fn or_undefined<const N: usize, const C: usize>(
+    combined: Result<Combined<Sym, N, C>, NotDefinite>,
+) -> Combined<Sym, N, C> {
+    combined.unwrap_or(Combined {
+        multipliers: [Sym::UNDEFINED; C],
+        of_constraints: [Sym::UNDEFINED; N],
+        of_friction: [Sym::UNDEFINED; N],
+    })
 }

@@ -1,6 +1,7 @@
 //! Section 1.1's rod in the paper's letters: the system of `systems/rod.rs` with every datum a symbol.
 
 use super::alphabet::{letter, letters, tidy};
+use super::general::or_undefined;
 use crate::systems::rod::{GuidedRod, Rod};
 use field::{Analytic, Circle, Over};
 use mechanics::constrained::combining::{Combined, extended, painleve};
@@ -125,12 +126,12 @@ impl RodLetters {
 
     /// The reactions (R_x, R_y, R_1) combined after the extended method.
     pub fn extended(&self, reactions: [Sym; 3]) -> Combined<Sym, 4, 2> {
-        combined(extended(self.rod.masses(), self.directions(), self.reactions(reactions)))
+        or_undefined(extended(self.rod.masses(), self.directions(), self.reactions(reactions)))
     }
 
     /// The same after Painleve.
     pub fn painleve(&self, reactions: [Sym; 3]) -> Combined<Sym, 4, 2> {
-        combined(painleve(self.directions(), self.reactions(reactions)))
+        or_undefined(painleve(self.directions(), self.reactions(reactions)))
     }
 
     /// (lambda_1, lambda) under the weights and friction, by Lagrange's equations of the first kind.
@@ -187,9 +188,4 @@ impl RodLetters {
     pub fn mobile(&self) -> Sym {
         self.m + self.m1 * self.point.cos.powi(2)
     }
-}
-
-fn combined(result: Result<Combined<Sym, 4, 2>, mechanics::definite::NotDefinite>) -> Combined<Sym, 4, 2> {
-    let undefined = [Sym::UNDEFINED; 4];
-    result.unwrap_or(Combined { multipliers: [Sym::UNDEFINED; 2], of_constraints: undefined, of_friction: undefined })
 }

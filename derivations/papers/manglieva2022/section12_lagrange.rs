@@ -1,7 +1,7 @@
 //! Section 1.2: systems with geometric constraints and friction, (1.43)-(1.57).
 
 use super::alphabet::{indexed, int, letter, letters};
-use super::general::{Resolved, dot, first_kind, friction, on_surface, with_friction};
+use super::general::{Resolved, dot, first_kind, friction, on_surface, or_undefined, with_friction};
 use super::work::nowhere_zero;
 use claims::{Condition, Line, Page};
 use mechanics::constrained::combining::extended;
@@ -75,7 +75,7 @@ fn reactions(page: &mut Page) {
     let masses: [Sym; 3] = indexed("m#");
     let weighted = |a: [Sym; 3], b: [Sym; 3]| dot(a, std::array::from_fn(|i| b[i] / masses[i]));
     let rest: [Sym; 3] = std::array::from_fn(|i| reaction[i] - lambda * gradient[i]);
-    let Ok(parts) = extended(masses, [gradient], reaction) else { return };
+    let parts = or_undefined(extended(masses, [gradient], reaction));
     page.claim("eq1.50", "exists", r"every reaction is a force of constraint $\lambda f_{,\gamma}$ and a friction with $R^\tau_\gamma/m_\gamma$ a virtual displacement")
         .follows([Zero(weighted(gradient, parts.of_friction))]);
     page.claim("eq1.50", "unique", "and in one way only")

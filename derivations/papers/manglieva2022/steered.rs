@@ -1,6 +1,7 @@
 //! Task 1's steered rod in the paper's letters: the system of `systems/steered_rod.rs` with every datum a symbol.
 
 use super::alphabet::{letter, letters, tidy};
+use super::general::or_undefined;
 use crate::systems::steered_rod::{GuidedSteeredRod, SteeredRod};
 use field::{Analytic, Circle};
 use mechanics::constrained::combining::{Combined, extended, painleve};
@@ -116,12 +117,12 @@ impl SteeredLetters {
 
     /// The reactions combined after the extended method.
     pub fn extended(&self, reactions: [Sym; 4]) -> Combined<Sym, 4, 3> {
-        combined(extended(self.rod.masses(), self.directions(), self.reactions(reactions)))
+        or_undefined(extended(self.rod.masses(), self.directions(), self.reactions(reactions)))
     }
 
     /// The same after Painleve.
     pub fn painleve(&self, reactions: [Sym; 4]) -> Combined<Sym, 4, 3> {
-        combined(painleve(self.directions(), self.reactions(reactions)))
+        or_undefined(painleve(self.directions(), self.reactions(reactions)))
     }
 
     /// Extended friction by the letter mu of the paper, R_x = (m1 + m2) mu.
@@ -171,9 +172,4 @@ impl SteeredLetters {
         let normal = self.named_constraints();
         std::array::from_fn(|i| masses[i] * acceleration[i] - given[i] - normal[i] - friction[i])
     }
-}
-
-fn combined(result: Result<Combined<Sym, 4, 3>, mechanics::definite::NotDefinite>) -> Combined<Sym, 4, 3> {
-    let undefined = [Sym::UNDEFINED; 4];
-    result.unwrap_or(Combined { multipliers: [Sym::UNDEFINED; 3], of_constraints: undefined, of_friction: undefined })
 }
