@@ -35,6 +35,7 @@ fn energy(page: &mut Page, s: &RodLetters) {
     let chart = [s.x, Sym::ZERO, s.x + s.l * c, s.l * sin];
     let closed: [Constraint<Sym>; 2] = s.rod.constraints(&State { place: chart, ..at });
     page.claim("eq1.31", "chart", r"$x_1 = x+l\cos\theta$, $y_1 = l\sin\theta$ satisfy the constraints identically")
+        .in_words()
         .follows(closed.map(|constraint| Zero(constraint.value())));
 
     let derived = kinetic_energy(s.rod.masses(), s.motion().state.velocity);

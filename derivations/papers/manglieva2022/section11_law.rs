@@ -107,6 +107,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
         "chart",
         r"$x_1 = x+l\cos\theta$, $y_1 = l\sin\theta$, $y=0$ satisfy the constraints (1.19) identically",
     )
+    .in_words()
     .note(r"Printed $y=l\sin\theta$: the index 1 is lost.")
     .follows(closed.map(|constraint| Zero(constraint.value())));
     let friction = s.friction();

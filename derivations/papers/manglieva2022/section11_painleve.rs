@@ -98,6 +98,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
         "equal-masses",
         r"with $m=m_1$ the multipliers do not depend on friction, and are those without it",
     )
+    .in_words()
     .follows([lambda1, lambda].map(|multiplier| {
         let smooth = multiplier.substitute(&[(mu, Sym::ZERO)]);
         Equal(multiplier.substitute(&equal), smooth.substitute(&equal))

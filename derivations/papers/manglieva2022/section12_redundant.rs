@@ -41,7 +41,7 @@ pub fn claims(page: &mut Page) {
         }));
     let found = friction(motion.fields);
     let [f1, f2, f3] = indexed("f#");
-    page.claim("eq1.64", "motion", r"$\frac{d}{dt}\frac{\partial T^*}{\partial\dot x_j}-E_j(T^*)=X_j+A_{1j}X_1+R_j^\tau+A_{1j}R_1^\tau$, $A_{1j}=-f_{,j}/f_{,1}$, along the motion of Lagrange's equations of the first kind")
+    page.claim("eq1.64", "motion", r"$\frac{d}{dt}\frac{\partial T^*}{\partial\dot x_j}-E_j(T^*)=X_j+A_{1j}X_1+R_j^\tau+A_{1j}R_1^\tau$, $A_{1j}=-f_{,j}/f_{,1}$, along the motion of Lagrange's equations of the first kind").in_words()
         .follows([(0, 1, f2), (1, 2, f3)].map(|(j, i, slope)| {
             let dependent = -(slope / f1);
             Equal(shulgin.energy[j], given[i] + dependent * given[0] + found[i] + dependent * found[0])
@@ -76,12 +76,13 @@ fn velocities(page: &mut Page, motion: &Motion<Sym, 3, 2>) {
     let masses: [Sym; 3] = indexed("m#");
     let found = friction(motion.fields);
     let displaced = std::array::from_fn(|i| found[i] / masses[i]);
-    page.claim("eq1.60", "virtual", r"$R^\tau_\gamma=\sum\mu_m\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_m}$: over the masses it is a virtual displacement")
+    page.claim("eq1.60", "virtual", r"$R^\tau_\gamma=\sum\mu_m\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_m}$: over the masses it is a virtual displacement").in_words()
         .note(r"The index of $x_{\gamma_i}$ is a slip for $x_\gamma$.")
         .follows([Zero(dot(row, displaced))]);
     let force = with_friction(motion.fields);
     let [multiplier] = first_kind(&Surface, &motion.state, force).multipliers;
     page.claim("eq1.60", "independent", r"the force of constraint is the same with friction as without")
+        .in_words()
         .follows(indexed::<2>("μ#").map(|mu| Zero(multiplier.diff(mu))));
     let [_, v2, v3] = indexed("ẋ#");
     let [f1, f2, f3] = indexed("f#");

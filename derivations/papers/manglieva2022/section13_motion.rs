@@ -97,10 +97,12 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
                 ("λ2", -1, 1),
             ]),
         );
-    page.claim("eq1.86", "third-zero-corrected", r"the right side is what the left one is, not zero").follows([Equal(
-        inverse(s.m1) * c * sin * along + (inverse(s.m2) + inverse(s.m1) * sin.powi(2)) * across,
-        right,
-    )]);
+    page.claim("eq1.86", "third-zero-corrected", r"the right side is what the left one is, not zero")
+        .in_words()
+        .follows([Equal(
+            inverse(s.m1) * c * sin * along + (inverse(s.m2) + inverse(s.m1) * sin.powi(2)) * across,
+            right,
+        )]);
     page.correct();
 }
 

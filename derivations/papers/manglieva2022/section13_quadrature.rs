@@ -129,13 +129,14 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         "integrals",
         r"$I_1=\int e^{b\alpha}\sin\alpha\,d\alpha$ and $I_2=\int e^{b\alpha}\cos\alpha\,d\alpha$: their derivatives",
     )
+    .in_words()
     .under(&u.names)
     .follows([
         Equal(sine.slope, exponential.value * s.point.sin),
         Equal(cosine.slope, exponential.value * s.point.cos),
     ]);
     let integral = u.integrated(fixed, point) * exponential / norm;
-    page.claim("section1.3-ladder-quadrature", "constant-integrated", r"$\frac12(a-\frac23)(C_1^2-\tilde C)$ by these integrals: its derivative is that of $(a-\frac23)C_1C_1'$ with $e^{b\alpha}$").under(&u.names)
+    page.claim("section1.3-ladder-quadrature", "constant-integrated", r"$\frac12(a-\frac23)(C_1^2-\tilde C)$ by these integrals: its derivative is that of $(a-\frac23)C_1C_1'$ with $e^{b\alpha}$").in_words().under(&u.names)
         .follows([Equal(-(s.g / s.l) * integral.slope, load * exponential.value)]);
 }
 

@@ -51,6 +51,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     page.claim("section1.3-static", "friction", r"friction at $M_1$ that keeps the rod at rest")
         .holds([Line::formula(m1 * mu, m1 * s.mu, -(m1 / (m1 + m2) * (drive + m2 * g * double.sin)))]);
     page.claim("section1.3-static", "by-multipliers", r"it is $\lambda_1\cos\theta+\lambda_2\sin\theta-X$")
+        .in_words()
         .follows([Equal(m1 * mu, pull - drive)]);
     let held = drive + m2 * g * double.sin;
     page.claim("eq1.100", "inequality", r"rest while $|R_x|\le f|\lambda|$: what stands between the bars, by squares")

@@ -35,6 +35,7 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
         "energy",
         r"$\frac12\dot\alpha^2+\frac{3g}{4l}\cos\alpha$ is constant: its rate",
     )
+    .in_words()
     .follows([Zero(energy.slope)]);
     let [wall, floor] =
         s.normal_reactions().map(|push| push.substitute(&smooth).substitute(&[(s.ddalpha, acceleration)]));

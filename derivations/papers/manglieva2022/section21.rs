@@ -57,10 +57,11 @@ fn displacements(page: &mut Page) {
         .follows(closed.map(|constraint| Zero(constraint.value())).into_iter().chain([Zero(rows)]));
     let motion = Motion::at(&Mixed, time, q, [v3, v4]);
     let rows = jacobian(&Mixed, &motion.state);
-    page.claim("eq2.5", "along-the-chart", r"$\delta x_\gamma=\sum\frac{\partial b_\gamma}{\partial p_j}\delta\pi_j$ satisfies (2.3) for every $\delta\pi$")
+    page.claim("eq2.5", "along-the-chart", r"$\delta x_\gamma=\sum\frac{\partial b_\gamma}{\partial p_j}\delta\pi_j$ satisfies (2.3) for every $\delta\pi$").in_words()
         .follows(rows.into_iter().flat_map(|row| motion.fields.map(|field| Zero(dot(row, field)))));
     let combined = |i: usize| motion.fields[0][i] * displacement[2] + motion.fields[1][i] * displacement[3];
     page.claim("eq2.5", "all", "and every virtual displacement is of this form")
+        .in_words()
         .given(rows.map(|row| Zero(dot(row, displacement))))
         .by_combination([
             (Equal(displacement[0], combined(0)), vec![], vec![(0, int(1)), (1, -rows[0][1])]),
@@ -87,7 +88,7 @@ fn forces(page: &mut Page) {
     let masses: [Sym; 4] = indexed("m#");
     let found = friction(motion.fields);
     let displaced = std::array::from_fn(|i| found[i] / masses[i]);
-    page.claim("eq2.7", "friction", r"$R^\tau_\gamma=\sum\mu_j\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_j}$: over the masses it is a virtual displacement")
+    page.claim("eq2.7", "friction", r"$R^\tau_\gamma=\sum\mu_j\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_j}$: over the masses it is a virtual displacement").in_words()
         .follows(jacobian(&Mixed, &motion.state).map(|row| Zero(dot(row, displaced))));
 }
 
@@ -102,6 +103,7 @@ fn identities(page: &mut Page) {
         "identity-geometric",
         r"$\sum_\gamma\frac{\partial f}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$",
     )
+    .in_words()
     .follows([Zero(dot(geometric, pushed))]);
     let by_place: [Sym; 4] = std::array::from_fn(|i| {
         let at = State {
@@ -115,6 +117,7 @@ fn identities(page: &mut Page) {
     page.claim("eq2.8", "identity-kinematic", r"$\sum_\gamma\frac{\partial\varphi}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$, as printed with $\partial\varphi/\partial x_\gamma$")
         .fails([Line::formula(dot(by_place, pushed), letter("Σφμ"), Sym::ZERO)]);
     page.claim("eq2.8", "identity-kinematic-corrected", r"with $\partial\varphi/\partial\dot x_\gamma$")
+        .in_words()
         .follows([Zero(dot(steered, pushed))]);
     page.correct();
 }
@@ -155,7 +158,7 @@ fn dynamics(page: &mut Page) {
     let missing: [Sym; 4] = indexed("R#");
     let of_lambda = missing[0];
     let of_u = missing[1] - of_lambda * rows[0][1];
-    page.claim("eq2.9", "sufficient", r"forces $R$ that are missing in (2.9) on no virtual displacement are $\lambda f_{,\gamma}+u\varphi_{,\dot\gamma}$: (2.8) follows")
+    page.claim("eq2.9", "sufficient", r"forces $R$ that are missing in (2.9) on no virtual displacement are $\lambda f_{,\gamma}+u\varphi_{,\dot\gamma}$: (2.8) follows").in_words()
         .given(motion.fields.map(|field| Zero(dot(missing, field))))
         .by_combination([(2, 0), (3, 1)].map(|(i, k)| {
             (Equal(missing[i], of_lambda * rows[0][i] + of_u * rows[1][i]), vec![], vec![(k, int(1))])

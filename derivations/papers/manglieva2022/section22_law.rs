@@ -30,7 +30,7 @@ fn combined(page: &mut Page) {
     let shift = displaced([p1, p2]);
     let moved: Four = std::array::from_fn(|i| first[i] + shift[i]);
     let excess = displaced([p1 - change1, p2 - change2]);
-    page.claim("section2.2-gauss", "law", r"the principle does not need friction to be held: where $\mu_j$ is $\mu_j+\Delta\mu_j$ at the accelerations $\ddot x+\delta$, $\delta=\sum\dot p_j\partial\dot x/\partial p_j$, the function (2.21) grows by $\frac12\sum m(\delta-\sum\Delta\mu_j\,\partial\dot x/\partial p_j)^2\ge0$")
+    page.claim("section2.2-gauss", "law", r"the principle does not need friction to be held: where $\mu_j$ is $\mu_j+\Delta\mu_j$ at the accelerations $\ddot x+\delta$, $\delta=\sum\dot p_j\partial\dot x/\partial p_j$, the function (2.21) grows by $\frac12\sum m(\delta-\sum\Delta\mu_j\,\partial\dot x/\partial p_j)^2\ge0$").in_words()
         .note("Because $R^n$ does no work on what friction points to; where the growth is zero the other acceleration satisfies (2.8) with its own friction.")
         .follows([Equal(
             gauss::constraint(masses, changed, moved) - gauss::constraint(masses, force, first),
@@ -74,7 +74,7 @@ fn of_the_guide(page: &mut Page, s: &RodLetters) {
             let reaction = tidy(s.mobile() * law);
             Zero(along_motion(frozen.diff(second)).substitute(&[(held, reaction)]))
         }));
-    page.claim("section2.2-gauss", "not-held", r"with $R_x=fR_y$ and $R_y$ by the accelerations, (1.39), it is not: Coulomb's force as a function of the accelerations must be held, or combined into $R^\tau$ first; $\partial/\partial\ddot\theta$ at the motion of the rod, sliding forward on a floor")
+    page.claim("section2.2-gauss", "not-held", r"with $R_x=fR_y$ and $R_y$ by the accelerations, (1.39), it is not: Coulomb's force as a function of the accelerations must be held, or combined into $R^\tau$ first; $\partial/\partial\ddot\theta$ at the motion of the rod, sliding forward on a floor").in_words()
         .given([Positive(s.m), Positive(s.m1), Positive(s.l), Positive(s.g), Positive(s.f)])
         .exists([NonZero(along_motion(constraint.diff(s.ddtheta)))], at);
 }
