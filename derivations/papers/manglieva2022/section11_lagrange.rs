@@ -158,7 +158,7 @@ fn released(page: &mut Page, s: &RodLetters) {
             s.g * c,
         )]);
     }
-    page.claim("eq1.40", "sign", r"$R_x = fR_y\operatorname{sign}\dot x$ with $\operatorname{sign}\dot x=-1$ for $\dot x>0$ brakes, on a floor that pushes M upwards")
+    page.claim("eq1.40", "sign", r"$R_x = fR_y\operatorname{sign}\dot x$ with $\operatorname{sign}\dot x=-1$ for $\dot x>0$ brakes, on a floor that pushes $M$ upwards")
         .note("With y downwards such a floor has $R_y<0$; the printed sign is right where the guide holds $M$ down.")
         .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
         .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));

@@ -55,7 +55,7 @@ fn law(page: &mut Page, s: &RodLetters) {
             ("λ", -25, 17),
             ("μ", -625 * way, 952),
         ]);
-        page.claim(equation, slug, format!(r"{when}: $\mu$ by $\lambda$, as printed, on a floor that pushes M upwards"))
+        page.claim(equation, slug, format!(r"{when}: $\mu$ by $\lambda$, as printed, on a floor that pushes $M$ upwards"))
             .note("The printed formula is the one for a guide that holds $M$ down, $R_y>0$ with y downwards. On a floor it makes friction push along the velocity.")
             .given([
                 Positive(way_of * s.dx), Positive(-(rx * way_of)), Positive(-ry),
@@ -226,7 +226,7 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
     page.correct();
 
     let [rx, ry] = letters(["Rx", "Ry"]);
-    page.claim("eq1.29", "direction", r"$\varepsilon=-1$ for $\dot x>0$ makes friction $R_x=\varepsilon fR_y$ brake, on a floor that pushes M upwards")
+    page.claim("eq1.29", "direction", r"$\varepsilon=-1$ for $\dot x>0$ makes friction $R_x=\varepsilon fR_y$ brake, on a floor that pushes $M$ upwards")
         .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
         .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));
     let [normal, speed] = letters(["N", "v"]);

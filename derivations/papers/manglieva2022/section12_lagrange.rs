@@ -2,7 +2,7 @@
 
 use super::alphabet::{indexed, int, letter, letters};
 use super::general::{Resolved, dot, first_kind, friction, on_surface, or_undefined, with_friction};
-use super::work::nowhere_zero;
+use super::work::{nowhere_zero, own_displacement};
 use claims::{Condition, Line, Page};
 use mechanics::constrained::combining::extended;
 use mechanics::constrained::motion::Motion;
@@ -87,7 +87,11 @@ fn reactions(page: &mut Page) {
         .in_words()
         .given([Zero(dot(gradient, displacement))])
         .by_combination([(Zero(dot(parts.of_constraints, displacement)), vec![], vec![(0, parts.multipliers[0])])]);
-    nowhere_zero(page, "eq1.51", r"$\sum R^\tau_\gamma\delta x_\gamma\ne0$");
+    own_displacement(
+        page,
+        "eq1.51",
+        r"$\sum R^\tau_\gamma\delta x_\gamma\ne0$, read of the displacement that is named:",
+    );
 }
 
 /// (1.52)-(1.54).

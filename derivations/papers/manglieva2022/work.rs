@@ -1,4 +1,4 @@
-//! What the paper says five times: the work of reactions with friction "differs from zero on every virtual displacement".
+//! What the paper says again and again: the work of reactions with friction "differs from zero on every virtual displacement".
 
 use super::alphabet::{exact, indexed};
 use super::general::dot;
@@ -31,9 +31,17 @@ pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
                 ("R1", 0, 1), ("R2", 1, 1), ("R3", 0, 1), ("δx1", 0, 1), ("δx2", 0, 1), ("δx3", 1, 1),
             ]),
         );
-    page.claim(entry, "own-displacement", r"it does on the displacement $\delta x_\gamma=R^\tau_\gamma\delta t/m_\gamma$ that friction itself points to, where it is positive")
-        .given(positive)
-        .given([NonZero(reaction[1])])
-        .by_signs([Positive(dot(reaction, weighted))]);
+    own_displacement(page, entry, r"it does");
     page.correct();
+}
+
+/// The work on the displacement that friction itself points to: sum of (R^tau)^2 / m.
+pub fn own_displacement(page: &mut Page, entry: &'static str, says: &str) {
+    let (masses, reaction): ([Sym; 3], [Sym; 3]) = (indexed("m#"), indexed("R#"));
+    let displaced = std::array::from_fn(|i| reaction[i] / masses[i]);
+    let on = r"on the displacement $\delta x_\gamma=R^\tau_\gamma\delta t/m_\gamma$ that friction itself points to, where it is positive";
+    page.claim(entry, "own-displacement", format!("{says} {on}"))
+        .given(masses.map(Positive))
+        .given([NonZero(reaction[1])])
+        .by_signs([Positive(dot(reaction, displaced))]);
 }
