@@ -1,6 +1,7 @@
 //! Papers, each a page of claims in the paper's own order and letters.
 
 pub mod konosevich2022;
+pub mod manglieva2022;
 
 use claims::Page;
 
@@ -22,7 +23,7 @@ pub struct Paper {
 }
 
 /// Every paper, and the workbench's own page.
-pub const ALL: &[Paper] = &[konosevich2022::PAPER, crate::principles::PAPER];
+pub const ALL: &[Paper] = &[konosevich2022::PAPER, manglieva2022::PAPER, crate::principles::PAPER];
 
 /// Every paper's page, made in the calling thread.
 pub fn pages() -> Vec<Page> {

@@ -7,8 +7,8 @@ use symbolic::{Decision, Dimension, Hypotheses, Node, Sym, decide, dimension as 
 /// How many terms of a right side are mutated: enough to see that the prover can say no.
 const MUTANTS: usize = 6;
 
-/// Objections to equalities: sides of different dimension or the same node, a mutant that passes, hypotheses that
-/// nothing satisfies.
+/// Objections to equalities: a derivation of mixed dimensions, sides that are the same node, a mutant that passes,
+/// hypotheses that nothing satisfies.
 pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     let mut objections = Vec::new();
     for line in lines {
@@ -16,9 +16,7 @@ pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: fn(&str) ->
             objections
                 .push(format!("both sides of {} = {} are one expression: nothing was compared", line.left, line.right));
         }
-        for side in [line.left - line.right, line.derived - line.printed()] {
-            objections.extend(mismatch(side, dimension));
-        }
+        objections.extend(mismatch(line.derived, dimension));
         // a mutant of a true line must fail; of a false line too, unless the mutation is the correction
         let holds = decide(line.derived - line.printed(), hypotheses).is_zero();
         for mutant in mutants(line.right).into_iter().take(MUTANTS).filter(|_| holds) {
@@ -36,10 +34,21 @@ pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: fn(&str) ->
     objections
 }
 
-/// Objections to a theorem: conditions that mix dimensions; a proof that shows the opposite just as well.
+/// Where equalities as printed mix dimensions, in themselves or beside what was derived.
+pub fn mixed_lines(lines: &[Line], dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
+    let sides = lines.iter().flat_map(|line| [line.left - line.right, line.derived - line.printed()]);
+    sides.filter_map(|side| mismatch(side, dimension)).collect()
+}
+
+/// Where the conclusions of a theorem mix dimensions.
+pub fn mixed_conclusions(theorem: &Theorem, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
+    theorem.then.iter().filter_map(|condition| mismatch(condition.expression(), dimension)).collect()
+}
+
+/// Objections to a theorem: premises that mix dimensions; a proof that shows the opposite just as well.
 pub fn theorem(theorem: &Theorem, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     let mut objections = Vec::new();
-    for condition in theorem.given.iter().chain(&theorem.then) {
+    for condition in &theorem.given {
         objections.extend(mismatch(condition.expression(), dimension));
     }
     let mutable = !matches!(theorem.proof, Proof::Counterexample(_) | Proof::NoRoot { .. } | Proof::Example(_));

@@ -74,6 +74,7 @@ impl Claim {
                 judged.requires = stated(hypotheses);
                 judged.equations(lines, hypotheses);
                 judged.objections = examine::equations(lines, hypotheses, dimension);
+                judged.mixed(examine::mixed_lines(lines, dimension));
             }
             Statement::Theorem(theorem) => {
                 let shown = |condition: &&Condition| !self.in_words && condition.tells();
@@ -91,6 +92,7 @@ impl Claim {
                         point.values().iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
                 }
                 judged.objections = examine::theorem(theorem, dimension);
+                judged.mixed(examine::mixed_conclusions(theorem, dimension));
             }
         }
         judged
@@ -101,6 +103,14 @@ impl Judged {
     fn show(&mut self, lines: &[Line]) {
         self.text = lines.iter().map(|line| format!("{} = {}", line.left, line.right)).collect();
         self.latex = lines.iter().map(Line::latex).collect();
+    }
+
+    /// Mixed dimensions speak against what is false, and are an objection to whatever is said to hold.
+    fn mixed(&mut self, mismatches: Vec<String>) {
+        match (self.verdict, mismatches.first()) {
+            (Verdict::Refuted, Some(first)) => self.evidence += &format!("; {first}"),
+            _ => self.objections.extend(mismatches),
+        }
     }
 
     fn equations(&mut self, lines: &[Line], hypotheses: &Hypotheses) {

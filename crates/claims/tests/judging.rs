@@ -65,6 +65,25 @@ fn a_sum_of_a_length_and_a_time_is_objected_to() {
 }
 
 #[test]
+fn a_false_formula_of_mixed_dimensions_is_refuted_and_they_are_told() {
+    let [l, t, y] = symbols(["length", "time", "y"]);
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "").fails([Line::formula(l + l, y, l + t)]);
+    });
+    assert_eq!(claim.sound(), Ok(()));
+    assert!(claim.evidence.contains("length") && claim.evidence.contains("time"), "{}", claim.evidence);
+}
+
+#[test]
+fn a_derivation_of_mixed_dimensions_is_objected_to_whatever_the_print() {
+    let [l, t, y] = symbols(["length", "time", "y"]);
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "").fails([Line::formula(l + t, y, l)]);
+    });
+    assert!(claim.objections.iter().any(|o| o.contains("length") && o.contains("time")), "{:?}", claim.objections);
+}
+
+#[test]
 fn contradictory_hypotheses_are_objected_to() {
     let [a, b, y] = symbols(["a", "b", "y"]);
     let impossible = Hypotheses::none().rule(a, 2, int(-1));

@@ -93,6 +93,14 @@ impl Numbers {
     }
 }
 
+impl Numbers {
+    /// The tangent of half an angle; in the first attempts of an acute one, as most angles in drawings are.
+    fn half_tangent(&mut self) -> Rational {
+        let number = self.next();
+        if self.attempt < 8 { Rational::one() / (Rational::one() + number) } else { number }
+    }
+}
+
 /// Values of the generators.
 struct Point {
     values: FxHashMap<Sym, Sym>,
@@ -117,7 +125,7 @@ impl Point {
         }
         for &leaf in &generators.leaves {
             if let Node::Sin(angle) = leaf.node() {
-                let t = numbers.next();
+                let t = numbers.half_tangent();
                 let norm = Rational::one() + t * t;
                 values.insert(leaf, Sym::constant((t + t) / norm));
                 values.insert(Sym::from_node(Node::Cos(angle)), Sym::constant((Rational::one() - t * t) / norm));
@@ -127,10 +135,12 @@ impl Point {
         for &leaf in &generators.leaves {
             if !values.contains_key(&leaf) && !led(&leaf) {
                 // A lone cosine must lie between -1 and 1.
-                let number = numbers.next();
                 let bounded = match leaf.node() {
-                    Node::Cos(_) => (Rational::one() - number * number) / (Rational::one() + number * number),
-                    _ => number,
+                    Node::Cos(_) => {
+                        let t = numbers.half_tangent();
+                        (Rational::one() - t * t) / (Rational::one() + t * t)
+                    }
+                    _ => numbers.next(),
                 };
                 values.insert(leaf, Sym::constant(bounded));
             }

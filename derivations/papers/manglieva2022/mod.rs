@@ -1,0 +1,230 @@
+//! Zh. Kh. Manglieva, Zh. Kh. Beknazarov: on the motion of systems that contain nonholonomic nonideal constraints.
+//! Novateur Publication, 2022 (a monograph, in Russian). Chapters 1 and 2.
+//!
+//! # Overview
+//! The monograph's paragraphs in order, each a file of claims or several. The left side of every claim is derived from the
+//! descriptions of the rod, of the steered rod and of the ladder in `systems/`, as masses, constraints, contacts and
+//! charts, by the principles over them; the right side is the paper's. Where the paper speaks of any system, the claims are
+//! proved for constraints that are arbitrary to the second order, in three or four coordinates with masses of their own
+//! (`general.rs`).
+//!
+//! Coordinates y of sections 1.1 and 1.3 (task 1) point downwards: a floor that pushes makes R_y and lambda negative. The
+//! signs of the paper's laws of friction are those of the opposite axis.
+//!
+//! Damaged in the text at hand, and restored here: m2 for m1 in (1.4); the index of y1 in (1.24); m2 in the weight's force
+//! before (1.94); g^2 for 2g and the index of alpha_0 in (1.109); dots over accelerations in (2.18); delta x for the
+//! printed delta x' in (2.3).
+//!
+//! # Key results
+//! With the extended method the forces of constraint are indeed free of friction, for all masses, nonholonomic systems
+//! included, and Gauss' principle holds even where friction depends on the accelerations. The normal reactions of rough
+//! curves are another thing, and do depend on friction. The laws (1.22), (1.23), (1.40), (1.82) push along the velocity on
+//! a floor; the motion of the steered rod as a Lagrange equation, (1.95), (1.96), (1.99), loses the friction at its second
+//! point, while (1.98) is right; the ladder leaves the wall at cos alpha = 2/3 cos alpha_0, not at twice it.
+
+mod alphabet;
+mod general;
+mod ladder;
+mod rod;
+mod section11_extended;
+mod section11_lagrange;
+mod section11_law;
+mod section11_painleve;
+mod section12_lagrange;
+mod section12_redundant;
+mod section13_friction;
+mod section13_ladder;
+mod section13_lagrange;
+mod section13_motion;
+mod section13_quadrature;
+mod section13_rest;
+mod section13_smooth;
+mod section21;
+mod section22;
+mod section22_law;
+mod steered;
+mod work;
+
+pub use alphabet::{dimension, letter};
+
+use super::Paper;
+use claims::Page;
+use ladder::LadderLetters;
+use rod::RodLetters;
+use steered::SteeredLetters;
+
+/// The paper.
+pub const PAPER: Paper = Paper {
+    key: "manglieva2022",
+    title: "Manglieva & Beknazarov 2022: constraints with friction",
+    citation: "Zh. Kh. Manglieva, Zh. Kh. Beknazarov: On the motion of systems that contain nonholonomic nonideal constraints. Novateur Publication, 2022 (in Russian)",
+    summary: r"Systems with friction after Painlevé: reactions are split into forces of constraint and friction by combining constraints, with virtual displacements proportional to the forces of friction (Painlevé) or to these over the masses (extended). The extended method does make the forces of constraint independent of friction, for nonholonomic systems too, and Gauss' principle holds with it. The examples are printed with many errors: in the laws of friction the sign belongs to an axis upwards while $y$ points downwards, Lagrange's equation of the steered rod misses the friction at its second point, the quadrature of the ladder has the wrong exponent and its condition of detachment the wrong factor.",
+    entries: &[
+        "eq1.1",
+        "eq1.2",
+        "eq1.3",
+        "eq1.4",
+        "eq1.5",
+        "eq1.6",
+        "eq1.7",
+        "eq1.8",
+        "eq1.9",
+        "eq1.10",
+        "eq1.11",
+        "eq1.12",
+        "eq1.13",
+        "eq1.14",
+        "eq1.15",
+        "eq1.16",
+        "eq1.17",
+        "eq1.18",
+        "eq1.19",
+        "eq1.20",
+        "eq1.21",
+        "eq1.22",
+        "eq1.23",
+        "eq1.24",
+        "eq1.25",
+        "eq1.26",
+        "eq1.27",
+        "eq1.28",
+        "eq1.29",
+        "eq1.30",
+        "eq1.31",
+        "eq1.32",
+        "eq1.33",
+        "eq1.34",
+        "eq1.35",
+        "eq1.36",
+        "eq1.37",
+        "eq1.38",
+        "eq1.39",
+        "eq1.40",
+        "eq1.41",
+        "eq1.42",
+        "eq1.43",
+        "eq1.44",
+        "eq1.45",
+        "eq1.46",
+        "eq1.47",
+        "eq1.48",
+        "eq1.49",
+        "eq1.50",
+        "eq1.51",
+        "eq1.52",
+        "eq1.53",
+        "eq1.54",
+        "eq1.55",
+        "eq1.56",
+        "eq1.57",
+        "eq1.58",
+        "eq1.59",
+        "eq1.60",
+        "eq1.61",
+        "eq1.62",
+        "eq1.63",
+        "eq1.64",
+        "eq1.65",
+        "eq1.66",
+        "eq1.67",
+        "eq1.68",
+        "eq1.69",
+        "eq1.70",
+        "eq1.71",
+        "eq1.72",
+        "eq1.73",
+        "eq1.74",
+        "eq1.75",
+        "eq1.76",
+        "eq1.77",
+        "eq1.78",
+        "eq1.79",
+        "eq1.80",
+        "eq1.81",
+        "eq1.82",
+        "eq1.83",
+        "eq1.84",
+        "eq1.85",
+        "eq1.86",
+        "eq1.87",
+        "eq1.88",
+        "eq1.89",
+        "eq1.90",
+        "eq1.91",
+        "eq1.92",
+        "eq1.93",
+        "eq1.94",
+        "eq1.95",
+        "eq1.96",
+        "eq1.97",
+        "eq1.98",
+        "eq1.99",
+        "eq1.100",
+        "eq1.101",
+        "eq1.102",
+        "eq1.103",
+        "eq1.104",
+        "eq1.105",
+        "eq1.106",
+        "eq1.107",
+        "eq1.108",
+        "eq1.109",
+        "eq1.110",
+        "eq2.1",
+        "eq2.2",
+        "eq2.3",
+        "eq2.4",
+        "eq2.5",
+        "eq2.6",
+        "eq2.7",
+        "eq2.8",
+        "eq2.9",
+        "eq2.10",
+        "eq2.11",
+        "eq2.12",
+        "eq2.13",
+        "eq2.14",
+        "eq2.15",
+        "eq2.16",
+        "eq2.17",
+        "eq2.18",
+        "eq2.19",
+        "eq2.20",
+        "eq2.21",
+        "eq2.22",
+        "section1.1-painleve",
+        "section1.1-extended",
+        "section1.3-integral",
+        "section1.3-static",
+        "section1.3-ladder-quadrature",
+        "section1.3-ladder-ideal",
+        "section2.1-independence",
+        "section2.2-gauss",
+    ],
+    page,
+};
+
+/// The page of the paper.
+pub fn page() -> Page {
+    let mut page = Page::of(PAPER.key, dimension);
+    let rod = RodLetters::default();
+    section11_painleve::claims(&mut page, &rod);
+    section11_extended::claims(&mut page, &rod);
+    section11_law::claims(&mut page, &rod);
+    section11_lagrange::claims(&mut page, &rod);
+    section12_lagrange::claims(&mut page);
+    section12_redundant::claims(&mut page);
+    let steered = SteeredLetters::default();
+    section13_friction::claims(&mut page, &steered);
+    section13_motion::claims(&mut page, &steered);
+    section13_lagrange::claims(&mut page, &steered);
+    section13_rest::claims(&mut page, &steered);
+    let ladder = LadderLetters::default();
+    section13_ladder::claims(&mut page, &ladder);
+    section13_quadrature::claims(&mut page, &ladder);
+    section13_smooth::claims(&mut page, &ladder);
+    section21::claims(&mut page);
+    section22::claims(&mut page);
+    section22_law::claims(&mut page, &rod);
+    page
+}

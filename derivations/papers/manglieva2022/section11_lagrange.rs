@@ -1,0 +1,244 @@
+//! Section 1.1, last part: Lagrange's equations of the second kind for the rod, (1.30)-(1.42).
+
+use super::alphabet::{exact, int, letter, letters, tidy};
+use super::rod::{Released, RodLetters};
+use claims::{Condition, Line, Page};
+use field::{Analytic, Tangent};
+use mechanics::constrained::motion::Motion;
+use mechanics::constrained::second_kind;
+use mechanics::constrained::{Constrained, Constraint, State, System, kinetic_energy};
+use mechanics::differentiate::gradient;
+use symbolic::{Hypotheses, Sym};
+
+use Condition::{Equal, Positive, Zero};
+
+pub fn claims(page: &mut Page, s: &RodLetters) {
+    page.section("1.1. The rod, Lagrange's equations");
+    energy(page, s);
+    equations(page, s);
+    released(page, s);
+    pendulum(page, s);
+    reactions(page, s);
+}
+
+fn energy(page: &mut Page, s: &RodLetters) {
+    let (c, sin) = (s.point.cos, s.point.sin);
+    let place = letters(["x", "y", "x1", "y1"]);
+    let [x, y, x1, y1] = place;
+    let at = State { time: Sym::ZERO, place, velocity: [Sym::ZERO; 4] };
+    let [length, _] = s.rod.constraints(&at).map(|constraint| constraint.value());
+    page.claim("eq1.30", "constraints", "the guide $y=0$, and the length with it").holds([Line::equation(
+        (length + length).substitute(&[(y, Sym::ZERO)]),
+        (x1 - x).powi(2) + y1.powi(2),
+        s.l.powi(2),
+    )]);
+    let chart = [s.x, Sym::ZERO, s.x + s.l * c, s.l * sin];
+    let closed: [Constraint<Sym>; 2] = s.rod.constraints(&State { place: chart, ..at });
+    page.claim("eq1.31", "chart", r"$x_1 = x+l\cos\theta$, $y_1 = l\sin\theta$ satisfy the constraints identically")
+        .in_words()
+        .follows(closed.map(|constraint| Zero(constraint.value())));
+
+    let derived = kinetic_energy(s.rod.masses(), s.motion().state.velocity);
+    let (half, t) = (Sym::constant(field::Rational::new(1, 2)), letter("T"));
+    let (dx, turn) = (s.dx, s.dtheta);
+    page.claim("eq1.32", "kinetic-energy", "kinetic energy, by points and collected").holds([
+        Line::formula(
+            derived,
+            t,
+            half * s.m * dx.powi(2)
+                + half * s.m1 * ((dx - s.l * sin * turn).powi(2) + s.l.powi(2) * c.powi(2) * turn.powi(2)),
+        ),
+        Line::formula(
+            derived,
+            t,
+            half * (s.m1 + s.m) * dx.powi(2) + half * s.m1 * s.l.powi(2) * turn.powi(2) - s.m1 * s.l * dx * turn * sin,
+        ),
+    ]);
+    let [by_dx, by_turn] = gradient(|p| velocity_energy(s, [s.x, s.theta].map(Tangent::fixed), p), [dx, turn]);
+    let [by_x, by_theta] = gradient(|q| velocity_energy(s, q, [dx, turn].map(Tangent::fixed)), [s.x, s.theta]);
+
+    let work = |force: [Sym; 4]| s.motion().generalised(force);
+    let [_, weight] = work(s.given_force());
+    let [friction, turning] = work(s.friction());
+    page.claim("eq1.33", "generalised-forces", r"generalised forces of the weights and of friction").holds([
+        Line::formula(weight, letter("Qθ"), s.m1 * s.g * s.l * c),
+        Line::formula(friction, letter("Qτx"), s.mu * (s.m + s.m1 * c.powi(2))),
+        Line::formula(turning, letter("Qτθ"), Sym::ZERO),
+    ]);
+    page.claim("eq1.34", "momentum", r"$\partial T/\partial\dot x$").holds([Line::formula(
+        by_dx,
+        letter("∂T/∂ẋ"),
+        (s.m + s.m1) * dx - s.m1 * s.l * turn * sin,
+    )]);
+    page.claim("eq1.34", "cyclic", r"$\partial T/\partial x = 0$").follows([Zero(by_x)]);
+    page.claim("eq1.36", "momentum", r"$\partial T/\partial\dot\theta$ and $\partial T/\partial\theta$").holds([
+        Line::formula(by_turn, letter("∂T/∂θ̇"), s.m1 * s.l.powi(2) * turn - s.m1 * s.l * dx * sin),
+        Line::formula(by_theta, letter("∂T/∂θ"), -(s.m1 * s.l * dx * turn * c)),
+    ]);
+}
+
+/// T along the chart, for its derivatives.
+fn velocity_energy(s: &RodLetters, q: [Tangent<Sym>; 2], p: [Tangent<Sym>; 2]) -> Tangent<Sym> {
+    let velocity = mechanics::constrained::motion::velocity(&s.rod, Tangent::fixed(Sym::ZERO), q, p);
+    kinetic_energy(s.rod.masses(), velocity)
+}
+
+fn equations(page: &mut Page, s: &RodLetters) {
+    let (c, sin) = (s.point.cos, s.point.sin);
+    let (weights, friction) = (s.given_force(), s.friction());
+    let at = (Sym::ZERO, [s.x, s.theta], [s.dx, s.dtheta]);
+    let force = std::array::from_fn(|i| weights[i] + friction[i]);
+    let second_kind = second_kind::residual(&s.rod, at, force, [s.ddx, s.ddtheta]);
+    // by d'Alembert: the constraints' forces do no work along the chart
+    let [along, turning] = s.motion().generalised(s.newton(s.acceleration(), friction));
+    page.claim("eq1.34", "principle", r"Lagrange's equations hold with the generalised force of friction: they are the motion of the points with the forces of constraint eliminated ($x$, then $\theta$)")
+        .follows([Equal(second_kind[0], along), Equal(second_kind[1], turning)]);
+    let turn = s.dtheta.powi(2);
+    page.claim("eq1.35", "sliding", "the equation for $x$").holds([Line::equation(
+        along,
+        (s.m + s.m1) * s.ddx - s.m1 * s.l * s.ddtheta * sin - s.m1 * s.l * turn * c,
+        s.mu * (s.m + s.m1 * c.powi(2)),
+    )]);
+    let inertia = second_kind::residual(&s.rod, at, [Sym::ZERO; 4], [s.ddx, s.ddtheta])[1];
+    let printed_left = s.m1 * s.l.powi(2) * s.ddtheta - s.m1 * s.l * s.ddx * sin;
+    page.claim("eq1.36", "weight", r"the equation for $\theta$ with the right side $mg\cos\theta\cdot l$, as printed; the left side is $\frac{d}{dt}\frac{\partial T}{\partial\dot\theta}-\frac{\partial T}{\partial\theta}$")
+        .fails([Line::equation(turning, tidy(inertia), s.m * s.g * c * s.l)]);
+    page.claim("eq1.36", "weight-corrected", r"with $m_1$: the weight of $M_1$ alone turns the rod")
+        .holds([Line::equation(turning, printed_left, s.m1 * s.g * c * s.l)]);
+    page.correct();
+    page.claim("eq1.37", "turning", r"the equation for $\theta$").holds([Line::equation(
+        turning / (s.m1 * s.l),
+        s.l * s.ddtheta - s.ddx * sin,
+        s.g * c,
+    )]);
+}
+
+/// (1.38)-(1.39): the guide taken away and its reaction put in its place.
+fn released(page: &mut Page, s: &RodLetters) {
+    let (c, sin) = (s.point.cos, s.point.sin);
+    let [y, dy, ddy] = letters(["y", "ẏ", "ÿ"]);
+    let [rx, ry] = letters(["Rx", "Ry"]);
+    let free = Released(s.rod.0);
+    let motion = Motion::at(&free, Sym::ZERO, [s.x, y, s.theta], [s.dx, dy, s.dtheta]);
+    let (half, turn) = (Sym::constant(field::Rational::new(1, 2)), s.dtheta);
+    page.claim("eq1.38", "kinetic-energy", "kinetic energy without the guide").holds([Line::formula(
+        kinetic_energy(free.masses(), motion.state.velocity),
+        letter("T"),
+        half * (s.m + s.m1) * s.dx.powi(2)
+            + half * (s.m + s.m1) * dy.powi(2)
+            + half * s.m1 * s.l * turn * (s.l * turn + int(2) * dy * c - int(2) * s.dx * sin),
+    )]);
+    let weights = free.force(&motion.state);
+    let [qx, qy, qtheta] = motion.generalised(weights);
+    page.claim("eq1.38", "generalised-forces", "generalised forces of the weights").holds([
+        Line::formula(qy, letter("Qy"), (s.m + s.m1) * s.g),
+        Line::formula(qtheta, letter("Qθ"), s.m1 * s.g * s.l * c),
+    ]);
+    page.claim("eq1.38", "no-weight-along", r"$Q_x=0$").follows([Zero(qx)]);
+    let force = [weights[0] + rx, weights[1] + ry, weights[2], weights[3]];
+    let at = (Sym::ZERO, [s.x, y, s.theta], [s.dx, dy, s.dtheta]);
+    let derived = second_kind::residual(&free, at, force, [s.ddx, ddy, s.ddtheta]);
+    let on_guide = derived.map(|residual| tidy(residual.substitute(&[(ddy, Sym::ZERO)])));
+    let horizontal = (s.m + s.m1) * s.ddx - s.m1 * s.l * (s.ddtheta * sin + turn.powi(2) * c);
+    let weight = (s.m + s.m1) * s.g + ry;
+    let turning = s.m1 * s.l;
+    for (equation, derived, lifted, tilted) in
+        [("eq1.38", derived, (s.m + s.m1) * ddy, ddy * c), ("eq1.39", on_guide, Sym::ZERO, Sym::ZERO)]
+    {
+        page.claim(equation, "horizontal", "the equation for $x$").holds([Line::equation(derived[0], horizontal, rx)]);
+        let vertical = |centripetal: Sym| lifted + s.m1 * s.l * (s.ddtheta * c - centripetal);
+        page.claim(equation, "vertical", r"the equation for $y$, as printed with $l$ inside the parentheses too")
+            .fails([Line::equation(derived[1], vertical(s.l * turn.powi(2) * sin), weight)]);
+        let (slug, says) = ("vertical-corrected", r"with $\ddot\theta\cos\theta-\dot\theta^2\sin\theta$");
+        page.claim(equation, slug, says).holds([Line::equation(derived[1], vertical(turn.powi(2) * sin), weight)]);
+        page.correct();
+        page.claim(equation, "turning", r"the equation for $\theta$").holds([Line::equation(
+            derived[2] / turning,
+            s.l * s.ddtheta + tilted - s.ddx * sin,
+            s.g * c,
+        )]);
+    }
+    page.claim("eq1.40", "sign", r"$R_x = fR_y\operatorname{sign}\dot x$ with $\operatorname{sign}\dot x=-1$ for $\dot x>0$ brakes, on a floor that pushes $M$ upwards")
+        .note("With y downwards such a floor has $R_y<0$; the printed sign is right where the guide holds $M$ down.")
+        .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
+        .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));
+    let [normal, speed] = letters(["N", "v"]);
+    page.claim("eq1.40", "sign-corrected", r"$R_x = fR_y$ for $\dot x=v>0$ (and $-fR_y$ for $\dot x<0$, the usual sign): with $R_y=-N$ the power of friction is $-fNv$")
+        .given([Positive(s.f), Positive(normal), Positive(speed)])
+        .by_signs([Positive(-(s.f * -normal) * speed)]);
+    page.correct();
+}
+
+/// (1.41): the angle from the vertical, theta = pi/2 - phi.
+fn pendulum(page: &mut Page, s: &RodLetters) {
+    let [phi, dphi, ddphi, sign] = letters(["φ", "φ̇", "φ̈", "ε"]);
+    let unit = Hypotheses::none().rule(sign, 2, int(1));
+    let point = phi.circle();
+    let turned = [(s.point.cos, point.sin), (s.point.sin, point.cos), (s.dtheta, -dphi), (s.ddtheta, -ddphi)];
+    let [_, turning] = s.motion().generalised(s.newton(s.acceleration(), [Sym::ZERO; 4]));
+    let [rx, ry] = s.contact_by(s.acceleration());
+    let derived = (rx + sign * s.f * ry).substitute(&turned);
+    // d/dt of the printed bracket along the motion
+    let rate = |coupling: i64| {
+        let [dx, spin] = [Tangent::moving(s.dx, s.ddx), Tangent::moving(dphi, ddphi)];
+        let fixed = |value: Sym| Tangent::fixed(value);
+        let cos = Tangent::moving(phi, dphi).circle().cos;
+        (fixed(s.m + s.m1) * dx + fixed(int(coupling) * s.m1 * s.l) * spin * cos).slope
+    };
+    let load = |last: Sym| {
+        sign * s.f * ((s.m + s.m1) * s.g + s.m1 * s.l * point.cos * dphi.powi(2) + s.m1 * s.l * point.sin * last)
+    };
+    page.claim("eq1.41", "sliding", r"$\theta=\frac\pi2-\varphi$: the equation for $x$, $\varepsilon$ for the paper's $\operatorname{sign}\dot x$; as printed with $-m_1l\dot\varphi\cos\varphi$ and $\sin\varphi\,\dot\varphi^2$")
+        .note("Here the sign of (1.40) is right, since the bracket is $-R_y$.")
+        .under(&unit)
+        .fails([Line::equation(derived, rate(-1), load(dphi.powi(2)))]);
+    page.claim(
+        "eq1.41",
+        "sliding-corrected",
+        r"with $\frac{d}{dt}[(m+m_1)\dot x+m_1l\dot\varphi\cos\varphi]$ and $\sin\varphi\,\ddot\varphi$",
+    )
+    .holds([Line::equation(derived, rate(1), load(ddphi))]);
+    page.correct();
+    page.claim("eq1.41", "turning", r"the equation for $\varphi$: that of the elliptic pendulum").holds([
+        Line::equation(
+            -(turning.substitute(&turned) / (s.m1 * s.l)),
+            s.l * ddphi + s.ddx * point.cos + s.g * point.sin,
+            Sym::ZERO,
+        ),
+    ]);
+}
+
+fn reactions(page: &mut Page, s: &RodLetters) {
+    let (c, sin) = (s.point.cos, s.point.sin);
+    let [lambda1, lambda] = s.multipliers(s.friction());
+    // x'' and theta'' of (1.35) and (1.37) put into (1.39)
+    let masses: [Sym; 4] = s.rod.masses();
+    let (weights, friction) = (s.given_force(), s.friction());
+    let normal = s.of_constraints(lambda1, lambda);
+    let moved = std::array::from_fn(|i| (weights[i] + normal[i] + friction[i]) / masses[i]);
+    let [rx, ry] = s.contact_by(moved).map(tidy);
+    let along = [(s.lambda, lambda)];
+    page.claim(
+        "eq1.42",
+        "by-multipliers",
+        r"the reactions in (1.39) by $\mu$ and $\lambda$ (here with its value (1.28))",
+    )
+    .holds([
+        Line::formula(rx, letter("Rx"), s.mu * (s.m + s.m1 * c.powi(2))),
+        Line::formula(ry, letter("Ry"), (s.m1 * s.mu * sin * c + s.lambda).substitute(&along)),
+    ]);
+    let [name] = letters(["Ry"]);
+    page.claim(
+        "eq1.42",
+        "one-sided",
+        r"a one-sided guide holds while $R_y>0$: for the rod at rest on a floor, upright or hanging, $R_y=-(m+m_1)g$",
+    )
+    .note("y points downwards: $R_y>0$ is the condition for a guide above $M$, which pushes it down.")
+    .given([Positive(s.m), Positive(s.m1), Positive(s.g), Equal(name, -(s.m + s.m1) * s.g)])
+    .refuted([Positive(name)], exact([("m", 1, 1), ("m1", 1, 1), ("g", 1, 1), ("Ry", -2, 1)]));
+    let smooth = s.multipliers([Sym::ZERO; 4])[1];
+    let at_rest = [(s.dtheta, Sym::ZERO), (c, Sym::ZERO)];
+    page.claim("eq1.42", "one-sided-corrected", r"a floor holds while $-R_y>0$: that is its push, upwards against the weights; for the rod at rest it is $(m+m_1)g$")
+        .follows([Equal(-smooth.substitute(&at_rest), (s.m + s.m1) * s.g)]);
+    page.correct();
+}

@@ -1,0 +1,125 @@
+//! Section 1.1, first part: Painleve's rod by his own choice of virtual displacements, (1.1)-(1.5).
+
+use super::alphabet::{exact, int, letter, letters};
+use super::rod::RodLetters;
+use claims::{Condition, Line, Page};
+use symbolic::Sym;
+
+use Condition::{Equal, NonZero, Positive, Zero};
+
+pub fn claims(page: &mut Page, s: &RodLetters) {
+    page.section("1.1. The rod, first choice of displacements");
+    components(page, s);
+    multipliers(page, s);
+}
+
+/// Friction as Painleve combines it, by the letter mu: the horizontal component at M.
+fn friction(s: &RodLetters) -> [Sym; 4] {
+    let mu = letter("μᴾ");
+    let one = int(1);
+    s.painleve([mu * (one + s.point.cos.powi(2)), Sym::ZERO, Sym::ZERO]).of_friction
+}
+
+fn components(page: &mut Page, s: &RodLetters) {
+    let (c, sin) = (s.point.cos, s.point.sin);
+    let mu = letter("μᴾ");
+    let normal = s.of_constraints(s.lambda1, s.lambda);
+    let friction = friction(s);
+    page.claim("eq1.1", "components", r"forces of constraint and of friction at $M$; $\mu$ is the horizontal force of friction there, $R_x = \mu(1+\cos^2\theta)$")
+        .holds([
+            Line::formula(normal[1], letter("R′y"), -s.lambda1 * sin + s.lambda),
+            Line::formula(normal[0], letter("R′x"), -s.lambda1 * c),
+            Line::formula(friction[1], letter("ρy"), Sym::ZERO),
+            Line::formula(friction[0], letter("ρx"), mu),
+        ]);
+    page.claim("eq1.2", "components", r"the same at $M_1$").holds([
+        Line::formula(normal[3], letter("R′1y"), s.lambda1 * sin),
+        Line::formula(normal[2], letter("R′1x"), s.lambda1 * c),
+        Line::formula(friction[3], letter("ρ1y"), mu * sin * c),
+        Line::formula(friction[2], letter("ρ1x"), mu * c.powi(2)),
+    ]);
+    let [ddx, ddx1] = letters(["ẍ", "ẍ1"]);
+    let ddy1 = letter("ÿ1");
+    let newton = s.newton([ddx, Sym::ZERO, ddx1, ddy1], friction);
+    page.claim("eq1.3", "motion", "equations of motion of both points").holds([
+        Line::equation(newton[0], s.m * ddx, mu - s.lambda1 * c),
+        Line::equation(-newton[1], s.m * s.g + s.lambda - s.lambda1 * sin, Sym::ZERO),
+        Line::equation(newton[3], s.m1 * ddy1, s.m1 * s.g + s.lambda1 * sin + mu * sin * c),
+        Line::equation(newton[2], s.m1 * ddx1, s.lambda1 * c + mu * c.powi(2)),
+    ]);
+}
+
+fn multipliers(page: &mut Page, s: &RodLetters) {
+    let (c, sin) = (s.point.cos, s.point.sin);
+    let mu = letter("μᴾ");
+    let one = int(1);
+    let friction = friction(s);
+    let (masses, weights) = ([s.m, s.m, s.m1, s.m1], s.given_force());
+    let normal = s.of_constraints(s.lambda1, s.lambda1 * sin - s.m * s.g);
+    let accelerations = std::array::from_fn(|i| (weights[i] + normal[i] + friction[i]) / masses[i]);
+    // the length differentiated twice, at the accelerations of (1.3)
+    let derived = s.stretch(accelerations) * s.m1 / s.l;
+    let left = |inertia: Sym| s.lambda1 * (one + s.m1 / s.m * c.powi(2)) + s.m1 * (s.g * sin + inertia);
+    let right = mu * (s.m1 / s.m - one) * c;
+    page.claim("eq1.4", "multiplier", r"the relation for $\lambda_1$, as printed with $\dot\theta^2$ (the undefined $m_2$ read as $m_1$)")
+        .note(r"Printed $m_2/m$ beside $\cos^2\theta$; there is no $m_2$ in this problem, and $l$ is lost beside $\dot\theta^2$.")
+        .fails([Line::equation(derived, left(s.dtheta.powi(2)), right)]);
+    page.claim("eq1.4", "multiplier-corrected", r"with $l\dot\theta^2$ and $m_1$ throughout").holds([Line::equation(
+        derived,
+        left(s.l * s.dtheta.powi(2)),
+        right,
+    )]);
+    page.correct();
+
+    let equal = [(s.m1, s.m)];
+    let derived = s.multipliers(friction)[0].substitute(&equal);
+    page.claim("eq1.5", "equal-masses", r"$m=m_1$: the multiplier, as printed")
+        .note("Printed without the factor $m$ and without $l$.")
+        .fails([Line::formula(derived, s.lambda1, -((s.dtheta.powi(2) + s.g * sin) / (one + c.powi(2))))]);
+    page.claim("eq1.5", "equal-masses-corrected", r"$m=m_1$: with the factors $m$ and $l$").holds([Line::formula(
+        derived,
+        s.lambda1,
+        -(s.m * (s.l * s.dtheta.powi(2) + s.g * sin) / (one + c.powi(2))),
+    )]);
+    page.correct();
+
+    let [lambda1, lambda] = s.multipliers(friction);
+    page.claim(
+        "section1.1-painleve",
+        "dependence",
+        r"$\partial\lambda_1/\partial\mu$ and $\partial\lambda/\partial\mu$ by Painlevé's displacements",
+    )
+    .follows([
+        Equal(lambda1.diff(mu), (s.m1 - s.m) * c / s.mobile()),
+        Equal(lambda.diff(mu), (s.m1 - s.m) * c * sin / s.mobile()),
+    ]);
+    page.claim(
+        "section1.1-painleve",
+        "equal-masses",
+        r"with $m=m_1$ the multipliers do not depend on friction, and are those without it",
+    )
+    .in_words()
+    .follows([lambda1, lambda].map(|multiplier| {
+        let smooth = multiplier.substitute(&[(mu, Sym::ZERO)]);
+        Equal(multiplier.substitute(&equal), smooth.substitute(&equal))
+    }));
+    let upright = exact([("m", 1, 1), ("m1", 2, 1), ("cos θ", 0, 1), ("sin θ", 1, 1)]);
+    let premises = [Positive(s.m), Positive(s.m1), Zero((s.m1 - s.m) * c / s.mobile())];
+    page.claim(
+        "section1.1-painleve",
+        "only-equal-masses",
+        r"only with equal masses: from $\partial\lambda_1/\partial\mu=0$ at a position follows $m=m_1$",
+    )
+    .note("As a statement about all positions it is right; at the upright rod the masses may be any.")
+    .given(premises)
+    .refuted([Equal(s.m1, s.m)], upright);
+    page.claim(
+        "section1.1-painleve",
+        "only-equal-masses-corrected",
+        r"only with equal masses or with the rod upright, $\cos\theta=0$",
+    )
+    .given(premises)
+    .given([NonZero(c)])
+    .by_combination([(Equal(s.m1, s.m), vec![3], vec![(2, s.mobile())])]);
+    page.correct();
+}
