@@ -3,7 +3,8 @@
 use crate::physical::machines::{Sample, every_machine, numbers};
 use crate::physical::rate::{Rate, rate};
 use crate::physical::{fixed, gyrostat, rounded};
-use derivations::machines::{Catalogued, ForMachine, RotorState, drive, heat};
+use derivations::machines::multi_current::{MultiCurrent, Windings};
+use derivations::machines::{AnyMachine, Catalogued, Conserved, ForMachine, RotorState, drive, heat};
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;
 use nalgebra::Vector3;
@@ -33,6 +34,8 @@ struct Instant {
     slip: f64,
     /// W, rad/s
     frame_speed: f64,
+    /// what the machine is said to conserve
+    conserved: Conserved,
 }
 
 struct At<'a, F> {
@@ -69,6 +72,7 @@ impl<F: Form<f64>> ForMachine for At<'_, F> {
             heat: heat(&driven.machine, currents),
             slip,
             frame_speed,
+            conserved: Conserved::by(&driven.machine),
         }
     }
 }
@@ -79,16 +83,27 @@ fn always(
     sample: &Sample,
     law: impl Fn(&Instant) -> bool,
 ) -> Result<(), TestCaseError> {
-    let g = rounded(g);
-    for machine in every_machine(sample) {
-        let name = machine.name();
-        let first = machine.clone().apply(At { form: g.first_form().0, sample });
-        let second = machine.apply(At { form: g.second_form().0, sample });
-        for (form, instant) in [("first", first), ("second", second)] {
-            prop_assert!(law(&instant), "{name}, {form} form: {instant:?}");
-        }
+    every_machine(sample).try_for_each(|machine| in_both_forms(g, sample, machine, &law))
+}
+
+fn in_both_forms(
+    g: &derivations::systems::gyrostat::Gyrostat<field::Rational>,
+    sample: &Sample,
+    machine: AnyMachine,
+    law: impl Fn(&Instant) -> bool,
+) -> Result<(), TestCaseError> {
+    let (g, name) = (rounded(g), machine.name());
+    let first = machine.clone().apply(At { form: g.first_form().0, sample });
+    let second = machine.apply(At { form: g.second_form().0, sample });
+    for (form, instant) in [("first", first), ("second", second)] {
+        prop_assert!(law(&instant), "{name}, {form} form: {instant:?}");
     }
     Ok(())
+}
+
+/// What is said to be conserved is, and nothing else.
+fn conserves_what_it_is_said_to(now: &Instant) -> bool {
+    now.conserved.jacobi == now.jacobi.is(&[]) && now.conserved.spin == now.rotor_momentum.is(&[])
 }
 
 proptest! {
@@ -121,6 +136,21 @@ proptest! {
     #[test]
     fn seen_from_the_turning_field_the_field_does_no_work(g in gyrostat(), sample in numbers()) {
         always(&g, &sample, |now| now.jacobi.is(&[now.law * now.slip, -now.heat]))?;
+    }
+
+    #[test]
+    fn every_machine_conserves_what_it_is_said_to_and_nothing_else(g in gyrostat(), sample in numbers()) {
+        always(&g, &sample, conserves_what_it_is_said_to)?;
+    }
+
+    #[test]
+    fn a_motor_with_windings_keeps_its_energy_only_without_friction_and_heat(
+        g in gyrostat(), sample in numbers(), friction in 0..2u8, resistance in 0..2u8
+    ) {
+        let (f, r) = (f64::from(friction), f64::from(resistance));
+        let windings = Windings { field_speed: 3.0, b0: 0.8, a1: 0.5, l1: 0.3, r1: r, a2: 0.4, l2: 0.2, r2: r, mu: f, f };
+        let machine = AnyMachine::MultiCurrent(MultiCurrent::evenly(windings, 3));
+        in_both_forms(&g, &sample, machine, conserves_what_it_is_said_to)?;
     }
 
     /// E - W p + c0 g with c0 = -m(0, W).

@@ -2,115 +2,176 @@
 """Breaks every law once and tells what notices: writes snapshots/mutants.md.
 
 Each mutant of mutants.toml is one replacement in one file of a copy of the project, outside of it. The ledger and the
-laws are built there and run; what fails has caught the mutant. Takes about a quarter of an hour on two cores.
+laws are built there and run; what fails has caught the mutant. A quarter of an hour on two cores; the copy stays, so
+that the next run builds only what differs.
 
     tests/mutants/run.py              all mutants, and the table
     tests/mutants/run.py forms kloss  those whose file or name contains a word: told, not written
+
+It fails where a mutant does not compile, where one survives without a reason, and where one that is said to change
+nothing is caught.
 """
 
+import filecmp
 import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import tomllib
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-mutants"))
 PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches"]
-LEDGER, LAWS = "ledger", ["fields", "one_source", "gyrostats", "counterexamples", "motors"]
+LEDGER = "ledger"
+# what else is tested: the house, its pages and the program
+OTHERS = {"allocation", "contributing", "house", "mutants", "pages", "scene_messages", "scenes", "units"}
+TESTS = [*(ROOT / "tests").glob("*.rs"), *(main.parent for main in (ROOT / "tests").glob("*/main.rs"))]
+LAWS = sorted({path.stem for path in TESTS} - OTHERS - {LEDGER})
 # quick to build: only what proves and what multiplies big numbers is optimised
 OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
-MINUTES = 60
+SETTINGS = {"CARGO_PROFILE_DEV_OPT_LEVEL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
+# that a law fails is enough: no search for its smallest failure
+RUNNING = {"CARGO_MANIFEST_DIR": str(COPY), "PROPTEST_MAX_SHRINK_ITERS": "0"}
+SECONDS = 120
+# told of a program that does not come to its tests, by a panic or by an endless loop
+STOPPED = ("stops", "does not end")
 
 
-def prepare(copy: Path) -> None:
-    """A copy whose files keep their times, so that a second run builds only what differs."""
+class Outcome:
+    """What became of one mutant."""
+
+    def __init__(self, name: str, reason: str, claims: list[str], laws: list[str], compiles: bool) -> None:
+        self.name, self.reason, self.claims, self.laws, self.compiles = name, reason, claims, laws, compiles
+
+    def caught(self) -> bool:
+        return bool(self.claims or self.laws)
+
+    def verdict(self) -> str:
+        if not self.compiles:
+            return "DOES NOT COMPILE"
+        if self.caught():
+            return "SAID TO CHANGE NOTHING" if self.reason else "caught"
+        return "equivalent" if self.reason else "SURVIVED"
+
+    def right(self) -> bool:
+        return self.verdict() in ("caught", "equivalent")
+
+
+def prepare() -> None:
+    """The project into its copy. Only what differs is written, so that cargo sees by the times what is new."""
+    wanted = [ROOT / part for part in PARTS]
+    wanted += [path for part in wanted if part.is_dir() for path in part.rglob("*")]
+    wanted = {COPY / path.relative_to(ROOT): path for path in wanted if path.is_file()}
     for part in PARTS:
-        source, target = ROOT / part, copy / part
-        if source.is_dir():
-            shutil.rmtree(target, ignore_errors=True)
-            shutil.copytree(source, target)
-        else:
-            shutil.copy2(source, target)
+        for path in (COPY / part).rglob("*"):
+            if path.is_file() and path not in wanted:
+                path.unlink()
+    for target, source in wanted.items():
+        if not target.exists() or not filecmp.cmp(source, target, shallow=False):
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(source, target)
 
 
-def build(copy: Path) -> dict[str, Path] | None:
+def build() -> dict[str, Path] | None:
     """The test programs by name; None where the copy does not compile."""
     command = ["cargo", "test", "--quiet", "--package", "dalembert", "--no-run", "--message-format=json"]
     command += [argument for test in [LEDGER, *LAWS] for argument in ["--test", test]]
     command += [argument for crate in OPTIMISED for argument in ["--config", f"profile.dev.package.{crate}.opt-level=2"]]
-    settings = {"CARGO_PROFILE_DEV_OPT_LEVEL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TARGET_DIR": str(copy / "target")}
-    done = subprocess.run(command, cwd=copy, env=os.environ | settings, capture_output=True, text=True)
+    done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS, capture_output=True, text=True)
     if done.returncode != 0:
         return None
     found = re.findall(r'"executable":"([^"]+/deps/([a-z_]+)-[0-9a-f]+)"', done.stdout)
     return {name: Path(path) for path, name in found}
 
 
-def failures(program: Path, copy: Path) -> list[str]:
+def failures(test: str, programs: dict[str, Path]) -> list[str]:
     """The names of the tests that fail, in their order; the program's where it does not come to its tests."""
-    command = [program, "--test-threads=2"]
+    command = [programs[test], "--test-threads=2"]
     try:
-        done = subprocess.run(command, cwd=copy, env=os.environ | {"CARGO_MANIFEST_DIR": str(copy)},
-                              capture_output=True, text=True, timeout=2 * MINUTES)
+        done = subprocess.run(command, cwd=COPY, env=os.environ | RUNNING, capture_output=True, text=True, timeout=SECONDS)
     except subprocess.TimeoutExpired:
-        return ["does not end"]
+        return [f"{test} {STOPPED[1]}"]
     names = re.findall(r"^test (\S.*?)\s+\.\.\. FAILED$", done.stdout, re.MULTILINE)
-    return names or (["stops"] if done.returncode != 0 else [])
+    return names or ([f"{test} {STOPPED[0]}"] if done.returncode != 0 else [])
 
 
-def examine(copy: Path) -> tuple[list[str], list[str]]:
-    """The claims and the laws that fail."""
-    programs = build(copy)
+def examine(name: str, reason: str) -> Outcome:
+    """Builds and runs the copy as it stands."""
+    programs = build()
     if programs is None:
-        sys.exit("it does not compile: mend mutants.toml")
-    claims = [name.removeprefix("konosevich2022/") for name in failures(programs[LEDGER], copy)]
-    laws = [f"{test}: {name}" for test in LAWS for name in failures(programs[test], copy)]
-    return claims, laws
+        return Outcome(name, reason, [], [], compiles=False)
+    claims = [claim.removeprefix("konosevich2022/") for claim in failures(LEDGER, programs)]
+    laws = [law.split("::")[-1].replace("_", " ") for test in LAWS for law in failures(test, programs)]
+    return Outcome(name, reason, claims, laws, compiles=True)
 
 
-def first_three(names: list[str]) -> str:
-    shown = ", ".join(name.replace("_", " ") for name in names[:3])
-    return f"{len(names)}: {shown}" + (", ..." if len(names) > 3 else "") if names else "-"
+def examine_mutant(file: str, name: str, old: str, new: str, reason: str = "") -> Outcome:
+    path = COPY / file
+    sound = path.read_text()
+    path.write_text(sound.replace(old, new))
+    try:
+        return examine(name, reason)
+    finally:
+        path.write_text(sound)
+
+
+def table(outcomes: dict[str, list[Outcome]]) -> str:
+    """A page for review: beside each mutant how many catch it, and of these the one that catches the fewest others."""
+    every = [outcome for of_file in outcomes.values() for outcome in of_file]
+    often = Counter(name for outcome in every for name in outcome.claims + outcome.laws)
+    verdicts = Counter(outcome.verdict() for outcome in every)
+    lines = [
+        "# What notices a broken law", "",
+        f"{len(every)} mutants: " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()) + ".", "",
+        "Each breaks one law by a sign, a factor, a term or an index (`tests/mutants/mutants.toml`). Beside it stand how many",
+        "claims of the ledger then fail and how many laws of `tests/`, and of these the one that notices the fewest other",
+        "mutants. Written by `tests/mutants/run.py`.",
+    ]
+    for file, of_file in outcomes.items():
+        lines += ["", f"## {file}", "", "| broken | claims | laws | one of them |", "|---|---|---|---|"]
+        for outcome in of_file:
+            if outcome.verdict() == "caught":
+                one = min(outcome.claims + outcome.laws, key=lambda name: (name.endswith(STOPPED), often[name]))
+                lines.append(f"| {outcome.name} | {len(outcome.claims)} | {len(outcome.laws)} | {one} |")
+            else:
+                lines.append(f"| {outcome.name} | {outcome.verdict()}: {outcome.reason} | | |")
+    return "\n".join(lines) + "\n"
 
 
 def main() -> None:
     words = sys.argv[1:]
-    table = tomllib.loads((Path(__file__).parent / "mutants.toml").read_text())
-    chosen = [(file, name, old, new) for file, mutants in table.items() for name, (old, new) in mutants.items()
+    mutants = tomllib.loads((Path(__file__).parent / "mutants.toml").read_text())
+    chosen = [(file, name, *texts) for file, of_file in mutants.items() for name, texts in of_file.items()
               if not words or any(word in f"{file} {name}" for word in words)]
-    copy = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-mutants"))
-    copy.mkdir(parents=True, exist_ok=True)
-    prepare(copy)
-    if any(examine(copy)):
-        sys.exit("something fails without any mutant")
+    prepare()
+    for file, name, old, *_ in chosen:
+        if (count := (COPY / file).read_text().count(old)) != 1:
+            sys.exit(f"{file}: {name}: `{old}` stands there {count} times, not once")
+    begin = time.monotonic()
+    sound = examine("", "")
+    if not sound.compiles or sound.caught():
+        sys.exit(f"without any mutant: {sound.verdict()}: {sound.claims + sound.laws}")
+    print(f"the project itself: {time.monotonic() - begin:.0f} s", flush=True)
 
-    rows, survivors, place = [], 0, None
-    for file, name, old, new in chosen:
-        path = copy / file
-        sound = path.read_text()
-        if sound.count(old) != 1:
-            sys.exit(f"{file}: `{old}` stands there {sound.count(old)} times")
-        path.write_text(sound.replace(old, new))
-        claims, laws = examine(copy)
-        path.write_text(sound)
-        survivors += not claims and not laws
-        verdict = "caught" if claims or laws else "SURVIVED"
-        print(f"{verdict:9} {file}: {name}\n    claims {first_three(claims)}\n    laws {first_three(laws)}", flush=True)
-        if file != place:
-            rows += ["", f"## {file}", "", "| broken | claims that fail | laws that fail |", "|---|---|---|"]
-            place = file
-        shown = name if claims or laws else f"{name} **SURVIVED**"
-        rows.append(f"| {shown} | {first_three(claims)} | {first_three(laws)} |")
-    print(f"{len(chosen)} mutants, {survivors} survived")
+    begin = time.monotonic()
+    outcomes: dict[str, list[Outcome]] = {}
+    for number, (file, name, *texts) in enumerate(chosen, 1):
+        outcome = examine_mutant(file, name, *texts)
+        outcomes.setdefault(file, []).append(outcome)
+        tally = f"{len(outcome.claims)} claims, {len(outcome.laws)} laws"
+        print(f"{number:3}/{len(chosen)} {time.monotonic() - begin:5.0f} s  {outcome.verdict():10} {file}: {name}: {tally}", flush=True)
+        if words:
+            print("".join(f"        {catcher}\n" for catcher in outcome.claims + outcome.laws), end="", flush=True)
     if not words:
-        head = ["# What notices a broken law", "",
-                f"{len(chosen)} mutants, {len(chosen) - survivors} caught, {survivors} survived. Each breaks one law by a sign, a",
-                "factor, a term or an index (`tests/mutants/mutants.toml`); beside it the number of claims of the ledger and of",
-                "laws in `tests/` that fail, and the first three. Written by `tests/mutants/run.py`."]
-        (ROOT / "snapshots" / "mutants.md").write_text("\n".join(head + rows) + "\n")
+        (ROOT / "snapshots" / "mutants.md").write_text(table(outcomes))
+    wrong = [f"{file}: {outcome.name}: {outcome.verdict()}" for file, of_file in outcomes.items()
+             for outcome in of_file if not outcome.right()]
+    sys.exit("\n".join(wrong) or None)
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ fn circuits(page: &mut Page, s: &Letters) {
     // W = E - W_field A' p' + c0 g never grows: d(A' p')/dt = M
     let falling = moment * speed + stored.slope - s.omega_field * moment - friction(s.omega_field) * s.dgamma;
     page.claim("beyond-power", "falling", r"$W = E - \Omega A'p' + c_0\gamma$ has $\dot W = \dot\gamma\,\Delta M_2(\dot\gamma) - \mu\dot\gamma^2 - R_1x^2 - R_2\sum i_n^2$: it never grows, since $(A'p')' = M$ and friction is dissipative")
-        .note("At fixed vertical momentum and fixed integral nu.nu it is a Lyapunov function near a stationary motion where it has a strict minimum; in g this takes b0 cos g > 0, the family g(0).")
+        .note(r"At fixed vertical momentum and fixed $\nu\cdot\nu$ it is a Lyapunov function near a stationary motion where it has a strict minimum; in $\gamma$ this takes $b_0\cos\gamma > 0$, the family $\gamma^{(0)}$.")
         .follows([Equal(
             falling,
             s.dgamma * excess_friction(s) - letter("μ") * s.dgamma.powi(2) - lost,

@@ -145,7 +145,7 @@ fn asynchronous(page: &mut Page, s: &Letters) {
     let omega = s.omega_field;
     page.claim("section3-motors", "working-speed", r"$M(0) > 0 > M(\Omega)$, so by continuity $M$ vanishes at some $\Omega' \in (0,\Omega)$: with $M_1(0) = k\Omega$, $M_1(\Omega) = 0$, $M_2(\Omega) = -\kappa\Omega$")
         .given([k, kappa, omega].map(Condition::Positive))
-        .note("The condition M1(0) > -M2(0) of the paper is M1(0) > 0, since an odd law of friction vanishes at rest.")
+        .note(r"The condition $M_1(0) > -M_2(0)$ of the paper is $M_1(0) > 0$, since an odd law of friction vanishes at rest.")
         .by_signs([Condition::Positive(k * omega), Condition::Positive(kappa * omega)]);
     let working = k * omega / (k + f);
     page.claim(

@@ -167,7 +167,7 @@ fn singular(page: &mut Page, s: &Letters) {
     )]);
     page.claim("section5.2-singular", "by-definition", r"the principal components of $A$ are positive by definition, so $D \neq 0$ for every body $S^0$")
         .given([Condition::Equal(letter("l1"), one())])
-        .note("Counterexample: the carrier is a thin rod along the rotor's axis through O (moments 0, 1, 1), the rotor's centre lies on it. A has the moment 0 about l, A* has A' there, and D = 0. The statement needs that the carrier has inertia about the rotor's axis: as that inertia goes to zero, so does D.")
+        .note(r"Counterexample: the carrier is a thin rod along the rotor's axis through $O$ (moments 0, 1, 1), the rotor's centre lies on it. $A$ has the moment 0 about $l$, $A^*$ has $A'$ there, and $D = 0$. The statement needs that the carrier has inertia about the rotor's axis: as that inertia goes to zero, so does $D$.")
         .refuted([Condition::NonZero(singularity(s))], rod(s));
     let u = vector("u");
     page.claim("section5.2-singular", "when", r"exactly: $u\cdot Au = u\cdot A^0u + m'|h\times u|^2 + B'|l\times u|^2$, a sum that vanishes for some $u\ne0$ only if $u\parallel l\parallel h$ (or $h=0$) and $l\cdot A^0l=0$: the mass of the carrier lies on the rotor's axis through $O$")

@@ -97,7 +97,7 @@ fn angles(page: &mut Page, s: &Letters) {
     )
     .given([Condition::NonZero(s.b0), Condition::Zero(s.b0 * ratio - s.c0), on_circle])
     .given([Condition::Zero(any.defect()), Condition::Zero(balance(any))])
-    .note("At c0 = b0 both families become one (C = 0), beyond it there is none: the motor falls out of step.")
+    .note(r"At $c_0 = b_0$ both families become one ($C = 0$), beyond it there is none: the motor falls out of step.")
     .by_combination([(
         Condition::Zero((any.cos - cosine) * (any.cos + cosine)),
         vec![0, 0],
@@ -155,7 +155,7 @@ fn conditions(page: &mut Page, s: &Letters) {
     page.claim("remark3", "any-one", "each of the three relations follows from the other two")
         .given(zero)
         .given([Condition::Zero(s.nu.dot(&s.nu) - one())])
-        .note("Where nu3 = 0 the third relation is independent of the first two.")
+        .note(r"Where $\nu_3 = 0$ the third relation is independent of the first two.")
         .refuted([Condition::Zero(printed.z)], gyrostats::two_of_three().point(s));
     page.claim(
         "remark3",

@@ -146,7 +146,7 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
         .given(premises())
         .given([Zero(s.big_gamma), Zero(f.v)])
         .given(unit(s))
-        .note("The relations read w0 G + A'W l x nu = 0; multiplied by G they give a minus sign. The bodies' equations of motion at the example confirm the corrected sign exactly.")
+        .note(r"The relations read $\omega^0G + A'\Omega\,l\times\nu = 0$; multiplied by $G$ they give a minus sign. The bodies' equations of motion at the example confirm the corrected sign exactly.")
         .refuted([Equal(s.omega0, f.spin / f.delta * bracket)], example.point(s));
     page.claim(
         "statement3D",

@@ -2,8 +2,12 @@
 
 use super::alphabet::{cyclic, letter, vector};
 use super::letters::Letters;
+use crate::machines::free_rotor::FreeRotor;
 use crate::systems::gyrostat::Motion;
+use crate::systems::gyrostat::driven::Driven;
+use crate::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 use claims::{Condition, Line, Page};
+use mechanics::differentiate::along;
 use mechanics::momentum::absolute_rate;
 use nalgebra::Vector3;
 use symbolic::Sym;
@@ -66,6 +70,13 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     page.claim("section8.2", "integral", r"$p'$ is an integral: with $M = 0$ the rotor's equation is $A'\dot p' = 0$")
         .under(&s.unit_axis)
         .follows([Condition::Zero(residual[3])]);
+    let forms = (
+        FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma),
+        SecondForm::new(s.a_star, s.l, s.axial, s.e * s.big_gamma),
+    );
+    page.claim("section8.2", "runs", "so it is along the motions that run, in the first form and in the second")
+        .under(&s.unit_axis)
+        .follows([spin_rate(forms.0, s), spin_rate(forms.1, s)].map(Condition::Zero));
     let still = Motion { moment: Sym::ZERO, ..s.stationary(p - s.omega0 * s.nu.dot(&s.l), Sym::ZERO) };
     let stationary = first.by_momentum(&still);
     let to_first: Vec<(Sym, Sym)> = (0..3).map(|i| (s.a_star[i], s.a[i])).chain([(s.omega_field, p)]).collect();
@@ -111,4 +122,13 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     let difference = (dyad * nu + s.l * (s.axial * rest) - same).cross(&nu);
     page.claim("section8.2", "same-motions", r"both forms give the same motions: $A^*\omega + A'\Omega^0l = A\omega + A'p'l$ with $p' = \omega^0\,l\cdot\nu + \Omega^0$")
         .follows(difference.iter().map(|&x| Condition::Zero(x)));
+}
+
+/// (A'p')' along the motion that runs with a free rotor.
+fn spin_rate(form: impl Form<Sym>, s: &Letters) -> Sym {
+    let driven = Driven::new(form, FreeRotor::default());
+    let state = [s.w.x, s.w.y, s.w.z, s.nu.x, s.nu.y, s.nu.z, s.dphi];
+    let mut rates = [Sym::ZERO; 7];
+    driven.rates(&state, &mut rates);
+    driven.rotor_momentum(&along(state, rates)).slope
 }
