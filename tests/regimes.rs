@@ -10,8 +10,8 @@ use mechanics::constrained::contacts::{Contacts, Sides};
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::mode::modes;
 use mechanics::regimes::{
-    Condition, Direction, Dry, Face, Found, Mode, Ordered, Touch, Unfit, Verdict, conditions, consistent, touches,
-    verdict,
+    Condition, Direction, Dry, Face, Found, Mode, Ordered, Sizes, Touch, Unfit, Verdict, conditions, consistent,
+    touches, verdict,
 };
 use num_traits::Zero;
 
@@ -28,7 +28,7 @@ where
     S: Over<Q::Given> + Ordered,
 {
     let dry = Dry::of(system, at, system.force(at)).expect("the constraints are independent");
-    (dry, touches(system, at).expect("the state is admitted"))
+    (dry, touches(system, at, Sizes::of(at)).expect("the state is admitted"))
 }
 
 fn decide<Q, S, const N: usize, const C: usize, const K: usize>(system: &Q, at: &State<S, N>) -> Verdict<S, K>
@@ -122,11 +122,11 @@ fn a_contact_that_closes_with_a_velocity_is_an_impact() {
     let rod = SlenderRod { mass: one, inertia: q(1, 3), half_length: one, gravity: one, friction: one };
     let place = [q(3, 5), q(4, 5), q(3, 5), q(4, 5)];
     let falling = State { time: q(0, 1), place, velocity: [q(0, 1), q(-1, 1), q(0, 1), q(0, 1)] };
-    assert_eq!(touches::<_, _, 4, 1, 1>(&rod, &falling), Err(Unfit::Impact { contact: 0 }));
+    assert_eq!(touches::<_, _, 4, 1, 1>(&rod, &falling, Sizes::of(&falling)), Err(Unfit::Impact { contact: 0 }));
     let rising = State { velocity: [q(0, 1), q(1, 1), q(0, 1), q(0, 1)], ..falling };
-    assert_eq!(touches::<_, _, 4, 1, 1>(&rod, &rising), Ok([Touch::Open]));
+    assert_eq!(touches::<_, _, 4, 1, 1>(&rod, &rising, Sizes::of(&rising)), Ok([Touch::Open]));
     let below = State { place: [q(3, 5), q(3, 5), q(3, 5), q(4, 5)], ..falling };
-    assert_eq!(touches::<_, _, 4, 1, 1>(&rod, &below), Err(Unfit::Penetrates { contact: 0 }));
+    assert_eq!(touches::<_, _, 4, 1, 1>(&rod, &below, Sizes::of(&below)), Err(Unfit::Penetrates { contact: 0 }));
 }
 
 /// The uniform ladder with m = l = 1, g = 10.
@@ -202,7 +202,7 @@ fn what_is_found_obeys_the_laws_and_floats_agree() {
         system.friction[1] = numbers.next().size();
         let load = std::array::from_fn(|_| numbers.next());
         let dry = Dry::<_, 2>::of(&system, &at, load).expect("one constraint");
-        let touch = touches(&system, &at).expect("on wall and floor");
+        let touch = touches(&system, &at, Sizes::of(&at)).expect("on wall and floor");
         consistent(&dry, &touch, |found| assert!(lawful(&dry, &touch, &found), "case {case}: {found:?}"));
         let exact = verdict(&dry, &touch);
         none += u32::from(exact == Verdict::None);
@@ -212,7 +212,7 @@ fn what_is_found_obeys_the_laws_and_floats_agree() {
         let place = at.place.map(Rational::to_f64);
         let near = State { time: 0.0, place, velocity: at.velocity.map(Rational::to_f64) };
         let dry = Dry::<_, 2>::of(&rounded, &near, load.map(Rational::to_f64)).expect("one constraint");
-        let rounded = verdict(&dry, &touches(&rounded, &near).expect("on wall and floor"));
+        let rounded = verdict(&dry, &touches(&rounded, &near, Sizes::of(&near)).expect("on wall and floor"));
         assert_eq!(name(&exact), name(&rounded), "case {case}: {exact:?} but {rounded:?}");
     }
     assert!(none > 0 && several > 0, "{none} without a motion, {several} with several");

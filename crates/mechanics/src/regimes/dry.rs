@@ -32,10 +32,7 @@ fn coordinates<S>(contact: Contact<S>) -> [S; 2] {
 }
 
 /// The gradients of gap and place along the curve: the directions of the reactions.
-pub fn directions<Q, S, const N: usize, const C: usize, const K: usize>(
-    system: &Q,
-    at: &State<S, N>,
-) -> [[[S; N]; 2]; K]
+fn directions<Q, S, const N: usize, const C: usize, const K: usize>(system: &Q, at: &State<S, N>) -> [[[S; N]; 2]; K]
 where
     Q: Contacts<N, C, K>,
     S: Over<Q::Given>,
@@ -63,11 +60,57 @@ where
     system.contacts(time, moving).map(|contact| coordinates(contact).map(|value| value.slope.slope))
 }
 
-impl<S: Scalar, const K: usize> Dry<S, K> {
+/// A system at a state with the reactions of its contacts left open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen<S, const N: usize, const K: usize> {
+    /// What the contacts know.
+    pub dry: Dry<S, K>,
+    /// The directions of the reactions: the gradients of gap and place along the curve.
+    pub directions: [[[S; N]; 2]; K],
+    /// x'' without reactions.
+    free: [S; N],
+    /// x'' for a unit of each reaction.
+    responses: [[[S; N]; 2]; K],
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Seen<S, N, K> {
     /// At a state under a force; the system's own constraints are kept by their multipliers.
     ///
     /// # Errors
     /// [`NotDefinite`] names the first of the system's constraints that depends on those before it.
+    pub fn of<Q, const C: usize>(system: &Q, at: &State<S, N>, force: [S; N]) -> Result<Self, NotDefinite>
+    where
+        Q: Contacts<N, C, K>,
+        S: Over<Q::Given>,
+    {
+        let free = multipliers(system, at, force)?.acceleration;
+        let directions = directions(system, at);
+        let responses = responses(system, at, &directions)?;
+        let dot = |a: &[S; N], b: &[S; N]| (0..N).fold(S::zero(), |sum, n| sum + a[n] * b[n]);
+        let response =
+            directions.map(|pair| pair.map(|row| responses.map(|columns| columns.map(|column| dot(&row, &column)))));
+        let contacts = system.contacts(at.time, at.place);
+        let dry = Dry {
+            free: accelerations(system, at, free),
+            response,
+            friction: contacts.map(|contact| contact.friction),
+            sides: contacts.map(|contact| contact.sides),
+        };
+        Ok(Seen { dry, directions, free, responses })
+    }
+
+    /// x'' with these reactions.
+    pub fn acceleration(&self, reactions: &Pairs<S, K>) -> [S; N] {
+        let each = || reactions.as_flattened().iter().zip(self.responses.as_flattened());
+        std::array::from_fn(|n| each().fold(self.free[n], |sum, (reaction, response)| sum + *reaction * response[n]))
+    }
+}
+
+impl<S: Scalar, const K: usize> Dry<S, K> {
+    /// The same without what a motion needs.
+    ///
+    /// # Errors
+    /// [`NotDefinite`] as [`Seen::of`].
     pub fn of<Q, const N: usize, const C: usize>(
         system: &Q,
         at: &State<S, N>,
@@ -77,19 +120,7 @@ impl<S: Scalar, const K: usize> Dry<S, K> {
         Q: Contacts<N, C, K>,
         S: Over<Q::Given>,
     {
-        let free = accelerations(system, at, multipliers(system, at, force)?.acceleration);
-        let directions = directions(system, at);
-        let responses = responses(system, at, &directions)?;
-        let dot = |a: &[S; N], b: &[S; N]| (0..N).fold(S::zero(), |sum, n| sum + a[n] * b[n]);
-        let response =
-            directions.map(|pair| pair.map(|row| responses.map(|columns| columns.map(|column| dot(&row, &column)))));
-        let contacts = system.contacts(at.time, at.place);
-        Ok(Dry {
-            free,
-            response,
-            friction: contacts.map(|contact| contact.friction),
-            sides: contacts.map(|contact| contact.sides),
-        })
+        Seen::of(system, at, force).map(|seen| seen.dry)
     }
 }
 
@@ -114,25 +145,4 @@ where
             std::array::from_fn(|n| (0..C).fold(direction[n], |sum, c| sum + multipliers[c] * rows[c][n]) / masses[n]);
     }
     Ok(responses)
-}
-
-/// x'' with these reactions beside the force.
-///
-/// # Errors
-/// [`NotDefinite`] as [`Dry::of`].
-pub fn acceleration<Q, S, const N: usize, const C: usize, const K: usize>(
-    system: &Q,
-    at: &State<S, N>,
-    force: [S; N],
-    reactions: &Pairs<S, K>,
-) -> Result<[S; N], NotDefinite>
-where
-    Q: Contacts<N, C, K>,
-    S: Over<Q::Given>,
-{
-    let directions = directions(system, at);
-    let all = std::array::from_fn(|n| {
-        (0..K).fold(force[n], |sum, k| (0..2).fold(sum, |sum, i| sum + reactions[k][i] * directions[k][i][n]))
-    });
-    Ok(multipliers(system, at, all)?.acceleration)
 }

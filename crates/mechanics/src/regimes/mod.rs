@@ -27,7 +27,7 @@ pub mod sign;
 pub mod verdict;
 
 pub use conditions::{Condition, Form, conditions, equations};
-pub use dry::Dry;
-pub use mode::{Direction, Face, Mode, Touch, Unfit, touches};
+pub use dry::{Dry, Seen};
+pub use mode::{Direction, Face, Mode, Sizes, Touch, Unfit, touches};
 pub use sign::Ordered;
 pub use verdict::{Found, Verdict, consistent, verdict};

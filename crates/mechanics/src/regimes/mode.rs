@@ -138,14 +138,29 @@ pub fn modes<S: Scalar>(touch: Touch, sides: Sides, friction: S) -> impl Iterato
     list.into_iter().flatten()
 }
 
-/// What every contact does at a state. Over rounded numbers a gap and its rate count as zero against the size of the
-/// places and of the velocities.
+/// The sizes beside which a rounded gap and a rounded velocity count as zero; an exact field does not look at them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sizes<S> {
+    pub length: S,
+    pub speed: S,
+}
+
+impl<S: Ordered> Sizes<S> {
+    /// Of the places and the velocities of a state.
+    pub fn of<const N: usize>(at: &State<S, N>) -> Self {
+        let total = |v: [S; N]| v.into_iter().fold(S::zero(), |sum, x| sum + x.size());
+        Sizes { length: total(at.place), speed: total(at.velocity) }
+    }
+}
+
+/// What every contact does at a state.
 ///
 /// # Errors
 /// [`Unfit`] names the first contact that cannot be as it is.
 pub fn touches<Q, S, const N: usize, const C: usize, const K: usize>(
     system: &Q,
     at: &State<S, N>,
+    sizes: Sizes<S>,
 ) -> Result<[Touch; K], Unfit>
 where
     Q: Contacts<N, C, K>,
@@ -153,8 +168,7 @@ where
 {
     let moving = std::array::from_fn(|i| Tangent::moving(at.place[i], at.velocity[i]));
     let contacts = system.contacts(Tangent::moving(at.time, S::one()), moving);
-    let total = |v: [S; N]| v.into_iter().fold(S::zero(), |sum, x| sum + x.size());
-    let (length, speed) = (total(at.place), total(at.velocity));
+    let Sizes { length, speed } = sizes;
     let mut touches = [Touch::Open; K];
     for (k, Contact { gap, along, sides, .. }) in contacts.into_iter().enumerate() {
         let slides = || Direction::of(along.slope.sign_among(speed)).map_or(Touch::Rest, Touch::Slides);

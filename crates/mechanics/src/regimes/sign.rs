@@ -18,8 +18,8 @@ pub trait Ordered: Scalar {
     }
 }
 
-/// Relative to the terms: what twenty operations on condition numbers of a thousand leave of double precision.
-const ROUNDING: f64 = 1e-12;
+/// Relative to the terms: what the located state of an event leaves of double precision.
+const ROUNDING: f64 = 1e-11;
 
 impl Ordered for f64 {
     fn sign_among(self, size: Self) -> Ordering {
