@@ -99,22 +99,25 @@ struct Course<'a, Q, const N: usize, const C: usize, const K: usize> {
 impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K: usize> Course<'_, Q, N, C, K> {
     /// To the end of the run.
     fn follow(&mut self, observer: &mut dyn Observer<f64>) -> Ending<K> {
-        let mut sizes = Sizes::of(&self.at);
         self.measure();
-        let mut touch = match touches(self.system, &self.at, sizes) {
+        let rough = self.system.contacts(self.at.time, self.at.place).map(|contact| contact.friction != 0.0);
+        let mut touch = match touches(self.system, &self.at, Sizes::of(&self.at)) {
             Ok(touch) => touch,
             Err(unfit) => return Ending::Unfit(unfit),
         };
         let mut cause = Cause::Start;
         for _ in 0..=self.plan.most_events {
-            sizes.speed = self.speed;
             let system = self.system;
             let (speed, load) = (self.speed, self.load);
-            let stretch_of = |regime| Stretch { system, regime, orientation: 1.0, speed, load };
+            let stretch_of = |regime| Stretch { system, regime, rough, orientation: 1.0, speed, load };
             let found = match choose(system, &self.at, &touch, stretch_of) {
                 Ok(found) => found,
                 Err(problem) => return problem,
             };
+            let jumps = matches!(cause, Cause::Signal { watched: Watched::Uniqueness, .. });
+            if jumps && self.run.entries.last().is_some_and(|entry| entry.regime == found.regime) {
+                return Ending::Critical;
+            }
             self.run.entries.push(Entry {
                 time: self.at.time,
                 place: self.at.place.to_vec(),

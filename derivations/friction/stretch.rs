@@ -12,6 +12,8 @@ use mechanics::regimes::{Condition, Dry, Mode, Seen, Touch, Verdict, conditions,
 pub struct Stretch<'a, Q, const N: usize, const C: usize, const K: usize> {
     pub system: &'a Q,
     pub regime: [Mode; K],
+    /// Whether a contact has friction: at a smooth one the direction of sliding changes nothing.
+    pub rough: [bool; K],
     /// The sign of the regime's determinant at the start.
     pub orientation: f64,
     /// The largest speed of the run, and the force at its start: what rounding is measured by.
@@ -84,7 +86,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
                 }
                 Mode::Slip(..) => {
                     list[0] = Some(Watched::Condition(k, Condition::Presses));
-                    list[3] = Some(Watched::Sliding(k));
+                    list[3] = self.rough[k].then_some(Watched::Sliding(k));
                 }
             }
             list

@@ -223,7 +223,7 @@ impl Again<'_> {
         function: impl Fn(&[Signal]) -> (f64, f64),
     ) -> Option<(f64, Vec<f64>)> {
         let (mut low, mut high, mut time) = (from.time, end, end);
-        let mut best = None;
+        let (mut best, mut beyond): (Option<(f64, Vec<f64>)>, _) = (None, None);
         let mut instant = from.clone();
         for trial in 0..MOST_TRIALS {
             if time == from.time {
@@ -243,18 +243,20 @@ impl Again<'_> {
                 return best;
             }
             if value > 0.0 {
-                low = time
+                low = time;
             } else {
-                high = time
+                high = time;
+                beyond.clone_from(&best);
             }
             let newton = time - value / rate;
             let inside = (newton - low) * (newton - high) < 0.0;
-            // every other trial may be Newton's, lest it creep
+            // a halving now and then, lest Newton creep
             let next = if inside && trial % 8 != 7 { newton } else { low + 0.5 * (high - low) };
-            if next == low
-                || next == high
-                || (next - time).abs() <= f64::EPSILON * time.abs().max((end - from.time).abs())
-            {
+            if next == low || next == high {
+                // nothing between: a signal that jumps has its new value here
+                return beyond;
+            }
+            if inside && (next - time).abs() <= f64::EPSILON * time.abs().max((end - from.time).abs()) {
                 return best;
             }
             time = next;
