@@ -5,6 +5,7 @@ use super::stretch::{Stretch, motion_of_contacts};
 use field::Tangent;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
+use mechanics::differentiate::fixed;
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::verdict::differ;
 use mechanics::regimes::{Condition, Found, Mode, Ordered, Seen, Touch, conditions, consistent};
@@ -13,7 +14,8 @@ use std::cmp::Ordering;
 /// The one motion that goes on, or why there is none.
 ///
 /// At a tie several regimes may name one motion. That one goes on all of whose vanishing margins rise along its own
-/// motion; without any, one whose vanishing margins stay as they are.
+/// motion; without any, one whose vanishing margins stay as they are. A regime that has just ceased to be the only
+/// motion does not go on by another name of itself.
 ///
 /// # Errors
 /// The diagnosis.
@@ -21,6 +23,7 @@ pub fn choose<'a, Q, const N: usize, const C: usize, const K: usize>(
     system: &'a Q,
     at: &State<f64, N>,
     touches: &[Touch; K],
+    ceased: Option<[Mode; K]>,
     stretch: impl Fn([Mode; K]) -> Stretch<'a, Q, N, C, K>,
 ) -> Result<Found<f64, K>, Ending<K>>
 where
@@ -40,6 +43,9 @@ where
             }
             _ => first = first.or(Some(found)),
         }
+        if ceased == Some(found.regime) {
+            return;
+        }
         let trend = trend(&stretch(found.regime), at, touches, &found);
         if trend != Ordering::Less && best.as_ref().is_none_or(|(known, _)| trend > *known) {
             best = Some((trend, found));
@@ -51,6 +57,24 @@ where
         (None, Some(_), None) => Err(Ending::Tie),
         (None, Some(_), Some((_, found))) => Ok(found),
     }
+}
+
+/// How long ago the departures that vanish in a regime were exactly zero, the system resting: an event that was located
+/// by a tie is as sharp as the tie, this margin says its time.
+pub fn overshoot<Q, const N: usize, const C: usize, const K: usize>(
+    stretch: &Stretch<'_, Q, N, C, K>,
+    at: &State<f64, N>,
+    touches: &[Touch; K],
+) -> Option<f64>
+where
+    Q: Contacts<N, C, K, Given = f64>,
+{
+    let later = State { time: Tangent::variable(at.time), place: fixed(at.place), velocity: fixed(at.velocity) };
+    let (seen, cramer) = stretch.solve(&later)?;
+    let required = conditions(&seen.dry, touches, &stretch.regime);
+    let departs = required.as_flattened().iter().flatten().find(|(name, _)| *name == Condition::Departs);
+    let margin = cramer.value(&departs?.1);
+    Some(margin.value / margin.slope).filter(|time| time.is_finite())
 }
 
 /// The least trend of the margins that vanish: `Greater` where none does.

@@ -38,8 +38,8 @@ pub enum Cause {
 pub enum Ending<const K: usize> {
     /// At the end of its span.
     Reached,
-    /// At rest in a regime that does not determine its reactions: nothing can be followed there.
-    RestsUndetermined,
+    /// In motion, in a regime that does not determine its reactions: their work is unknown.
+    Undetermined,
     /// A contact closes with a velocity: an impact, which is not modelled.
     TouchDown { contact: usize, speed: f64 },
     /// No regime is consistent.
@@ -100,7 +100,7 @@ impl<const K: usize> Ending<K> {
     pub fn describe(&self, names: &Names<K>) -> String {
         match self {
             Self::Reached => "the end of the span".into(),
-            Self::RestsUndetermined => "at rest; more reactions than equations, so they are not determined".into(),
+            Self::Undetermined => "in motion with more reactions than equations: they are not determined".into(),
             Self::TouchDown { contact, speed } => {
                 format!("{} touches down with {speed:.6}: an impact, which is not modelled", names[*contact])
             }

@@ -1,13 +1,14 @@
 //! Stretch after stretch.
 
-use super::choose::{choose, determinant, touches_after};
+use super::choose::{choose, determinant, overshoot, touches_after};
 use super::log::{Cause, Ending, Entry};
 use super::settle::{Held, settle};
 use super::stretch::{Stretch, Watched, motion_of_contacts, parts};
 use integrators::{End, Event, Method, Observer, Signal, Span, Switches, Tolerance, Work, integrate_to_event};
 use mechanics::constrained::contacts::Contacts;
 use mechanics::constrained::{State, kinetic_energy};
-use mechanics::regimes::{Mode, Sizes, Touch, touches};
+use mechanics::regimes::{Mode, Ordered, Sizes, Touch, touches};
+use std::cmp::Ordering;
 
 /// A run with its log.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,6 +85,9 @@ where
     course.run
 }
 
+/// An event located by a tie is at most so far off, in units of the run.
+const SHARP: f64 = 1e-6;
+
 /// A run in the making.
 struct Course<'a, Q, const N: usize, const C: usize, const K: usize> {
     system: &'a Q,
@@ -109,14 +113,17 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
         for _ in 0..=self.plan.most_events {
             let system = self.system;
             let (speed, load) = (self.speed, self.load);
-            let stretch_of = |regime| Stretch { system, regime, rough, orientation: 1.0, speed, load };
-            let found = match choose(system, &self.at, &touch, stretch_of) {
+            let stretch_of = |regime| Stretch { system, regime, rough, rests: false, orientation: 1.0, speed, load };
+            let last = self.run.entries.last().map(|entry| entry.regime);
+            let ceased = last.filter(|_| matches!(cause, Cause::Signal { watched: Watched::Uniqueness, .. }));
+            let found = match choose(system, &self.at, &touch, ceased, stretch_of) {
                 Ok(found) => found,
+                Err(Ending::Tie) if ceased.is_some() => return Ending::Critical,
                 Err(problem) => return problem,
             };
-            let jumps = matches!(cause, Cause::Signal { watched: Watched::Uniqueness, .. });
-            if jumps && self.run.entries.last().is_some_and(|entry| entry.regime == found.regime) {
-                return Ending::Critical;
+            if ceased.is_some() && self.at.velocity == [0.0; N] {
+                let since = overshoot(&stretch_of(found.regime), &self.at, &touch);
+                self.at.time -= since.filter(|since| since.abs() < SHARP * self.plan.end.abs()).unwrap_or(0.0);
             }
             self.run.entries.push(Entry {
                 time: self.at.time,
@@ -126,14 +133,16 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
                 regime: found.regime,
                 reactions: found.reactions,
             });
-            if !found.determined {
-                return Ending::RestsUndetermined;
+            let still = self.at.velocity.iter().all(|v| *v == 0.0);
+            if !found.determined && !still {
+                return Ending::Undetermined;
             }
             if self.at.time >= self.plan.end {
                 return Ending::Reached;
             }
             let Some(determinant) = determinant(system, &self.at, &found.regime) else { return Ending::Undefined };
-            let stretch = Stretch { orientation: determinant.signum(), ..stretch_of(found.regime) };
+            let stretch =
+                Stretch { orientation: determinant.signum(), rests: !found.determined, ..stretch_of(found.regime) };
             let event = match self.integrate(&stretch, observer) {
                 Ok(Some(event)) => event,
                 Ok(None) => return Ending::Reached,
@@ -224,6 +233,10 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
         let (settled, moved) = settle(self.system, &self.at, held);
         self.run.settled = self.run.settled.max(moved);
         self.at = settled;
+        let sizes = self.at.velocity.map(|v| v.sign_among(self.speed));
+        if sizes.iter().all(|size| *size == Ordering::Equal) {
+            self.at.velocity = [0.0; N];
+        }
         Ok(touches_after(self.system, &self.at, closed, at_rest, self.speed))
     }
 }

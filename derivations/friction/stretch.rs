@@ -5,7 +5,8 @@ use integrators::{Directions, Ode, Signal, Switches};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::cramer::Cramer;
-use mechanics::regimes::{Condition, Dry, Mode, Seen, Touch, Verdict, conditions, verdict};
+use mechanics::regimes::{Condition, Dry, Found, Mode, Ordered, Seen, Touch, Verdict, conditions, verdict};
+use std::cmp::Ordering;
 
 /// A system in a regime. The integrated state is (x, x', work of friction, work of the given forces).
 #[derive(Clone, Copy, Debug)]
@@ -14,6 +15,8 @@ pub struct Stretch<'a, Q, const N: usize, const C: usize, const K: usize> {
     pub regime: [Mode; K],
     /// Whether a contact has friction: at a smooth one the direction of sliding changes nothing.
     pub rough: [bool; K],
+    /// Whether the system rests, held by more reactions than are determined: nothing moves while this stays possible.
+    pub rests: bool,
     /// The sign of the regime's determinant at the start.
     pub orientation: f64,
     /// The largest speed of the run, and the force at its start: what rounding is measured by.
@@ -91,11 +94,27 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
             }
             list
         };
-        (0..K).flat_map(of_contact).flatten().chain([Watched::Determinant, Watched::Uniqueness])
+        let moving = [Watched::Determinant, Watched::Uniqueness];
+        let (contacts, all) = if self.rests { (0, &moving[1..]) } else { (K, &moving[..]) };
+        (0..contacts).flat_map(of_contact).flatten().chain(all.to_vec())
+    }
+
+    /// 1 while rest is the only motion, -1 where it is not.
+    fn rest(&self, at: &State<f64, N>) -> Option<Signal> {
+        let dry = Dry::of(self.system, at, self.system.force(at)).ok()?;
+        let rests = match verdict(&dry, &self.touches(self.regime.map(|mode| mode == Mode::Apart))) {
+            Verdict::Unique(found) => is_rest(&dry, &found),
+            _ => false,
+        };
+        Some(Signal { value: if rests { 1.0 } else { -1.0 }, rate: 0.0, noise: 0.0 })
     }
 
     /// The signals in the order of their list, with rates.
     fn read(&self, at: &State<f64, N>, out: &mut [Signal]) -> Option<()> {
+        if self.rests {
+            out.fill(self.rest(at)?);
+            return Some(());
+        }
         let (seen, cramer) = self.solve(at)?;
         let acceleration = seen.acceleration(&cramer.reactions());
         let moving = State {
@@ -132,6 +151,12 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
     }
 }
 
+/// Whether no contact is accelerated.
+pub fn is_rest<const K: usize>(dry: &Dry<f64, K>, found: &Found<f64, K>) -> bool {
+    let size: f64 = dry.free.as_flattened().iter().map(|b| b.abs()).sum();
+    found.motion.as_flattened().iter().all(|a| a.sign_among(size) == Ordering::Equal)
+}
+
 /// The contacts' view without its rates.
 fn at_rest<const K: usize>(dry: &Dry<Tangent<f64>, K>) -> Dry<f64, K> {
     Dry {
@@ -166,6 +191,10 @@ where
     }
 
     fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        if self.rests {
+            dy.fill(S::zero());
+            return;
+        }
         let at = parts::<S, N>(t, y);
         let force: [S; N] = self.system.force(&at);
         let Some((seen, cramer)) = self.solve(&at) else {

@@ -1,6 +1,7 @@
 //! Mechanical systems.
 
 pub mod disc;
+pub mod climbed_ladder;
 pub mod gyrostat;
 pub mod kept_speed;
 pub mod knife_edge;
