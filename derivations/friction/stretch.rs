@@ -94,9 +94,9 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
             }
             list
         };
-        let moving = [Watched::Determinant, Watched::Uniqueness];
-        let (contacts, all) = if self.rests { (0, &moving[1..]) } else { (K, &moving[..]) };
-        (0..contacts).flat_map(of_contact).flatten().chain(all.to_vec())
+        let contacts = if self.rests { 0 } else { K };
+        let determinant = (!self.rests).then_some(Watched::Determinant);
+        (0..contacts).flat_map(of_contact).flatten().chain(determinant).chain([Watched::Uniqueness])
     }
 
     /// 1 while rest is the only motion, -1 where it is not.
