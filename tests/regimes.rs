@@ -1,10 +1,11 @@
 //! Every consistent regime of rough contacts: textbook values, exactly.
 
+use derivations::regimes::maps::{Kind, maps};
 use derivations::systems::ladder::Ladder;
 use derivations::systems::painleve_klein::Sliders;
 use derivations::systems::rod::Rod;
 use derivations::systems::slender_rod::SlenderRod;
-use field::{Circle, Over, Rational, Scalar};
+use field::{Circle, Over, Rational};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::{Contacts, Sides};
 use mechanics::regimes::cramer::Cramer;
@@ -14,6 +15,7 @@ use mechanics::regimes::{
     touches, verdict,
 };
 use num_traits::Zero;
+use std::collections::HashSet;
 
 use Direction::{Backwards, Forwards};
 
@@ -274,4 +276,17 @@ fn infinite_forces_have_no_verdict() {
     let at = State { time: 0.0, place: [0.0, 1.0, 0.0, 1.0], velocity: [0.0; 4] };
     let dry = Dry::<f64, 1>::of(&rod, &at, [f64::INFINITY, 0.0, 0.0, 0.0]).expect("one constraint");
     assert_eq!(verdict(&dry, &[Touch::Rest]), Verdict::Undefined);
+}
+
+#[test]
+fn decisions_alone_find_the_critical_curves() {
+    let mut shown = HashSet::new();
+    for map in maps() {
+        assert!(map.distance < 1e-9, "{}: {:.1e}", map.title, map.distance);
+        let (_, least, name) = map.least;
+        let lowest = map.curve.iter().map(|(_, f)| *f).fold(f64::INFINITY, f64::min);
+        assert!(lowest >= least && lowest < 1.001 * least, "{name}: {lowest}");
+        shown.extend(map.rows.into_iter().flatten().map(Kind::name));
+    }
+    assert_eq!(shown.len(), Kind::ALL.len(), "{shown:?}");
 }

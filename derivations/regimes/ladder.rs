@@ -1,6 +1,7 @@
 //! The ladder: for which friction is its motion determined?
 
 use super::alphabet::{angle, letter};
+use super::critical;
 use crate::systems::ladder::Ladder;
 use claims::{Condition, Line, Page, Point};
 use field::{Circle, Rational, Scalar};
@@ -61,7 +62,7 @@ fn minors(page: &mut Page) {
     page.claim("ladder-minors", "single", r"with friction just at $f_* = (1+\kappa\sin^2\alpha)/(\kappa\sin\alpha\cos\alpha)$ of the floor alone; $f_*^2 - 4(\kappa+1)/\kappa^2$ is a square, so below $2\sqrt{\kappa+1}/\kappa$ the first two minors are positive at every angle, and above it not (the wall's is the same with $\alpha$ and $\pi/2-\alpha$ exchanged)")
         .under(&circle)
         .follows([Equal(
-            ((one + kappa * s.powi(2)) / (kappa * s * c)).powi(2) - Sym::int(4) * (kappa + one) / kappa.powi(2),
+            critical::rod(kappa, Circle { cos: s, sin: c }).powi(2) - Sym::int(4) * (kappa + one) / kappa.powi(2),
             (((kappa + one) * s.powi(2) - c.powi(2)) / (kappa * s * c)).powi(2),
         )]);
 }

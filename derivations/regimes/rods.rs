@@ -1,6 +1,7 @@
 //! A rod with one rough contact: the critical friction and its minimum.
 
 use super::alphabet::{angle, letter};
+use super::critical;
 use crate::systems::rod::Rod;
 use crate::systems::slender_rod::SlenderRod;
 use claims::{Condition, Line, Page};
@@ -43,7 +44,7 @@ fn painleve(page: &mut Page) {
             .holds([Line::formula(slip_determinant(&rod, place, direction), letter(name), printed)]);
     }
     // f_* and k = m/m1
-    let critical = (k + c.powi(2)) / (s * c);
+    let critical = critical::two_masses(k, theta);
     let vanishing = slip_determinant(&Rod { friction: critical, guided: k * m1, ..rod }, place, Forwards);
     page.claim(
         "painleve-rod",
@@ -70,11 +71,6 @@ fn standing(theta: Circle<Sym>) -> [Sym; 4] {
     [x + l * theta.cos, l * theta.sin, theta.cos, theta.sin]
 }
 
-/// (1 + kappa cos^2) / (kappa sin cos)
-fn critical(kappa: Sym, Circle { cos, sin }: Circle<Sym>) -> Sym {
-    (Sym::int(1) + kappa * cos.powi(2)) / (kappa * sin * cos)
-}
-
 fn rod(page: &mut Page) {
     let [m, f, kappa] = ["m", "f", "kappa"].map(letter);
     let (theta, circle) = angle("c", "s");
@@ -85,7 +81,7 @@ fn rod(page: &mut Page) {
             .under(&circle)
             .holds([Line::formula(slip_determinant(&with_inertia(kappa, f), standing(theta), direction), letter(name), printed)]);
     }
-    let vanishing = slip_determinant(&with_inertia(kappa, critical(kappa, theta)), standing(theta), Backwards);
+    let vanishing = slip_determinant(&with_inertia(kappa, critical::rod(kappa, theta)), standing(theta), Backwards);
     page.claim(
         "rod",
         "critical",
@@ -94,7 +90,7 @@ fn rod(page: &mut Page) {
     .under(&circle)
     .given([NonZero(s), NonZero(c), NonZero(kappa)])
     .follows([Equal(vanishing, Sym::ZERO)]);
-    let square = critical(kappa, theta).powi(2) - Sym::int(4) * (kappa + Sym::int(1)) / kappa.powi(2);
+    let square = critical::rod(kappa, theta).powi(2) - Sym::int(4) * (kappa + Sym::int(1)) / kappa.powi(2);
     let room = ((kappa + Sym::int(1)) * c.powi(2) - s.powi(2)) / (kappa * s * c);
     page.claim("rod", "minimum", r"$f_*^2 - 4(\kappa+1)/\kappa^2$ is a square: the least critical friction is $2\sqrt{\kappa+1}/\kappa$, at $\tan^2\theta = \kappa+1$ and nowhere else")
         .under(&circle)
