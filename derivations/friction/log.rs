@@ -91,6 +91,7 @@ impl Cause {
             Watched::Gap(k) => format!("the gap at {} closes (velocity {rate:.6})", names[*k]),
             Watched::Determinant => format!("the determinant of the regime {verb}"),
             Watched::Uniqueness => "the regime is no longer the only motion".into(),
+            Watched::Rest => "the limits of friction no longer allow rest".into(),
         }
     }
 }

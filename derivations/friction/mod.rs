@@ -8,13 +8,16 @@
 //! * [`stretch`]: the right-hand side of a regime, and the signals that end it;
 //! * [`settle`]: the state of an event made to satisfy the constraints and the contacts that stay closed;
 //! * [`choose`]: the regime that goes on from a state, ties decided by the rates of their margins;
-//! * [`run`](mod@run): stretch after stretch; [`log`]: what happened and why.
+//! * [`run`](mod@run): stretch after stretch; [`log`]: what happened and why;
+//! * [`scene`]: systems with contacts from files.
 
 pub mod choose;
 pub mod log;
 pub mod run;
+pub mod scene;
 pub mod settle;
 pub mod stretch;
 
 pub use log::{Cause, Ending, Entry};
 pub use run::{Run, run};
+pub use scene::{ForRough, Rough, RoughScene};

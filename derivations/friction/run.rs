@@ -115,7 +115,8 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
             let (speed, load) = (self.speed, self.load);
             let stretch_of = |regime| Stretch { system, regime, rough, rests: false, orientation: 1.0, speed, load };
             let last = self.run.entries.last().map(|entry| entry.regime);
-            let ceased = last.filter(|_| matches!(cause, Cause::Signal { watched: Watched::Uniqueness, .. }));
+            let ceased =
+                last.filter(|_| matches!(cause, Cause::Signal { watched: Watched::Uniqueness | Watched::Rest, .. }));
             let found = match choose(system, &self.at, &touch, ceased, stretch_of) {
                 Ok(found) => found,
                 Err(Ending::Tie) if ceased.is_some() => return Ending::Critical,
@@ -227,7 +228,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
                 }
                 closed[k] = true;
             }
-            Watched::Condition(..) | Watched::Uniqueness => {}
+            Watched::Condition(..) | Watched::Uniqueness | Watched::Rest => {}
         }
         let held = std::array::from_fn(|k| Held { closed: closed[k], at_rest: at_rest[k] });
         let (settled, moved) = settle(self.system, &self.at, held);

@@ -37,6 +37,8 @@ pub enum Watched {
     Determinant,
     /// 1 while the regime is the only motion, -1 where it is not.
     Uniqueness,
+    /// 1 while rest is the only motion, -1 where it is not.
+    Rest,
 }
 
 /// At most so many signals a contact: three conditions and the sliding, or the gap alone.
@@ -94,9 +96,11 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
             }
             list
         };
-        let contacts = if self.rests { 0 } else { K };
-        let determinant = (!self.rests).then_some(Watched::Determinant);
-        (0..contacts).flat_map(of_contact).flatten().chain(determinant).chain([Watched::Uniqueness])
+        let (contacts, all): (_, &[_]) = match self.rests {
+            true => (0, &[Watched::Rest]),
+            false => (K, &[Watched::Determinant, Watched::Uniqueness]),
+        };
+        (0..contacts).flat_map(of_contact).flatten().chain(all.iter().copied())
     }
 
     /// 1 while rest is the only motion, -1 where it is not.
@@ -139,7 +143,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
                 }
                 Watched::Gap(k) => (motions[k][0].value, 1.0),
                 Watched::Determinant => (cramer.determinant * Tangent::fixed(self.orientation), 0.0),
-                Watched::Uniqueness => {
+                Watched::Uniqueness | Watched::Rest => {
                     let dry = at_rest(&seen.dry);
                     let unique = matches!(verdict(&dry, &self.touches(open)), Verdict::Unique(_));
                     (Tangent::fixed(if unique { 1.0 } else { -1.0 }), 0.0)

@@ -71,15 +71,16 @@ pub fn maps() -> Vec<Map> {
             "angle from the line to the rod, degrees",
             |angle, f| {
                 let data = Rod { guided: 1.0, free: 1.0, length: 1.0, gravity: 1.0, friction: f, sides: Sides::One };
-                // above the line, which is y < 0 there; turning so that l theta'^2 = 4 g
+                // above the line, which is y < 0 there
+                let spin = 2.4_f64.sqrt();
                 let place = [0.0, 0.0, angle.cos, -angle.sin];
-                let velocity = [-1.0, 0.0, -1.0 + 2.0 * angle.sin, 2.0 * angle.cos];
+                let velocity = [-1.0, 0.0, -1.0 + spin * angle.sin, spin * angle.cos];
                 kind::<_, 1>(&data, place, velocity)
             },
             |angle| two_masses(1.0, angle),
             f64::INFINITY,
             (2.0_f64.sqrt().atan(), 8.0_f64.sqrt(), "tan² = 2, f = 2√2"),
-            "Turning with $l\\dot\\theta^2 = 4g$: where the rotation lifts the contact, at $\\sin\\theta > 1/2$, there are \
+            "Turning with $l\\dot\\theta^2 = 2.4g$: where the rotation lifts the contact, at $\\sin\\theta > 5/6$, there are \
              two motions beyond the curve, elsewhere none. The exact curve is $(k+\\cos^2\\theta)/(\\sin\\theta\\cos\\theta)$ with $k = 1$.",
         ),
         map(
@@ -87,14 +88,14 @@ pub fn maps() -> Vec<Map> {
             "angle from the line to the rod, degrees",
             |angle, f| {
                 let data = SlenderRod { mass: 1.0, inertia: 1.0 / 3.0, half_length: 1.0, gravity: 1.0, friction: f };
-                let spin = 2.0_f64.sqrt();
+                let spin = 1.2_f64.sqrt();
                 let (c, s) = (angle.cos, angle.sin);
                 kind::<_, 1>(&data, [c, s, c, s], [-1.0 - spin * s, spin * c, -spin * s, spin * c])
             },
             |angle| rod(3.0, angle),
             f64::INFINITY,
             (2.0_f64.atan(), 4.0 / 3.0, "tan = 2, f = 4/3"),
-            "Turning with $l\\dot\\theta^2 = 2g$. The exact curve is $(1+3\\cos^2\\theta)/(3\\sin\\theta\\cos\\theta)$.",
+            "Turning with $l\\dot\\theta^2 = 1.2g$. The exact curve is $(1+3\\cos^2\\theta)/(3\\sin\\theta\\cos\\theta)$.",
         ),
         map(
             "Uniform ladder between wall and floor, sliding down",
@@ -103,9 +104,9 @@ pub fn maps() -> Vec<Map> {
             |Circle { cos, sin }| rod(3.0, Circle { cos: sin, sin: cos }).min(2.0_f64.sqrt()),
             1.4142,
             (0.5_f64.atan(), 4.0 / 3.0, "tan = 1/2, f = 4/3"),
-            "Equal friction, turning with $l\\dot\\alpha^2 = 2g$. The exact curve is the floor's own, \
+            "Equal friction, turning with $l\\dot\\alpha^2 = 0.3g$. The exact curve is the floor's own, \
              $(1+3\\sin^2\\alpha)/(3\\sin\\alpha\\cos\\alpha)$, where it is below $\\sqrt2$, and $\\sqrt2$, where both contacts \
-             together become singular.",
+             together become singular. Below it every load leaves one motion, above it this one may.",
         ),
         map(
             "Uniform ladder between wall and floor, sliding up",

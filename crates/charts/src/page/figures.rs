@@ -39,8 +39,12 @@ pub(super) fn friction(report: &Report, set: &mut Typesetter) -> Markup {
         @if !report.friction.is_empty() {
             section #friction {
                 h2 { "Friction" }
-                @for areas in &report.friction {
-                    (figure(&areas.title, areas.drawing().embedded(&areas.title), &areas.note, set))
+                @for two in report.friction.chunks(2) {
+                    div.pair {
+                        @for areas in two {
+                            (figure(&areas.title, areas.drawing().embedded(&areas.title), &areas.note, set))
+                        }
+                    }
                 }
             }
         }
