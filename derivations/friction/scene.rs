@@ -4,7 +4,7 @@ use super::log::Names;
 use super::run::Plan;
 use crate::scene::issue::{Issue, SceneError};
 use crate::scene::read::{At, Table};
-use crate::scene::{read_file, run::check_tolerance};
+use crate::scene::{read_file, read_text, run::check_tolerance};
 use crate::systems::climbed_ladder::ClimbedLadder;
 use crate::systems::ladder::Ladder;
 use crate::systems::rod::Rod;
@@ -13,6 +13,7 @@ use crate::systems::steered_rod::SteeredRod;
 use integrators::Tolerance;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::{Contacts, Sides};
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
 /// A system with contacts.
@@ -78,7 +79,15 @@ impl RoughScene {
         read_file(path, Self::read)
     }
 
-    pub(crate) fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
+    /// Reads a text; `name` is what messages call it.
+    ///
+    /// # Errors
+    /// All that is wrong with it, each at its place.
+    pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
+        read_text(name, text, Self::read)
+    }
+
+    fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
         let title = top.text("title", "one line that says what happens").value;
         top.known(&["description"]);
         let name = top.text("system", "name of what moves");
@@ -92,8 +101,13 @@ impl RoughScene {
         let gravity = positive(top, "gravity", "acceleration of gravity", "m/s^2");
         let system = body(top, issues, &name.value, gravity);
         let mut start = top.table("start", "the initial state");
-        let angle = start.scalar("angle", "angle from the wall to a ladder, from the line to a rod", "rad").value;
+        let angle = start.scalar("angle", "angle from the wall to a ladder, from the line to a rod", "rad");
         let is_ladder = name.value.ends_with("ladder");
+        let (most, accepted) = match is_ladder {
+            true => (FRAC_PI_2, "an angle from 0 to 90 degrees is accepted"),
+            false => (PI, "an angle from 0 to 180 degrees is accepted"),
+        };
+        bounded(&mut start, "angle", &angle, (0.0..=most).contains(&angle.value), accepted);
         let spin = match name.value.as_str() {
             "steered_rod" => 0.0,
             _ => start.scalar("angular_velocity", "rate of the angle", "rad/s").value,
@@ -114,7 +128,14 @@ impl RoughScene {
         issues.extend(run.finish());
         let system = system.filter(|_| sound)?;
         let tolerance = Tolerance::both(tolerance.map_or(1e-14, |tolerance| tolerance.value));
-        Some(RoughScene { title, system, angle, spin, slide, plan: Plan { tolerance, ..Plan::until(span) } })
+        Some(RoughScene {
+            title,
+            system,
+            angle: angle.value,
+            spin,
+            slide,
+            plan: Plan { tolerance, ..Plan::until(span) },
+        })
     }
 
     /// The system with its type, its initial state and the names of its contacts.

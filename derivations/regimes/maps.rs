@@ -8,7 +8,7 @@ use field::Circle;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::{Contacts, Sides};
 use mechanics::regimes::{Dry, Mode, Sizes, Verdict, touches, verdict};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 /// What a state admits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,7 +79,7 @@ pub fn maps() -> Vec<Map> {
             },
             |angle| two_masses(1.0, angle),
             f64::INFINITY,
-            (2.0_f64.sqrt().atan(), 8.0_f64.sqrt(), "tan² = 2, f = 2√2"),
+            (SQRT_2.atan(), 8.0_f64.sqrt(), "tan² = 2, f = 2√2"),
             "Turning with $l\\dot\\theta^2 = 2.4g$: where the rotation lifts the contact, at $\\sin\\theta > 5/6$, there are \
              two motions beyond the curve, elsewhere none. The exact curve is $(k+\\cos^2\\theta)/(\\sin\\theta\\cos\\theta)$ with $k = 1$.",
         ),
@@ -101,8 +101,8 @@ pub fn maps() -> Vec<Map> {
             "Uniform ladder between wall and floor, sliding down",
             "angle from the wall to the ladder, degrees",
             |angle, f| ladder(angle, f, 0.3_f64.sqrt()),
-            |Circle { cos, sin }| rod(3.0, Circle { cos: sin, sin: cos }).min(2.0_f64.sqrt()),
-            1.4142,
+            |Circle { cos, sin }| rod(3.0, Circle { cos: sin, sin: cos }).min(SQRT_2),
+            SQRT_2,
             (0.5_f64.atan(), 4.0 / 3.0, "tan = 1/2, f = 4/3"),
             "Equal friction, turning with $l\\dot\\alpha^2 = 0.3g$. The exact curve is the floor's own, \
              $(1+3\\sin^2\\alpha)/(3\\sin\\alpha\\cos\\alpha)$, where it is below $\\sqrt2$, and $\\sqrt2$, where both contacts \
@@ -111,9 +111,9 @@ pub fn maps() -> Vec<Map> {
         map(
             "Uniform ladder between wall and floor, sliding up",
             "angle from the wall to the ladder, degrees",
-            |angle, f| ladder(angle, f, -2.0_f64.sqrt()),
-            |angle| rod(3.0, angle).min(2.0_f64.sqrt()),
-            1.4142,
+            |angle, f| ladder(angle, f, -SQRT_2),
+            |angle| rod(3.0, angle).min(SQRT_2),
+            SQRT_2,
             (2.0_f64.atan(), 4.0 / 3.0, "tan = 2, f = 4/3"),
             "Equal friction, turning with $l\\dot\\alpha^2 = 2g$. The exact curve is the wall's own, the floor's with $\\alpha$ \
              and $90^\\circ-\\alpha$ exchanged, and $\\sqrt2$ as before.",

@@ -1,11 +1,11 @@
 //! When motion with friction is determined: the workbench's own page on contacts under Coulomb's law.
 //!
 //! # Overview
-//! * [`contact`]: one rough contact of any system, moving and at rest;
-//! * [`rods`]: Painleve's rod and the rod of any moment of inertia: critical friction and its minimum;
-//! * [`sliders`]: two masses on guides;
-//! * [`ladder`]: two contacts, and for which friction the ladder is well posed;
-//! * [`maps`]: the verdicts over angle and friction, beside the critical curves of [`critical`].
+//! * `contact`: one rough contact of any system, moving and at rest;
+//! * `rods`: Painleve's rod and the rod of any moment of inertia: critical friction and its minimum;
+//! * `sliders`: two masses on guides;
+//! * `ladder`: two contacts, and for which friction the ladder is well posed;
+//! * [`maps`]: the verdicts over angle and friction, beside the critical curves of `critical`.
 //!
 //! The left side of every claim is [`mechanics::regimes`] run over expressions: the free accelerations and the response
 //! of the system at hand, and Cramer's rule for the regime. The right side is written down for a reader.

@@ -130,7 +130,8 @@ pub(crate) fn read_file<T>(path: &Path, read: Reader<T>) -> Result<T, SceneError
     read_text(&name, &text, read)
 }
 
-fn read_text<T>(name: &str, text: &str, read: Reader<T>) -> Result<T, SceneError> {
+/// Reads a text; `name` is what messages call it.
+pub(crate) fn read_text<T>(name: &str, text: &str, read: Reader<T>) -> Result<T, SceneError> {
     if text.trim().is_empty() {
         return Err(SceneError::whole(name, "this file is empty", "the folder `scenes` holds examples"));
     }

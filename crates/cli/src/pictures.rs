@@ -168,20 +168,6 @@ fn quantity(name: &str) -> String {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn curves_far_apart_that_hardly_move_are_shown_as_changes() {
-        let track = |values: [f64; 2]| Track { points: vec![(0.0, values[0]), (1.0, values[1])], ..Track::default() };
-        let panel = |series| small(Panel { y: "speed".into(), series });
-        assert_eq!(panel(vec![track([6.0, 6.01]), track([0.0, 0.02])]).y, "change of speed");
-        assert_eq!(panel(vec![track([6.0, 1.0]), track([0.0, 0.02])]).y, "speed");
-        assert_eq!(panel(vec![track([6.0, 6.01])]).y, "speed");
-    }
-}
-
 /// A map of verdicts over angle and friction.
 pub fn areas(map: Map) -> Areas {
     let place = |kind: &Kind| Kind::ALL.iter().position(|known| known == kind).unwrap_or(0);
@@ -196,5 +182,19 @@ pub fn areas(map: Map) -> Areas {
         curves: vec![AreaCurve { name: "critical friction, exact".into(), points: map.curve }],
         marks: vec![(at, least, name.into())],
         note: format!("{} The boundary found by decisions alone is within {distance} of it.", map.note),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn curves_far_apart_that_hardly_move_are_shown_as_changes() {
+        let track = |values: [f64; 2]| Track { points: vec![(0.0, values[0]), (1.0, values[1])], ..Track::default() };
+        let panel = |series| small(Panel { y: "speed".into(), series });
+        assert_eq!(panel(vec![track([6.0, 6.01]), track([0.0, 0.02])]).y, "change of speed");
+        assert_eq!(panel(vec![track([6.0, 1.0]), track([0.0, 0.02])]).y, "speed");
+        assert_eq!(panel(vec![track([6.0, 6.01])]).y, "speed");
     }
 }

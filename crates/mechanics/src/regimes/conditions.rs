@@ -88,12 +88,15 @@ pub fn equations<S: Scalar, const K: usize>(dry: &Dry<S, K>, regime: &[Mode; K])
     })
 }
 
-/// What a regime requires of each contact, at most three conditions.
+/// At most three conditions of each contact, with their margins.
+pub type Conditions<S, const K: usize> = [[Option<(Condition, Form<S, K>)>; 3]; K];
+
+/// What a regime requires of each contact.
 pub fn conditions<S: Scalar, const K: usize>(
     dry: &Dry<S, K>,
     touches: &[Touch; K],
     regime: &[Mode; K],
-) -> [[Option<(Condition, Form<S, K>)>; 3]; K] {
+) -> Conditions<S, K> {
     std::array::from_fn(|k| match regime[k] {
         Mode::Apart if touches[k] == Touch::Open => [None; 3],
         Mode::Apart => [Some((Condition::Separates, dry.acceleration(k, 0))), None, None],

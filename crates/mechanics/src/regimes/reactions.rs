@@ -5,8 +5,9 @@
 //! tight until the equations have one solution. A regular regime has one candidate; a singular one may admit none, one
 //! motion with many reactions (a body held by more supports than it needs), or a continuum of motions.
 
+use super::conditions::Conditions;
 use super::dry::Pairs;
-use super::{Condition, Dry, Form, Mode, Ordered, Touch, conditions, equations};
+use super::{Dry, Form, Mode, Ordered, Touch, conditions, equations};
 use std::cmp::Ordering;
 
 /// The reactions that a regime admits.
@@ -24,8 +25,6 @@ pub enum Reactions<S, const K: usize> {
     /// Motions without end, here are the reactions of one.
     Continuum(Pairs<S, K>),
 }
-
-type Conditions<S, const K: usize> = [[Option<(Condition, Form<S, K>)>; 3]; K];
 
 /// What a regime admits.
 pub fn reactions<S: Ordered, const K: usize>(
