@@ -11,7 +11,7 @@ use mechanics::constrained::contacts::{Contacts, Sides};
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::mode::modes;
 use mechanics::regimes::{
-    Condition, Direction, Dry, Face, Found, Mode, Ordered, Sizes, Touch, Unfit, Verdict, conditions, consistent,
+    Condition, Direction, Dry, Face, Found, Mode, Ordered, Seen, Sizes, Touch, Unfit, Verdict, conditions, consistent,
     touches, verdict,
 };
 use num_traits::Zero;
@@ -289,4 +289,45 @@ fn decisions_alone_find_the_critical_curves() {
         shown.extend(map.rows.into_iter().flatten().map(Kind::name));
     }
     assert_eq!(shown.len(), Kind::ALL.len(), "{shown:?}");
+}
+
+#[test]
+fn a_ladder_at_rest_may_stay_or_slide_up_under_one_load() {
+    // f = 1/2 and tan alpha = 12/5 > 1/f; the reactions of the claim regimes/ladder-rest/ambiguous with epsilon = 1
+    let (f, at) = (q(1, 2), leaning(Circle { cos: q(5, 13), sin: q(12, 13) }, q(0, 1)));
+    let system = ladder(f);
+    let (wall, floor, against) = (q(100, 1) + q(263, 39), q(100, 1) + q(191, 78), q(91, 12));
+    let reactions = [[wall, -f * wall], [floor, f * (floor - against) - f * against]];
+    let zero = [q(0, 1); 4];
+    let seen = Seen::<_, 4, 2>::of(&system, &at, zero).expect("one constraint");
+    let mut load = zero;
+    for (reaction, direction) in reactions.as_flattened().iter().zip(seen.directions.as_flattened()) {
+        (0..4).for_each(|i| load[i] -= *reaction * direction[i]);
+    }
+    let dry = Dry::of(&system, &at, load).expect("one constraint");
+    let mut found = Vec::new();
+    consistent(&dry, &[Touch::Rest; 2], |regime| found.push((regime.regime, regime.motion[0][1])));
+    // at the floor's limit the same rest has other names
+    found.dedup_by_key(|(_, motion)| *motion);
+    let up = [Mode::Slip(Forwards, Face::Front), Mode::Slip(Backwards, Face::Front)];
+    assert_eq!(found, [([Mode::Stick(Face::Front); 2], q(0, 1)), (up, q(24, 13))]);
+}
+
+#[test]
+fn the_ladders_own_weight_leaves_no_motion_or_two_beyond_four_thirds() {
+    let angle = Circle { cos: q(15, 17), sin: q(8, 17) };
+    for (friction, slow, fast) in [(q(27, 20), "none", "several"), (q(13, 10), "unique", "unique")] {
+        let verdict = |spin| name(&decide(&ladder(friction), &leaning(angle, spin))).0;
+        assert_eq!([verdict(q(1, 10)), verdict(q(5, 1))], [slow, fast], "f = {friction}");
+    }
+}
+
+#[test]
+fn at_rest_its_own_weight_leaves_the_ladder_one_motion() {
+    for angle in (1..40).map(|k| Circle::from_half_tangent(q(k, 41))) {
+        for friction in (0..12).map(|k| q(k, 4)) {
+            let found = decide(&ladder(friction), &leaning(angle, q(0, 1)));
+            assert_eq!(name(&found).0, "unique", "f = {friction} at {angle:?}");
+        }
+    }
 }
