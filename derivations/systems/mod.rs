@@ -1,7 +1,7 @@
 //! Mechanical systems.
 
-pub mod disc;
 pub mod climbed_ladder;
+pub mod disc;
 pub mod gyrostat;
 pub mod kept_speed;
 pub mod knife_edge;
