@@ -11,7 +11,7 @@
 //! * [`conditions`](mod@conditions): the equations and the inequalities of a regime;
 //! * [`cramer`]: reactions and margins as quotients of polynomials, over any field: for proofs and right-hand sides;
 //! * [`reactions`]: all reactions that a regime admits, a polyhedron, also where its equations are singular;
-//! * [`verdict`]: unique, none, several, or a continuum.
+//! * [`verdict`](mod@verdict): unique, none, several, or a continuum.
 //!
 //! # What is counted
 //! Motions, not names. Sticking with friction at its limit and slipping with no acceleration are one motion; so are
