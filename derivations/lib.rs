@@ -8,11 +8,15 @@
 //! * [`recorded`]: a system with its laws as straight-line code;
 //! * [`scene`]: a system with a machine, data and an initial state, from a file;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
+//! * [`friction`]: motion with friction across its events;
+//! * [`regimes`]: when motion with friction is determined, as a page of claims;
 
 pub mod derive;
+pub mod friction;
 pub mod machines;
 pub mod papers;
 pub mod principles;
 pub mod recorded;
+pub mod regimes;
 pub mod scene;
 pub mod systems;

@@ -1,11 +1,16 @@
 //! The right-hand side allocates nothing: for every machine, with one bar or with forty, over every field that runs.
 
+use derivations::friction::stretch::Stretch;
 use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, Source};
 use derivations::papers::konosevich2022::gyrostats;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;
+use derivations::systems::ladder::Ladder;
 use field::{Analytic, DoubleDouble, Over};
-use integrators::Directions;
+use integrators::{Directions, Ode, Signal, Switches};
+use mechanics::constrained::State;
+use mechanics::constrained::System as _;
+use mechanics::regimes::{Direction, Dry, Face, Mode, Sizes, Touch, Verdict, touches, verdict};
 use physical::rounded;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -90,4 +95,41 @@ fn the_right_hand_side_allocates_nothing() {
             assert_eq!(machine.apply(Evaluate(g.second_form().0)), 0, "{name} with {bars} bars, second form");
         }
     }
+}
+
+/// The uniform ladder on wall and floor, with the direction from which it is seen.
+fn ladder() -> (Ladder<f64>, State<f64, 4>) {
+    let ladder = Ladder { mass: 1.0, inertia: 1.0 / 3.0, half_length: 1.0, gravity: 9.81, friction: [0.3; 2] };
+    (ladder, State { time: 0.0, place: [0.6, 0.8, 0.8, 0.6], velocity: [0.0; 4] })
+}
+
+#[test]
+fn a_verdict_allocates_nothing_be_it_moving_at_rest_or_undetermined() {
+    let (ladder, rest) = ladder();
+    let moving = State { velocity: [0.8, -0.6, -0.6, 0.8], ..rest };
+    for at in [rest, moving] {
+        let count = allocations(|| {
+            let dry = Dry::<f64, 2>::of(&ladder, &at, ladder.force(&at)).expect("one constraint");
+            let touch: [Touch; 2] = touches(&ladder, &at, Sizes::of(&at)).expect("on wall and floor");
+            assert!(matches!(verdict(&dry, &touch), Verdict::Unique(_)));
+        });
+        assert_eq!(count, 0);
+    }
+}
+
+#[test]
+fn sliding_allocates_nothing() {
+    let (ladder, at) = ladder();
+    let regime = [Mode::Slip(Direction::Backwards, Face::Front), Mode::Slip(Direction::Forwards, Face::Front)];
+    let (rough, load) = ([true; 2], 9.81);
+    let stretch = Stretch { system: &ladder, regime, rough, rests: false, orientation: 1.0, speed: 1.0, load };
+    let mut y = [0.0; 10];
+    y[..4].copy_from_slice(&at.place);
+    let (mut dy, mut signals) = ([0.0; 10], vec![Signal::default(); stretch.count()]);
+    let count = allocations(|| {
+        stretch.rates(0.0, &y, &mut dy);
+        stretch.signals(0.0, &y, &mut signals);
+    });
+    assert_eq!(count, 0);
+    assert!(dy[7] != 0.0 && signals[0].value > 0.0);
 }

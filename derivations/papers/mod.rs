@@ -22,8 +22,9 @@ pub struct Paper {
     pub page: fn() -> Page,
 }
 
-/// Every paper, and the workbench's own page.
-pub const ALL: &[Paper] = &[konosevich2022::PAPER, manglieva2022::PAPER, crate::principles::PAPER];
+/// Every paper, and the workbench's own pages.
+pub const ALL: &[Paper] =
+    &[konosevich2022::PAPER, manglieva2022::PAPER, crate::principles::PAPER, crate::regimes::PAPER];
 
 /// Every paper's page, made in the calling thread.
 pub fn pages() -> Vec<Page> {

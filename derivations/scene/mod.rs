@@ -32,6 +32,7 @@ pub use simulate::{Choice, Trajectory};
 pub use start::Start;
 pub use state::Axes;
 
+use crate::friction::{Rough, RoughScene};
 use crate::machines::AnyMachine;
 use crate::systems::gyrostat::Gyrostat;
 use read::Table;
@@ -72,35 +73,12 @@ impl System {
 impl Scene {
     /// Reads a file.
     pub fn open(path: &Path) -> Result<Self, SceneError> {
-        let name = path.display().to_string();
-        let needed = "a TOML file that describes a scene is accepted; the folder `scenes` holds examples";
-        if path.is_dir() {
-            return Err(SceneError::whole(&name, "this is a folder", needed));
-        }
-        let bytes = std::fs::read(path).map_err(|error| SceneError::whole(&name, unreadable(&error), needed))?;
-        let text = String::from_utf8(bytes)
-            .map_err(|error| SceneError::whole(&name, format!("this is no text: {}", error.utf8_error()), needed))?;
-        Self::parse(&name, &text)
+        read_file(path, Self::read)
     }
 
     /// Reads a text; `name` is what messages call it.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
-        if text.trim().is_empty() {
-            return Err(SceneError::whole(name, "this file is empty", "the folder `scenes` holds examples"));
-        }
-        let (entries, errors) = toml::de::DeTable::parse_recoverable(text);
-        let mut issues: Vec<Issue> = errors.iter().map(of_syntax).collect();
-        let mut scene = None;
-        if issues.is_empty() {
-            let mut top = Table::top(&entries);
-            scene = Self::read(&mut top, &mut issues);
-            issues.extend(top.finish());
-        }
-        issues.sort_by_key(|issue| issue.span.as_ref().map_or(0, |span| span.start));
-        match scene {
-            Some(scene) if issues.is_empty() => Ok(scene),
-            _ => Err(SceneError { path: name.to_owned(), text: text.to_owned(), issues }),
-        }
+        read_text(name, text, Self::read)
     }
 
     fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
@@ -111,6 +89,13 @@ impl Scene {
             "gyrostat" => bodies::gyrostat(top, issues).map(|bodies| System::Gyrostat(Box::new(bodies))),
             "bench" => bodies::bench(top, issues).map(|axial| System::Bench { axial }),
             "" => None,
+            rough if Rough::knows(rough) => {
+                let title = format!("`{rough}` has rough contacts and no machine");
+                let issue = Issue::at(name.span, title, "not accepted here");
+                top.report(issue.accepted("`dalembert run` and `dalembert regimes` take such a scene"));
+                top.known_all();
+                return None;
+            }
             other => {
                 let known: Vec<String> = System::LIST.iter().map(|(name, what)| format!("`{name}`: {what}")).collect();
                 let issue = Issue::at(name.span, format!("unknown system `{other}`"), "not known");
@@ -127,6 +112,68 @@ impl Scene {
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
         Some(Scene { title, description, system, machine, machine_data, start: start?, run: run? })
     }
+}
+
+/// How the top of a file becomes a scene of some kind; what is wrong goes into the list.
+type Reader<T> = fn(&mut Table<'_>, &mut Vec<Issue>) -> Option<T>;
+
+/// Reads a file.
+pub(crate) fn read_file<T>(path: &Path, read: Reader<T>) -> Result<T, SceneError> {
+    let name = path.display().to_string();
+    let needed = "a TOML file that describes a scene is accepted; the folder `scenes` holds examples";
+    if path.is_dir() {
+        return Err(SceneError::whole(&name, "this is a folder", needed));
+    }
+    let bytes = std::fs::read(path).map_err(|error| SceneError::whole(&name, unreadable(&error), needed))?;
+    let text = String::from_utf8(bytes)
+        .map_err(|error| SceneError::whole(&name, format!("this is no text: {}", error.utf8_error()), needed))?;
+    read_text(&name, &text, read)
+}
+
+/// Reads a text; `name` is what messages call it.
+pub(crate) fn read_text<T>(name: &str, text: &str, read: Reader<T>) -> Result<T, SceneError> {
+    if text.trim().is_empty() {
+        return Err(SceneError::whole(name, "this file is empty", "the folder `scenes` holds examples"));
+    }
+    let (entries, errors) = toml::de::DeTable::parse_recoverable(text);
+    let mut issues: Vec<Issue> = errors.iter().map(of_syntax).collect();
+    let mut scene = None;
+    if issues.is_empty() {
+        let mut top = Table::top(&entries);
+        scene = read(&mut top, &mut issues);
+        issues.extend(top.finish());
+    }
+    issues.sort_by_key(|issue| issue.span.as_ref().map_or(0, |span| span.start));
+    match scene {
+        Some(scene) if issues.is_empty() => Ok(scene),
+        _ => Err(SceneError { path: name.to_owned(), text: text.to_owned(), issues }),
+    }
+}
+
+/// A scene of either kind.
+#[derive(Clone, Debug)]
+pub enum AnyScene {
+    /// With a machine.
+    Driven(Box<Scene>),
+    /// With rough contacts.
+    Rough(RoughScene),
+}
+
+impl AnyScene {
+    /// Reads a file; its `system` says of which kind it is.
+    pub fn open(path: &Path) -> Result<Self, SceneError> {
+        let is_rough = std::fs::read_to_string(path).is_ok_and(|text| names_a_rough_system(&text));
+        if is_rough {
+            RoughScene::open(path).map(Self::Rough)
+        } else {
+            Scene::open(path).map(|s| Self::Driven(Box::new(s)))
+        }
+    }
+}
+
+fn names_a_rough_system(text: &str) -> bool {
+    let (entries, _) = toml::de::DeTable::parse_recoverable(text);
+    entries.get_ref().get("system").is_some_and(|value| value.get_ref().as_str().is_some_and(Rough::knows))
 }
 
 /// In the same words on every system where it matters.

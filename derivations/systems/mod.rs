@@ -1,10 +1,13 @@
 //! Mechanical systems.
 
+pub mod climbed_ladder;
 pub mod disc;
 pub mod gyrostat;
 pub mod kept_speed;
 pub mod knife_edge;
 pub mod ladder;
+pub mod painleve_klein;
 pub mod rod;
+pub mod slender_rod;
 pub mod steered_rod;
 pub mod swing;

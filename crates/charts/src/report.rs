@@ -2,7 +2,7 @@
 //!
 //! *Text* means prose that may hold LaTeX between dollar signs; *LaTeX* means one displayed formula without them.
 
-use crate::{Sphere, Timings, Trajectory, Verdict, WorkPrecision};
+use crate::{Areas, Sphere, Timings, Trajectory, Verdict, WorkPrecision};
 
 /// The whole page, in the order in which it is read.
 #[derive(Clone, Debug, Default)]
@@ -15,6 +15,8 @@ pub struct Report {
     pub papers: Vec<PaperSection>,
     pub scenes: Vec<SceneSection>,
     pub spheres: Vec<Sphere>,
+    /// Where motion with friction is determined.
+    pub friction: Vec<Areas>,
     pub timings: Vec<Timings>,
     /// What stands in place of timings where there are none: text; empty where nothing is missed.
     pub timings_missing: String,

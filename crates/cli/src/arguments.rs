@@ -45,6 +45,12 @@ pub enum Command {
     Derive(Derive),
     /// What the bodies of a scene come to: both inertia tensors, principal axes, centre of mass, weight
     Bodies(Bodies),
+    /// Every consistent regime of a scene with rough contacts at its start, with all margins
+    Regimes {
+        /// The scene, a TOML file; the folder `scenes/friction` holds examples
+        #[arg(value_name = "SCENE.toml")]
+        scene: PathBuf,
+    },
     /// Lists the scenes of a folder, each with its title
     Scenes {
         /// Where the scene files are

@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * `report`, `ledger`, `derive`, `bodies`, `run`, `chart`, `scenes`: one file for each command;
+//! * `report`, `ledger`, `derive`, `bodies`, `run`, `regimes`, `chart`, `scenes`: one file for each command;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`values`], [`timings`]: exact values and measured times for a reader;
 //! * [`ending`]: exit codes, and writing that survives a closed pipe.
@@ -16,6 +16,7 @@ mod ending;
 mod ledger;
 mod pictures;
 mod progress;
+mod regimes;
 mod report;
 mod run;
 mod scenes;
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
         Some(Command::Ledger(asked)) => ledger::list(&asked),
         Some(Command::Derive(asked)) => derive::derive(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
+        Some(Command::Regimes { scene }) => regimes::show(&scene),
         Some(Command::Scenes { folder }) => scenes::list(&folder),
     };
     ending.unwrap_or_else(|refused| refused).tell()

@@ -1,6 +1,7 @@
 //! A scene's runs as the data of pictures.
 
-use charts::{Failure, Panel, Point, Track, Work, WorkPrecision};
+use charts::{AreaCurve, Areas, Failure, Panel, Point, Track, Work, WorkPrecision, significant};
+use derivations::regimes::maps::{Kind, Map};
 use derivations::scene::state::unit;
 use derivations::scene::{Measured, Scene, Trajectory};
 use integrators::{self as run, Method};
@@ -164,6 +165,23 @@ fn quantity(name: &str) -> String {
     match unit(name) {
         "1" => kind.to_owned(),
         unit => format!("{kind}, {unit}"),
+    }
+}
+
+/// A map of verdicts over angle and friction.
+pub fn areas(map: Map) -> Areas {
+    let place = |kind: &Kind| Kind::ALL.iter().position(|known| known == kind).unwrap_or(0);
+    let (at, least, name) = map.least;
+    let distance = significant(map.distance, 1);
+    Areas {
+        title: map.title.into(),
+        x: (map.angle.into(), [0.0, 90.0]),
+        y: ("coefficient of friction f".into(), [0.0, map.most_friction]),
+        kinds: Kind::ALL.iter().map(|kind| kind.name().into()).collect(),
+        rows: map.rows.iter().map(|row| row.iter().map(place).collect()).collect(),
+        curves: vec![AreaCurve { name: "critical friction, exact".into(), points: map.curve }],
+        marks: vec![(at, least, name.into())],
+        note: format!("{} The boundary found by decisions alone is within {distance} of it.", map.note),
     }
 }
 

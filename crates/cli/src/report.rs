@@ -39,6 +39,7 @@ pub fn write(path: &Path, scenes: &[PathBuf], mut report: Report) -> Result<Endi
         report.scenes.push(section);
     }
     drop(progress);
+    report.friction = derivations::regimes::maps::maps().into_iter().map(pictures::areas).collect();
     report.spheres = sphere::all(scenes.iter().map(|(_, scene)| scene));
     match timings::read(&folder) {
         Ok(timings) => report.timings = vec![timings],

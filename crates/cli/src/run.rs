@@ -4,8 +4,9 @@ use crate::arguments::{Format, Run};
 use crate::csv;
 use crate::ending::{Ending, print};
 use crate::progress::Progress;
+use crate::regimes;
 use crate::summary::Summary;
-use derivations::scene::{Choice, NoModel, Scene};
+use derivations::scene::{AnyScene, Choice, NoModel, Scene};
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::Path;
@@ -13,7 +14,11 @@ use std::time::Duration;
 
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
 pub fn run(asked: &Run) -> Result<Ending, Ending> {
-    let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
+    let scene = match AnyScene::open(&asked.scene)? {
+        AnyScene::Driven(scene) => *scene,
+        AnyScene::Rough(scene) => return regimes::run(&scene, asked),
+    };
+    let scene = with_model(scene, asked.model.as_deref(), &asked.scene)?;
     let choice = choice(&scene, asked);
     // before the work, so that a wrong name does not cost it
     let table = match &asked.out {

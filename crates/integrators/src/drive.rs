@@ -2,7 +2,7 @@
 
 use crate::meter::Meter;
 use crate::watch::Watch;
-use crate::{End, Failure, Outcome, Real, Tolerance};
+use crate::{Failure, Outcome, Real, Tolerance};
 
 /// What became of an attempted step, and how long the next should be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +59,7 @@ pub(crate) fn drive<S: Real>(
 ) -> Outcome<S> {
     let (mut before, mut after) = (watch.state().to_vec(), watch.state().to_vec());
     let (mut tau, mut proposed, mut last_cause) = (S::zero(), first, Cause::Error);
-    while tau < watch.length() {
+    while watch.goes_on() {
         let stop = if stepper.reads_between() { watch.length() } else { watch.stop() };
         let remaining = stop - tau;
         let step = match stepper.fixed() {
@@ -103,7 +103,8 @@ pub(crate) fn drive<S: Real>(
             }
         }
     }
-    watch.finish(End::Reached, meter)
+    let end = watch.end();
+    watch.finish(end, meter)
 }
 
 /// The proposed step, or what remains, or half of it rather than leaving a sliver.

@@ -26,6 +26,7 @@ mod adaptors;
 mod classical;
 mod collocation;
 mod drive;
+mod events;
 mod failure;
 mod gragg;
 mod implicit;
@@ -48,6 +49,7 @@ mod watch;
 mod work_precision;
 
 pub use collocation::{Collocation, Family};
+pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use failure::{Failure, Refusal};
 pub use integrate::{integrate, integrate_in};
 pub use jacobian::Jacobian;

@@ -10,6 +10,11 @@ pub trait Observer<S> {
 
     /// The fraction of the span that is done, after every accepted step.
     fn progress(&mut self, _fraction: f64) {}
+
+    /// Whether it has seen enough: the run then halts after the step that it was just shown.
+    fn enough(&self) -> bool {
+        false
+    }
 }
 
 /// Watches nothing.
@@ -71,6 +76,10 @@ impl<S, A: Observer<S>, B: Observer<S>> Observer<S> for (A, B) {
         self.0.progress(fraction);
         self.1.progress(fraction);
     }
+
+    fn enough(&self) -> bool {
+        self.0.enough() || self.1.enough()
+    }
 }
 
 impl<S, T: Observer<S> + ?Sized> Observer<S> for &mut T {
@@ -84,5 +93,9 @@ impl<S, T: Observer<S> + ?Sized> Observer<S> for &mut T {
 
     fn progress(&mut self, fraction: f64) {
         (**self).progress(fraction);
+    }
+
+    fn enough(&self) -> bool {
+        (**self).enough()
     }
 }

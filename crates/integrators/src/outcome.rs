@@ -9,6 +9,8 @@ use crate::Failure;
 pub enum End {
     /// At the end of the span, with a finite state.
     Reached,
+    /// Where the observer had seen enough.
+    Halted,
     /// Before it, for this reason.
     Stopped(Failure),
 }
@@ -57,7 +59,7 @@ impl<S> Outcome<S> {
     /// The reason for which the run stopped, if it did.
     pub fn failure(&self) -> Option<Failure> {
         match self.end {
-            End::Reached => None,
+            End::Reached | End::Halted => None,
             End::Stopped(failure) => Some(failure),
         }
     }

@@ -53,6 +53,16 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         self.length
     }
 
+    /// Whether there is a way to go and the observer wants to see it.
+    pub fn goes_on(&self) -> bool {
+        self.tau < self.length && !self.observer.enough()
+    }
+
+    /// How a run ends that did not fail.
+    pub fn end(&self) -> End {
+        if self.tau < self.length { End::Halted } else { End::Reached }
+    }
+
     /// Where the next step must land at the latest: the next output or the end.
     pub fn stop(&self) -> S {
         self.output().map_or(self.length, |time| self.span.since_start(time))

@@ -13,6 +13,7 @@
 //!
 //! For systems given by masses, forces and constraints in the coordinates of their mass points, [`constrained`] derives
 //! the same and more from that one description: multipliers, reactions, Gauss' minimum, redundant coordinates.
+//! [`regimes`] is not a principle: it finds which of the modes of rough contacts agree with the laws of friction.
 //!
 //! Each returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side that runs is
 //! one of the forms; that it makes every residual vanish is a claim, and is proved.
@@ -25,4 +26,5 @@ pub mod hamel;
 pub mod lagrange;
 pub mod mass;
 pub mod momentum;
+pub mod regimes;
 pub mod rotation;

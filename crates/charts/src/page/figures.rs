@@ -1,4 +1,4 @@
-//! Sections that are mostly pictures: spheres and timings.
+//! Sections that are mostly pictures: spheres, maps of friction and timings.
 
 use super::cards::{facts, figure, table};
 use crate::{Report, Sphere, Table, Timings, svg::timings::seconds, text::Typesetter};
@@ -29,6 +29,23 @@ fn card(sphere: &Sphere, set: &mut Typesetter) -> Markup {
                 @if !sphere.description.is_empty() { p { (set.text(&sphere.description)) } }
                 (facts(&sphere.facts, set))
                 @if !sphere.note.is_empty() { p.note { (set.text(&sphere.note)) } }
+            }
+        }
+    }
+}
+
+pub(super) fn friction(report: &Report, set: &mut Typesetter) -> Markup {
+    html! {
+        @if !report.friction.is_empty() {
+            section #friction {
+                h2 { "Friction" }
+                @for two in report.friction.chunks(2) {
+                    div.pair {
+                        @for areas in two {
+                            (figure(&areas.title, areas.drawing().embedded(&areas.title), &areas.note, set))
+                        }
+                    }
+                }
             }
         }
     }

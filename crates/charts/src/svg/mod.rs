@@ -1,5 +1,6 @@
 //! A small kit of charts: SVG with fixed decimals, so that the same data give the same bytes.
 
+pub(crate) mod areas;
 pub(crate) mod number;
 pub(crate) mod sphere;
 pub(crate) mod timings;

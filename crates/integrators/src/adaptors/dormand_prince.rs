@@ -15,7 +15,7 @@ use ode_solvers::{DVector, Dop853, Dopri5, OutputType, SVector, System};
 use crate::drive::first_step;
 use crate::meter::Meter;
 use crate::watch::Watch;
-use crate::{Absolute, End, Failure, Outcome, Tolerance};
+use crate::{Absolute, Failure, Outcome, Tolerance};
 
 /// Which of the two pairs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +40,7 @@ pub(crate) fn run(
     let order = if pair == Pair::Five { 5 } else { 8 };
     let mut step = first_step(meter, watch.state(), tolerance, order, watch.length());
     let units = Units::of(tolerance, meter.dimension());
-    while watch.tau() < watch.length() {
+    while watch.goes_on() {
         let stretch = Stretch { pair, meter, units: &units, tolerance, from: watch.tau(), to: watch.stop(), step };
         let (longest, result) = stretch.run_in_its_dimension(&mut watch);
         let at = watch.time();
@@ -62,7 +62,8 @@ pub(crate) fn run(
         }
         step = longest;
     }
-    watch.finish(End::Reached, meter)
+    let end = watch.end();
+    watch.finish(end, meter)
 }
 
 /// How a stretch ended without an error of the crate.
@@ -205,7 +206,7 @@ impl<V: Column> System<f64, V> for Law<'_, '_, '_, '_, '_> {
             self.trace.last = tau;
             self.watch.accept(if lands { self.stretch.to } else { tau }, y);
         }
-        !self.trace.finite
+        !self.trace.finite || !self.watch.goes_on()
     }
 }
 

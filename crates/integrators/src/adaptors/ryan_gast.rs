@@ -18,7 +18,7 @@ use crate::drive::first_step;
 use crate::jacobian::Jacobian;
 use crate::meter::Meter;
 use crate::watch::Watch;
-use crate::{Directions, End, Failure, Ode, Outcome, Refusal, Tolerance};
+use crate::{Directions, Failure, Ode, Outcome, Refusal, Tolerance};
 
 /// Which of the crate's methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,7 +95,7 @@ fn in_size<const N: usize>(
     let finest = absolute.iter().copied().fold(1.0, f64::min);
     let order = if choice == Choice::Verner9 { 9 } else { 5 };
     let mut step = first_step(meter, watch.state(), tolerance, order, watch.length());
-    while watch.tau() < watch.length() {
+    while watch.goes_on() {
         let first = step.min(watch.stop() - watch.tau());
         if first <= f64::EPSILON * watch.tau().max(f64::EPSILON * watch.length()) {
             let at = watch.time();
@@ -128,7 +128,8 @@ fn in_size<const N: usize>(
             Err(failure) => return watch.fail(failure, meter),
         }
     }
-    watch.finish(End::Reached, meter)
+    let end = watch.end();
+    watch.finish(end, meter)
 }
 
 /// What Newton may leave in units of Radau5's inner tolerance, 0.1 relative^(2/3): Hairer's rule, which the crate replaces
@@ -158,7 +159,7 @@ fn stretch<const N: usize, M: OrdinaryNumericalMethod<f64, [f64; N]>>(
     started.map_err(|error| name(&error, meter, watch.time(), method.h()))?;
     method.set_status(Status::Solving);
     let (mut rejections, mut clean, mut fresh) = (0, true, true);
-    while watch.tau() < stop {
+    while watch.tau() < stop && watch.goes_on() {
         let (at, remaining, step) = (watch.time(), stop - watch.tau(), method.h());
         let lands = step >= remaining * (1.0 - 1e-10);
         if lands && !fresh {

@@ -18,6 +18,7 @@ pub fn specimen() -> Report {
         papers: ledger::papers(),
         scenes: scenes::scenes(),
         spheres: pictures::spheres(),
+        friction: pictures::areas(),
         timings: pictures::timings(),
         timings_missing: String::new(),
     }

@@ -1,6 +1,6 @@
 //! An invented cone of axes and invented timings.
 
-use charts::{Contender, Curve, CurvePoint, Mark, Sphere, TimingRow, Timings};
+use charts::{AreaCurve, Areas, Contender, Curve, CurvePoint, Mark, Sphere, TimingRow, Timings};
 use std::f64::consts::TAU;
 
 pub fn spheres() -> Vec<Sphere> {
@@ -47,6 +47,24 @@ fn branch(name: &str, side: f64, valued: bool) -> Curve {
         CurvePoint { at, value: valued.then_some(value) }
     };
     Curve { name: name.into(), points: (0..=900).map(point).collect() }
+}
+
+/// Two kinds on either side of a parabola.
+pub fn areas() -> Vec<Areas> {
+    let below = |x: usize, y: usize| usize::from(y * 40 > x * x);
+    vec![Areas {
+        title: "An invented plane".into(),
+        x: ("a quantity".into(), [0.0, 1.0]),
+        y: ("another".into(), [0.0, 1.0]),
+        kinds: vec!["below".into(), "above".into()],
+        rows: (0..40).map(|y| (0..40).map(|x| below(x, y)).collect()).collect(),
+        curves: vec![AreaCurve {
+            name: "the parabola".into(),
+            points: (0..=40).map(|k| (f64::from(k) / 40.0, (f64::from(k) / 40.0).powi(2))).collect(),
+        }],
+        marks: vec![(0.5, 0.25, "a point".into())],
+        note: "Nothing is meant.".into(),
+    }]
 }
 
 pub fn timings() -> Vec<Timings> {

@@ -1,0 +1,128 @@
+//! What is the case over a plane of two quantities: coloured areas, curves over them, marked points.
+
+use super::{
+    axis::{Axis, Tick},
+    drawing::{Anchor, Drawing, LINE, WIDTH},
+    path::polyline,
+};
+
+/// A plane of cells, each of one kind.
+#[derive(Clone, Debug, Default)]
+pub struct Areas {
+    pub title: String,
+    /// Label and bounds of the axis to the right.
+    pub x: (String, [f64; 2]),
+    /// Label and bounds of the axis upwards.
+    pub y: (String, [f64; 2]),
+    /// The names of the kinds: in the legend, in this order.
+    pub kinds: Vec<String>,
+    /// The kind of each cell by its place in `kinds`, row by row from the lowest; all rows have one length.
+    pub rows: Vec<Vec<usize>>,
+    pub curves: Vec<AreaCurve>,
+    /// Points with their labels.
+    pub marks: Vec<(f64, f64, String)>,
+    /// Text below.
+    pub note: String,
+}
+
+/// A curve over the plane.
+#[derive(Clone, Debug, Default)]
+pub struct AreaCurve {
+    pub name: String,
+    pub points: Vec<(f64, f64)>,
+}
+
+const LEFT: f64 = 56.0;
+const RIGHT: f64 = WIDTH - 14.0;
+const TOP: f64 = 10.0;
+const BOTTOM: f64 = 330.0;
+
+impl Areas {
+    /// The picture as an SVG file.
+    pub fn svg(&self) -> String {
+        self.drawing().standalone(&self.title)
+    }
+
+    pub(crate) fn drawing(&self) -> Drawing {
+        let x = Axis::linear(self.x.1.into_iter(), LEFT, RIGHT, 70.0, 0.0);
+        let y = Axis::linear(self.y.1.into_iter(), BOTTOM, TOP, 50.0, 0.0);
+        let mut drawing = Drawing::default();
+        self.cells(&mut drawing);
+        for Tick { at, label } in &x.ticks {
+            drawing.line((x.place(*at), TOP), (x.place(*at), BOTTOM), "fine");
+            drawing.text((x.place(*at), BOTTOM + 18.0), Anchor::Middle, "", label.as_deref().unwrap_or(""));
+        }
+        for Tick { at, label } in &y.ticks {
+            drawing.line((LEFT, y.place(*at)), (RIGHT, y.place(*at)), "fine");
+            drawing.text((LEFT - 8.0, y.place(*at) + 5.0), Anchor::End, "", label.as_deref().unwrap_or(""));
+        }
+        for (number, curve) in self.curves.iter().enumerate() {
+            let [low, high] = self.y.1;
+            for piece in curve.points.split(|(_, value)| !(low..=high).contains(value)) {
+                let points: Vec<_> = piece.iter().map(|(a, b)| (x.place(*a), y.place(*b))).collect();
+                drawing.path_with_tooltip(&polyline(&points), &format!("over o{}", number % 3), &curve.name);
+            }
+        }
+        for (a, b, label) in &self.marks {
+            let at = (x.place(*a), y.place(*b));
+            drawing.circle(at, 4.0, "dot");
+            drawing.text((at.0 + 8.0, at.1 + 18.0), Anchor::Start, "mark-name", label);
+        }
+        drawing.rect((LEFT, TOP), RIGHT - LEFT, BOTTOM - TOP, "box");
+        drawing.text((0.5 * (LEFT + RIGHT), BOTTOM + 38.0), Anchor::Middle, "", &self.x.0);
+        drawing.upward((16.0, 0.5 * (TOP + BOTTOM)), &self.y.0);
+        drawing.height = BOTTOM + 50.0;
+        self.legend(&mut drawing);
+        drawing
+    }
+
+    /// Neighbours of one kind in a row are one rectangle; a hair wider, lest seams show.
+    fn cells(&self, drawing: &mut Drawing) {
+        let height = (BOTTOM - TOP) / self.rows.len().max(1) as f64;
+        for (number, row) in self.rows.iter().enumerate() {
+            let width = (RIGHT - LEFT) / row.len().max(1) as f64;
+            let mut from = 0;
+            for run in row.chunk_by(|a, b| a == b) {
+                let corner = (LEFT + from as f64 * width, BOTTOM - (number + 1) as f64 * height);
+                drawing.rect(corner, run.len() as f64 * width + 0.3, height + 0.3, &format!("area a{}", run[0] % 6));
+                from += run.len();
+            }
+        }
+    }
+
+    fn legend(&self, drawing: &mut Drawing) {
+        for (number, kind) in self.kinds.iter().enumerate() {
+            drawing.rect((LEFT, drawing.height + 2.0), 22.0, 12.0, &format!("area a{}", number % 6));
+            drawing.text((LEFT + 30.0, drawing.height + 13.0), Anchor::Start, "", kind);
+            drawing.height += LINE;
+        }
+        for (number, curve) in self.curves.iter().enumerate() {
+            let middle = drawing.height + 8.0;
+            drawing.path(&polyline(&[(LEFT, middle), (LEFT + 22.0, middle)]), &format!("over o{}", number % 3));
+            drawing.text((LEFT + 30.0, drawing.height + 13.0), Anchor::Start, "", &curve.name);
+            drawing.height += LINE;
+        }
+        drawing.height += 4.0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbours_of_one_kind_are_one_rectangle_and_curves_end_at_the_frame() {
+        let areas = Areas {
+            x: ("x".into(), [0.0, 1.0]),
+            y: ("y".into(), [0.0, 1.0]),
+            kinds: vec!["a & b".into()],
+            rows: vec![vec![0, 0, 0], vec![0, 1, 1]],
+            curves: vec![AreaCurve { name: "c".into(), points: vec![(0.0, 0.5), (0.5, 0.6), (1.0, 7.0)] }],
+            ..Default::default()
+        };
+        let svg = areas.svg();
+        // three runs, and the swatch of the legend
+        assert_eq!(svg.matches("class=\"area").count(), 4);
+        assert!(svg.contains("a &amp; b") && !svg.contains("-1"), "{svg}");
+    }
+}

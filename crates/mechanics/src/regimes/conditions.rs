@@ -1,0 +1,117 @@
+//! A regime as linear equations and inequalities in the reactions.
+
+use super::dry::Pairs;
+use super::{Dry, Mode, Touch};
+use field::Scalar;
+use std::fmt;
+
+/// constant + row . lambda
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Form<S, const K: usize> {
+    pub constant: S,
+    pub row: Pairs<S, K>,
+}
+
+/// What a regime requires of a contact beside its equations; each is "not negative".
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Condition {
+    /// gap'': an open gap does not close.
+    Separates,
+    /// The normal reaction, towards its face's side.
+    Presses,
+    /// f |N| - T: not enough to be drawn forwards.
+    HoldsForwards,
+    /// f |N| + T: nor backwards.
+    HoldsBackwards,
+    /// The sliding acceleration, in the direction of the slip that begins.
+    Departs,
+}
+
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Separates => "separation gap''",
+            Self::Presses => "normal reaction |N|",
+            Self::HoldsForwards => "friction limit f|N| - T",
+            Self::HoldsBackwards => "friction limit f|N| + T",
+            Self::Departs => "acceleration of the slip",
+        })
+    }
+}
+
+impl<S: Scalar, const K: usize> Form<S, K> {
+    /// lambda of one contact, normal (0) or tangential (1), times a factor.
+    fn reaction(contact: usize, component: usize, factor: S) -> Self {
+        let mut row = [[S::zero(); 2]; K];
+        row[contact][component] = factor;
+        Form { constant: S::zero(), row }
+    }
+
+    fn plus(mut self, contact: usize, component: usize, factor: S) -> Self {
+        self.row[contact][component] += factor;
+        self
+    }
+
+    fn times(self, factor: S) -> Self {
+        Form { constant: self.constant * factor, row: self.row.map(|pair| pair.map(|entry| entry * factor)) }
+    }
+
+    /// The value at these reactions.
+    pub fn at(&self, reactions: &Pairs<S, K>) -> S {
+        let terms = self.row.as_flattened().iter().zip(reactions.as_flattened());
+        terms.fold(self.constant, |sum, (a, x)| sum + *a * *x)
+    }
+
+    /// Without the constant.
+    pub fn homogeneous(self) -> Self {
+        Form { constant: S::zero(), ..self }
+    }
+}
+
+impl<S: Scalar, const K: usize> Dry<S, K> {
+    /// The acceleration of a contact: of the gap (0) or along the curve (1).
+    pub fn acceleration(&self, contact: usize, component: usize) -> Form<S, K> {
+        Form { constant: self.free[contact][component], row: self.response[contact][component] }
+    }
+}
+
+/// The equations of a regime: as many as reactions, two a contact.
+pub fn equations<S: Scalar, const K: usize>(dry: &Dry<S, K>, regime: &[Mode; K]) -> [[Form<S, K>; 2]; K] {
+    std::array::from_fn(|k| match regime[k] {
+        Mode::Apart => [Form::reaction(k, 0, S::one()), Form::reaction(k, 1, S::one())],
+        Mode::Stick(_) => [dry.acceleration(k, 0), dry.acceleration(k, 1)],
+        // T = -(direction) f |N|
+        Mode::Slip(direction, face) => {
+            let limit = dry.friction[k] * face.sign() * direction.sign();
+            [dry.acceleration(k, 0), Form::reaction(k, 1, S::one()).plus(k, 0, limit)]
+        }
+    })
+}
+
+/// At most three conditions of each contact, with their margins.
+pub type Conditions<S, const K: usize> = [[Option<(Condition, Form<S, K>)>; 3]; K];
+
+/// What a regime requires of each contact.
+pub fn conditions<S: Scalar, const K: usize>(
+    dry: &Dry<S, K>,
+    touches: &[Touch; K],
+    regime: &[Mode; K],
+) -> Conditions<S, K> {
+    std::array::from_fn(|k| match regime[k] {
+        Mode::Apart if touches[k] == Touch::Open => [None; 3],
+        Mode::Apart => [Some((Condition::Separates, dry.acceleration(k, 0))), None, None],
+        Mode::Stick(face) => {
+            let limit = Form::reaction(k, 0, dry.friction[k] * face.sign());
+            [
+                Some((Condition::Presses, Form::reaction(k, 0, face.sign()))),
+                Some((Condition::HoldsForwards, limit.plus(k, 1, -S::one()))),
+                Some((Condition::HoldsBackwards, limit.plus(k, 1, S::one()))),
+            ]
+        }
+        Mode::Slip(direction, face) => {
+            let begins = touches[k] == Touch::Rest && !dry.friction[k].is_zero();
+            let departs = (Condition::Departs, dry.acceleration(k, 1).times(direction.sign()));
+            [Some((Condition::Presses, Form::reaction(k, 0, face.sign()))), begins.then_some(departs), None]
+        }
+    })
+}

@@ -1,0 +1,125 @@
+//! Which regimes are consistent, and whether they leave one motion.
+
+use super::dry::Pairs;
+use super::mode::modes;
+use super::reactions::{Reactions, reactions, sign_at};
+use super::{Condition, Dry, Mode, Ordered, Touch, conditions};
+use std::cmp::Ordering;
+
+/// A consistent regime.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found<S, const K: usize> {
+    pub regime: [Mode; K],
+    /// Normal and tangential reaction of each contact, N.
+    pub reactions: Pairs<S, K>,
+    /// Normal and tangential acceleration of each contact: they determine the motion. m/s^2
+    pub motion: Pairs<S, K>,
+    /// Whether the motion determines the reactions.
+    pub determined: bool,
+    /// Whether the regime admits no other motion.
+    pub single: bool,
+    /// The first condition that holds with equality (over rounded numbers: within rounding), with its contact.
+    pub tie: Option<(usize, Condition)>,
+}
+
+/// How many motions are consistent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict<S, const K: usize> {
+    /// One motion.
+    Unique(Found<S, K>),
+    /// None: with these laws the state has no acceleration.
+    None,
+    /// At least these two, which differ.
+    Several(Found<S, K>, Found<S, K>),
+    /// A regime whose equations are singular admits motions without end.
+    Continuum(Found<S, K>),
+    /// The state or the force is not finite.
+    Undefined,
+}
+
+impl<S: Ordered, const K: usize> Dry<S, K> {
+    fn defined(&self) -> bool {
+        let rows = self.response.as_flattened().iter().chain([&self.free]);
+        rows.flat_map(|row| row.as_flattened()).chain(&self.friction).all(|x| x.defined())
+    }
+}
+
+/// Shows every consistent regime, in the order of the modes.
+pub fn consistent<S: Ordered, const K: usize>(
+    dry: &Dry<S, K>,
+    touches: &[Touch; K],
+    mut visit: impl FnMut(Found<S, K>),
+) {
+    let mut regime = [Mode::Apart; K];
+    choose(dry, touches, 0, &mut regime, &mut visit);
+}
+
+/// Every choice of modes from this contact on.
+fn choose<S: Ordered, const K: usize>(
+    dry: &Dry<S, K>,
+    touches: &[Touch; K],
+    contact: usize,
+    regime: &mut [Mode; K],
+    visit: &mut impl FnMut(Found<S, K>),
+) {
+    if contact == K {
+        visit_if_consistent(dry, touches, regime, visit);
+        return;
+    }
+    for mode in modes(touches[contact], dry.sides[contact], dry.friction[contact]) {
+        regime[contact] = mode;
+        choose(dry, touches, contact + 1, regime, visit);
+    }
+}
+
+fn visit_if_consistent<S: Ordered, const K: usize>(
+    dry: &Dry<S, K>,
+    touches: &[Touch; K],
+    regime: &[Mode; K],
+    visit: &mut impl FnMut(Found<S, K>),
+) {
+    let (reactions, determined, single) = match reactions(dry, touches, regime) {
+        Reactions::None => return,
+        Reactions::One { reactions, determined } => (reactions, determined, true),
+        Reactions::Continuum(reactions) => (reactions, false, false),
+    };
+    let conditions = conditions(dry, touches, regime);
+    let of_contacts = (0..K).flat_map(|k| conditions[k].iter().flatten().map(move |(name, form)| (k, *name, form)));
+    // where the reactions are not determined, ties of one choice of them say nothing of the motion
+    let tie = of_contacts
+        .filter(|(_, _, form)| determined && sign_at(form, &reactions) == Ordering::Equal)
+        .map(|(k, name, _)| (k, name))
+        .next();
+    let motion = std::array::from_fn(|k| std::array::from_fn(|i| dry.acceleration(k, i).at(&reactions)));
+    visit(Found { regime: *regime, reactions, motion, determined, single, tie });
+}
+
+/// How many motions are consistent.
+pub fn verdict<S: Ordered, const K: usize>(dry: &Dry<S, K>, touches: &[Touch; K]) -> Verdict<S, K> {
+    if !dry.defined() {
+        return Verdict::Undefined;
+    }
+    let mut verdict = Verdict::None;
+    consistent(dry, touches, |found| {
+        verdict = match verdict {
+            _ if !found.single => Verdict::Continuum(found),
+            Verdict::None => Verdict::Unique(found),
+            Verdict::Unique(first) if differ(dry, &first, &found) => Verdict::Several(first, found),
+            other => other,
+        };
+    });
+    verdict
+}
+
+/// Whether two regimes give different motions.
+pub fn differ<S: Ordered, const K: usize>(dry: &Dry<S, K>, a: &Found<S, K>, b: &Found<S, K>) -> bool {
+    (0..K).any(|k| {
+        (0..2).any(|i| {
+            let form = dry.acceleration(k, i);
+            let difference = std::array::from_fn(|k| std::array::from_fn(|i| a.reactions[k][i] - b.reactions[k][i]));
+            let size = |pairs: &Pairs<S, K>| pairs.as_flattened().iter().fold(S::zero(), |sum, x| sum + x.size());
+            let among = size(&form.row) * (size(&a.reactions) + size(&b.reactions));
+            form.homogeneous().at(&difference).sign_among(among) != Ordering::Equal
+        })
+    })
+}

@@ -1,0 +1,82 @@
+//! One rough contact of any system: b and W are symbols.
+
+use super::alphabet::letter;
+use claims::{Condition, Line, Page};
+use field::Scalar;
+use mechanics::constrained::contacts::Sides;
+use mechanics::regimes::cramer::Cramer;
+use mechanics::regimes::{Condition as Margin, Direction, Dry, Face, Mode, Touch, conditions};
+use symbolic::Sym;
+
+use Condition::{Equal, Positive};
+use Direction::{Backwards, Forwards};
+
+const STICK: Mode = Mode::Stick(Face::Front);
+
+pub fn claims(page: &mut Page) {
+    page.section("One contact");
+    let dry = arbitrary();
+    moving(page, &dry);
+    at_rest(page, &dry);
+}
+
+/// Any system with one one-sided contact.
+fn arbitrary() -> Dry<Sym, 1> {
+    let [nn, nt, tt] = ["Wnn", "Wnt", "Wtt"].map(letter);
+    Dry {
+        free: [[letter("bn"), letter("bt")]],
+        response: [[[[nn, nt]], [[nt, tt]]]],
+        friction: [letter("f")],
+        sides: [Sides::One],
+    }
+}
+
+fn slip(direction: Direction) -> Mode {
+    Mode::Slip(direction, Face::Front)
+}
+
+/// A margin of a regime, times the regime's determinant.
+fn margin(dry: &Dry<Sym, 1>, mode: Mode, which: Margin) -> Sym {
+    let cramer = Cramer::of(dry, &[mode]);
+    let list = conditions(dry, &[Touch::Rest], &[mode]);
+    let found = list.as_flattened().iter().flatten().find(|(name, _)| *name == which);
+    found.map_or(Sym::UNDEFINED, |(_, form)| cramer.numerator(form))
+}
+
+fn determinant(dry: &Dry<Sym, 1>, mode: Mode) -> Sym {
+    Cramer::of(dry, &[mode]).determinant
+}
+
+fn moving(page: &mut Page, dry: &Dry<Sym, 1>) {
+    let [bn, nn, nt, f] = ["bn", "Wnn", "Wnt", "f"].map(letter);
+    for (name, slug, direction) in [("D+", "forwards", Forwards), ("D-", "backwards", Backwards)] {
+        page.claim("contact-moving", slug, format!("the determinant of the slip {slug}")).holds([Line::formula(
+            determinant(dry, slip(direction)),
+            letter(name),
+            nn - direction.sign::<Sym>() * f * nt,
+        )]);
+        page.claim("contact-moving", if direction == Forwards { "forwards-pressed" } else { "backwards-pressed" }, format!(r"$D_\pm N = -b_n$ in the slip {slug}, while separation asks for $b_n\ge0$. So $D_\pm>0$ leaves one motion for every $b_n$; $D_\pm<0$ leaves two for $b_n>0$ and none for $b_n<0$; $D_\pm=0$ none for $b_n<0$ and any $N\ge0$ for $b_n=0$"))
+            .follows([Equal(margin(dry, slip(direction), Margin::Presses), -bn)]);
+    }
+}
+
+fn at_rest(page: &mut Page, dry: &Dry<Sym, 1>) {
+    let det = determinant(dry, STICK);
+    let [nn, f, bn] = ["Wnn", "f", "bn"].map(letter);
+    let limits = [(Forwards, Margin::HoldsBackwards), (Backwards, Margin::HoldsForwards)];
+    let pairs =
+        limits.map(|(direction, limit)| (margin(dry, STICK, limit), margin(dry, slip(direction), Margin::Departs)));
+    page.claim("contact-rest", "either-or", r"the margin of stick against a slip, times $\det W$, is minus the margin of that slip's departure, times its $D_\pm$: where both determinants are positive, just one of the two is consistent, and at the tie they are one motion")
+        .follows(pairs.map(|(holds, departs)| Equal(holds, -departs)));
+    let [plus, minus] = [Forwards, Backwards].map(|direction| determinant(dry, slip(direction)));
+    let [(backwards, _), (forwards, _)] = pairs;
+    page.claim("contact-rest", "one-at-most", r"$\det W\,[(fN+T)D_- + (fN-T)D_+] = -2f\,b_n\det W$ in stick: with $D_\pm>0$, under a pressing load ($b_n<0$) at most one of the limits is passed, so one of stick and the two slips holds; under a lifting one ($b_n>0$) stick fails, the slips fail for $N<0$, and the contact separates. One motion for every load")
+        .follows([Equal(backwards * minus + forwards * plus, -(Sym::int(2) * f * bn * det))]);
+    page.claim(
+        "contact-rest",
+        "smooth",
+        "without friction both determinants are that of the normal direction, which is positive",
+    )
+    .given([Positive(nn)])
+    .by_signs([plus, minus].map(|d| Positive(d.substitute(&[(f, Sym::ZERO)]))));
+}

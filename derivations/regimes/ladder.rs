@@ -1,0 +1,149 @@
+//! The ladder: for which friction is its motion determined?
+
+use super::alphabet::{angle, letter};
+use super::critical;
+use crate::systems::ladder::Ladder;
+use claims::{Condition, Line, Page, Point};
+use field::{Circle, Rational, Scalar};
+use mechanics::constrained::State;
+use mechanics::regimes::cramer::Cramer;
+use mechanics::regimes::{Direction, Dry, Face, Form, Mode};
+use symbolic::Sym;
+
+use Condition::{Equal, NonZero, Positive};
+use Direction::{Backwards, Forwards};
+
+/// Down: A backwards along the wall, B forwards along the floor.
+const DOWN: [Direction; 2] = [Backwards, Forwards];
+const UP: [Direction; 2] = [Forwards, Backwards];
+
+pub fn claims(page: &mut Page) {
+    page.section("The ladder in motion");
+    minors(page);
+    moving(page);
+    page.section("The ladder at rest");
+    at_rest(page);
+}
+
+/// The ladder of mass m and moment m l^2 / kappa on wall and floor, without load.
+fn leaning(alpha: Circle<Sym>, kappa: Sym, friction: [Sym; 2]) -> Option<Dry<Sym, 2>> {
+    let [m, l, g] = ["m", "l", "g"].map(letter);
+    let ladder = Ladder { mass: m, inertia: m * l.powi(2) / kappa, half_length: l, gravity: g, friction };
+    let zeros = [Sym::ZERO; 4];
+    let place = [l * alpha.sin, l * alpha.cos, alpha.cos, alpha.sin];
+    Dry::of(&ladder, &State { time: Sym::ZERO, place, velocity: zeros }, zeros).ok()
+}
+
+/// Principal minors of a pair of slips: of the wall alone, of the floor alone, of both.
+fn principal_minors(dry: &Dry<Sym, 2>, [wall, floor]: [Direction; 2]) -> [Sym; 3] {
+    let (a, b) = (Mode::Slip(wall, Face::Front), Mode::Slip(floor, Face::Front));
+    [[a, Mode::Apart], [Mode::Apart, b], [a, b]].map(|regime| Cramer::of(dry, &regime).determinant)
+}
+
+fn minors(page: &mut Page) {
+    let [m, kappa, fa, fb] = ["m", "kappa", "fA", "fB"].map(letter);
+    let (alpha, circle) = angle("ca", "sa");
+    let (c, s) = (alpha.cos, alpha.sin);
+    let Some(dry) = leaning(alpha, kappa, [fa, fb]) else { return };
+    let one = Sym::int(1);
+    for (slug, way, sign) in [("down", DOWN, one), ("up", UP, -one)] {
+        let derived = principal_minors(&dry, way);
+        let both = one + kappa + sign * Sym::int(2) * kappa * s * c * (fa - fb) + (one - kappa) * fa * fb;
+        let printed = [
+            (one + kappa * c.powi(2) + sign * fa * kappa * s * c) / m,
+            (one + kappa * s.powi(2) - sign * fb * kappa * s * c) / m,
+            both / m.powi(2),
+        ];
+        let names = ["M11", "M22", "det M"].map(letter);
+        page.claim("ladder-minors", slug, format!(r"sliding {slug}, moment $ml^2/\kappa$: the principal minors of $M$ in $a_n = b_n + MN$. For $K$ sliding contacts the motion is unique under every load if and only if all of them are positive (Samelson, Thrall and Wesler 1958)"))
+            .under(&circle)
+            .holds((0..3).map(|i| Line::formula(derived[i], names[i], printed[i])));
+    }
+    page.claim("ladder-minors", "single", r"with friction just at $f_* = (1+\kappa\sin^2\alpha)/(\kappa\sin\alpha\cos\alpha)$ of the floor alone; $f_*^2 - 4(\kappa+1)/\kappa^2$ is a square, so below $2\sqrt{\kappa+1}/\kappa$ the first two minors are positive at every angle, and above it not (the wall's is the same with $\alpha$ and $\pi/2-\alpha$ exchanged)")
+        .under(&circle)
+        .follows([Equal(
+            critical::rod(kappa, Circle { cos: s, sin: c }).powi(2) - Sym::int(4) * (kappa + one) / kappa.powi(2),
+            (((kappa + one) * s.powi(2) - c.powi(2)) / (kappa * s * c)).powi(2),
+        )]);
+}
+
+fn moving(page: &mut Page) {
+    let [m, l, f, fa, u, v] = ["m", "l", "f", "fA", "u", "v"].map(letter);
+    let (alpha, circle) = angle("ca", "sa");
+    let (c, s) = (alpha.cos, alpha.sin);
+    let uniform = |friction| leaning(alpha, Sym::int(3), friction);
+    let Some(equal) = uniform([f, f]) else { return };
+    let two = Sym::int(2);
+    for (slug, way) in [("determinant-down", DOWN), ("determinant-up", UP)] {
+        page.claim("ladder-moving", slug, r"uniform ladder, equal friction: the determinant of both slips is positive if and only if $f^2<2$, at every angle")
+            .under(&circle)
+            .holds([Line::formula(principal_minors(&equal, way)[2], letter("det M"), two * (two - f.powi(2)) / m.powi(2))]);
+    }
+    let floor = principal_minors(&equal, DOWN)[1];
+    let q = Rational::new;
+    let point = Point::of([(f, q(27, 20)), (c, q(15, 17)), (s, q(8, 17)), (m, q(1, 1)), (l, q(1, 1))]);
+    page.claim("ladder-moving", "root-two", r"the uniform ladder with $f^2<2$ is determined while it slides down")
+        .under(&circle)
+        .given([Positive(two - f.powi(2)), Positive(f), Positive(s), Positive(c), Positive(m)])
+        .note("At this state, without rotation, its own weight leaves no motion; turning fast enough to lift it, two.")
+        .refuted([Positive(floor)], point);
+    // f = 4 / (3 (1 + u)): below 4/3
+    let below = Sym::ratio(4, 3) / (Sym::int(1) + u);
+    let Some(dry) = uniform([below, below]) else { return };
+    let [wall, floor, both] = principal_minors(&dry, DOWN);
+    let scale = m * (Sym::int(1) + u);
+    page.claim("ladder-moving", "four-thirds", r"it is for $f = \frac43/(1+u)$, $u>0$, that is for $f<4/3$: the floor's minor is $(\cos\alpha-2\sin\alpha)^2 + u(\cos^2\alpha+4\sin^2\alpha)$ over $m(1+u)$; the wall's is positive by its signs, the determinant with $f^2<16/9$. Sliding up is the same with wall and floor exchanged")
+        .under(&circle)
+        .follows([
+            Equal(floor * scale, (c - two * s).powi(2) + u * (c.powi(2) + Sym::int(4) * s.powi(2))),
+            Equal(wall * scale, (Sym::int(1) + Sym::int(3) * c.powi(2)) * (Sym::int(1) + u) + Sym::int(4) * s * c),
+            Equal(both * scale.powi(2), two * (two * (Sym::int(1) + u).powi(2) - Sym::ratio(16, 9))),
+        ]);
+    page.correct();
+    // unequal friction: with 2 sin cos at most 1, the larger below 4/3 by v
+    let larger = Sym::ratio(4, 3) - v;
+    let room = Sym::int(4) - Sym::int(3) * (larger - fa) - two * fa * larger;
+    page.claim("ladder-moving", "unequal", r"uniform ladder, $f_A\le f_B = 4/3 - v$: the determinant is at least $4 - 3(f_B-f_A) - 2f_Af_B$ (over $m^2$), which is $f_A/3 + v(3+2f_A) > 0$. So the ladder in motion is determined under every load if and only if both coefficients are below $4/3$")
+        .given([Positive(fa), Positive(v)])
+        .by_signs([Positive(room)]);
+    let Some(dry) = uniform([fa, larger]) else { return };
+    let gap = principal_minors(&dry, DOWN)[2] * m.powi(2) - room;
+    page.claim(
+        "ladder-moving",
+        "bound",
+        r"where the bound comes from: the determinant exceeds it by $3(f_B-f_A)(\sin\alpha-\cos\alpha)^2$",
+    )
+    .under(&circle)
+    .follows([Equal(gap, Sym::int(3) * (larger - fa) * (s - c).powi(2))]);
+}
+
+/// One load, two motions: it stays, or slides up.
+fn at_rest(page: &mut Page) {
+    let [m, l, f, na, nb, eps] = ["m", "l", "f", "nA", "nB", "eps"].map(letter);
+    let (alpha, circle) = angle("ca", "sa");
+    let (c, s) = (alpha.cos, alpha.sin);
+    let Some(dry) = leaning(alpha, Sym::int(3), [f, f]) else { return };
+    let lean = s * f - c;
+    let scale = eps * m * l;
+    // what the reactions at rest have more than those of the slip, with q against the floor's other limit
+    let p = scale * (Sym::int(2) * s.powi(2) - c.powi(2)) / (Sym::int(3) * lean);
+    let q = scale * (Sym::int(2) - f.powi(2)) / (Sym::int(6) * f * lean);
+    let floor = f * p - scale * s;
+    let slides = [[na, -f * na], [nb, f * nb]];
+    let rests = [[na + p, -f * (na + p)], [nb + floor, f * (nb + floor - q) - f * q]];
+    let acceleration = |k, i, reactions: &[[Sym; 2]; 2]| Form { ..dry.acceleration(k, i) }.at(reactions);
+    let up = [[Sym::ZERO, Sym::int(2) * l * s * eps], [Sym::ZERO, -(Sym::int(2) * l * c * eps)]];
+    page.claim("ladder-rest", "ambiguous", r"uniform ladder at rest, $f^2<2$, $\tan\alpha > 1/f$: these two sets of reactions differ by what slides the ladder up with $\alpha''=-\varepsilon$, so one load (that of the second set, reversed) agrees with both. The first is on the limits of friction against the slip; the second within them, for the floor's margin is $2fq$ with $q = \varepsilon ml\,(2-f^2)/(6f(f\sin\alpha-\cos\alpha)) > 0$, and all normal reactions are positive for large $n_A$, $n_B$. So at rest the ladder is not determined under every load, whatever the friction: each $f>0$ has such angles, and by symmetry $\tan\alpha<f$ for sliding down")
+        .under(&circle)
+        .given([NonZero(f), NonZero(lean)])
+        .follows((0..2).flat_map(|k| (0..2).map(move |i| (k, i))).map(|(k, i)| {
+            Equal(acceleration(k, i, &slides) - acceleration(k, i, &rests), up[k][i])
+        }));
+    page.claim("ladder-rest", "margin", r"the floor's margin: $f N_B - T_B = 2fq$ at rest")
+        .given([NonZero(f), NonZero(lean)])
+        .under(&circle)
+        .follows([Equal(
+            f * rests[1][0] - rests[1][1],
+            eps * m * l * (Sym::int(2) - f.powi(2)) / (Sym::int(3) * lean),
+        )]);
+}

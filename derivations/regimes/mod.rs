@@ -1,0 +1,52 @@
+//! When motion with friction is determined: the workbench's own page on contacts under Coulomb's law.
+//!
+//! # Overview
+//! * `contact`: one rough contact of any system, moving and at rest;
+//! * `rods`: Painleve's rod and the rod of any moment of inertia: critical friction and its minimum;
+//! * `sliders`: two masses on guides;
+//! * `ladder`: two contacts, and for which friction the ladder is well posed;
+//! * [`maps`]: the verdicts over angle and friction, beside the critical curves of `critical`.
+//!
+//! The left side of every claim is [`mechanics::regimes`] run over expressions: the free accelerations and the response
+//! of the system at hand, and Cramer's rule for the regime. The right side is written down for a reader.
+
+mod alphabet;
+mod contact;
+mod critical;
+mod ladder;
+pub mod maps;
+mod rods;
+mod sliders;
+
+use crate::papers::Paper;
+use claims::Page;
+
+/// The page in the ledger.
+pub const PAPER: Paper = Paper {
+    key: "regimes",
+    title: "Regimes of contacts with friction",
+    citation: "The workbench's own page. The questions are those of P. Painleve: Lecons sur le frottement (1895), F. Klein: Zu Painleves Kritik der Coulombschen Reibungsgesetze (1909), and P. Appell: Traite de mecanique rationnelle (the ladder).",
+    summary: r"At a state, the accelerations of contacts are affine in their reactions, $a = b + W\lambda$, and Coulomb's law leaves a few regimes, each with its margins. One contact is determined under every load if and only if both slips have a positive determinant $W_{nn} \mp fW_{nt}$. Critical friction and its minimum follow in closed form: $4/3$ for the uniform rod. The uniform ladder in motion is determined under every load if and only if both coefficients are below $4/3$, while the sum of both contacts alone would allow $\sqrt2$; at rest it is not, for any friction: some load lets it stay, or slide.",
+    entries: &[
+        "contact-moving",
+        "contact-rest",
+        "painleve-rod",
+        "rod",
+        "uniform-rod",
+        "sliders",
+        "ladder-minors",
+        "ladder-moving",
+        "ladder-rest",
+    ],
+    page,
+};
+
+/// The claims.
+pub fn page() -> Page {
+    let mut page = Page::of(PAPER.key, alphabet::dimension);
+    contact::claims(&mut page);
+    rods::claims(&mut page);
+    sliders::claims(&mut page);
+    ladder::claims(&mut page);
+    page
+}

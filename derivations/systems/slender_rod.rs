@@ -1,0 +1,49 @@
+//! A rod that touches a rough line with one end.
+//!
+//! A plane body in the coordinates (x, y, c, s) of its centre and of its direction, with the masses (m, m, J, J); y points
+//! upwards. theta goes from the line y = 0 to the rod, (c, s) = (cos theta, sin theta): the end is the centre - l (c, s).
+
+use field::{Base, Over};
+use mechanics::constrained::contacts::{Contact, Contacts, Sides};
+use mechanics::constrained::{Constrained, Constraint, State, System};
+
+/// The data of the rod.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlenderRod<P> {
+    /// m, kg
+    pub mass: P,
+    /// J about the centre, kg m^2; m l^2/3 for a uniform rod
+    pub inertia: P,
+    /// l, half of its length, m
+    pub half_length: P,
+    /// g, m/s^2
+    pub gravity: P,
+    /// f of the line
+    pub friction: P,
+}
+
+impl<P: Base> System<4> for SlenderRod<P> {
+    type Given = P;
+
+    fn masses<S: Over<P>>(&self) -> [S; 4] {
+        [self.mass, self.mass, self.inertia, self.inertia].map(S::lift)
+    }
+
+    fn force<S: Over<P>>(&self, _at: &State<S, 4>) -> [S; 4] {
+        [P::zero(), -self.mass * self.gravity, P::zero(), P::zero()].map(S::lift)
+    }
+}
+
+impl<P: Base> Constrained<4, 1> for SlenderRod<P> {
+    fn constraints<S: Over<P>>(&self, at: &State<S, 4>) -> [Constraint<S>; 1] {
+        let [_, _, c, s] = at.place;
+        [Constraint::Geometric((c.squared() + s.squared() - S::one()).half())]
+    }
+}
+
+impl<P: Base> Contacts<4, 1, 1> for SlenderRod<P> {
+    fn contacts<S: Over<P>>(&self, _time: S, [x, y, c, s]: [S; 4]) -> [Contact<S>; 1] {
+        let half = S::lift(self.half_length);
+        [Contact { gap: y - half * s, along: x - half * c, friction: S::lift(self.friction), sides: Sides::One }]
+    }
+}
