@@ -65,6 +65,9 @@ pub struct Ledger {
     /// Claims whose id contains this, such as konosevich2022/eq5.3 or statement3
     #[arg(default_value = "")]
     pub filter: String,
+    /// Claims with this verdict only: refuted, undefined, undecided, proved, enclosed, tested, definition, open
+    #[arg(long)]
+    pub verdict: Option<String>,
     /// Text is a page as the tests lock it; JSON has one object a claim: id, paper, equation, verdict, statement,
     /// requires, counterexample, correction
     #[arg(long, value_enum, default_value_t)]

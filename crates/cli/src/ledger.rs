@@ -7,11 +7,15 @@ use charts::{ClaimRow, PaperSection};
 use claims::{Judged, Verdict, entries};
 use derivations::papers::{self, Paper};
 
-/// Prints the claims whose id contains the filter.
+/// Prints the claims whose id contains the filter, of one verdict where one is asked for.
 pub fn list(asked: &Ledger) -> Result<Ending, Ending> {
+    let verdict = asked.verdict.as_deref().map(verdict).transpose()?;
     let judged: Vec<Judged> = all().into_iter().flat_map(|(_, judged)| judged).collect();
-    let chosen: Vec<Judged> = judged.into_iter().filter(|claim| claim.id.contains(&asked.filter)).collect();
-    if chosen.is_empty() {
+    let known: Vec<Judged> = judged.into_iter().filter(|claim| claim.id.contains(&asked.filter)).collect();
+    let nowhere = known.is_empty();
+    let chosen: Vec<Judged> =
+        known.into_iter().filter(|claim| verdict.is_none_or(|verdict| claim.verdict == verdict)).collect();
+    if nowhere {
         let keys: Vec<&str> = papers::ALL.iter().map(|paper| paper.key).collect();
         return Err(Ending::refused(format!(
             "no claim's id contains `{}`; ids begin with: {}",
@@ -32,6 +36,13 @@ pub fn list(asked: &Ledger) -> Result<Ending, Ending> {
         eprintln!("{reason}");
     }
     Ok(if unsound.is_empty() { Ending::Done } else { Ending::Stopped })
+}
+
+fn verdict(name: &str) -> Result<Verdict, Ending> {
+    Verdict::ALL.into_iter().find(|verdict| verdict.name() == name).ok_or_else(|| {
+        let names = Verdict::ALL.map(Verdict::name).join(", ");
+        Ending::refused(format!("there is no verdict `{name}`; there are: {names}"))
+    })
 }
 
 /// Every paper with its judged claims.

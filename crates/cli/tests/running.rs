@@ -260,3 +260,15 @@ fn numbers_at_the_edge_of_the_range_end_with_a_reason() {
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(json(&output)["stopped"].is_string());
 }
+
+#[test]
+fn the_ledger_lists_one_verdict_where_it_is_asked_to() {
+    let output = run(&["ledger", "konosevich2022/statement", "--verdict", "refuted", "--format", "json"]);
+    let rows = json(&output);
+    let rows = rows.as_array().expect("an array");
+    assert!(!rows.is_empty() && rows.iter().all(|row| row["verdict"] == "refuted"));
+    let output = run(&["ledger", "--verdict", "wrong"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8(output.stderr).expect("messages are text");
+    assert!(message.contains("there is no verdict `wrong`; there are: refuted, "), "{message}");
+}
