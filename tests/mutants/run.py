@@ -2,11 +2,11 @@
 """Breaks every law once and tells what notices: writes snapshots/mutants.md.
 
 Each mutant of mutants.toml is one replacement in one file of a copy of the project, outside of it. The ledger and the
-laws are built there and run; what fails has caught the mutant. A quarter of an hour on two cores; the copy stays, so
-that the next run builds only what differs.
+laws are built there and run; what fails has caught the mutant. Half a minute of a core each, an hour for all; the copy
+stays, so that the next run builds only what differs.
 
-    tests/mutants/run.py              all mutants, and the table
-    tests/mutants/run.py forms kloss  those whose file or name contains a word: told, not written
+    tests/mutants/run.py              all mutants
+    tests/mutants/run.py forms kloss  those whose file or name contains a word: their rows alone are written anew
 
 It fails where a mutant does not compile, where one survives without a reason, and where one that is said to change
 nothing is caught.
@@ -25,6 +25,7 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+TABLE = ROOT / "snapshots" / "mutants.md"
 COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-mutants"))
 PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches"]
 LEDGER = "ledger"
@@ -120,26 +121,45 @@ def examine_mutant(file: str, name: str, old: str, new: str, reason: str = "") -
         path.write_text(sound)
 
 
-def table(outcomes: dict[str, list[Outcome]]) -> str:
-    """A page for review: beside each mutant how many catch it, and of these the one that catches the fewest others."""
-    every = [outcome for of_file in outcomes.values() for outcome in of_file]
-    often = Counter(name for outcome in every for name in outcome.claims + outcome.laws)
-    verdicts = Counter(outcome.verdict() for outcome in every)
+def rows(outcomes: dict[str, list[Outcome]]) -> dict[tuple[str, str], str]:
+    """Beside each mutant how many catch it, and of these the one that catches the fewest others."""
+    every = [(file, outcome) for file, of_file in outcomes.items() for outcome in of_file]
+    often = Counter(name for _, outcome in every for name in outcome.claims + outcome.laws)
+    found = {}
+    for file, outcome in every:
+        said = f"{outcome.verdict()}: {outcome.reason} | |"
+        if outcome.verdict() == "caught":
+            one = min(outcome.claims + outcome.laws, key=lambda name: (name.endswith(STOPPED), often[name]))
+            said = f"{len(outcome.claims)} | {len(outcome.laws)} | {one}"
+        found[file, outcome.name] = f"| {outcome.name} | {said} |"
+    return found
+
+
+def known_rows() -> dict[tuple[str, str], str]:
+    """The rows of the table as it stands."""
+    found, file = {}, ""
+    for line in (TABLE.read_text() if TABLE.exists() else "").splitlines():
+        if line.startswith("## "):
+            file = line.removeprefix("## ")
+        elif file and line.startswith("| ") and not line.startswith("| broken |"):
+            found[file, line.split(" | ")[0].removeprefix("| ")] = line
+    return found
+
+
+def table(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> str:
+    """A page for review, of the mutants that are listed."""
+    shown = [(file, rows[file, name]) for file, name in listed if (file, name) in rows]
+    verdicts = Counter(("caught" if row.split(" | ")[1].isdigit() else row.split(" | ")[1].split(":")[0]) for _, row in shown)
     lines = [
         "# What notices a broken law", "",
-        f"{len(every)} mutants: " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()) + ".", "",
+        f"{len(shown)} mutants: " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()) + ".", "",
         "Each breaks one law by a sign, a factor, a term or an index (`tests/mutants/mutants.toml`). Beside it stand how many",
         "claims of the ledger then fail and how many laws of `tests/`, and of these the one that notices the fewest other",
         "mutants. Written by `tests/mutants/run.py`.",
     ]
-    for file, of_file in outcomes.items():
+    for file in dict.fromkeys(file for file, _ in shown):
         lines += ["", f"## {file}", "", "| broken | claims | laws | one of them |", "|---|---|---|---|"]
-        for outcome in of_file:
-            if outcome.verdict() == "caught":
-                one = min(outcome.claims + outcome.laws, key=lambda name: (name.endswith(STOPPED), often[name]))
-                lines.append(f"| {outcome.name} | {len(outcome.claims)} | {len(outcome.laws)} | {one} |")
-            else:
-                lines.append(f"| {outcome.name} | {outcome.verdict()}: {outcome.reason} | | |")
+        lines += [row for of_file, row in shown if of_file == file]
     return "\n".join(lines) + "\n"
 
 
@@ -167,8 +187,8 @@ def main() -> None:
         print(f"{number:3}/{len(chosen)} {time.monotonic() - begin:5.0f} s  {outcome.verdict():10} {file}: {name}: {tally}", flush=True)
         if words:
             print("".join(f"        {catcher}\n" for catcher in outcome.claims + outcome.laws), end="", flush=True)
-    if not words:
-        (ROOT / "snapshots" / "mutants.md").write_text(table(outcomes))
+    listed = [(file, name) for file, of_file in mutants.items() for name in of_file]
+    TABLE.write_text(table(listed, known_rows() | rows(outcomes)))
     wrong = [f"{file}: {outcome.name}: {outcome.verdict()}" for file, of_file in outcomes.items()
              for outcome in of_file if not outcome.right()]
     sys.exit("\n".join(wrong) or None)
