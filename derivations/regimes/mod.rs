@@ -5,14 +5,14 @@
 //! * `rods`: Painleve's rod and the rod of any moment of inertia: critical friction and its minimum;
 //! * `sliders`: two masses on guides;
 //! * `ladder`, `ladder_rest`: two contacts, and for which friction the ladder is well posed, in motion and at rest;
-//! * [`maps`]: the verdicts over angle and friction, beside the critical curves of `critical`.
+//! * [`maps`]: the verdicts over angle and friction, beside the critical curves of [`critical`].
 //!
 //! The left side of every claim is [`mechanics::regimes`] run over expressions: the free accelerations and the response
 //! of the system at hand, and Cramer's rule for the regime. The right side is written down for a reader.
 
 mod alphabet;
 mod contact;
-mod critical;
+pub mod critical;
 mod ladder;
 mod ladder_rest;
 pub mod maps;
