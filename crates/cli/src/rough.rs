@@ -96,7 +96,13 @@ fn json(scene: &RoughScene, plan: &Plan, course: &Course) -> String {
 
 /// A scene's section of the report, from its own run.
 pub fn section(id: &str, scene: &RoughScene) -> SceneSection {
-    let course = scene.follow(&scene.plan, &mut |_| ());
+    let mut course = scene.follow(&scene.plan, &mut |_| ());
+    if !course.reached && end(&course) > 0.0 {
+        // the instants of the scene are those of its whole span: a curve that ends early has as many
+        let spread = scene.plan.outputs.iter().map(|time| time * end(&course) / scene.plan.end);
+        let plan = Plan { outputs: spread.collect(), ..scene.plan.clone() };
+        course = scene.follow(&plan, &mut |_| ());
+    }
     let text = |text: &str| text.to_owned();
     let mut facts = vec![
         (text("system"), scene.system.name().replace('_', " ")),
