@@ -46,7 +46,7 @@ pub fn write(path: &Path, folder: &Path, files: &[PathBuf], mut report: Report) 
     }
     drop(progress);
     report.friction = derivations::regimes::maps::maps().into_iter().map(pictures::areas).collect();
-    report.rough = rough.iter().map(|(id, scene)| rough::section(id, scene)).collect();
+    report.rough = side_by_side(&rough, |(id, scene)| rough::section(id, scene), |_| ());
     report.spheres = sphere::all(scenes.iter().map(|(_, scene)| scene));
     match timings::read(folder) {
         Ok(timings) => report.timings = vec![timings],

@@ -154,7 +154,8 @@ fn picture(course: &Course) -> charts::Trajectory {
             course.times.iter().zip(&course.rows).map(|(t, row)| (*t, row[column])).collect();
         points.extend(course.log.iter().map(|line| (line.time, line.row[column])));
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Some(Track { name: label, points, stopped: stopped.clone() })
+        // the reason is told once, at the angle
+        Some(Track { name: label, points, stopped: stopped.clone().filter(|_| name == "angle") })
     };
     let panel = |y: &str, names: &[(&str, String)]| Panel {
         y: y.to_owned(),
