@@ -2,8 +2,12 @@
 //! proofs`. `benches/against_sympy.py` puts SymPy and FLINT beside; it asks for one statement after the other
 //! (`-- --answer`: letters in, JSON out).
 //!
+//! Then the pages of the ledger, once each.
+//!
 //! Every repetition builds its expressions afresh, in a fresh thread and so in an empty expression graph.
 
+use claims::Judged;
+use derivations::papers::{self, Paper};
 use derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
 use field::{Scalar, Tangent};
 use mechanics::differentiate::along;
@@ -42,6 +46,29 @@ fn main() {
         let parts: Vec<String> =
             runs[runs.len() / 2].iter().map(|seconds| format!("{:.3} ms", seconds * 1e3)).collect();
         println!("{letter}  {says}: {}", parts.join(" + "));
+    }
+    for paper in papers::ALL {
+        pages(paper);
+    }
+}
+
+/// Seconds to derive and to judge a page of the ledger, each claim cross-examined, and what takes longest.
+fn pages(paper: &'static Paper) {
+    let judging = move || {
+        let start = Instant::now();
+        let page = (paper.page)();
+        let derived = start.elapsed().as_secs_f64();
+        let mut clock = Instant::now();
+        let mut lap = |claim: Judged| (std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64(), claim.id);
+        let mut claims: Vec<(f64, String)> = page.judged().map(&mut lap).collect();
+        claims.sort_by(|a, b| b.0.total_cmp(&a.0));
+        (derived, claims)
+    };
+    let (derived, claims) = std::thread::spawn(judging).join().expect("a page is judged");
+    let judged: f64 = claims.iter().map(|(seconds, _)| seconds).sum();
+    println!("{}: {} claims derived in {derived:.3} s, judged in {judged:.3} s; longest", paper.key, claims.len());
+    for (seconds, id) in claims.iter().take(3) {
+        println!("   {seconds:.3} s  {id}");
     }
 }
 

@@ -3,7 +3,7 @@
 use derivations::friction::log::describe;
 use derivations::friction::run::Plan;
 use derivations::friction::stretch::Watched;
-use derivations::friction::{Cause, Ending, Run, run};
+use derivations::friction::{Cause, Ending, Run, closed, run};
 use derivations::systems::climbed_ladder::ClimbedLadder;
 use derivations::systems::ladder::Ladder;
 use derivations::systems::slender_rod::SlenderRod;
@@ -58,14 +58,9 @@ fn the_frictionless_ladder_leaves_the_wall_at_two_thirds_of_its_height() {
     }
 }
 
-/// alpha'^2 as a function of alpha while the uniform ladder slides down, from rotation zero at alpha_0:
-/// (J + m l^2 cos 2phi) alpha'' = m g l sin(alpha - 2 phi) + m l^2 sin 2phi alpha'^2 with f = tan phi.
+/// The square of the rotation, from rest at an angle.
 fn quadrature(friction: f64, start: f64, alpha: f64) -> f64 {
-    let twice = 2.0 * friction.atan();
-    let whole = 1.0 / 3.0 + twice.cos();
-    let (k, p) = (G / whole, twice.sin() / whole);
-    let particular = |a: f64| -2.0 * k / (1.0 + 4.0 * p * p) * (2.0 * p * (a - twice).sin() + (a - twice).cos());
-    particular(alpha) - particular(start) * (2.0 * p * (alpha - start)).exp()
+    closed::ladder(friction, G, 1.0, [start, 0.0], alpha)
 }
 
 #[test]
@@ -115,16 +110,10 @@ fn work_and_energy_balance_to_rounding() {
     }
 }
 
-/// Task 1 with equal masses and no drive: while it slides, v = x1'^2 is linear in cos theta, sin theta and
-/// exp(-2 sigma f theta): v' + 2 sigma f v = l g (cos theta - sigma f sin theta).
 #[test]
 fn the_steered_rod_of_equal_masses_has_a_closed_form() {
     let (f, l) = (0.2, 1.5);
     let rod = SteeredRod { guided: 2.0, free: 2.0, length: l, gravity: G, drive: 0.0, friction: f, sides: Sides::Two };
-    let closed = |sigma: f64, theta: f64| {
-        let q = l * G * (1.0 - 2.0 * f * f) / (1.0 + 4.0 * f * f);
-        sigma * f * (l * G + 2.0 * q) * theta.cos() + q * theta.sin()
-    };
     for sigma in [1.0, -1.0] {
         let (theta, speed): (f64, f64) = (1.0, 2.0 * sigma);
         let (s, c) = theta.sin_cos();
@@ -135,8 +124,7 @@ fn the_steered_rod_of_equal_masses_has_a_closed_form() {
         assert_eq!((found.entries.len(), &found.ending), (1, &Ending::Reached));
         let [x1, y1, x2, y2] = found.state.place;
         let now = (y2 - y1).atan2(x2 - x1);
-        let fade = (-2.0 * sigma * f * (now - theta)).exp();
-        let exact = closed(sigma, now) + (speed * speed - closed(sigma, theta)) * fade;
+        let exact = closed::steered(sigma * f, G, l, [theta, speed * speed], now);
         close(found.state.velocity[0].powi(2), exact, "velocity squared");
     }
 }
@@ -159,12 +147,9 @@ fn a_ladder_that_is_climbed_slides_sticks_slips_and_detaches() {
         ]
     );
     assert!(matches!(found.ending, Ending::TouchDown { contact: 2, .. }), "{}", found.ending.describe(&names));
-    // at the limit both reactions are on their cones: N_B = W / (1 + f^2), N_A = f N_B, moments about the foot
     let entry = &found.entries[2];
-    let (c, s) = (entry.place[2], entry.place[3]);
-    let normal = friction * (20.0 * G + 700.0) / (1.0 + friction * friction);
-    let height = (4.0 * normal * (c + friction * s) - 20.0 * G * 2.0 * s) / (700.0 * s);
-    close(entry.time, height / 0.5, "the time at which it slips");
+    let exact = closed::climbed(friction, [20.0 * G, 700.0], 2.0, 0.5, angle(&entry.place));
+    close(entry.time, exact, "the time at which it slips");
 }
 
 fn rod(friction: f64, theta: f64, slide: f64, spin: f64, end: f64) -> Run<4, 1> {

@@ -3,21 +3,30 @@
 use claims::{Judged, Verdict, render};
 use derivations::papers;
 use std::collections::HashSet;
+use std::sync::LazyLock;
 
 /// A reviewer reads a page at one sitting.
 const MOST_BYTES: usize = 20 * 1024;
 
+/// Each paper with its claims: judged once, and the papers side by side, for expressions stay in their thread.
+static JUDGED: LazyLock<Vec<(&str, Vec<Judged>)>> = LazyLock::new(|| {
+    std::thread::scope(|scope| {
+        let running = papers::ALL.iter().map(|paper| (paper.key, scope.spawn(|| (paper.page)().judge())));
+        let running: Vec<_> = running.collect();
+        running.into_iter().map(|(key, judging)| (key, judging.join().expect("pages are judged"))).collect()
+    })
+});
+
 #[test]
 fn every_section_reads_as_reviewed() {
-    for (paper, page) in papers::ALL.iter().zip(papers::pages()) {
-        let judged = page.judge();
-        for section in sections(&judged) {
+    for (paper, judged) in JUDGED.iter() {
+        for section in sections(judged) {
             let claims: Vec<Judged> = judged.iter().filter(|claim| claim.section == section).cloned().collect();
             let text = render(&claims);
-            let name = format!("{}-{}", paper.key, slug(&section));
+            let name = format!("{paper}-{}", slug(&section));
             assert!(text.len() <= MOST_BYTES, "{name} has {} bytes", text.len());
             insta::with_settings!({
-                snapshot_path => format!("../snapshots/{}", paper.key), prepend_module_to_snapshot => false,
+                snapshot_path => format!("../snapshots/{paper}"), prepend_module_to_snapshot => false,
                 omit_expression => true,
             }, { insta::assert_snapshot!(name, text) });
         }
@@ -26,8 +35,7 @@ fn every_section_reads_as_reviewed() {
 
 #[test]
 fn no_claim_is_open_and_no_id_stands_twice() {
-    for page in papers::pages() {
-        let judged = page.judge();
+    for (_, judged) in JUDGED.iter() {
         assert!(judged.iter().all(|claim| claim.verdict != Verdict::Open));
         let ids: HashSet<&str> = judged.iter().flat_map(with_correction).map(|claim| claim.id.as_str()).collect();
         assert_eq!(ids.len(), judged.iter().flat_map(with_correction).count());
@@ -36,8 +44,8 @@ fn no_claim_is_open_and_no_id_stands_twice() {
 
 #[test]
 fn every_refuted_claim_says_where_it_fails_and_what_holds_instead() {
-    for page in papers::pages() {
-        for claim in page.judge().iter().filter(|claim| claim.verdict == Verdict::Refuted) {
+    for (_, judged) in JUDGED.iter() {
+        for claim in judged.iter().filter(|claim| claim.verdict == Verdict::Refuted) {
             assert!(!claim.counterexample.is_empty(), "{} has no counterexample", claim.id);
             let correction = claim.correction.as_ref().map(|correction| correction.verdict);
             assert_eq!(correction, Some(Verdict::Proved), "{} has no proved correction", claim.id);

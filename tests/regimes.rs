@@ -293,7 +293,7 @@ fn decisions_alone_find_the_critical_curves() {
 
 #[test]
 fn a_ladder_at_rest_may_stay_or_slide_up_under_one_load() {
-    // f = 1/2 and tan alpha = 12/5 > 1/f; the reactions of the claim regimes/ladder-rest/ambiguous with epsilon = 1
+    // f = 1/2 and tan alpha = 12/5 > 1/f; reactions as in the claim regimes/ladder-rest/reactions, at one limit of rest
     let (f, at) = (q(1, 2), leaning(Circle { cos: q(5, 13), sin: q(12, 13) }, q(0, 1)));
     let system = ladder(f);
     let (wall, floor, against) = (q(100, 1) + q(263, 39), q(100, 1) + q(191, 78), q(91, 12));
@@ -311,6 +311,38 @@ fn a_ladder_at_rest_may_stay_or_slide_up_under_one_load() {
     found.dedup_by_key(|(_, motion)| *motion);
     let up = [Mode::Slip(Forwards, Face::Front), Mode::Slip(Backwards, Face::Front)];
     assert_eq!(found, [([Mode::Stick(Face::Front); 2], q(0, 1)), (up, q(24, 13))]);
+}
+
+/// The construction of the claims regimes/ladder-rest/ambiguous and ambiguous-down, epsilon = 1, also beyond f^2 = 2.
+#[test]
+fn whatever_the_friction_some_load_lets_a_ladder_at_rest_stay_or_slide() {
+    let (one, third) = (q(1, 1), q(1, 3));
+    for (f, turn) in [(q(1, 2), q(2, 3)), (q(1, 1), q(3, 5)), (q(3, 2), q(1, 2)), (q(3, 1), q(2, 5))] {
+        let steep = Circle::from_half_tangent(turn);
+        for up in [true, false] {
+            // from the contact that decides: the wall for up, the floor for down
+            let ordered = |[a, b]: [[Rational; 2]; 2]| if up { [a, b] } else { [b, a] };
+            let Circle { cos: c, sin: s } = steep;
+            let at = leaning(if up { steep } else { Circle { cos: s, sin: c } }, q(0, 1));
+            let u = f * s - c;
+            assert_eq!(u.sign(), Some(1));
+            let p = c + third / c + s * s / u;
+            let (n1, n2, fall) = (q(10, 1), q(10, 1) + p / (f + f), (third - c * p) / s);
+            let reactions = ordered([[n1 + p, -f * n1 - s + fall], [n2 - fall, f * n2 + c - p]]);
+            let system = ladder(f);
+            let seen = Seen::<_, 4, 2>::of(&system, &at, [q(0, 1); 4]).expect("one constraint");
+            let mut load = [q(0, 1); 4];
+            for (reaction, direction) in reactions.as_flattened().iter().zip(seen.directions.as_flattened()) {
+                (0..4).for_each(|i| load[i] -= *reaction * direction[i]);
+            }
+            let dry = Dry::of(&system, &at, load).expect("one constraint");
+            let mut motions = Vec::new();
+            consistent(&dry, &[Touch::Rest; 2], |regime| motions.push(regime.motion.map(|pair| pair[1])));
+            let slide = if up { [one + one, -one - one] } else { [-one - one, one + one] };
+            let slide = [slide[0] * at.place[3], slide[1] * at.place[2]];
+            assert!(motions.contains(&[q(0, 1); 2]) && motions.contains(&slide), "f = {f}: {motions:?}");
+        }
+    }
 }
 
 #[test]

@@ -1,28 +1,11 @@
 //! Scenes with rough contacts: the project's own end as they say, and whatever is wrong with one is told at its place.
 
-use derivations::friction::log::Names;
-use derivations::friction::{ForRough, RoughScene, run};
-use mechanics::constrained::State;
-use mechanics::constrained::contacts::Contacts;
+use derivations::friction::RoughScene;
 use std::path::Path;
 
-struct HowItEnds<'a>(&'a RoughScene);
-
-impl ForRough for HowItEnds<'_> {
-    type Output = (usize, String);
-
-    fn apply<Q, const N: usize, const C: usize, const K: usize>(
-        self,
-        system: &Q,
-        start: State<f64, N>,
-        names: Names<K>,
-    ) -> (usize, String)
-    where
-        Q: Contacts<N, C, K, Given = f64>,
-    {
-        let run = run(system, &start, &self.0.plan, &mut ());
-        (run.entries.len(), run.ending.describe(&names))
-    }
+fn open(name: &str) -> RoughScene {
+    let scene = RoughScene::open(&Path::new("scenes/friction").join(name).with_extension("toml"));
+    scene.unwrap_or_else(|error| panic!("{error}"))
 }
 
 #[test]
@@ -34,11 +17,34 @@ fn the_scenes_end_as_they_should() {
         ("jam", 1, "the determinant of the regime vanishes"),
         ("steered_rod", 3, "the end of the span"),
     ] {
-        let scene = RoughScene::open(&Path::new("scenes/friction").join(name).with_extension("toml"));
-        let scene = scene.unwrap_or_else(|error| panic!("{error}"));
-        let (entries, said) = scene.apply(HowItEnds(&scene));
-        assert!(said.starts_with(ending), "{name}: {said}");
-        assert_eq!(entries, regimes, "{name}");
+        let scene = open(name);
+        let course = scene.follow(&scene.plan, &mut |_| ());
+        assert!(course.ending.starts_with(ending), "{name}: {}", course.ending);
+        assert_eq!((course.log.len(), course.reached), (regimes, ending.contains("span")), "{name}");
+        assert!(course.imbalance.abs() < 1e-9, "{name}: {:.1e}", course.imbalance);
+    }
+}
+
+#[test]
+fn the_runs_of_scenes_agree_with_their_closed_forms() {
+    for name in ["climbed_ladder", "pushed_ladder", "jam", "steered_rod"] {
+        let scene = open(name);
+        let course = scene.follow(&scene.plan, &mut |_| ());
+        let check = scene.check(&course).unwrap_or_else(|| panic!("{name} has a closed form"));
+        assert!(check.deviation < 1e-9, "{name}: {}: {:.1e}", check.what, check.deviation);
+    }
+}
+
+/// Also where a run stops early.
+#[test]
+fn the_rows_of_a_run_go_to_its_last_state() {
+    for (name, rows) in [("pushed_ladder", 11..12), ("climbed_ladder", 5..11), ("painleve", 1..2)] {
+        let scene = open(name);
+        let course = scene.follow(&scene.plan.clone().with_samples(10), &mut |_| ());
+        assert!(rows.contains(&course.rows.len()), "{name}: {}", course.rows.len());
+        assert!(course.times.is_sorted_by(|a, b| a < b), "{name}: {:?}", course.times);
+        assert_eq!(course.times[0], 0.0);
+        assert!(course.rows.iter().all(|row| row.len() == course.names.len() && row.iter().all(|x| x.is_finite())));
     }
 }
 

@@ -19,6 +19,8 @@ pub struct Entry<const K: usize> {
     pub regime: [Mode; K],
     /// Normal and tangential reactions in the regime, N.
     pub reactions: [[f64; 2]; K],
+    /// Work of friction and of the given forces until here, J.
+    pub works: [f64; 2],
 }
 
 /// Why a regime was decided here.

@@ -9,15 +9,22 @@
 //! * [`settle`]: the state of an event made to satisfy the constraints and the contacts that stay closed;
 //! * [`choose`]: the regime that goes on from a state, ties decided by the rates of their margins;
 //! * [`run`](mod@run): stretch after stretch; [`log`]: what happened and why;
-//! * [`scene`]: systems with contacts from files.
+//! * [`rough`], [`scene`]: systems with contacts and their files; [`course`]: runs as names and numbers;
+//! * [`closed`]: motions in closed form, beside which runs are checked.
 
 pub mod choose;
+pub mod closed;
+pub mod course;
 pub mod log;
+pub mod rough;
 pub mod run;
 pub mod scene;
 pub mod settle;
 pub mod stretch;
 
+pub use closed::Check;
+pub use course::Course;
 pub use log::{Cause, Ending, Entry};
+pub use rough::Rough;
 pub use run::{Run, run};
-pub use scene::{ForRough, Rough, RoughScene};
+pub use scene::{ForRough, RoughScene};

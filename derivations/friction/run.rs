@@ -9,6 +9,7 @@ use mechanics::constrained::contacts::Contacts;
 use mechanics::constrained::{State, kinetic_energy};
 use mechanics::regimes::{Mode, Ordered, Sizes, Touch, touches};
 use std::cmp::Ordering;
+use std::time::{Duration, Instant};
 
 /// A run with its log.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +20,8 @@ pub struct Run<const N: usize, const K: usize> {
     pub state: State<f64, N>,
     /// The work of friction, J: never positive.
     pub friction_work: f64,
+    /// The work of the given forces, J.
+    pub force_work: f64,
     /// T - T0 - work of friction - work of the given forces, J: what integration and events left of the balance.
     pub imbalance: f64,
     /// The largest change that an event's state needed to satisfy its constraints, m.
@@ -34,6 +37,8 @@ pub struct Plan {
     pub end: f64,
     pub outputs: Vec<f64>,
     pub most_events: usize,
+    /// After so long the run is stopped, and what there is is kept.
+    pub allowed: Option<Duration>,
 }
 
 impl Plan {
@@ -45,7 +50,14 @@ impl Plan {
             end,
             outputs: Vec::new(),
             most_events: 1000,
+            allowed: None,
         }
+    }
+
+    /// With the state shown at the start and at so many instants more, evenly.
+    pub fn with_samples(mut self, samples: usize) -> Self {
+        self.outputs = (0..=samples).map(|k| self.end * k as f64 / samples as f64).collect();
+        self
     }
 }
 
@@ -62,6 +74,7 @@ where
     let mut course = Course {
         system,
         plan,
+        deadline: plan.allowed.map(|allowed| Instant::now() + allowed),
         at: *start,
         works: [0.0; 2],
         energy: kinetic_energy(system.masses(), start.velocity),
@@ -72,6 +85,7 @@ where
             ending: Ending::Undefined,
             state: *start,
             friction_work: 0.0,
+            force_work: 0.0,
             imbalance: 0.0,
             settled: 0.0,
             work: Work::default(),
@@ -79,7 +93,7 @@ where
     };
     course.run.ending = course.follow(observer);
     let energy = kinetic_energy(system.masses(), course.at.velocity);
-    course.run.friction_work = course.works[0];
+    [course.run.friction_work, course.run.force_work] = course.works;
     course.run.imbalance = energy - course.energy - course.works[0] - course.works[1];
     course.run.state = course.at;
     course.run
@@ -92,6 +106,7 @@ const SHARP: f64 = 1e-6;
 struct Course<'a, Q, const N: usize, const C: usize, const K: usize> {
     system: &'a Q,
     plan: &'a Plan,
+    deadline: Option<Instant>,
     at: State<f64, N>,
     works: [f64; 2],
     energy: f64,
@@ -133,6 +148,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
                 cause,
                 regime: found.regime,
                 reactions: found.reactions,
+                works: self.works,
             });
             let still = self.at.velocity.iter().all(|v| *v == 0.0);
             if !found.determined && !still {
@@ -177,7 +193,10 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
         let mut y = [&self.at.place[..], &self.at.velocity[..], &self.works[..]].concat();
         let later = |time: &&f64| **time > self.at.time || self.run.entries.len() == 1 && **time == self.at.time;
         let outputs: Vec<f64> = self.plan.outputs.iter().filter(later).copied().collect();
-        let span = Span::new(self.at.time, self.plan.end, &y).with_outputs(&outputs);
+        let mut span = Span::new(self.at.time, self.plan.end, &y).with_outputs(&outputs);
+        if let Some(deadline) = self.deadline {
+            span = span.with_deadline(deadline);
+        }
         let (method, tolerance) = (self.plan.method, &self.plan.tolerance);
         let (outcome, event) = integrate_to_event(stretch, method, tolerance, &span, stretch, observer);
         self.run.work.rates += outcome.work.rates;
@@ -202,6 +221,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
         let before = start.and_then(|at| determinant(self.system, &at, &stretch.regime));
         let now = determinant(self.system, &self.at, &stretch.regime);
         match (before, now) {
+            _ if matches!(failure, integrators::Failure::OutOfTime { .. }) => Ending::Failed(failure),
             (Some(before), Some(now)) if now.abs() < 1e-6 * before.abs() => Ending::Critical,
             _ => Ending::Failed(failure),
         }

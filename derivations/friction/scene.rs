@@ -1,35 +1,29 @@
 //! Scenes of systems with rough contacts, read from TOML files.
 
 use super::log::Names;
+use super::rough::Rough;
 use super::run::Plan;
 use crate::scene::issue::{Issue, SceneError};
 use crate::scene::read::{At, Table};
-use crate::scene::{read_file, read_text, run::check_tolerance};
+use crate::scene::run::{MOST_SAMPLES, check_tolerance};
+use crate::scene::{methods, read_file, read_text};
 use crate::systems::climbed_ladder::ClimbedLadder;
 use crate::systems::ladder::Ladder;
 use crate::systems::rod::Rod;
 use crate::systems::slender_rod::SlenderRod;
 use crate::systems::steered_rod::SteeredRod;
-use integrators::Tolerance;
+use integrators::{Method, Tolerance};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::{Contacts, Sides};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
-/// A system with contacts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Rough {
-    Ladder(Ladder<f64>),
-    ClimbedLadder(ClimbedLadder<f64>),
-    SlenderRod(SlenderRod<f64>),
-    Rod(Rod<f64>),
-    SteeredRod(SteeredRod<f64>),
-}
-
 /// A scene whose data are all admissible.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RoughScene {
     pub title: String,
+    /// What happens and why.
+    pub description: String,
     pub system: Rough,
     /// rad, from the wall to a ladder, from the line to a rod
     pub angle: f64,
@@ -54,22 +48,6 @@ pub trait ForRough {
         Q: Contacts<N, C, K, Given = f64>;
 }
 
-impl Rough {
-    /// (name in scene files, what it is).
-    pub const LIST: [(&'static str, &'static str); 5] = [
-        ("ladder", "a rod between a rough wall and a rough floor"),
-        ("climbed_ladder", "the same under a weight that is carried up"),
-        ("slender_rod", "a rod with one end on a rough line"),
-        ("painleve_rod", "two masses on a massless rod, one on a rough line"),
-        ("steered_rod", "the same, its middle moving along the rod"),
-    ];
-
-    /// Whether a scene file means one of them.
-    pub fn knows(name: &str) -> bool {
-        Self::LIST.iter().any(|(known, _)| *known == name)
-    }
-}
-
 impl RoughScene {
     /// Reads a file.
     ///
@@ -89,7 +67,7 @@ impl RoughScene {
 
     fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
         let title = top.text("title", "one line that says what happens").value;
-        top.known(&["description"]);
+        let description = top.optional_text("description", "what happens and why");
         let name = top.text("system", "name of what moves");
         if !Rough::knows(&name.value) {
             let known: Vec<&str> = Rough::LIST.iter().map(|(name, _)| *name).collect();
@@ -124,17 +102,27 @@ impl RoughScene {
             let issue = Issue::at(span.clone(), "`tolerance` is out of range", wrong);
             run.report(issue.accepted("from 1e-14 to below 1 is accepted, such as 1e-12"));
         }
+        let samples = run.optional_count("samples", "number of instants that are kept", 1, MOST_SAMPLES);
+        let method = run.optional_text("method", "name of a method");
+        let method = method.map_or(Ok(Method::DormandPrince8), |At { value, span }| {
+            let refused =
+                |(wrong, accepted): (String, String)| Issue::at(span, wrong, "not accepted").accepted(accepted);
+            methods::method(&value).map_err(refused)
+        });
+        let method = method.map_err(|issue| run.report(issue)).ok();
         sound &= run.exists() && !run.has_issues() && !top.has_issues();
         issues.extend(run.finish());
         let system = system.filter(|_| sound)?;
         let tolerance = Tolerance::both(tolerance.map_or(1e-14, |tolerance| tolerance.value));
+        let plan = Plan { tolerance, method: method?, ..Plan::until(span) };
         Some(RoughScene {
             title,
+            description: description.map_or_else(String::new, |text| text.value.trim().to_owned()),
             system,
             angle: angle.value,
             spin,
             slide,
-            plan: Plan { tolerance, ..Plan::until(span) },
+            plan: plan.with_samples(samples.map_or(200, |samples| samples.value)),
         })
     }
 

@@ -34,12 +34,22 @@ const LETTERS: &[(&str, &str, [i64; 3])] = &[
     ("v", "v", [0, 0, 0]),
     ("P1", "P_1", [1, 1, -2]),
     ("P2", "P_2", [1, 1, -2]),
+    ("P", "P", [1, 1, -2]),
+    ("fA NA + TA", "f_AN_A + T_A", [1, 1, -2]),
+    ("fB NB - TB", "f_BN_B - T_B", [1, 1, -2]),
+    ("fB NB + TB", "f_BN_B + T_B", [1, 1, -2]),
+    ("fA NA - TA", "f_AN_A - T_A", [1, 1, -2]),
+    ("anA", r"\Delta a_{An}", [0, 1, -2]),
+    ("atA", r"\Delta a_{At}", [0, 1, -2]),
+    ("anB", r"\Delta a_{Bn}", [0, 1, -2]),
+    ("atB", r"\Delta a_{Bt}", [0, 1, -2]),
     ("nA", "n_A", [1, 1, -2]),
     ("nB", "n_B", [1, 1, -2]),
     ("eps", r"\varepsilon", [0, 0, -2]),
     ("M11", "M_{11}", [-1, 0, 0]),
     ("M22", "M_{22}", [-1, 0, 0]),
     ("det M", r"\det M", [-2, 0, 0]),
+    ("N det M", r"N\det M", [-1, 1, -2]),
 ];
 
 /// The dimension of a letter; `None` for a name that the page does not have.

@@ -1,4 +1,4 @@
-//! The ladder: for which friction is its motion determined?
+//! The ladder in motion: for which friction is its motion determined?
 
 use super::alphabet::{angle, letter};
 use super::critical;
@@ -7,26 +7,24 @@ use claims::{Condition, Line, Page, Point};
 use field::{Circle, Rational, Scalar};
 use mechanics::constrained::State;
 use mechanics::regimes::cramer::Cramer;
-use mechanics::regimes::{Direction, Dry, Face, Form, Mode};
+use mechanics::regimes::{Direction, Dry, Face, Mode};
 use symbolic::Sym;
 
-use Condition::{Equal, NonZero, Positive};
+use Condition::{Equal, Positive};
 use Direction::{Backwards, Forwards};
 
 /// Down: A backwards along the wall, B forwards along the floor.
-const DOWN: [Direction; 2] = [Backwards, Forwards];
-const UP: [Direction; 2] = [Forwards, Backwards];
+pub const DOWN: [Direction; 2] = [Backwards, Forwards];
+pub const UP: [Direction; 2] = [Forwards, Backwards];
 
 pub fn claims(page: &mut Page) {
     page.section("The ladder in motion");
     minors(page);
     moving(page);
-    page.section("The ladder at rest");
-    at_rest(page);
 }
 
 /// The ladder of mass m and moment m l^2 / kappa on wall and floor, without load.
-fn leaning(alpha: Circle<Sym>, kappa: Sym, friction: [Sym; 2]) -> Option<Dry<Sym, 2>> {
+pub fn leaning(alpha: Circle<Sym>, kappa: Sym, friction: [Sym; 2]) -> Option<Dry<Sym, 2>> {
     let [m, l, g] = ["m", "l", "g"].map(letter);
     let ladder = Ladder { mass: m, inertia: m * l.powi(2) / kappa, half_length: l, gravity: g, friction };
     let zeros = [Sym::ZERO; 4];
@@ -35,7 +33,7 @@ fn leaning(alpha: Circle<Sym>, kappa: Sym, friction: [Sym; 2]) -> Option<Dry<Sym
 }
 
 /// Principal minors of a pair of slips: of the wall alone, of the floor alone, of both.
-fn principal_minors(dry: &Dry<Sym, 2>, [wall, floor]: [Direction; 2]) -> [Sym; 3] {
+pub fn principal_minors(dry: &Dry<Sym, 2>, [wall, floor]: [Direction; 2]) -> [Sym; 3] {
     let (a, b) = (Mode::Slip(wall, Face::Front), Mode::Slip(floor, Face::Front));
     [[a, Mode::Apart], [Mode::Apart, b], [a, b]].map(|regime| Cramer::of(dry, &regime).determinant)
 }
@@ -90,15 +88,16 @@ fn moving(page: &mut Page) {
     // f = 4 / (3 (1 + u)): below 4/3
     let below = Sym::ratio(4, 3) / (Sym::int(1) + u);
     let Some(dry) = uniform([below, below]) else { return };
-    let [wall, floor, both] = principal_minors(&dry, DOWN);
-    let scale = m * (Sym::int(1) + u);
-    page.claim("ladder-moving", "four-thirds", r"it is for $f = \frac43/(1+u)$, $u>0$, that is for $f<4/3$: the floor's minor is $(\cos\alpha-2\sin\alpha)^2 + u(\cos^2\alpha+4\sin^2\alpha)$ over $m(1+u)$; the wall's is positive by its signs, the determinant with $f^2<16/9$. Sliding up is the same with wall and floor exchanged")
+    let derived = principal_minors(&dry, DOWN);
+    let (one, names) = (Sym::int(1), ["M11", "M22", "det M"].map(letter));
+    let printed = [
+        (one + Sym::int(3) * c.powi(2)) / m + Sym::int(4) * s * c / (m * (one + u)),
+        ((c - two * s).powi(2) + u * (c.powi(2) + Sym::int(4) * s.powi(2))) / (m * (one + u)),
+        two * (two - Sym::ratio(16, 9) / (one + u).powi(2)) / m.powi(2),
+    ];
+    page.claim("ladder-moving", "four-thirds", r"it is for $f = \frac43/(1+u)$, $u>0$, that is for $f<4/3$: both minors and the determinant, which has $f^2<16/9$, are positive. Sliding up is the same with wall and floor exchanged")
         .under(&circle)
-        .follows([
-            Equal(floor * scale, (c - two * s).powi(2) + u * (c.powi(2) + Sym::int(4) * s.powi(2))),
-            Equal(wall * scale, (Sym::int(1) + Sym::int(3) * c.powi(2)) * (Sym::int(1) + u) + Sym::int(4) * s * c),
-            Equal(both * scale.powi(2), two * (two * (Sym::int(1) + u).powi(2) - Sym::ratio(16, 9))),
-        ]);
+        .holds((0..3).map(|i| Line::formula(derived[i], names[i], printed[i])));
     page.correct();
     // unequal friction: with 2 sin cos at most 1, the larger below 4/3 by v
     let larger = Sym::ratio(4, 3) - v;
@@ -107,43 +106,12 @@ fn moving(page: &mut Page) {
         .given([Positive(fa), Positive(v)])
         .by_signs([Positive(room)]);
     let Some(dry) = uniform([fa, larger]) else { return };
-    let gap = principal_minors(&dry, DOWN)[2] * m.powi(2) - room;
+    let excess = Sym::int(3) * (larger - fa) * (s - c).powi(2);
     page.claim(
         "ladder-moving",
         "bound",
         r"where the bound comes from: the determinant exceeds it by $3(f_B-f_A)(\sin\alpha-\cos\alpha)^2$",
     )
     .under(&circle)
-    .follows([Equal(gap, Sym::int(3) * (larger - fa) * (s - c).powi(2))]);
-}
-
-/// One load, two motions: it stays, or slides up.
-fn at_rest(page: &mut Page) {
-    let [m, l, f, na, nb, eps] = ["m", "l", "f", "nA", "nB", "eps"].map(letter);
-    let (alpha, circle) = angle("ca", "sa");
-    let (c, s) = (alpha.cos, alpha.sin);
-    let Some(dry) = leaning(alpha, Sym::int(3), [f, f]) else { return };
-    let lean = s * f - c;
-    let scale = eps * m * l;
-    // what the reactions at rest have more than those of the slip, with q against the floor's other limit
-    let p = scale * (Sym::int(2) * s.powi(2) - c.powi(2)) / (Sym::int(3) * lean);
-    let q = scale * (Sym::int(2) - f.powi(2)) / (Sym::int(6) * f * lean);
-    let floor = f * p - scale * s;
-    let slides = [[na, -f * na], [nb, f * nb]];
-    let rests = [[na + p, -f * (na + p)], [nb + floor, f * (nb + floor - q) - f * q]];
-    let acceleration = |k, i, reactions: &[[Sym; 2]; 2]| Form { ..dry.acceleration(k, i) }.at(reactions);
-    let up = [[Sym::ZERO, Sym::int(2) * l * s * eps], [Sym::ZERO, -(Sym::int(2) * l * c * eps)]];
-    page.claim("ladder-rest", "ambiguous", r"uniform ladder at rest, $f^2<2$, $\tan\alpha > 1/f$: these two sets of reactions differ by what slides the ladder up with $\alpha''=-\varepsilon$, so one load (that of the second set, reversed) agrees with both. The first is on the limits of friction against the slip; the second within them, for the floor's margin is $2fq$ with $q = \varepsilon ml\,(2-f^2)/(6f(f\sin\alpha-\cos\alpha)) > 0$, and all normal reactions are positive for large $n_A$, $n_B$. So at rest the ladder is not determined under every load, whatever the friction: each $f>0$ has such angles, and by symmetry $\tan\alpha<f$ for sliding down")
-        .under(&circle)
-        .given([NonZero(f), NonZero(lean)])
-        .follows((0..2).flat_map(|k| (0..2).map(move |i| (k, i))).map(|(k, i)| {
-            Equal(acceleration(k, i, &slides) - acceleration(k, i, &rests), up[k][i])
-        }));
-    page.claim("ladder-rest", "margin", r"the floor's margin: $f N_B - T_B = 2fq$ at rest")
-        .given([NonZero(f), NonZero(lean)])
-        .under(&circle)
-        .follows([Equal(
-            f * rests[1][0] - rests[1][1],
-            eps * m * l * (Sym::int(2) - f.powi(2)) / (Sym::int(3) * lean),
-        )]);
+    .holds([Line::formula(principal_minors(&dry, DOWN)[2], letter("det M"), (room + excess) / m.powi(2))]);
 }

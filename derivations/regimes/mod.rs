@@ -4,16 +4,17 @@
 //! * `contact`: one rough contact of any system, moving and at rest;
 //! * `rods`: Painleve's rod and the rod of any moment of inertia: critical friction and its minimum;
 //! * `sliders`: two masses on guides;
-//! * `ladder`: two contacts, and for which friction the ladder is well posed;
-//! * [`maps`]: the verdicts over angle and friction, beside the critical curves of `critical`.
+//! * `ladder`, `ladder_rest`: two contacts, and for which friction the ladder is well posed, in motion and at rest;
+//! * [`maps`]: the verdicts over angle and friction, beside the critical curves of [`critical`].
 //!
 //! The left side of every claim is [`mechanics::regimes`] run over expressions: the free accelerations and the response
 //! of the system at hand, and Cramer's rule for the regime. The right side is written down for a reader.
 
 mod alphabet;
 mod contact;
-mod critical;
+pub mod critical;
 mod ladder;
+mod ladder_rest;
 pub mod maps;
 mod rods;
 mod sliders;
@@ -26,7 +27,7 @@ pub const PAPER: Paper = Paper {
     key: "regimes",
     title: "Regimes of contacts with friction",
     citation: "The workbench's own page. The questions are those of P. Painleve: Lecons sur le frottement (1895), F. Klein: Zu Painleves Kritik der Coulombschen Reibungsgesetze (1909), and P. Appell: Traite de mecanique rationnelle (the ladder).",
-    summary: r"At a state, the accelerations of contacts are affine in their reactions, $a = b + W\lambda$, and Coulomb's law leaves a few regimes, each with its margins. One contact is determined under every load if and only if both slips have a positive determinant $W_{nn} \mp fW_{nt}$. Critical friction and its minimum follow in closed form: $4/3$ for the uniform rod. The uniform ladder in motion is determined under every load if and only if both coefficients are below $4/3$, while the sum of both contacts alone would allow $\sqrt2$; at rest it is not, for any friction: some load lets it stay, or slide.",
+    summary: r"At a state, the accelerations of contacts are affine in their reactions, $a = b + W\lambda$, and Coulomb's law leaves a few regimes, each with its margins. One contact is determined under every load if and only if both slips have a positive determinant $W_{nn} \mp fW_{nt}$. Critical friction and its minimum follow in closed form: $4/3$ for the uniform rod. The uniform ladder in motion is determined under every load if and only if both coefficients are below $4/3$, while the sum of both contacts alone would allow $\sqrt2$; at rest it never is where both contacts are rough: some load lets it stay or slide up where $\tan\alpha>1/f_A$, or slide down where $\tan\alpha<f_B$, whatever the friction and the moment of inertia.",
     entries: &[
         "contact-moving",
         "contact-rest",
@@ -48,5 +49,6 @@ pub fn page() -> Page {
     rods::claims(&mut page);
     sliders::claims(&mut page);
     ladder::claims(&mut page);
+    ladder_rest::claims(&mut page);
     page
 }

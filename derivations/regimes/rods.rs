@@ -12,7 +12,7 @@ use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Direction, Dry, Face, Mode};
 use symbolic::{Hypotheses, Sym};
 
-use Condition::{Equal, NonZero};
+use Condition::Equal;
 use Direction::{Backwards, Forwards};
 
 pub fn claims(page: &mut Page) {
@@ -30,6 +30,12 @@ pub fn slip_determinant<Q: Contacts<4, 1, 1, Given = Sym>>(system: &Q, place: [S
     dry.map_or(Sym::UNDEFINED, |dry| Cramer::of(&dry, &[Mode::Slip(direction, Face::Front)]).determinant)
 }
 
+/// Where a determinant, which is affine in the friction, vanishes.
+fn critical_friction(determinant: impl Fn(Sym) -> Sym) -> Sym {
+    let smooth = determinant(Sym::ZERO);
+    smooth / (smooth - determinant(Sym::ONE))
+}
+
 /// Two mass points, the first on the guide.
 fn painleve(page: &mut Page) {
     let [m, m1, l, g, f, x, k] = ["m", "m1", "l", "g", "f", "x", "k"].map(letter);
@@ -43,17 +49,12 @@ fn painleve(page: &mut Page) {
             .under(&circle)
             .holds([Line::formula(slip_determinant(&rod, place, direction), letter(name), printed)]);
     }
-    // f_* and k = m/m1
     let critical = critical::two_masses(k, theta);
-    let vanishing = slip_determinant(&Rod { friction: critical, guided: k * m1, ..rod }, place, Forwards);
-    page.claim(
-        "painleve-rod",
-        "critical",
-        r"it vanishes at $f_* = (k+\cos^2\theta)/(\sin\theta\cos\theta)$ with $k = m/m_1$",
-    )
-    .under(&circle)
-    .given([NonZero(s), NonZero(c)])
-    .follows([Equal(vanishing, Sym::ZERO)]);
+    let derived =
+        critical_friction(|friction| slip_determinant(&Rod { friction, guided: k * m1, ..rod }, place, Forwards));
+    page.claim("painleve-rod", "critical", r"it vanishes at the critical friction $f_*$, with $k = m/m_1$")
+        .under(&circle)
+        .holds([Line::formula(derived, letter("f*"), critical)]);
     let room = ((k + Sym::int(1)) * c.powi(2) - k * s.powi(2)) / (s * c);
     page.claim("painleve-rod", "minimum", r"$f_*^2 - 4k(k+1)$ is a square: the least critical friction is $2\sqrt{k(k+1)}$, at $\tan^2\theta = (k+1)/k$ and nowhere else")
         .under(&circle)
@@ -81,15 +82,11 @@ fn rod(page: &mut Page) {
             .under(&circle)
             .holds([Line::formula(slip_determinant(&with_inertia(kappa, f), standing(theta), direction), letter(name), printed)]);
     }
-    let vanishing = slip_determinant(&with_inertia(kappa, critical::rod(kappa, theta)), standing(theta), Backwards);
-    page.claim(
-        "rod",
-        "critical",
-        r"the slip backwards is critical at $f_* = (1+\kappa\cos^2\theta)/(\kappa\sin\theta\cos\theta)$",
-    )
-    .under(&circle)
-    .given([NonZero(s), NonZero(c), NonZero(kappa)])
-    .follows([Equal(vanishing, Sym::ZERO)]);
+    let derived =
+        critical_friction(|friction| slip_determinant(&with_inertia(kappa, friction), standing(theta), Backwards));
+    page.claim("rod", "critical", r"the friction at which the slip backwards is critical")
+        .under(&circle)
+        .holds([Line::formula(derived, letter("f*"), critical::rod(kappa, theta))]);
     let square = critical::rod(kappa, theta).powi(2) - Sym::int(4) * (kappa + Sym::int(1)) / kappa.powi(2);
     let room = ((kappa + Sym::int(1)) * c.powi(2) - s.powi(2)) / (kappa * s * c);
     page.claim("rod", "minimum", r"$f_*^2 - 4(\kappa+1)/\kappa^2$ is a square: the least critical friction is $2\sqrt{\kappa+1}/\kappa$, at $\tan^2\theta = \kappa+1$ and nowhere else")
@@ -115,7 +112,8 @@ fn uniform(page: &mut Page) {
         ("45-degrees", r"uniform rod: the critical friction at $\theta = 45^\circ$ is $5/3$", 1, Sym::ratio(5, 3)),
     ] {
         let (theta, rules) = at(slope);
-        let vanishing = slip_determinant(&with_inertia(three, value), standing(theta), Backwards);
-        page.claim("uniform-rod", slug, says).under(&rules).follows([Equal(vanishing, Sym::ZERO)]);
+        let derived =
+            critical_friction(|friction| slip_determinant(&with_inertia(three, friction), standing(theta), Backwards));
+        page.claim("uniform-rod", slug, says).under(&rules).holds([Line::formula(derived, letter("f*"), value)]);
     }
 }

@@ -2,14 +2,13 @@
 
 use super::alphabet::{angle, letter};
 use crate::systems::painleve_klein::Sliders;
-use claims::{Condition, Line, Page};
+use claims::{Line, Page};
 use mechanics::constrained::State;
 use mechanics::constrained::System;
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Direction, Dry, Face, Mode, Touch, conditions};
 use symbolic::Sym;
 
-use Condition::Equal;
 use Direction::Forwards;
 
 pub fn claims(page: &mut Page) {
@@ -35,6 +34,6 @@ pub fn claims(page: &mut Page) {
         let load = s * c * (p1 * m2 - p2 * m1) / (m1 * m2 * total);
         page.claim("sliders", slug, r"the reaction of the rough guide, times the determinant: minus the other face's. The load alone decides its sign, so that one face is consistent where both determinants are positive, and both or none where one is negative: unique if and only if $f m_2\tan\theta < m_1+m_2$")
             .under(&circle)
-            .follows([Equal(cramer.numerator(&presses), sign * load)]);
+            .holds([Line::formula(cramer.numerator(&presses), letter("N det M"), sign * load)]);
     }
 }

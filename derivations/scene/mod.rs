@@ -156,7 +156,7 @@ pub enum AnyScene {
     /// With a machine.
     Driven(Box<Scene>),
     /// With rough contacts.
-    Rough(RoughScene),
+    Rough(Box<RoughScene>),
 }
 
 impl AnyScene {
@@ -164,7 +164,7 @@ impl AnyScene {
     pub fn open(path: &Path) -> Result<Self, SceneError> {
         let is_rough = std::fs::read_to_string(path).is_ok_and(|text| names_a_rough_system(&text));
         if is_rough {
-            RoughScene::open(path).map(Self::Rough)
+            RoughScene::open(path).map(|scene| Self::Rough(Box::new(scene)))
         } else {
             Scene::open(path).map(|s| Self::Driven(Box::new(s)))
         }

@@ -9,7 +9,8 @@ use integrators::Method;
 
 /// The finest tolerance that double precision leaves room for.
 const FINEST: f64 = 1e-14;
-const MOST_SAMPLES: usize = 1_000_000;
+/// More instants than anyone looks at.
+pub const MOST_SAMPLES: usize = 1_000_000;
 
 /// The table `[run]`.
 #[derive(Clone, Debug, PartialEq)]

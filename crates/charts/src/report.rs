@@ -17,6 +17,8 @@ pub struct Report {
     pub spheres: Vec<Sphere>,
     /// Where motion with friction is determined.
     pub friction: Vec<Areas>,
+    /// Runs across stick, slip and detachment.
+    pub rough: Vec<SceneSection>,
     pub timings: Vec<Timings>,
     /// What stands in place of timings where there are none: text; empty where nothing is missed.
     pub timings_missing: String,

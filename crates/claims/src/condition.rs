@@ -3,7 +3,7 @@
 use field::Rational;
 use num_traits::Zero;
 use std::fmt;
-use symbolic::Sym;
+use symbolic::{Hypotheses, Sym, normal};
 
 /// What an expression is said to do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,21 +49,37 @@ impl Condition {
         }
     }
 
-    /// Whether its formula tells a reader something: not of one length of derived expressions, not 0 = 0.
-    pub(crate) fn tells(self) -> bool {
+    /// As a reader sees it, in text and LaTeX: a long expression in normal form, where that is short; `None` where no
+    /// formula tells a reader anything.
+    pub(crate) fn shown(self, rules: &Hypotheses) -> Option<(String, String)> {
+        let one = |e: Sym, relation: &str, latex: &str| {
+            let side = Side::of(e, rules);
+            let tells = side.readable && e != Sym::ZERO;
+            tells.then(|| (format!("{} {relation} 0", side.text), format!("{} {latex} 0", side.latex)))
+        };
         match self {
-            Self::Zero(e) | Self::NonZero(e) | Self::Positive(e) => readable(e) && e != Sym::ZERO,
-            Self::Equal(a, b) => a != b && (readable(a) || readable(b)),
+            Self::Zero(e) => one(e, "=", "="),
+            Self::NonZero(e) => one(e, "!=", "\\neq"),
+            Self::Positive(e) => one(e, ">", ">"),
+            Self::Equal(a, b) => {
+                let (left, right) = (Side::of(a, rules), Side::of(b, rules));
+                let differ = left.text != right.text;
+                let one = size(a) <= READABLE || size(b) <= READABLE;
+                let both = left.readable && right.readable;
+                let repeated = !differ && left.reduced && right.reduced;
+                let tells = a != b && !repeated && (one || both && differ);
+                tells.then(|| (format!("{} = {}", left.text, right.text), format!("{} = {}", left.latex, right.latex)))
+            }
         }
     }
 
-    /// In LaTeX.
+    /// In LaTeX, as written.
     pub fn latex(self) -> String {
         match self {
-            Self::Zero(e) => format!("{} = 0", latex(e)),
-            Self::Equal(a, b) => format!("{} = {}", latex(a), latex(b)),
-            Self::NonZero(e) => format!("{} \\neq 0", latex(e)),
-            Self::Positive(e) => format!("{} > 0", latex(e)),
+            Self::Zero(e) => format!("{} = 0", e.latex()),
+            Self::Equal(a, b) => format!("{} = {}", a.latex(), b.latex()),
+            Self::NonZero(e) => format!("{} \\neq 0", e.latex()),
+            Self::Positive(e) => format!("{} > 0", e.latex()),
         }
     }
 }
@@ -71,10 +87,10 @@ impl Condition {
 impl fmt::Display for Condition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Zero(e) => write!(f, "{} = 0", text(*e)),
-            Self::Equal(a, b) => write!(f, "{} = {}", text(*a), text(*b)),
-            Self::NonZero(e) => write!(f, "{} != 0", text(*e)),
-            Self::Positive(e) => write!(f, "{} > 0", text(*e)),
+            Self::Zero(e) => write!(f, "{e} = 0"),
+            Self::Equal(a, b) => write!(f, "{a} = {b}"),
+            Self::NonZero(e) => write!(f, "{e} != 0"),
+            Self::Positive(e) => write!(f, "{e} > 0"),
         }
     }
 }
@@ -83,16 +99,43 @@ impl fmt::Display for Condition {
 /// they are.
 const READABLE: usize = 420;
 
-fn readable(expression: Sym) -> bool {
-    expression.to_string().chars().count() <= READABLE
+/// What a person may have written is shown as it stands.
+const WRITTEN: usize = 64;
+
+/// A normal form, written out as it is, must be shorter than this to be easier to read, and than half of what it stands
+/// for.
+const REDUCED: usize = 120;
+
+fn size(expression: Sym) -> usize {
+    expression.to_string().chars().count()
 }
 
-fn text(expression: Sym) -> String {
-    if readable(expression) { expression.to_string() } else { "[the derived expression]".into() }
+/// One side of a condition.
+struct Side {
+    text: String,
+    latex: String,
+    readable: bool,
+    /// Whether this is a normal form in the place of what was written.
+    reduced: bool,
 }
 
-fn latex(expression: Sym) -> String {
-    if readable(expression) { expression.latex() } else { r"[\text{the derived expression}]".into() }
+impl Side {
+    fn of(expression: Sym, rules: &Hypotheses) -> Self {
+        let written = size(expression);
+        let form = if written > WRITTEN { normal(expression, rules).ok() } else { None };
+        let form = form.filter(|form| !form.is_zero()).map(|form| form.to_sym());
+        let form = form.filter(|form| size(*form) <= REDUCED && 2 * size(*form) < written);
+        let reduced = form.is_some();
+        Side { reduced, ..Self::written(form.unwrap_or(expression)) }
+    }
+
+    fn written(expression: Sym) -> Self {
+        if size(expression) <= READABLE {
+            return Side { text: expression.to_string(), latex: expression.latex(), readable: true, reduced: false };
+        }
+        let (text, latex) = ("[the derived expression]".into(), r"[\text{the derived expression}]".into());
+        Side { text, latex, readable: false, reduced: false }
+    }
 }
 
 /// Exact values of symbols (and of circle coordinates, by the names `cos x` and `sin x`).

@@ -77,10 +77,8 @@ impl Claim {
                 judged.mixed(examine::mixed_lines(lines, dimension));
             }
             Statement::Theorem(theorem) => {
-                let shown = |condition: &&Condition| !self.in_words && condition.tells();
-                let telling = || theorem.then.iter().filter(shown);
-                judged.text = telling().map(Condition::to_string).collect();
-                judged.latex = telling().map(|conclusion| conclusion.latex()).collect();
+                let conclusions = theorem.then.iter().filter(|_| !self.in_words);
+                (judged.text, judged.latex) = conclusions.filter_map(|c| c.shown(&theorem.rules)).unzip();
                 judged.requires = stated(&theorem.rules);
                 let given = theorem.given.iter().filter(|_| !self.in_words);
                 judged.requires.extend(given.map(|c| (c.to_string(), c.latex())));

@@ -61,7 +61,12 @@ impl Page {
 
     /// Decides every claim.
     pub fn judge(&self) -> Vec<Judged> {
-        self.claims.iter().map(|claim| claim.judge(self.dimensions)).collect()
+        self.judged().collect()
+    }
+
+    /// The claims as they are decided, one after the other.
+    pub fn judged(&self) -> impl Iterator<Item = Judged> {
+        self.claims.iter().map(|claim| claim.judge(self.dimensions))
     }
 
     /// Attaches what holds instead to the claim before: the correction is drafted as a claim of its own.

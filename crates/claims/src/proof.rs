@@ -148,7 +148,10 @@ impl Theorem {
             return (Verdict::Undecided, format!("the counterexample does not satisfy {condition}"));
         }
         match self.then.iter().find(|c| c.holds_at(point) == Some(false)) {
-            Some(condition) => (Verdict::Refuted, format!("{condition} fails")),
+            Some(condition) => {
+                let said = condition.shown(&self.rules).map_or("the conclusion".into(), |(text, _)| text);
+                (Verdict::Refuted, format!("{said} fails"))
+            }
             None => (Verdict::Undecided, "the conclusion holds at the supposed counterexample".into()),
         }
     }

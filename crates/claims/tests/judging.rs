@@ -177,3 +177,25 @@ fn an_identically_vanishing_denominator_is_undefined() {
     });
     assert_eq!(claim.verdict, Verdict::Undefined);
 }
+
+/// a^2 so many times, unreduced.
+fn written_out(times: u32) -> Sym {
+    let [a, b] = symbols(["a", "b"]);
+    (0..times).fold(Sym::ZERO, |sum, _| sum + ((a + b) * (a - b) + b * b))
+}
+
+#[test]
+fn a_long_derived_side_is_shown_in_normal_form() {
+    let [a] = symbols(["a"]);
+    let shown = |then: Condition| {
+        let claim = judged(|page| {
+            page.claim("eq1", "x", "").follows([then]);
+        });
+        claim.text
+    };
+    assert_eq!(shown(Condition::Equal(written_out(8), int(4) * a * (a + a))), ["8*a^2 = 4*a*(a + a)"]);
+    assert_eq!(shown(Condition::Equal(written_out(1), a * a)), ["(a + b)*(a - b) + b^2 = a^2"], "short: as it stands");
+    assert_eq!(shown(Condition::Equal(written_out(8), written_out(9) - a * a)), Vec::<String>::new());
+    let nothing = written_out(8) - int(8) * a * a;
+    assert!(shown(Condition::Zero(nothing))[0].ends_with("= 0"), "that it vanishes is what it says");
+}

@@ -135,9 +135,10 @@ pub struct Run {
     #[arg(long)]
     pub model: Option<String>,
     /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way
-    #[arg(long, default_value_t)]
-    pub form: Axes,
-    /// Writes the trajectory as a table: time, states, rotor's speed
+    #[arg(long)]
+    pub form: Option<Axes>,
+    /// Writes the trajectory as a table: time, states, rotor's speed; with rough contacts time, coordinates,
+    /// velocities, works
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
     /// How to print the summary

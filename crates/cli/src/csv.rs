@@ -1,12 +1,30 @@
 //! A trajectory as a table: names, then a row for each instant, every number with all its digits.
 
-use derivations::scene::Trajectory;
-use std::io::{self, Write};
+use crate::ending::Ending;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
 
-/// Writes it; of a run that stopped, what there is.
-pub fn write(trajectory: &Trajectory, out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "time,{}", trajectory.names.join(","))?;
-    for (time, row) in trajectory.times.iter().zip(&trajectory.rows) {
+/// Where a table goes, if one is asked for.
+pub struct Table<'a>(Option<(&'a Path, File)>);
+
+impl<'a> Table<'a> {
+    /// Before the work, so that a wrong name does not cost it.
+    pub fn open(path: Option<&'a Path>) -> Result<Self, Ending> {
+        let open = |path| Ok((path, File::create(path).map_err(|error| Ending::unwritable(path, &error))?));
+        path.map(open).transpose().map(Table)
+    }
+
+    /// Writes it; of a run that stopped, what there is.
+    pub fn write(self, names: &[String], times: &[f64], rows: &[Vec<f64>]) -> Result<(), Ending> {
+        let Some((path, file)) = self.0 else { return Ok(()) };
+        write(names, times, rows, &mut BufWriter::new(file)).map_err(|error| Ending::unwritable(path, &error))
+    }
+}
+
+fn write(names: &[String], times: &[f64], rows: &[Vec<f64>], out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "time,{}", names.join(","))?;
+    for (time, row) in times.iter().zip(rows) {
         write!(out, "{time}")?;
         for value in row {
             write!(out, ",{value}")?;

@@ -3,6 +3,7 @@
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
 //! * `report`, `ledger`, `derive`, `bodies`, `run`, `regimes`, `chart`, `scenes`: one file for each command;
+//! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`values`], [`timings`]: exact values and measured times for a reader;
 //! * [`ending`]: exit codes, and writing that survives a closed pipe.
@@ -18,6 +19,7 @@ mod pictures;
 mod progress;
 mod regimes;
 mod report;
+mod rough;
 mod run;
 mod scenes;
 mod sphere;
@@ -54,6 +56,6 @@ fn report(asked: &arguments::Report) -> Result<Ending, Ending> {
     let mut page = report::titled("dalembert", summary);
     page.papers = ledgers.iter().map(|(paper, judged)| ledger::section(paper, judged)).collect();
     let sound = ledgers.iter().flat_map(|(_, judged)| judged).all(|claim| claim.sound().is_ok());
-    let written = report::write(&asked.out, &files, page)?;
+    let written = report::write(&asked.out, &asked.scenes, &files, page)?;
     Ok(if sound { written } else { Ending::Stopped })
 }

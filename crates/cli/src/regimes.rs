@@ -1,15 +1,11 @@
-//! Scenes with rough contacts: `dalembert regimes`, and `dalembert run` with its log.
+//! `dalembert regimes`: every consistent regime of a scene with rough contacts at its start.
 
-use crate::arguments::{Format, Run as Asked};
 use crate::ending::{Ending, print};
 use derivations::friction::log::{Names, describe};
-use derivations::friction::run::Plan;
-use derivations::friction::{Ending as End, ForRough, RoughScene, Run, run as follow};
-use integrators::Tolerance;
+use derivations::friction::{ForRough, RoughScene};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::{Dry, Found, Sizes, Touch, Verdict, conditions, consistent, touches, verdict};
-use serde_json::json;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -77,87 +73,5 @@ fn margins<const K: usize>(
     }
     if !found.determined {
         let _ = writeln!(text, "  the reactions are not determined by the motion: these are possible ones");
-    }
-}
-
-/// Runs a scene and prints its log.
-pub fn run(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
-    if asked.model.is_some() || asked.out.is_some() {
-        return Err(Ending::refused(
-            "a scene with rough contacts has no machine and no table; leave out --model and --out",
-        ));
-    }
-    let own = &scene.plan;
-    let plan = Plan {
-        method: asked.method.unwrap_or(own.method),
-        tolerance: asked.tolerance.map_or(own.tolerance.clone(), Tolerance::both),
-        ..own.clone()
-    };
-    let (text, done) = scene.apply(Follow { plan, title: &scene.title, format: asked.format });
-    print(&text)?;
-    Ok(if done { Ending::Done } else { Ending::Stopped })
-}
-
-struct Follow<'a> {
-    plan: Plan,
-    title: &'a str,
-    format: Format,
-}
-
-impl ForRough for Follow<'_> {
-    type Output = (String, bool);
-
-    fn apply<Q, const N: usize, const C: usize, const K: usize>(
-        self,
-        system: &Q,
-        start: State<f64, N>,
-        names: Names<K>,
-    ) -> (String, bool)
-    where
-        Q: Contacts<N, C, K, Given = f64>,
-    {
-        let run = follow(system, &start, &self.plan, &mut ());
-        let text = match self.format {
-            Format::Text => self.text(&run, &names),
-            Format::Json => self.json(&run, &names),
-        };
-        (text, run.ending == End::Reached)
-    }
-}
-
-impl Follow<'_> {
-    fn text<const N: usize, const K: usize>(&self, run: &Run<N, K>, names: &Names<K>) -> String {
-        let mut text = format!("{}\n{}\n", self.title, self.plan.method);
-        for entry in &run.entries {
-            let _ = writeln!(text, "t = {:>12.9} s  {}", entry.time, entry.cause.describe(names));
-            let _ = writeln!(text, "{:>20}-> {}", "", describe(names, &entry.regime));
-        }
-        let _ = writeln!(text, "t = {:>12.9} s  {}", run.state.time, run.ending.describe(names));
-        let _ = writeln!(
-            text,
-            "work of friction {:.9} J; energy balance open by {:.1e} J",
-            run.friction_work, run.imbalance
-        );
-        text
-    }
-
-    fn json<const N: usize, const K: usize>(&self, run: &Run<N, K>, names: &Names<K>) -> String {
-        let entries = run.entries.iter().map(|entry| {
-            json!({
-                "time": entry.time, "cause": entry.cause.describe(names), "regime": describe(names, &entry.regime),
-                "place": entry.place, "velocity": entry.velocity, "reactions": entry.reactions.to_vec(),
-            })
-        });
-        let object = json!({
-            "time": run.state.time,
-            "state": { "place": run.state.place.to_vec(), "velocity": run.state.velocity.to_vec() },
-            "work": { "rates": run.work.rates, "steps": run.work.steps },
-            "invariants": { "energy_balance": run.imbalance },
-            "friction_work": run.friction_work,
-            "method": self.plan.method.to_string(),
-            "log": entries.collect::<Vec<_>>(),
-            "ending": run.ending.describe(names),
-        });
-        format!("{object:#}\n")
     }
 }

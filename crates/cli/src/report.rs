@@ -3,11 +3,12 @@
 use crate::ending::{Ending, save};
 use crate::pictures;
 use crate::progress::Progress;
+use crate::rough;
 use crate::sphere;
 use crate::timings;
 use charts::{Parameter, Report, SceneSection, Table, Verdict, WorkPrecision, significant, tolerance};
 use derivations::machines::Quantity;
-use derivations::scene::{Axes, Scene, Trajectory, Trials};
+use derivations::scene::{AnyScene, Axes, Scene, Trajectory, Trials};
 use integrators::{Failure, Reference};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -15,10 +16,15 @@ use std::sync::mpsc;
 use std::time::Duration;
 
 /// Runs and charts the scenes, adds them to a report that holds the ledger, and writes the page.
-pub fn write(path: &Path, scenes: &[PathBuf], mut report: Report) -> Result<Ending, Ending> {
+pub fn write(path: &Path, folder: &Path, files: &[PathBuf], mut report: Report) -> Result<Ending, Ending> {
     // all are read before the first is run: what is wrong is told at once
-    let folder = scenes.first().and_then(|file| file.parent()).unwrap_or(Path::new("")).to_owned();
-    let scenes = scenes.iter().map(|file| Ok((id(file), Scene::open(file)?))).collect::<Result<Vec<_>, Ending>>()?;
+    let (mut scenes, mut rough) = (Vec::new(), Vec::new());
+    for file in files {
+        match AnyScene::open(file)? {
+            AnyScene::Driven(scene) => scenes.push((id(file), *scene)),
+            AnyScene::Rough(scene) => rough.push((id(file), scene)),
+        }
+    }
     let mut progress = Progress::new("runs and references");
     let prepared = side_by_side(&scenes, prepare, |done| progress.set(REFERENCES * done));
     drop(progress);
@@ -40,8 +46,9 @@ pub fn write(path: &Path, scenes: &[PathBuf], mut report: Report) -> Result<Endi
     }
     drop(progress);
     report.friction = derivations::regimes::maps::maps().into_iter().map(pictures::areas).collect();
+    report.rough = side_by_side(&rough, |(id, scene)| rough::section(id, scene), |_| ());
     report.spheres = sphere::all(scenes.iter().map(|(_, scene)| scene));
-    match timings::read(&folder) {
+    match timings::read(folder) {
         Ok(timings) => report.timings = vec![timings],
         Err(reason) => report.timings_missing = reason,
     }

@@ -4,11 +4,9 @@ use crate::arguments::{Format, Run};
 use crate::csv;
 use crate::ending::{Ending, print};
 use crate::progress::Progress;
-use crate::regimes;
+use crate::rough;
 use crate::summary::Summary;
 use derivations::scene::{AnyScene, Choice, NoModel, Scene};
-use std::fs::File;
-use std::io::BufWriter;
 use std::path::Path;
 use std::time::Duration;
 
@@ -16,23 +14,17 @@ use std::time::Duration;
 pub fn run(asked: &Run) -> Result<Ending, Ending> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => *scene,
-        AnyScene::Rough(scene) => return regimes::run(&scene, asked),
+        AnyScene::Rough(scene) => return rough::run(&scene, asked),
     };
     let scene = with_model(scene, asked.model.as_deref(), &asked.scene)?;
     let choice = choice(&scene, asked);
-    // before the work, so that a wrong name does not cost it
-    let table = match &asked.out {
-        Some(path) => Some((path, File::create(path).map_err(|error| Ending::unwritable(path, &error))?)),
-        None => None,
-    };
+    let table = csv::Table::open(asked.out.as_deref())?;
 
     let mut progress = Progress::new(&scene.title);
     let trajectory = scene.simulate(&choice, |fraction| progress.set(fraction));
     drop(progress);
 
-    if let Some((path, file)) = table {
-        csv::write(&trajectory, &mut BufWriter::new(file)).map_err(|error| Ending::unwritable(path, &error))?;
-    }
+    table.write(&trajectory.names, &trajectory.times, &trajectory.rows)?;
     let summary = Summary { scene: &scene, choice: &choice, trajectory: &trajectory };
     print(&match asked.format {
         Format::Text => summary.text(),
@@ -59,7 +51,7 @@ fn choice(scene: &Scene, asked: &Run) -> Choice {
     Choice {
         method: asked.method.unwrap_or(own.method),
         tolerance: asked.tolerance.unwrap_or(own.tolerance),
-        axes: asked.form,
+        axes: asked.form.unwrap_or_default(),
         samples: asked.samples.map_or(own.samples, |samples| samples as usize),
         allowed: Duration::from_secs(asked.seconds.into()),
     }

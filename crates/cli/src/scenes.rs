@@ -1,25 +1,26 @@
 //! `dalembert scenes`: what there is to run.
 
 use crate::ending::{Ending, print};
-use derivations::scene::Scene;
+use derivations::scene::AnyScene;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Prints each scene of a folder with its machine and title; one that is not acceptable with the number of its faults.
+/// Prints each scene of a folder with its machine or its rough system, and its title; one that is not acceptable with the number of its faults.
 pub fn list(folder: &Path) -> Result<Ending, Ending> {
     let mut text = String::new();
     for path in files(folder)? {
-        let said = match Scene::open(&path) {
-            Ok(scene) => format!("{:<22} {}", scene.machine.name(), scene.title),
+        let said = match AnyScene::open(&path) {
+            Ok(AnyScene::Driven(scene)) => format!("{:<22} {}", scene.machine.name(), scene.title),
+            Ok(AnyScene::Rough(scene)) => format!("{:<22} {}", scene.system.name(), scene.title),
             Err(error) => format!("{:<22} {} faults; `dalembert run` tells them", "", error.issues.len()),
         };
-        text += &format!("{:<34} {said}\n", path.display().to_string());
+        text += &format!("{:<38} {said}\n", path.display().to_string());
     }
     print(&text)?;
     Ok(Ending::Done)
 }
 
-/// The TOML files of a folder, by name.
+/// The TOML files of a folder and of the folders in it, each folder's own first, by name.
 pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Ending> {
     let unreadable = |error: io::Error| {
         let accepted = "a folder with scene files is accepted; the project's own is `scenes`";
@@ -30,14 +31,24 @@ pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Ending> {
         };
         Ending::refused(format!("{}: {reason}; {accepted}", folder.display()))
     };
-    let mut files = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
-        let path = entry.map_err(unreadable)?.path();
-        if path.extension().is_some_and(|extension| extension == "toml") {
-            files.push(path);
+    let (mut files, mut open) = (Vec::new(), vec![folder.to_owned()]);
+    while let Some(next) = open.pop() {
+        let (mut own, mut folders) = (Vec::new(), Vec::new());
+        for entry in std::fs::read_dir(next).map_err(unreadable)? {
+            let entry = entry.map_err(unreadable)?;
+            let path = entry.path();
+            // a link to a folder is not followed: it might lead back
+            if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "toml") {
+                own.push(path);
+            }
         }
+        own.sort();
+        files.extend(own);
+        folders.sort();
+        open.extend(folders.into_iter().rev());
     }
-    files.sort();
     match files.is_empty() {
         true => Err(Ending::refused(format!("{} holds no scene: no file ends in .toml", folder.display()))),
         false => Ok(files),

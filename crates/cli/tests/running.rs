@@ -155,6 +155,47 @@ fn the_report_is_one_page_with_the_scene_and_its_charts() {
 }
 
 #[test]
+fn a_rough_scene_writes_its_table_and_its_log() {
+    let path = temporary("rough.csv");
+    let asked = ["run", "scenes/friction/climbed_ladder.toml", "--samples", "8", "--format", "json", "--out"];
+    let output = run(&[&asked[..], &[&path.to_string_lossy()]].concat());
+    assert_eq!(output.status.code(), Some(1), "it ends by an impact");
+    let run = json(&output);
+    let log = run["log"].as_array().expect("a log");
+    assert_eq!(log.len(), 4);
+    assert!(run["stopped"].as_str().is_some_and(|why| why.contains("impact")), "{run}");
+    assert!(run["closed_form"]["deviation"].as_f64().is_some_and(|off| off < 1e-9), "{run}");
+    let table = std::fs::read_to_string(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    assert!(table.starts_with("time,x,y,cos,sin,dx,dy,dcos,dsin,angle,angular_velocity,sliding_wall,"), "{table}");
+    assert!(table.lines().count() > 3 && !table.contains("NaN"), "{table}");
+}
+
+#[test]
+fn a_rough_scene_has_no_machine() {
+    refused("a_rough_scene_has_no_machine", &["run", "scenes/friction/jam.toml", "--model", "synchronous"]);
+}
+
+#[test]
+fn a_rough_scene_has_one_form() {
+    refused("a_rough_scene_has_one_form", &["run", "scenes/friction/jam.toml", "--form", "first"]);
+}
+
+#[test]
+fn the_report_tells_what_happened_in_rough_scenes() {
+    let folder = temporary("rough_scenes");
+    std::fs::create_dir_all(folder.join("inside")).expect("a temporary folder");
+    let copy = |from: &str, to: &str| std::fs::copy(root().join(from), folder.join(to)).expect("it can be copied");
+    copy("scenes/friction/pushed_ladder.toml", "inside/pushed_ladder.toml");
+    let page = folder.join("page/index.html");
+    let output = run(&["--scenes", &folder.to_string_lossy(), "--out", &page.to_string_lossy()]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let html = std::fs::read_to_string(&page).expect("it was written");
+    std::fs::remove_dir_all(&folder).expect("it is there");
+    assert!(["What happened, and why", "wall sticks, floor sticks", "quadrature"].iter().all(|it| html.contains(it)));
+}
+
+#[test]
 fn a_smaller_model_is_named_in_the_result() {
     let output = run(&["run", "scenes/spin_up.toml", "--model", "equivalent_windings", "--format", "json"]);
     assert_eq!(json(&output)["model"], "equivalent_windings");
@@ -176,7 +217,10 @@ fn a_reader_who_stops_reading_is_no_error() {
 fn the_list_of_scenes_names_each_with_its_machine() {
     let output = run(&["scenes"]);
     let list = String::from_utf8(output.stdout).expect("text");
-    assert!(list.lines().count() >= 9 && list.contains("pull_out.toml"), "{list}");
+    assert!(
+        list.lines().count() >= 14 && list.contains("pull_out.toml") && list.contains("friction/jam.toml"),
+        "{list}"
+    );
     assert!(!list.contains("faults"), "{list}");
 }
 

@@ -130,7 +130,7 @@ const LETTERS: &[(&str, &str, [i64; 3])] = &[
     ("Φt", r"\Phi_{,t}", [0, 1, -2]),
     ("Δμ#", r"\Delta\mu_#", [0, 1, -2]),
     (
-        "Σφμ",
+        "Σ ∂φ/∂x μ ∂ẋ/∂p",
         r"\sum\frac{\partial\varphi}{\partial x_\gamma}\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}",
         [0, 1, -3],
     ),

@@ -115,7 +115,7 @@ fn identities(page: &mut Page) {
         kinematic.value().slope
     });
     page.claim("eq2.8", "identity-kinematic", r"$\sum_\gamma\frac{\partial\varphi}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$, as printed with $\partial\varphi/\partial x_\gamma$")
-        .fails([Line::formula(dot(by_place, pushed), letter("Σφμ"), Sym::ZERO)]);
+        .fails([Line::formula(dot(by_place, pushed), letter("Σ ∂φ/∂x μ ∂ẋ/∂p"), Sym::ZERO)]);
     page.claim("eq2.8", "identity-kinematic-corrected", r"with $\partial\varphi/\partial\dot x_\gamma$")
         .in_words()
         .follows([Zero(dot(steered, pushed))]);

@@ -24,18 +24,28 @@ fn combined(page: &mut Page) {
     let [p1, p2, mu1, mu2, change1, change2] = letters(["ṗ1", "ṗ2", "μ1", "μ2", "Δμ1", "Δμ2"]);
     let force = with_friction(motion.fields);
     let changed = force.map(|f| f.substitute(&[(mu1, mu1 + change1), (mu2, mu2 + change2)]));
-    let first = first_kind(&Mixed, &motion.state, force).acceleration;
     let displaced =
         |by: [Sym; 2]| -> Four { std::array::from_fn(|i| by[0] * motion.fields[0][i] + by[1] * motion.fields[1][i]) };
+    // the work of R^n = m x'' - X - R^tau on what friction points to
+    let works = |at: Four| {
+        motion.fields.map(|field| (0..4).fold(Sym::ZERO, |sum, i| sum + (masses[i] * at[i] - force[i]) * field[i]))
+    };
+    let first = first_kind(&Mixed, &motion.state, force).acceleration;
+    page.claim("section2.2-gauss", "ideal", r"at the accelerations (2.8) the forces of constraint do no work on what friction points to, $\sum R^n_\gamma\,\partial\dot x_\gamma/\partial p_j=0$: four coordinates, a geometric and a nonlinear kinematic constraint")
+        .in_words()
+        .follows(works(first).map(Zero));
+    let at: Four = indexed("a#");
     let shift = displaced([p1, p2]);
-    let moved: Four = std::array::from_fn(|i| first[i] + shift[i]);
+    let moved: Four = std::array::from_fn(|i| at[i] + shift[i]);
     let excess = displaced([p1 - change1, p2 - change2]);
-    page.claim("section2.2-gauss", "law", r"the principle does not need friction to be held: where $\mu_j$ is $\mu_j+\Delta\mu_j$ at the accelerations $\ddot x+\delta$, $\delta=\sum\dot p_j\partial\dot x/\partial p_j$, the function (2.21) grows by $\frac12\sum m(\delta-\sum\Delta\mu_j\,\partial\dot x/\partial p_j)^2\ge0$").in_words()
-        .note("Because $R^n$ does no work on what friction points to; where the growth is zero the other acceleration satisfies (2.8) with its own friction.")
-        .follows([Equal(
-            gauss::constraint(masses, changed, moved) - gauss::constraint(masses, force, first),
-            gauss::constraint(masses, [Sym::ZERO; 4], excess),
-        )]);
+    let growth = Equal(
+        gauss::constraint(masses, changed, moved) - gauss::constraint(masses, force, at),
+        gauss::constraint(masses, [Sym::ZERO; 4], excess),
+    );
+    page.claim("section2.2-gauss", "law", r"so the principle does not need friction to be held: where $\mu_j$ is $\mu_j+\Delta\mu_j$ at the accelerations $\ddot x+\delta$, $\delta=\sum\dot p_j\partial\dot x/\partial p_j$, the function (2.21) grows by $\frac12\sum m(\delta-\sum\Delta\mu_j\,\partial\dot x/\partial p_j)^2\ge0$").in_words()
+        .note("Where the growth is zero the other acceleration satisfies (2.8) with its own friction.")
+        .given(works(at).map(Zero))
+        .by_combination([(growth, vec![], vec![(0, p1 - change1), (1, p2 - change2)])]);
 }
 
 /// The guide's tangential reaction itself.

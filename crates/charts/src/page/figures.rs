@@ -36,7 +36,7 @@ fn card(sphere: &Sphere, set: &mut Typesetter) -> Markup {
 
 pub(super) fn friction(report: &Report, set: &mut Typesetter) -> Markup {
     html! {
-        @if !report.friction.is_empty() {
+        @if !report.friction.is_empty() || !report.rough.is_empty() {
             section #friction {
                 h2 { "Friction" }
                 @for two in report.friction.chunks(2) {
@@ -46,6 +46,7 @@ pub(super) fn friction(report: &Report, set: &mut Typesetter) -> Markup {
                         }
                     }
                 }
+                @for scene in &report.rough { (super::scenes::card(scene, set)) }
             }
         }
     }

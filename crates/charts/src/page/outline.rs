@@ -74,7 +74,13 @@ pub(super) fn contents(report: &Report, set: &mut Typesetter) -> Markup {
                     }
                 }
                 @if !report.spheres.is_empty() { li { a href="#spheres" { "Directions on the sphere" } } }
-                @if !report.friction.is_empty() { li { a href="#friction" { "Friction" } } }
+                @if !report.friction.is_empty() || !report.rough.is_empty() {
+                    li { a href="#friction" { "Friction" }
+                        ol { @for scene in &report.rough {
+                            li { a href={ "#" (anchor(&scene.id)) } { (set.text(&scene.title)) } }
+                        } }
+                    }
+                }
                 @if !report.timings.is_empty() || !report.timings_missing.is_empty() { li { a href="#timings" { "Timings" } } }
             }
         }

@@ -18,7 +18,7 @@ pub(super) fn scenes(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-fn card(scene: &SceneSection, set: &mut Typesetter) -> Markup {
+pub(super) fn card(scene: &SceneSection, set: &mut Typesetter) -> Markup {
     set.at(&scene.id);
     html! {
         article.scene id=(anchor(&scene.id)) {

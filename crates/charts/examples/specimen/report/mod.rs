@@ -19,6 +19,7 @@ pub fn specimen() -> Report {
         scenes: scenes::scenes(),
         spheres: pictures::spheres(),
         friction: pictures::areas(),
+        rough: Vec::new(),
         timings: pictures::timings(),
         timings_missing: String::new(),
     }
