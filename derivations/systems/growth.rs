@@ -4,7 +4,7 @@
 //! velocity, the velocity. That the momentum is m y' with m' y' in the balance is part of the law: of a point whose mass
 //! leaves or arrives it asks that this mass has no velocity of its own.
 
-use field::{Analytic, Base, Over, Scalar, Tangent};
+use field::{Analytic, Base, Over, Tangent};
 
 /// A law of growth.
 pub trait Growth {

@@ -173,7 +173,8 @@ pub fn prescribing<S: Scalar>(
     wanted: [S; 3],
 ) -> Result<Vector3<S>, StationaryInclination> {
     let vertical_rate = poisson(at);
-    let (lifted, slow) = (top.map(|x| Tangent::moving(Tangent::fixed(x.value), Tangent::fixed(x.slope))), Tangent::fixed);
+    let (lifted, slow) =
+        (top.map(|x| Tangent::moving(Tangent::fixed(x.value), Tangent::fixed(x.slope))), Tangent::fixed);
     let fixed = Attitude { spin: at.spin.map(slow), vertical: at.vertical.map(slow) };
     let under = |moment: Vector3<Tangent<S>>| {
         let found = rates(&lifted, &fixed, slow(axial_speed), moment, vertical_rate.map(slow));
