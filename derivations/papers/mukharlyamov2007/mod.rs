@@ -7,8 +7,8 @@
 //! (`systems/variable_top.rs`, `top.rs`): the right sides h, the moments, V and its derivative are differentiated from
 //! these, with A(t), C(t), M(t), z_c(t) as tangents.
 //!
-//! Damaged in the text at hand, and restored here: the index of lambda in (7); gamma_3 for a second z_c in the last term
-//! of h_1; 4A for 4a in the first inequality; f_3 = r - r_0 in V.
+//! Damaged in the text at hand, and restored here: the index of lambda in (7); 4A for 4a in the first inequality;
+//! f_3 = r - r_0 in V.
 //!
 //! # Key results
 //! Multipliers that make violations obey any law exist and are found (10), exactly. That the violations obey (13) does not
