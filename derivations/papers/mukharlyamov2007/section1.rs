@@ -37,6 +37,7 @@ fn production(page: &mut Page) {
     let now = m + dm * t;
     let steady = supply / (wear * now);
     page.claim("eq1", "steady", r"with a constant share $\delta$ of the funds worn out and a constant supply, $\dot Y=u/(\delta m(t))$ solves (1) for $m=m_0+\dot mt$: the funds stand still, the capacity goes as $1/m$")
+        .in_words()
         .given([NonZero(wear), NonZero(now)])
         .follows([Zero(along(&plant, y, steady, by_time))]);
 }
@@ -59,11 +60,13 @@ fn learning(page: &mut Page) {
         "closed-form",
         r"where $M=I/G$: $\dot I=\tau/(1+cE)$ with $\dot E=\tau E/L$, $E=e^{\tau t/L}$, solves (2), whatever $c$",
     )
+    .in_words()
     .given([NonZero(int(1) + c * e)])
     .follows([Zero(along(&open, i, speed, |v| v.diff(e) * denial * e / inertia))]);
     let (t, v0) = (letter("t"), letter("v0"));
     let runaway = inertia * v0 / (inertia - v0 * t);
     page.claim("eq2", "runaway", r"the square of $\dot I$ feeds itself: without denial, $\tau=0$, $\dot I=Lv_0/(L-v_0t)$ is a solution and ends at the time $L/v_0$; (4) with its linear resistance has no such motion")
+        .in_words()
         .given([NonZero(inertia - v0 * t)])
         .follows([Zero(along(&Learning { denial: Sym::ZERO, ..open }, i, runaway, by_time))]);
 }
@@ -96,6 +99,7 @@ fn joint(page: &mut Page) {
             motor,
         )]);
     page.claim("eq3", "growth", "it is the law of growth")
+        .in_words()
         .follows([Equal(joint.residual(Sym::ZERO, [angle, speed, acceleration]), derived)]);
 }
 
@@ -134,16 +138,19 @@ fn closed_forms(page: &mut Page) {
         "oscillator",
         r"constant mass: $x=E(x_1\cos\omega t+x_2\sin\omega t)$, $E=e^{-\beta t/2m}$, for $k=m\omega^2+\beta^2/4m$",
     )
+    .in_words()
     .follows([Zero(along(&damped, x, rate(x), rate))]);
     let now = m + dm * t;
     let impulse = letter("P₀");
     let coasting = VariablePoint { mass_rate: dm, resistance: Sym::ZERO, ..free };
     page.claim("eq4", "coasting", r"mass linear in $t$, no forces: $m\dot x=p_0$ is constant")
+        .in_words()
         .given([NonZero(now)])
         .follows([Zero(along(&coasting, x0, impulse / now, by_time))]);
     let resisted = VariablePoint { mass_rate: dm, resistance: dm, ..free };
     let x = x0 - impulse * m / (dm * now);
     page.claim("eq4", "gathering", r"mass gathered at the rate $\dot m=\beta$: $x=x_0-p_0m_0/(\dot mm)$, so that the point never goes farther than $x_0$")
+        .in_words()
         .given([NonZero(now), NonZero(dm)])
         .follows([Zero(along(&resisted, x, by_time(x), by_time))]);
 }

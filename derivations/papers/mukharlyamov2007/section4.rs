@@ -2,9 +2,11 @@
 
 use super::alphabet::{dot, exact, indexed, int, letter, letters};
 use super::general::{General, instant, led};
+use crate::systems::kept_speed::KeptSpeed;
 use claims::{Condition, Line, Page};
 use field::Tangent;
-use mechanics::constrained::programmed::{Linear, Programme, Violation, violation};
+use mechanics::constrained::multipliers::{Reaction, multipliers as lagrange};
+use mechanics::constrained::programmed::{Linear, programmed, violation};
 use mechanics::constrained::rates::{jacobian, rates};
 use mechanics::constrained::{Constrained, Constraint, State, System};
 use mechanics::differentiate::{fixed, gradient};
@@ -120,18 +122,21 @@ fn programme(page: &mut Page) {
         let push = reaction.multipliers[0] * rows[i] + reaction.multipliers[1] * across[i];
         Equal(masses[i] * reaction.acceleration[i], forced[i] + push)
     }));
-    let kept = Violation { value: [Sym::ZERO; 2], rate: [Sym::ZERO; 2] };
     let law = Linear {
         damping: [letters(["k₂₂", "k₂₃"]), letters(["k₃₂", "k₃₃"])],
-        stiffness: [[letter("k₁₂"); 2]; 2],
+        stiffness: [letters(["k₁₂", "k₁₃"]), letters(["κ₂₁", "κ₂₂"])],
     };
-    let rest: [Sym; 2] = law.prescribed(&at, &kept);
-    let on = led(rest);
-    page.claim("eq10", "trivial", r"because $Y(0,0,\dots)=0$ a motion that begins on the constraints stays there: $\ddot y=0$ at $y=\dot y=0$, and $\lambda$ is Lagrange's")
+    let undefined = Reaction { acceleration: [Sym::UNDEFINED; 3], multipliers: [Sym::UNDEFINED; 2] };
+    let stabilised = programmed(&General, &law, &at, forced).unwrap_or(undefined);
+    // on the constraints: f = 0, f' = 0, phi = 0, by the letters of their values
+    let [f, ft, phi] = letters(["f", "ft", "ϕ"]);
+    let kept = [(f, Sym::ZERO), (ft, ft - found.rate[0]), (phi, phi - found.rate[1])];
+    page.claim("eq10", "trivial", r"because $Y(0,0,\dots)=0$ the multipliers of a stabilised system are Lagrange's on the constraints, so that a motion which begins there is the same: with $Y=-c\dot y-ky$, any matrices")
         .in_words()
-        .follows(rates(&General, &at, on.acceleration).map(Zero).into_iter().chain(
-            (0..2).map(|k| Equal(on.multipliers[k], led([Sym::ZERO; 2]).multipliers[k])),
-        ));
+        .follows((0..2).map(|k| {
+            let lagrange = led([Sym::ZERO; 2]).multipliers[k];
+            Equal(stabilised.multipliers[k].substitute(&kept), lagrange.substitute(&kept))
+        }));
 }
 
 /// The drift.
@@ -146,11 +151,20 @@ fn instability(page: &mut Page) {
     page.claim("section5-instability", "geometric", r"a geometric constraint is unstable: from $y_0=0$ and $\dot y_0>0$ however small, $y$ reaches any bound $b>0$ at the time $b/\dot y_0$")
         .given([Positive(b), Positive(dy0)])
         .follows([Zero(drifted.substitute(&[(y0, Sym::ZERO), (t, b / dy0)]) - b)]);
-    let [now, first] = letters(["ϕ", "v0"]);
-    page.claim("section5-instability", "kinematic", r"a kinematic constraint is unstable likewise: $\varphi$ grows beyond its first value")
-        .given([Equal(now, first), Positive(first)])
-        .note(r"Since $\dot\varphi=0$, $\varphi(t)=\varphi(0)$. A method of integration adds its own errors to it, step by step.")
-        .refuted([Positive(now - first)], exact([("ϕ", 1, 1), ("v0", 1, 1)]));
+    let [mass, gravity, speed, u, v] = letters(["m", "g", "v0", "q̇1", "q̇2"]);
+    let point = KeptSpeed { mass, gravity, speed, acceleration: Sym::ZERO };
+    let at = State { time: Sym::ZERO, place: [Sym::ZERO; 2], velocity: [u, v] };
+    let kept = lagrange(&point, &at, point.force(&at)).map_or([Sym::UNDEFINED; 2], |reaction| reaction.acceleration);
+    let [rate]: [Sym; 1] = rates(&point, &at, kept);
+    let [error]: [Sym; 1] = violation(&point, &at).rate;
+    page.claim("section5-instability", "kinematic", r"a kinematic constraint is unstable likewise: where $\varphi\ne0$, $|\varphi|$ grows, $\varphi\dot\varphi>0$; the point that keeps its speed, $\varphi=\frac12(\dot q_1^2+\dot q_2^2-v_0^2)$")
+        .in_words()
+        .given([NonZero(error)])
+        .note(r"A method of integration adds its own errors to it, step by step.")
+        .refuted(
+            [Positive(error * rate)],
+            exact([("m", 1, 1), ("g", 1, 1), ("v0", 1, 1), ("q̇1", 2, 1), ("q̇2", 1, 1)]),
+        );
     page.claim(
         "section5-instability",
         "kinematic-corrected",

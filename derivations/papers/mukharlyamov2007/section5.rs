@@ -78,6 +78,7 @@ fn expansion(page: &mut Page) {
     let at_rest = |e: Sym| e.substitute(&origin);
     let stated = [Zero(at_rest(d)), Zero(at_rest(d.diff(dy))), Equal(at_rest(d.diff(dy).diff(dy)), c)];
     page.claim("eq13", "expansion", r"from $D=D^0$, $\frac{\partial D}{\partial\dot y}=0$, $\frac{\partial^2D}{\partial\dot y^2}=c$ at $y=\dot y=0$ follows $D=D^0+\frac12c\dot y^2+D^{(3)}$: no term $y\dot y$")
+        .in_words()
         .given(stated)
         .refuted(
             [Zero(at_rest(d.diff(y).diff(dy)))],
@@ -193,14 +194,13 @@ fn stability(page: &mut Page) {
     let [a, c, k, y, dy] = letters(["a", "c₀", "k", "y", "ẏ"]);
     let rate = |v: Sym| v.diff(y) * dy - v.diff(dy) * (c * dy + k * y) / a;
     let energy = (a * dy * dy + k * y * y).half();
-    page.claim("section5-stability", "energy", r"the energy $\frac12(a\dot y^2+ky^2)$ that (13) suggests is such a function: its derivative $-c\dot y^2$ is negative where $(y,\dot y)\ne0$")
+    page.claim("section5-stability", "energy", r"the energy $\frac12(a\dot y^2+ky^2)$ that (13) suggests is not such a function: its derivative $-c\dot y^2$ vanishes where $\dot y=0$, $y\ne0$")
         .given([Positive(a), Positive(c), Positive(k), NonZero(y)])
-        .refuted([Positive(-rate(energy))], exact([("a", 1, 1), ("c₀", 1, 1), ("k", 1, 1), ("y", 1, 1), ("ẏ", 0, 1)]));
+        .exists([Zero(rate(energy))], exact([("a", 1, 1), ("c₀", 1, 1), ("k", 1, 1), ("y", 1, 1), ("ẏ", 0, 1)]));
     let v = energy + (c * y * dy).half() + c * c * y * y / (int(4) * a);
-    page.claim("section5-stability", "energy-corrected", r"$V=\frac12a\dot y^2+\frac12ky^2+\frac12cy\dot y+\frac{c^2}{4a}y^2$ is: with constant $a,c,k>0$, $\dot V=-\frac c2\dot y^2-\frac{ck}{2a}y^2$")
+    page.claim("section5-stability", "function", r"$V=\frac12a\dot y^2+\frac12ky^2+\frac12cy\dot y+\frac{c^2}{4a}y^2$ is: with constant $a,c,k>0$, $\dot V=-\frac c2\dot y^2-\frac{ck}{2a}y^2$")
         .given([Positive(a), Positive(c), Positive(k)])
         .follows([Equal(rate(v), -(c * dy * dy).half() - (c * k * y * y / a).half())]);
-    page.correct();
     let square = dy + c * y / (int(2) * a);
     page.claim("section5-stability", "definite", r"and positive definite: $V=\frac a2\left(\dot y+\frac c{2a}y\right)^2+\left(\frac k2+\frac{c^2}{8a}\right)y^2$")
         .given([Positive(a), Positive(c), Positive(k)])

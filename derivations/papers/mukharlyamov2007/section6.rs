@@ -30,9 +30,15 @@ pub fn claims(page: &mut Page) {
     let by_crank = gap(moving(crank), Tangent::fixed(slider)).slope;
     let by_slider = gap(Tangent::fixed(crank), moving(slider)).slope;
     let offset = slider - radius * point.cos;
-    page.claim("section6-drive", "regular", r"its row is $(2q^7r\sin q^6,\ 2(q^7-r\cos q^6))$: it vanishes only at a dead centre with $q^7=r\cos q^6$, which is $|r\sin q^6|=l$ and $q^7r\sin q^6=0$; for $l>r$ nowhere")
-        .follows([
-            Condition::Equal(by_crank, int(2) * slider * radius * point.sin),
-            Condition::Equal(by_slider, int(2) * offset),
-        ]);
+    page.claim("section6-drive", "row", r"its row is $(2q^7r\sin q^6,\ 2(q^7-r\cos q^6))$").follows([
+        Condition::Equal(by_crank, int(2) * slider * radius * point.sin),
+        Condition::Equal(by_slider, int(2) * offset),
+    ]);
+    page.claim("section6-drive", "regular", r"which vanishes nowhere if the rod is longer than the crank: $q^7=r\cos q^6$ asks for $r^2-l^2=r^2\cos^2q^6\ge0$")
+        .given([Condition::Equal(printed, length * length), Condition::Zero(offset)])
+        .by_combination([(
+            Condition::Equal(radius * radius - length * length, (radius * point.cos).powi(2)),
+            vec![],
+            vec![(0, int(1)), (1, -offset)],
+        )]);
 }

@@ -50,7 +50,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
         moment.z + others.z,
     ];
     let left = [a * rates.x, a * rates.y, c * rates.z];
-    page.claim("eq16", "momentum", r"from the moment of momentum of a body with the gyroscope $\nu$ and a particle $m(t)$ that moves in it: $M=\dot m\,\xi\times(w-\dot\xi)-m\,\xi\times\ddot\xi-2m\,\xi\times(\omega\times\dot\xi)$, reactive, inertial and Coriolis moment, where the mass leaves with the velocity $w$ relative to the body; $\dot A$ does not stand on the left. Written out for the first equation")
+    page.claim("eq16", "momentum", r"from the moment of momentum of a body with the gyroscope $\nu$ and a particle $m(t)$ that moves in it: $M=\dot m\,\xi\times(w-\dot\xi)-m\,\xi\times\ddot\xi-2m\,\xi\times(\omega\times\dot\xi)$, reactive, inertial and Coriolis moment, where the mass leaves with the velocity $w$ relative to the body; $\dot A$ does not stand on the left")
         .note("$A$, $B=A$, $C$ are the moments of body and particles at the instant, whose axes are taken to stay principal. Several particles add up. $\\dot\\gamma_i=\\Gamma_i$ is left open by the paper; on a motion $\\dot\\gamma=\\gamma\\times\\omega$.")
         .in_words()
         .follows((0..3).map(|i| Condition::Equal(derived[i], left[i] - right[i])));
@@ -80,7 +80,7 @@ fn integrals(page: &mut Page, s: &TopLetters) {
         .note("What $f_3$ is equal to is not printed: a constant in general, zero on the motion that is studied. The constant $\\mu$ below (17) is $\\mu_1$.")
         .defines([Line::formula(f3, letter("f₃"), f3)]);
     let law = s.top.map(|x| x.value).integrals(&s.at, s.aim);
-    page.claim("eq17", "law", "the quantities of the body as it runs are these").follows([
+    page.claim("eq17", "law", "the quantities of the body as it runs are these").in_words().follows([
         Condition::Equal(law.energy, f1),
         Condition::Equal(law.vertical_momentum, f2),
         Condition::Equal(law.axial_momentum, f3),

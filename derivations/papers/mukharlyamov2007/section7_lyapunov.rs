@@ -66,6 +66,18 @@ impl Bundle {
         n * n / (int(2) * a) + self.tide * (a - c) - weight()
     }
 
+    /// The same without the Newtonian field: (C r_0 + nu)^2/(2A) - M g z_c.
+    pub fn without_field(&self) -> Sym {
+        let [a, _, n] = body();
+        n * n / (int(2) * a) - weight()
+    }
+
+    /// The coefficient of f_4^2, 3/4 omega^2 (A - C).
+    pub fn of_length(&self) -> Sym {
+        let [a, c, _] = body();
+        self.tide * (a - c) / int(4)
+    }
+
     /// (C r_0 + nu)^2 - 4A (M g z_c - 3 omega^2 (A - C)).
     pub fn discriminant(&self) -> Sym {
         let [a, c, n] = body();

@@ -52,10 +52,37 @@ fn equations(page: &mut Page, s: &TopLetters) {
     let moment = now.moment_of_field(s.at.vertical);
     let kept = rates(&s.constant(), &s.at, s.aim, moment, moving);
     page.claim("eq21", "integrals", "for constant $A$, $C$, $Mz_c$ the equations so corrected have the integrals (17)")
+        .in_words()
         .follows([kept.energy, kept.vertical_momentum, kept.axial_momentum, kept.length].map(Zero));
+    varying(page, s);
     let wrong = int(2) * q * int(2) * (a - c) * r * p;
     page.claim("eq21", "energy", r"with the printed sign $f_1$ is no integral: $\dot f_1=4(A-C)pqr$")
         .holds([Line::formula(kept.energy + wrong, letter("ḟ₁"), int(4) * (a - c) * p * q * r)]);
+}
+
+/// The same with A(t), C(t), M(t), z_c(t), as V is used with it.
+fn varying(page: &mut Page, s: &TopLetters) {
+    let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (s.at.spin.into(), s.at.vertical.into());
+    let [da, dc, g] = letters(["Ȧ", "Ċ", "g"]);
+    let found = rates(&s.top, &s.at, s.aim, s.now().moment_of_field(s.at.vertical), poisson(&s.at));
+    let names = letters(["ḟ₁", "ḟ₂", "ḟ₃"]);
+    let line = |derived: [Sym; 3], right: [Sym; 3]| (0..3).map(move |i| Line::formula(derived[i], names[i], right[i]));
+    let derived = [found.energy, found.vertical_momentum, found.axial_momentum];
+    page.claim(
+        "eq21",
+        "varying",
+        r"(17) are integrals of (21) with varying $A$, $C$, $Mz_c$ too, so that $V$ is a bundle of integrals there",
+    )
+    .fails(line(derived, [Sym::ZERO; 3]));
+    let [_, change] = s.static_moment();
+    let energy = da * (p * p + q * q) + dc * r * r + int(2) * g * g3 * change - s.tide * (da - dc) * g3 * g3;
+    page.claim(
+        "eq21",
+        "varying-corrected",
+        r"only with the moments of section 7 besides, which (21) leaves out: without them",
+    )
+    .holds(line(derived, [energy, da * (p * g1 + q * g2) + dc * r * g3, dc * (r - s.aim)]));
+    page.correct();
 }
 
 /// (22)

@@ -95,9 +95,32 @@ fn definite(page: &mut Page, bundle: &Bundle) {
         .given([NonZero(da), NonZero(de)])
         .follows([Equal(form, squares)]);
     page.correct();
+    stable(page, bundle);
     let [t, least, excess] = [letter("t"), letter("A"), letter("C")];
     let slowing = least + excess / (int(1) + t / letter("h"));
     let rate = slowing.diff(t);
-    page.claim("section7-stability", "uniform", r"and not even these make $\dot V$ negative definite in Lyapunov's sense: by the paper's own assumption $A\to A_0$, so $\int\dot A\,dt$ is finite and $\dot A<0$ is not bounded away from zero; for $A=A_0+A_1/(1+t/h)$, $-\dot A=A_1h/(h+t)^2$. What follows is stability, $V$ being positive definite for all $t$ and $\dot V\le0$")
+    page.claim("section7-stability", "uniform", r"and not even these make $\dot V$ negative definite in Lyapunov's sense: by the paper's own assumption $A\to A_0$, so $\int\dot A\,dt$ is finite and $\dot A<0$ is not bounded away from zero; for $A=A_0+A_1/(1+t/h)$, $-\dot A=A_1h/(h+t)^2$. What follows is stability")
         .follows([Equal(-rate, excess * letter("h") / (letter("h") + t).powi(2))]);
+}
+
+/// What follows.
+fn stable(page: &mut Page, bundle: &Bundle) {
+    let ([a, c, n], [x1, x2, x3, x4, x5, x6]) = (body(), perturbations());
+    let (da, de, dn, dm) = (varying(a), varying(c * c / a), varying(n), varying(n * c / a));
+    let shift = |x: Sym, y: Sym, by: Sym| (x - by * y).powi(2);
+    let across = varying(bundle.of_directions()) - dn * dn / (int(4) * da);
+    let along = varying(bundle.without_field()) - dm * dm / (int(4) * de);
+    let squares = da * (shift(x1, x4, dn / (da + da)) + shift(x2, x5, dn / (da + da)))
+        + de * shift(x3, x6, dm / (de + de))
+        + across * (x4 * x4 + x5 * x5)
+        + along * x6 * x6;
+    let length = x4 * x4 + x5 * x5 + x6 * x6 + x6 + x6;
+    page.claim("section7-stability", "stable", r"on $|\gamma|=1$, not only near the rotation, $\dot V=\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\dot E\left(x_3-\frac{\dot F}{2\dot E}x_6\right)^2+\left(\dot\kappa-\frac{\dot N^2}{4\dot A}\right)(x_4^2+x_5^2)+\left(\dot\chi-\frac{\dot F^2}{4\dot E}\right)x_6^2$ with $E=\frac{C^2}A$, $F=\frac{NC}A$, $\chi=\frac{N^2}{2A}-Mgz_c$: where $D(t)$ stays above a positive number and $\dot A<0$, $\dot E<0$, $\dot A\dot\kappa\ge\frac14\dot N^2$, $\dot E\dot\chi\ge\frac14\dot F^2$, $V$ never grows and the rotation is stable")
+        .in_words()
+        .given([NonZero(da), NonZero(de), Zero(length)])
+        .by_combination([(
+            Equal(varying(bundle.corrected()), squares),
+            vec![],
+            vec![(2, varying(bundle.of_length()) * (x4 * x4 + x5 * x5 + x6 * x6 + x6 + x6))],
+        )]);
 }
