@@ -66,12 +66,7 @@ impl std::fmt::Display for StationaryInclination {
 
 impl std::error::Error for StationaryInclination {}
 
-impl<S: Scalar> Top<S> {
-    /// The same at rest in the parameters: solidified.
-    pub fn fixed(self) -> Top<Tangent<S>> {
-        self.map(Tangent::fixed)
-    }
-
+impl<S> Top<S> {
     /// Every parameter under a map.
     pub fn map<T>(self, f: impl Fn(S) -> T) -> Top<T> {
         Top {
@@ -82,6 +77,13 @@ impl<S: Scalar> Top<S> {
             gravity: f(self.gravity),
             tide: f(self.tide),
         }
+    }
+}
+
+impl<S: Scalar> Top<S> {
+    /// The same at rest in the parameters: solidified.
+    pub fn fixed(self) -> Top<Tangent<S>> {
+        self.map(Tangent::fixed)
     }
 
     /// G
