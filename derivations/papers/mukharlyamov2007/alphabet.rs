@@ -181,9 +181,6 @@ const LETTERS: &[(&str, &str, [i64; 3])] = &[
     ("η̇6", r"\dot x_6", [0, 0, -1]),
     ("σ", r"\sigma", [0, 0, -1]),
     ("Δ", r"\Delta", [1, 2, -1]),
-    // units, where a printed term lacks one
-    ("1m", r"(1\,\mathrm{m})", [0, 1, 0]),
-    ("1s", r"(1\,\mathrm{s})", [0, 0, 1]),
 ];
 
 fn found(name: &str) -> Option<&'static (&'static str, &'static str, [i64; 3])> {

@@ -90,8 +90,8 @@ fn right_sides(page: &mut Page, s: &TopLetters) {
     let tidal = s.tide * (a - c) * g3 * rate.z;
     let derived = half(wanted[0] - missing.energy);
     page.claim("section7-h1", "printed", r"$h_1$ as printed")
-        .note(r"Four things: $\frac12\sum k_{1i}f_i$; $\Gamma_3$ and not $\Gamma_2$ beside $Mgz_c$; $\gamma_3$ and not $z_c$ beside $Mg\dot z_c$, as $\tilde h_1$ has it: the printed term is not of the dimension of the others, and is taken with $z_c$ as a number, in metres; $\dot M$ is forgotten.")
-        .fails([Line::formula(derived, h1, wanted[0] - m * g * z * rate.y + tidal + varying - m * g * z * dz / letter("1m"))]);
+        .note(r"Four things: $\frac12\sum k_{1i}f_i$; $\Gamma_3$ and not $\Gamma_2$ beside $Mgz_c$; $\gamma_3$ and not $z_c$ beside $Mg\dot z_c$, as $\tilde h_1$ has it, which is not even of the dimension of the others; $\dot M$ is forgotten.")
+        .fails([Line::formula(derived, h1, wanted[0] - m * g * z * rate.y + tidal + varying - m * g * z * dz)]);
     page.claim("section7-h1", "corrected", r"$h_1$ from $\dot f_1$ along (16)").holds([Line::formula(
         derived,
         h1,

@@ -98,10 +98,9 @@ fn moments(page: &mut Page, s: &TopLetters) {
     let [mx, my, mz] = letters(["Mx", "My", "Mz"]);
     let (h1, delta) = (half(right), s.delta());
     page.claim("section7-moments", "others", r"$M_x=\gamma_2\tilde h_1/\Delta$, $M_y=p\tilde h_1/\Delta$, $M_z=0$ with $\Delta=p\gamma_2-q\gamma_1$ and the right $\tilde h_1$")
-        .note(r"$p\tilde h_1/\Delta$ is not even a moment: it is taken with $p$ as a number, in units of 1/s.")
         .fails([
             Line::formula(others.x, mx, g2 * h1 / delta),
-            Line::formula(others.y, my, letter("1s") * p * h1 / delta),
+            Line::formula(others.y, my, p * h1 / delta),
             Line::formula(others.z, mz, Sym::ZERO),
         ]);
     let (h2, h3) = (-da * (p * g1 + q * g2) - dc * r * g3, -dc * (r - s.aim));
