@@ -1,7 +1,8 @@
 //! The moments that keep the integrals of a top of variable mass: at random exact data, and where they do not exist.
 
 use derivations::systems::variable_top::{Attitude, StationaryInclination, Top, poisson, prescribing, rates};
-use field::{Rational, Tangent};
+use field::{Over, Rational, Tangent};
+use integrators::{Method, Ode, Record, Span, System, Tolerance, integrate};
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use proptest::array::{uniform3, uniform6};
@@ -82,4 +83,47 @@ fn on_the_permanent_rotation_no_moment_keeps_two_integrals_of_a_body_that_grows(
         let found = rates(&growing, &at, one, Vector3::from(moment.map(number)), poisson(&at));
         assert_eq!(found.vertical_momentum - found.axial_momentum, one);
     }
+}
+
+/// The top that does not change, in the Newtonian field: y = (p, q, r, gamma).
+struct Constant(Top<f64>);
+
+impl<S: Over<f64>> Ode<S> for Constant {
+    fn dimension(&self) -> usize {
+        6
+    }
+
+    fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+        let at = attitude(y);
+        let top = self.0.map(S::lift);
+        let spin = top.acceleration(at.spin, top.moment_of_field(at.vertical));
+        dy[..3].copy_from_slice(spin.as_slice());
+        dy[3..].copy_from_slice(poisson(&at).as_slice());
+    }
+}
+
+impl System for Constant {}
+
+fn attitude<S: field::Scalar>(y: &[S]) -> Attitude<S> {
+    Attitude { spin: Vector3::new(y[0], y[1], y[2]), vertical: Vector3::new(y[3], y[4], y[5]) }
+}
+
+/// How far the axis leaves the vertical, and the energy integral its first value, after a push of a millionth.
+fn pushed(static_moment: f64) -> [f64; 2] {
+    let top = Top { equatorial: 2.0, axial: 1.0, static_moment, gyroscope: 0.0, gravity: 1.0, tide: 1.0 };
+    let energy = move |_: f64, y: &[f64]| top.integrals(&attitude(y), 1.0).energy;
+    let start = [1e-6, 0.0, 1.0, 0.0, 0.0, 1.0];
+    let span = Span::new(0.0, 40.0, &start).with_monitor("axis", |_, y| y[5]).with_monitor("energy", energy);
+    let run = integrate(&Constant(top), Method::DormandPrince8, &Tolerance::both(1e-12), &span, &mut Record::default());
+    assert!(run.reached());
+    [run.deviations[0].largest, run.deviations[1].largest]
+}
+
+/// (C r_0 + nu)^2 - 4A (M g z_c - k (A - C)) is 1 and -7 for k = 1; with the k = 3 of the text it is 17 and 9.
+#[test]
+fn the_axis_stays_upright_where_the_discriminant_is_positive_and_falls_where_only_the_printed_one_is() {
+    let ([upright, kept], [fallen, also_kept]) = (pushed(1.0), pushed(2.0));
+    assert!(upright < 1e-10, "{upright}");
+    assert!(fallen > 0.5, "{fallen}");
+    assert!(kept < 1e-9 && also_kept < 1e-9, "{kept} {also_kept}");
 }

@@ -121,7 +121,7 @@ impl<S: Scalar> Top<S> {
         Vector3::new(-missing.x / self.equatorial, -missing.y / self.equatorial, -missing.z / self.axial)
     }
 
-    /// The quantities (17), with the field's part counted from gamma across the axis; r_0 is the axial speed aimed at.
+    /// With the field's part counted from gamma across the axis; r_0 is the axial speed aimed at.
     pub fn integrals(&self, at: &Attitude<S>, axial_speed: S) -> Integrals<S> {
         let across = Vector3::new(S::one(), S::zero(), S::zero());
         let field = self.force_function(at.vertical) - self.force_function(across);

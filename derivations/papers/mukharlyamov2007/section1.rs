@@ -16,6 +16,7 @@ pub fn claims(page: &mut Page) {
     joint(page);
     point(page);
     closed_forms(page);
+    runs(page);
 }
 
 /// The residual of a law along y(t), differentiated by the symbol t.
@@ -153,4 +154,28 @@ fn closed_forms(page: &mut Page) {
         .in_words()
         .given([NonZero(now), NonZero(dm)])
         .follows([Zero(along(&resisted, x, by_time(x), by_time))]);
+}
+
+/// What is integrated.
+fn runs(page: &mut Page) {
+    fn balance(law: &impl Growth<Given = Sym>, names: [&str; 2]) -> Condition {
+        let ([y, speed], t) = (letters(names), letter("t"));
+        Zero(law.residual(t, [y, speed, law.acceleration(t, y, speed)]))
+    }
+    let [fund, fund_rate, wear, supply] = letters(["mᶠ", "ṁᶠ", "δ", "uᶠ"]);
+    let [inertia, denial, permeability, potential] = letters(["L", "τ", "G", "Mᴵ"]);
+    let [link, load, distance, rate, gravity, motor] = letters(["J₀", "m", "ρ", "ρ̇", "g", "Mᴶ"]);
+    let [mass, mass_rate, resistance, stiffness, push] = letters(["m", "ṁ", "β", "k", "Rᶠ"]);
+    page.claim(
+        "eq4",
+        "runs",
+        r"(1)-(4) solved for the acceleration, as they are integrated, satisfy the law of growth",
+    )
+    .in_words()
+    .follows([
+        balance(&Plant { fund, fund_rate, wear, supply }, ["Y", "Ẏ"]),
+        balance(&Learning { inertia, denial, permeability, potential }, ["I", "İ"]),
+        balance(&Joint { link, load, distance, rate, gravity, motor }, ["φ", "φ̇"]),
+        balance(&VariablePoint { mass, mass_rate, resistance, stiffness, push }, ["x", "ẋ"]),
+    ]);
 }
