@@ -227,8 +227,7 @@ proptest! {
         let law: Linear<Rational, 6> = Linear::baumgarte(alpha, beta);
         let Ok(led) = programmed(&disc, &law, &at, disc.force(&at)) else { return Ok(()) };
         let (found, y) = (rates(&disc, &at, led.acceleration), violation(&disc, &at));
-        for k in 0..6 {
-            prop_assert_eq!(found[k], -(alpha + alpha) * y.rate[k] - beta * beta * y.value[k]);
-        }
+        let led_back = std::array::from_fn(|k| -(alpha + alpha) * y.rate[k] - beta * beta * y.value[k]);
+        prop_assert_eq!(found, led_back);
     }
 }

@@ -170,7 +170,7 @@ fn inequality(page: &mut Page, s: &TopLetters) {
         .refuted(
             [Positive(with(s.tide / int(3)))],
             exact([
-                ("A", 2, 1), ("C", 1, 1), ("ν", 0, 1), ("r₀", 1, 1), ("M", 2, 1), ("zc", 1, 1), ("g", 1, 1), ("R", 3, 1),
+                ("A", 2, 1), ("C", 1, 1), ("ν", 0, 1), ("r₀", 1, 1), ("M", 1, 1), ("zc", 1, 1), ("g", 2, 1), ("R", 6, 1),
             ]),
         );
     let [m, g, z] = letters(["M", "g", "zc"]);
