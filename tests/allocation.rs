@@ -3,6 +3,7 @@
 use derivations::friction::stretch::Stretch;
 use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, Source};
 use derivations::papers::konosevich2022::gyrostats;
+use derivations::systems::disc::Disc;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;
 use derivations::systems::ladder::Ladder;
@@ -10,6 +11,7 @@ use field::{Analytic, DoubleDouble, Over};
 use integrators::{Directions, Ode, Signal, Switches};
 use mechanics::constrained::State;
 use mechanics::constrained::System as _;
+use mechanics::constrained::programmed::{Linear, programmed};
 use mechanics::regimes::{Direction, Dry, Face, Mode, Sizes, Touch, Verdict, touches, verdict};
 use physical::rounded;
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -132,4 +134,17 @@ fn sliding_allocates_nothing() {
     });
     assert_eq!(count, 0);
     assert!(dy[7] != 0.0 && signals[0].value > 0.0);
+}
+
+#[test]
+fn leading_violated_constraints_allocates_nothing() {
+    let disc = Disc { mass: 3.0, second_moment: 1.0, radius: 2.0, gravity: 9.8 };
+    let law: Linear<f64, 6> = Linear::baumgarte(5.0, 5.0);
+    let place = [0.1, 0.2, 1.5, 0.9, 0.1, 0.4, -0.2, 0.8, 0.5];
+    let at = State { time: 0.0, place, velocity: place.map(|x| 1.0 - x) };
+    let count = allocations(|| {
+        let led = programmed(&disc, &law, &at, disc.force(&at)).expect("the rows are independent there");
+        assert!(led.acceleration.iter().all(|a| a.is_finite()));
+    });
+    assert_eq!(count, 0);
 }

@@ -11,6 +11,8 @@ use mechanics::constrained::gauss::{constraint, least};
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::multipliers::multipliers;
 use mechanics::constrained::newton::{Reactions, newton};
+use mechanics::constrained::programmed::{Linear, programmed, violation};
+use mechanics::constrained::rates::rates;
 use mechanics::constrained::redundant::{Redundant, Split, accelerations};
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System, appell, quasi, second_kind};
 use num_traits::Zero;
@@ -208,5 +210,24 @@ proptest! {
         for spread in spreads {
             prop_assert!(spread < 1e-8, "{spreads:?}");
         }
+    }
+}
+
+proptest! {
+    #![proptest_config(config(17))]
+
+    #[test]
+    fn a_disc_off_its_constraints_is_led_back_as_the_law_says(
+        place in prop::array::uniform9(number(-4, 4)), velocity in prop::array::uniform9(number(-4, 4)),
+        alpha in number(1, 4), beta in number(1, 4),
+    ) {
+        let [mass, second_moment, radius, gravity] = [3, 1, 2, 10].map(|n| Rational::new(n, 1));
+        let disc = Disc { mass, second_moment, radius, gravity };
+        let at = State { time: Rational::zero(), place, velocity };
+        let law: Linear<Rational, 6> = Linear::baumgarte(alpha, beta);
+        let Ok(led) = programmed(&disc, &law, &at, disc.force(&at)) else { return Ok(()) };
+        let (found, y) = (rates(&disc, &at, led.acceleration), violation(&disc, &at));
+        let led_back = std::array::from_fn(|k| -(alpha + alpha) * y.rate[k] - beta * beta * y.value[k]);
+        prop_assert_eq!(found, led_back);
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod konosevich2022;
 pub mod manglieva2022;
+pub mod mukharlyamov2007;
 
 use claims::Page;
 
@@ -23,8 +24,13 @@ pub struct Paper {
 }
 
 /// Every paper, and the workbench's own pages.
-pub const ALL: &[Paper] =
-    &[konosevich2022::PAPER, manglieva2022::PAPER, crate::principles::PAPER, crate::regimes::PAPER];
+pub const ALL: &[Paper] = &[
+    konosevich2022::PAPER,
+    manglieva2022::PAPER,
+    mukharlyamov2007::PAPER,
+    crate::principles::PAPER,
+    crate::regimes::PAPER,
+];
 
 /// Every paper's page, made in the calling thread.
 pub fn pages() -> Vec<Page> {

@@ -6,7 +6,8 @@
 //! * `combining`, `friction`: Painleve's method of combining constraints and Gauss' principle with friction, as theorems
 //!   on masses, rows of constraints and reactions that are all symbols;
 //! * `lost`: constraints put into the energy, and the term that this loses;
-//! * `museum`: public faults, each with what it lost.
+//! * `museum`: public faults, each with what it lost;
+//! * `programmed`: violated constraints that are led by a law of their own, and the drift of those that are not.
 //!
 //! # Key results
 //! Gauss' principle with friction holds with the law of friction substituted where the friction is that of the extended
@@ -21,6 +22,7 @@ mod equal;
 mod friction;
 mod lost;
 mod museum;
+mod programmed;
 pub mod systems;
 
 pub use alphabet::{dimension, letter};
@@ -34,7 +36,7 @@ pub const PAPER: Paper = Paper {
     key: "principles",
     title: "The principles of mechanics, equal on every system",
     citation: "This workbench's own page: theorems that its systems rest on",
-    summary: r"Lagrange's equations of both kinds, Newton's with reactions, Appell's, Shulgin's and Gauss' principle as a minimisation are derived from one description of a system, and are shown equal as rational functions on seven systems: geometric and kinematic constraints, one that is nonlinear in the velocities, two that contain the time. The method of combining constraints is stated as theorems on masses, constraints and reactions: what exists, what is unique, what does not depend on friction. Gauss' principle with friction holds with the law of friction substituted for the extended choice of displacements, and fails for the contact's own force. Faults that are widely read are kept with the terms that they lose.",
+    summary: r"Lagrange's equations of both kinds, Newton's with reactions, Appell's, Shulgin's and Gauss' principle as a minimisation are derived from one description of a system, and are shown equal as rational functions on seven systems: geometric and kinematic constraints, one that is nonlinear in the velocities, two that contain the time. The method of combining constraints is stated as theorems on masses, constraints and reactions: what exists, what is unique, what does not depend on friction. Gauss' principle with friction holds with the law of friction substituted for the extended choice of displacements, and fails for the contact's own force. Faults that are widely read are kept with the terms that they lose. Multipliers that lead violated constraints by a prescribed law do so exactly; that they exist follows from the principles, the law does not.",
     entries: &[
         "rod",
         "steered-rod",
@@ -47,6 +49,7 @@ pub const PAPER: Paper = Paper {
         "gauss-friction",
         "shulgin",
         "museum",
+        "programmed",
     ],
     page,
 };
@@ -60,6 +63,7 @@ pub fn page() -> Page {
     friction::claims(&mut page);
     lost::claims(&mut page);
     museum::claims(&mut page);
+    programmed::claims(&mut page);
     page
 }
 

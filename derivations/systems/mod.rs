@@ -2,6 +2,7 @@
 
 pub mod climbed_ladder;
 pub mod disc;
+pub mod growth;
 pub mod gyrostat;
 pub mod kept_speed;
 pub mod knife_edge;
@@ -11,3 +12,4 @@ pub mod rod;
 pub mod slender_rod;
 pub mod steered_rod;
 pub mod swing;
+pub mod variable_top;

@@ -24,6 +24,7 @@
 //! | Appell | a chart, S'(p') | [`mod@appell`] |
 //! | Shulgin | redundant coordinates, T*; with the term it loses | [`redundant`], [`quasi`] |
 //!
+//! [`programmed`]: multipliers that lead violated constraints by a prescribed law instead of keeping them.
 //! [`combining`] splits reactions with friction; [`classify`] tells what kind of constraints these are.
 
 pub mod appell;
@@ -35,6 +36,7 @@ pub mod gauss;
 pub mod motion;
 pub mod multipliers;
 pub mod newton;
+pub mod programmed;
 pub mod quasi;
 pub mod rates;
 pub mod redundant;

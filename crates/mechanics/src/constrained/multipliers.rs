@@ -24,13 +24,28 @@ pub fn multipliers<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, cons
     at: &State<S, N>,
     force: [S; N],
 ) -> Result<Reaction<S, N, C>, NotDefinite> {
+    leading_to(system, at, force, [S::zero(); C])
+}
+
+/// The same with [`rates`](mod@super::rates) of the constraints that are prescribed instead of zero:
+/// J M^-1 J^T lambda = Y - (rates at x'' = M^-1 X).
+///
+/// # Errors
+/// [`NotDefinite`] names the first constraint that depends on those before it.
+pub fn leading_to<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
+    system: &Q,
+    at: &State<S, N>,
+    force: [S; N],
+    prescribed: [S; C],
+) -> Result<Reaction<S, N, C>, NotDefinite> {
     let masses: [S; N] = system.masses();
     let rows = jacobian(system, at);
     let free: [S; N] = std::array::from_fn(|i| force[i] / masses[i]);
     let matrix: [[S; C]; C] = std::array::from_fn(|a| {
         std::array::from_fn(|b| (0..N).fold(S::zero(), |sum, i| sum + rows[a][i] * rows[b][i] / masses[i]))
     });
-    let multipliers = solve(matrix, rates(system, at, free).map(|rate| -rate))?;
+    let unforced = rates(system, at, free);
+    let multipliers = solve(matrix, std::array::from_fn(|k| prescribed[k] - unforced[k]))?;
     let acceleration =
         std::array::from_fn(|i| (0..C).fold(free[i], |sum, k| sum + multipliers[k] * rows[k][i] / masses[i]));
     Ok(Reaction { acceleration, multipliers })

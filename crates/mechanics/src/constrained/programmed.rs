@@ -1,0 +1,116 @@
+//! Programmed constraints: multipliers that make violations of the constraints obey a prescribed law.
+//!
+//! A violation is y = f(x, t) with its rate y' for a geometric constraint; a kinematic one has the rate y' = phi(x, x', t)
+//! alone. Lagrange's multipliers make y'' = 0, which a run cannot keep: y = y_0 + y'_0 t. With
+//!
+//!   J M^-1 J^T lambda = Y - (rates at x'' = M^-1 X)
+//!
+//! the violations satisfy y'' = Y(y, y', x, x', t) exactly, on the constraints or off them, wherever the rows of J are
+//! independent. With Y = 0 at y = y' = 0 a motion that begins on the constraints is Lagrange's.
+//!
+//! Source: Baumgarte 1972, for the linear law of one constraint at a time.
+
+use super::multipliers::{Reaction, leading_to};
+use super::rates::first_rates;
+use super::{Constrained, Constraint, State};
+use crate::definite::{NotDefinite, solve};
+use crate::differentiate::unit;
+use field::{Base, Over};
+
+/// How far the constraints are from being kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Violation<S, const C: usize> {
+    /// y: f of a geometric constraint; zero for a kinematic one, which has none.
+    pub value: [S; C],
+    /// y': df/dt of a geometric constraint, phi of a kinematic one.
+    pub rate: [S; C],
+}
+
+/// A law y'' = Y of N coordinates and C violations.
+pub trait Programme<const N: usize, const C: usize> {
+    /// The field of the gains.
+    type Given: Base;
+
+    /// Y: f'' of a geometric constraint, phi' of a kinematic one.
+    fn prescribed<S: Over<Self::Given>>(&self, at: &State<S, N>, violation: &Violation<S, C>) -> [S; C];
+}
+
+/// Y = -c y' - k y.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linear<P, const C: usize> {
+    /// c, 1/s
+    pub damping: [[P; C]; C],
+    /// k, 1/s^2; a column that belongs to a kinematic constraint does nothing
+    pub stiffness: [[P; C]; C],
+}
+
+impl<P: Base, const C: usize> Linear<P, C> {
+    /// y'' + 2 alpha y' + beta^2 y = 0 for each constraint by itself (Baumgarte); phi' = -2 alpha phi for a kinematic one.
+    pub fn baumgarte(alpha: P, beta: P) -> Self {
+        let diagonal = |gain: P| std::array::from_fn(|k| unit::<P, C>(k).map(|one| gain * one));
+        Linear { damping: diagonal(alpha + alpha), stiffness: diagonal(beta.squared()) }
+    }
+
+    /// a y'' + c y' + k y = 0: the law of violations that are given an inertia a, a friction c and a stiffness k.
+    ///
+    /// # Errors
+    /// [`NotDefinite`] names the first row of the inertia that depends on those before it.
+    pub fn of_energies(a: [[P; C]; C], c: [[P; C]; C], k: [[P; C]; C]) -> Result<Self, NotDefinite> {
+        Ok(Linear { damping: per_inertia(a, c)?, stiffness: per_inertia(a, k)? })
+    }
+}
+
+/// a^-1 b, column by column.
+fn per_inertia<P: Base, const C: usize>(a: [[P; C]; C], b: [[P; C]; C]) -> Result<[[P; C]; C], NotDefinite> {
+    let mut quotient = [[P::zero(); C]; C];
+    for column in 0..C {
+        let solved = solve(a, b.map(|row| row[column]))?;
+        for (row, value) in quotient.iter_mut().zip(solved) {
+            row[column] = value;
+        }
+    }
+    Ok(quotient)
+}
+
+impl<P: Base, const N: usize, const C: usize> Programme<N, C> for Linear<P, C> {
+    type Given = P;
+
+    fn prescribed<S: Over<P>>(&self, _at: &State<S, N>, violation: &Violation<S, C>) -> [S; C] {
+        std::array::from_fn(|k| {
+            (0..C).fold(S::zero(), |sum, j| {
+                sum - S::lift(self.damping[k][j]) * violation.rate[j]
+                    - S::lift(self.stiffness[k][j]) * violation.value[j]
+            })
+        })
+    }
+}
+
+/// y and y' of a system at an instant.
+pub fn violation<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
+    system: &Q,
+    at: &State<S, N>,
+) -> Violation<S, C> {
+    let value = system.constraints(at).map(|constraint| match constraint {
+        Constraint::Geometric(f) => f,
+        Constraint::Kinematic(_) => S::zero(),
+    });
+    Violation { value, rate: first_rates(system, at) }
+}
+
+/// Accelerations and multipliers under a force with the violations on their programme.
+///
+/// # Errors
+/// [`NotDefinite`] names the first constraint that depends on those before it.
+pub fn programmed<Q, L, S, const N: usize, const C: usize>(
+    system: &Q,
+    programme: &L,
+    at: &State<S, N>,
+    force: [S; N],
+) -> Result<Reaction<S, N, C>, NotDefinite>
+where
+    Q: Constrained<N, C>,
+    L: Programme<N, C>,
+    S: Over<Q::Given> + Over<L::Given>,
+{
+    leading_to(system, at, force, programme.prescribed(at, &violation(system, at)))
+}

@@ -1,0 +1,224 @@
+//! Section 7: the bundle V of integrals, its quadratic form, and where it is definite.
+
+use super::alphabet::{exact, int, letter, letters};
+use super::top::{TopLetters, field, half, perturbations, perturbed, unperturbed};
+use claims::{Condition, Page};
+use symbolic::{Hypotheses, Sym, linear};
+
+use Condition::{Equal, NonZero, Positive, Zero};
+
+pub fn claims(page: &mut Page, s: &TopLetters) {
+    page.section("7. The function V and the permanent rotation of constant mass");
+    let bundle = Bundle::new(s);
+    bundle.first_order(page);
+    bundle.form(page);
+    bundle.definite(page);
+    inequality(page, s);
+    linearised(page, s);
+}
+
+/// The letters of V: N = C r_0 + nu, the form's coefficient of x_4^2, the discriminant.
+#[derive(Clone, Copy, Debug)]
+pub struct Bundle {
+    tide: Sym,
+    integrals: [Sym; 3],
+    length: Sym,
+}
+
+/// A, C, C r_0 + nu.
+pub fn body() -> [Sym; 3] {
+    let [a, c, nu, r0] = letters(["A", "C", "ν", "r₀"]);
+    [a, c, c * r0 + nu]
+}
+
+fn weight() -> Sym {
+    let [m, g, z] = letters(["M", "g", "zc"]);
+    m * g * z
+}
+
+impl Bundle {
+    pub fn new(s: &TopLetters) -> Self {
+        let gamma = s.at.vertical;
+        Bundle { tide: s.tide, integrals: s.printed_integrals(), length: gamma.dot(&gamma) - int(1) }
+    }
+
+    /// V with a coefficient of f_3 and a value of omega^2; f_3 stands for r - r_0, as its dimension asks.
+    fn value(&self, of_axial: Sym, square: Sym) -> Sym {
+        let ([a, c, n], [f1, f2, _]) = (body(), self.integrals);
+        let f3 = letter("r") - letter("r₀");
+        f1 - n / a * f2
+            + of_axial * f3
+            + c / a * (c - a) * f3 * f3
+            + (n * n / (int(2) * a) + int(3) * square * (a - c) - weight()) * self.length
+            + int(3) / int(4) * square * (a - c) * self.length * self.length
+    }
+
+    /// V with the right coefficients, less its value on the permanent rotation, in x.
+    pub fn corrected(&self) -> Sym {
+        let [a, c, n] = body();
+        let v = perturbed(self.value(c * (n / a - int(2) * letter("r₀")), self.tide / int(3)));
+        v - unperturbed(v)
+    }
+
+    /// (C r_0 + nu)^2/(2A) + 3 omega^2 (A - C) - M g z_c with omega^2 = g/R.
+    pub fn of_directions(&self) -> Sym {
+        let [a, c, n] = body();
+        n * n / (int(2) * a) + self.tide * (a - c) - weight()
+    }
+
+    /// The same without the Newtonian field: (C r_0 + nu)^2/(2A) - M g z_c.
+    pub fn without_field(&self) -> Sym {
+        let [a, _, n] = body();
+        n * n / (int(2) * a) - weight()
+    }
+
+    /// The coefficient of f_4^2, 3/4 omega^2 (A - C).
+    pub fn of_length(&self) -> Sym {
+        let [a, c, _] = body();
+        self.tide * (a - c) / int(4)
+    }
+
+    /// (C r_0 + nu)^2 - 4A (M g z_c - 3 omega^2 (A - C)).
+    pub fn discriminant(&self) -> Sym {
+        let [a, c, n] = body();
+        n * n - int(4) * a * (weight() - self.tide * (a - c))
+    }
+
+    /// The quadratic form.
+    pub fn quadratic(&self) -> Sym {
+        let ([a, c, n], [x1, x2, x3, x4, x5, x6]) = (body(), perturbations());
+        a * (x1 * x1 + x2 * x2) + c * c / a * x3 * x3 + self.of_directions() * (x4 * x4 + x5 * x5 + x6 * x6)
+            - n * (x1 * x4 + x2 * x5)
+            - n * c / a * x3 * x6
+    }
+
+    /// Whether the terms of the first order cancel.
+    fn first_order(&self, page: &mut Page) {
+        let ([a, c, n], [_, _, x3, _, _, x6]) = (body(), perturbations());
+        let slope = |v: Sym, x: Sym| unperturbed(perturbed(v).diff(x));
+        let r0 = letter("r₀");
+        let printed = self.value(int(2) * c * (n / a - r0), self.tide);
+        page.claim(
+            "section7-lyapunov",
+            "printed",
+            r"$V$ as printed, with $\omega^2=3g/R$, has no terms of the first order in $x$",
+        )
+        .note(r"The terms with $f_3$ have the dimension of the others for $f_3=r-r_0$ only, and not for (17).")
+        .refuted(
+            [Zero(slope(printed, x3)), Zero(slope(printed, x6))],
+            exact([
+                ("A", 2, 1),
+                ("C", 1, 1),
+                ("ν", 0, 1),
+                ("r₀", 1, 1),
+                ("M", 1, 1),
+                ("zc", 1, 1),
+                ("g", 1, 1),
+                ("R", 3, 1),
+            ]),
+        );
+        let right = self.corrected();
+        page.claim("section7-lyapunov", "corrected", r"with $\omega^2=g/R$ and the coefficient $2C\left(\frac{Cr_0+\nu}{2A}-r_0\right)$ of $f_3=r-r_0$: no term of the first order")
+            .in_words()
+            .follows(perturbations().map(|x| Zero(unperturbed(right.diff(x)))));
+        page.correct();
+        page.claim("section7-lyapunov", "excess", r"what the printed one has instead: $\frac CA(Cr_0+\nu)x_3+4\frac{3g}R(A-C)x_6$, where $\omega^2=3g/R$ counts the field three times")
+            .follows([Equal(slope(printed, x3), c * n / a), Equal(slope(printed, x6), int(4) * self.tide * (a - c))]);
+    }
+
+    /// The form and what is left.
+    fn form(&self, page: &mut Page) {
+        let ([a, c, _], [_, _, _, x4, x5, x6]) = (body(), perturbations());
+        let square = x4 * x4 + x5 * x5 + x6 * x6;
+        let left = int(1) / int(4) * self.tide * (a - c) * square * (square + int(4) * x6);
+        page.claim("section7-lyapunov", "form", r"exactly, $V=A(x_1^2+x_2^2)+\frac{C^2}Ax_3^2+\kappa(x_4^2+x_5^2+x_6^2)-(Cr_0+\nu)(x_1x_4+x_2x_5)-\frac{C(Cr_0+\nu)}Ax_3x_6$ and terms of the third order, with the printed $\kappa=\frac1{2A}(Cr_0+\nu)^2+3\omega^2(A-C)-Mgz_c$; the terms with $f_3^2$ and $f_4^2$ are right")
+            .in_words()
+            .follows([Equal(self.corrected(), self.quadratic() + left)]);
+    }
+
+    /// Squares.
+    fn definite(&self, page: &mut Page) {
+        let ([a, c, n], [x1, x2, x3, x4, x5, x6]) = (body(), perturbations());
+        let shift = |x: Sym, y: Sym, by: Sym| (x - by * y).powi(2);
+        let rest = self.discriminant() / (int(4) * a);
+        let squares = a * (shift(x1, x4, n / (a + a)) + shift(x2, x5, n / (a + a)))
+            + (c * x3 - half(n * x6)).powi(2) / a
+            + rest * (x4 * x4 + x5 * x5 + x6 * x6);
+        page.claim("section7-lyapunov", "squares", r"the form is $A\left(x_1-\frac{N}{2A}x_4\right)^2+A\left(x_2-\frac N{2A}x_5\right)^2+\frac1A\left(Cx_3-\frac N2x_6\right)^2+\frac{D}{4A}(x_4^2+x_5^2+x_6^2)$ with $N=Cr_0+\nu$, $D=N^2-4A\left(Mgz_c-\frac{3g}R(A-C)\right)$: positive definite if and only if $D>0$")
+            .in_words()
+            .given([Positive(a), Positive(c)])
+            .follows([Equal(self.quadratic(), squares)]);
+        let v = self.corrected();
+        page.claim("section7-stability", "constant", r"for constant $A$, $C$, $Mz_c$, $\dot V=0$ along (21) corrected: where $D>0$, $V$ is a positive definite integral and the permanent rotation is stable in $p,q,r,\gamma$, by Lyapunov's theorem")
+            .in_words()
+            .follows([Zero(self.along(v))]);
+    }
+
+    /// The rate of a function of x along (21) with its parameters as they are at the instant.
+    pub fn along(&self, v: Sym) -> Sym {
+        let moving = field(&TopLetters::default()).map(perturbed);
+        perturbations().iter().zip(moving).fold(Sym::ZERO, |sum, (&x, rate)| sum + v.diff(x) * rate)
+    }
+}
+
+/// The first of the four.
+fn inequality(page: &mut Page, s: &TopLetters) {
+    let [a, c, n] = body();
+    let with = |square: Sym| n * n - int(4) * a * (weight() - int(3) * square * (a - c));
+    page.claim("section7-stability", "first", r"$(Cr_0+\nu)^2-4A(Mgz_c-3\omega^2(A-C))>0$ with $\omega^2=3g/R$ ($4a$ in the text) makes $V$ positive definite, that is $D>0$")
+        .given([Positive(a), Positive(c), Positive(a - c), Positive(with(s.tide))])
+        .refuted(
+            [Positive(with(s.tide / int(3)))],
+            exact([
+                ("A", 2, 1), ("C", 1, 1), ("ν", 0, 1), ("r₀", 1, 1), ("M", 1, 1), ("zc", 1, 1), ("g", 2, 1), ("R", 6, 1),
+            ]),
+        );
+    let [m, g, z] = letters(["M", "g", "zc"]);
+    let delta = letter("Δ");
+    let (critical, _) = linear_matrix(s);
+    let above = (n * n - delta * delta) / (int(4) * a) + s.tide * (a - c);
+    let below = (n * n + delta * delta) / (int(4) * a) + s.tide * (a - c);
+    let at = |heavy: Sym| critical.substitute(&[(m, heavy / (g * z))]);
+    let (sigma, r0) = (letter("σ"), letter("r₀"));
+    let (middle, width) = (n / (a + a) - r0, delta / (a + a));
+    page.claim("section7-stability", "first-corrected", r"$D>0$ is the condition, with $\omega^2=g/R$. The linearised equations have the characteristic polynomial $\left(\sigma^2+(\theta+\rho)^2\right)\left(\sigma^2+(\theta-\rho)^2\right)$ where $D=\Delta^2$, and $\left((\sigma-\rho)^2+\theta^2\right)\left((\sigma+\rho)^2+\theta^2\right)$ where $D=-\Delta^2$, $\theta=\frac{Cr_0+\nu}{2A}-r_0$, $\rho=\frac\Delta{2A}$: where $D<0$ some solution grows as $e^{\rho t}$")
+        .in_words()
+        .given([NonZero(a), NonZero(g * z)])
+        .follows([
+            Equal(
+                at(above),
+                (sigma.powi(2) + (middle + width).powi(2)) * (sigma.powi(2) + (middle - width).powi(2)),
+            ),
+            Equal(
+                at(below),
+                ((sigma - width).powi(2) + middle.powi(2)) * ((sigma + width).powi(2) + middle.powi(2)),
+            ),
+        ]);
+    page.correct();
+}
+
+/// det(sigma - L) of the linearised equations in x1, x2, x4, x5, and the rates of x3, x6, which are zero.
+fn linear_matrix(s: &TopLetters) -> (Sym, [Sym; 2]) {
+    let x = perturbations();
+    let found = field(s).map(perturbed);
+    let slope = |i: usize, j: usize| unperturbed(found[i].diff(x[j]));
+    let places = [0, 1, 3, 4];
+    let sigma = letter("σ");
+    let rows = places.map(|i| places.map(|j| if i == j { sigma - slope(i, j) } else { -slope(i, j) }));
+    let determinant = linear::determinant(&rows).unwrap_or(Sym::UNDEFINED);
+    let sum = |i: usize| (0..6).fold(Sym::ZERO, |sum, j| sum + slope(i, j) * x[j]);
+    (determinant, [sum(2), sum(5)])
+}
+
+/// The other two perturbations to the first order.
+fn linearised(page: &mut Page, s: &TopLetters) {
+    let (_, others) = linear_matrix(s);
+    page.claim(
+        "section7-stability",
+        "neutral",
+        r"$x_3$ and $x_6$ are constant to the first order: two zero roots beside these four",
+    )
+    .in_words()
+    .under(&Hypotheses::none())
+    .follows(others.map(Zero));
+}

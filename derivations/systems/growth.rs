@@ -1,0 +1,162 @@
+//! One degree of freedom with a variable inertia, losses and a control: d/dt(m(t) y') + w(y, y', t) = u(y, y', t).
+//!
+//! Y = y is what has been produced, learned, turned or covered; y' is the capacity, the rate of learning, the angular
+//! velocity, the velocity. That the momentum is m y' with m' y' in the balance is part of the law: of a point whose mass
+//! leaves or arrives it asks that this mass has no velocity of its own.
+
+use field::{Analytic, Base, Over, Tangent};
+
+/// A law of growth.
+pub trait Growth {
+    /// The field of the parameters.
+    type Given: Base;
+
+    /// m(t): fund per capacity, inertia of learning, moment of inertia, mass.
+    fn inertia<S: Over<Self::Given>>(&self, time: S) -> S;
+
+    /// w(y, y', t): wear, denial of what is known, disturbing moments, resistance.
+    fn loss<S: Over<Self::Given> + Analytic>(&self, time: S, y: S, speed: S) -> S;
+
+    /// u(y, y', t): new funds, potential information, moment of the motor, reaction.
+    fn control<S: Over<Self::Given> + Analytic>(&self, time: S, y: S, speed: S) -> S;
+
+    /// d/dt(m y') + w - u along y(t), with y' = `speed` and y'' = `acceleration`.
+    fn residual<S: Over<Self::Given> + Analytic>(&self, time: S, [y, speed, acceleration]: [S; 3]) -> S {
+        let momentum = self.inertia(Tangent::variable(time)) * Tangent::moving(speed, acceleration);
+        momentum.slope + self.loss(time, y, speed) - self.control(time, y, speed)
+    }
+
+    /// y'' by the law; the inertia must not vanish.
+    fn acceleration<S: Over<Self::Given> + Analytic>(&self, time: S, y: S, speed: S) -> S {
+        -self.residual(time, [y, speed, S::zero()]) / self.inertia(time)
+    }
+}
+
+/// A plant: m is the fund per capacity, a share of the funds wears out in a unit of time, new funds come at a rate u.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plant<P> {
+    /// m at t = 0
+    pub fund: P,
+    /// m'
+    pub fund_rate: P,
+    /// The share of the funds m y' that is lost in a unit of time.
+    pub wear: P,
+    /// u
+    pub supply: P,
+}
+
+/// Learning: (L I')' + (tau - I') I' + I/G = M.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Learning<P> {
+    /// L
+    pub inertia: P,
+    /// tau
+    pub denial: P,
+    /// G
+    pub permeability: P,
+    /// M
+    pub potential: P,
+}
+
+/// A link with a load that moves along it, about a horizontal axis: phi from the horizontal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint<P> {
+    /// Moment of inertia of the link.
+    pub link: P,
+    /// Mass of the load.
+    pub load: P,
+    /// Distance of the load from the axis at t = 0.
+    pub distance: P,
+    /// Its rate.
+    pub rate: P,
+    /// g
+    pub gravity: P,
+    /// Moment of the motor.
+    pub motor: P,
+}
+
+/// A point of variable mass on a line: (m x')' + beta x' + k x = R.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VariablePoint<P> {
+    /// m at t = 0
+    pub mass: P,
+    /// m'
+    pub mass_rate: P,
+    /// beta
+    pub resistance: P,
+    /// k
+    pub stiffness: P,
+    /// R
+    pub push: P,
+}
+
+impl<P: Base> Growth for Plant<P> {
+    type Given = P;
+
+    fn inertia<S: Over<P>>(&self, time: S) -> S {
+        S::lift(self.fund) + S::lift(self.fund_rate) * time
+    }
+
+    fn loss<S: Over<P> + Analytic>(&self, time: S, _y: S, speed: S) -> S {
+        S::lift(self.wear) * self.inertia(time) * speed
+    }
+
+    fn control<S: Over<P> + Analytic>(&self, _time: S, _y: S, _speed: S) -> S {
+        S::lift(self.supply)
+    }
+}
+
+impl<P: Base> Growth for Learning<P> {
+    type Given = P;
+
+    fn inertia<S: Over<P>>(&self, _time: S) -> S {
+        S::lift(self.inertia)
+    }
+
+    fn loss<S: Over<P> + Analytic>(&self, _time: S, y: S, speed: S) -> S {
+        (S::lift(self.denial) - speed) * speed + y / S::lift(self.permeability)
+    }
+
+    fn control<S: Over<P> + Analytic>(&self, _time: S, _y: S, _speed: S) -> S {
+        S::lift(self.potential)
+    }
+}
+
+impl<P: Base> Joint<P> {
+    /// The distance of the load.
+    pub fn reach<S: Over<P>>(&self, time: S) -> S {
+        S::lift(self.distance) + S::lift(self.rate) * time
+    }
+}
+
+impl<P: Base> Growth for Joint<P> {
+    type Given = P;
+
+    fn inertia<S: Over<P>>(&self, time: S) -> S {
+        S::lift(self.link) + S::lift(self.load) * self.reach(time).squared()
+    }
+
+    fn loss<S: Over<P> + Analytic>(&self, time: S, angle: S, _speed: S) -> S {
+        S::lift(self.load) * S::lift(self.gravity) * self.reach(time) * angle.circle().cos
+    }
+
+    fn control<S: Over<P> + Analytic>(&self, _time: S, _angle: S, _speed: S) -> S {
+        S::lift(self.motor)
+    }
+}
+
+impl<P: Base> Growth for VariablePoint<P> {
+    type Given = P;
+
+    fn inertia<S: Over<P>>(&self, time: S) -> S {
+        S::lift(self.mass) + S::lift(self.mass_rate) * time
+    }
+
+    fn loss<S: Over<P> + Analytic>(&self, _time: S, x: S, speed: S) -> S {
+        S::lift(self.resistance) * speed + S::lift(self.stiffness) * x
+    }
+
+    fn control<S: Over<P> + Analytic>(&self, _time: S, _x: S, _speed: S) -> S {
+        S::lift(self.push)
+    }
+}
