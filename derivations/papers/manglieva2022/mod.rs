@@ -23,8 +23,12 @@
 //! point, while (1.98) is right; the ladder leaves the wall at cos alpha = 2/3 cos alpha_0, not at twice it.
 
 mod alphabet;
+mod alphabet3;
+mod elastic;
 mod general;
+mod governor;
 mod ladder;
+mod released;
 mod rod;
 mod section11_extended;
 mod section11_lagrange;
@@ -42,6 +46,14 @@ mod section13_smooth;
 mod section21;
 mod section22;
 mod section22_law;
+mod section31_elastic;
+mod section31_equations;
+mod section31_governor2;
+mod section31_programme;
+mod section31_stability;
+mod section32_bellman;
+mod section32_control;
+mod section32_released;
 mod steered;
 mod work;
 
@@ -49,7 +61,10 @@ pub use alphabet::{dimension, letter};
 
 use super::Paper;
 use claims::Page;
+use elastic::ElasticLetters;
+use governor::GovernorLetters;
 use ladder::LadderLetters;
+use released::ReleasedLetters;
 use rod::RodLetters;
 use steered::SteeredLetters;
 
@@ -192,6 +207,43 @@ pub const PAPER: Paper = Paper {
         "eq2.20",
         "eq2.21",
         "eq2.22",
+        "eq3.1",
+        "eq3.2",
+        "eq3.3",
+        "eq3.4",
+        "eq3.5",
+        "eq3.6",
+        "eq3.7",
+        "eq3.8",
+        "eq3.9",
+        "eq3.10",
+        "eq3.11",
+        "eq3.12",
+        "eq3.13",
+        "eq3.14",
+        "eq3.15",
+        "eq3.16",
+        "eq3.17",
+        "eq3.18",
+        "eq3.19",
+        "eq3.20",
+        "eq3.21",
+        "eq3.22",
+        "eq3.23",
+        "eq3.24",
+        "eq3.25",
+        "eq3.26",
+        "eq3.27",
+        "eq3.28",
+        "eq3.29",
+        "eq3.30",
+        "eq3.31",
+        "eq3.32",
+        "eq3.33",
+        "eq3.34",
+        "eq3.35",
+        "eq3.36",
+        "eq3.37",
         "section1.1-painleve",
         "section1.1-extended",
         "section1.3-integral",
@@ -200,6 +252,13 @@ pub const PAPER: Paper = Paper {
         "section1.3-ladder-ideal",
         "section2.1-independence",
         "section2.2-gauss",
+        "section3.1-control-force",
+        "section3.1-persidskii",
+        "section3.1-governor2",
+        "section3.1-quintic",
+        "section3.1-hurwitz",
+        "section3.2-controllability",
+        "section3.2-bellman",
     ],
     page,
 };
@@ -226,5 +285,21 @@ pub fn page() -> Page {
     section21::claims(&mut page);
     section22::claims(&mut page);
     section22_law::claims(&mut page, &rod);
+    chapter3(&mut page);
     page
+}
+
+/// The friction governors.
+fn chapter3(page: &mut Page) {
+    let drum = GovernorLetters::with_drum();
+    section31_equations::claims(page, &drum);
+    section31_programme::claims(page, &drum);
+    section31_governor2::claims(page, &GovernorLetters::with_discs());
+    let elastic = ElasticLetters::default();
+    section31_elastic::claims(page, &elastic);
+    section31_stability::claims(page, &elastic);
+    let released = ReleasedLetters::default();
+    section32_released::claims(page, &released);
+    section32_control::claims(page, &released);
+    section32_bellman::claims(page, &released);
 }
