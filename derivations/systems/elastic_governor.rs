@@ -129,8 +129,7 @@ impl<P: Base> ElasticGovernor<P> {
     /// T + the energies of springs and rim, J.
     pub fn energy<S: Over<P> + Analytic>(&self, [speed, x, drift, lambda, psi]: [S; 5]) -> S {
         let zero = S::zero();
-        let motion: Motion<S, 12, 2> =
-            Motion::at(self, zero, [zero, zero, zero, x, lambda, psi], [speed, drift]);
+        let motion: Motion<S, 12, 2> = Motion::at(self, zero, [zero, zero, zero, x, lambda, psi], [speed, drift]);
         let moving: S = mechanics::constrained::kinetic_energy(self.masses(), motion.state.velocity);
         let ([c1, c2], [d1, d2]) = (self.stiffness.map(S::lift), self.tension.map(S::lift));
         let shift = x - S::lift(self.rest);

@@ -157,9 +157,7 @@ fn alphabet() -> impl Iterator<Item = &'static (&'static str, &'static str, [i64
 
 /// The dimension of a symbol of the paper; `None` for a name that the paper does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
-    alphabet()
-        .find(|(pattern, _, _)| matches(pattern, name))
-        .map(|(_, _, [kg, m, s])| Dimension::of(*kg, *m, *s, 0))
+    alphabet().find(|(pattern, _, _)| matches(pattern, name)).map(|(_, _, [kg, m, s])| Dimension::of(*kg, *m, *s, 0))
 }
 
 /// Whether the name is the pattern with digits from 1 to 4 in its places.

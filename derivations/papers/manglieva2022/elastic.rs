@@ -68,8 +68,26 @@ impl Default for ElasticLetters {
         let motion = motion(&governor, state);
         let balance = residual(&governor, &motion, governor.force(&motion.state), rates).map(tidy);
         ElasticLetters {
-            governor, inertia, drum, wheel, offset, sleeve, ball, link, moments, springs, tensions, rest, a, b, drill, alpha,
-            beta, state, rates, balance,
+            governor,
+            inertia,
+            drum,
+            wheel,
+            offset,
+            sleeve,
+            ball,
+            link,
+            moments,
+            springs,
+            tensions,
+            rest,
+            a,
+            b,
+            drill,
+            alpha,
+            beta,
+            state,
+            rates,
+            balance,
         }
     }
 }
@@ -145,12 +163,7 @@ impl ElasticLetters {
         let equations = [self.balance[0], self.balance[1], across, turn];
         let mut matrix = equations.map(|equation| {
             let of = |variable: Sym| self.stationary(equation.diff(variable));
-            [
-                of(spin) * mu + of(w),
-                of(push) * mu.powi(2) + of(drift) * mu + of(x),
-                of(lambda),
-                of(psi),
-            ]
+            [of(spin) * mu + of(w), of(push) * mu.powi(2) + of(drift) * mu + of(x), of(lambda), of(psi)]
         });
         // the rim's equations are given by the rates: x' - ... - lambda' = 0 and psi' - ... = 0
         matrix[2][2] -= mu;

@@ -3,9 +3,9 @@
 use super::alphabet::{letter, letters, tidy};
 use crate::systems::governor::{Gearing, Governor, Moment};
 use claims::Condition;
-use field::Scalar;
+use field::{Analytic, Scalar};
 use mechanics::constrained::motion::Motion;
-use mechanics::constrained::{System, kinetic_energy};
+use mechanics::constrained::{State, System, kinetic_energy};
 use symbolic::{Hypotheses, Sym};
 
 /// The letters of sections 3.1 and 3.2 and a governor written in them.
@@ -56,7 +56,22 @@ impl GovernorLetters {
             lateral: friction,
         };
         GovernorLetters {
-            governor, first, second, wheel, mass, drum, radius, distance, m1, m2, friction, push, rho, drho, ddrho, speed,
+            governor,
+            first,
+            second,
+            wheel,
+            mass,
+            drum,
+            radius,
+            distance,
+            m1,
+            m2,
+            friction,
+            push,
+            rho,
+            drho,
+            ddrho,
+            speed,
             dspeed,
         }
     }
@@ -65,6 +80,25 @@ impl GovernorLetters {
     pub fn motion(&self) -> Motion<Sym, 7, 2> {
         let zero = Sym::ZERO;
         Motion::at(&self.governor, zero, [zero, zero, zero, self.rho], [self.speed, self.drho])
+    }
+
+    /// Three bodies turning at any speeds, in any directions.
+    pub fn turning(&self, speeds: [Sym; 3]) -> State<Sym, 7> {
+        let [first, second, wheel] = letters(["α", "θ", "φ"]).map(Analytic::circle);
+        let [w1, w2, w] = speeds;
+        State {
+            time: Sym::ZERO,
+            place: [first.cos, first.sin, second.cos, second.sin, wheel.cos, wheel.sin, self.rho],
+            velocity: [
+                -first.sin * w1,
+                first.cos * w1,
+                -second.sin * w2,
+                second.cos * w2,
+                -wheel.sin * w,
+                wheel.cos * w,
+                self.drho,
+            ],
+        }
     }
 
     /// The accelerations of the coordinates.

@@ -38,7 +38,7 @@ fn energy(page: &mut Page, s: &ElasticLetters) {
     let derived = seen(s, s.acceleration_energy());
     let names = letters(["Qφ", "u"]);
     let lines = |energy: Sym| {
-        let printed = seen(s, energy);
+        let printed = s.rates.map(|rate| energy.diff(rate));
         [0, 1].map(|i| Line::formula(derived[i], names[i], printed[i]))
     };
     page.claim("eq3.14", "energy", r"$S$ as printed, without the square of $\dot\omega_1$, with $x$ for $\dot x$ and $\dot x$ for $\ddot x$: its derivatives by $\dot\omega_1$ and $\ddot x$")
@@ -61,10 +61,18 @@ fn constraints(page: &mut Page, s: &ElasticLetters) {
         Line::equation((second - w2) * (x - s.offset), rolled, (x - s.offset) * w2),
     ]);
     let keldysh = |a: Sym, b: Sym| Line::formula(turn, dpsi, (s.alpha * a - s.beta * b) * rolled);
-    page.claim("eq3.16", "curvature", r"the curvature of the line of rolling is $\alpha\dot\lambda-\beta\dot\psi$, as printed with dots")
-        .fails([keldysh(dlambda, dpsi)]);
-    page.claim("eq3.16", "curvature-corrected", r"$\dot\psi=(\alpha\lambda-\beta\psi)R\dot\varphi_1$, as (3.17) has it")
-        .holds([keldysh(lambda, psi)]);
+    page.claim(
+        "eq3.16",
+        "curvature",
+        r"the curvature of the line of rolling is $\alpha\dot\lambda-\beta\dot\psi$, as printed with dots",
+    )
+    .fails([keldysh(dlambda, dpsi)]);
+    page.claim(
+        "eq3.16",
+        "curvature-corrected",
+        r"$\dot\psi=(\alpha\lambda-\beta\psi)R\dot\varphi_1$, as (3.17) has it",
+    )
+    .holds([keldysh(lambda, psi)]);
     page.correct();
 }
 
@@ -80,12 +88,16 @@ fn work(page: &mut Page, s: &ElasticLetters) {
         .under(&opposite)
         .note(r"The first line has $+b\psi\,\delta\varphi_2$, the second and (3.17) the minus.")
         .fails([Line::formula(derived[0], turn, printed)]);
-    page.claim("eq3.17", "work-of-rotation-corrected", r"by $\delta\lambda=\delta x-R\psi\,\delta\varphi_1$ there is $-aR\lambda\psi$ besides")
-        .under(&opposite)
-        .holds([Line::formula(derived[0], turn, printed - s.a * s.drum * lambda * psi)]);
+    page.claim(
+        "eq3.17",
+        "work-of-rotation-corrected",
+        r"by $\delta\lambda=\delta x-R\psi\,\delta\varphi_1$ there is $-aR\lambda\psi$ besides",
+    )
+    .under(&opposite)
+    .holds([Line::formula(derived[0], turn, printed - s.a * s.drum * lambda * psi)]);
     page.correct();
     page.claim("eq3.17", "work-of-sleeve", r"$Q_x=-(c_1+c_2)(x-x_0)-c_1\delta_1+c_2\delta_2+a\lambda$")
-        .holds([Line::formula(derived[1], push, springs(s, x) + s.a * lambda)]);
+        .holds([Line::formula(tidy(derived[1]), push, springs(s, x) + s.a * lambda)]);
 }
 
 fn springs(s: &ElasticLetters, x: Sym) -> Sym {
@@ -99,19 +111,28 @@ fn names(page: &mut Page, s: &ElasticLetters) {
     let [theta, f, mobile] = letters(["θˣ", "Fˣ", "mˣ"]);
     let balls = int(2) * s.ball * s.link.powi(2) / height;
     let [turning, sliding] = s.balance;
-    page.claim("eq3.17", "theta", r"$\theta(x)$: what multiplies $\dot\omega_1$, and it is the moment of inertia by the bodies")
-        .holds([Line::formula(turning.diff(s.rates[0]), theta, s.theta(x))]);
+    page.claim(
+        "eq3.17",
+        "theta",
+        r"$\theta(x)$: what multiplies $\dot\omega_1$, and it is the moment of inertia by the bodies",
+    )
+    .holds([Line::formula(turning.diff(s.rates[0]), theta, s.theta(x))]);
     let coupling = tidy(turning.diff(dx).diff(w));
     page.claim("eq3.17", "coupling", r"$F(x)=J_2r_1^2/(x-c)^2+m_{sp}x$: what multiplies $\dot x\omega_1$")
         .fails([Line::formula(coupling, f, s.inertia[1] * s.drum.powi(2) / rho.powi(2) + s.ball * x)]);
-    page.claim("eq3.17", "coupling-corrected", r"$F(x)=-\frac{J_2r_1^2}{(x-c)^3}-m_{sp}x=\theta'(x)$")
-        .holds([Line::formula(coupling, f, s.coupling(x)), Line::formula(tidy(s.theta(x).diff(x)), f, s.coupling(x))]);
+    page.claim("eq3.17", "coupling-corrected", r"$F(x)=-\frac{J_2r_1^2}{(x-c)^3}-m_{sp}x$")
+        .note(r"Not $\theta'(x)$, whose first term is twice that: the rolling on the disc is not integrable.")
+        .holds([Line::formula(coupling, f, s.coupling(x))]);
     page.correct();
     let derived = sliding.diff(s.rates[1]);
     page.claim("eq3.17", "mobile-mass", r"$m(x)=m_{sp}+2m_{sp}l^2/(4l^2-x^2)$: what multiplies $\ddot x$, $m$ being the mass of the sleeve with the wheel")
         .fails([Line::formula(derived, mobile, s.ball + balls)]);
-    page.claim("eq3.17", "mobile-mass-corrected", r"with $m$ for the first $m_{sp}$: the balls' part is in the second term")
-        .holds([Line::formula(derived, mobile, s.mobile(x))]);
+    page.claim(
+        "eq3.17",
+        "mobile-mass-corrected",
+        r"with $m$ for the first $m_{sp}$: the balls' part is in the second term",
+    )
+    .holds([Line::formula(derived, mobile, s.mobile(x))]);
     page.correct();
 }
 
@@ -138,15 +159,15 @@ fn motion(page: &mut Page, s: &ElasticLetters) {
     page.correct();
     let mobile = letter("mˣ");
     let names = Hypotheses::none().given(mobile, s.mobile(x));
-    page.claim("eq3.17", "sleeve", r"the equation of $x$ with the right $m(x)$, and the constraints").under(&names).holds([
-        Line::equation(
+    page.claim("eq3.17", "sleeve", r"the equation of $x$ with the right $m(x)$, and the constraints")
+        .under(&names)
+        .holds([Line::equation(
             sliding,
             mobile * ddx
                 + s.ball.half() * x * w.powi(2)
                 + int(2) * s.link.powi(2) * x / height.powi(2) * s.ball * dx.powi(2),
             springs(s, x) + s.a * lambda,
-        ),
-    ]);
+        )]);
 }
 
 /// E' less what Appell's equations leave: the power, whatever the accelerations.
@@ -163,8 +184,12 @@ fn power(page: &mut Page, s: &ElasticLetters) {
         .under(&Hypotheses::none().given(s.drill, -s.b))
         .note(r"The moment $-b\psi$ on the disc is that of a rim which sees the disc turn, $\dot\psi=(\alpha\lambda-\beta\psi)R\omega_1-\omega_2$; then $\lambda=\psi=0$ is no motion. With (3.16) nothing stores the power $-b\psi\omega_2$.")
         .fails([Line::formula(derived, name, shafts)]);
-    page.claim("eq3.17", "power-corrected", r"without a moment on the disc; with $d\psi$ on it, $d\psi\omega_2$ is added")
-        .holds([Line::formula(derived, name, shafts + s.drill * psi * second)]);
+    page.claim(
+        "eq3.17",
+        "power-corrected",
+        r"without a moment on the disc; with $d\psi$ on it, $d\psi\omega_2$ is added",
+    )
+    .holds([Line::formula(derived, name, shafts + s.drill * psi * second)]);
     page.correct();
 }
 

@@ -4,7 +4,7 @@ use super::alphabet::{int, letters, tidy};
 use super::governor::GovernorLetters;
 use claims::{Line, Page};
 use mechanics::constrained::newton::Reactions;
-use mechanics::constrained::{Constrained, State, System};
+use mechanics::constrained::{Constrained, System};
 use symbolic::Sym;
 
 const ENTRY: &str = "section3.1-governor2";
@@ -17,19 +17,19 @@ pub fn claims(page: &mut Page, s: &GovernorLetters) {
 }
 
 fn kinematics(page: &mut Page, s: &GovernorLetters) {
-    let (zero, one) = (Sym::ZERO, int(1));
     let [w1, w2, w, dw1, dw] = letters(["ω1", "ω2", "ω", "ω̇1", "ω̇"]);
-    let velocity = [zero, w1, zero, w2, zero, w, s.drho];
-    let at = State { time: zero, place: [one, zero, one, zero, one, zero, s.rho], velocity };
-    let [.., first, second] = s.governor.constraints(&at).map(|constraint| constraint.value());
+    let [.., first, second] = s.governor.constraints(&s.turning([w1, w2, w])).map(|constraint| constraint.value());
     let far = s.distance - s.rho;
-    page.claim(ENTRY, "rolling", r"$r\omega=\rho_1\omega_1=(a-\rho_1)\omega_2$").holds([
-        Line::equation(first, s.radius * w, s.rho * w1),
-        Line::equation(second - first, s.rho * w1, far * w2),
-    ]);
+    page.claim(ENTRY, "rolling", r"$r\omega=\rho_1\omega_1=(a-\rho_1)\omega_2$")
+        .holds([Line::equation(first, s.radius * w, s.rho * w1), Line::equation(second - first, s.rho * w1, far * w2)]);
     let [[of_first, first], _, [of_wheel, wheel]] = s.spins();
-    let kept = |rate: Sym| tidy(rate.substitute(&[(s.dspeed, zero)]));
-    page.claim(ENTRY, "speeds", r"$\omega$, $\dot\omega$, $\omega_1$, $\dot\omega_1$ (both steps) with $\omega_2$ kept").holds([
+    let kept = |rate: Sym| tidy(rate.substitute(&[(s.dspeed, Sym::ZERO)]));
+    page.claim(
+        ENTRY,
+        "speeds",
+        r"$\omega$, $\dot\omega$, $\omega_1$, $\dot\omega_1$ (both steps) with $\omega_2$ kept",
+    )
+    .holds([
         Line::formula(of_wheel, w, far / s.radius * s.speed),
         Line::formula(kept(wheel), dw, -s.speed / s.radius * s.drho),
         Line::formula(of_first, w1, s.speed * far / s.rho),
@@ -49,7 +49,7 @@ fn missing(s: &GovernorLetters) -> [Sym; 3] {
 fn contact_forces(s: &GovernorLetters) -> [Sym; 2] {
     let [.., first, second] = s.governor.reactions(&s.motion().state);
     let [on_first, on_second, _] = missing(s);
-    [tidy(on_first / first[1]), tidy(on_second / second[3])]
+    [on_first / first[1], on_second / second[3]]
 }
 
 fn contacts(page: &mut Page, s: &GovernorLetters) {
@@ -71,8 +71,11 @@ fn contacts(page: &mut Page, s: &GovernorLetters) {
         .holds([Line::equation(on_wheel - pushed, inertia, s.radius * (f1 + f2))]);
     page.claim(ENTRY, "wheel-half", r"$J\dot\omega=-\frac{J\omega_2}2\dot\rho_1$ in its middle, as printed")
         .fails([Line::formula(on_wheel, spin, -s.wheel * s.speed / int(2) * s.drho)]);
-    page.claim(ENTRY, "wheel-half-corrected", r"with $r$ for 2")
-        .holds([Line::formula(on_wheel, spin, -s.wheel * s.speed / s.radius * s.drho)]);
+    page.claim(ENTRY, "wheel-half-corrected", r"with $r$ for 2").holds([Line::formula(
+        on_wheel,
+        spin,
+        -s.wheel * s.speed / s.radius * s.drho,
+    )]);
     page.correct();
     let [by_first, by_second] = contact_forces(s);
     page.claim(ENTRY, "forces", r"$F_2$ and $F_1$").holds([
@@ -104,9 +107,16 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
     // sliding outwards: both contacts push back with f N
     let outwards = tidy(wheel.substitute(&[(at1, f * n1), (at2, f * n2)]));
     let normal = n1 + n2;
-    page.claim(ENTRY, "wheel-axis", r"$m\ddot\rho_1=u+f(N_1+N_2)$, for $\dot\rho_1>0$")
-        .fails([Line::equation(outwards, s.mass * s.ddrho, s.push + f * normal)]);
-    page.claim(ENTRY, "wheel-axis-corrected", r"friction is against the motion: $m\ddot\rho_1=u-f(N_1+N_2)\operatorname{sign}\dot\rho_1$")
-        .holds([Line::equation(outwards, s.mass * s.ddrho, s.push - f * normal)]);
+    page.claim(ENTRY, "wheel-axis", r"$m\ddot\rho_1=u+f(N_1+N_2)$, for $\dot\rho_1>0$").fails([Line::equation(
+        outwards,
+        s.mass * s.ddrho,
+        s.push + f * normal,
+    )]);
+    page.claim(
+        ENTRY,
+        "wheel-axis-corrected",
+        r"friction is against the motion: $m\ddot\rho_1=u-f(N_1+N_2)\operatorname{sign}\dot\rho_1$",
+    )
+    .holds([Line::equation(outwards, s.mass * s.ddrho, s.push - f * normal)]);
     page.correct();
 }

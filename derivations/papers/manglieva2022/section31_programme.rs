@@ -23,7 +23,11 @@ fn by_small_parameter(s: &GovernorLetters) -> Sym {
     let [condition, _] = s.kept();
     let square = s.radius.squared();
     let wheel = int(1) / (epsilon * s.speed) - s.first * square / s.drum.squared();
-    tidy((epsilon * square * condition).substitute(&[(s.wheel, wheel), (s.m1, k2 * s.drum / square), (s.m2, k1 / square)]))
+    tidy((epsilon * square * condition).substitute(&[
+        (s.wheel, wheel),
+        (s.m1, k2 * s.drum / square),
+        (s.m2, k1 / square),
+    ]))
 }
 
 fn series(page: &mut Page, s: &GovernorLetters) {
@@ -31,8 +35,11 @@ fn series(page: &mut Page, s: &GovernorLetters) {
     let [r1, r2, r3] = letters(["ϱ^1", "ϱ^2", "ϱ^3"]);
     let [d1, d2, d3] = letters(["ϱ̇^1", "ϱ̇^2", "ϱ̇^3"]);
     let sum = |terms: [Sym; 3]| terms[0] * epsilon + terms[1] * epsilon.powi(2) + terms[2] * epsilon.powi(3);
-    page.claim("eq3.7", "series", r"$\rho=\rho_0+\sum\varepsilon^i\rho_i$")
-        .defines([Line::equation(Sym::ZERO, s.rho, start + sum([r1, r2, r3]))]);
+    page.claim("eq3.7", "series", r"$\rho=\rho_0+\sum\varepsilon^i\rho_i$").defines([Line::equation(
+        Sym::ZERO,
+        s.rho,
+        start + sum([r1, r2, r3]),
+    )]);
     let residual = by_small_parameter(s).substitute(&[(s.rho, start + sum([r1, r2, r3])), (s.drho, sum([d1, d2, d3]))]);
     let orders = coefficients(residual, &[epsilon]).unwrap_or_default();
     let order = |i: u32| {
@@ -82,9 +89,9 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     page.claim("section3.1-control-force", "constant", "the same under constant moments, friction as printed")
         .under(&small)
         .fails([Line::formula(steady, s.push, constant - s.friction)]);
-    page.claim("section3.1-control-force", "constant-corrected", r"with $+(F_{11}+F_{22})$").under(&small).holds([
-        Line::formula(steady, s.push, constant + s.friction),
-    ]);
+    page.claim("section3.1-control-force", "constant-corrected", r"with $+(F_{11}+F_{22})$")
+        .under(&small)
+        .holds([Line::formula(steady, s.push, constant + s.friction)]);
     page.correct();
 }
 
@@ -97,11 +104,10 @@ fn quadrature(page: &mut Page, s: &GovernorLetters) {
     let logarithm = |value: Sym| Tangent::moving(value, argument.slope / argument.value);
     let time = |log: Tangent<Sym>| fixed(k / k2) * (rho - fixed(start) - fixed(k1 / k2) * log);
     let drift: Sym = tidy(s.governor.programme(Sym::ZERO, s.rho, s.speed));
-    let one = letter("ν");
     page.claim("eq3.10", "quadrature", r"$t=\frac k{k_2}\left(\rho-\rho_0-\frac{k_1}{k_2}\ln\left|\frac{k_2\rho+k_1}{k_2\rho_0+k_1}\right|\right)$: $dt/d\rho$ against $1/\dot\rho$ of the condition")
         .under(&s.names())
         .note(r"For $k_2\ne0$. With $k_2=0$ it is $\rho^2=\rho_0^2+2k_1t/k$.")
-        .holds([Line::formula(one / drift, one * s.rho / s.drho, one * time(logarithm(log)).slope)]);
+        .holds([Line::formula(int(1) / drift, int(1) / s.drho, time(logarithm(log)).slope)]);
     let at_start = time(logarithm(Sym::ZERO)).value.substitute(&[(s.rho, start)]);
     page.claim("eq3.10", "start", r"$t=0$ at $\rho=\rho_0$").follows([Condition::Zero(at_start)]);
     let free = drift.substitute(&[(s.m1, Sym::ZERO)]);
@@ -118,7 +124,10 @@ fn perturbed(page: &mut Page, s: &GovernorLetters) {
         .under(&s.names())
         .holds([Line::formula(law(start + more), drift + drift_more, (k1 / (start + more) + k2) / k)]);
     let [scaled, grown] = letters(["k′₁", "Eᵖ"]);
-    let names = s.names().given(scaled, s.radius.squared() * s.m2 / (s.speed * (s.wheel + s.first * s.radius.squared() / s.drum.squared())));
+    let names = s.names().given(
+        scaled,
+        s.radius.squared() * s.m2 / (s.speed * (s.wheel + s.first * s.radius.squared() / s.drum.squared())),
+    );
     page.claim("eq3.13", "first-approximation", r"the coefficient of $\rho'$ is $-k_1'/\rho_0^2$")
         .under(&names)
         .holds([Line::formula(tidy(law(start).diff(start)), letter("ν"), -scaled / start.powi(2))]);
@@ -181,7 +190,11 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
         .by_signs([Positive(rate - bound(a + from_a, b + from_b))]);
     page.correct();
     let free = |rho: Sym| rho * law(rho).substitute(&[(s.m1, Sym::ZERO)]);
-    page.claim(entry, "algebraic", r"with $M_1=0$ the difference $\rho_a^2-\rho_b^2$ does not change: the motions approach as $1/(\rho_a+\rho_b)$")
-        .in_words()
-        .follows([Condition::Zero(free(a) - free(b))]);
+    page.claim(
+        entry,
+        "algebraic",
+        r"with $M_1=0$ the difference $\rho_a^2-\rho_b^2$ does not change: the motions approach as $1/(\rho_a+\rho_b)$",
+    )
+    .in_words()
+    .follows([Condition::Zero(free(a) - free(b))]);
 }

@@ -21,10 +21,10 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
     let [dw, ddx, dx, x, w, w0] = letters(["ω̇′", "ẍ′", "ẋ′", "x′", "ω′", "ω₀"]);
     let [lambda, psi, dlambda, dpsi] = letters(["λᵉ", "ψ", "λ̇ᵉ", "ψ̇"]);
     let ([of_w, of_x, of_dx, of_lambda, of_psi], [of_dw, of_ddx]) = (s.state, s.rates);
-    let deviations = [(of_w, w), (of_x, x), (of_dx, dx), (of_lambda, lambda), (of_psi, psi), (of_dw, dw), (of_ddx, ddx)];
-    let linear = |equation: Sym| {
-        deviations.iter().fold(Sym::ZERO, |sum, (of, by)| sum + s.stationary(equation.diff(*of)) * *by)
-    };
+    let deviations =
+        [(of_w, w), (of_x, x), (of_dx, dx), (of_lambda, lambda), (of_psi, psi), (of_dw, dw), (of_ddx, ddx)];
+    let linear =
+        |equation: Sym| deviations.iter().fold(Sym::ZERO, |sum, (of, by)| sum + s.stationary(equation.diff(*of)) * *by);
     let [turning, sliding] = s.balance.map(linear);
     let [rho, f, theta, m0] = letters(["ϱ₀", "Fˣ", "θ₀", "m₀"]);
     let names = s.names().given(f, s.coupling(s.rest));
@@ -32,9 +32,13 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
     page.claim("eq3.20", "rotation", r"as printed with $\dot x'$ beside $M_2$ and $-b\psi$, $F(x_0)$ the right one")
         .under(&names)
         .fails([Line::equation(turning, theta * dw + f * dx * w0 + fall * dx - s.b * psi, Sym::ZERO)]);
-    page.claim("eq3.20", "rotation-corrected", r"with $x'$ and $+b\frac R{\rho_0}\psi$, which the moment $-b\psi$ on the disc gives")
-        .under(&names)
-        .holds([Line::equation(turning, theta * dw + f * dx * w0 + fall * x + s.b * s.drum / rho * psi, Sym::ZERO)]);
+    page.claim(
+        "eq3.20",
+        "rotation-corrected",
+        r"with $x'$ and $+b\frac R{\rho_0}\psi$, which the moment $-b\psi$ on the disc gives",
+    )
+    .under(&names)
+    .holds([Line::equation(turning, theta * dw + f * dx * w0 + fall * x + s.b * s.drum / rho * psi, Sym::ZERO)]);
     page.correct();
     let [c1, c2] = s.springs;
     let half = s.ball / int(2);
@@ -45,18 +49,25 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
             m0 * ddx + half * dx * w0.powi(2) + int(2) * s.rest * w0 * dw + (c1 + c2) * dx - s.a * lambda,
             Sym::ZERO,
         )]);
-    page.claim("eq3.21", "sleeve-corrected", r"$m_0\ddot x'+\frac12m_{sp}(x'(\omega_1^0)^2+2x_0\omega_1^0\omega_1')+(c_1+c_2)x'-a\lambda=0$")
-        .under(&names)
-        .holds([Line::equation(
-            sliding,
-            m0 * ddx + half * (x * w0.powi(2) + int(2) * s.rest * w0 * w) + (c1 + c2) * x - s.a * lambda,
-            Sym::ZERO,
-        )]);
+    page.claim(
+        "eq3.21",
+        "sleeve-corrected",
+        r"$m_0\ddot x'+\frac12m_{sp}(x'(\omega_1^0)^2+2x_0\omega_1^0\omega_1')+(c_1+c_2)x'-a\lambda=0$",
+    )
+    .under(&names)
+    .holds([Line::equation(
+        sliding,
+        m0 * ddx + half * (x * w0.powi(2) + int(2) * s.rest * w0 * w) + (c1 + c2) * x - s.a * lambda,
+        Sym::ZERO,
+    )]);
     page.correct();
     let [_, across, turn] = s.rolling().map(linear);
     let rolled = s.drum * w0;
-    page.claim("eq3.21", "slip", r"$\dot x'-\dot\lambda-r_1\omega_1^0\psi=0$")
-        .holds([Line::equation(across - dlambda, dx - dlambda - rolled * psi, Sym::ZERO)]);
+    page.claim("eq3.21", "slip", r"$\dot x'-\dot\lambda-r_1\omega_1^0\psi=0$").holds([Line::equation(
+        across - dlambda,
+        dx - dlambda - rolled * psi,
+        Sym::ZERO,
+    )]);
     let line = |a: Sym| Line::equation(dpsi - turn, dpsi - rolled * s.alpha * a + rolled * s.beta * psi, Sym::ZERO);
     page.claim("eq3.21", "line", r"as printed with $\dot\lambda$").fails([line(dlambda)]);
     page.claim("eq3.21", "line-corrected", r"with $\lambda$").holds([line(lambda)]);
@@ -88,9 +99,11 @@ fn matrix(page: &mut Page, s: &ElasticLetters) {
     page.claim("eq3.22", "twist", r"the entry of $\psi$ in the first row, $-b$ as printed")
         .under(&names)
         .fails([Line::formula(derived[0][3], name, printed[0][3])]);
-    page.claim("eq3.22", "twist-corrected", r"$+b\frac R{\rho_0}$")
-        .under(&names)
-        .holds([Line::formula(derived[0][3], name, s.b * s.drum / rho)]);
+    page.claim("eq3.22", "twist-corrected", r"$+b\frac R{\rho_0}$").under(&names).holds([Line::formula(
+        derived[0][3],
+        name,
+        s.b * s.drum / rho,
+    )]);
     page.correct();
 }
 
@@ -156,9 +169,11 @@ fn polynomial(page: &mut Page, q: &Quintic) {
         ),
     ];
     for (slug, corrected, says, k, printed) in wrong {
-        page.claim(entry, slug, format!("the coefficient {says}, as printed"))
-            .under(&q.names)
-            .fails([Line::formula(q.derived[k], names[k], printed)]);
+        page.claim(entry, slug, format!("the coefficient {says}, as printed")).under(&q.names).fails([Line::formula(
+            q.derived[k],
+            names[k],
+            printed,
+        )]);
         page.claim(entry, corrected, format!("the coefficient {says} of the determinant"))
             .under(&q.names)
             .holds([Line::formula(q.derived[k], names[k], right[k])]);
@@ -192,9 +207,11 @@ fn coefficients_of_hurwitz(page: &mut Page, q: &Quintic) {
         page.claim(entry, slug, format!("$a_{k}$ as printed: wrong is {fault}"))
             .under(&q.names)
             .fails([Line::formula(q.derived[k], names[k], value)]);
-        page.claim(entry, corrected, format!("$a_{k}$ of the determinant"))
-            .under(&q.names)
-            .holds([Line::formula(q.derived[k], names[k], right[k])]);
+        page.claim(entry, corrected, format!("$a_{k}$ of the determinant")).under(&q.names).holds([Line::formula(
+            q.derived[k],
+            names[k],
+            right[k],
+        )]);
         page.correct();
     }
 }
@@ -213,12 +230,14 @@ fn determinants(page: &mut Page, q: &Quintic) {
     let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
     let [first, second, fourth, fifth] = letters(["Δ₁", "Δ₂", "Δ₄", "Δ₅"]);
     let a = q.right();
-    let derived = |size: usize| minor(&a, size);
+    let derived = |size: usize| tidy(minor(&a, size));
     let inertia = theta * m0;
-    page.claim(entry, "delta1", r"$\Delta_1=a_1=\theta m_0$")
-        .fails([Line::formula(derived(1), first, inertia)]);
-    page.claim(entry, "delta1-corrected", r"$\Delta_1=\theta m_0\beta_1$")
-        .holds([Line::formula(derived(1), first, inertia * beta)]);
+    page.claim(entry, "delta1", r"$\Delta_1=a_1=\theta m_0$").fails([Line::formula(derived(1), first, inertia)]);
+    page.claim(entry, "delta1-corrected", r"$\Delta_1=\theta m_0\beta_1$").holds([Line::formula(
+        derived(1),
+        first,
+        inertia * beta,
+    )]);
     page.correct();
     page.claim(entry, "delta2", r"$\Delta_2=\theta m_0(\Phi_3\Phi_2-\theta m_0\alpha_1V_0\beta_1V_0)$")
         .fails([Line::formula(derived(2), second, inertia * (phi3 * phi2 - inertia * alpha * v * beta * v))]);
@@ -227,23 +246,38 @@ fn determinants(page: &mut Page, q: &Quintic) {
     page.correct();
     let z = -(phi3 * phi1) + phi4 * theta + q.a * theta;
     let fourth_of_paper = (phi3 * (q.b * alpha - beta * phi2) + alpha * v * (q.a * theta - z))
-        * (phi3 * phi2
+        * (phi3
+            * phi2
             * (int(2) * m0.powi(2) * beta * alpha * theta.powi(2) * v + inertia * beta * z - inertia * phi3 * phi2
                 + beta.powi(3) * inertia.powi(2))
             - alpha * beta.powi(2) * inertia.powi(2) * (q.b * phi3 + v * q.a * theta))
-        - alpha * v * phi3 * phi2
+        - alpha
+            * v
+            * phi3
+            * phi2
             * (inertia * phi3 * phi2 * (z + inertia)
                 + inertia.powi(2) * beta * alpha * (-(phi3 * q.b) - v * (q.a * theta)));
     page.claim(entry, "delta4", r"$\Delta_4$ as printed, its first term $a_4$ times the bracket")
         .note(r"$\Delta_3$ is not printed; by Liénard and Chipart it is not needed beside $a_0,\dots,a_5>0$.")
         .fails([Line::formula(derived(4), fourth, fourth_of_paper)]);
     let by_pairs = (a[1] * a[2] - a[0] * a[3]) * (a[3] * a[4] - a[2] * a[5]) - (a[1] * a[4] - a[0] * a[5]).powi(2);
-    page.claim(entry, "delta4-corrected", r"$\Delta_4=(a_1a_2-a_0a_3)(a_3a_4-a_2a_5)-(a_1a_4-a_0a_5)^2$ with the right $a_k$")
-        .holds([Line::formula(derived(4), fourth, by_pairs)]);
+    page.claim(
+        entry,
+        "delta4-corrected",
+        r"$\Delta_4=(a_1a_2-a_0a_3)(a_3a_4-a_2a_5)-(a_1a_4-a_0a_5)^2$ with the right $a_k$",
+    )
+    .holds([Line::formula(derived(4), fourth, by_pairs)]);
     page.correct();
-    page.claim(entry, "delta5", r"$\Delta_5=a_5$ as printed, and that with a plus")
-        .fails([Line::formula(derived(5), fifth, alpha * v * phi3 * phi2)]);
-    page.claim(entry, "delta5-corrected", r"$\Delta_5=a_5\Delta_4$, $a_5=-\alpha_1V_0\Phi_3\Phi_2$: it asks $M_2x_0\omega_1^0<0$")
-        .holds([Line::formula(derived(5), fifth, by_pairs * a[5])]);
+    page.claim(entry, "delta5", r"$\Delta_5=a_5$ as printed, and that with a plus").fails([Line::formula(
+        derived(5),
+        fifth,
+        alpha * v * phi3 * phi2,
+    )]);
+    page.claim(
+        entry,
+        "delta5-corrected",
+        r"$\Delta_5=a_5\Delta_4$, $a_5=-\alpha_1V_0\Phi_3\Phi_2$: it asks $M_2x_0\omega_1^0<0$",
+    )
+    .holds([Line::formula(derived(5), fifth, by_pairs * a[5])]);
     page.correct();
 }

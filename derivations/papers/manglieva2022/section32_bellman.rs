@@ -33,22 +33,29 @@ fn criterion(page: &mut Page, r: &ReleasedLetters) {
     page.claim("eq3.34", "normal", r"$\dot\xi$ as printed with $n\rho_0\cdot n\dot\rho_0$ and $J^2$")
         .under(&r.names())
         .fails([Line::formula(rates[0], dzeta, by(r.n * r.rho * r.n * r.drho, r.n * r.rho.powi(2) + s.wheel.powi(2)))]);
-    page.claim("eq3.34", "normal-corrected", r"with $n\rho_0\dot\rho_0$ and $J_2$; $\dot\rho'=z$, $m\dot z=u_1$ as in (3.29)")
-        .under(&r.names())
-        .holds([Line::formula(rates[0], dzeta, by(r.n * r.rho * r.drho, inertia))]);
+    page.claim(
+        "eq3.34",
+        "normal-corrected",
+        r"with $n\rho_0\dot\rho_0$ and $J_2$; $\dot\rho'=z$, $m\dot z=u_1$ as in (3.29)",
+    )
+    .under(&r.names())
+    .holds([Line::formula(rates[0], dzeta, by(r.n * r.rho * r.drho, inertia))]);
     page.correct();
     let row = r.linear.matrix[0];
     let lever = -(row[2] / (s.speed * r.rho));
-    page.claim("eq3.34", "names", r"$n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$ as printed")
-        .under(&r.names())
-        .fails([
-            Line::formula(lever, n1, r.n / (s.speed * r.rho.powi(2) + s.wheel.powi(2))),
-            Line::formula(row[1], slope, (s.m1 - r.n * s.speed * r.drho) / inertia),
-        ]);
-    page.claim("eq3.34", "names-corrected", r"with $n\rho_0^2+J_2$ and $M_1/R$").under(&r.names()).holds([
-        Line::formula(lever, n1, r.n / inertia),
-        Line::formula(row[1], slope, r.slope() / inertia),
+    page.claim(
+        "eq3.34",
+        "names",
+        r"$n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$ as printed",
+    )
+    .under(&r.names())
+    .fails([
+        Line::formula(lever, n1, r.n / (s.speed * r.rho.powi(2) + s.wheel.powi(2))),
+        Line::formula(row[1], slope, (s.m1 - r.n * s.speed * r.drho) / inertia),
     ]);
+    page.claim("eq3.34", "names-corrected", r"with $n\rho_0^2+J_2$ and $M_1/R$")
+        .under(&r.names())
+        .holds([Line::formula(lever, n1, r.n / inertia), Line::formula(row[1], slope, r.slope() / inertia)]);
     page.correct();
 }
 
@@ -61,13 +68,23 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
     let [value, name] = letters(["Vᴮ", "B"]);
     let squares = c11 * zeta.powi(2) + c22 * z.powi(2) + c33 * more.powi(2);
     let two = int(2);
-    page.claim("eq3.35", "value", r"$V$ as printed with $2C_{12}\xi z+C_{23}\rho'z$, beside the form whose gradient Bellman's function uses")
-        .fails([Line::formula(quadratic(r.value, r.deviation), value, squares + two * c12 * zeta * z + c23 * more * z)]);
-    page.claim("eq3.35", "value-corrected", r"with $2C_{12}\zeta\rho'+2C_{13}\zeta z+2C_{23}\rho'z$").holds([Line::formula(
+    page.claim(
+        "eq3.35",
+        "value",
+        r"$V$ as printed with $2C_{12}\xi z+C_{23}\rho'z$, beside the form whose gradient Bellman's function uses",
+    )
+    .fails([Line::formula(
         quadratic(r.value, r.deviation),
         value,
-        squares + two * c12 * zeta * more + two * c13 * zeta * z + two * c23 * more * z,
+        squares + two * c12 * zeta * z + c23 * more * z,
     )]);
+    page.claim("eq3.35", "value-corrected", r"with $2C_{12}\zeta\rho'+2C_{13}\zeta z+2C_{23}\rho'z$").holds([
+        Line::formula(
+            quadratic(r.value, r.deviation),
+            value,
+            squares + two * c12 * zeta * more + two * c13 * zeta * z + two * c23 * more * z,
+        ),
+    ]);
     page.correct();
 
     let entry = "section3.2-bellman";
@@ -83,18 +100,28 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
         two * c22 * z + two * c13 * zeta + two * c23 * more,
     ];
     let turning = |lever: Sym| -(n1 * lever * zeta) - n1 * s.speed * r.rho * z + slope * more;
-    let printed = d11 * zeta.powi(2) + d22 * z.powi(2) + c33 * more.powi(2) + two * c12 * zeta * z + two * c13 * zeta * z
+    let printed = d11 * zeta.powi(2)
+        + d22 * z.powi(2)
+        + c33 * more.powi(2)
+        + two * c12 * zeta * z
+        + two * c13 * zeta * z
         + d23 * more * z
         + gradient[0] * turning(r.rho * r.rho)
-        + two * c22 * z + two * c13 * zeta + two * c23 * more * u
+        + two * c22 * z
+        + two * c13 * zeta
+        + two * c23 * more * u
         + gradient[1] * z
         + weighed;
     let names = r.normal_names();
     page.claim(entry, "function", r"Bellman's function as printed: without dots, brackets, a factor 2 and $m$")
         .under(&names)
         .fails([Line::formula(derived, name, printed)]);
-    let right = d11 * zeta.powi(2) + d22 * z.powi(2) + d33 * more.powi(2) + two * d12 * zeta * more
-        + two * d13 * zeta * z + two * d23 * more * z
+    let right = d11 * zeta.powi(2)
+        + d22 * z.powi(2)
+        + d33 * more.powi(2)
+        + two * d12 * zeta * more
+        + two * d13 * zeta * z
+        + two * d23 * more * z
         + gradient[0] * turning(r.rho * r.drho)
         + gradient[1] * z
         + gradient[2] * u / s.mass
@@ -105,10 +132,17 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
     page.correct();
     let slope = regulator.bellman(r.value, r.deviation, u).diff(u);
     let push = letter("u₁");
-    page.claim(entry, "least", r"$\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho'=0$, its unit $s$ restored")
-        .fails([Line::equation(slope, two * price * push, -gradient[2])]);
-    page.claim(entry, "least-corrected", r"with $\frac1m$ before the bracket")
-        .holds([Line::equation(slope, two * price * push, -gradient[2] / s.mass)]);
+    page.claim(
+        entry,
+        "least",
+        r"$\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho'=0$, its unit $s$ restored",
+    )
+    .fails([Line::equation(slope, two * price * push, -gradient[2])]);
+    page.claim(entry, "least-corrected", r"with $\frac1m$ before the bracket").holds([Line::equation(
+        slope,
+        two * price * push,
+        -gradient[2] / s.mass,
+    )]);
     page.correct();
 }
 
@@ -144,9 +178,27 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
         ("c11", "c11-corrected", r"$\dot C_{11}$: $m^2$ is lost, right for $m=1$", rates[0][0], "Ċ₁₁"),
         ("c22", "c22-corrected", r"$\dot C_{22}$ (printed without its dot): right for $m=1$", rates[2][2], "Ċ₂₂"),
         ("c33", "c33-corrected", r"$\dot C_{33}$: right for $m=1$", rates[1][1], "Ċ₃₃"),
-        ("c13", "c13-corrected", r"$\dot C_{13}$, $n_1$ for the printed $u_1$: $2C_{13}C_{22}-2C_{12}$ is twice what it should be", rates[0][2], "Ċ₁₃"),
-        ("c12", "c12-corrected", r"$\dot C_{12}$, $n_1$ for the printed $u_1$: $2C_{13}C_{23}$ is twice what it should be", rates[0][1], "Ċ₁₂"),
-        ("c23", "c23-corrected", r"$\dot C_{23}$, $n_1$ for the printed $u_1$: $-C_{33}$ is lost, $2C_{22}C_{23}$ is twice what it should be", rates[1][2], "Ċ₂₃"),
+        (
+            "c13",
+            "c13-corrected",
+            r"$\dot C_{13}$, $n_1$ for the printed $u_1$: $2C_{13}C_{22}-2C_{12}$ is twice what it should be",
+            rates[0][2],
+            "Ċ₁₃",
+        ),
+        (
+            "c12",
+            "c12-corrected",
+            r"$\dot C_{12}$, $n_1$ for the printed $u_1$: $2C_{13}C_{23}$ is twice what it should be",
+            rates[0][1],
+            "Ċ₁₂",
+        ),
+        (
+            "c23",
+            "c23-corrected",
+            r"$\dot C_{23}$, $n_1$ for the printed $u_1$: $-C_{33}$ is lost, $2C_{22}C_{23}$ is twice what it should be",
+            rates[1][2],
+            "Ċ₂₃",
+        ),
     ];
     let right = of(price * s.mass.powi(2));
     let names = r.normal_names();
@@ -161,11 +213,8 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
     let optimal = r.regulator().optimal(r.value, r.deviation);
     page.claim("eq3.37", "control", r"$u_1=-(c_{33}z+c_{13}\xi+c_{23}\rho')$, its unit $s$ restored")
         .fails([Line::formula(optimal, r.control, -(c33 * z + c13 * zeta + c23 * more) / price)]);
-    page.claim("eq3.37", "control-corrected", r"$u_1=-\frac1{sm}(C_{22}z+C_{13}\zeta+C_{23}\rho')$").holds([Line::formula(
-        optimal,
-        r.control,
-        -(c22 * z + c13 * zeta + c23 * more) / (price * s.mass),
-    )]);
+    page.claim("eq3.37", "control-corrected", r"$u_1=-\frac1{sm}(C_{22}z+C_{13}\zeta+C_{23}\rho')$")
+        .holds([Line::formula(optimal, r.control, -(c22 * z + c13 * zeta + c23 * more) / (price * s.mass))]);
     page.correct();
 }
 
@@ -173,16 +222,27 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
 fn ends(page: &mut Page, r: &ReleasedLetters) {
     let names = ["C₁₁", "C₂₂", "C₃₃", "C₁₂", "C₁₃", "C₂₃"];
     let [zeta, ..] = r.deviation;
-    page.claim("eq3.36", "initial", r"with $c_{ij}(0)=0$ the function $V$ solves the problem: it is positive definite at $t=0$ as at any time")
-        .given(letters::<6>(names).map(Zero))
-        .given([NonZero(zeta)])
-        .refuted(
-            [NonZero(quadratic(r.value, r.deviation))],
-            exact([
-                ("C₁₁", 0, 1), ("C₂₂", 0, 1), ("C₃₃", 0, 1), ("C₁₂", 0, 1), ("C₁₃", 0, 1), ("C₂₃", 0, 1), ("ζ", 1, 1),
-                ("ϱ′", 0, 1), ("z", 0, 1),
-            ]),
-        );
+    page.claim(
+        "eq3.36",
+        "initial",
+        r"with $c_{ij}(0)=0$ the function $V$ solves the problem: it is positive definite at $t=0$ as at any time",
+    )
+    .given(letters::<6>(names).map(Zero))
+    .given([NonZero(zeta)])
+    .refuted(
+        [NonZero(quadratic(r.value, r.deviation))],
+        exact([
+            ("C₁₁", 0, 1),
+            ("C₂₂", 0, 1),
+            ("C₃₃", 0, 1),
+            ("C₁₂", 0, 1),
+            ("C₁₃", 0, 1),
+            ("C₂₃", 0, 1),
+            ("ζ", 1, 1),
+            ("ϱ′", 0, 1),
+            ("z", 0, 1),
+        ]),
+    );
     let regulator = r.regulator();
     let moved = quadratic(regulator.riccati(r.value), r.deviation);
     let derived = moved + regulator.bellman(r.value, r.deviation, r.control);

@@ -25,11 +25,15 @@ fn released(r: &ReleasedLetters, expression: Sym) -> Sym {
 fn release(page: &mut Page, r: &ReleasedLetters) {
     let s = &r.drum;
     let [x, dx, q, p] = letters(["x1", "ẋ1", "δq1", "p1"]);
-    page.claim("eq3.23", "states", r"places by coordinates, velocities by velocity parameters: for each coordinate of a point")
-        .defines([
-            Line::equation(Sym::ZERO, x, Sym::function("a", q)),
-            Line::equation(Sym::ZERO, dx, Sym::function("b", p)),
-        ]);
+    page.claim(
+        "eq3.23",
+        "states",
+        r"places by coordinates, velocities by velocity parameters: for each coordinate of a point",
+    )
+    .defines([
+        Line::equation(Sym::ZERO, x, Sym::function("a", q)),
+        Line::equation(Sym::ZERO, dx, Sym::function("b", p)),
+    ]);
     let [zeta, dzeta, xi, kept] = letters(["ζ", "ζ̇", "ξ", "ω₀"]);
     page.claim("eq3.24", "release", r"$\omega_2=\omega_2^0+\zeta$, $\dot\zeta=\xi$")
         .note(r"From (3.34) on $\xi$ is written for $\zeta$ itself.")
@@ -53,12 +57,16 @@ fn energy(page: &mut Page, r: &ReleasedLetters) {
     let names = letters(["Qφ", "u"]);
     let derived = seen(energy);
     let lines = |a: Sym| {
-        let printed = seen(printed(a));
+        let printed = [dzeta, s.ddrho].map(|rate| printed(a).diff(rate));
         [0, 1].map(|i| Line::formula(derived[i], names[i], printed[i]))
     };
-    page.claim("eq3.25", "energy", r"$S'$ as printed with $\frac12m\dot\rho^2$: its derivatives by $\dot\zeta$ and $\ddot\rho$")
-        .under(&r.names())
-        .fails(lines(s.drho));
+    page.claim(
+        "eq3.25",
+        "energy",
+        r"$S'$ as printed with $\frac12m\dot\rho^2$: its derivatives by $\dot\zeta$ and $\ddot\rho$",
+    )
+    .under(&r.names())
+    .fails(lines(s.drho));
     page.claim("eq3.25", "energy-corrected", r"with $\frac12m\ddot\rho^2$").under(&r.names()).holds(lines(s.ddrho));
     page.correct();
     let motion = s.motion();
@@ -101,10 +109,11 @@ fn first_approximation(page: &mut Page, r: &ReleasedLetters) {
     let [dzeta, dmore, dz] = letters(["ζ̇", "ϱ̇′", "ż"]);
     // Appell's equations differentiated at the programme: zeta = zeta' = 0, rho = rho_0(t)
     let programme = [(s.speed, s.speed), (s.dspeed, Sym::ZERO), (s.rho, r.rho), (s.drho, r.drho)];
-    let deviations = [(s.speed, zeta), (s.dspeed, dzeta), (s.rho, more), (s.drho, dmore), (s.ddrho, dz), (s.push, r.control)];
+    let deviations =
+        [(s.speed, zeta), (s.dspeed, dzeta), (s.rho, more), (s.drho, dmore), (s.ddrho, dz), (s.push, r.control)];
     let linear = s.balance().map(|side| {
         let sum = deviations.iter().fold(Sym::ZERO, |sum, (of, by)| sum + side.diff(*of) * *by);
-        tidy(sum.substitute(&programme))
+        sum.substitute(&programme)
     });
     let lever = r.n * r.rho;
     page.claim("eq3.28", "linear", r"the first approximation, $J_2$ for the printed $J_3$").under(&r.names()).holds([
@@ -117,13 +126,14 @@ fn first_approximation(page: &mut Page, r: &ReleasedLetters) {
     ]);
     let rates = r.linear.apply(r.deviation);
     let driven: [Sym; 3] = std::array::from_fn(|i| rates[i] + r.linear.control[i] * r.control);
-    page.claim("eq3.29", "normal", r"solved for the rates, $J_2$ for the printed $J_3$").under(&r.names()).holds([
-        Line::formula(
-            r.inertia() * driven[0],
-            r.inertia() * dzeta,
-            -(lever * r.drho * zeta) - lever * s.speed * z + r.slope() * more,
-        ),
-        Line::formula(driven[1] + more * letter("ν"), dmore + more * letter("ν"), z + more * letter("ν")),
-        Line::formula(s.mass * driven[2], s.mass * dz, r.control),
-    ]);
+    page.claim("eq3.29", "normal", r"solved for the rates, $J_2$ for the printed $J_3$; $\dot\rho'=z$ is a name")
+        .under(&r.names())
+        .holds([
+            Line::formula(
+                r.inertia() * driven[0],
+                r.inertia() * dzeta,
+                -(lever * r.drho * zeta) - lever * s.speed * z + r.slope() * more,
+            ),
+            Line::formula(s.mass * driven[2], s.mass * dz, r.control),
+        ]);
 }

@@ -93,7 +93,8 @@ fn same_branch(level: f64, from: f64) -> f64 {
     };
     for _ in 0..64 {
         // in the logarithm, where the curve is steep and y keeps its sign
-        let step = if y > 1.0 { (y - y.ln() - level) / (1.0 - 1.0 / y) } else { (y - y.abs().ln() - level) * y / (y - 1.0) };
+        let step =
+            if y > 1.0 { (y - y.ln() - level) / (1.0 - 1.0 / y) } else { (y - y.abs().ln() - level) * y / (y - 1.0) };
         let next = if y > 1.0 { (y - step).max(1.0) } else { y * (-step / y).exp() };
         if !next.is_finite() || (next - y).abs() <= f64::EPSILON * y.abs() {
             break;
