@@ -6,7 +6,6 @@ use field::Scalar;
 use mechanics::constrained::appell::residual;
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::{Charted, System, kinetic_energy};
-use symbolic::linear::determinant;
 use symbolic::{Hypotheses, Sym};
 
 /// The letters of the elastic governor; the paper's r1 is R, the radius of the drum.
@@ -170,11 +169,6 @@ impl ElasticLetters {
         matrix[3] = matrix[3].map(|entry| -entry);
         matrix[3][3] += mu;
         matrix
-    }
-
-    /// The characteristic polynomial, with a positive leading coefficient.
-    pub fn polynomial(&self) -> Sym {
-        tidy(-determinant(&self.characteristic_matrix()).unwrap_or(Sym::ZERO))
     }
 
     /// theta, m0, V, alpha1, beta1, Phi1..4 and rho_0 at the stationary motion, which (3.19) makes one; d = -b.

@@ -2,16 +2,16 @@
 
 use super::alphabet::{int, letter, letters, tidy};
 use super::elastic::ElasticLetters;
-use claims::{Line, Page};
+use claims::{Condition, Line, Page};
 use symbolic::linear::determinant;
-use symbolic::{Hypotheses, Sym, coefficients};
+use symbolic::{Sym, coefficients};
 
 pub fn claims(page: &mut Page, s: &ElasticLetters) {
     page.section("3.1. Stability of the elastic governor");
     first_approximation(page, s);
     matrix(page, s);
     let quintic = Quintic::new(s);
-    polynomial(page, &quintic);
+    polynomial(page, s, &quintic);
     coefficients_of_hurwitz(page, &quintic);
     determinants(page, &quintic);
 }
@@ -95,7 +95,7 @@ fn matrix(page: &mut Page, s: &ElasticLetters) {
     page.claim("eq3.22", "entries", r"every entry of the matrix but that of $b$, with the right $F(x_0)$")
         .in_words()
         .under(&names)
-        .follows(lines.iter().map(|line| claims::Condition::Equal(line.derived, line.right)));
+        .follows(lines.iter().map(|line| Condition::Equal(line.derived, line.right)));
     page.claim("eq3.22", "twist", r"the entry of $\psi$ in the first row, $-b$ as printed")
         .under(&names)
         .fails([Line::formula(derived[0][3], name, printed[0][3])]);
@@ -107,10 +107,9 @@ fn matrix(page: &mut Page, s: &ElasticLetters) {
     page.correct();
 }
 
-/// The characteristic polynomial a0 mu^5 + ... + a5 in the paper's names.
+/// The characteristic polynomial a0 mu^5 + ... + a5: of the matrix (3.22) with its right entries by their names.
 struct Quintic {
     derived: [Sym; 6],
-    names: Hypotheses,
     ball: Sym,
     a: Sym,
     b: Sym,
@@ -120,14 +119,16 @@ struct Quintic {
 
 impl Quintic {
     fn new(s: &ElasticLetters) -> Self {
-        let mut derived = [Sym::ZERO; 6];
-        for (exponents, coefficient) in coefficients(s.polynomial(), &[letter("μᵉ")]).unwrap_or_default() {
-            if let Some(place) = derived.get_mut(5 - exponents[0].min(5) as usize) {
-                *place = tidy(coefficient);
-            }
-        }
-        let twist = s.b * s.drum / letter("ϱ₀");
-        Quintic { derived, names: s.names(), ball: s.ball, a: s.a, b: s.b, twist }
+        let [theta, m0, v, alpha, beta, mu] = letters(["θ₀", "m₀", "V", "α₁", "β₁", "μᵉ"]);
+        let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
+        let (twist, zero) = (s.b * s.drum / letter("ϱ₀"), Sym::ZERO);
+        let matrix = [
+            [theta * mu, phi1 * mu + phi2, zero, twist],
+            [phi3, m0 * mu.powi(2) + phi4, -s.a, zero],
+            [zero, mu, -mu, -v],
+            [zero, zero, -alpha, mu + beta],
+        ];
+        Quintic { derived: by_powers(&matrix), ball: s.ball, a: s.a, b: s.b, twist }
     }
 
     /// What is right, by the names.
@@ -146,13 +147,34 @@ impl Quintic {
     }
 }
 
-fn polynomial(page: &mut Page, q: &Quintic) {
+/// The coefficients of minus the determinant, highest power of mu first.
+fn by_powers(matrix: &[[Sym; 4]; 4]) -> [Sym; 6] {
+    let mut powers = [Sym::ZERO; 6];
+    let polynomial = -determinant(matrix).unwrap_or(Sym::ZERO);
+    for (exponents, coefficient) in coefficients(polynomial, &[letter("μᵉ")]).unwrap_or_default() {
+        if let Some(place) = powers.get_mut(5 - exponents[0].min(5) as usize) {
+            *place = tidy(coefficient);
+        }
+    }
+    powers
+}
+
+fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
     let entry = "section3.1-quintic";
+    let by_data = by_powers(&s.characteristic_matrix());
+    page.claim(
+        entry,
+        "names",
+        r"the coefficients by $\theta$, $m_0$, $\Phi_k$, $\alpha_1$, $\beta_1$, $V_0$ are those by the data",
+    )
+    .in_words()
+    .under(&s.names())
+    .follows((0..6).map(|k| Condition::Equal(by_data[k], q.derived[k])));
     let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
     let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
     let names = letters(["a₀", "a₁", "a₂", "a₃", "a₄", "a₅"]);
     let (right, core) = (q.right(), phi3 * phi1 - phi4 * theta - q.a * theta);
-    page.claim(entry, "mu5-and-1", r"the coefficients of $\mu^5$ and 1").under(&q.names).holds([
+    page.claim(entry, "mu5-and-1", r"the coefficients of $\mu^5$ and 1").holds([
         Line::formula(q.derived[0], names[0], theta * m0),
         Line::formula(q.derived[5], names[5], -(alpha * v * phi3 * phi2)),
     ]);
@@ -169,14 +191,16 @@ fn polynomial(page: &mut Page, q: &Quintic) {
         ),
     ];
     for (slug, corrected, says, k, printed) in wrong {
-        page.claim(entry, slug, format!("the coefficient {says}, as printed")).under(&q.names).fails([Line::formula(
+        page.claim(entry, slug, format!("the coefficient {says}, as printed")).fails([Line::formula(
             q.derived[k],
             names[k],
             printed,
         )]);
-        page.claim(entry, corrected, format!("the coefficient {says} of the determinant"))
-            .under(&q.names)
-            .holds([Line::formula(q.derived[k], names[k], right[k])]);
+        page.claim(entry, corrected, format!("the coefficient {says} of the determinant")).holds([Line::formula(
+            q.derived[k],
+            names[k],
+            right[k],
+        )]);
         page.correct();
     }
 }
@@ -204,10 +228,12 @@ fn coefficients_of_hurwitz(page: &mut Page, q: &Quintic) {
         ("a5", "a5-corrected", alpha * v * phi3 * phi2, "the sign"),
     ];
     for (k, (slug, corrected, value, fault)) in printed.into_iter().enumerate() {
-        page.claim(entry, slug, format!("$a_{k}$ as printed: wrong is {fault}"))
-            .under(&q.names)
-            .fails([Line::formula(q.derived[k], names[k], value)]);
-        page.claim(entry, corrected, format!("$a_{k}$ of the determinant")).under(&q.names).holds([Line::formula(
+        page.claim(entry, slug, format!("$a_{k}$ as printed: wrong is {fault}")).fails([Line::formula(
+            q.derived[k],
+            names[k],
+            value,
+        )]);
+        page.claim(entry, corrected, format!("$a_{k}$ of the determinant")).holds([Line::formula(
             q.derived[k],
             names[k],
             right[k],
