@@ -10,11 +10,12 @@
 //! the curvature of the line is alpha lambda - beta psi. The rim pushes with a lambda and b psi: it is elastic where a and
 //! b are negative. Its mass may vanish.
 
-use field::{Analytic, Base, Over};
+use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::appell;
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::{Charted, State, System};
 use mechanics::definite::NotDefinite;
+use mechanics::differentiate::{along, unit};
 
 /// The data of the governor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -135,5 +136,32 @@ impl<P: Base> ElasticGovernor<P> {
         let shift = x - S::lift(self.rest);
         let rim = S::lift(self.rim.across) * lambda.squared() + S::lift(self.rim.twist) * psi.squared();
         moving + ((c1 + c2) * shift.squared() - rim).half() + (c1 * d1 - c2 * d2) * shift
+    }
+
+    /// The same governor with the moment M1 and the tension delta2 that (omega1, x0, lambda = psi = 0) needs to be a
+    /// motion; c2 must not vanish.
+    pub fn stationary_at(self, speed: P) -> Self {
+        let ([_, load], [c1, c2], [d1, _]) = (self.moments, self.stiffness, self.tension);
+        let balanced = -self.drum * load / (self.rest - self.offset);
+        let pull = self.ball.half() * self.rest * speed.squared() + c1 * d1;
+        ElasticGovernor { moments: [balanced, load], tension: [d1, pull / c2], ..self }
+    }
+
+    /// The first approximation about (omega1, x0) with lambda = psi = 0, in (omega1, x, x', lambda, psi).
+    ///
+    /// # Errors
+    /// As [`rates_of_state`](Self::rates_of_state).
+    pub fn first_approximation<S: Over<P> + Analytic>(&self, speed: S) -> Result<[[S; 5]; 5], NotDefinite>
+    where
+        Tangent<S>: Over<P>,
+    {
+        let state = [speed, S::lift(self.rest), S::zero(), S::zero(), S::zero()];
+        let mut matrix = [[S::zero(); 5]; 5];
+        for j in 0..5 {
+            for (row, rate) in matrix.iter_mut().zip(self.rates_of_state(along(state, unit(j)))?) {
+                row[j] = rate.slope;
+            }
+        }
+        Ok(matrix)
     }
 }
