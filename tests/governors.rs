@@ -156,7 +156,7 @@ fn the_series_satisfies_its_equation_to_every_order_exactly() {
 }
 
 #[test]
-fn the_series_loses_a_digit_of_error_with_its_orders() {
+fn the_error_of_the_series_falls_with_every_order() {
     let moments = [Moment { start: -0.5, growth: 0.3 }, Moment { start: 0.4, growth: 0.1 }];
     let data = governor(moments);
     let exact = run(&Programme(data), &Span::new(0.0, 0.3, &[0.3]))[0];
@@ -369,4 +369,57 @@ fn the_stationary_solution_stabilises_the_governor_at_its_value() {
     // V is quadratic: the cost differs from it by the third order
     let expected = quadratic(value, start);
     assert!((end[3] / expected - 1.0).abs() < 5e-3, "{} and {expected}", end[3]);
+}
+
+#[test]
+fn the_map_of_stability_is_bounded_by_hurwitz_curve() {
+    for map in derivations::governors::stability() {
+        assert!(map.distance < 1e-6, "{}: {}", map.title, map.distance);
+        let stable = map.rows.iter().flatten().filter(|stable| **stable).count();
+        for (r, row) in map.rows.iter().enumerate() {
+            let load = map.y.1[1] * (r as f64 + 0.5) / map.rows.len() as f64;
+            // the curve has four points a column
+            let agrees =
+                row.iter().zip(map.curve.iter().skip(1).step_by(4)).all(|(stable, at)| *stable == (load < at.1));
+            assert!(agrees, "{}: row {r}", map.title);
+        }
+        let all = map.rows.iter().map(Vec::len).sum::<usize>();
+        assert!(stable > all / 20 && stable < all - all / 20, "{}: {stable} of {all}", map.title);
+    }
+}
+
+#[test]
+fn the_drawn_series_converge_faster_the_higher_the_speed() {
+    let errors = derivations::governors::series_errors();
+    assert_eq!(errors.len(), 4);
+    for pair in errors.windows(2) {
+        assert!(pair[1].1[5].1 < 0.1 * pair[0].1[5].1, "{pair:?}");
+    }
+}
+
+#[test]
+fn the_counterexamples_to_rank_and_to_staying_on_the_disc_are_governors() {
+    // n = 2, J2 = m = omega2 = rho_0 = 1, M1 = 2, M2 = 1: J2 M1/R = n rho_0 M2, and rho_0' = 3/2
+    let data = Governor {
+        inertia: [1.0, 1.0, 1.0],
+        mass: 1.0,
+        radius: 1.0,
+        gearing: Gearing::Drum { radius: 1.0 },
+        moments: [Moment::constant(2.0), Moment::constant(1.0)],
+        push: 0.0,
+        lateral: 0.0,
+    };
+    let at = |t: f64| {
+        let rho = 1.0 + 1.5 * t;
+        let drift = data.programme(0.0, rho, 1.0);
+        data.first_approximation(0.0, [1.0, rho, drift]).expect("real masses")
+    };
+    assert!((data.programme(0.0, 1.0, 1.0) - 1.5_f64).abs() < 1e-15);
+    let (now, h) = (at(0.0), 1e-5);
+    let second = |t: f64| at(t).apply(at(t).control).map(|entry| -entry);
+    let rate: [f64; 3] = std::array::from_fn(|i| (second(h)[i] - second(-h)[i]) / (2.0 * h));
+    let turned = now.apply(second(0.0));
+    assert!((rate[0] - turned[0]).abs() < 1e-9, "L3 vanishes: {} and {}", rate[0], turned[0]);
+    let leaving = ConstantMoments { epsilon: 1.0, of_second: 1.0, of_first: 0.0, start: 1.0 };
+    assert_eq!(leaving.distance(4.0), Some(3.0), "past the edge of a disc of radius 2");
 }

@@ -171,23 +171,26 @@ impl ElasticLetters {
         matrix
     }
 
-    /// theta, m0, V, alpha1, beta1, Phi1..4 and rho_0 at the stationary motion, which (3.19) makes one; d = -b.
-    pub fn names(&self) -> Hypotheses {
-        let [theta, m0, v, alpha1, beta1, rho] = letters(["θ₀", "m₀", "V", "α₁", "β₁", "ϱ₀"]);
-        let [phi1, phi2, phi3, phi4, w] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄", "ω₀"]);
-        let x = self.rest;
+    /// What the named letters stand for at the stationary motion; d = -b throughout.
+    pub fn names(&self, wanted: &[&str]) -> Hypotheses {
+        let (x, w) = (self.rest, letter("ω₀"));
         let [distance, _] = self.lengths(x);
-        Hypotheses::none()
-            .given(theta, self.theta(x))
-            .given(m0, self.mobile(x))
-            .given(v, self.drum * w)
-            .given(alpha1, self.drum * w * self.alpha)
-            .given(beta1, self.drum * w * self.beta)
-            .given(phi1, self.coupling(x) * w)
-            .given(phi2, self.drum / distance.powi(2) * self.moments[1])
-            .given(phi3, self.ball * x * w)
-            .given(phi4, self.ball.half() * w.powi(2) + self.springs[0] + self.springs[1])
-            .given(rho, distance)
-            .given(self.drill, -self.b)
+        let stiffness = self.ball.half() * w.powi(2) + self.springs[0] + self.springs[1];
+        let meanings = [
+            ("θ₀", self.theta(x)),
+            ("m₀", self.mobile(x)),
+            ("V", self.drum * w),
+            ("α₁", self.drum * w * self.alpha),
+            ("β₁", self.drum * w * self.beta),
+            ("Φ₁", self.coupling(x) * w),
+            ("Φ₂", self.drum / distance.powi(2) * self.moments[1]),
+            ("Φ₃", self.ball * x * w),
+            ("Φ₄", stiffness),
+            ("ϱ₀", distance),
+            ("Fˣ", self.coupling(x)),
+        ];
+        let opposite = Hypotheses::none().given(self.drill, -self.b);
+        let asked = meanings.into_iter().filter(|(name, _)| wanted.contains(name));
+        asked.fold(opposite, |names, (name, meaning)| names.given(letter(name), meaning))
     }
 }

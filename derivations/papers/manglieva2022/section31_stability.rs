@@ -1,6 +1,6 @@
 //! Section 3.1: the first approximation of the elastic governor, its characteristic equation, Hurwitz' conditions.
 
-use super::alphabet::{int, letter, letters, tidy};
+use super::alphabet::{exact, int, letter, letters, tidy};
 use super::elastic::ElasticLetters;
 use claims::{Condition, Line, Page};
 use symbolic::linear::determinant;
@@ -11,6 +11,7 @@ pub fn claims(page: &mut Page, s: &ElasticLetters) {
     first_approximation(page, s);
     matrix(page, s);
     let quintic = Quintic::new(s);
+    page.section("3.1. Hurwitz' conditions of the elastic governor");
     polynomial(page, s, &quintic);
     coefficients_of_hurwitz(page, &quintic);
     determinants(page, &quintic);
@@ -27,7 +28,7 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
         |equation: Sym| deviations.iter().fold(Sym::ZERO, |sum, (of, by)| sum + s.stationary(equation.diff(*of)) * *by);
     let [turning, sliding] = s.balance.map(linear);
     let [rho, f, theta, m0] = letters(["ϱ₀", "Fˣ", "θ₀", "m₀"]);
-    let names = s.names().given(f, s.coupling(s.rest));
+    let names = s.names(&["θ₀", "ϱ₀", "Fˣ"]);
     let fall = s.drum / rho.powi(2) * s.moments[1];
     page.claim("eq3.20", "rotation", r"as printed with $\dot x'$ beside $M_2$ and $-b\psi$, $F(x_0)$ the right one")
         .under(&names)
@@ -43,7 +44,7 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
     let [c1, c2] = s.springs;
     let half = s.ball / int(2);
     page.claim("eq3.21", "sleeve", r"as printed, with dots over $x'$ and $\omega_1'$ and without $m_{sp}$")
-        .under(&names)
+        .under(&s.names(&["m₀"]))
         .fails([Line::equation(
             sliding,
             m0 * ddx + half * dx * w0.powi(2) + int(2) * s.rest * w0 * dw + (c1 + c2) * dx - s.a * lambda,
@@ -54,7 +55,7 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
         "sleeve-corrected",
         r"$m_0\ddot x'+\frac12m_{sp}(x'(\omega_1^0)^2+2x_0\omega_1^0\omega_1')+(c_1+c_2)x'-a\lambda=0$",
     )
-    .under(&names)
+    .under(&s.names(&["m₀"]))
     .holds([Line::equation(
         sliding,
         m0 * ddx + half * (x * w0.powi(2) + int(2) * s.rest * w0 * w) + (c1 + c2) * x - s.a * lambda,
@@ -77,7 +78,7 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
 fn matrix(page: &mut Page, s: &ElasticLetters) {
     let derived = s.characteristic_matrix();
     let [theta, m0, v, rho, mu, f, w0] = letters(["θ₀", "m₀", "V", "ϱ₀", "μᵉ", "Fˣ", "ω₀"]);
-    let names = s.names().given(f, s.coupling(s.rest));
+    let names = s.names(&["θ₀", "m₀", "V", "ϱ₀", "Fˣ"]);
     let zero = Sym::ZERO;
     let stiffness = s.ball / int(2) * w0.powi(2) + s.springs[0] + s.springs[1];
     let printed = [
@@ -97,9 +98,9 @@ fn matrix(page: &mut Page, s: &ElasticLetters) {
         .under(&names)
         .follows(lines.iter().map(|line| Condition::Equal(line.derived, line.right)));
     page.claim("eq3.22", "twist", r"the entry of $\psi$ in the first row, $-b$ as printed")
-        .under(&names)
+        .under(&s.names(&["ϱ₀"]))
         .fails([Line::formula(derived[0][3], name, printed[0][3])]);
-    page.claim("eq3.22", "twist-corrected", r"$+b\frac R{\rho_0}$").under(&names).holds([Line::formula(
+    page.claim("eq3.22", "twist-corrected", r"$+b\frac R{\rho_0}$").under(&s.names(&["ϱ₀"])).holds([Line::formula(
         derived[0][3],
         name,
         s.b * s.drum / rho,
@@ -141,7 +142,7 @@ impl Quintic {
             theta * m0 * beta,
             z + theta * m0 * alpha * v,
             beta * z - phi3 * phi2,
-            -(phi3 * (self.twist * alpha + beta * phi2)) + alpha * v * (z + self.a * theta),
+            -(phi3 * (self.twist * alpha + beta * phi2)) + alpha * v * (phi4 * theta - phi3 * phi1),
             -(alpha * v * phi3 * phi2),
         ]
     }
@@ -168,7 +169,7 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
         r"the coefficients by $\theta$, $m_0$, $\Phi_k$, $\alpha_1$, $\beta_1$, $V_0$ are those by the data",
     )
     .in_words()
-    .under(&s.names())
+    .under(&s.names(&["θ₀", "m₀", "V", "α₁", "β₁", "Φ₁", "Φ₂", "Φ₃", "Φ₄", "ϱ₀"]))
     .follows((0..6).map(|k| Condition::Equal(by_data[k], q.derived[k])));
     let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
     let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
@@ -283,9 +284,29 @@ fn determinants(page: &mut Page, q: &Quintic) {
             * phi2
             * (inertia * phi3 * phi2 * (z + inertia)
                 + inertia.powi(2) * beta * alpha * (-(phi3 * q.b) - v * (q.a * theta)));
+    let data = [theta, m0, v, alpha, beta, phi3, phi4, q.ball];
+    let positive = data.map(Condition::Positive);
+    let one = |name: &'static str, value: i64| (name, value, 1);
+    let point = exact([
+        one("θ₀", 1),
+        one("m₀", 1),
+        one("V", 1),
+        one("α₁", 1),
+        one("β₁", 1),
+        one("Φ₁", -1),
+        one("Φ₂", -1),
+        one("Φ₃", 1),
+        one("Φ₄", 2),
+        one("mₛ", 1),
+        one("aᵉ", -1),
+        one("bᵉ", -1),
+        one("R", 1),
+        one("ϱ₀", 1),
+    ]);
     page.claim(entry, "delta4", r"$\Delta_4$ as printed, its first term $a_4$ times the bracket")
         .note(r"$\Delta_3$ is not printed; by Liénard and Chipart it is not needed beside $a_0,\dots,a_5>0$.")
-        .fails([Line::formula(derived(4), fourth, fourth_of_paper)]);
+        .given(positive)
+        .refuted([Condition::Equal(derived(4), fourth_of_paper)], point);
     let by_pairs = (a[1] * a[2] - a[0] * a[3]) * (a[3] * a[4] - a[2] * a[5]) - (a[1] * a[4] - a[0] * a[5]).powi(2);
     page.claim(
         entry,

@@ -1,6 +1,6 @@
 //! Section 3.2: the released governor, (3.23)-(3.29).
 
-use super::alphabet::{letter, letters, tidy};
+use super::alphabet::{int, letters, tidy};
 use super::released::ReleasedLetters;
 use claims::{Line, Page};
 use field::Scalar;
@@ -83,10 +83,9 @@ fn equations(page: &mut Page, r: &ReleasedLetters) {
     let [turning, sliding] = s.balance().map(|side| released(r, side));
     let right = s.m2 + s.rho / s.drum * s.m1;
     let left = |lever: Sym| (r.n * s.rho.powi(2) + s.second) * dzeta + r.n * (zeta + s.speed) * lever * s.drho;
-    let one = letter("fᶜ") / letter("fᶜ");
     page.claim("eq3.26", "rotation", r"$(n\rho^2+J_2)\dot\zeta+n(\zeta+\omega_2^0)\dot\rho=M_2+\frac\rho RM_1$")
         .under(&r.names())
-        .fails([Line::equation(turning, left(one), right)]);
+        .fails([Line::equation(turning, left(int(1)), right)]);
     page.claim("eq3.26", "rotation-corrected", r"with $n(\zeta+\omega_2^0)\rho\dot\rho$, as (3.27) has it")
         .under(&r.names())
         .holds([Line::equation(turning, left(s.rho), right)]);
