@@ -24,6 +24,8 @@ pub struct StabilityMap {
 const COLUMNS: usize = 90;
 const ROWS: usize = 75;
 const SPEED: f64 = 2.0;
+/// Of the search for eigenvalues.
+const MOST_SWEEPS: usize = 1000;
 
 /// The governor of the maps: SI units; x0 is 0.6 m, the disc is touched at 0.5 m from its axis.
 fn governor(stiffness: f64, load: f64, curved_by_angle: f64) -> ElasticGovernor<f64> {
@@ -61,7 +63,9 @@ fn by_minors(data: &ElasticGovernor<f64>) -> bool {
 fn by_eigenvalues(data: &ElasticGovernor<f64>) -> bool {
     data.first_approximation(SPEED).is_ok_and(|matrix| {
         let flat = SMatrix::<f64, 5, 5>::from_fn(|i, j| matrix[i][j]);
-        flat.complex_eigenvalues().iter().all(|root| root.re < 0.0)
+        // a bounded search: on what is no number it would not end
+        let schur = flat.try_schur(f64::EPSILON, MOST_SWEEPS);
+        schur.is_some_and(|schur| schur.complex_eigenvalues().iter().all(|root| root.re < 0.0))
     })
 }
 

@@ -28,7 +28,7 @@ fn columns(page: &mut Page, r: &ReleasedLetters) {
     page.claim("eq3.31", "first", r"$L_1=(0,0,1)$, and $L_{i+1}=\dot L_i-PL_i$").fails([Line::formula(
         first[2],
         name1,
-        s.mass / s.mass,
+        Sym::ONE,
     )]);
     page.claim("eq3.31", "first-corrected", r"$L_1=(0,0,\frac1m)$: what multiplies $u_1$ in $m\dot z=u_1$")
         .holds([Line::formula(s.mass * first[2], s.mass * name1, Sym::ONE)]);
