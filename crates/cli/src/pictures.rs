@@ -185,7 +185,7 @@ pub fn stability(map: StabilityMap) -> Areas {
 }
 
 /// Errors of a series against its order, a line for each speed.
-pub fn series(errors: &[(f64, Vec<(usize, f64)>)]) -> charts::Trajectory {
+pub fn series_errors(errors: &[(f64, Vec<(usize, f64)>)]) -> charts::Trajectory {
     let track = |(speed, points): &(f64, Vec<(usize, f64)>)| Track {
         name: format!("ω₂ = {speed} rad/s"),
         points: points.iter().map(|(order, error)| (*order as f64, error.max(f64::MIN_POSITIVE).log10())).collect(),

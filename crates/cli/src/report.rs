@@ -40,7 +40,7 @@ pub fn write(path: &Path, scenes: &[PathBuf], mut report: Report) -> Result<Endi
     }
     drop(progress);
     report.stability = derivations::governors::stability().into_iter().map(pictures::stability).collect();
-    report.approximations = vec![pictures::series(&derivations::governors::series_errors())];
+    report.approximations = vec![pictures::series_errors(&derivations::governors::series_errors())];
     report.friction = derivations::regimes::maps::maps().into_iter().map(pictures::areas).collect();
     report.spheres = sphere::all(scenes.iter().map(|(_, scene)| scene));
     match timings::read(&folder) {
