@@ -1,9 +1,9 @@
 //! Zh. Kh. Manglieva, Zh. Kh. Beknazarov: on the motion of systems that contain nonholonomic nonideal constraints.
-//! Novateur Publication, 2022 (a monograph, in Russian). Chapters 1 and 2.
+//! Novateur Publication, 2022 (a monograph, in Russian).
 //!
 //! # Overview
 //! The monograph's paragraphs in order, each a file of claims or several. The left side of every claim is derived from the
-//! descriptions of the rod, of the steered rod and of the ladder in `systems/`, as masses, constraints, contacts and
+//! descriptions of the rod, of the steered rod, of the ladder and of the governors in `systems/`, as masses, constraints, contacts and
 //! charts, by the principles over them; the right side is the paper's. Where the paper speaks of any system, the claims are
 //! proved for constraints that are arbitrary to the second order, in three or four coordinates with masses of their own
 //! (`general.rs`).
@@ -21,6 +21,10 @@
 //! curves are another thing, and do depend on friction. The laws (1.22), (1.23), (1.40), (1.82) push along the velocity on
 //! a floor; the motion of the steered rod as a Lagrange equation, (1.95), (1.96), (1.99), loses the friction at its second
 //! point, while (1.98) is right; the ladder leaves the wall at cos alpha = 2/3 cos alpha_0, not at twice it.
+//!
+//! Of the friction governors of chapter 3 the programme and its quadrature are right; friction has the wrong sign in the
+//! force that keeps the speed, the second governor moves the other way, the rim's characteristic polynomial is right in two
+//! coefficients of six. Controllability is J2 M1/R != n rho M2, not rho' != 0; Riccati's equation needs its end.
 
 mod alphabet;
 mod alphabet3;
@@ -73,7 +77,7 @@ pub const PAPER: Paper = Paper {
     key: "manglieva2022",
     title: "Manglieva & Beknazarov 2022: constraints with friction",
     citation: "Zh. Kh. Manglieva, Zh. Kh. Beknazarov: On the motion of systems that contain nonholonomic nonideal constraints. Novateur Publication, 2022 (in Russian)",
-    summary: r"Systems with friction after Painlevé: reactions are split into forces of constraint and friction by combining constraints, with virtual displacements proportional to the forces of friction (Painlevé) or to these over the masses (extended). The extended method does make the forces of constraint independent of friction, for nonholonomic systems too, and Gauss' principle holds with it. The examples are printed with many errors: in the laws of friction the sign belongs to an axis upwards while $y$ points downwards, Lagrange's equation of the steered rod misses the friction at its second point, the quadrature of the ladder has the wrong exponent and its condition of detachment the wrong factor.",
+    summary: r"Systems with friction after Painlevé: reactions are split into forces of constraint and friction by combining constraints, with virtual displacements proportional to the forces of friction (Painlevé) or to these over the masses (extended). The extended method does make the forces of constraint independent of friction, for nonholonomic systems too, and Gauss' principle holds with it. The examples are printed with many errors: in the laws of friction the sign belongs to an axis upwards while $y$ points downwards, Lagrange's equation of the steered rod misses the friction at its second point, the quadrature of the ladder has the wrong exponent and its condition of detachment the wrong factor. For the friction governors of chapter 3 the programme of the wheel and its quadrature are right; the force that keeps the speed has friction with the wrong sign, the second governor moves the other way, the condition of controllability is $J_2M_1/R\ne n\rho_0M_2$, and Riccati's equation is given a wrong end.",
     entries: &[
         "eq1.1",
         "eq1.2",
