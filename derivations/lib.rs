@@ -9,10 +9,12 @@
 //! * [`scene`]: a system with a machine, data and an initial state, from a file;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
 //! * [`friction`]: motion with friction across its events;
+//! * [`governors`]: stability and series of the friction governors, for pictures;
 //! * [`regimes`]: when motion with friction is determined, as a page of claims;
 
 pub mod derive;
 pub mod friction;
+pub mod governors;
 pub mod machines;
 pub mod papers;
 pub mod principles;

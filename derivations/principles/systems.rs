@@ -3,6 +3,7 @@
 use super::alphabet::{letter, letters};
 use super::equal::Case;
 use crate::systems::disc::Disc;
+use crate::systems::governor::{Gearing, Governor, Moment};
 use crate::systems::kept_speed::KeptSpeed;
 use crate::systems::knife_edge::KnifeEdge;
 use crate::systems::ladder::{Ladder, LeaningLadder};
@@ -88,6 +89,29 @@ pub fn knife_edge() -> Case<KnifeEdge<Sym>, 4, 2, 3, 2> {
         dependent: [3, 1],
         friction: letters(["μx", "μθ"]),
         variations: letters(["δ1", "κ1"]),
+    }
+}
+
+/// The friction governor with a drum: its wheel moves along the axle freely.
+pub fn governor() -> Case<Governor<Sym>, 7, 5, 4, 2> {
+    let [first, second, wheel, mass, drum, radius] = letters(["I1", "I2", "I3", "m", "l", "a"]);
+    let [m1, m2, push] = letters(["M1", "M2", "X"]);
+    Case {
+        entry: "governor",
+        name: "the friction governor",
+        system: Governor {
+            inertia: [first, second, wheel],
+            mass,
+            radius,
+            gearing: Gearing::Drum { radius: drum },
+            moments: [m1, m2].map(Moment::constant),
+            push,
+            lateral: Sym::ZERO,
+        },
+        at: (letter("t"), letters(["ψ", "θ", "φ", "r"]), letters(["θ̇", "ṙ"])),
+        dependent: [0, 2, 4, 1, 5],
+        friction: letters(["μθ", "μx"]),
+        variations: letters(["κ1", "δ1"]),
     }
 }
 

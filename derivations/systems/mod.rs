@@ -2,6 +2,8 @@
 
 pub mod climbed_ladder;
 pub mod disc;
+pub mod elastic_governor;
+pub mod governor;
 pub mod growth;
 pub mod gyrostat;
 pub mod kept_speed;

@@ -15,6 +15,10 @@ pub struct Report {
     pub papers: Vec<PaperSection>,
     pub scenes: Vec<SceneSection>,
     pub spheres: Vec<Sphere>,
+    /// Where stationary motions are stable.
+    pub stability: Vec<Areas>,
+    /// Errors of approximations.
+    pub approximations: Vec<Trajectory>,
     /// Where motion with friction is determined.
     pub friction: Vec<Areas>,
     /// Runs across stick, slip and detachment.

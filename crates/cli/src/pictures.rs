@@ -1,6 +1,7 @@
 //! A scene's runs as the data of pictures.
 
 use charts::{AreaCurve, Areas, Failure, Panel, Point, Track, Work, WorkPrecision, significant};
+use derivations::governors::StabilityMap;
 use derivations::regimes::maps::{Kind, Map};
 use derivations::scene::state::unit;
 use derivations::scene::{Measured, Scene, Trajectory};
@@ -165,6 +166,38 @@ fn quantity(name: &str) -> String {
     match unit(name) {
         "1" => kind.to_owned(),
         unit => format!("{kind}, {unit}"),
+    }
+}
+
+/// A map of stability over two parameters.
+pub fn stability(map: StabilityMap) -> Areas {
+    let distance = significant(map.distance, 1);
+    Areas {
+        title: map.title.into(),
+        x: (map.x.0.into(), map.x.1),
+        y: (map.y.0.into(), map.y.1),
+        kinds: vec!["every eigenvalue has a negative real part".into(), "some has not".into()],
+        rows: map.rows.iter().map(|row| row.iter().map(|stable| usize::from(!stable)).collect()).collect(),
+        curves: vec![AreaCurve { name: "Hurwitz' boundary, exact".into(), points: map.curve }],
+        marks: Vec::new(),
+        note: format!("{} The boundary by eigenvalues is within {distance} of it.", map.note),
+    }
+}
+
+/// Errors of a series against its order, a line for each speed.
+pub fn series_errors(errors: &[(f64, Vec<(usize, f64)>)]) -> charts::Trajectory {
+    let track = |(speed, points): &(f64, Vec<(usize, f64)>)| Track {
+        name: format!("ω₂ = {speed} rad/s"),
+        points: points.iter().map(|(order, error)| (*order as f64, error.max(f64::MIN_POSITIVE).log10())).collect(),
+        stopped: None,
+    };
+    charts::Trajectory {
+        title: "Programme of the friction governor: error of the series in ε = 1/k against its order".to_owned(),
+        x: "order".to_owned(),
+        panels: vec![Panel { y: "log₁₀ of the error, m".to_owned(), series: errors.iter().map(track).collect() }],
+        note: "Under constant moments, half a second after the start, beside the closed form. The error falls by a factor \
+               with each order, until only rounding is left; the higher the kept speed, the faster."
+            .to_owned(),
     }
 }
 

@@ -45,6 +45,8 @@ pub fn write(path: &Path, folder: &Path, files: &[PathBuf], mut report: Report) 
         report.scenes.push(section);
     }
     drop(progress);
+    report.stability = derivations::governors::stability().into_iter().map(pictures::stability).collect();
+    report.approximations = vec![pictures::series_errors(&derivations::governors::series_errors())];
     report.friction = derivations::regimes::maps::maps().into_iter().map(pictures::areas).collect();
     report.rough = side_by_side(&rough, |(id, scene)| rough::section(id, scene), |_| ());
     report.spheres = sphere::all(scenes.iter().map(|(_, scene)| scene));

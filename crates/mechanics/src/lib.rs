@@ -15,10 +15,13 @@
 //! the same and more from that one description: multipliers, reactions, Gauss' minimum, redundant coordinates.
 //! [`regimes`] is not a principle: it finds which of the modes of rough contacts agree with the laws of friction.
 //!
+//! [`bellman`] does the same for optimal control: Riccati's equation from Bellman's. [`stability`] decides by Hurwitz.
+//!
 //! Each returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side that runs is
 //! one of the forms; that it makes every residual vanish is a claim, and is proved.
 
 pub mod appell;
+pub mod bellman;
 pub mod constrained;
 pub mod definite;
 pub mod differentiate;
@@ -28,3 +31,4 @@ pub mod mass;
 pub mod momentum;
 pub mod regimes;
 pub mod rotation;
+pub mod stability;

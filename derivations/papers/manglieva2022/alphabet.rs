@@ -1,5 +1,6 @@
 //! The paper's letters with their LaTeX and dimensions, and how symbols are made of them.
 
+use super::alphabet3;
 use claims::Point;
 use field::{Rational, Scalar};
 use symbolic::{Dimension, Hypotheses, Sym, normal};
@@ -149,12 +150,14 @@ const LETTERS: &[(&str, &str, [i64; 3])] = &[
     ("Adμ", r"A_{d\mu}", [1, 2, -4]),
 ];
 
+/// Every letter, those of chapter 3 last.
+fn alphabet() -> impl Iterator<Item = &'static (&'static str, &'static str, [i64; 3])> {
+    LETTERS.iter().chain(alphabet3::LETTERS)
+}
+
 /// The dimension of a symbol of the paper; `None` for a name that the paper does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
-    LETTERS
-        .iter()
-        .find(|(pattern, _, _)| matches(pattern, name))
-        .map(|(_, _, [kg, m, s])| Dimension::of(*kg, *m, *s, 0))
+    alphabet().find(|(pattern, _, _)| matches(pattern, name)).map(|(_, _, [kg, m, s])| Dimension::of(*kg, *m, *s, 0))
 }
 
 /// Whether the name is the pattern with digits from 1 to 4 in its places.
@@ -168,7 +171,7 @@ fn matches(pattern: &str, name: &str) -> bool {
 
 /// The symbol of a letter; the LaTeX comes from the table.
 pub fn letter(name: &str) -> Sym {
-    let Some((pattern, latex, _)) = LETTERS.iter().find(|(pattern, _, _)| matches(pattern, name)) else {
+    let Some((pattern, latex, _)) = alphabet().find(|(pattern, _, _)| matches(pattern, name)) else {
         return Sym::symbol(name);
     };
     let places = pattern.chars().zip(name.chars()).filter(|(wanted, _)| *wanted == '#');

@@ -1,9 +1,9 @@
 //! Zh. Kh. Manglieva, Zh. Kh. Beknazarov: on the motion of systems that contain nonholonomic nonideal constraints.
-//! Novateur Publication, 2022 (a monograph, in Russian). Chapters 1 and 2.
+//! Novateur Publication, 2022 (a monograph, in Russian).
 //!
 //! # Overview
 //! The monograph's paragraphs in order, each a file of claims or several. The left side of every claim is derived from the
-//! descriptions of the rod, of the steered rod and of the ladder in `systems/`, as masses, constraints, contacts and
+//! descriptions of the rod, of the steered rod, of the ladder and of the governors in `systems/`, as masses, constraints, contacts and
 //! charts, by the principles over them; the right side is the paper's. Where the paper speaks of any system, the claims are
 //! proved for constraints that are arbitrary to the second order, in three or four coordinates with masses of their own
 //! (`general.rs`).
@@ -21,10 +21,18 @@
 //! curves are another thing, and do depend on friction. The laws (1.22), (1.23), (1.40), (1.82) push along the velocity on
 //! a floor; the motion of the steered rod as a Lagrange equation, (1.95), (1.96), (1.99), loses the friction at its second
 //! point, while (1.98) is right; the ladder leaves the wall at cos alpha = 2/3 cos alpha_0, not at twice it.
+//!
+//! Of the friction governors of chapter 3 the programme and its quadrature are right; friction has the wrong sign in the
+//! force that keeps the speed, the second governor moves the other way, the rim's characteristic polynomial is right in two
+//! coefficients of six. Controllability is J2 M1/R != n rho M2, not rho' != 0; Riccati's equation needs its end.
 
 mod alphabet;
+mod alphabet3;
+mod elastic;
 mod general;
+mod governor;
 mod ladder;
+mod released;
 mod rod;
 mod section11_extended;
 mod section11_lagrange;
@@ -42,6 +50,14 @@ mod section13_smooth;
 mod section21;
 mod section22;
 mod section22_law;
+mod section31_elastic;
+mod section31_equations;
+mod section31_governor2;
+mod section31_programme;
+mod section31_stability;
+mod section32_bellman;
+mod section32_control;
+mod section32_released;
 mod steered;
 mod work;
 
@@ -49,7 +65,10 @@ pub use alphabet::{dimension, letter};
 
 use super::Paper;
 use claims::Page;
+use elastic::ElasticLetters;
+use governor::GovernorLetters;
 use ladder::LadderLetters;
+use released::ReleasedLetters;
 use rod::RodLetters;
 use steered::SteeredLetters;
 
@@ -58,7 +77,7 @@ pub const PAPER: Paper = Paper {
     key: "manglieva2022",
     title: "Manglieva & Beknazarov 2022: constraints with friction",
     citation: "Zh. Kh. Manglieva, Zh. Kh. Beknazarov: On the motion of systems that contain nonholonomic nonideal constraints. Novateur Publication, 2022 (in Russian)",
-    summary: r"Systems with friction after Painlevé: reactions are split into forces of constraint and friction by combining constraints, with virtual displacements proportional to the forces of friction (Painlevé) or to these over the masses (extended). The extended method does make the forces of constraint independent of friction, for nonholonomic systems too, and Gauss' principle holds with it. The examples are printed with many errors: in the laws of friction the sign belongs to an axis upwards while $y$ points downwards, Lagrange's equation of the steered rod misses the friction at its second point, the quadrature of the ladder has the wrong exponent and its condition of detachment the wrong factor.",
+    summary: r"Systems with friction after Painlevé: reactions are split into forces of constraint and friction by combining constraints, with virtual displacements proportional to the forces of friction (Painlevé) or to these over the masses (extended). The extended method does make the forces of constraint independent of friction, for nonholonomic systems too, and Gauss' principle holds with it. The examples are printed with many errors: in the laws of friction the sign belongs to an axis upwards while $y$ points downwards, Lagrange's equation of the steered rod misses the friction at its second point, the quadrature of the ladder has the wrong exponent and its condition of detachment the wrong factor. For the friction governors of chapter 3 the programme of the wheel and its quadrature are right; the force that keeps the speed has friction with the wrong sign, the second governor moves the other way, the condition of controllability is $J_2M_1/R\ne n\rho_0M_2$, and Riccati's equation is given a wrong end.",
     entries: &[
         "eq1.1",
         "eq1.2",
@@ -192,6 +211,43 @@ pub const PAPER: Paper = Paper {
         "eq2.20",
         "eq2.21",
         "eq2.22",
+        "eq3.1",
+        "eq3.2",
+        "eq3.3",
+        "eq3.4",
+        "eq3.5",
+        "eq3.6",
+        "eq3.7",
+        "eq3.8",
+        "eq3.9",
+        "eq3.10",
+        "eq3.11",
+        "eq3.12",
+        "eq3.13",
+        "eq3.14",
+        "eq3.15",
+        "eq3.16",
+        "eq3.17",
+        "eq3.18",
+        "eq3.19",
+        "eq3.20",
+        "eq3.21",
+        "eq3.22",
+        "eq3.23",
+        "eq3.24",
+        "eq3.25",
+        "eq3.26",
+        "eq3.27",
+        "eq3.28",
+        "eq3.29",
+        "eq3.30",
+        "eq3.31",
+        "eq3.32",
+        "eq3.33",
+        "eq3.34",
+        "eq3.35",
+        "eq3.36",
+        "eq3.37",
         "section1.1-painleve",
         "section1.1-extended",
         "section1.3-integral",
@@ -200,6 +256,13 @@ pub const PAPER: Paper = Paper {
         "section1.3-ladder-ideal",
         "section2.1-independence",
         "section2.2-gauss",
+        "section3.1-control-force",
+        "section3.1-persidskii",
+        "section3.1-governor2",
+        "section3.1-quintic",
+        "section3.1-hurwitz",
+        "section3.2-controllability",
+        "section3.2-bellman",
     ],
     page,
 };
@@ -226,5 +289,21 @@ pub fn page() -> Page {
     section21::claims(&mut page);
     section22::claims(&mut page);
     section22_law::claims(&mut page, &rod);
+    chapter3(&mut page);
     page
+}
+
+/// The friction governors.
+fn chapter3(page: &mut Page) {
+    let drum = GovernorLetters::with_drum();
+    section31_equations::claims(page, &drum);
+    section31_programme::claims(page, &drum);
+    section31_governor2::claims(page, &GovernorLetters::with_discs());
+    let elastic = ElasticLetters::default();
+    section31_elastic::claims(page, &elastic);
+    section31_stability::claims(page, &elastic);
+    let released = ReleasedLetters::default();
+    section32_released::claims(page, &released);
+    section32_control::claims(page, &released);
+    section32_bellman::claims(page, &released);
 }

@@ -34,6 +34,26 @@ fn card(sphere: &Sphere, set: &mut Typesetter) -> Markup {
     }
 }
 
+pub(super) fn stability(report: &Report, set: &mut Typesetter) -> Markup {
+    html! {
+        @if !report.stability.is_empty() || !report.approximations.is_empty() {
+            section #stability {
+                h2 { "Stability and series" }
+                @for two in report.stability.chunks(2) {
+                    div.pair {
+                        @for areas in two {
+                            (figure(&areas.title, areas.drawing().embedded(&areas.title), &areas.note, set))
+                        }
+                    }
+                }
+                @for chart in &report.approximations {
+                    (figure(&chart.title, chart.drawing().embedded(&chart.title), &chart.note, set))
+                }
+            }
+        }
+    }
+}
+
 pub(super) fn friction(report: &Report, set: &mut Typesetter) -> Markup {
     html! {
         @if !report.friction.is_empty() || !report.rough.is_empty() {

@@ -35,6 +35,7 @@ pub fn render(report: &Report) -> Page {
                 @for paper in &report.papers { (claims::ledger(paper, set)) }
                 (scenes::scenes(report, set))
                 (figures::spheres(report, set))
+                (figures::stability(report, set))
                 (figures::friction(report, set))
                 (figures::timings(report, set))
                 footer { p { (report.generated_by) } }

@@ -18,6 +18,8 @@ pub fn specimen() -> Report {
         papers: ledger::papers(),
         scenes: scenes::scenes(),
         spheres: pictures::spheres(),
+        stability: Vec::new(),
+        approximations: Vec::new(),
         friction: pictures::areas(),
         rough: Vec::new(),
         timings: pictures::timings(),

@@ -1,0 +1,330 @@
+//! Section 3.1: the first approximation of the elastic governor, its characteristic equation, Hurwitz' conditions.
+
+use super::alphabet::{exact, int, letter, letters, tidy};
+use super::elastic::ElasticLetters;
+use claims::{Condition, Line, Page};
+use symbolic::linear::determinant;
+use symbolic::{Sym, coefficients};
+
+pub fn claims(page: &mut Page, s: &ElasticLetters) {
+    page.section("3.1. Stability of the elastic governor");
+    first_approximation(page, s);
+    matrix(page, s);
+    let quintic = Quintic::new(s);
+    page.section("3.1. Hurwitz' conditions of the elastic governor");
+    polynomial(page, s, &quintic);
+    coefficients_of_hurwitz(page, &quintic);
+    determinants(page, &quintic);
+}
+
+/// The equations (3.20), (3.21) as they come by differentiation, on deviations written with a prime.
+fn first_approximation(page: &mut Page, s: &ElasticLetters) {
+    let [dw, ddx, dx, x, w, w0] = letters(["ω̇′", "ẍ′", "ẋ′", "x′", "ω′", "ω₀"]);
+    let [lambda, psi, dlambda, dpsi] = letters(["λᵉ", "ψ", "λ̇ᵉ", "ψ̇"]);
+    let ([of_w, of_x, of_dx, of_lambda, of_psi], [of_dw, of_ddx]) = (s.state, s.rates);
+    let deviations =
+        [(of_w, w), (of_x, x), (of_dx, dx), (of_lambda, lambda), (of_psi, psi), (of_dw, dw), (of_ddx, ddx)];
+    let linear =
+        |equation: Sym| deviations.iter().fold(Sym::ZERO, |sum, (of, by)| sum + s.stationary(equation.diff(*of)) * *by);
+    let [turning, sliding] = s.balance.map(linear);
+    let [rho, f, theta, m0] = letters(["ϱ₀", "Fˣ", "θ₀", "m₀"]);
+    let names = s.names(&["θ₀", "ϱ₀", "Fˣ"]);
+    let fall = s.drum / rho.powi(2) * s.moments[1];
+    page.claim("eq3.20", "rotation", r"as printed with $\dot x'$ beside $M_2$ and $-b\psi$, $F(x_0)$ the right one")
+        .under(&names)
+        .fails([Line::equation(turning, theta * dw + f * dx * w0 + fall * dx - s.b * psi, Sym::ZERO)]);
+    page.claim(
+        "eq3.20",
+        "rotation-corrected",
+        r"with $x'$ and $+b\frac R{\rho_0}\psi$, which the moment $-b\psi$ on the disc gives",
+    )
+    .under(&names)
+    .holds([Line::equation(turning, theta * dw + f * dx * w0 + fall * x + s.b * s.drum / rho * psi, Sym::ZERO)]);
+    page.correct();
+    let [c1, c2] = s.springs;
+    let half = s.ball / int(2);
+    page.claim("eq3.21", "sleeve", r"as printed, with dots over $x'$ and $\omega_1'$ and without $m_{sp}$")
+        .under(&s.names(&["m₀"]))
+        .fails([Line::equation(
+            sliding,
+            m0 * ddx + half * dx * w0.powi(2) + int(2) * s.rest * w0 * dw + (c1 + c2) * dx - s.a * lambda,
+            Sym::ZERO,
+        )]);
+    page.claim(
+        "eq3.21",
+        "sleeve-corrected",
+        r"$m_0\ddot x'+\frac12m_{sp}(x'(\omega_1^0)^2+2x_0\omega_1^0\omega_1')+(c_1+c_2)x'-a\lambda=0$",
+    )
+    .under(&s.names(&["m₀"]))
+    .holds([Line::equation(
+        sliding,
+        m0 * ddx + half * (x * w0.powi(2) + int(2) * s.rest * w0 * w) + (c1 + c2) * x - s.a * lambda,
+        Sym::ZERO,
+    )]);
+    page.correct();
+    let [_, across, turn] = s.rolling().map(linear);
+    let rolled = s.drum * w0;
+    page.claim("eq3.21", "slip", r"$\dot x'-\dot\lambda-r_1\omega_1^0\psi=0$").holds([Line::equation(
+        across - dlambda,
+        dx - dlambda - rolled * psi,
+        Sym::ZERO,
+    )]);
+    let line = |a: Sym| Line::equation(dpsi - turn, dpsi - rolled * s.alpha * a + rolled * s.beta * psi, Sym::ZERO);
+    page.claim("eq3.21", "line", r"as printed with $\dot\lambda$").fails([line(dlambda)]);
+    page.claim("eq3.21", "line-corrected", r"with $\lambda$").holds([line(lambda)]);
+    page.correct();
+}
+
+fn matrix(page: &mut Page, s: &ElasticLetters) {
+    let derived = s.characteristic_matrix();
+    let [theta, m0, v, rho, mu, f, w0] = letters(["θ₀", "m₀", "V", "ϱ₀", "μᵉ", "Fˣ", "ω₀"]);
+    let names = s.names(&["θ₀", "m₀", "V", "ϱ₀", "Fˣ"]);
+    let zero = Sym::ZERO;
+    let stiffness = s.ball / int(2) * w0.powi(2) + s.springs[0] + s.springs[1];
+    let printed = [
+        [theta * mu, f * mu * w0 + s.drum / rho.powi(2) * s.moments[1], zero, -s.b],
+        [s.ball * s.rest * w0, m0 * mu.powi(2) + stiffness, -s.a, zero],
+        [zero, mu, -mu, -v],
+        [zero, zero, -(v * s.alpha), mu + v * s.beta],
+    ];
+    let nonzero = (0..4).flat_map(|i| (0..4).map(move |j| (i, j))).filter(|&(i, j)| printed[i][j] != zero);
+    let name = letter("Qφ");
+    let lines: Vec<Line> = nonzero
+        .filter(|&place| place != (0, 3))
+        .map(|(i, j)| Line::formula(derived[i][j], name, printed[i][j]))
+        .collect();
+    page.claim("eq3.22", "entries", r"every entry of the matrix but that of $b$, with the right $F(x_0)$")
+        .in_words()
+        .under(&names)
+        .follows(lines.iter().map(|line| Condition::Equal(line.derived, line.right)));
+    page.claim("eq3.22", "twist", r"the entry of $\psi$ in the first row, $-b$ as printed")
+        .under(&s.names(&["ϱ₀"]))
+        .fails([Line::formula(derived[0][3], name, printed[0][3])]);
+    page.claim("eq3.22", "twist-corrected", r"$+b\frac R{\rho_0}$").under(&s.names(&["ϱ₀"])).holds([Line::formula(
+        derived[0][3],
+        name,
+        s.b * s.drum / rho,
+    )]);
+    page.correct();
+}
+
+/// The characteristic polynomial a0 mu^5 + ... + a5: of the matrix (3.22) with its right entries by their names.
+struct Quintic {
+    derived: [Sym; 6],
+    ball: Sym,
+    a: Sym,
+    b: Sym,
+    /// b R/rho_0
+    twist: Sym,
+}
+
+impl Quintic {
+    fn new(s: &ElasticLetters) -> Self {
+        let [theta, m0, v, alpha, beta, mu] = letters(["θ₀", "m₀", "V", "α₁", "β₁", "μᵉ"]);
+        let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
+        let (twist, zero) = (s.b * s.drum / letter("ϱ₀"), Sym::ZERO);
+        let matrix = [
+            [theta * mu, phi1 * mu + phi2, zero, twist],
+            [phi3, m0 * mu.powi(2) + phi4, -s.a, zero],
+            [zero, mu, -mu, -v],
+            [zero, zero, -alpha, mu + beta],
+        ];
+        Quintic { derived: by_powers(&matrix), ball: s.ball, a: s.a, b: s.b, twist }
+    }
+
+    /// What is right, by the names.
+    fn right(&self) -> [Sym; 6] {
+        let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
+        let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
+        let z = -(phi3 * phi1) + phi4 * theta - self.a * theta;
+        [
+            theta * m0,
+            theta * m0 * beta,
+            z + theta * m0 * alpha * v,
+            beta * z - phi3 * phi2,
+            -(phi3 * (self.twist * alpha + beta * phi2)) + alpha * v * (phi4 * theta - phi3 * phi1),
+            -(alpha * v * phi3 * phi2),
+        ]
+    }
+}
+
+/// The coefficients of minus the determinant, highest power of mu first.
+fn by_powers(matrix: &[[Sym; 4]; 4]) -> [Sym; 6] {
+    let mut powers = [Sym::ZERO; 6];
+    let polynomial = -determinant(matrix).unwrap_or(Sym::ZERO);
+    for (exponents, coefficient) in coefficients(polynomial, &[letter("μᵉ")]).unwrap_or_default() {
+        if let Some(place) = powers.get_mut(5 - exponents[0].min(5) as usize) {
+            *place = tidy(coefficient);
+        }
+    }
+    powers
+}
+
+fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
+    let entry = "section3.1-quintic";
+    let by_data = by_powers(&s.characteristic_matrix());
+    page.claim(
+        entry,
+        "names",
+        r"the coefficients by $\theta$, $m_0$, $\Phi_k$, $\alpha_1$, $\beta_1$, $V_0$ are those by the data",
+    )
+    .in_words()
+    .under(&s.names(&["θ₀", "m₀", "V", "α₁", "β₁", "Φ₁", "Φ₂", "Φ₃", "Φ₄", "ϱ₀"]))
+    .follows((0..6).map(|k| Condition::Equal(by_data[k], q.derived[k])));
+    let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
+    let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
+    let names = letters(["a₀", "a₁", "a₂", "a₃", "a₄", "a₅"]);
+    let (right, core) = (q.right(), phi3 * phi1 - phi4 * theta - q.a * theta);
+    page.claim(entry, "mu5-and-1", r"the coefficients of $\mu^5$ and 1").holds([
+        Line::formula(q.derived[0], names[0], theta * m0),
+        Line::formula(q.derived[5], names[5], -(alpha * v * phi3 * phi2)),
+    ]);
+    let wrong = [
+        ("mu4", "mu4-corrected", r"of $\mu^4$", 1, -(theta * m0 * beta)),
+        ("mu3", "mu3-corrected", r"of $\mu^3$", 2, theta * m0 * alpha * v + core),
+        ("mu2", "mu2-corrected", r"of $\mu^2$", 3, beta * core + phi3 * phi2),
+        (
+            "mu1",
+            "mu1-corrected",
+            r"of $\mu$",
+            4,
+            beta * phi3 * phi2 - alpha * (v * (phi3 * phi1 - phi4 * theta) - q.b * phi3),
+        ),
+    ];
+    for (slug, corrected, says, k, printed) in wrong {
+        page.claim(entry, slug, format!("the coefficient {says}, as printed")).fails([Line::formula(
+            q.derived[k],
+            names[k],
+            printed,
+        )]);
+        page.claim(entry, corrected, format!("the coefficient {says} of the determinant")).holds([Line::formula(
+            q.derived[k],
+            names[k],
+            right[k],
+        )]);
+        page.correct();
+    }
+}
+
+fn coefficients_of_hurwitz(page: &mut Page, q: &Quintic) {
+    let entry = "section3.1-hurwitz";
+    let [theta, v, alpha, beta] = letters(["θ₀", "V", "α₁", "β₁"]);
+    let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
+    let names = letters(["a₀", "a₁", "a₂", "a₃", "a₄", "a₅"]);
+    let right = q.right();
+    // the paper's Z has + a theta: a rim that pulls back by -a lambda, against its own (3.20)
+    let z = -(phi3 * phi1) + phi4 * theta + q.a * theta;
+    let loose = theta * q.ball;
+    let printed = [
+        ("a0", "a0-corrected", loose, r"$m_{sp}$ as printed for $m(x_0)$"),
+        ("a1", "a1-corrected", loose * beta, r"$m_{sp}$ likewise"),
+        ("a2", "a2-corrected", z - loose * alpha * v, r"the sign of $\alpha_1V_0$ and $a$ in $Z$"),
+        ("a3", "a3-corrected", beta * z - phi3 * phi2, r"the sign of $a$ in $Z$"),
+        (
+            "a4",
+            "a4-corrected",
+            phi3 * (q.b * alpha - beta * phi2) + alpha * v * (q.a * theta - z),
+            r"$b$ and the sign of the last bracket",
+        ),
+        ("a5", "a5-corrected", alpha * v * phi3 * phi2, "the sign"),
+    ];
+    for (k, (slug, corrected, value, fault)) in printed.into_iter().enumerate() {
+        page.claim(entry, slug, format!("$a_{k}$ as printed: wrong is {fault}")).fails([Line::formula(
+            q.derived[k],
+            names[k],
+            value,
+        )]);
+        page.claim(entry, corrected, format!("$a_{k}$ of the determinant")).holds([Line::formula(
+            q.derived[k],
+            names[k],
+            right[k],
+        )]);
+        page.correct();
+    }
+}
+
+/// The leading minors of Hurwitz' matrix: row i, column j has a_(2j - i), counted from 1.
+fn minor(a: &[Sym; 6], size: usize) -> Sym {
+    let entry = |i: usize, j: usize| (2 * j + 1).checked_sub(i).and_then(|k| a.get(k)).copied().unwrap_or(Sym::ZERO);
+    let rows: Vec<Vec<Sym>> = (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect();
+    determinant(&rows).unwrap_or(Sym::ZERO)
+}
+
+/// The minors of the coefficients that were shown above, in the paper's names as independent symbols.
+fn determinants(page: &mut Page, q: &Quintic) {
+    let entry = "section3.1-hurwitz";
+    let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
+    let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
+    let [first, second, fourth, fifth] = letters(["Δ₁", "Δ₂", "Δ₄", "Δ₅"]);
+    let a = q.right();
+    let derived = |size: usize| tidy(minor(&a, size));
+    let inertia = theta * m0;
+    page.claim(entry, "delta1", r"$\Delta_1=a_1=\theta m_0$").fails([Line::formula(derived(1), first, inertia)]);
+    page.claim(entry, "delta1-corrected", r"$\Delta_1=\theta m_0\beta_1$").holds([Line::formula(
+        derived(1),
+        first,
+        inertia * beta,
+    )]);
+    page.correct();
+    page.claim(entry, "delta2", r"$\Delta_2=\theta m_0(\Phi_3\Phi_2-\theta m_0\alpha_1V_0\beta_1V_0)$")
+        .fails([Line::formula(derived(2), second, inertia * (phi3 * phi2 - inertia * alpha * v * beta * v))]);
+    page.claim(entry, "delta2-corrected", r"$\Delta_2=\theta m_0(\Phi_3\Phi_2+\theta m_0\alpha_1\beta_1V_0)$")
+        .holds([Line::formula(derived(2), second, inertia * (phi3 * phi2 + inertia * alpha * beta * v))]);
+    page.correct();
+    let z = -(phi3 * phi1) + phi4 * theta + q.a * theta;
+    let fourth_of_paper = (phi3 * (q.b * alpha - beta * phi2) + alpha * v * (q.a * theta - z))
+        * (phi3
+            * phi2
+            * (int(2) * m0.powi(2) * beta * alpha * theta.powi(2) * v + inertia * beta * z - inertia * phi3 * phi2
+                + beta.powi(3) * inertia.powi(2))
+            - alpha * beta.powi(2) * inertia.powi(2) * (q.b * phi3 + v * q.a * theta))
+        - alpha
+            * v
+            * phi3
+            * phi2
+            * (inertia * phi3 * phi2 * (z + inertia)
+                + inertia.powi(2) * beta * alpha * (-(phi3 * q.b) - v * (q.a * theta)));
+    let data = [theta, m0, v, alpha, beta, phi3, phi4, q.ball];
+    let positive = data.map(Condition::Positive);
+    let one = |name: &'static str, value: i64| (name, value, 1);
+    let point = exact([
+        one("θ₀", 1),
+        one("m₀", 1),
+        one("V", 1),
+        one("α₁", 1),
+        one("β₁", 1),
+        one("Φ₁", -1),
+        one("Φ₂", -1),
+        one("Φ₃", 1),
+        one("Φ₄", 2),
+        one("mₛ", 1),
+        one("aᵉ", -1),
+        one("bᵉ", -1),
+        one("R", 1),
+        one("ϱ₀", 1),
+    ]);
+    page.claim(entry, "delta4", r"$\Delta_4$ as printed, its first term $a_4$ times the bracket")
+        .note(r"$\Delta_3$ is not printed; by Liénard and Chipart it is not needed beside $a_0,\dots,a_5>0$.")
+        .given(positive)
+        .refuted([Condition::Equal(derived(4), fourth_of_paper)], point);
+    let by_pairs = (a[1] * a[2] - a[0] * a[3]) * (a[3] * a[4] - a[2] * a[5]) - (a[1] * a[4] - a[0] * a[5]).powi(2);
+    page.claim(
+        entry,
+        "delta4-corrected",
+        r"$\Delta_4=(a_1a_2-a_0a_3)(a_3a_4-a_2a_5)-(a_1a_4-a_0a_5)^2$ with the right $a_k$",
+    )
+    .holds([Line::formula(derived(4), fourth, by_pairs)]);
+    page.correct();
+    page.claim(entry, "delta5", r"$\Delta_5=a_5$ as printed, and that with a plus").fails([Line::formula(
+        derived(5),
+        fifth,
+        alpha * v * phi3 * phi2,
+    )]);
+    page.claim(
+        entry,
+        "delta5-corrected",
+        r"$\Delta_5=a_5\Delta_4$, $a_5=-\alpha_1V_0\Phi_3\Phi_2$: it asks $M_2x_0\omega_1^0<0$",
+    )
+    .holds([Line::formula(derived(5), fifth, by_pairs * a[5])]);
+    page.correct();
+}

@@ -1,0 +1,255 @@
+//! Section 3.2: the criterion, Bellman's function and Riccati's equation, (3.33)-(3.37).
+//!
+//! The criterion adds squares of unlike quantities: its units are written as weights q1, q2, q3 and s.
+
+use super::alphabet::{exact, int, letter, letters, tidy};
+use super::released::ReleasedLetters;
+use claims::{Condition, Line, Page};
+use mechanics::bellman::quadratic;
+use symbolic::Sym;
+
+use Condition::{Equal, NonZero, Zero};
+
+pub fn claims(page: &mut Page, r: &ReleasedLetters) {
+    page.section("3.2. Optimal stabilisation");
+    criterion(page, r);
+    function(page, r);
+    riccati(page, r);
+    ends(page, r);
+}
+
+fn criterion(page: &mut Page, r: &ReleasedLetters) {
+    let s = &r.drum;
+    let ([zeta, more, z], u) = (r.deviation, r.control);
+    let [density, dzeta, n1, slope] = letters(["B", "ζ̇", "n₁", "S₁′"]);
+    page.claim("eq3.33", "criterion", r"what is integrated from 0 to $\infty$").defines([Line::equation(
+        Sym::ZERO,
+        density,
+        zeta.powi(2) + more.powi(2) + z.powi(2) + u.powi(2),
+    )]);
+    let rates = r.linear.apply(r.deviation);
+    let inertia = r.inertia();
+    let by = |lever: Sym, of_second: Sym| (-(lever * zeta) - r.n * s.speed * r.rho * z + r.slope() * more) / of_second;
+    page.claim("eq3.34", "normal", r"$\dot\xi$ as printed with $n\rho_0\cdot n\dot\rho_0$ and $J^2$")
+        .under(&r.names())
+        .fails([Line::formula(rates[0], dzeta, by(r.n * r.rho * r.n * r.drho, r.n * r.rho.powi(2) + s.wheel.powi(2)))]);
+    page.claim(
+        "eq3.34",
+        "normal-corrected",
+        r"with $n\rho_0\dot\rho_0$ and $J_2$; $\dot\rho'=z$, $m\dot z=u_1$ as in (3.29)",
+    )
+    .under(&r.names())
+    .holds([Line::formula(rates[0], dzeta, by(r.n * r.rho * r.drho, inertia))]);
+    page.correct();
+    let row = r.linear.matrix[0];
+    let lever = -(row[2] / (s.speed * r.rho));
+    page.claim(
+        "eq3.34",
+        "names",
+        r"$n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$ as printed",
+    )
+    .under(&r.names())
+    .fails([
+        Line::formula(lever, n1, r.n / (s.speed * r.rho.powi(2) + s.wheel.powi(2))),
+        Line::formula(row[1], slope, (s.m1 - r.n * s.speed * r.drho) / inertia),
+    ]);
+    page.claim("eq3.34", "names-corrected", r"with $n\rho_0^2+J_2$ and $M_1/R$")
+        .under(&r.names())
+        .holds([Line::formula(lever, n1, r.n / inertia), Line::formula(row[1], slope, r.slope() / inertia)]);
+    page.correct();
+}
+
+fn function(page: &mut Page, r: &ReleasedLetters) {
+    let s = &r.drum;
+    let ([zeta, more, z], u) = (r.deviation, r.control);
+    let [c11, c22, c33, c12, c13, c23] = letters(["C₁₁", "C₂₂", "C₃₃", "C₁₂", "C₁₃", "C₂₃"]);
+    let rates = letters(["Ċ₁₁", "Ċ₂₂", "Ċ₃₃", "Ċ₁₂", "Ċ₁₃", "Ċ₂₃"]);
+    let [d11, d22, d33, d12, d13, d23] = rates;
+    let [value, name] = letters(["Vᴮ", "B"]);
+    let squares = c11 * zeta.powi(2) + c22 * z.powi(2) + c33 * more.powi(2);
+    let two = int(2);
+    page.claim(
+        "eq3.35",
+        "value",
+        r"$V$ as printed with $2C_{12}\xi z+C_{23}\rho'z$, beside the form whose gradient Bellman's function uses",
+    )
+    .fails([Line::formula(
+        quadratic(r.value, r.deviation),
+        value,
+        squares + two * c12 * zeta * z + c23 * more * z,
+    )]);
+    page.claim("eq3.35", "value-corrected", r"with $2C_{12}\zeta\rho'+2C_{13}\zeta z+2C_{23}\rho'z$").holds([
+        Line::formula(
+            quadratic(r.value, r.deviation),
+            value,
+            squares + two * c12 * zeta * more + two * c13 * zeta * z + two * c23 * more * z,
+        ),
+    ]);
+    page.correct();
+
+    let entry = "section3.2-bellman";
+    let regulator = r.regulator();
+    let moved = quadratic([[d11, d12, d13], [d12, d33, d23], [d13, d23, d22]], r.deviation);
+    let derived = moved + regulator.bellman(r.value, r.deviation, u);
+    let [q1, q2, q3, price] = r.weights;
+    let [n1, slope] = letters(["n₁", "S₁′"]);
+    let weighed = q1 * zeta.powi(2) + q2 * z.powi(2) + q3 * more.powi(2) + price * u.powi(2);
+    let gradient = [
+        two * c11 * zeta + two * c12 * more + two * c13 * z,
+        two * c33 * more + two * c12 * zeta + two * c23 * z,
+        two * c22 * z + two * c13 * zeta + two * c23 * more,
+    ];
+    let turning = |lever: Sym| -(n1 * lever * zeta) - n1 * s.speed * r.rho * z + slope * more;
+    let printed = d11 * zeta.powi(2)
+        + d22 * z.powi(2)
+        + c33 * more.powi(2)
+        + two * c12 * zeta * z
+        + two * c13 * zeta * z
+        + d23 * more * z
+        + gradient[0] * turning(r.rho * r.rho)
+        + two * c22 * z
+        + two * c13 * zeta
+        + two * c23 * more * u
+        + gradient[1] * z
+        + weighed;
+    let names = r.normal_names();
+    page.claim(entry, "function", r"Bellman's function as printed: without dots, brackets, a factor 2 and $m$")
+        .under(&names)
+        .fails([Line::formula(derived, name, printed)]);
+    let right = d11 * zeta.powi(2)
+        + d22 * z.powi(2)
+        + d33 * more.powi(2)
+        + two * d12 * zeta * more
+        + two * d13 * zeta * z
+        + two * d23 * more * z
+        + gradient[0] * turning(r.rho * r.drho)
+        + gradient[1] * z
+        + gradient[2] * u / s.mass
+        + weighed;
+    page.claim(entry, "function-corrected", r"$B=\partial V/\partial t+\nabla V\cdot(Ax+bu_1)+$ what is integrated")
+        .under(&names)
+        .holds([Line::formula(derived, name, right)]);
+    page.correct();
+    let slope = regulator.bellman(r.value, r.deviation, u).diff(u);
+    let push = letter("u₁");
+    page.claim(
+        entry,
+        "least",
+        r"$\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho'=0$, its unit $s$ restored",
+    )
+    .fails([Line::equation(slope, two * price * push, -gradient[2])]);
+    page.claim(entry, "least-corrected", r"with $\frac1m$ before the bracket").holds([Line::equation(
+        slope,
+        two * price * push,
+        -gradient[2] / s.mass,
+    )]);
+    page.correct();
+}
+
+fn riccati(page: &mut Page, r: &ReleasedLetters) {
+    let s = &r.drum;
+    let [c11, c22, c33, c12, c13, c23] = letters(["C₁₁", "C₂₂", "C₃₃", "C₁₂", "C₁₃", "C₂₃"]);
+    let [n1, slope] = letters(["n₁", "S₁′"]);
+    let [q1, q2, q3, price] = r.weights;
+    let rates = r.regulator().riccati(r.value).map(|row| row.map(tidy));
+    let (damping, lever) = (n1 * r.rho * r.drho, n1 * s.speed * r.rho);
+    let two = int(2);
+    // m is lost in all six; n1 is printed as u1 in three of them
+    let of = |unit: Sym| {
+        [
+            two * c11 * damping + c13.powi(2) / unit - q1,
+            two * c13 * lever + c22.powi(2) / unit - two * c23 - q2,
+            -(two * c12 * slope) + c23.powi(2) / unit - q3,
+            lever * c11 + c13 * damping + c13 * c22 / unit - c12,
+            -(c11 * slope) + c12 * damping + c13 * c23 / unit,
+            lever * c12 - slope * c13 - c33 + c22 * c23 / unit,
+        ]
+    };
+    let [first, second, third, ..] = of(price);
+    let printed = [
+        first,
+        second,
+        third,
+        lever * c11 + c13 * damping + two * c13 * c22 / price - two * c12,
+        -(c11 * slope) + c12 * damping + two * c13 * c23 / price,
+        lever * c12 - slope * c13 + two * c22 * c23 / price,
+    ];
+    let lines = [
+        ("c11", "c11-corrected", r"$\dot C_{11}$: $m^2$ is lost, right for $m=1$", rates[0][0], "Ċ₁₁"),
+        ("c22", "c22-corrected", r"$\dot C_{22}$ (printed without its dot): right for $m=1$", rates[2][2], "Ċ₂₂"),
+        ("c33", "c33-corrected", r"$\dot C_{33}$: right for $m=1$", rates[1][1], "Ċ₃₃"),
+        (
+            "c13",
+            "c13-corrected",
+            r"$\dot C_{13}$, $n_1$ for the printed $u_1$: $2C_{13}C_{22}-2C_{12}$ is twice what it should be",
+            rates[0][2],
+            "Ċ₁₃",
+        ),
+        (
+            "c12",
+            "c12-corrected",
+            r"$\dot C_{12}$, $n_1$ for the printed $u_1$: $2C_{13}C_{23}$ is twice what it should be",
+            rates[0][1],
+            "Ċ₁₂",
+        ),
+        (
+            "c23",
+            "c23-corrected",
+            r"$\dot C_{23}$, $n_1$ for the printed $u_1$: $-C_{33}$ is lost, $2C_{22}C_{23}$ is twice what it should be",
+            rates[1][2],
+            "Ċ₂₃",
+        ),
+    ];
+    let right = of(price * s.mass.powi(2));
+    let names = r.normal_names();
+    for (k, (slug, corrected, says, derived, name)) in lines.into_iter().enumerate() {
+        page.claim("eq3.36", slug, says).under(&names).fails([Line::formula(derived, letter(name), printed[k])]);
+        page.claim("eq3.36", corrected, "by Bellman's equation, with the units of the criterion")
+            .under(&names)
+            .holds([Line::formula(derived, letter(name), right[k])]);
+        page.correct();
+    }
+    let [zeta, more, z] = r.deviation;
+    let optimal = r.regulator().optimal(r.value, r.deviation);
+    page.claim("eq3.37", "control", r"$u_1=-(c_{33}z+c_{13}\xi+c_{23}\rho')$, its unit $s$ restored")
+        .fails([Line::formula(optimal, r.control, -(c33 * z + c13 * zeta + c23 * more) / price)]);
+    page.claim("eq3.37", "control-corrected", r"$u_1=-\frac1{sm}(C_{22}z+C_{13}\zeta+C_{23}\rho')$")
+        .holds([Line::formula(optimal, r.control, -(c22 * z + c13 * zeta + c23 * more) / (price * s.mass))]);
+    page.correct();
+}
+
+/// c(0) = 0: the condition belongs to the other end.
+fn ends(page: &mut Page, r: &ReleasedLetters) {
+    let names = ["C₁₁", "C₂₂", "C₃₃", "C₁₂", "C₁₃", "C₂₃"];
+    let [zeta, ..] = r.deviation;
+    page.claim(
+        "eq3.36",
+        "initial",
+        r"with $c_{ij}(0)=0$ the function $V$ solves the problem: it is positive definite at $t=0$ as at any time",
+    )
+    .given(letters::<6>(names).map(Zero))
+    .given([NonZero(zeta)])
+    .refuted(
+        [NonZero(quadratic(r.value, r.deviation))],
+        exact([
+            ("C₁₁", 0, 1),
+            ("C₂₂", 0, 1),
+            ("C₃₃", 0, 1),
+            ("C₁₂", 0, 1),
+            ("C₁₃", 0, 1),
+            ("C₂₃", 0, 1),
+            ("ζ", 1, 1),
+            ("ϱ′", 0, 1),
+            ("z", 0, 1),
+        ]),
+    );
+    let regulator = r.regulator();
+    let moved = quadratic(regulator.riccati(r.value), r.deviation);
+    let derived = moved + regulator.bellman(r.value, r.deviation, r.control);
+    let away = r.control - regulator.optimal(r.value, r.deviation);
+    let [_, _, _, price] = r.weights;
+    page.claim("eq3.36", "initial-corrected", r"where $C$ satisfies Riccati's equation $B=s(u_1-u_1^{opt})^2$ for any $u_1$: the criterion from 0 to $T$ is $V(0)-V(T)+\int s(u_1-u_1^{opt})^2dt$, so $C(T)=0$, or as $T\to\infty$ the stationary solution, is the condition")
+        .in_words()
+        .follows([Equal(derived, price * away.powi(2))]);
+    page.correct();
+}

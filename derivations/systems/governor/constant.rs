@@ -1,0 +1,105 @@
+//! The programme under constant moments: rho' = eps (k1/rho + k2), in closed form.
+//!
+//! With k2 = 0 rho^2 = rho_0^2 + 2 eps k1 t. Otherwise y = 1 + k2 rho/k1 satisfies y - ln y = y_0 - ln y_0 + eps k2^2 t/k1,
+//! so that y = -W(-y_0 exp(-y_0 - eps k2^2 t/k1)) with the branch of Lambert's W on which y_0 is. In closed form too is
+//! the end: where M2 drives rho down to the axis it gets there in finite time and with infinite speed.
+
+/// eps, k1, k2 of rho' = eps (k1/rho + k2), and rho at t = 0, all finite, with rho_0 > 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConstantMoments {
+    pub epsilon: f64,
+    pub of_second: f64,
+    pub of_first: f64,
+    pub start: f64,
+}
+
+/// How the programme goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Course {
+    /// The wheel rests: k1 + k2 rho_0 = 0.
+    Rest,
+    /// The wheel comes to the axis of the second disc at this time, s, with infinite speed unless k1 = 0: no motion is
+    /// after it.
+    ReachesAxis { time: f64 },
+    /// It tends to rho = -k1/k2 from any side: k1 > 0 > k2.
+    TendsTo { distance: f64 },
+    /// It leaves every disc, of however great a radius.
+    Grows,
+}
+
+impl ConstantMoments {
+    /// t at which the wheel passes rho, s: the quadrature. Not a number where it never does.
+    pub fn time(&self, rho: f64) -> f64 {
+        let Self { epsilon, of_second, of_first, start } = *self;
+        if of_first == 0.0 {
+            return (rho - start) * (rho + start) / (2.0 * epsilon * of_second);
+        }
+        if of_second == 0.0 {
+            return (rho - start) / (epsilon * of_first);
+        }
+        let ratio = (of_first * rho + of_second) / (of_first * start + of_second);
+        if ratio < 0.0 {
+            return f64::NAN;
+        }
+        (rho - start - of_second / of_first * ratio.ln()) / (epsilon * of_first)
+    }
+
+    /// rho at an instant by the closed form; `None` after the end.
+    pub fn distance(&self, time: f64) -> Option<f64> {
+        let Self { epsilon, of_second, of_first, start } = *self;
+        match self.course() {
+            Course::Rest => return Some(start),
+            Course::ReachesAxis { time: end } if time >= end => return None,
+            _ => {}
+        }
+        if of_first == 0.0 {
+            return Some((start * start + 2.0 * epsilon * of_second * time).sqrt());
+        }
+        if of_second == 0.0 {
+            return Some(start + epsilon * of_first * time);
+        }
+        let scaled = 1.0 + of_first * start / of_second;
+        let level = scaled - scaled.abs().ln() + epsilon * of_first * of_first * time / of_second;
+        Some((same_branch(level, scaled) - 1.0) * of_second / of_first)
+    }
+
+    /// What becomes of the wheel.
+    pub fn course(&self) -> Course {
+        let Self { epsilon, of_second, of_first, start } = *self;
+        let pull = epsilon * (of_second + of_first * start);
+        if pull == 0.0 {
+            Course::Rest
+        } else if of_first != 0.0 && epsilon * of_second > 0.0 && epsilon * of_first < 0.0 {
+            Course::TendsTo { distance: -of_second / of_first }
+        } else if pull < 0.0 {
+            Course::ReachesAxis { time: self.time(0.0) }
+        } else {
+            Course::Grows
+        }
+    }
+}
+
+/// y of the sign and on the side of 1 on which `from` is, with y - ln|y| = level: Lambert's W, by Newton's method.
+fn same_branch(level: f64, from: f64) -> f64 {
+    // beside 1 for a positive y, between 0 and 1 near exp(-level), below zero between both
+    let mut y = if from > 1.0 {
+        let height = (level - 1.0).max(0.0);
+        1.0 + (2.0 * height).sqrt() + height
+    } else if from > 0.0 {
+        let height = (level - 1.0).max(0.0);
+        if height < 1.0 { 1.0 - (2.0 * height).sqrt() + 2.0 * height / 3.0 } else { (-level).exp() }
+    } else {
+        -(-level).exp().min(level.abs() + 1.0)
+    };
+    for _ in 0..64 {
+        // in the logarithm, where the curve is steep and y keeps its sign
+        let step =
+            if y > 1.0 { (y - y.ln() - level) / (1.0 - 1.0 / y) } else { (y - y.abs().ln() - level) * y / (y - 1.0) };
+        let next = if y > 1.0 { (y - step).max(1.0) } else { y * (-step / y).exp() };
+        if !next.is_finite() || (next - y).abs() <= f64::EPSILON * y.abs() {
+            break;
+        }
+        y = next;
+    }
+    y
+}

@@ -1,0 +1,142 @@
+//! Friction governors: two shafts with an intermediate wheel between them that is moved to keep the speed of the second.
+//!
+//! Coordinates (c1, s1, c2, s2, c, s, rho): the directions of both discs and of the wheel, each a plane body that turns
+//! about a fixed axis, and the distance of the wheel from the axis of the second disc (with a [`Gearing::Drum`]) or of the
+//! first (with [`Gearing::Discs`]). The wheel rolls on both without slipping; a force pushes it along its axle.
+//!
+//! * [`programme`]: the motion of the wheel that keeps the speed, the force that this takes;
+//! * [`constant`]: the same in closed form under constant moments, and where it ends;
+//! * [`series`]: the same by powers of a small parameter;
+//! * [`released`]: the motion when the speed is not kept exactly, its first approximation.
+
+pub mod constant;
+pub mod programme;
+pub mod released;
+pub mod series;
+
+use field::{Analytic, Base, Over};
+use mechanics::constrained::newton::Reactions;
+use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+
+/// What the wheel rolls on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Gearing<P> {
+    /// A drum of radius R on the first shaft, along which the wheel slides; on the second disc at rho from its axis.
+    Drum { radius: P },
+    /// Two discs whose axes are a apart: at rho from the first axis, at a - rho from the second.
+    Discs { distance: P },
+}
+
+/// A moment that grows evenly: M + M' t.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment<P> {
+    /// at t = 0, N m
+    pub start: P,
+    /// N m/s
+    pub growth: P,
+}
+
+impl<P: Base> Moment<P> {
+    /// A moment that stays.
+    pub fn constant(start: P) -> Self {
+        Moment { start, growth: P::zero() }
+    }
+
+    /// M(t)
+    pub fn at<S: Over<P>>(&self, time: S) -> S {
+        S::lift(self.start) + S::lift(self.growth) * time
+    }
+}
+
+/// The data of a governor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Governor<P> {
+    /// J1, J2 of the discs with their shafts and J of the wheel about their axes, kg m^2
+    pub inertia: [P; 3],
+    /// m of the wheel with its axle, kg
+    pub mass: P,
+    /// r of the wheel, m
+    pub radius: P,
+    pub gearing: Gearing<P>,
+    /// M1, M2 on the shafts
+    pub moments: [Moment<P>; 2],
+    /// u, the force along the axle, N
+    pub push: P,
+    /// F11 + F22, the friction across the wheel at both contacts, against the growth of rho, N
+    pub lateral: P,
+}
+
+impl<P: Base> Governor<P> {
+    /// The levers of the contacts about the axes of the first and of the second disc, m.
+    pub fn levers<S: Over<P>>(&self, rho: S) -> [S; 2] {
+        match self.gearing {
+            Gearing::Drum { radius } => [S::lift(radius), rho],
+            Gearing::Discs { distance } => [rho, S::lift(distance) - rho],
+        }
+    }
+}
+
+impl<P: Base> System<7> for Governor<P> {
+    type Given = P;
+
+    fn masses<S: Over<P>>(&self) -> [S; 7] {
+        let [first, second, wheel] = self.inertia;
+        [first, first, second, second, wheel, wheel, self.mass].map(S::lift)
+    }
+
+    fn force<S: Over<P>>(&self, at: &State<S, 7>) -> [S; 7] {
+        let [c1, s1, c2, s2, ..] = at.place;
+        let [first, second] = self.moments.map(|moment| moment.at(at.time));
+        let along = S::lift(self.push) - S::lift(self.lateral);
+        [-s1 * first, c1 * first, -s2 * second, c2 * second, S::zero(), S::zero(), along]
+    }
+}
+
+/// The directions are of length one; the rim of the wheel moves with the first disc and with the second.
+impl<P: Base> Constrained<7, 5> for Governor<P> {
+    fn constraints<S: Over<P>>(&self, at: &State<S, 7>) -> [Constraint<S>; 5] {
+        let direction = |k: usize| (at.place[2 * k], at.place[2 * k + 1]);
+        let length = |k: usize| {
+            let (cos, sin) = direction(k);
+            Constraint::Geometric((cos.squared() + sin.squared() - S::one()).half())
+        };
+        let speed = |k: usize| {
+            let (cos, sin) = direction(k);
+            cos * at.velocity[2 * k + 1] - sin * at.velocity[2 * k]
+        };
+        let [first, second] = self.levers(at.place[6]);
+        let rim = S::lift(self.radius) * speed(2);
+        let rolling = [first * speed(0), second * speed(1)].map(|surface| Constraint::Kinematic(rim - surface));
+        [length(0), length(1), length(2), rolling[0], rolling[1]]
+    }
+}
+
+/// Rigidity pulls along each direction; a contact pushes the rim of the wheel one way and the disc the other.
+impl<P: Base> Reactions<7, 5> for Governor<P> {
+    fn reactions<S: Over<P>>(&self, at: &State<S, 7>) -> [[S; 7]; 5] {
+        let [c1, s1, c2, s2, c, s, rho] = at.place;
+        let (zero, radius) = (S::zero(), S::lift(self.radius));
+        let [first, second] = self.levers(rho);
+        [
+            [c1, s1, zero, zero, zero, zero, zero],
+            [zero, zero, c2, s2, zero, zero, zero],
+            [zero, zero, zero, zero, c, s, zero],
+            [s1 * first, -c1 * first, zero, zero, -s * radius, c * radius, zero],
+            [zero, zero, s2 * second, -c2 * second, -s * radius, c * radius, zero],
+        ]
+    }
+}
+
+/// q = (phi1, phi2, phi, rho), p = (omega2, rho').
+impl<P: Base> Charted<7, 4, 2> for Governor<P> {
+    fn place<S: Over<P> + Analytic>(&self, _time: S, [phi1, phi2, phi, rho]: [S; 4]) -> [S; 7] {
+        let [first, second, wheel] = [phi1, phi2, phi].map(Analytic::circle);
+        [first.cos, first.sin, second.cos, second.sin, wheel.cos, wheel.sin, rho]
+    }
+
+    fn rates<S: Over<P> + Analytic>(&self, _time: S, [.., rho]: [S; 4], [speed, drift]: [S; 2]) -> [S; 4] {
+        let [first, second] = self.levers(rho);
+        let rim = second * speed;
+        [rim / first, speed, rim / S::lift(self.radius), drift]
+    }
+}
