@@ -74,6 +74,7 @@ const LETTERS: &[(&str, &str, [i64; 4])] = &[
     ("u-", "u_-", [1, 2, -3, -1]),
     ("u'", "u'", [1, 2, -3, -2]),
     ("Y", "Y", [0, 2, -2, 0]),
+    ("p", r"v\cdot\dot v", [0, 2, -3, 0]),
 ];
 
 /// The dimension of a letter; `None` for a name that the page does not have.

@@ -5,7 +5,7 @@ use claims::{Condition, Page};
 use field::{Analytic, Base, Over, Scalar};
 use integrators::euler_step;
 use mechanics::constrained::State;
-use mechanics::constrained::energies::{Energies, Instant};
+use mechanics::constrained::energies::{Energies, Instant, Kinematics};
 use mechanics::constrained::programmed::{Linear, Programme};
 use symbolic::Sym;
 
@@ -46,7 +46,7 @@ pub fn claims(page: &mut Page) {
     let pendulum = Pendulum { mass: letter("m"), gravity: letter("g"), length: letter("l") };
     let law = Linear { damping: [[b]], stiffness: [[k]] };
     let at = |s: &[Sym]| State { time: Sym::ZERO, place: [s[0], s[1]], velocity: [s[2], s[3]] };
-    let wanted = |state: &State<Sym, 2>| law.prescribed::<Sym>(state, &Instant::of(&pendulum, state).violation());
+    let wanted = |state: &State<Sym, 2>| law.prescribed::<Sym>(state, &Kinematics::of(&pendulum, state).violation());
     let acceleration = |state: &State<Sym, 2>| {
         let led = Instant::of(&pendulum, state).leading_to(wanted(state));
         led.map_or([Sym::UNDEFINED; 2], |reaction| reaction.acceleration)
@@ -57,7 +57,7 @@ pub fn claims(page: &mut Page) {
     };
     let (before, mut after) = ([x, y, u, v], [Sym::ZERO; 4]);
     euler_step(rates, Sym::ZERO, &before, h, &mut [Sym::ZERO; 4], &mut after);
-    let [from, to] = [&before, &after].map(|s| Instant::of(&pendulum, &at(s)));
+    let [from, to] = [&before, &after].map(|s| Kinematics::of(&pendulum, &at(s)));
     let ([a, c], [led]) = (acceleration(&at(&before)), wanted(&at(&before)));
     let two = Sym::int(2);
     page.claim("floor", "euler", r"a point on a circle, $f=x^2+y^2-l^2$, stabilised, one step of Euler: $f_1=f+h\dot f+h^2|v|^2$ and $\dot f_1=\dot f+h(-b\dot f-kf)+2h^2\,v\cdot\dot v$: the linear recursion of the gains, and a forcing that they do not touch")
@@ -67,9 +67,9 @@ pub fn claims(page: &mut Page) {
             Equal(to.rate[0], from.rate[0] + h * led + two * h.powi(2) * (u * a + v * c)),
         ]);
     // at rest of the recursion: h f' = -h^2 |v|^2, k f = -b f' + ...
-    let (speed, power) = (u.powi(2) + v.powi(2), letter("Y"));
+    let (speed, power) = (u.powi(2) + v.powi(2), letter("p"));
     let (rate, value) = (-h * speed, (b * h * speed + two * h * power) / k);
-    page.claim("floor", "level", r"under a constant forcing ($|v|^2$, and $Y$ for $v\cdot\dot v$ in units of the gains) the recursion rests at $\dot f=-h|v|^2$ and $f=h(b|v|^2+2Y)/k$: gains in proportion to the step, $b=\beta/h$ and $k=\kappa/h^2$, make it $h^2\beta|v|^2/\kappa$ to leading order. At $\beta=2$, $\kappa=1$ that is $2h^2|v|^2$: less with larger $\kappa/\beta$, which is at most 1 where the error decays")
+    page.claim("floor", "level", r"under a constant forcing the recursion rests at $\dot f=-h|v|^2$ and $f=h(b|v|^2+2\,v\cdot\dot v)/k$. With gains that go with the step, $b=\beta/h$ and $k=\kappa/h^2$, that is $h^2\beta|v|^2/\kappa$ to leading order. At $\beta=2$, $\kappa=1$ that is $2h^2|v|^2$: less with larger $\kappa/\beta$, which is at most 1 where the error decays")
         .in_words()
         .follows([
             Equal(value + h * rate + h.powi(2) * speed, value),

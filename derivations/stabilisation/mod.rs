@@ -8,7 +8,10 @@
 mod alphabet;
 mod floor;
 mod gains;
+pub mod law;
+pub mod regions;
 pub mod schemes;
+pub mod treatments;
 
 use crate::papers::Paper;
 use claims::Page;

@@ -37,6 +37,13 @@ pub struct Instant<S, const N: usize, const C: usize> {
     pub mass: [[S; N]; N],
     /// F: what M q'' is without constraints
     pub force: [S; N],
+    /// The constraints and their derivatives.
+    pub kinematics: Kinematics<S, N, C>,
+}
+
+/// The constraints at an instant, without masses and forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kinematics<S, const N: usize, const C: usize> {
     /// J
     pub rows: [[S; N]; C],
     /// f
@@ -45,6 +52,31 @@ pub struct Instant<S, const N: usize, const C: usize> {
     pub rate: [S; C],
     /// f'' at q'' = 0
     pub curvature: [S; C],
+}
+
+impl<S: Scalar, const N: usize, const C: usize> Kinematics<S, N, C> {
+    /// Of a system at t, q, q'.
+    pub fn of<Q: Energies<N, C>>(system: &Q, at: &State<S, N>) -> Self
+    where
+        S: Over<Q::Given> + Analytic,
+    {
+        let State { time, place: q, velocity: dq } = *at;
+        let columns: [[S; C]; N] =
+            std::array::from_fn(|i| system.constraints(Tangent::fixed(time), along(q, unit(i))).map(|f| f.slope));
+        let twice = |x: S, rate: S| Tangent::moving(Tangent::moving(x, rate), Tangent::fixed(rate));
+        let moved = system.constraints(twice(time, S::one()), std::array::from_fn(|i| twice(q[i], dq[i])));
+        Kinematics {
+            rows: std::array::from_fn(|k| std::array::from_fn(|i| columns[i][k])),
+            value: moved.map(|f| f.value.value),
+            rate: moved.map(|f| f.value.slope),
+            curvature: moved.map(|f| f.slope.slope),
+        }
+    }
+
+    /// f and f'.
+    pub fn violation(&self) -> Violation<S, C> {
+        Violation { value: self.value, rate: self.rate }
+    }
 }
 
 impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
@@ -57,23 +89,11 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
         let still = rheonomic(|t, q, dq| system.lagrangian(t, q, dq), time, q, dq, [S::zero(); N]);
         let lost = gradient(|dq| system.dissipation(Tangent::fixed(time), fixed(q), dq), dq);
         let given = system.force(time, q, dq);
-        let columns: [[S; C]; N] =
-            std::array::from_fn(|i| system.constraints(Tangent::fixed(time), along(q, unit(i))).map(|f| f.slope));
-        let twice = |x: S, rate: S| Tangent::moving(Tangent::moving(x, rate), Tangent::fixed(rate));
-        let moved = system.constraints(twice(time, S::one()), std::array::from_fn(|i| twice(q[i], dq[i])));
         Instant {
             mass: mass(system, at),
             force: std::array::from_fn(|i| given[i] - lost[i] - still[i]),
-            rows: std::array::from_fn(|k| std::array::from_fn(|i| columns[i][k])),
-            value: moved.map(|f| f.value.value),
-            rate: moved.map(|f| f.value.slope),
-            curvature: moved.map(|f| f.slope.slope),
+            kinematics: Kinematics::of(system, at),
         }
-    }
-
-    /// f and f'.
-    pub fn violation(&self) -> Violation<S, C> {
-        Violation { value: self.value, rate: self.rate }
     }
 
     /// Accelerations and multipliers with which f'' is as wanted.
@@ -82,7 +102,8 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
     /// [`NotDefinite`] names the first coordinate without mass, or the first constraint that depends on those before it.
     pub fn leading_to(&self, wanted: [S; C]) -> Result<Reaction<S, N, C>, NotDefinite> {
         let free = solve(self.mass, self.force)?;
-        let missing = std::array::from_fn(|k| wanted[k] - self.curvature[k] - dot(self.rows[k], free));
+        let missing =
+            std::array::from_fn(|k| wanted[k] - self.kinematics.curvature[k] - dot(self.kinematics.rows[k], free));
         let (multipliers, change) = self.least(missing)?;
         Ok(Reaction { acceleration: std::array::from_fn(|i| free[i] + change[i]), multipliers })
     }
@@ -98,10 +119,10 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
     /// mu and d = M^-1 J^T mu with J d = missing.
     fn least(&self, missing: [S; C]) -> Result<([S; C], [S; N]), NotDefinite> {
         let mut pushes = [[S::zero(); N]; C];
-        for (push, row) in pushes.iter_mut().zip(self.rows) {
+        for (push, row) in pushes.iter_mut().zip(self.kinematics.rows) {
             *push = solve(self.mass, row)?;
         }
-        let multipliers = solve(self.rows.map(|row| pushes.map(|push| dot(row, push))), missing)?;
+        let multipliers = solve(self.kinematics.rows.map(|row| pushes.map(|push| dot(row, push))), missing)?;
         let change = std::array::from_fn(|i| (0..C).fold(S::zero(), |sum, k| sum + multipliers[k] * pushes[k][i]));
         Ok((multipliers, change))
     }
