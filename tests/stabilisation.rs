@@ -1,10 +1,11 @@
 //! Stabilised constraints as they run, beside the exact regions of their gains.
 
+use derivations::stabilisation::experiment;
 use derivations::stabilisation::regions::{self, Fate};
 use derivations::stabilisation::schemes::Scheme;
 use derivations::stabilisation::treatments;
 use field::Scalar;
-use integrators::{Ode, Span, System, Tolerance, integrate};
+use integrators::{Method, Ode, Span, System, Tolerance, integrate};
 
 /// y'' = -b y' - k y.
 struct Violation {
@@ -62,5 +63,28 @@ fn the_mechanism_regains_its_constraint_where_theory_says() {
 fn treatments_of_the_constraint() {
     for line in treatments::compare().expect("the reference is reached") {
         println!("{:<18} {:>6} {:<32} {:?}", line.scheme.name(), line.steps, line.treatment.name(), line.measured);
+    }
+}
+
+#[test]
+fn the_drive_as_in_the_experiment() {
+    let (exact, digits) = experiment::exact(200).expect("reached");
+    println!("digits {digits}");
+    for (name, b, k) in [
+        ("plain", 0.0, 0.0),
+        ("paper-like", 2.0, 1.0),
+        ("moderate", 20.0, 100.0),
+        ("deadbeat", 200.0, 1e4),
+        ("too much", 250.0, 1e4),
+    ] {
+        for step in [0.01, 0.001] {
+            let t = experiment::run(name, |steps| Method::Euler { steps }, step, b, k);
+            let last = t.points.last().unwrap();
+            println!("{name} {step} {:?} drift {:?} end {:?} {:?}", t.failure, t.drift(), last.0, last.1);
+        }
+    }
+    println!("exact {:?}", exact.last().unwrap());
+    for k in (0..200).step_by(10) {
+        println!("{:.2?}", exact[k]);
     }
 }

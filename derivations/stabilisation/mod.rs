@@ -3,9 +3,13 @@
 //! # Overview
 //! * [`schemes`]: one step of a method on the law of violations, over any field;
 //! * `gains`: for which gains the discrete error of a constraint decays, exactly, and the best gains;
-//! * `floor`: what no gains remove.
+//! * `floor`: what no gains remove;
+//! * `drive`: the equations of the electromechanical drive;
+//! * [`regions`], [`treatments`]: gains and treatments of a constraint, measured.
 
 mod alphabet;
+mod drive;
+pub mod experiment;
 mod floor;
 mod gains;
 pub mod law;
@@ -31,5 +35,6 @@ pub fn page() -> Page {
     let mut page = Page::of(PAPER.key, alphabet::dimension);
     gains::claims(&mut page);
     floor::claims(&mut page);
+    drive::claims(&mut page);
     page
 }

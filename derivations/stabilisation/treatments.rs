@@ -15,8 +15,10 @@ use mechanics::definite::{NotDefinite, solve};
 pub enum Treatment {
     /// Lagrange's multipliers, f'' = 0, and nothing else.
     IndexReduction,
-    /// f'' = -b f' - k f with the best gains of the method at its step.
-    Stabilised,
+    /// f'' = -b f' - k f with the gains of the fastest decay for the method at its step.
+    Fastest,
+    /// The same, critically damped with gains of its own time, [`MODERATE`], whatever the step.
+    Moderate,
     /// Lagrange's multipliers; after each step the place is moved onto f = 0, then the velocity onto f' = 0, both by the
     /// least change in the metric of the mass.
     Projected,
@@ -29,9 +31,10 @@ pub enum Treatment {
 
 impl Treatment {
     /// All of them.
-    pub const ALL: [Treatment; 5] = [
+    pub const ALL: [Treatment; 6] = [
         Treatment::IndexReduction,
-        Treatment::Stabilised,
+        Treatment::Fastest,
+        Treatment::Moderate,
         Treatment::Projected,
         Treatment::GearGuptaLeimkuhler,
         Treatment::Minimal,
@@ -41,7 +44,8 @@ impl Treatment {
     pub fn name(self) -> &'static str {
         match self {
             Treatment::IndexReduction => "index reduction",
-            Treatment::Stabilised => "stabilised, best gains",
+            Treatment::Fastest => "stabilised, fastest decay",
+            Treatment::Moderate => "stabilised, b = 20/s, k = 100/s²",
             Treatment::Projected => "projection, place and velocity",
             Treatment::GearGuptaLeimkuhler => "Gear-Gupta-Leimkuhler",
             Treatment::Minimal => "minimal coordinates",
@@ -73,6 +77,9 @@ pub struct Line {
     /// None where the combination does not exist; a failure where the run broke off.
     pub measured: Option<Result<Measured, Failure>>,
 }
+
+/// The rate at which moderate gains bring a violation back, 1/s.
+pub const MODERATE: f64 = 10.0;
 
 /// The span, s: the crank turns from 0.7 with 6 rad/s, about nine times.
 pub const SPAN: f64 = 10.0;
@@ -145,8 +152,11 @@ fn measure(scheme: Scheme, steps: u32, treatment: Treatment, goal: &Goal) -> Opt
             let law = gains(0.0, 0.0);
             follow(steps, &start, goal, |y| *y, |t, y, work| advance(&law, scheme, t, h, y, work))
         }
-        Treatment::Stabilised => {
-            let (beta, kappa) = scheme.best();
+        Treatment::Fastest | Treatment::Moderate => {
+            let (beta, kappa) = match treatment {
+                Treatment::Moderate => (2.0 * MODERATE * h, (MODERATE * h).powi(2)),
+                _ => scheme.best(),
+            };
             let law = gains(beta, kappa);
             follow(steps, &start, goal, |y| *y, |t, y, work| advance(&law, scheme, t, h, y, work))
         }
