@@ -121,9 +121,9 @@ fn diode(page: &mut Page) {
     page.claim(
         "diode",
         "rest",
-        r"without current there is no voltage: so the diodes never give energy, $u(i)\,i\ge R_{\mathrm f}i^2$",
+        r"without current there is no voltage ($i_0>0$, so that $\sqrt{i_0^2}=i_0$): the diodes never give energy, $u(i)\,i\ge R_{\mathrm f}i^2$",
     )
-    .follows([Zero(voltage(&drive, Sym::ZERO))]);
+    .follows([Equal(voltage(&drive, Sym::ZERO), gap * (knee - knee.powi(2).sqrt()) / Sym::int(4))]);
 }
 
 /// d/dt of the energy along the motion, whatever lambda.

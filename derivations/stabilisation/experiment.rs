@@ -4,7 +4,7 @@ use super::law::Stabilised;
 use crate::systems::crank_drive::{Circuit, CrankDrive};
 use crate::systems::crank_slider::CrankSlider;
 use field::{Analytic, Over};
-use integrators::{Failure, Method, Observer, Ode, Span, System, Tolerance, integrate, reference};
+use integrators::{Failure, Jacobian, Method, Observer, Ode, Record, Span, System, Tolerance, integrate};
 use mechanics::constrained::State;
 use mechanics::constrained::energies::{Kinematics, Reduced};
 
@@ -135,18 +135,122 @@ impl Track {
     }
 }
 
-/// The exact motion at so many equal times after the start, the slider's place and speed added.
+/// The motion at so many equal times after the start in coordinates without the slider, whose place and speed are added;
+/// and the digits on which two methods of different families agree.
 ///
 /// # Errors
-/// Where the reference broke off.
+/// Where one of them broke off.
 pub fn exact(outputs: usize) -> Result<(Vec<(f64, [f64; 9])>, f64), Failure> {
     let y = start();
-    let seven = [y[0], y[1], y[2], y[3], y[4], y[5], y[6]];
-    let found = reference(&Seven, &Span::new(0.0, SPAN, &seven).with_even_outputs(outputs))?;
-    let whole = |s: &Vec<field::DoubleDouble>| {
-        let s: [f64; 7] = std::array::from_fn(|i| s[i].hi());
+    let span = Span::new(0.0, SPAN, &y[..7]).with_even_outputs(outputs);
+    let follow = |method| -> Result<Record<f64>, Failure> {
+        let mut record = Record::new();
+        match integrate(&Seven, method, &Tolerance::both(1e-12), &span, &mut record).failure() {
+            Some(failure) => Err(failure),
+            None => Ok(record),
+        }
+    };
+    let (first, second) = (follow(Method::DormandPrince8)?, follow(Method::Gauss { stages: 5 })?);
+    let pairs = first.states.iter().flatten().zip(second.states.iter().flatten());
+    let apart = pairs.map(|(a, b)| (a - b).abs() / a.abs().max(1.0)).fold(f64::MIN_POSITIVE, f64::max);
+    let whole = |s: &Vec<f64>| {
         let (q, dq) = Reduced(&DRIVE).motion(0.0, [0.0, 0.0, s[2], 0.0, s[5]], [s[0], s[1], s[3], s[4], s[6]]);
         [s[0], s[1], s[2], s[3], s[4], s[5], s[6], q[5], dq[5]]
     };
-    Ok((found.times.iter().copied().zip(found.states.iter().map(whole)).collect(), found.digits))
+    Ok((first.times.iter().copied().zip(first.states.iter().map(whole)).collect(), -apart.log10()))
+}
+
+/// What step Euler can bear, s. By theory: the longest with which I + h A has no eigenvalue outside the unit circle, A the
+/// Jacobian of the circuit's five equations at the instants of the exact motion. By measurement: the longest with which a
+/// run keeps its currents bounded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bearable {
+    /// The least over all instants.
+    pub least: f64,
+    /// The greatest: what is beyond it is outside at every instant.
+    pub greatest: f64,
+    /// Without stabilisation.
+    pub plain: f64,
+    /// With the gains of the fastest decay at each step.
+    pub stabilised: f64,
+}
+
+/// The bound on the step of Euler, both ways.
+///
+/// # Errors
+/// Where the exact motion broke off.
+pub fn bearable() -> Result<Bearable, Failure> {
+    let (points, _) = exact(200)?;
+    let mut jacobian = Jacobian::new(&Seven);
+    let mut matrix = [0.0; 49];
+    let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
+    for (time, y) in &points {
+        jacobian.matrix(*time, &y[..7], &mut matrix);
+        let circuit: Five = std::array::from_fn(|i| std::array::from_fn(|j| matrix[7 * i + j]));
+        let step = longest(&circuit);
+        (least, greatest) = (least.min(step), greatest.max(step));
+    }
+    Ok(Bearable { least, greatest, plain: measured(0.0, 0.0), stabilised: measured(2.0, 1.0) })
+}
+
+/// The longest step, to a thousandth of it, with gains h b and h^2 k.
+fn measured(beta: f64, kappa: f64) -> f64 {
+    let bounded = |steps: u32| {
+        let h = SPAN / f64::from(steps);
+        let track = run("", |steps| Method::Euler { steps }, h, beta / h, kappa / (h * h));
+        track.failure.is_none() && track.points.iter().all(|(_, y)| y[..5].iter().all(|f| f.abs() < LOST))
+    };
+    let (mut too_few, mut enough) = (50, 4000);
+    while enough - too_few > 1 {
+        let middle = (too_few + enough) / 2;
+        if bounded(middle) { enough = middle } else { too_few = middle }
+    }
+    SPAN / f64::from(enough)
+}
+
+type Five = [[f64; 5]; 5];
+
+/// The longest step with which I + h A has no eigenvalue outside the unit circle.
+fn longest(matrix: &Five) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..30 {
+        let middle = 0.5 * (low + high);
+        if grows(matrix, middle) { high = middle } else { low = middle }
+    }
+    low
+}
+
+/// Whether the powers of I + h A grow, by squaring.
+fn grows(matrix: &Five, h: f64) -> bool {
+    let one = |yes: bool| if yes { 1.0 } else { 0.0 };
+    let mut power: Five = std::array::from_fn(|i| std::array::from_fn(|j| one(i == j) + h * matrix[i][j]));
+    let mut logarithm = 0.0;
+    for doubling in 0..16 {
+        let size = power.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
+        if size == 0.0 {
+            return false;
+        }
+        power = power.map(|row| row.map(|x| x / size));
+        logarithm = if doubling == 0 { size.ln() } else { 2.0 * logarithm + size.ln() };
+        power = std::array::from_fn(|i| std::array::from_fn(|j| (0..5).map(|k| power[i][k] * power[k][j]).sum()));
+    }
+    logarithm > 0.0
+}
+
+/// A current beyond which a run is lost, A: the source could drive 40 through its resistance.
+const LOST: f64 = 200.0;
+
+/// The largest damping with which the constraint of the drive stays kept at the step of the experiment and the stiffness
+/// k: what a run shows; theory says h b = 2 + h^2 k / 2.
+pub fn most_damping(stiffness: f64) -> f64 {
+    let kept = |damping: f64| {
+        let track = run("", |steps| Method::Euler { steps }, STEP, damping, stiffness);
+        track.failure.is_none() && track.drift().0 < 0.1
+    };
+    let (mut low, mut high) = (1.0 / STEP, 5.0 / STEP);
+    for _ in 0..12 {
+        let middle = 0.5 * (low + high);
+        if kept(middle) { low = middle } else { high = middle }
+    }
+    low
 }

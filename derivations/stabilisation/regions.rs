@@ -53,11 +53,11 @@ pub struct Map {
 }
 
 /// So short that the mechanism hardly moves while a violation comes or goes.
-const STEP: f64 = 1e-8;
+const STEP: f64 = 1e-6;
 /// A violation that has grown so many times would soon leave the range in which the mechanism answers linearly.
-const LOST: f64 = 1e3;
+const LOST: f64 = 300.0;
 /// The slider is put off its place by so much, m.
-const OFF: f64 = 1e-6;
+const OFF: f64 = 1e-4;
 /// The violation at which there is nothing more to see: a step's own error, against the first violation.
 const FLOOR: f64 = 1e-5;
 

@@ -106,17 +106,7 @@ fn whole(s: &[f64]) -> [f64; 4] {
 /// # Errors
 /// Where the reference broke off.
 pub fn compare() -> Result<Vec<Line>, Failure> {
-    let reference = exact()?;
-    let states: Vec<[f64; 4]> = reference
-        .states
-        .iter()
-        .map(|s| {
-            let (q, dq) = Reduced(&MECHANISM).motion(DoubleDouble::from(0.0), [s[0]], [s[1]]);
-            [q[0], q[1], dq[0], dq[1]].map(|value| value.hi())
-        })
-        .collect();
-    let sizes = std::array::from_fn(|i| states.iter().map(|s| s[i].abs()).fold(0.0, f64::max));
-    let goal = Goal { states, sizes };
+    let goal = Goal::new()?;
     let runs = [
         (Scheme::Euler, 20_000),
         (Scheme::Euler, 40_000),
@@ -137,10 +127,58 @@ pub fn compare() -> Result<Vec<Line>, Failure> {
         .collect())
 }
 
+/// Drift and error by the rate of critically damped gains, b = 2 w, k = w^2, at a constant step.
+#[derive(Clone, Debug)]
+pub struct Scan {
+    pub scheme: Scheme,
+    pub steps: u32,
+    /// (h w, largest |f|, error).
+    pub points: Vec<(f64, f64, f64)>,
+}
+
+/// Euler, Runge-Kutta and the midpoint rule over the rates that they bear.
+///
+/// # Errors
+/// Where the reference broke off.
+pub fn scans() -> Result<Vec<Scan>, Failure> {
+    let goal = Goal::new()?;
+    let over = |scheme, steps| {
+        let rates = (0..40).map(|k| 10f64.powf(-3.0 + 0.1 * f64::from(k)));
+        let measured = rates.filter_map(|rate| {
+            let found = critically_damped(scheme, steps, rate, &goal).ok()?;
+            (found.error < 10.0).then_some((rate, found.drift, found.error))
+        });
+        Scan { scheme, steps, points: measured.collect() }
+    };
+    Ok(vec![over(Scheme::Euler, 20_000), over(Scheme::RungeKutta4, 1_000), over(Scheme::ImplicitMidpoint, 2_000)])
+}
+
+fn critically_damped(scheme: Scheme, steps: u32, rate: f64, goal: &Goal) -> Result<Measured, Failure> {
+    let h = SPAN / f64::from(steps);
+    let law = Law { system: &MECHANISM, damping: 2.0 * rate / h, stiffness: (rate / h).powi(2) };
+    follow(steps, &whole(&START), goal, |y| *y, |t, y, work| advance(&law, scheme, t, h, y, work))
+}
+
 /// The reference at the outputs.
 struct Goal {
     states: Vec<[f64; 4]>,
     sizes: [f64; 4],
+}
+
+impl Goal {
+    fn new() -> Result<Self, Failure> {
+        let reference = exact()?;
+        let states: Vec<[f64; 4]> = reference
+            .states
+            .iter()
+            .map(|s| {
+                let (q, dq) = Reduced(&MECHANISM).motion(DoubleDouble::from(0.0), [s[0]], [s[1]]);
+                [q[0], q[1], dq[0], dq[1]].map(|value| value.hi())
+            })
+            .collect();
+        let sizes = std::array::from_fn(|i| states.iter().map(|s| s[i].abs()).fold(0.0, f64::max));
+        Ok(Goal { states, sizes })
+    }
 }
 
 fn measure(scheme: Scheme, steps: u32, treatment: Treatment, goal: &Goal) -> Option<Result<Measured, Failure>> {
