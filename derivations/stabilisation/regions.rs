@@ -53,7 +53,7 @@ pub struct Map {
 }
 
 /// So short that the mechanism hardly moves while a violation comes or goes.
-const STEP: f64 = 1e-6;
+const STEP: f64 = 2e-7;
 /// A violation that has grown so many times would soon leave the range in which the mechanism answers linearly.
 const LOST: f64 = 300.0;
 /// The slider is put off its place by so much, m.
@@ -68,7 +68,7 @@ pub fn maps(columns: usize, rows: usize) -> Vec<Map> {
         map(Scheme::Euler, (5.0, 5.0)),
         map(Scheme::RungeKutta4, (6.0, 12.0)),
         map(Scheme::ImplicitMidpoint, (12.0, 12.0)),
-        map(Scheme::BackwardEuler, (400.0, 20_000.0)),
+        map(Scheme::BackwardEuler, (60.0, 900.0)),
     ]
 }
 
@@ -86,7 +86,7 @@ fn map(scheme: Scheme, most: (f64, f64), columns: usize, rows: usize) -> Map {
     let told = (0..rows).flat_map(cells).zip(measured.iter().flatten());
     let mistaken =
         told.filter(|((beta, kappa), fate)| decays(scheme, *beta, *kappa) == (**fate == Fate::Grows)).count();
-    let best = Some(scheme.best()).filter(|best| best.0 < most.0 && best.1 < most.1);
+    let best = scheme.best().filter(|best| best.0 < most.0 && best.1 < most.1);
     Map { scheme, most, rows: measured, edges: edges(scheme, most), best, mistaken }
 }
 
@@ -144,7 +144,7 @@ fn size(y: &[f64]) -> f64 {
     found.value[0].hypot(STEP * found.rate[0])
 }
 
-/// Where the exact conditions change: for each beta the values of kappa, joined into the lowest, the next and so on.
+/// Where the exact conditions change: for each beta the values of kappa, joined into the uppermost, the next and so on.
 fn edges(scheme: Scheme, most: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
     const FINE: usize = 600;
     let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
@@ -152,7 +152,8 @@ fn edges(scheme: Scheme, most: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
         let beta = most.0 * column as f64 / FINE as f64;
         let place = |row: usize| most.1 * (row as f64 + 0.5) / FINE as f64;
         let inside = |row: usize| decays(scheme, beta, place(row));
-        for (number, row) in (1..FINE).filter(|row| inside(*row) != inside(row - 1)).enumerate() {
+        // from above, because the upper edge goes on where a lower one begins
+        for (number, row) in (1..FINE).rev().filter(|row| inside(*row) != inside(row - 1)).enumerate() {
             let (mut low, mut high) = (place(row - 1), place(row));
             let below = decays(scheme, beta, low);
             for _ in 0..60 {

@@ -193,7 +193,7 @@ fn measure(scheme: Scheme, steps: u32, treatment: Treatment, goal: &Goal) -> Opt
         Treatment::Fastest | Treatment::Moderate => {
             let (beta, kappa) = match treatment {
                 Treatment::Moderate => (2.0 * MODERATE * h, (MODERATE * h).powi(2)),
-                _ => scheme.best(),
+                _ => scheme.best()?,
             };
             let law = gains(beta, kappa);
             follow(steps, &start, goal, |y| *y, |t, y, work| advance(&law, scheme, t, h, y, work))

@@ -1,7 +1,7 @@
 //! Studies in the report: gains of stabilised constraints, and the electromechanical drive.
 
 use charts::{AreaCurve, Areas, Panel, Study, Table, Track, Trajectory, significant};
-use derivations::stabilisation::experiment::{self, STEP, Track as Run, UNKNOWNS, bearable, most_damping, violation};
+use derivations::stabilisation::experiment::{self, STEP, Track as Run, bearable, most_damping, violation};
 use derivations::stabilisation::regions::{Fate, Map, maps};
 use derivations::stabilisation::schemes::Scheme;
 use derivations::stabilisation::treatments::{Line, SPAN, Scan, compare, scans};
@@ -56,7 +56,11 @@ fn map(map: Map) -> Areas {
         y: ("h² k".into(), [0.0, map.most.1]),
         kinds: Fate::ALL.iter().map(|fate| fate.name().into()).collect(),
         rows: map.rows.iter().map(|row| row.iter().map(place).collect()).collect(),
-        curves: map.edges.into_iter().map(|points| AreaCurve { name: "edge, exact".into(), points }).collect(),
+        curves: ["upper edge, exact", "lower edge, exact"]
+            .into_iter()
+            .zip(map.edges)
+            .map(|(name, points)| AreaCurve { name: name.into(), points })
+            .collect(),
         marks: best.into_iter().collect(),
         note: format!(
             "{note} {} of {cells} cells are on the other side of the exact edge than their run.",
@@ -121,6 +125,9 @@ fn treatments(lines: &[Line]) -> Table {
 /// The gains of the experiment: the fastest that Euler has at its step.
 const FASTEST: (f64, f64) = (2.0 / STEP, 1.0 / (STEP * STEP));
 
+/// Until the portrait of the capacitor is one thick line, s.
+const FILLS: f64 = 4.0;
+
 /// The experiment with the drive.
 pub fn drive() -> Study {
     let euler: fn(u32) -> Method = |steps| Method::Euler { steps };
@@ -144,10 +151,17 @@ pub fn drive() -> Study {
     let exact = Run { name: "exact".into(), points: exact, failure: None };
     let all = [&exact, &runs[0], &runs[1]];
     study.run = Some(in_time(&all));
-    for (title, x, y) in [("crank", 5, 6), ("slider", 7, 8)] {
-        study.pictures.push(portrait(title, &all, [UNKNOWNS[x], UNKNOWNS[y]], |state| (state[x], state[y])));
-    }
-    study.pictures.push(portrait("capacitor", &all, ["q3", "f3 = f4 - f5"], |state| (state[2], state[3] - state[4])));
+    study.pictures.push(portrait("crank", &all, ["q6, rad", "f6, rad/s"], |state| (state[5], state[6])));
+    study.pictures.push(portrait("slider", &all, ["q7, m", "f7, m/s"], |state| (state[7], state[8])));
+    let [first, second, third] = all.map(|run| Run {
+        points: run.points.iter().filter(|(time, _)| *time < FILLS).copied().collect(),
+        ..run.clone()
+    });
+    let mut filling = portrait("capacitor", &[&first, &second, &third], ["q3, A s", "f3 = f4 - f5, A"], |state| {
+        (state[2], state[3] - state[4])
+    });
+    filling.note = format!("The first {FILLS} s, in which it fills.");
+    study.pictures.push(filling);
     study.pictures.push(constraint(&all[1..]));
     study.tables.push(table(&all));
     study.note = bounds(digits);
