@@ -58,6 +58,13 @@ pub fn claims(page: &mut Page) {
     minimal(page);
 }
 
+/// u(i) as it is printed.
+fn printed_voltage(i: Sym) -> Sym {
+    let [forward, reverse, knee] = letters(["Rf", "Rr", "i0"]);
+    let root = (i.powi(2) + knee.powi(2)).sqrt();
+    (reverse + forward).half() * i - (reverse - forward) * (root - knee + i.powi(2) / root) / Sym::int(4)
+}
+
 /// The voltage of a diode: the slope of its content.
 fn voltage(drive: &CrankDrive<Sym>, current: Sym) -> Sym {
     drive.diode(Tangent::variable(current)).slope
@@ -77,7 +84,7 @@ fn equations(page: &mut Page) {
     let [_, _, q4, q5, q6, q7] = at.place;
     let [f1, f2, f4, f5, f6, f7] = at.velocity;
     let [a1, a2, a4, a5, a6, a7] = accelerations;
-    let (plus, minus) = (voltage(&drive, (f4 + f2).half()), voltage(&drive, (f4 - f2).half()));
+    let (plus, minus) = (printed_voltage((f4 + f2).half()), printed_voltage((f4 - f2).half()));
     let angle = q6.circle();
     let q3 = q4 - q5;
     let two = Sym::int(2);
@@ -118,6 +125,11 @@ fn diode(page: &mut Page) {
             Equal(resistance, forward + gap * (one - i / root).powi(2) * (two + i / root) / Sym::int(4)),
             Equal(resistance, reverse - gap * (one + i / root).powi(2) * (two - i / root) / Sym::int(4)),
         ]);
+    page.claim("diode", "voltage", r"the voltage of a diode, the slope of its content").holds([Line::formula(
+        voltage(&drive, i),
+        letter("ui"),
+        printed_voltage(i),
+    )]);
     page.claim(
         "diode",
         "rest",

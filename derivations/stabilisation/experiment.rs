@@ -99,15 +99,18 @@ pub fn violation(y: &[f64]) -> (f64, f64) {
     (found.value[0], found.rate[0])
 }
 
+/// The nine unknowns at a time, s.
+pub type Sample = (f64, [f64; 9]);
+
 /// A run: times and states after each step (the first is the start), and why it broke off, if it did.
 #[derive(Clone, Debug)]
 pub struct Track {
     pub name: String,
-    pub points: Vec<(f64, [f64; 9])>,
+    pub points: Vec<Sample>,
     pub failure: Option<Failure>,
 }
 
-struct Every<'a>(&'a mut Vec<(f64, [f64; 9])>);
+struct Every<'a>(&'a mut Vec<Sample>);
 
 impl Observer<f64> for Every<'_> {
     fn step(&mut self, time: f64, y: &[f64]) {
@@ -140,7 +143,7 @@ impl Track {
 ///
 /// # Errors
 /// Where one of them broke off.
-pub fn exact(outputs: usize) -> Result<(Vec<(f64, [f64; 9])>, f64), Failure> {
+pub fn exact(outputs: usize) -> Result<(Vec<Sample>, f64), Failure> {
     let y = start();
     let span = Span::new(0.0, SPAN, &y[..7]).with_even_outputs(outputs);
     let follow = |method| -> Result<Record<f64>, Failure> {
