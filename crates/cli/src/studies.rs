@@ -162,7 +162,7 @@ pub fn drive() -> Study {
     });
     filling.note = format!("The first {FILLS} s, in which it fills.");
     study.pictures.push(filling);
-    study.pictures.push(constraint(&all[1..]));
+    study.pictures.push(constraint(&all));
     study.tables.push(table(&all));
     study.note = bounds(digits);
     study
