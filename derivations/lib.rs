@@ -11,6 +11,7 @@
 //! * [`friction`]: motion with friction across its events;
 //! * [`governors`]: stability and series of the friction governors, for pictures;
 //! * [`regimes`]: when motion with friction is determined, as a page of claims;
+//! * [`stabilisation`]: stabilised constraints in steps, as a page of claims;
 
 pub mod derive;
 pub mod friction;
@@ -21,4 +22,5 @@ pub mod principles;
 pub mod recorded;
 pub mod regimes;
 pub mod scene;
+pub mod stabilisation;
 pub mod systems;

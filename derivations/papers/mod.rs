@@ -30,6 +30,7 @@ pub const ALL: &[Paper] = &[
     mukharlyamov2007::PAPER,
     crate::principles::PAPER,
     crate::regimes::PAPER,
+    crate::stabilisation::PAPER,
 ];
 
 /// Every paper's page, made in the calling thread.

@@ -29,6 +29,12 @@ const METHODS: &[(&str, Named, &str)] = &[
     ),
     ("gauss", Named::Stages(4, |stages| Method::Gauss { stages }), "implicit collocation, order 2s, symmetric"),
     ("runge_kutta_4", Named::Steps(|steps| Method::RungeKutta4 { steps }), "classical, so many equal steps"),
+    ("implicit_midpoint", Named::Steps(|steps| Method::ImplicitMidpoint { steps }), "symmetric, so many equal steps"),
+    (
+        "backward_euler",
+        Named::Steps(|steps| Method::BackwardEuler { steps }),
+        "implicit, damps what is stiff, so many equal steps",
+    ),
     ("euler", Named::Steps(|steps| Method::Euler { steps }), "explicit, so many equal steps"),
 ];
 

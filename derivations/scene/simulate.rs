@@ -82,7 +82,13 @@ impl Scene {
 
 /// Methods land their steps on the samples. One of constant step keeps its steps only where their number is a multiple.
 fn divisor(method: Method, samples: usize) -> usize {
-    let (Method::Euler { steps } | Method::RungeKutta4 { steps }) = method else { return samples };
+    let (Method::Euler { steps }
+    | Method::RungeKutta4 { steps }
+    | Method::BackwardEuler { steps }
+    | Method::ImplicitMidpoint { steps }) = method
+    else {
+        return samples;
+    };
     let steps = steps as usize;
     (1..=samples.min(steps)).rev().find(|samples| steps.is_multiple_of(*samples)).unwrap_or(1)
 }

@@ -1,6 +1,8 @@
 //! Mechanical systems.
 
 pub mod climbed_ladder;
+pub mod crank_drive;
+pub mod crank_slider;
 pub mod disc;
 pub mod elastic_governor;
 pub mod governor;

@@ -19,7 +19,7 @@ mod text;
 
 pub use claims::Verdict;
 pub use page::Page;
-pub use report::{ClaimRow, PaperSection, Parameter, Report, SceneSection, Table};
+pub use report::{ClaimRow, PaperSection, Parameter, Report, SceneSection, Study, Table};
 pub use svg::areas::{AreaCurve, Areas};
 pub use svg::number::{significant, tolerance};
 pub use svg::sphere::{Curve, CurvePoint, Mark, Sphere};

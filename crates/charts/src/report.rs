@@ -19,6 +19,8 @@ pub struct Report {
     pub stability: Vec<Areas>,
     /// Errors of approximations.
     pub approximations: Vec<Trajectory>,
+    /// Comparisons that are neither claims nor scenes.
+    pub studies: Vec<Study>,
     /// Where motion with friction is determined.
     pub friction: Vec<Areas>,
     /// Runs across stick, slip and detachment.
@@ -115,6 +117,22 @@ pub struct Parameter {
     /// Text, empty for a pure number.
     pub unit: String,
     pub meaning: String,
+}
+
+/// Pictures over planes, and tables, about one question.
+#[derive(Clone, Debug, Default)]
+pub struct Study {
+    /// As it may stand in a link; no two studies have the same.
+    pub id: String,
+    pub title: String,
+    /// LaTeX between dollar signs.
+    pub lead: String,
+    /// What happens in time, where the study follows something.
+    pub run: Option<Trajectory>,
+    pub pictures: Vec<Areas>,
+    pub tables: Vec<Table>,
+    /// Text below.
+    pub note: String,
 }
 
 /// A table of texts. Columns whose entries are all numbers are set flush right.

@@ -23,6 +23,7 @@ mod rough;
 mod run;
 mod scenes;
 mod sphere;
+mod studies;
 mod summary;
 mod timings;
 mod values;

@@ -72,6 +72,8 @@ pub fn family(method: Method) -> String {
     match method {
         Method::RungeKutta4 { .. } => "Runge-Kutta 4, constant step".to_owned(),
         Method::Euler { .. } => "Euler, constant step".to_owned(),
+        Method::BackwardEuler { .. } => "backward Euler, constant step".to_owned(),
+        Method::ImplicitMidpoint { .. } => "implicit midpoint, constant step".to_owned(),
         other => other.to_string(),
     }
 }

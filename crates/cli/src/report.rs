@@ -5,6 +5,7 @@ use crate::pictures;
 use crate::progress::Progress;
 use crate::rough;
 use crate::sphere;
+use crate::studies;
 use crate::timings;
 use charts::{Parameter, Report, SceneSection, Table, Verdict, WorkPrecision, significant, tolerance};
 use derivations::machines::Quantity;
@@ -49,6 +50,7 @@ pub fn write(path: &Path, folder: &Path, files: &[PathBuf], mut report: Report) 
     report.approximations = vec![pictures::series_errors(&derivations::governors::series_errors())];
     report.friction = derivations::regimes::maps::maps().into_iter().map(pictures::areas).collect();
     report.rough = side_by_side(&rough, |(id, scene)| rough::section(id, scene), |_| ());
+    report.studies = vec![studies::gains(), studies::drive()];
     report.spheres = sphere::all(scenes.iter().map(|(_, scene)| scene));
     match timings::read(folder) {
         Ok(timings) => report.timings = vec![timings],

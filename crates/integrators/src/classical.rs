@@ -3,6 +3,7 @@
 use crate::Real;
 use crate::drive::{Attempt, Stepper};
 use crate::meter::Meter;
+use field::Scalar;
 
 /// Explicit Euler, y + h f(t, y): order 1 (Euler 1768).
 pub(crate) struct Euler<S> {
@@ -18,8 +19,7 @@ impl<S: Real> Euler<S> {
 
 impl<S: Real> Stepper<S> for Euler<S> {
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &Meter<S>) -> Attempt {
-        meter.rates(tau, before, &mut self.slope);
-        advance(before, step, &self.slope, after);
+        euler_step(|t, y, dy| meter.rates(t, y, dy), tau, before, step, &mut self.slope, after);
         Attempt::Accepted { next: 0.0 }
     }
 
@@ -46,20 +46,8 @@ impl<S: Real> RungeKutta4<S> {
 
 impl<S: Real> Stepper<S> for RungeKutta4<S> {
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &Meter<S>) -> Attempt {
-        let half = step.half();
-        let [k1, k2, k3, k4] = &mut self.slopes;
-        meter.rates(tau, before, k1);
-        advance(before, half, k1, &mut self.stage);
-        meter.rates(tau + half, &self.stage, k2);
-        advance(before, half, k2, &mut self.stage);
-        meter.rates(tau + half, &self.stage, k3);
-        advance(before, step, k3, &mut self.stage);
-        meter.rates(tau + step, &self.stage, k4);
-        let sixth = step * S::ratio(1, 6);
-        for i in 0..after.len() {
-            let middle = k2[i] + k3[i];
-            after[i] = before[i] + sixth * (k1[i] + middle + middle + k4[i]);
-        }
+        let rates = |t, y: &[S], dy: &mut [S]| meter.rates(t, y, dy);
+        runge_kutta_4_step(rates, tau, before, step, &mut self.slopes, &mut self.stage, after);
         Attempt::Accepted { next: 0.0 }
     }
 
@@ -68,8 +56,47 @@ impl<S: Real> Stepper<S> for RungeKutta4<S> {
     }
 }
 
+/// One step of explicit Euler from `before` at tau, over any field; `slope` is room for f.
+pub fn euler_step<S: Scalar>(
+    mut rates: impl FnMut(S, &[S], &mut [S]),
+    tau: S,
+    before: &[S],
+    step: S,
+    slope: &mut [S],
+    after: &mut [S],
+) {
+    rates(tau, before, slope);
+    advance(before, step, slope, after);
+}
+
+/// One step of the classical Runge-Kutta method, over any field; the slopes and the stage are room for k1 .. k4 and for
+/// where they are taken.
+pub fn runge_kutta_4_step<S: Scalar>(
+    mut rates: impl FnMut(S, &[S], &mut [S]),
+    tau: S,
+    before: &[S],
+    step: S,
+    [k1, k2, k3, k4]: &mut [Vec<S>; 4],
+    stage: &mut [S],
+    after: &mut [S],
+) {
+    let half = step.half();
+    rates(tau, before, k1);
+    advance(before, half, k1, stage);
+    rates(tau + half, stage, k2);
+    advance(before, half, k2, stage);
+    rates(tau + half, stage, k3);
+    advance(before, step, k3, stage);
+    rates(tau + step, stage, k4);
+    let sixth = step * S::ratio(1, 6);
+    for i in 0..after.len() {
+        let middle = k2[i] + k3[i];
+        after[i] = before[i] + sixth * (k1[i] + middle + middle + k4[i]);
+    }
+}
+
 /// to = from + step * slope.
-pub(crate) fn advance<S: Real>(from: &[S], step: S, slope: &[S], to: &mut [S]) {
+pub(crate) fn advance<S: Scalar>(from: &[S], step: S, slope: &[S], to: &mut [S]) {
     for ((to, from), slope) in to.iter_mut().zip(from).zip(slope) {
         *to = *from + step * *slope;
     }

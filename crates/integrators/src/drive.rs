@@ -97,6 +97,9 @@ pub(crate) fn drive<S: Real>(
                 (proposed, last_cause) = (step.approx() / 4.0, Cause::Undefined);
                 watch.reject();
             }
+            Attempt::Rejected { cause, .. } if stepper.fixed().is_some() => {
+                return watch.fail(cause.failure(at, step.approx()), meter);
+            }
             Attempt::Rejected { next, cause } => {
                 (proposed, last_cause) = (next.min(step.approx() * 0.9), cause);
                 watch.reject();

@@ -10,6 +10,7 @@ use crate::implicit::Implicit;
 use crate::meter::Meter;
 use crate::rosenbrock::Rodas4;
 use crate::taylor::Taylor;
+use crate::theta::Theta;
 use crate::watch::Watch;
 use crate::{End, Failure, Method, Observer, Outcome, Real, Refusal, Span, System, Tolerance, Work, Working};
 
@@ -112,6 +113,12 @@ fn run_own<S: Working>(
         Method::Euler { steps } => drive(&mut Euler::new(length / S::int(steps.into()), n), 0.0, meter, watch),
         Method::RungeKutta4 { steps } => {
             drive(&mut RungeKutta4::new(length / S::int(steps.into()), n), 0.0, meter, watch)
+        }
+        Method::BackwardEuler { steps } => {
+            drive(&mut Theta::new(length / S::int(steps.into()), S::one(), system, n), 0.0, meter, watch)
+        }
+        Method::ImplicitMidpoint { steps } => {
+            drive(&mut Theta::new(length / S::int(steps.into()), S::ratio(1, 2), system, n), 0.0, meter, watch)
         }
         Method::GraggBulirschStoer => {
             let mut stepper = GraggBulirschStoer::new(tolerance, n);

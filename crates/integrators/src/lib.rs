@@ -10,6 +10,7 @@
 //! | method | order | stiff | double-double | from |
 //! |---|---|---|---|---|
 //! | Euler, Runge-Kutta 4 (constant step) | 1, 4 | | yes | own |
+//! | Backward Euler, implicit midpoint (constant step) | 1, 2 | yes | yes | own |
 //! | Dormand-Prince 5(4), 8(5,3) | 5, 8 | says so | | `ode_solvers` |
 //! | Verner 6(5), 9(8) | 6, 9 | | | `differential-equations` |
 //! | Gragg-Bulirsch-Stoer | varies | | yes | own |
@@ -44,10 +45,12 @@ mod rosenbrock;
 mod span;
 mod spectral;
 mod taylor;
+mod theta;
 mod tolerance;
 mod watch;
 mod work_precision;
 
+pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use failure::{Failure, Refusal};

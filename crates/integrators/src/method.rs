@@ -17,6 +17,10 @@ pub enum Method {
     Euler { steps: u32 },
     /// The classical Runge-Kutta method of order 4 with so many equal steps over the span.
     RungeKutta4 { steps: u32 },
+    /// Backward Euler with so many equal steps over the span.
+    BackwardEuler { steps: u32 },
+    /// The implicit midpoint rule with so many equal steps over the span.
+    ImplicitMidpoint { steps: u32 },
     /// Dormand-Prince 5(4), crate `ode_solvers`.
     DormandPrince5,
     /// Dormand-Prince 8(5,3), crate `ode_solvers`.
@@ -63,6 +67,8 @@ impl Method {
         match self {
             Method::Euler { .. } => Traits { order: Some(1), adaptive: false, ..adaptive },
             Method::RungeKutta4 { .. } => Traits { order: Some(4), adaptive: false, ..adaptive },
+            Method::BackwardEuler { .. } => Traits { order: Some(1), adaptive: false, implicit: true, ..adaptive },
+            Method::ImplicitMidpoint { .. } => Traits { order: Some(2), adaptive: false, implicit: true, ..adaptive },
             Method::DormandPrince5 => Traits { order: Some(5), exact: false, ..adaptive },
             Method::DormandPrince8 => Traits { order: Some(8), exact: false, ..adaptive },
             Method::Verner6 => Traits { order: Some(6), exact: false, ..adaptive },
@@ -81,7 +87,10 @@ impl Method {
     /// What no run of this method could work with.
     pub(crate) fn check(self, dimension: usize) -> Result<(), Refusal> {
         match self {
-            Method::Euler { steps: 0 } | Method::RungeKutta4 { steps: 0 } => Err(Refusal::Steps { given: 0 }),
+            Method::Euler { steps: 0 }
+            | Method::RungeKutta4 { steps: 0 }
+            | Method::BackwardEuler { steps: 0 }
+            | Method::ImplicitMidpoint { steps: 0 } => Err(Refusal::Steps { given: 0 }),
             Method::Gauss { stages } | Method::RadauIIA { stages } if !(1..=MOST_STAGES).contains(&stages) => {
                 Err(Refusal::Stages { given: stages.into(), least: 1, most: MOST_STAGES.into() })
             }
@@ -90,7 +99,11 @@ impl Method {
             {
                 Err(Refusal::TooLarge { dimension, most: MOST_UNKNOWNS / usize::from(stages) })
             }
-            Method::Rodas4 if dimension > MOST_UNKNOWNS => Err(Refusal::TooLarge { dimension, most: MOST_UNKNOWNS }),
+            Method::Rodas4 | Method::BackwardEuler { .. } | Method::ImplicitMidpoint { .. }
+                if dimension > MOST_UNKNOWNS =>
+            {
+                Err(Refusal::TooLarge { dimension, most: MOST_UNKNOWNS })
+            }
             _ => Ok(()),
         }
     }
@@ -101,6 +114,8 @@ impl fmt::Display for Method {
         match self {
             Method::Euler { steps } => write!(f, "Euler, {steps} steps"),
             Method::RungeKutta4 { steps } => write!(f, "Runge-Kutta 4, {steps} steps"),
+            Method::BackwardEuler { steps } => write!(f, "backward Euler, {steps} steps"),
+            Method::ImplicitMidpoint { steps } => write!(f, "implicit midpoint, {steps} steps"),
             Method::DormandPrince5 => write!(f, "Dormand-Prince 5(4)"),
             Method::DormandPrince8 => write!(f, "Dormand-Prince 8(5,3)"),
             Method::Verner6 => write!(f, "Verner 6(5)"),

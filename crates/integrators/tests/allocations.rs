@@ -53,7 +53,8 @@ fn the_allocations_of_a_run_do_not_depend_on_its_number_of_steps() {
     let constant = [(Method::Euler { steps: 100 }, Method::Euler { steps: 200 })];
     let constant =
         constant.into_iter().chain([(Method::RungeKutta4 { steps: 100 }, Method::RungeKutta4 { steps: 200 })]);
-    for (few, many) in constant {
+    let implicit = [(Method::BackwardEuler { steps: 100 }, Method::BackwardEuler { steps: 200 })];
+    for (few, many) in constant.chain(implicit) {
         assert_eq!(run::<f64>(few, 5.0).0, run::<f64>(many, 5.0).0, "{few}");
     }
     for method in [Method::GraggBulirschStoer, Method::Gauss { stages: 3 }, Method::RadauIIA { stages: 3 }] {

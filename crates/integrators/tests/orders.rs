@@ -40,6 +40,10 @@ fn methods_with_a_constant_step_have_their_order() {
     assert_order(Method::Euler { steps: 0 }, slope(euler(20_000), euler(40_000)), 0.1);
     let kutta = |steps| kepler(Method::RungeKutta4 { steps }, 1e-6);
     assert_order(Method::RungeKutta4 { steps: 0 }, slope(kutta(400), kutta(800)), 0.15);
+    let backward = |steps| kepler(Method::BackwardEuler { steps }, 1e-6);
+    assert_order(Method::BackwardEuler { steps: 0 }, slope(backward(20_000), backward(40_000)), 0.1);
+    let midpoint = |steps| kepler(Method::ImplicitMidpoint { steps }, 1e-6);
+    assert_order(Method::ImplicitMidpoint { steps: 0 }, slope(midpoint(1_000), midpoint(2_000)), 0.1);
 }
 
 #[test]

@@ -9,6 +9,7 @@ mod font;
 mod outline;
 mod scenes;
 mod statement;
+mod studies;
 
 use crate::{Report, Unset, svg, text::Typesetter};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -37,6 +38,7 @@ pub fn render(report: &Report) -> Page {
                 (figures::spheres(report, set))
                 (figures::stability(report, set))
                 (figures::friction(report, set))
+                @for study in &report.studies { (studies::section(study, set)) }
                 (figures::timings(report, set))
                 footer { p { (report.generated_by) } }
             }

@@ -84,6 +84,7 @@ pub(super) fn contents(report: &Report, set: &mut Typesetter) -> Markup {
                         } }
                     }
                 }
+                @for study in &report.studies { li { a href={ "#" (study.id) } { (set.text(&study.title)) } } }
                 @if !report.timings.is_empty() || !report.timings_missing.is_empty() { li { a href="#timings" { "Timings" } } }
             }
         }

@@ -6,7 +6,7 @@ use super::{
     path::polyline,
 };
 
-/// A plane of cells, each of one kind.
+/// A plane of cells, each of one kind, or a plane without cells in which curves run.
 #[derive(Clone, Debug, Default)]
 pub struct Areas {
     pub title: String,
@@ -37,6 +37,9 @@ const RIGHT: f64 = WIDTH - 14.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 330.0;
 
+/// Points beyond which dashes would hide a curve.
+const DENSE: usize = 300;
+
 impl Areas {
     /// The picture as an SVG file.
     pub fn svg(&self) -> String {
@@ -60,7 +63,7 @@ impl Areas {
             let [low, high] = self.y.1;
             for piece in curve.points.split(|(_, value)| !(low..=high).contains(value)) {
                 let points: Vec<_> = piece.iter().map(|(a, b)| (x.place(*a), y.place(*b))).collect();
-                drawing.path_with_tooltip(&polyline(&points), &format!("over o{}", number % 3), &curve.name);
+                self.stroke(&mut drawing, number, &polyline(&points), points.len(), &curve.name);
             }
         }
         for (a, b, label) in &self.marks {
@@ -74,6 +77,16 @@ impl Areas {
         drawing.height = BOTTOM + 50.0;
         self.legend(&mut drawing);
         drawing
+    }
+
+    /// Curves are dark over coloured cells, and have colours of their own where there are none.
+    fn stroke(&self, drawing: &mut Drawing, number: usize, d: &str, points: usize, tooltip: &str) {
+        if !self.rows.is_empty() {
+            return drawing.path_with_tooltip(d, &format!("over o{}", number % 3), tooltip);
+        }
+        drawing.open(&format!("s{}", number % 12));
+        drawing.path_with_tooltip(d, if points > DENSE { "line dense" } else { "line" }, tooltip);
+        drawing.close();
     }
 
     /// Neighbours of one kind in a row are one rectangle; a hair wider, lest seams show.
@@ -98,7 +111,7 @@ impl Areas {
         }
         for (number, curve) in self.curves.iter().enumerate() {
             let middle = drawing.height + 8.0;
-            drawing.path(&polyline(&[(LEFT, middle), (LEFT + 22.0, middle)]), &format!("over o{}", number % 3));
+            self.stroke(drawing, number, &polyline(&[(LEFT, middle), (LEFT + 22.0, middle)]), curve.points.len(), "");
             drawing.text((LEFT + 30.0, drawing.height + 13.0), Anchor::Start, "", &curve.name);
             drawing.height += LINE;
         }

@@ -25,6 +25,7 @@
 //! | Shulgin | redundant coordinates, T*; with the term it loses | [`redundant`], [`quasi`] |
 //!
 //! [`programmed`]: multipliers that lead violated constraints by a prescribed law instead of keeping them.
+//! [`energies`] is for systems that are given by L, D and Q in generalised coordinates instead, such as circuits.
 //! [`combining`] splits reactions with friction; [`classify`] tells what kind of constraints these are.
 
 pub mod appell;
@@ -32,6 +33,7 @@ pub mod classify;
 pub mod combining;
 pub mod contacts;
 mod distribution;
+pub mod energies;
 pub mod gauss;
 pub mod motion;
 pub mod multipliers;

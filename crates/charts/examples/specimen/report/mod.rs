@@ -22,6 +22,7 @@ pub fn specimen() -> Report {
         approximations: Vec::new(),
         friction: pictures::areas(),
         rough: Vec::new(),
+        studies: pictures::studies(),
         timings: pictures::timings(),
         timings_missing: String::new(),
     }

@@ -1,6 +1,6 @@
 //! An invented cone of axes and invented timings.
 
-use charts::{AreaCurve, Areas, Contender, Curve, CurvePoint, Mark, Sphere, TimingRow, Timings};
+use charts::{AreaCurve, Areas, Contender, Curve, CurvePoint, Mark, Sphere, Study, Table, TimingRow, Timings};
 use std::f64::consts::TAU;
 
 pub fn spheres() -> Vec<Sphere> {
@@ -50,6 +50,22 @@ fn branch(name: &str, side: f64, valued: bool) -> Curve {
 }
 
 /// Two kinds on either side of a parabola.
+pub fn studies() -> Vec<Study> {
+    vec![Study {
+        id: "invented".into(),
+        title: "An invented study".into(),
+        lead: "What is compared, with $x^2$ in it.".into(),
+        pictures: areas(),
+        tables: vec![Table {
+            caption: "Invented numbers".into(),
+            head: vec!["What".into(), "How much".into()],
+            rows: vec![vec!["one <thing>".into(), "1.5".into()]],
+        }],
+        note: "A remark.".into(),
+        ..Study::default()
+    }]
+}
+
 pub fn areas() -> Vec<Areas> {
     let below = |x: usize, y: usize| usize::from(y * 40 > x * x);
     vec![Areas {

@@ -1,0 +1,52 @@
+//! A system given by energies as a law y' = f(t, y), y = (q, q'), with its constraints stabilised or not.
+
+use field::{Analytic, Over, Scalar};
+use integrators::{Ode, System};
+use mechanics::constrained::State;
+use mechanics::constrained::energies::{Energies, Instant};
+use mechanics::constrained::programmed::{Linear, Programme};
+
+/// f'' = -b f' - k f for each constraint; Lagrange's equations where both are zero.
+#[derive(Clone, Copy, Debug)]
+pub struct Stabilised<'a, Q, const N: usize, const C: usize> {
+    pub system: &'a Q,
+    /// b, 1/s
+    pub damping: f64,
+    /// k, 1/s^2
+    pub stiffness: f64,
+}
+
+impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> Stabilised<'_, Q, N, C> {
+    /// q'' at an instant; no number where it is not determined, which every integrator refuses.
+    pub fn acceleration<S: Over<f64> + Analytic>(&self, at: &State<S, N>) -> [S; N] {
+        let programme = Linear::<f64, C> { damping: diagonal(self.damping), stiffness: diagonal(self.stiffness) };
+        let instant = Instant::of(self.system, at);
+        let wanted = programme.prescribed(at, &instant.kinematics.violation());
+        instant.leading_to(wanted).map_or([S::zero() / S::zero(); N], |reaction| reaction.acceleration)
+    }
+}
+
+fn diagonal<const C: usize>(gain: f64) -> [[f64; C]; C] {
+    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { gain } else { 0.0 }))
+}
+
+/// The state of a slice (q, q').
+pub fn state<S: Scalar, const N: usize>(time: S, y: &[S]) -> State<S, N> {
+    State { time, place: std::array::from_fn(|i| y[i]), velocity: std::array::from_fn(|i| y[N + i]) }
+}
+
+impl<S: Over<f64> + Analytic, Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> Ode<S>
+    for Stabilised<'_, Q, N, C>
+{
+    fn dimension(&self) -> usize {
+        2 * N
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        let at = state::<S, N>(t, y);
+        dy[..N].copy_from_slice(&at.velocity);
+        dy[N..].copy_from_slice(&self.acceleration(&at));
+    }
+}
+
+impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> System for Stabilised<'_, Q, N, C> {}

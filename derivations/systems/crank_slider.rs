@@ -1,0 +1,72 @@
+//! Crank and connecting rod: a crank that turns about a fixed axis drives a slider on a line through that axis.
+//!
+//! The coordinates are the crank's angle and the slider's place; the rod ties them by its length. The rod's mass is
+//! shared between its ends, which keeps its mass and its centre, so that its kinetic energy belongs to crank and slider.
+
+use field::{Analytic, Base, Over};
+use mechanics::constrained::energies::{Energies, Reducible};
+
+/// q = (angle of the crank from the slider's line, distance of the slider from the axis).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CrankSlider<P> {
+    /// J, moment of inertia of what turns, with the rod's mass at the pin
+    pub inertia: P,
+    /// m, mass of what slides, with the rod's mass at the slider
+    pub mass: P,
+    /// r
+    pub crank: P,
+    /// l > r
+    pub rod: P,
+    /// G, the greatest moment of the weight about the axis; the slider's line is horizontal
+    pub weight: P,
+}
+
+impl<P: Base> CrankSlider<P> {
+    /// T = 1/2 J theta'^2 + 1/2 m x'^2
+    pub fn kinetic<S: Over<P>>(&self, [turning, sliding]: [S; 2]) -> S {
+        (S::lift(self.inertia) * turning.squared() + S::lift(self.mass) * sliding.squared()).half()
+    }
+
+    /// P = G sin theta
+    pub fn potential<S: Over<P> + Analytic>(&self, angle: S) -> S {
+        S::lift(self.weight) * angle.circle().sin
+    }
+
+    /// f = (x - r cos theta)^2 + (r sin theta)^2 - l^2
+    pub fn closure<S: Over<P> + Analytic>(&self, [angle, slider]: [S; 2]) -> S {
+        let (point, r) = (angle.circle(), S::lift(self.crank));
+        (slider - r * point.cos).squared() + (r * point.sin).squared() - S::lift(self.rod).squared()
+    }
+
+    /// x = r cos theta + sqrt(l^2 - r^2 sin^2 theta): the slider on the far side of the axis.
+    pub fn slider<S: Over<P> + Analytic>(&self, angle: S) -> S {
+        let (point, r) = (angle.circle(), S::lift(self.crank));
+        r * point.cos + (S::lift(self.rod).squared() - (r * point.sin).squared()).sqrt()
+    }
+}
+
+impl<P: Base> Energies<2, 1> for CrankSlider<P> {
+    type Given = P;
+
+    fn lagrangian<S: Over<P> + Analytic>(&self, _time: S, q: [S; 2], dq: [S; 2]) -> S {
+        self.kinetic(dq) - self.potential(q[0])
+    }
+
+    fn dissipation<S: Over<P> + Analytic>(&self, _time: S, _q: [S; 2], _dq: [S; 2]) -> S {
+        S::zero()
+    }
+
+    fn force<S: Over<P> + Analytic>(&self, _time: S, _q: [S; 2], _dq: [S; 2]) -> [S; 2] {
+        [S::zero(); 2]
+    }
+
+    fn constraints<S: Over<P> + Analytic>(&self, _time: S, q: [S; 2]) -> [S; 1] {
+        [self.closure(q)]
+    }
+}
+
+impl<P: Base> Reducible<2, 1, 1> for CrankSlider<P> {
+    fn place<S: Over<P> + Analytic>(&self, _time: S, [angle]: [S; 1]) -> [S; 2] {
+        [angle, self.slider(angle)]
+    }
+}
