@@ -1,0 +1,58 @@
+//! The friction governors run: programme, stability, optimal stabilisation, each seen by two routes.
+
+mod elastic;
+mod programme;
+mod regulator;
+
+use derivations::systems::elastic_governor::{ElasticGovernor, Rim};
+use derivations::systems::governor::constant::{ConstantMoments, Course};
+use derivations::systems::governor::{Gearing, Governor, Moment};
+use field::{Analytic, Over, Rational, Scalar};
+use integrators::{Method, Ode, Span, System, Tolerance, integrate};
+use mechanics::bellman::{Regulator, quadratic};
+use mechanics::stability::{characteristic, hurwitz};
+use nalgebra::SMatrix;
+
+const SPEED: f64 = 2.0;
+
+fn governor(moments: [Moment<f64>; 2]) -> Governor<f64> {
+    Governor {
+        inertia: [0.6, 0.5, 0.1],
+        mass: 0.8,
+        radius: 0.2,
+        gearing: Gearing::Drum { radius: 0.5 },
+        moments,
+        push: 0.0,
+        lateral: 0.3,
+    }
+}
+
+fn steady(first: f64, second: f64) -> Governor<f64> {
+    governor([Moment::constant(first), Moment::constant(second)])
+}
+
+fn constant(governor: &Governor<f64>, start: f64) -> ConstantMoments {
+    let law = governor.small_parameter(SPEED).expect("a drum");
+    ConstantMoments { epsilon: law.epsilon, of_second: law.of_second[0], of_first: law.of_first[0], start }
+}
+
+/// rho along the programme.
+struct Programme(Governor<f64>);
+
+impl<S: Over<f64> + Analytic> Ode<S> for Programme {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        dy[0] = self.0.programme(t, y[0], S::lift(SPEED));
+    }
+}
+
+impl System for Programme {}
+
+fn run(system: &dyn System, span: &Span<'_, f64>) -> Vec<f64> {
+    let outcome = integrate(system, Method::DormandPrince8, &Tolerance::both(1e-13), span, &mut ());
+    assert_eq!(outcome.failure(), None);
+    outcome.state
+}
