@@ -7,12 +7,14 @@
 //! * [`principles`]: the principles of mechanics, equal on every system: a page of claims of the workbench's own;
 //! * [`recorded`]: a system with its laws as straight-line code;
 //! * [`scene`]: a system with a machine, data and an initial state, from a file;
+//! * [`alphabet`](mod@alphabet): the letters of a page, with LaTeX and dimensions;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
 //! * [`friction`]: motion with friction across its events;
 //! * [`governors`]: stability and series of the friction governors, for pictures;
 //! * [`regimes`]: when motion with friction is determined, as a page of claims;
 //! * [`stabilisation`]: stabilised constraints in steps, as a page of claims;
 
+pub mod alphabet;
 pub mod derive;
 pub mod friction;
 pub mod governors;

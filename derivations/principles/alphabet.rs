@@ -1,9 +1,10 @@
 //! The letters of this page with their LaTeX and dimensions.
 
+use crate::alphabet::{self, Letter};
 use symbolic::{Dimension, Sym};
 
 /// (name, LaTeX, exponents of kg, m, s). A `#` at the end of a name stands for a digit, two for a pair of them.
-const LETTERS: &[(&str, &str, [i64; 3])] = &[
+const LETTERS: &[Letter<3>] = &[
     ("t", "t", [0, 0, 1]),
     // data of the systems
     ("m", "m", [1, 0, 0]),
@@ -89,30 +90,14 @@ const LETTERS: &[(&str, &str, [i64; 3])] = &[
     ("k#", "k_#", [1, 0, -2]),
 ];
 
-fn matches(pattern: &str, name: &str) -> bool {
-    let stem = pattern.trim_end_matches('#');
-    let places = pattern.len() - stem.len();
-    name.strip_prefix(stem).is_some_and(|rest| rest.len() == places && rest.chars().all(|c| c.is_ascii_digit()))
-}
-
-fn found(name: &str) -> Option<&'static (&'static str, &'static str, [i64; 3])> {
-    LETTERS.iter().find(|(pattern, _, _)| matches(pattern, name))
-}
-
 /// The dimension of a letter; `None` for a name that the page does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
-    found(name).map(|(_, _, [kg, m, s])| Dimension::of(*kg, *m, *s, 0))
+    alphabet::dimension(LETTERS, name)
 }
 
 /// The symbol of a letter; the LaTeX comes from the table.
 pub fn letter(name: &str) -> Sym {
-    found(name).map_or_else(
-        || Sym::symbol(name),
-        |(_, latex, _)| {
-            let index: String = name.chars().filter(char::is_ascii_digit).collect();
-            Sym::named(name, &latex.replace("##", &index).replace('#', &index))
-        },
-    )
+    alphabet::letter(LETTERS, name)
 }
 
 /// Several at once.

@@ -1,10 +1,11 @@
 //! The letters of the page with their LaTeX and dimensions.
 
+use crate::alphabet::{self, Letter};
 use field::Circle;
 use symbolic::{Dimension, Hypotheses, Sym};
 
 /// (name, LaTeX, exponents of kg, m, s)
-const LETTERS: &[(&str, &str, [i64; 3])] = &[
+const LETTERS: &[Letter<3>] = &[
     ("bn", "b_n", [0, 1, -2]),
     ("bt", "b_t", [0, 1, -2]),
     ("Wnn", "W_{nn}", [-1, 0, 0]),
@@ -54,13 +55,12 @@ const LETTERS: &[(&str, &str, [i64; 3])] = &[
 
 /// The dimension of a letter; `None` for a name that the page does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
-    LETTERS.iter().find(|(known, ..)| *known == name).map(|(_, _, [kg, m, s])| Dimension::of(*kg, *m, *s, 0))
+    alphabet::dimension(LETTERS, name)
 }
 
 /// The symbol of a letter; the LaTeX comes from the table.
 pub fn letter(name: &str) -> Sym {
-    let latex = LETTERS.iter().find(|(known, ..)| *known == name).map_or(name, |(_, latex, _)| latex);
-    Sym::named(name, latex)
+    alphabet::letter(LETTERS, name)
 }
 
 /// An angle by its cosine and sine, with their relation.

@@ -1,9 +1,10 @@
 //! The letters of the page with their LaTeX and dimensions.
 
+use crate::alphabet::{self, Letter};
 use symbolic::{Dimension, Sym};
 
 /// (name, LaTeX, exponents of kg, m, s, A)
-const LETTERS: &[(&str, &str, [i64; 4])] = &[
+const LETTERS: &[Letter<4>] = &[
     // gains in steps
     ("β", r"\beta", [0, 0, 0, 0]),
     ("κ", r"\kappa", [0, 0, 0, 0]),
@@ -76,13 +77,12 @@ const LETTERS: &[(&str, &str, [i64; 4])] = &[
 
 /// The dimension of a letter; `None` for a name that the page does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
-    LETTERS.iter().find(|(known, ..)| *known == name).map(|(_, _, [kg, m, s, a])| Dimension::of(*kg, *m, *s, *a))
+    alphabet::dimension(LETTERS, name)
 }
 
 /// The symbol of a letter; the LaTeX comes from the table.
 pub fn letter(name: &str) -> Sym {
-    let latex = LETTERS.iter().find(|(known, ..)| *known == name).map_or(name, |(_, latex, _)| latex);
-    Sym::named(name, latex)
+    alphabet::letter(LETTERS, name)
 }
 
 /// Several at once.

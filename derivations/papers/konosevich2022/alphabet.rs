@@ -1,12 +1,13 @@
 //! The paper's letters with their LaTeX and dimensions, and how symbols are made of them.
 
+use crate::alphabet::{self, Letter};
 use field::{Rational, Scalar};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::One;
 use symbolic::{Dimension, Sym};
 
 /// (name, LaTeX, exponents of kg, m, s, A). A `#` at the end of a name stands for 1, 2, 3, two for a pair of them.
-const LETTERS: &[(&str, &str, [i64; 4])] = &[
+const LETTERS: &[Letter<4>] = &[
     ("ω#", r"\omega_#", [0, 0, -1, 0]),
     ("ω̇#", r"\dot\omega_#", [0, 0, -2, 0]),
     ("ν#", r"\nu_#", [0, 0, 0, 0]),
@@ -108,25 +109,12 @@ pub fn dimension(name: &str) -> Option<Dimension> {
         // the root of a moment of inertia
         return dimension("A′").map(|inertia| inertia.power(Rational::new(1, 2)));
     }
-    LETTERS.iter().find(|(pattern, _, _)| matches(pattern, name)).map(|(_, _, exponents)| place(*exponents))
-}
-
-fn matches(pattern: &str, name: &str) -> bool {
-    let stem = pattern.trim_end_matches('#');
-    let places = pattern.len() - stem.len();
-    name.strip_prefix(stem).is_some_and(|rest| rest.len() == places && rest.chars().all(|c| matches!(c, '1'..='3')))
+    alphabet::dimension(LETTERS, name)
 }
 
 /// The symbol of a letter; the LaTeX comes from the table.
 pub fn letter(name: &str) -> Sym {
-    let found = LETTERS.iter().find(|(pattern, _, _)| matches(pattern, name));
-    found.map_or_else(
-        || Sym::symbol(name),
-        |(_, latex, _)| {
-            let index: String = name.chars().filter(|c| matches!(c, '1'..='3')).collect();
-            Sym::named(name, &latex.replace("##", &index).replace('#', &index))
-        },
-    )
+    alphabet::letter(LETTERS, name)
 }
 
 /// The three components of a vector.

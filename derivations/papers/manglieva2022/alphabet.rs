@@ -1,12 +1,12 @@
 //! The paper's letters with their LaTeX and dimensions, and how symbols are made of them.
 
 use super::alphabet3;
-use claims::Point;
-use field::{Rational, Scalar};
+use crate::alphabet::{self, Letter};
+use field::Scalar;
 use symbolic::{Dimension, Hypotheses, Sym, normal};
 
 /// (name, LaTeX, exponents of kg, m, s). A `#` stands for an index 1 to 4, two for a pair of them.
-const LETTERS: &[(&str, &str, [i64; 3])] = &[
+const LETTERS: &[Letter<3>] = &[
     // points, places, speeds
     ("m", "m", [1, 0, 0]),
     ("m#", "m_#", [1, 0, 0]),
@@ -150,32 +150,21 @@ const LETTERS: &[(&str, &str, [i64; 3])] = &[
     ("Adμ", r"A_{d\mu}", [1, 2, -4]),
 ];
 
+pub use crate::alphabet::exact;
+
 /// Every letter, those of chapter 3 last.
-fn alphabet() -> impl Iterator<Item = &'static (&'static str, &'static str, [i64; 3])> {
+fn all() -> impl Iterator<Item = &'static Letter<3>> {
     LETTERS.iter().chain(alphabet3::LETTERS)
 }
 
 /// The dimension of a symbol of the paper; `None` for a name that the paper does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
-    alphabet().find(|(pattern, _, _)| matches(pattern, name)).map(|(_, _, [kg, m, s])| Dimension::of(*kg, *m, *s, 0))
-}
-
-/// Whether the name is the pattern with digits from 1 to 4 in its places.
-fn matches(pattern: &str, name: &str) -> bool {
-    let mut letters = name.chars();
-    pattern.chars().all(|wanted| match letters.next() {
-        Some(found) if wanted == '#' => matches!(found, '1'..='4'),
-        found => found == Some(wanted),
-    }) && letters.next().is_none()
+    alphabet::dimension(all(), name)
 }
 
 /// The symbol of a letter; the LaTeX comes from the table.
 pub fn letter(name: &str) -> Sym {
-    let Some((pattern, latex, _)) = alphabet().find(|(pattern, _, _)| matches(pattern, name)) else {
-        return Sym::symbol(name);
-    };
-    let places = pattern.chars().zip(name.chars()).filter(|(wanted, _)| *wanted == '#');
-    Sym::named(name, &places.fold((*latex).to_string(), |text, (_, digit)| text.replacen('#', &digit.to_string(), 1)))
+    alphabet::letter(all(), name)
 }
 
 /// Several letters at once.
@@ -196,9 +185,4 @@ pub fn tidy(expression: Sym) -> Sym {
 /// An integer.
 pub fn int(n: i64) -> Sym {
     Sym::int(n)
-}
-
-/// An exact point, as (name, numerator, denominator); the coordinates of an angle are `cos θ` and `sin θ`.
-pub fn exact<const N: usize>(values: [(&str, i64, i64); N]) -> Point {
-    Point::named(values.map(|(name, numerator, denominator)| (name.to_string(), Rational::new(numerator, denominator))))
 }

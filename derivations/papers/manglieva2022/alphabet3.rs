@@ -1,7 +1,7 @@
 //! The letters of chapter 3. Where chapters 1 and 2 use a letter for something else, its name here carries a mark.
 
 /// (name, LaTeX, exponents of kg, m, s), as in the paper's first alphabet.
-pub const LETTERS: &[(&str, &str, [i64; 3])] = &[
+pub const LETTERS: &[crate::alphabet::Letter<3>] = &[
     // governors
     ("J#", "J_#", [1, 2, 0]),
     ("R", "R", [0, 1, 0]),

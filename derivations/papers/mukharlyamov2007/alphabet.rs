@@ -1,12 +1,11 @@
 //! The paper's letters with their LaTeX and dimensions, and how symbols are made of them.
 
-use claims::Point;
-use field::Rational;
+use crate::alphabet::{self, Letter};
 use symbolic::{Dimension, Sym};
 
 /// (name, LaTeX, exponents of kg, m, s). A `#` stands for a digit, two for a pair of them. Letters that the paper uses twice
 /// have a name of their own for each meaning.
-const LETTERS: &[(&str, &str, [i64; 3])] = &[
+const LETTERS: &[Letter<3>] = &[
     ("t", "t", [0, 0, 1]),
     // 1: output Y in m, funds in kg
     ("Y", "Y", [0, 1, 0]),
@@ -179,29 +178,16 @@ const LETTERS: &[(&str, &str, [i64; 3])] = &[
     ("Δ", r"\Delta", [1, 2, -1]),
 ];
 
-fn found(name: &str) -> Option<&'static (&'static str, &'static str, [i64; 3])> {
-    LETTERS.iter().find(|(pattern, _, _)| matches(pattern, name))
-}
+pub use crate::alphabet::exact;
 
 /// The dimension of a symbol of the paper; `None` for a name that the paper does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
-    found(name).map(|(_, _, [kg, m, s])| Dimension::of(*kg, *m, *s, 0))
-}
-
-/// Whether the name is the pattern with digits in its places.
-fn matches(pattern: &str, name: &str) -> bool {
-    let mut letters = name.chars();
-    pattern.chars().all(|wanted| match letters.next() {
-        Some(found) if wanted == '#' => found.is_ascii_digit(),
-        found => found == Some(wanted),
-    }) && letters.next().is_none()
+    alphabet::dimension(LETTERS, name)
 }
 
 /// The symbol of a letter; the LaTeX comes from the table.
 pub fn letter(name: &str) -> Sym {
-    let Some((pattern, latex, _)) = found(name) else { return Sym::symbol(name) };
-    let places = pattern.chars().zip(name.chars()).filter(|(wanted, _)| *wanted == '#');
-    Sym::named(name, &places.fold((*latex).to_string(), |text, (_, digit)| text.replacen('#', &digit.to_string(), 1)))
+    alphabet::letter(LETTERS, name)
 }
 
 /// Several letters at once.
@@ -218,11 +204,6 @@ pub fn indexed<const N: usize>(pattern: &str) -> [Sym; N] {
 pub fn int(n: i64) -> Sym {
     use field::Scalar;
     Sym::int(n)
-}
-
-/// An exact point, as (name, numerator, denominator).
-pub fn exact<const N: usize>(values: [(&str, i64, i64); N]) -> Point {
-    Point::named(values.map(|(name, numerator, denominator)| (name.to_string(), Rational::new(numerator, denominator))))
 }
 
 /// sum of a_i b_i
