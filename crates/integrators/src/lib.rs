@@ -19,6 +19,9 @@
 //! | Radau5, Kvaerno 5(4) | 5 | yes | | `differential-equations` |
 //! | Rodas4 | 4 | yes | | own |
 //!
+//! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
+//! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
+//!
 //! Key results: every method has its order on nonlinear laws (`tests/orders.rs`), its outputs are as accurate as its end,
 //! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double
 //! gives 26 digits at any stiffness in milliseconds.
@@ -30,6 +33,7 @@ mod drive;
 mod events;
 mod failure;
 mod gragg;
+mod held;
 mod implicit;
 mod integrate;
 mod jacobian;
@@ -54,6 +58,7 @@ pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use failure::{Failure, Refusal};
+pub use held::{Held, HeldSystem, Holding, hold, integrate_projected};
 pub use integrate::{integrate, integrate_in};
 pub use jacobian::Jacobian;
 pub use method::{MOST_STAGES, Method, Traits};

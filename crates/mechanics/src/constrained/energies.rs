@@ -101,7 +101,7 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
     /// # Errors
     /// [`NotDefinite`] names the first coordinate without mass, or the first constraint that depends on those before it.
     pub fn leading_to(&self, wanted: [S; C]) -> Result<Reaction<S, N, C>, NotDefinite> {
-        let free = solve(self.mass, self.force)?;
+        let free = self.free()?;
         let missing =
             std::array::from_fn(|k| wanted[k] - self.kinematics.curvature[k] - dot(self.kinematics.rows[k], free));
         let (multipliers, change) = self.least(missing)?;
@@ -116,12 +116,29 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
         self.least(missing).map(|(_, change)| change)
     }
 
-    /// mu and d = M^-1 J^T mu with J d = missing.
-    fn least(&self, missing: [S; C]) -> Result<([S; C], [S; N]), NotDefinite> {
+    /// M^-1 F: q'' without constraints.
+    ///
+    /// # Errors
+    /// [`NotDefinite`] names the first coordinate without mass.
+    pub fn free(&self) -> Result<[S; N], NotDefinite> {
+        solve(self.mass, self.force)
+    }
+
+    /// M^-1 J^T, a constraint after the other: where the reactions push.
+    ///
+    /// # Errors
+    /// As for [`Self::free`].
+    pub fn pushes(&self) -> Result<[[S; N]; C], NotDefinite> {
         let mut pushes = [[S::zero(); N]; C];
         for (push, row) in pushes.iter_mut().zip(self.kinematics.rows) {
             *push = solve(self.mass, row)?;
         }
+        Ok(pushes)
+    }
+
+    /// mu and d = M^-1 J^T mu with J d = missing.
+    fn least(&self, missing: [S; C]) -> Result<([S; C], [S; N]), NotDefinite> {
+        let pushes = self.pushes()?;
         let multipliers = solve(self.kinematics.rows.map(|row| pushes.map(|push| dot(row, push))), missing)?;
         let change = std::array::from_fn(|i| (0..C).fold(S::zero(), |sum, k| sum + multipliers[k] * pushes[k][i]));
         Ok((multipliers, change))
