@@ -3,7 +3,7 @@
 use field::{Analytic, Over, Scalar};
 use integrators::{Held, HeldSystem, Ode, System};
 use mechanics::constrained::State;
-use mechanics::constrained::energies::{Energies, Instant, Kinematics};
+use mechanics::constrained::energies::{Energies, Instant, violation};
 use mechanics::constrained::gear_gupta_leimkuhler::Extended;
 use mechanics::constrained::programmed::{Linear, Programme};
 
@@ -86,7 +86,7 @@ impl<S: Over<f64> + Analytic, Q: Energies<N, C, Given = f64>, const N: usize, co
     }
 
     fn constraints(&self, t: S, y: &[S], g: &mut [S]) {
-        let found = Kinematics::of(self.0, &state::<S, N>(t, y));
+        let found = violation(self.0, &state::<S, N>(t, y));
         g[..C].copy_from_slice(&found.value);
         g[C..].copy_from_slice(&found.rate);
     }

@@ -5,7 +5,7 @@
 //! well-kept crates, and the methods that no crate has, over `f64` and double-double alike ([`integrate_in`]). A run has
 //! a budget, is shown to an [`Observer`], and ends in an [`Outcome`] that either reached its end or names one of a closed
 //! set of failures, with the last good state. What a method is measured by is a [`reference()`]: two methods of different
-//! families in double-double, with the digits they share; [`work_precision()`] measures.
+//! families in double-double, with the digits they share; [`judge`] finds errors, [`measure`] times.
 //!
 //! | method | order | stiff | double-double | from |
 //! |---|---|---|---|---|
@@ -40,6 +40,7 @@ mod jacobian;
 mod lu;
 mod meter;
 mod method;
+mod newton;
 mod observer;
 mod ode;
 mod outcome;
@@ -51,6 +52,7 @@ mod spectral;
 mod taylor;
 mod theta;
 mod tolerance;
+mod turns;
 mod watch;
 mod work_precision;
 
@@ -70,4 +72,5 @@ pub use reference::{ENOUGH_DIGITS, Reference, reference};
 pub use span::{Budget, Monitor, Quantity, Span};
 pub use taylor::TaylorSeries;
 pub use tolerance::{Absolute, Tolerance};
-pub use work_precision::{Point, work_precision};
+pub use turns::{Median, taking_turns};
+pub use work_precision::{Point, judge, measure};

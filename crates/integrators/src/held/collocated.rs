@@ -4,15 +4,14 @@
 //! the residuals are those of the run's field. Newton goes on until rounding stops it.
 
 use super::Whole;
-use super::onto::{Onto, settled};
+use super::onto::Onto;
 use crate::collocation::{Collocation, Family};
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::jacobian::Jacobian;
 use crate::lu::Lu;
 use crate::meter::Meter;
+use crate::newton::Newton;
 use crate::{Directions, Real};
-
-const MOST_ITERATIONS: usize = 30;
 
 pub(super) struct Collocated<'a, S> {
     method: Collocation<S>,
@@ -50,15 +49,18 @@ impl<'a, S: Real> Collocated<'a, S> {
         }
     }
 
-    /// Residuals and Jacobians at the stages as they stand.
-    fn evaluate(&mut self, tau: S, before: &[S], step: S, meter: &Meter<S>) {
+    /// Residuals, and Jacobians if they are wanted, at the stages as they stand.
+    fn evaluate(&mut self, tau: S, before: &[S], step: S, jacobians: bool, meter: &Meter<S>) {
         let (n, one) = (self.onto.n, self.stage.len());
         for (j, rates) in self.rates.chunks_mut(one).enumerate() {
             self.stage.copy_from_slice(&self.unknowns[j * one..][..one]);
             self.stage[..n].iter_mut().zip(before).for_each(|(stage, before)| *stage += *before);
-            self.plain.iter_mut().zip(&self.stage).for_each(|(plain, y)| *plain = y.approx());
             let at = tau + step * self.method.nodes[j];
             meter.rates(at, &self.stage, rates);
+            if !jacobians {
+                continue;
+            }
+            self.plain.iter_mut().zip(&self.stage).for_each(|(plain, y)| *plain = y.approx());
             let matrix = &mut self.jacobians[j * one * one..][..one * one];
             self.jacobian.matrix(meter.time(at).approx(), &self.plain, matrix);
             matrix.iter_mut().for_each(|entry| *entry *= meter.direction.approx());
@@ -66,7 +68,7 @@ impl<'a, S: Real> Collocated<'a, S> {
         }
     }
 
-    /// The factors of Newton's matrix, and the right side of its equations.
+    /// The factors of Newton's matrix.
     fn linearise(&mut self, step: S, meter: &Meter<S>) -> Result<(), Cause> {
         let (n, one) = (self.onto.n, self.stage.len());
         if !self.jacobians.iter().all(|slope| slope.is_finite()) {
@@ -85,35 +87,45 @@ impl<'a, S: Real> Collocated<'a, S> {
             if c < n {
                 entries[row] += 1.0;
             }
-            self.correction[row] = if c < n {
+        }
+        meter.count_factorisation();
+        if self.lu.factorise() { Ok(()) } else { Err(Cause::Singular) }
+    }
+
+    /// The right side of Newton's equations, and their solution.
+    fn solve(&mut self, step: S) {
+        let (n, one) = (self.onto.n, self.stage.len());
+        for (row, correction) in self.correction.iter_mut().enumerate() {
+            let (i, c) = (row / one, row % one);
+            *correction = if c < n {
                 let moved = self.method.matrix[i].iter().zip(self.rates.chunks(one));
                 moved.fold(-self.unknowns[row], |sum, (a, rates)| sum + step * *a * rates[c]).approx()
             } else {
                 self.rates[row].approx()
             };
         }
-        meter.count_factorisation();
-        if self.lu.factorise() { Ok(()) } else { Err(Cause::Singular) }
+        self.lu.solve(&mut self.correction);
     }
 
     fn iterate(&mut self, tau: S, before: &[S], step: S, meter: &Meter<S>) -> Result<(), Cause> {
         let (n, one) = (self.onto.n, self.stage.len());
-        let size_of = before.iter().fold(f64::MIN_POSITIVE, |scale, y| scale.max(y.approx().abs()));
-        let mut last = f64::INFINITY;
-        for _ in 0..MOST_ITERATIONS {
-            self.evaluate(tau, before, step, meter);
-            self.linearise(step, meter)?;
-            self.lu.solve(&mut self.correction);
+        let scale = before.iter().fold(0.0_f64, |scale, y| scale.max(y.approx().abs()));
+        let mut newton = Newton::new();
+        loop {
+            let renewed = newton.wants_matrix();
+            self.evaluate(tau, before, step, renewed, meter);
+            if renewed {
+                self.linearise(step, meter)?;
+            }
+            self.solve(step);
             self.unknowns.iter_mut().zip(&self.correction).for_each(|(u, d)| *u += S::lift(*d));
             // the multipliers are as good as rounding of y over h allows: y alone tells when it is reached
             let moved = self.correction.chunks(one).flat_map(|stage| &stage[..n]);
             let size = moved.fold(0.0_f64, |size, d| if d.is_nan() { *d } else { size.max(d.abs()) });
-            match settled::<S>(size, last, size_of) {
-                Some(settled) => return settled,
-                None => last = size,
+            if newton.corrected::<S>(size, scale)? {
+                return Ok(());
             }
         }
-        Err(Cause::Newton)
     }
 }
 

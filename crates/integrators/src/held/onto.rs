@@ -5,14 +5,10 @@ use crate::drive::Cause;
 use crate::jacobian::{slope, variable};
 use crate::lu::Lu;
 use crate::meter::Meter;
+use crate::newton::Newton;
 use crate::{DIRECTIONS, Directions, Real};
 
-/// Corrections after which Newton's iteration counts as lost.
-const MOST_CORRECTIONS: usize = 30;
-/// The last correction, relative to the state, beyond which the iteration has not converged.
-pub(super) const CONVERGED: f64 = 1e-9;
-
-/// Newton's iteration for d, until rounding stops it, with the exact derivative of g at each iterate.
+/// Newton's iteration for d, until rounding stops it, with the exact derivative of g.
 pub(super) struct Onto<'a, S> {
     pub law: &'a dyn Held<S>,
     varied: &'a dyn Held<Directions>,
@@ -65,23 +61,17 @@ impl<'a, S: Real> Onto<'a, S> {
     pub fn bring(&mut self, tau: S, y: &mut [S], meter: &Meter<S>) -> Result<(), Cause> {
         let t = meter.time(tau);
         self.moved.fill(S::zero());
-        let mut last = f64::INFINITY;
-        for _ in 0..MOST_CORRECTIONS {
+        let mut newton = Newton::new();
+        loop {
             self.law.constraints(t, y, &mut self.g);
-            self.derive(t.approx(), y);
             meter.count_constraints();
-            let (n, columns, rows) = (self.n, &self.columns, &self.rows);
-            for (row, entries) in rows.chunks(n).zip(self.lu.rows()) {
-                for (entry, column) in entries.iter_mut().zip(columns.chunks(n)) {
-                    *entry = row.iter().zip(column).map(|(a, b)| a * b.approx()).sum();
-                }
+            if newton.wants_matrix() {
+                self.linearise(t.approx(), y, meter)?;
             }
-            if !self.lu.factorise() {
-                return Err(Cause::Singular);
-            }
+            let n = self.n;
             self.correction.iter_mut().zip(&self.g).for_each(|(d, g)| *d = -g.approx());
             self.lu.solve(&mut self.correction);
-            let (mut size, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
+            let (mut size, mut scale) = (0.0_f64, 0.0_f64);
             for (c, y) in y.iter_mut().enumerate() {
                 let columns = self.columns.chunks(n).zip(&self.correction);
                 let change = columns.fold(S::zero(), |sum, (column, d)| sum + column[c] * S::lift(*d));
@@ -91,12 +81,22 @@ impl<'a, S: Real> Onto<'a, S> {
                 scale = scale.max(y.approx().abs());
             }
             self.moved.iter_mut().zip(&self.correction).for_each(|(moved, d)| *moved += S::lift(*d));
-            match settled::<S>(size, last, scale) {
-                Some(settled) => return settled,
-                None => last = size,
+            if newton.corrected::<S>(size, scale)? {
+                return Ok(());
             }
         }
-        Err(Cause::Newton)
+    }
+
+    /// The factors of g_y B at (t, y).
+    fn linearise(&mut self, t: f64, y: &[S], meter: &Meter<S>) -> Result<(), Cause> {
+        self.derive(t, y);
+        for (row, entries) in self.rows.chunks(self.n).zip(self.lu.rows()) {
+            for (entry, column) in entries.iter_mut().zip(self.columns.chunks(self.n)) {
+                *entry = row.iter().zip(column).map(|(a, b)| a * b.approx()).sum();
+            }
+        }
+        meter.count_factorisation();
+        if self.lu.factorise() { Ok(()) } else { Err(Cause::Singular) }
     }
 
     /// g_y at (t, y).
@@ -113,13 +113,4 @@ impl<'a, S: Real> Onto<'a, S> {
             block.for_each(|c| self.y[c] = Directions::from_re(y[c].approx()));
         }
     }
-}
-
-/// Whether Newton's iteration has reached rounding, by its last two corrections; none while it goes on.
-pub(super) fn settled<S: Real>(size: f64, last: f64, scale: f64) -> Option<Result<(), Cause>> {
-    if !(size / scale).is_finite() {
-        return Some(Err(Cause::Undefined));
-    }
-    let reached = size <= 2.0 * S::EPSILON * scale || (size >= 0.5 * last && last <= CONVERGED * scale);
-    reached.then_some(Ok(()))
 }

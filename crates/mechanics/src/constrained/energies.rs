@@ -30,6 +30,15 @@ pub trait Energies<const N: usize, const C: usize> {
     fn constraints<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; N]) -> [S; C];
 }
 
+/// f and f' of a system at t, q, q', without derivatives by the coordinates.
+pub fn violation<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
+    system: &Q,
+    at: &State<S, N>,
+) -> Violation<S, C> {
+    let moved = system.constraints(Tangent::variable(at.time), along(at.place, at.velocity));
+    Violation { value: moved.map(|f| f.value), rate: moved.map(|f| f.slope) }
+}
+
 /// Everything that the equations of motion contain, at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instant<S, const N: usize, const C: usize> {
