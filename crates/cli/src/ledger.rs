@@ -50,8 +50,14 @@ pub fn all() -> Vec<(&'static Paper, Vec<Judged>)> {
     papers::ALL.iter().map(|paper| (paper, (paper.page)().judge())).collect()
 }
 
-/// A paper's section of the report.
-pub fn section(paper: &Paper, judged: &[Judged]) -> PaperSection {
+/// A paper's section of the report, and whether every claim in it is sound.
+pub fn judged(paper: &Paper) -> (PaperSection, bool) {
+    let judged = (paper.page)().judge();
+    let sound = judged.iter().all(|claim| claim.sound().is_ok());
+    (section(paper, &judged), sound)
+}
+
+fn section(paper: &Paper, judged: &[Judged]) -> PaperSection {
     PaperSection {
         id: paper.key.into(),
         title: paper.title.into(),

@@ -1,68 +1,142 @@
 //! The report: one page with the ledger of every paper and the runs and charts of every scene.
 
+use crate::crew::Crew;
 use crate::ending::{Ending, save};
+use crate::ledger;
 use crate::pictures;
 use crate::progress::Progress;
 use crate::rough;
 use crate::sphere;
-use crate::studies;
+use crate::studies::{Drive, Gains};
 use crate::timings;
-use charts::{Parameter, Report, SceneSection, Table, Verdict, WorkPrecision, significant, tolerance};
+use charts::{
+    Areas, PaperSection, Parameter, Report, SceneSection, Sphere, Table, Verdict, WorkPrecision, significant, tolerance,
+};
 use derivations::machines::Quantity;
-use derivations::scene::{AnyScene, Axes, Scene, Trajectory, Trials};
-use integrators::{Failure, Reference};
+use derivations::scene::{AnyScene, Axes, Measured, Scene, Trajectory, Trials};
+use derivations::{friction::RoughScene, governors, papers, regimes};
+use integrators::Failure;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
 use std::time::Duration;
 
-/// Runs and charts the scenes, adds them to a report that holds the ledger, and writes the page.
-pub fn write(path: &Path, folder: &Path, files: &[PathBuf], mut report: Report) -> Result<Ending, Ending> {
+/// Judges the ledger, runs and charts the scenes, and writes the page.
+pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, Ending> {
     // all are read before the first is run: what is wrong is told at once
     let (mut scenes, mut rough) = (Vec::new(), Vec::new());
     for file in files {
         match AnyScene::open(file)? {
             AnyScene::Driven(scene) => scenes.push((id(file), *scene)),
-            AnyScene::Rough(scene) => rough.push((id(file), scene)),
+            AnyScene::Rough(scene) => rough.push((id(file), *scene)),
         }
     }
-    let mut progress = Progress::new("runs and references");
-    let prepared = side_by_side(&scenes, prepare, |done| progress.set(REFERENCES * done));
+    let mut parts = Parts::of(&scenes, &rough);
+    let mut progress = Progress::new("ledger, runs, references, maps");
+    parts.compute(&scenes, &rough, |done| progress.set(done));
     drop(progress);
-    let mut progress = Progress::new("methods measured");
-    let (mut all_reached, mut digits) = (true, f64::INFINITY);
-    for (done, ((_, scene), Prepared { mut section, reached, reference })) in scenes.iter().zip(prepared).enumerate() {
-        progress.set(REFERENCES + (1.0 - REFERENCES) * done as f64 / scenes.len() as f64);
-        all_reached &= reached && reference.is_ok();
-        match reference {
-            Ok(reference) => {
-                digits = digits.min(reference.digits);
-                let measured = scene.measure_by(reference, Axes::First, &Trials::default());
-                section.work = pictures::work_precision(scene, &measured).into();
-                section.note = pictures::measured_by(scene, &measured);
-            }
-            Err(failure) => section.note = format!("No chart, because the reference stopped: {failure}."),
-        }
-        report.scenes.push(section);
-    }
+    let mut progress = Progress::new("methods timed");
+    parts.take_times(&scenes, |done| progress.set(done));
     drop(progress);
-    report.stability = derivations::governors::stability().into_iter().map(pictures::stability).collect();
-    report.approximations = vec![pictures::series_errors(&derivations::governors::series_errors())];
-    report.friction = derivations::regimes::maps::maps().into_iter().map(pictures::areas).collect();
-    report.rough = side_by_side(&rough, |(id, scene)| rough::section(id, scene), |_| ());
-    report.studies = vec![studies::gains(), studies::drive()];
-    report.spheres = sphere::all(scenes.iter().map(|(_, scene)| scene));
-    match timings::read(folder) {
-        Ok(timings) => report.timings = vec![timings],
-        Err(reason) => report.timings_missing = reason,
-    }
-    report.summary = format!("{} {}", report.summary, found(&report, digits));
+    let sound = parts.papers.iter().flatten().all(|(_, sound)| *sound);
+    let reached = parts.prepared.iter().flatten().all(|one| one.reached && one.measured.is_ok());
+    let report = parts.report(&scenes, folder);
     save(path, &charts::page::render(&report).html)?;
-    Ok(if all_reached { Ending::Done } else { Ending::Stopped })
+    Ok(if sound && reached { Ending::Done } else { Ending::Stopped })
 }
 
-/// The share of the work that comes before the measurements.
-const REFERENCES: f64 = 0.1;
+/// What the page is made of. Most parts wait for nothing and are computed side by side; times are taken afterwards,
+/// while nothing else runs.
+struct Parts {
+    papers: Vec<Option<(PaperSection, bool)>>,
+    prepared: Vec<Option<Prepared>>,
+    rough: Vec<Option<SceneSection>>,
+    stability: Option<Vec<Areas>>,
+    approximations: Option<charts::Trajectory>,
+    friction: Option<Vec<Areas>>,
+    spheres: Option<Vec<Sphere>>,
+    gains: Gains,
+    drive: Drive,
+}
+
+impl Parts {
+    fn of(scenes: &[(String, Scene)], rough: &[(String, RoughScene)]) -> Self {
+        Parts {
+            papers: papers::ALL.iter().map(|_| None).collect(),
+            prepared: scenes.iter().map(|_| None).collect(),
+            rough: rough.iter().map(|_| None).collect(),
+            stability: None,
+            approximations: None,
+            friction: None,
+            spheres: None,
+            gains: Gains::default(),
+            drive: Drive::default(),
+        }
+    }
+
+    fn compute(&mut self, scenes: &[(String, Scene)], rough: &[(String, RoughScene)], done: impl FnMut(f64)) {
+        let mut crew = Crew::default();
+        for (place, paper) in self.papers.iter_mut().zip(papers::ALL) {
+            crew.add(0.5, place, move || ledger::judged(paper));
+        }
+        for (place, scene) in self.prepared.iter_mut().zip(scenes) {
+            crew.add(0.7, place, move || prepare(scene));
+        }
+        for (place, (id, scene)) in self.rough.iter_mut().zip(rough) {
+            crew.add(0.1, place, move || rough::section(id, scene));
+        }
+        self.gains.enlist(&mut crew);
+        self.drive.enlist(&mut crew);
+        crew.add(0.4, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
+        crew.add(0.4, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
+        crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
+        crew.add(0.2, &mut self.spheres, || sphere::all(scenes.iter().map(|(_, scene)| scene)));
+        crew.work(done);
+    }
+
+    fn take_times(&mut self, scenes: &[(String, Scene)], mut done: impl FnMut(f64)) {
+        let whole = (scenes.len() + 1) as f64;
+        for (count, ((_, scene), prepared)) in scenes.iter().zip(self.prepared.iter_mut().flatten()).enumerate() {
+            if let Ok(measured) = &mut prepared.measured {
+                scene.take_times(measured, Axes::First, &Trials::default());
+            }
+            done((count + 1) as f64 / whole);
+        }
+        self.gains.take_times();
+    }
+
+    fn report(self, scenes: &[(String, Scene)], folder: &Path) -> Report {
+        let mut report = titled("dalembert", SUMMARY);
+        let mut digits = f64::INFINITY;
+        for ((_, scene), Prepared { mut section, measured, .. }) in
+            scenes.iter().zip(self.prepared.into_iter().flatten())
+        {
+            match measured {
+                Ok(measured) => {
+                    digits = digits.min(measured.reference.digits);
+                    section.work = pictures::work_precision(scene, &measured).into();
+                    section.note = pictures::measured_by(scene, &measured);
+                }
+                Err(failure) => section.note = format!("No chart, because the reference stopped: {failure}."),
+            }
+            report.scenes.push(section);
+        }
+        report.papers = self.papers.into_iter().flatten().map(|(section, _)| section).collect();
+        report.rough = self.rough.into_iter().flatten().collect();
+        report.stability = self.stability.unwrap_or_default();
+        report.approximations = self.approximations.into_iter().collect();
+        report.friction = self.friction.unwrap_or_default();
+        report.spheres = self.spheres.unwrap_or_default();
+        report.studies = vec![self.gains.study(), self.drive.study()];
+        match timings::read(folder) {
+            Ok(timings) => report.timings = vec![timings],
+            Err(reason) => report.timings_missing = reason,
+        }
+        report.summary = format!("{} {}", report.summary, found(&report, digits));
+        report
+    }
+}
+
+const SUMMARY: &str = "Equations of motion derived from bodies and energies; every statement of a paper judged by exact \
+                       arithmetic; every method on every scene measured by a reference that two methods confirm.";
 /// References share the processors, so that one of them has less than when it is alone.
 const PATIENCE: Duration = Duration::from_secs(15);
 
@@ -102,32 +176,6 @@ fn counted(report: &Report) -> String {
     present.map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// Does the same to all scenes, as many at a time as there are processors; results in the scenes' order.
-fn side_by_side<S: Sync, T: Send>(items: &[S], work: impl Fn(&S) -> T + Sync, mut done: impl FnMut(f64)) -> Vec<T> {
-    let next = AtomicUsize::new(0);
-    let mut results: Vec<Option<T>> = items.iter().map(|_| None).collect();
-    std::thread::scope(|scope| {
-        let (sender, receiver) = mpsc::channel();
-        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from).min(items.len()) {
-            let (sender, next, work) = (sender.clone(), &next, &work);
-            scope.spawn(move || {
-                while let Some((at, item)) =
-                    Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|at| Some((at, items.get(at)?)))
-                {
-                    // the other end lives as long as this scope
-                    let _ = sender.send((at, work(item)));
-                }
-            });
-        }
-        drop(sender);
-        for (count, (at, result)) in receiver.iter().enumerate() {
-            results[at] = Some(result);
-            done((count + 1) as f64 / items.len() as f64);
-        }
-    });
-    results.into_iter().flatten().collect()
-}
-
 /// A page with nothing but a scene and its charts.
 pub fn of_scene(scene: &Scene, work: Vec<WorkPrecision>, note: String) -> String {
     let run = scene.simulate(&scene.choice(), |_| ());
@@ -142,18 +190,20 @@ pub fn titled(title: &str, summary: &str) -> Report {
     Report { title: title.to_owned(), summary: summary.to_owned(), generated_by, ..Default::default() }
 }
 
-/// A scene's section without its charts, whether its run reached the end, and what its methods are measured by.
+/// A scene's section without its charts, whether its run reached the end, and the errors of its methods.
 struct Prepared {
     section: SceneSection,
     reached: bool,
-    reference: Result<Reference, Failure>,
+    measured: Result<Measured, Failure>,
 }
 
 fn prepare((id, scene): &(String, Scene)) -> Prepared {
     let run = scene.simulate(&scene.choice(), |_| ());
     let mut section = described(id, scene, &run);
     section.tables.extend(ladder(scene, &run));
-    Prepared { section, reached: run.outcome.reached(), reference: scene.reference(Axes::First, PATIENCE) }
+    let reference = scene.reference(Axes::First, PATIENCE);
+    let measured = reference.map(|reference| scene.judge_by(reference, Axes::First, &Trials::default()));
+    Prepared { section, reached: run.outcome.reached(), measured }
 }
 
 fn described(id: &str, scene: &Scene, run: &Trajectory) -> SceneSection {
