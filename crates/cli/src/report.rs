@@ -75,18 +75,18 @@ impl Parts {
     fn compute(&mut self, scenes: &[(String, Scene)], rough: &[(String, RoughScene)], done: impl FnMut(f64)) {
         let mut crew = Crew::default();
         for (place, paper) in self.papers.iter_mut().zip(papers::ALL) {
-            crew.add(0.5, place, move || ledger::judged(paper));
+            crew.add(1.0, place, move || ledger::judged(paper));
         }
         for (place, scene) in self.prepared.iter_mut().zip(scenes) {
-            crew.add(0.7, place, move || prepare(scene));
+            crew.add(1.5, place, move || prepare(scene));
         }
         for (place, (id, scene)) in self.rough.iter_mut().zip(rough) {
-            crew.add(0.1, place, move || rough::section(id, scene));
+            crew.add(0.3, place, move || rough::section(id, scene));
         }
         self.gains.enlist(&mut crew);
         self.drive.enlist(&mut crew);
-        crew.add(0.4, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
-        crew.add(0.4, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
+        crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
+        crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
         crew.add(0.2, &mut self.spheres, || sphere::all(scenes.iter().map(|(_, scene)| scene)));
         crew.work(done);

@@ -9,7 +9,7 @@ const ENOUGH: usize = 15;
 /// Measurements without which there is no median, and what they must add up to if they are no more: a long run meets
 /// many moments of the machine by itself.
 const FEWEST: usize = 3;
-const LONG: Duration = Duration::from_millis(40);
+const LONG: Duration = Duration::from_millis(25);
 
 /// The median of a run's times.
 #[derive(Clone, Copy, Debug, PartialEq)]

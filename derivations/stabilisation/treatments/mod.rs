@@ -57,7 +57,7 @@ impl Treatment {
             Treatment::IndexReduction => "index reduction".into(),
             Treatment::Fastest => "stabilised, fastest decay".into(),
             Treatment::Moderate => format!("stabilised, w = {MODERATE}/s"),
-            Treatment::MostAccurate { rate } => format!("stabilised, least error: w = {rate:.3e}/s"),
+            Treatment::MostAccurate { rate } => format!("stabilised, least error: w = {rate:.2}/s"),
             Treatment::Projected => "projection, place and velocity".into(),
             Treatment::GearGuptaLeimkuhler => "Gear-Gupta-Leimkuhler".into(),
             Treatment::Minimal => "minimal coordinates".into(),
@@ -90,11 +90,15 @@ pub const RUNS: [(Scheme, u32); 8] = [
     (Scheme::BackwardEuler, 4_000),
 ];
 
+/// One treatment; none where the combination does not exist, a failure where the run broke off.
+pub fn measure(scheme: Scheme, steps: u32, treatment: Treatment, goal: &Goal) -> Option<Result<Measured, Failure>> {
+    Run::new(scheme, steps, treatment).map(|run| run.measure(goal))
+}
+
 /// One method at one step with every treatment.
 pub fn compare(scheme: Scheme, steps: u32, scan: &Scan, goal: &Goal) -> Vec<Line> {
-    let scanned = scan.best().map(|best| Treatment::MostAccurate { rate: best.rate });
-    let measure = |treatment| Run::new(scheme, steps, treatment).map(|run| run.measure(goal));
     let mut treatments = Treatment::PLAIN.to_vec();
-    treatments.splice(3..3, scanned);
-    treatments.into_iter().map(|treatment| Line { scheme, steps, treatment, measured: measure(treatment) }).collect()
+    treatments.splice(3..3, scan.best().map(|best| Treatment::MostAccurate { rate: best.rate }));
+    let line = |treatment| Line { scheme, steps, treatment, measured: measure(scheme, steps, treatment, goal) };
+    treatments.into_iter().map(line).collect()
 }

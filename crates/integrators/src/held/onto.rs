@@ -39,7 +39,7 @@ impl<'a, S: Real> Onto<'a, S> {
             columns: vec![S::zero(); n * m],
             moved: vec![S::zero(); m],
             g: vec![S::zero(); m],
-            y: vec![zero.clone(); n],
+            y: vec![zero; n],
             slopes: vec![zero; m],
             rows: vec![0.0; n * m],
             correction: vec![0.0; m],
