@@ -22,7 +22,7 @@
 //! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
 //! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
 //!
-//! Key results: every method has its order on nonlinear laws (`tests/orders.rs`), its outputs are as accurate as its end,
+//! Key results: every method has its order on nonlinear laws (`tests/methods/orders.rs`), its outputs are as accurate as its end,
 //! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double
 //! gives 26 digits at any stiffness in milliseconds.
 

@@ -1,5 +1,4 @@
 //! Nonlinear problems with known solutions, each written once for every field.
-#![allow(dead_code)] // every test program takes the problems that it needs
 
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Held, HeldSystem, Ode, Real, System};
@@ -250,3 +249,22 @@ impl<S: Over<f64> + Analytic> Held<S> for Rim {
 }
 
 impl HeldSystem for Rim {}
+
+/// The same point with Lagrange's multiplier of the twice differentiated constraint: nothing holds it on the rim.
+pub struct LooseRim;
+
+impl<S: Over<f64> + Analytic> Ode<S> for LooseRim {
+    fn dimension(&self) -> usize {
+        4
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        Rim.rates(t, y, &[S::zero(); 2], dy);
+        let lacking = y[2] * y[2] + y[3] * y[3] + y[0] * dy[2] + y[1] * dy[3];
+        let lambda = -lacking / (y[0] * y[0] + y[1] * y[1]);
+        dy[2] += lambda * y[0];
+        dy[3] += lambda * y[1];
+    }
+}
+
+impl System for LooseRim {}

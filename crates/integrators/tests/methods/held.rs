@@ -1,15 +1,15 @@
 //! Laws that are held to constraints: drift at rounding, orders as theory has them, failures by name.
 
-mod problems;
-
+use crate::problems::{Growth, LooseRim, Rim, distance};
 use field::{Analytic, DoubleDouble, Over};
-use integrators::{Failure, Held, HeldSystem, Holding, Observer, Refusal, Span, Working, hold};
-use problems::{Rim, distance};
+use integrators::{
+    Failure, Held, HeldSystem, Holding, Method, Observer, Refusal, Span, Working, hold, integrate_projected,
+};
 
 const SPAN: f64 = 2.0;
 
 /// Every method, with so many steps.
-fn methods(steps: u32) -> [Holding; 8] {
+pub fn methods(steps: u32) -> [Holding; 8] {
     let radau = |stages| Holding::RadauIIA { stages, steps };
     let gauss = |stages| Holding::ProjectedGauss { stages, steps };
     [
@@ -151,4 +151,46 @@ fn evaluations_are_counted_and_bounded() {
         let failure = hold(&Rim, method, &span, &mut ()).failure();
         assert!(matches!(failure, Some(Failure::TooManyEvaluations { allowed: 20, .. })), "{method}: {failure:?}");
     }
+}
+
+/// The methods with a constant step, with their orders.
+fn constant(steps: u32) -> [(Method, f64); 4] {
+    [
+        (Method::Euler { steps }, 1.0),
+        (Method::RungeKutta4 { steps }, 4.0),
+        (Method::BackwardEuler { steps }, 1.0),
+        (Method::ImplicitMidpoint { steps }, 2.0),
+    ]
+}
+
+#[test]
+fn a_projected_run_has_its_order_and_stays_on_the_constraint() {
+    let run = |method| {
+        let span = Span::new(0.0, SPAN, &Rim::state::<DoubleDouble>(0.0));
+        let mut drift = 0.0;
+        let mut watch = Drift::<DoubleDouble>(&mut drift, std::marker::PhantomData);
+        let outcome = integrate_projected(&LooseRim, &Rim, method, &span, &mut watch);
+        assert!(outcome.reached(), "{method}: {:?}", outcome.failure());
+        (distance(&outcome.state, &Rim::state::<DoubleDouble>(SPAN)), drift)
+    };
+    for ((coarse, theory), (fine, _)) in constant(200).into_iter().zip(constant(400)) {
+        let ((few, _), (many, drift)) = (run(coarse), run(fine));
+        let measured = (few / many).log2();
+        assert!((measured - theory).abs() < 0.1, "{coarse}: measured {measured:.2}, theory {theory}");
+        assert!(drift < 1e-30, "{fine}: {drift:.1e}");
+    }
+}
+
+#[test]
+fn a_projected_run_is_refused_where_it_makes_no_sense() {
+    let refusal = |failure| if let Some(Failure::Refused(refusal)) = failure { Some(refusal) } else { None };
+    let span = Span::new(0.0, SPAN, &Rim::state::<f64>(0.0));
+    let adaptive = integrate_projected(&LooseRim, &Rim, Method::DormandPrince5, &span, &mut ());
+    assert_eq!(refusal(adaptive.failure()), Some(Refusal::FollowsTolerance));
+    let none = integrate_projected(&LooseRim, &Rim, Method::Euler { steps: 0 }, &span, &mut ());
+    assert_eq!(refusal(none.failure()), Some(Refusal::Steps { given: 0 }));
+    let growth = Growth { rate: 1.0 };
+    let three = Span::new(0.0, SPAN, &[1.0; 3]);
+    let other = integrate_projected(&growth, &Rim, Method::Euler { steps: 5 }, &three, &mut ());
+    assert_eq!(refusal(other.failure()), Some(Refusal::Dimension { expected: 4, found: 3 }));
 }

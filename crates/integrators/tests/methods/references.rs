@@ -1,10 +1,8 @@
 //! References agree with what is known of the solution, and admit it where they do not know enough.
 
-mod problems;
-
+use crate::problems::{Chain, Explosion, Kaps, Kepler, Lorenz, Pendulum, distance};
 use field::DoubleDouble;
 use integrators::{Failure, Method, Record, Span, System, judge, measure, reference};
-use problems::{Chain, Explosion, Kaps, Kepler, Lorenz, Pendulum, distance};
 use std::time::Duration;
 
 /// The states of a reference that claims enough digits, and its second method.
