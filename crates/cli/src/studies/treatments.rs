@@ -9,7 +9,7 @@ pub fn note() -> &'static str {
     r"Critically damped, $b=2w$, $k=w^2$. Error: the largest of angle, place and their rates at 100 times, relative to the size of each. A Jacobian counts as the evaluations of its columns. Time: medians of runs that take turns within one run of the program while nothing else runs; 1 is the fastest of the table. Gains that grow as $1/h$ and $1/h^2$ bring a violation back fastest and make the equations stiff at every step: the classical Runge-Kutta method then has order 1. With gains that stay as they are the error is $h^pe(w)$ plus higher powers, $e$ the same for all steps: so the gain of the least error is a time of the motion, not of the step, which the rows with twice the steps confirm where the error is small enough for its first power to lead. Which time that is, is measured, not derived. Gear-Gupta-Leimkuhler is half-explicit for Euler (order 1) and for the classical coefficients (order 3), Radau IIA with one stage for backward Euler (order 1), and Gauss with one stage, projected at the end of each step, for the midpoint rule (order 2; without the projection the error of the constraint changes its sign at each step instead of decaying)."
 }
 
-/// Decades over decades.
+/// Decades over decades, with a mark where the error is least.
 pub fn scanned(scans: &[&Scan], title: &str, label: &str, value: impl Fn(&Measure) -> f64) -> Areas {
     let curve = |scan: &&Scan| AreaCurve {
         name: format!("{}, {} steps", scan.scheme.name(), scan.steps),
@@ -17,13 +17,19 @@ pub fn scanned(scans: &[&Scan], title: &str, label: &str, value: impl Fn(&Measur
     };
     // with half the steps: with all of them the curves are the same, a little lower
     let curves: Vec<AreaCurve> = scans.iter().step_by(2).map(curve).collect();
+    let mark = |best: Measure| {
+        let name = format!("{}/s", significant(best.rate, 2));
+        (best.rate.log10(), value(&best).max(1e-16).log10(), name)
+    };
     Areas {
         title: title.into(),
         x: ("log₁₀ w (1/s), gains b = 2 w, k = w²".into(), extent(&curves, |point| point.0)),
         y: (format!("log₁₀ {label}"), extent(&curves, |point| point.1)),
         curves,
+        marks: scans.iter().step_by(2).filter_map(|scan| scan.best()).map(mark).collect(),
         note: format!(
-            "Critically damped, {SPAN} s of the crank and slider. A curve ends where the method bears no more."
+            "Critically damped, {SPAN} s of the crank and slider. An explicit method's curve ends where it bears no more, an \
+             implicit one's at h w = 10. Marked: the rate of the least error."
         ),
         ..Areas::default()
     }
