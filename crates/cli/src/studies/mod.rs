@@ -17,6 +17,6 @@ fn missing(failure: &Failure) -> String {
 fn extent(curves: &[AreaCurve], value: impl Fn(&(f64, f64)) -> f64) -> [f64; 2] {
     let all = curves.iter().flat_map(|curve| &curve.points).map(value);
     let (low, high) = all.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
-    let margin = 0.05 * (high - low).max(1e-9);
+    let margin = 0.08 * (high - low).max(1e-9);
     [low - margin, high + margin]
 }
