@@ -1,7 +1,7 @@
 //! Speed against accuracy: every method on a scene, measured by a reference.
 
 use super::{Axes, Scene};
-use integrators::{Failure, Method, Point, Reference, Span, reference, work_precision};
+use integrators::{Failure, Method, Point, Reference, Span, judge, measure, reference};
 use std::time::{Duration, Instant};
 
 /// Times, beside the start, at which an error is taken: few, so that landing on them costs no method much.
@@ -53,7 +53,9 @@ impl Scene {
     /// Runs every method at every tolerance, and measures each by a reference that two methods confirm.
     pub fn measure(&self, axes: Axes, trials: &Trials) -> Result<Measured, Failure> {
         let reference = self.reference(axes, trials.allowed)?;
-        Ok(self.measure_by(reference, axes, trials))
+        let mut measured = self.judge_by(reference, axes, trials);
+        self.take_times(&mut measured, axes, trials);
+        Ok(measured)
     }
 
     /// What errors are measured by: many scenes' at a time, if there are processors, since it is not timed.
@@ -63,13 +65,20 @@ impl Scene {
         reference(&*problem.law, &span.with_deadline(Instant::now() + allowed))
     }
 
-    /// Runs every method at every tolerance; one scene at a time, since the runs are timed.
-    pub fn measure_by(&self, reference: Reference, axes: Axes, trials: &Trials) -> Measured {
+    /// Runs every method at every tolerance without timing them: many scenes' at a time too.
+    pub fn judge_by(&self, reference: Reference, axes: Axes, trials: &Trials) -> Measured {
         let problem = self.problem(axes);
         let span = self.instants(&problem.state).with_evaluations(trials.evaluations);
         let Trials { methods, tolerances, allowed, .. } = trials;
-        let points = work_precision(&*problem.law, &span, methods, tolerances, &reference, *allowed);
+        let points = judge(&*problem.law, &span, methods, tolerances, &reference, *allowed / 2);
         Measured { reference, points }
+    }
+
+    /// Takes the times of the methods that reached the end, while nothing else runs.
+    pub fn take_times(&self, measured: &mut Measured, axes: Axes, trials: &Trials) {
+        let problem = self.problem(axes);
+        let span = self.instants(&problem.state).with_evaluations(trials.evaluations);
+        measure(&*problem.law, &span, &mut measured.points, &measured.reference, trials.allowed / 2);
     }
 
     fn instants(&self, state: &[f64]) -> Span<'static, f64> {

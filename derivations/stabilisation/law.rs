@@ -1,9 +1,10 @@
-//! A system given by energies as a law y' = f(t, y), y = (q, q'), with its constraints stabilised or not.
+//! A system given by energies as a law of y = (q, q'): its constraints stabilised, or held by multipliers.
 
 use field::{Analytic, Over, Scalar};
-use integrators::{Ode, System};
+use integrators::{Held, HeldSystem, Ode, System};
 use mechanics::constrained::State;
-use mechanics::constrained::energies::{Energies, Instant};
+use mechanics::constrained::energies::{Energies, Instant, violation};
+use mechanics::constrained::gear_gupta_leimkuhler::Extended;
 use mechanics::constrained::programmed::{Linear, Programme};
 
 /// f'' = -b f' - k f for each constraint; Lagrange's equations where both are zero.
@@ -50,3 +51,50 @@ impl<S: Over<f64> + Analytic, Q: Energies<N, C, Given = f64>, const N: usize, co
 }
 
 impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> System for Stabilised<'_, Q, N, C> {}
+
+/// The same state held to f = 0 and f' = 0 by the multipliers (mu, lambda) of Gear, Gupta and Leimkuhler.
+#[derive(Clone, Copy, Debug)]
+pub struct BothHeld<'a, Q, const N: usize, const C: usize>(pub &'a Q);
+
+impl<S: Over<f64> + Analytic, Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> Held<S>
+    for BothHeld<'_, Q, N, C>
+{
+    fn sizes(&self) -> (usize, usize) {
+        (2 * N, 2 * C)
+    }
+
+    fn rates(&self, t: S, y: &[S], z: &[S], dy: &mut [S]) {
+        let Ok(extended) = Extended::of(self.0, &state::<S, N>(t, y)) else {
+            return undefined(dy);
+        };
+        let (places, velocities) = extended.rates(std::array::from_fn(|k| z[k]), std::array::from_fn(|k| z[C + k]));
+        dy[..N].copy_from_slice(&places);
+        dy[N..].copy_from_slice(&velocities);
+    }
+
+    fn parts(&self, t: S, y: &[S], dy: &mut [S], columns: &mut [S]) {
+        let Ok(extended) = Extended::of(self.0, &state::<S, N>(t, y)) else {
+            return undefined(dy);
+        };
+        dy[..N].copy_from_slice(&extended.velocity);
+        dy[N..].copy_from_slice(&extended.free);
+        columns.fill(S::zero());
+        for (k, push) in extended.pushes.iter().enumerate() {
+            columns[2 * N * k..][..N].copy_from_slice(push);
+            columns[2 * N * (C + k) + N..][..N].copy_from_slice(push);
+        }
+    }
+
+    fn constraints(&self, t: S, y: &[S], g: &mut [S]) {
+        let found = violation(self.0, &state::<S, N>(t, y));
+        g[..C].copy_from_slice(&found.value);
+        g[C..].copy_from_slice(&found.rate);
+    }
+}
+
+impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> HeldSystem for BothHeld<'_, Q, N, C> {}
+
+/// No numbers, which every integrator refuses.
+fn undefined<S: Scalar>(dy: &mut [S]) {
+    dy.fill(S::zero() / S::zero());
+}

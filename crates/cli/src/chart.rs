@@ -61,7 +61,7 @@ fn table(scene: &Scene, measured: &Measured) -> String {
         writeln!(text, "{:<28} {:>9} {:>12} {:>11} {:>12}", "method", "tolerance", "evaluations", "time, ms", "error");
     for point in points {
         let tolerance = point.tolerance.map_or_else(String::new, |tolerance| format!("{tolerance:.0e}"));
-        let time = point.seconds.map_or_else(String::new, |seconds| format!("{:.3}", seconds * 1e3));
+        let time = point.time.map_or_else(String::new, |time| format!("{:.3}", time.seconds * 1e3));
         let error =
             point.error.as_ref().map_or_else(|failure| reason(failure).to_owned(), |error| format!("{error:.1e}"));
         let evaluations = pictures::evaluations(point, dimension);

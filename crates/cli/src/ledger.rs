@@ -1,6 +1,7 @@
 //! `dalembert ledger`: every claim with its verdict.
 
 use crate::arguments::{Format, Ledger};
+use crate::crew::Crew;
 use crate::ending::{Ending, print};
 use crate::values;
 use charts::{ClaimRow, PaperSection};
@@ -47,11 +48,23 @@ fn verdict(name: &str) -> Result<Verdict, Ending> {
 
 /// Every paper with its judged claims.
 pub fn all() -> Vec<(&'static Paper, Vec<Judged>)> {
-    papers::ALL.iter().map(|paper| (paper, (paper.page)().judge())).collect()
+    let mut judged: Vec<Option<Vec<Judged>>> = papers::ALL.iter().map(|_| None).collect();
+    let mut crew = Crew::default();
+    for (place, paper) in judged.iter_mut().zip(papers::ALL) {
+        crew.add(1.0, place, move || (paper.page)().judge());
+    }
+    crew.work(|_| ());
+    papers::ALL.iter().zip(judged.into_iter().flatten()).collect()
 }
 
-/// A paper's section of the report.
-pub fn section(paper: &Paper, judged: &[Judged]) -> PaperSection {
+/// A paper's section of the report, and whether every claim in it is sound.
+pub fn judged(paper: &Paper) -> (PaperSection, bool) {
+    let judged = (paper.page)().judge();
+    let sound = judged.iter().all(|claim| claim.sound().is_ok());
+    (section(paper, &judged), sound)
+}
+
+fn section(paper: &Paper, judged: &[Judged]) -> PaperSection {
     PaperSection {
         id: paper.key.into(),
         title: paper.title.into(),

@@ -5,12 +5,14 @@
 //! * `report`, `ledger`, `derive`, `bodies`, `run`, `regimes`, `chart`, `scenes`: one file for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
+//! * [`crew`]: work shared among the processors;
 //! * [`values`], [`timings`]: exact values and measured times for a reader;
 //! * [`ending`]: exit codes, and writing that survives a closed pipe.
 
 mod arguments;
 mod bodies;
 mod chart;
+mod crew;
 mod csv;
 mod derive;
 mod ending;
@@ -51,12 +53,5 @@ fn main() -> ExitCode {
 /// The main job.
 fn report(asked: &arguments::Report) -> Result<Ending, Ending> {
     let files = scenes::files(&asked.scenes)?;
-    let ledgers = ledger::all();
-    let summary = "Equations of motion derived from bodies and energies; every statement of a paper judged by exact \
-                   arithmetic; every method on every scene measured by a reference that two methods confirm.";
-    let mut page = report::titled("dalembert", summary);
-    page.papers = ledgers.iter().map(|(paper, judged)| ledger::section(paper, judged)).collect();
-    let sound = ledgers.iter().flat_map(|(_, judged)| judged).all(|claim| claim.sound().is_ok());
-    let written = report::write(&asked.out, &asked.scenes, &files, page)?;
-    Ok(if sound { written } else { Ending::Stopped })
+    report::write(&asked.out, &asked.scenes, &files)
 }

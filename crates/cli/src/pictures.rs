@@ -10,10 +10,10 @@ use integrators::{self as run, Method};
 /// Error against work, once in evaluations and once in time.
 pub fn work_precision(scene: &Scene, measured: &Measured) -> [WorkPrecision; 2] {
     let dimension = scene.names().len() as u64;
-    let seconds = measured.points.iter().filter_map(|point| point.seconds);
+    let seconds = measured.points.iter().filter_map(|point| point.time).map(|time| time.seconds);
     let fastest = seconds.fold(f64::INFINITY, f64::min);
     let evaluations = |point: &run::Point| evaluations(point, dimension) as f64;
-    let ratio = |point: &run::Point| point.seconds.map_or(f64::NAN, |seconds| seconds / fastest);
+    let ratio = |point: &run::Point| point.time.map_or(f64::NAN, |time| time.seconds / fastest);
     let chart = |x, work: &dyn Fn(&run::Point) -> f64| WorkPrecision {
         title: match x {
             Work::Evaluations => "Error against evaluations".to_owned(),
@@ -56,6 +56,7 @@ fn series(points: &[run::Point], work: &dyn Fn(&run::Point) -> f64) -> Vec<chart
             series.len() - 1
         });
         match &point.error {
+            Ok(_) if !work(point).is_finite() => {} // no time was left to measure it
             Ok(error) => series[at].points.push(Point { work: work(point), error: *error }),
             Err(failure) => series[at].failures.push(Failure {
                 work: work(point),

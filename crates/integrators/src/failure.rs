@@ -41,6 +41,7 @@ pub enum Refusal {
     NoSeries,
     TooLarge { dimension: usize, most: usize },
     Field,
+    FollowsTolerance,
 }
 
 /// A time for reading: six digits, as a power of ten where plain digits would be zeros.
@@ -136,6 +137,9 @@ impl fmt::Display for Refusal {
             }
             Refusal::TooLarge { dimension, most } => {
                 write!(f, "the state has {dimension} components; this method takes at most {most}")
+            }
+            Refusal::FollowsTolerance => {
+                write!(f, "this method follows a tolerance; here one with a constant step is accepted")
             }
             Refusal::Field => write!(f, "this method runs in f64 only; in double-double take an own method"),
         }

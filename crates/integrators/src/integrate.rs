@@ -4,7 +4,7 @@ use crate::adaptors::dormand_prince::{self, Pair};
 use crate::adaptors::ryan_gast::{self, Choice};
 use crate::classical::{Euler, RungeKutta4};
 use crate::collocation::Family;
-use crate::drive::{drive, first_step};
+use crate::drive::{Stepper, drive, first_step};
 use crate::gragg::GraggBulirschStoer;
 use crate::implicit::Implicit;
 use crate::meter::Meter;
@@ -12,7 +12,9 @@ use crate::rosenbrock::Rodas4;
 use crate::taylor::Taylor;
 use crate::theta::Theta;
 use crate::watch::Watch;
-use crate::{End, Failure, Method, Observer, Outcome, Real, Refusal, Span, System, Tolerance, Work, Working};
+use crate::{
+    Directions, End, Failure, Method, Observer, Ode, Outcome, Real, Refusal, Span, System, Tolerance, Work, Working,
+};
 
 /// Integrates a system over a span. The tolerance is ignored by a method with a constant step.
 ///
@@ -81,22 +83,43 @@ fn prepared<S: Working>(
 ) -> Outcome<S> {
     let law = S::law(system);
     let followed = method.traits().adaptive.then_some(tolerance);
-    let refuse = |refusal| Outcome {
+    if let Err(refusal) = span.check(law.dimension(), followed).and_then(|()| method.check(law.dimension())) {
+        return refused(span, refusal);
+    }
+    let mut rates = vec![S::zero(); law.dimension()];
+    law.rates(S::lift(span.start), &span.state, &mut rates);
+    if let Some(component) = rates.iter().position(|rate| !rate.finite()) {
+        return refused(span, Refusal::RatesNotFinite { component });
+    }
+    run(&Meter::new(law, span), Watch::new(span, observer))
+}
+
+/// A run that did not begin.
+pub(crate) fn refused<S: Real>(span: &Span<'_, S>, refusal: Refusal) -> Outcome<S> {
+    Outcome {
         end: End::Stopped(Failure::Refused(refusal)),
         time: span.start,
         state: span.state.clone(),
         work: Work::default(),
         deviations: Vec::new(),
-    };
-    if let Err(refusal) = span.check(law.dimension(), followed).and_then(|()| method.check(law.dimension())) {
-        return refuse(refusal);
     }
-    let mut rates = vec![S::zero(); law.dimension()];
-    law.rates(S::lift(span.start), &span.state, &mut rates);
-    if let Some(component) = rates.iter().position(|rate| !rate.finite()) {
-        return refuse(Refusal::RatesNotFinite { component });
-    }
-    run(&Meter::new(law, span), Watch::new(span, observer))
+}
+
+/// The methods with a constant step, over any field; none for the others.
+pub(crate) fn constant<'a, S: Real>(
+    law: &'a dyn Ode<Directions>,
+    method: Method,
+    length: S,
+    n: usize,
+) -> Option<Box<dyn Stepper<S> + 'a>> {
+    let step = |steps: u32| length / S::int(steps.into());
+    Some(match method {
+        Method::Euler { steps } => Box::new(Euler::new(step(steps), n)),
+        Method::RungeKutta4 { steps } => Box::new(RungeKutta4::new(step(steps), n)),
+        Method::BackwardEuler { steps } => Box::new(Theta::new(step(steps), S::one(), law, n)),
+        Method::ImplicitMidpoint { steps } => Box::new(Theta::new(step(steps), S::ratio(1, 2), law, n)),
+        _ => return None,
+    })
 }
 
 /// The methods of this crate, over any field.
@@ -109,17 +132,10 @@ fn run_own<S: Working>(
 ) -> Outcome<S> {
     let (n, length) = (meter.dimension(), watch.length());
     let first = |order| first_step(meter, watch.state(), tolerance, order, length.approx());
+    if let Some(mut stepper) = constant(system, method, length, n) {
+        return drive(&mut *stepper, 0.0, meter, watch);
+    }
     match method {
-        Method::Euler { steps } => drive(&mut Euler::new(length / S::int(steps.into()), n), 0.0, meter, watch),
-        Method::RungeKutta4 { steps } => {
-            drive(&mut RungeKutta4::new(length / S::int(steps.into()), n), 0.0, meter, watch)
-        }
-        Method::BackwardEuler { steps } => {
-            drive(&mut Theta::new(length / S::int(steps.into()), S::one(), system, n), 0.0, meter, watch)
-        }
-        Method::ImplicitMidpoint { steps } => {
-            drive(&mut Theta::new(length / S::int(steps.into()), S::ratio(1, 2), system, n), 0.0, meter, watch)
-        }
         Method::GraggBulirschStoer => {
             let mut stepper = GraggBulirschStoer::new(tolerance, n);
             let first = first(stepper.first_order());
@@ -135,7 +151,11 @@ fn run_own<S: Working>(
             }
             None => watch.fail(Failure::Refused(Refusal::NoSeries), meter),
         },
-        Method::DormandPrince5
+        Method::Euler { .. }
+        | Method::RungeKutta4 { .. }
+        | Method::BackwardEuler { .. }
+        | Method::ImplicitMidpoint { .. }
+        | Method::DormandPrince5
         | Method::DormandPrince8
         | Method::Verner6
         | Method::Verner9

@@ -5,7 +5,7 @@
 //! well-kept crates, and the methods that no crate has, over `f64` and double-double alike ([`integrate_in`]). A run has
 //! a budget, is shown to an [`Observer`], and ends in an [`Outcome`] that either reached its end or names one of a closed
 //! set of failures, with the last good state. What a method is measured by is a [`reference()`]: two methods of different
-//! families in double-double, with the digits they share; [`work_precision()`] measures.
+//! families in double-double, with the digits they share; [`judge`] finds errors, [`measure`] times.
 //!
 //! | method | order | stiff | double-double | from |
 //! |---|---|---|---|---|
@@ -19,7 +19,10 @@
 //! | Radau5, Kvaerno 5(4) | 5 | yes | | `differential-equations` |
 //! | Rodas4 | 4 | yes | | own |
 //!
-//! Key results: every method has its order on nonlinear laws (`tests/orders.rs`), its outputs are as accurate as its end,
+//! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
+//! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
+//!
+//! Key results: every method has its order on nonlinear laws (`tests/methods/orders.rs`), its outputs are as accurate as its end,
 //! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double
 //! gives 26 digits at any stiffness in milliseconds.
 
@@ -30,12 +33,14 @@ mod drive;
 mod events;
 mod failure;
 mod gragg;
+mod held;
 mod implicit;
 mod integrate;
 mod jacobian;
 mod lu;
 mod meter;
 mod method;
+mod newton;
 mod observer;
 mod ode;
 mod outcome;
@@ -47,6 +52,7 @@ mod spectral;
 mod taylor;
 mod theta;
 mod tolerance;
+mod turns;
 mod watch;
 mod work_precision;
 
@@ -54,6 +60,7 @@ pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use failure::{Failure, Refusal};
+pub use held::{Held, HeldSystem, Holding, hold, integrate_projected};
 pub use integrate::{integrate, integrate_in};
 pub use jacobian::Jacobian;
 pub use method::{MOST_STAGES, Method, Traits};
@@ -65,4 +72,5 @@ pub use reference::{ENOUGH_DIGITS, Reference, reference};
 pub use span::{Budget, Monitor, Quantity, Span};
 pub use taylor::TaylorSeries;
 pub use tolerance::{Absolute, Tolerance};
-pub use work_precision::{Point, work_precision};
+pub use turns::{Median, taking_turns};
+pub use work_precision::{Point, judge, measure};

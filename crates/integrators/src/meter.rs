@@ -27,6 +27,7 @@ pub(crate) struct Meter<'a, S> {
     rates: Cell<u64>,
     jacobians: Cell<u64>,
     factorisations: Cell<u64>,
+    constraints: Cell<u64>,
     spent: Cell<Option<Spent>>,
     undefined: Cell<bool>,
 }
@@ -43,6 +44,7 @@ impl<'a, S: Real> Meter<'a, S> {
             rates: Cell::new(0),
             jacobians: Cell::new(0),
             factorisations: Cell::new(0),
+            constraints: Cell::new(0),
             spent: Cell::new(None),
             undefined: Cell::new(false),
         }
@@ -109,6 +111,11 @@ impl<'a, S: Real> Meter<'a, S> {
         self.factorisations.set(self.factorisations.get() + 1);
     }
 
+    /// Counts one evaluation of the constraints with their derivatives.
+    pub fn count_constraints(&self) {
+        self.constraints.set(self.constraints.get() + 1);
+    }
+
     /// Whether a rate was not finite since the last call.
     pub fn was_undefined(&self) -> bool {
         self.undefined.replace(false)
@@ -128,6 +135,7 @@ impl<'a, S: Real> Meter<'a, S> {
             rates: self.rates.get(),
             jacobians: self.jacobians.get(),
             factorisations: self.factorisations.get(),
+            constraints: self.constraints.get(),
             ..Work::default()
         }
     }

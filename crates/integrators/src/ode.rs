@@ -3,7 +3,7 @@
 use field::{DoubleDouble, Scalar};
 use num_dual::DualSVec64;
 
-use crate::TaylorSeries;
+use crate::{HeldSystem, TaylorSeries, held::Held};
 
 /// How many columns of a Jacobian one evaluation gives.
 pub const DIRECTIONS: usize = 8;
@@ -41,12 +41,19 @@ pub trait Working: crate::Real {
     /// The law of a system, seen in this field.
     fn law(system: &dyn System) -> &dyn Ode<Self>;
 
+    /// The law of a held system, seen in this field.
+    fn held(system: &dyn HeldSystem) -> &dyn Held<Self>;
+
     /// The system's source of Taylor coefficients in this field.
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<Self> + '_>>;
 }
 
 impl Working for f64 {
     fn law(system: &dyn System) -> &dyn Ode<f64> {
+        system
+    }
+
+    fn held(system: &dyn HeldSystem) -> &dyn Held<f64> {
         system
     }
 
@@ -57,6 +64,10 @@ impl Working for f64 {
 
 impl Working for DoubleDouble {
     fn law(system: &dyn System) -> &dyn Ode<DoubleDouble> {
+        system
+    }
+
+    fn held(system: &dyn HeldSystem) -> &dyn Held<DoubleDouble> {
         system
     }
 

@@ -24,6 +24,8 @@ pub struct Work {
     pub jacobians: u64,
     /// Factorisations of a matrix.
     pub factorisations: u64,
+    /// Evaluations of constraints alone, with their derivatives.
+    pub constraints: u64,
     /// Accepted steps.
     pub steps: u64,
     /// Rejected steps.
@@ -75,6 +77,9 @@ impl fmt::Display for Work {
         write!(f, "{} evaluations, {} steps, {} rejected", self.rates, self.steps, self.rejected)?;
         if self.jacobians > 0 {
             write!(f, ", {} Jacobians, {} factorisations", self.jacobians, self.factorisations)?;
+        }
+        if self.constraints > 0 {
+            write!(f, ", {} of the constraints alone", self.constraints)?;
         }
         Ok(())
     }

@@ -3,18 +3,13 @@
 //! One stage, Y = y + c h f(t + c h, Y), and y + (Y - y) / c:
 //! * backward Euler, c = 1: order 1, L-stable;
 //! * the implicit midpoint rule, c = 1/2: order 2, A-stable, symmetric, symplectic (Gauss with one stage).
-//!
-//! Newton goes on until rounding stops it: a constant step has no tolerance to hide an unfinished iteration in.
 
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::jacobian::Jacobian;
 use crate::lu::Lu;
 use crate::meter::Meter;
+use crate::newton::Newton;
 use crate::{Directions, Ode, Real};
-
-const MOST_ITERATIONS: usize = 50;
-/// The last correction, relative to the state, beyond which the iteration has not converged.
-const CONVERGED: f64 = 1e-9;
 
 pub(crate) struct Theta<'a, S> {
     pub step: S,
@@ -64,29 +59,26 @@ impl<'a, S: Real> Theta<'a, S> {
 
     /// The stage, from where it stands.
     fn iterate(&mut self, tau: S, before: &[S], reach: S, meter: &Meter<S>) -> Result<(), Cause> {
-        let mut last = f64::INFINITY;
-        for _ in 0..MOST_ITERATIONS {
-            self.linearise(tau, reach, meter)?;
+        let mut newton = Newton::new();
+        loop {
+            if newton.wants_matrix() {
+                self.linearise(tau, reach, meter)?;
+            }
             meter.rates(tau, &self.stage, &mut self.slope);
             for (c, correction) in self.correction.iter_mut().enumerate() {
                 *correction = (before[c] + reach * self.slope[c] - self.stage[c]).approx();
             }
             self.lu.solve(&mut self.correction);
-            let mut scale = f64::MIN_POSITIVE;
+            let mut scale = 0.0_f64;
             for (y, correction) in self.stage.iter_mut().zip(&self.correction) {
                 *y += S::lift(*correction);
                 scale = scale.max(y.approx().abs());
             }
             let size = self.correction.iter().fold(0.0_f64, |size, c| if c.is_nan() { *c } else { size.max(c.abs()) });
-            if !(size / scale).is_finite() {
-                return Err(Cause::Undefined);
-            }
-            if size == 0.0 || (size >= 0.5 * last && last <= CONVERGED * scale) {
+            if newton.corrected::<S>(size, scale)? {
                 return Ok(());
             }
-            last = size;
         }
-        Err(Cause::Newton)
     }
 }
 

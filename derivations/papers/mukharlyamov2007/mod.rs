@@ -22,6 +22,7 @@ mod general;
 mod section1;
 mod section4;
 mod section5;
+mod section5_matrices;
 mod section6;
 mod section7_equations;
 mod section7_inverse;
@@ -85,6 +86,7 @@ pub fn page() -> Page {
     section1::claims(&mut page);
     section4::claims(&mut page);
     section5::claims(&mut page);
+    section5_matrices::claims(&mut page);
     section6::claims(&mut page);
     let s = TopLetters::default();
     section7_equations::claims(&mut page, &s);

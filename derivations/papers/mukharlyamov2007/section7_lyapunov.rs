@@ -148,6 +148,15 @@ impl Bundle {
             .in_words()
             .given([Positive(a), Positive(c)])
             .follows([Equal(self.quadratic(), squares)]);
+        let bowed = [(x1, half(n * x4 / a)), (x2, Sym::ZERO), (x3, Sym::ZERO), (x5, Sym::ZERO), (x6, Sym::ZERO)];
+        page.claim(
+            "section7-lyapunov",
+            "only-if",
+            r"where $D\le0$ it is not: at $x_1=\frac N{2A}x_4$, $x_4\ne0$, the others zero, it is $\frac D{4A}x_4^2$",
+        )
+        .in_words()
+        .given([Positive(a)])
+        .follows([Equal(self.quadratic().substitute(&bowed), rest * x4 * x4)]);
         let v = self.corrected();
         page.claim("section7-stability", "constant", r"for constant $A$, $C$, $Mz_c$, $\dot V=0$ along (21) corrected: where $D>0$, $V$ is a positive definite integral and the permanent rotation is stable in $p,q,r,\gamma$, by Lyapunov's theorem")
             .in_words()

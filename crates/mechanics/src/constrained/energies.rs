@@ -30,6 +30,15 @@ pub trait Energies<const N: usize, const C: usize> {
     fn constraints<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; N]) -> [S; C];
 }
 
+/// f and f' of a system at t, q, q', without derivatives by the coordinates.
+pub fn violation<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
+    system: &Q,
+    at: &State<S, N>,
+) -> Violation<S, C> {
+    let moved = system.constraints(Tangent::variable(at.time), along(at.place, at.velocity));
+    Violation { value: moved.map(|f| f.value), rate: moved.map(|f| f.slope) }
+}
+
 /// Everything that the equations of motion contain, at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instant<S, const N: usize, const C: usize> {
@@ -101,7 +110,7 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
     /// # Errors
     /// [`NotDefinite`] names the first coordinate without mass, or the first constraint that depends on those before it.
     pub fn leading_to(&self, wanted: [S; C]) -> Result<Reaction<S, N, C>, NotDefinite> {
-        let free = solve(self.mass, self.force)?;
+        let free = self.free()?;
         let missing =
             std::array::from_fn(|k| wanted[k] - self.kinematics.curvature[k] - dot(self.kinematics.rows[k], free));
         let (multipliers, change) = self.least(missing)?;
@@ -116,12 +125,29 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
         self.least(missing).map(|(_, change)| change)
     }
 
-    /// mu and d = M^-1 J^T mu with J d = missing.
-    fn least(&self, missing: [S; C]) -> Result<([S; C], [S; N]), NotDefinite> {
+    /// M^-1 F: q'' without constraints.
+    ///
+    /// # Errors
+    /// [`NotDefinite`] names the first coordinate without mass.
+    pub fn free(&self) -> Result<[S; N], NotDefinite> {
+        solve(self.mass, self.force)
+    }
+
+    /// M^-1 J^T, a constraint after the other: where the reactions push.
+    ///
+    /// # Errors
+    /// As for [`Self::free`].
+    pub fn pushes(&self) -> Result<[[S; N]; C], NotDefinite> {
         let mut pushes = [[S::zero(); N]; C];
         for (push, row) in pushes.iter_mut().zip(self.kinematics.rows) {
             *push = solve(self.mass, row)?;
         }
+        Ok(pushes)
+    }
+
+    /// mu and d = M^-1 J^T mu with J d = missing.
+    fn least(&self, missing: [S; C]) -> Result<([S; C], [S; N]), NotDefinite> {
+        let pushes = self.pushes()?;
         let multipliers = solve(self.kinematics.rows.map(|row| pushes.map(|push| dot(row, push))), missing)?;
         let change = std::array::from_fn(|i| (0..C).fold(S::zero(), |sum, k| sum + multipliers[k] * pushes[k][i]));
         Ok((multipliers, change))

@@ -1,8 +1,7 @@
 //! Nonlinear problems with known solutions, each written once for every field.
-#![allow(dead_code)] // every test program takes the problems that it needs
 
 use field::{Analytic, DoubleDouble, Over};
-use integrators::{Ode, Real, System};
+use integrators::{Held, HeldSystem, Ode, Real, System};
 
 /// Kepler's problem: q'' = -q / |q|^3, with semi-major axis 1 and the pericentre at t = 0.
 pub struct Kepler {
@@ -207,3 +206,65 @@ pub fn distance<S: Real>(a: &[S], b: &[S]) -> f64 {
     let size = b.iter().map(|b| b.approx().abs()).fold(f64::MIN_POSITIVE, f64::max);
     a.iter().zip(b).map(|(a, b)| (*a - *b).approx().abs()).fold(0.0, f64::max) / size
 }
+
+/// A point on the unit circle at the angle t + 0.3 sin t, pushed along it against friction, with both of its constraints:
+/// y = (q, v), q' = v + q mu, v' = F + q lambda, |q|^2 = 1, q.v = 0 (Gear, Gupta, Leimkuhler).
+pub struct Rim;
+
+const DRAG: f64 = 0.5;
+
+impl Rim {
+    pub fn state<S: Real>(t: f64) -> Vec<S> {
+        let point = S::lift(t).circle();
+        let at = (S::lift(t) + S::lift(0.3) * point.sin).circle();
+        let speed = S::one() + S::lift(0.3) * point.cos;
+        vec![at.cos, at.sin, -at.sin * speed, at.cos * speed]
+    }
+}
+
+impl<S: Over<f64> + Analytic> Held<S> for Rim {
+    fn sizes(&self) -> (usize, usize) {
+        (4, 2)
+    }
+
+    fn rates(&self, t: S, y: &[S], z: &[S], dy: &mut [S]) {
+        let (now, drag) = (t.circle(), S::lift(DRAG));
+        let push = drag * (S::one() + S::lift(0.3) * now.cos) - S::lift(0.3) * now.sin;
+        dy[0] = y[2] + y[0] * z[0];
+        dy[1] = y[3] + y[1] * z[0];
+        dy[2] = -push * y[1] - drag * y[2] + y[0] * z[1];
+        dy[3] = push * y[0] - drag * y[3] + y[1] * z[1];
+    }
+
+    fn parts(&self, t: S, y: &[S], dy: &mut [S], columns: &mut [S]) {
+        let none = S::zero();
+        self.rates(t, y, &[none; 2], dy);
+        columns.copy_from_slice(&[y[0], y[1], none, none, none, none, y[0], y[1]]);
+    }
+
+    fn constraints(&self, _: S, y: &[S], g: &mut [S]) {
+        g[0] = (y[0] * y[0] + y[1] * y[1] - S::one()).half();
+        g[1] = y[0] * y[2] + y[1] * y[3];
+    }
+}
+
+impl HeldSystem for Rim {}
+
+/// The same point with Lagrange's multiplier of the twice differentiated constraint: nothing holds it on the rim.
+pub struct LooseRim;
+
+impl<S: Over<f64> + Analytic> Ode<S> for LooseRim {
+    fn dimension(&self) -> usize {
+        4
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        Rim.rates(t, y, &[S::zero(); 2], dy);
+        let lacking = y[2] * y[2] + y[3] * y[3] + y[0] * dy[2] + y[1] * dy[3];
+        let lambda = -lacking / (y[0] * y[0] + y[1] * y[1]);
+        dy[2] += lambda * y[0];
+        dy[3] += lambda * y[1];
+    }
+}
+
+impl System for LooseRim {}

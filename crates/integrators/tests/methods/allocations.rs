@@ -1,13 +1,12 @@
 //! The inner loops do not allocate: twice the steps cost no allocation more.
 
-mod problems;
-
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
+use crate::held::methods;
+use crate::problems::{Chain, Kepler, Rim};
 use field::DoubleDouble;
-use integrators::{Jacobian, Method, Ode, Span, Tolerance, Working, integrate, integrate_in};
-use problems::{Chain, Kepler};
+use integrators::{Jacobian, Method, Ode, Span, Tolerance, Working, hold, integrate, integrate_in};
 
 /// Counts what the heap is asked for, thread by thread.
 struct Counting;
@@ -62,6 +61,15 @@ fn the_allocations_of_a_run_do_not_depend_on_its_number_of_steps() {
         assert!(many > 5 * few && short == long, "{method}: {short} in {few} steps, {long} in {many}");
         let ((short, few), (long, many)) = (run::<DoubleDouble>(method, 5.0), run::<DoubleDouble>(method, 50.0));
         assert!(many > 5 * few && short == long, "{method}: {short} in {few} steps, {long} in {many}");
+    }
+}
+
+#[test]
+fn the_allocations_of_a_held_run_do_not_depend_on_its_number_of_steps() {
+    let span = Span::new(0.0, 2.0, &Rim::state::<f64>(0.0));
+    let count = |method| allocations(|| assert!(hold(&Rim, method, &span, &mut ()).reached()));
+    for (few, many) in methods(50).into_iter().zip(methods(500)) {
+        assert_eq!(count(few), count(many), "{few}");
     }
 }
 

@@ -1,10 +1,8 @@
 //! Every method converges as its theory says, on nonlinear problems.
 
-mod problems;
-
+use crate::problems::{Drive, Kaps, Kepler, distance};
 use field::DoubleDouble;
 use integrators::{Method, Span, Tolerance, Work, Working, integrate, integrate_in};
-use problems::{Drive, Kaps, Kepler, distance};
 
 const ECCENTRIC: Kepler = Kepler { eccentricity: 0.3 };
 

@@ -1,10 +1,8 @@
 //! References agree with what is known of the solution, and admit it where they do not know enough.
 
-mod problems;
-
+use crate::problems::{Chain, Explosion, Kaps, Kepler, Lorenz, Pendulum, distance};
 use field::DoubleDouble;
-use integrators::{Failure, Method, Record, Span, System, reference, work_precision};
-use problems::{Chain, Explosion, Kaps, Kepler, Lorenz, Pendulum, distance};
+use integrators::{Failure, Method, Record, Span, System, judge, measure, reference};
 use std::time::Duration;
 
 /// The states of a reference that claims enough digits, and its second method.
@@ -103,19 +101,22 @@ fn work_against_precision_has_a_point_for_every_method_and_tolerance() {
     let span = Span::new(0.0, 1.0, &[1.0, 1.0]).with_evaluations(20_000);
     let known = reference(&kaps, &span).unwrap_or_else(|failure| panic!("{failure}"));
     let methods = [Method::Radau5, Method::RungeKutta4 { steps: 100 }, Method::RadauIIA { stages: 5 }];
-    let points = work_precision(&kaps, &span, &methods, &[1e-5, 1e-8], &known, Duration::from_millis(200));
+    let allowed = Duration::from_millis(200);
+    let mut points = judge(&kaps, &span, &methods, &[1e-5, 1e-8], &known, allowed);
+    assert!(points.iter().all(|point| point.time.is_none()));
+    measure(&kaps, &span, &mut points, &known, allowed);
     assert_eq!(points.len(), 5);
     for point in &points {
         match point.method {
             Method::RungeKutta4 { .. } => {
                 assert!(point.tolerance.is_none());
                 assert!(matches!(point.error, Err(Failure::LeftTheNumbers { .. })), "{:?}", point.error);
-                assert!(point.seconds.is_none());
+                assert!(point.time.is_none());
             }
             method => {
                 let (error, tolerance) = (point.error.unwrap_or(f64::NAN), point.tolerance.unwrap_or(f64::NAN));
                 assert!(error < 300.0 * tolerance, "{method}: {error:.1e} at {tolerance:e}");
-                assert!(point.seconds.is_some_and(|seconds| seconds > 0.0) && point.work.rates > 0);
+                assert!(point.time.is_some_and(|time| time.seconds > 0.0) && point.work.rates > 0);
             }
         }
     }

@@ -1,13 +1,11 @@
 //! Taylor's method on a series written by hand: the pendulum, with sine and cosine by their recurrences.
 
-mod problems;
-
+use crate::problems::{Kepler, Pendulum, distance};
 use field::DoubleDouble;
 use integrators::{
     Directions, Method, Ode, Record, Refusal, Span, System, TaylorSeries, Tolerance, Working, integrate, integrate_in,
     reference,
 };
-use problems::{Kepler, Pendulum, distance};
 
 /// The pendulum with its series.
 struct Series(Pendulum);

@@ -1,9 +1,7 @@
 //! Outputs, monitors and progress: what a run shows of itself.
 
-mod problems;
-
+use crate::problems::{Drive, Kepler, Pendulum, distance};
 use integrators::{Method, Progress, Record, Samples, Span, Tolerance, integrate};
-use problems::{Drive, Kepler, Pendulum, distance};
 
 const METHODS: [Method; 10] = [
     Method::Rodas4,

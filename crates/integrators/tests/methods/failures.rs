@@ -1,11 +1,9 @@
 //! A run that cannot reach its end says why, keeps its last good state, and never panics.
 
-mod problems;
-
 use std::time::Instant;
 
+use crate::problems::{Explosion, Funnel, Growth, Kaps, Pendulum};
 use integrators::{Absolute, Failure, Method, Outcome, Record, Refusal, Span, System, Tolerance, integrate};
-use problems::{Explosion, Funnel, Growth, Kaps, Pendulum};
 
 const EXPLICIT: [Method; 5] =
     [Method::DormandPrince5, Method::DormandPrince8, Method::Verner6, Method::Verner9, Method::GraggBulirschStoer];

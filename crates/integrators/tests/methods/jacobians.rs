@@ -1,9 +1,7 @@
 //! The Jacobian by forward differentiation, over more components than one evaluation has directions.
 
-mod problems;
-
+use crate::problems::{Chain, Drive};
 use integrators::{Jacobian, Ode};
-use problems::{Chain, Drive};
 
 #[test]
 fn every_column_is_the_central_difference_of_the_rates() {

@@ -1,0 +1,55 @@
+//! The report: one page with the ledger of every paper and the runs and charts of every scene.
+
+mod parts;
+mod scene;
+
+use crate::ending::{Ending, save};
+use crate::progress::Progress;
+use charts::{Report, SceneSection, WorkPrecision};
+use derivations::scene::{AnyScene, Scene};
+use parts::Parts;
+use scene::described;
+use std::path::{Path, PathBuf};
+
+/// Judges the ledger, runs and charts the scenes, and writes the page.
+pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, Ending> {
+    // all are read before the first is run: what is wrong is told at once
+    let (mut scenes, mut rough) = (Vec::new(), Vec::new());
+    for file in files {
+        match AnyScene::open(file)? {
+            AnyScene::Driven(scene) => scenes.push((id(file), *scene)),
+            AnyScene::Rough(scene) => rough.push((id(file), *scene)),
+        }
+    }
+    let mut parts = Parts::of(&scenes, &rough);
+    let mut progress = Progress::new("ledger, runs, references, maps");
+    parts.compute(&scenes, &rough, |done| progress.set(done));
+    drop(progress);
+    let mut progress = Progress::new("methods timed");
+    parts.take_times(&scenes, |done| progress.set(done));
+    drop(progress);
+    let whole = parts.sound() && parts.reached();
+    let report = parts.report(&scenes, folder);
+    save(path, &charts::page::render(&report).html)?;
+    Ok(if whole { Ending::Done } else { Ending::Stopped })
+}
+
+/// A page with nothing but a scene and its charts.
+pub fn of_scene(scene: &Scene, work: Vec<WorkPrecision>, note: String) -> String {
+    let run = scene.simulate(&scene.choice(), |_| ());
+    let section = SceneSection { work, note, ..described("scene", scene, &run) };
+    let report = Report { scenes: vec![section], ..titled(&scene.title, &scene.description) };
+    charts::page::render(&report).html
+}
+
+/// A report without content yet.
+pub fn titled(title: &str, summary: &str) -> Report {
+    let generated_by = concat!("dalembert ", env!("CARGO_PKG_VERSION")).to_owned();
+    Report { title: title.to_owned(), summary: summary.to_owned(), generated_by, ..Default::default() }
+}
+
+/// A file's name without its ending, as it may stand in a link.
+fn id(file: &Path) -> String {
+    let stem = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    stem.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' }).collect()
+}

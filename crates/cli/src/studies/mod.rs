@@ -1,0 +1,22 @@
+//! Studies in the report: gains and treatments of stabilised constraints, and the electromechanical drive.
+
+mod drive;
+mod gains;
+mod treatments;
+
+pub use drive::Drive;
+pub use gains::Gains;
+
+use charts::AreaCurve;
+use integrators::Failure;
+
+fn missing(failure: &Failure) -> String {
+    format!("Not measured, because the reference stopped: {failure}.")
+}
+
+fn extent(curves: &[AreaCurve], value: impl Fn(&(f64, f64)) -> f64) -> [f64; 2] {
+    let all = curves.iter().flat_map(|curve| &curve.points).map(value);
+    let (low, high) = all.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+    let margin = 0.08 * (high - low).max(1e-9);
+    [low - margin, high + margin]
+}

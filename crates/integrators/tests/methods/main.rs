@@ -1,0 +1,12 @@
+//! The methods on nonlinear problems with known solutions: one program, so that they share these.
+
+mod allocations;
+mod events;
+mod failures;
+mod held;
+mod jacobians;
+mod observing;
+mod orders;
+mod problems;
+mod references;
+mod taylor;

@@ -1,0 +1,104 @@
+//! Ways to keep a constraint, compared on one mechanism: how far it drifts, how far the motion is off, what it costs.
+//!
+//! # Overview
+//! * [`goal`]: the mechanism, its exact motion, and the distance of a run from it;
+//! * [`run`]: one run of one treatment;
+//! * [`scan`]: drift and error by the gain;
+//! * [`timed`]: the times, side by side.
+
+mod goal;
+mod run;
+mod scan;
+mod timed;
+
+pub use goal::{Goal, SPAN};
+pub use run::Measured;
+pub use scan::{Measure, Scan};
+pub use timed::times;
+
+use super::schemes::Scheme;
+use integrators::Failure;
+use run::Run;
+
+/// What is done about the constraint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Treatment {
+    /// Lagrange's multipliers, f'' = 0, and nothing else.
+    IndexReduction,
+    /// f'' = -b f' - k f with the gains of the fastest decay for the method at its step.
+    Fastest,
+    /// The same, critically damped with gains of its own time, [`MODERATE`], whatever the step.
+    Moderate,
+    /// The same with the rate, 1/s, for which a scan found the least error of this method at this step.
+    MostAccurate { rate: f64 },
+    /// Lagrange's multipliers; after each step the state is moved onto f = 0 and f' = 0, along the reactions.
+    Projected,
+    /// Gear, Gupta and Leimkuhler: f = 0 and f' = 0, each with its multiplier: half-explicit methods for explicit ones,
+    /// Radau IIA for backward Euler, projected Gauss for the midpoint rule.
+    GearGuptaLeimkuhler,
+    /// A coordinate that keeps the constraint.
+    Minimal,
+}
+
+impl Treatment {
+    /// All that need no scan.
+    pub const PLAIN: [Treatment; 6] = [
+        Treatment::IndexReduction,
+        Treatment::Fastest,
+        Treatment::Moderate,
+        Treatment::Projected,
+        Treatment::GearGuptaLeimkuhler,
+        Treatment::Minimal,
+    ];
+
+    /// For a table.
+    pub fn name(self) -> String {
+        match self {
+            Treatment::IndexReduction => "index reduction".into(),
+            Treatment::Fastest => "stabilised, fastest decay".into(),
+            Treatment::Moderate => format!("stabilised, w = {MODERATE}/s"),
+            Treatment::MostAccurate { rate } => format!("stabilised, least error: w = {rate:.2}/s"),
+            Treatment::Projected => "projection, place and velocity".into(),
+            Treatment::GearGuptaLeimkuhler => "Gear-Gupta-Leimkuhler".into(),
+            Treatment::Minimal => "minimal coordinates".into(),
+        }
+    }
+}
+
+/// A line of the comparison.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    pub scheme: Scheme,
+    pub steps: u32,
+    pub treatment: Treatment,
+    /// None where the combination does not exist; a failure where the run broke off.
+    pub measured: Option<Result<Measured, Failure>>,
+}
+
+/// The rate at which moderate gains bring a violation back, 1/s.
+pub const MODERATE: f64 = 10.0;
+
+/// Every method with a number of steps, and with twice as many.
+pub const RUNS: [(Scheme, u32); 8] = [
+    (Scheme::Euler, 20_000),
+    (Scheme::Euler, 40_000),
+    (Scheme::RungeKutta4, 1_000),
+    (Scheme::RungeKutta4, 2_000),
+    (Scheme::ImplicitMidpoint, 1_000),
+    (Scheme::ImplicitMidpoint, 2_000),
+    (Scheme::BackwardEuler, 2_000),
+    (Scheme::BackwardEuler, 4_000),
+];
+
+/// One treatment; none where the combination does not exist, a failure where the run broke off.
+pub fn measure(scheme: Scheme, steps: u32, treatment: Treatment, goal: &Goal) -> Option<Result<Measured, Failure>> {
+    Run::new(scheme, steps, treatment).map(|run| run.measure(goal))
+}
+
+/// One method at one step with every treatment.
+pub fn compare(scheme: Scheme, steps: u32, scan: &Scan, goal: &Goal) -> Vec<Line> {
+    let mut treatments = Treatment::PLAIN.to_vec();
+    treatments.splice(3..3, scan.best().map(|best| Treatment::MostAccurate { rate: best.rate }));
+    let line = |treatment| Line { scheme, steps, treatment, measured: measure(scheme, steps, treatment, goal) };
+    treatments.into_iter().map(line).collect()
+}

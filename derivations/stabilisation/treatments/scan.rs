@@ -1,0 +1,77 @@
+//! Drift and error by the gain, and the gain of the least error.
+//!
+//! With gains that stay as they are while the step shrinks a method of order p has the error h^p e(t; b, k) + O(h^(p+1)),
+//! e the same for all steps. The gains of the least error therefore tend to a time of their own, where those of the
+//! fastest decay go with 1/h and 1/h^2. What that time is, no theory here tells: it is measured.
+
+use super::goal::{Goal, SPAN};
+use super::run::{Run, Way};
+use crate::stabilisation::schemes::Scheme;
+
+/// Drift and error by the rate w of critically damped gains, b = 2 w, k = w^2, at a constant step.
+#[derive(Clone, Debug)]
+pub struct Scan {
+    pub scheme: Scheme,
+    pub steps: u32,
+    /// What is measured at the rates that the method bears, in their order.
+    pub points: Vec<Measure>,
+    /// The error without gains.
+    pub without: f64,
+}
+
+/// A rate and what it does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measure {
+    /// w, 1/s
+    pub rate: f64,
+    /// The largest |f|, m^2.
+    pub drift: f64,
+    pub error: f64,
+}
+
+impl Scan {
+    /// From [`SLOWEST`] to what the method bears, five rates a decade; finer about the least error.
+    pub fn of(scheme: Scheme, steps: u32, goal: &Goal) -> Self {
+        let h = SPAN / f64::from(steps);
+        let measure = |rate: f64| {
+            let (beta, kappa) = (2.0 * h * rate, (h * rate).powi(2));
+            let found = Run { scheme, steps, way: Way::Led(beta, kappa) }.measure(goal).ok()?;
+            (found.error < LOST).then_some(Measure { rate, drift: found.drift, error: found.error })
+        };
+        let between = |low: f64, high: f64, count: u32| {
+            (0..=count).map(move |k| low * (high / low).powf(f64::from(k) / f64::from(count)))
+        };
+        let decades = (FASTEST / h / SLOWEST).log10();
+        let count = (decades * A_DECADE).round() as u32;
+        let mut points: Vec<Measure> = between(SLOWEST, FASTEST / h, count).filter_map(measure).collect();
+        if let Some(best) = least(&points) {
+            let neighbour = |place: usize| points.get(place).map_or(best.rate, |point| point.rate);
+            let place = points.iter().position(|point| *point == best).unwrap_or(0);
+            let (low, high) = (neighbour(place.saturating_sub(1)), neighbour(place + 1));
+            points.extend(between(low, high, FINER).filter_map(measure));
+            points.sort_by(|a, b| a.rate.total_cmp(&b.rate));
+            points.dedup_by(|a, b| a.rate == b.rate);
+        }
+        let without = Run { scheme, steps, way: Way::Led(0.0, 0.0) }.measure(goal);
+        Scan { scheme, steps, points, without: without.map_or(f64::INFINITY, |found| found.error) }
+    }
+
+    /// The rate of the least error; none where no gain is better than none.
+    pub fn best(&self) -> Option<Measure> {
+        least(&self.points).filter(|best| best.error < self.without)
+    }
+}
+
+fn least(points: &[Measure]) -> Option<Measure> {
+    points.iter().copied().min_by(|a, b| a.error.total_cmp(&b.error))
+}
+
+/// 1/s: a violation would take as long as the span to decay by a tenth.
+const SLOWEST: f64 = 0.01;
+/// h w: beyond it no explicit method bears the gains.
+const FASTEST: f64 = 10.0;
+/// Rates a decade, and between the neighbours of the least error.
+const A_DECADE: f64 = 5.0;
+const FINER: u32 = 12;
+/// An error beyond which the run is lost.
+const LOST: f64 = 10.0;
