@@ -3,15 +3,15 @@
 use field::{DoubleDouble, Scalar};
 use integrators::{Directions, Ode, System, TaylorSeries};
 use std::sync::Arc;
-use symbolic::{Series, Sym, Tape};
+use symbolic::{Equations, Expansion, Fused, Recurrence, Sym};
 
-/// A system and the tape of its right-hand side: the same laws, evaluated once over expressions. The data of the
+/// A system and the recurrence of its right-hand side: the same laws, evaluated once over expressions. The data of the
 /// system are in it as exact constants.
 #[derive(Clone, Debug)]
 pub struct Recorded<L> {
     law: Arc<L>,
     /// `None` where a law cannot be recorded; then there is no Taylor method.
-    tape: Option<Tape>,
+    recurrence: Option<Recurrence>,
 }
 
 impl<L: Ode<Sym>> Recorded<L> {
@@ -20,12 +20,12 @@ impl<L: Ode<Sym>> Recorded<L> {
         let state: Vec<Sym> = (0..law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
         let mut rates = vec![Sym::ZERO; state.len()];
         law.rates(Sym::ZERO, &state, &mut rates);
-        let tape = Tape::record(&state, &rates).ok();
-        Recorded { law, tape }
+        let equations = Equations { state: &state, time: None, parameters: &[], rates: &rates };
+        Recorded { law, recurrence: Recurrence::record(&equations).ok() }
     }
 
-    fn series<S: integrators::Real>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
-        Some(Box::new(Expansion { tape: self.tape.as_ref()?, series: None }))
+    fn series<S: integrators::Real + Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
+        Some(Box::new(Series::<S> { recurrence: self.recurrence.as_ref()?, expansion: None }))
     }
 }
 
@@ -49,19 +49,23 @@ impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Re
     }
 }
 
-/// The series of a tape, with room made for the order that is asked for.
-struct Expansion<'a, S> {
-    tape: &'a Tape,
-    series: Option<Series<'a, S>>,
+/// The series of a recurrence, with room made for the order that is asked for.
+struct Series<'a, S> {
+    recurrence: &'a Recurrence,
+    expansion: Option<Expansion<'a, S, 8>>,
 }
 
-impl<S: integrators::Real> TaylorSeries<S> for Expansion<'_, S> {
-    fn coefficients(&mut self, _t: S, y: &[S], order: usize, out: &mut [S]) {
-        if self.series.as_ref().is_none_or(|series| series.order() != order) {
-            self.series = self.tape.series(order).ok();
+impl<S: integrators::Real + Fused> TaylorSeries<S> for Series<'_, S> {
+    fn expand(&mut self, t: S, y: &[S], order: usize) {
+        if self.expansion.as_ref().is_none_or(|expansion| expansion.order() != order) {
+            self.expansion = self.recurrence.expansion(&[], order);
         }
-        if let Some(series) = &mut self.series {
-            series.expand(y, &[], out);
+        if let Some(expansion) = &mut self.expansion {
+            expansion.expand(y, t);
         }
+    }
+
+    fn coefficients(&self, k: usize) -> &[S] {
+        self.expansion.as_ref().map_or(&[], |expansion| expansion.coefficients(k))
     }
 }
