@@ -15,19 +15,30 @@ pub struct Recorded<L> {
 }
 
 impl<L: Ode<Sym>> Recorded<L> {
-    /// Records an autonomous system.
+    /// Records a system, which may depend on time.
     pub fn new(law: Arc<L>) -> Self {
+        let time = Sym::symbol("t");
         let state: Vec<Sym> = (0..law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
         let mut rates = vec![Sym::ZERO; state.len()];
-        law.rates(Sym::ZERO, &state, &mut rates);
-        let equations = Equations { state: &state, time: None, parameters: &[], rates: &rates };
+        law.rates(time, &state, &mut rates);
+        let moves = rates.iter().any(|rate| rate.symbols_of().contains(&time));
+        let equations = Equations { state: &state, time: moves.then_some(time), parameters: &[], rates: &rates };
         Recorded { law, recurrence: Recurrence::record(&equations).ok() }
     }
 
     fn series<S: integrators::Real + Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
-        Some(Box::new(Series::<S> { recurrence: self.recurrence.as_ref()?, expansion: None }))
+        let recurrence = self.recurrence.as_ref()?;
+        if recurrence.columns::<8>() <= FEW {
+            return Some(Box::new(Series::<S, FEW> { recurrence, expansion: None }));
+        }
+        let fits = recurrence.columns::<8>() <= MANY;
+        fits.then(|| Box::new(Series::<S, MANY> { recurrence, expansion: None }) as Box<dyn TaylorSeries<S>>)
     }
 }
+
+/// Columns: of usual systems, which then stay near the processor, and of the largest.
+const FEW: usize = 256;
+const MANY: usize = 1 << 16;
 
 impl<S: Scalar, L: Ode<S>> Ode<S> for Recorded<L> {
     fn dimension(&self) -> usize {
@@ -50,12 +61,12 @@ impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Re
 }
 
 /// The series of a recurrence, with room made for the order that is asked for.
-struct Series<'a, S> {
+struct Series<'a, S, const N: usize> {
     recurrence: &'a Recurrence,
-    expansion: Option<Expansion<'a, S, 8>>,
+    expansion: Option<Expansion<'a, S, 8, N>>,
 }
 
-impl<S: integrators::Real + Fused> TaylorSeries<S> for Series<'_, S> {
+impl<S: integrators::Real + Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
     fn expand(&mut self, t: S, y: &[S], order: usize) {
         if self.expansion.as_ref().is_none_or(|expansion| expansion.order() != order) {
             self.expansion = self.recurrence.expansion(&[], order);

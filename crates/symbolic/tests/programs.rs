@@ -1,6 +1,6 @@
 //! Tapes: straight-line programs.
 
-use field::{Analytic, Tangent};
+use field::{Analytic, Scalar, Tangent};
 use symbolic::{Sym, Tape, Untapeable, symbols};
 
 #[test]

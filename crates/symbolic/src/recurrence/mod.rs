@@ -73,6 +73,11 @@ impl Recurrence {
         self.plan.states
     }
 
+    /// How many columns an expansion by groups of `W` takes.
+    pub fn columns<const W: usize>(&self) -> usize {
+        layout::width(&self.plan, W)
+    }
+
     /// How many products of two series there are, and how many terms all sums have together.
     pub fn size(&self) -> (usize, usize) {
         (self.plan.products(), self.plan.terms())

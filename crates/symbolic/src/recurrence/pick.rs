@@ -71,8 +71,8 @@ impl<S: Scalar, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
     #[inline(always)]
     fn pick<const W: usize, const N: usize>(self, from: &Columns<S, N>, selection: &Selection<W>) -> [S; W] {
         let mut picked = [S::zero(); W];
-        for lane in 0..W {
-            picked[lane] = from.0[selection.columns[lane] as usize % N];
+        for (lane, column) in picked.iter_mut().zip(&selection.columns) {
+            *lane = from.0[usize::from(*column) % N];
         }
         picked
     }
