@@ -40,6 +40,7 @@ struct Source<'a> { e: symbolic::Expansion<'a, f64, 8> }
 impl integrators::TaylorSeries<f64> for Source<'_> {
     fn expand(&mut self, t: f64, y: &[f64], _order: usize) { self.e.expand(y, t); }
     fn coefficients(&self, k: usize) -> &[f64] { self.e.coefficients(k) }
+    fn sum(&self, h: f64, out: &mut [f64]) { self.e.sum(h, out); }
 }
 
 fn row<L: Ode<Sym> + Ode<f64>>(form: &str, law: &L) {
@@ -67,6 +68,19 @@ fn row<L: Ode<Sym> + Ode<f64>>(form: &str, law: &L) {
     };
 
     if std::env::var("ONLY").is_ok() {
+        if let Ok(order) = std::env::var("ORDER") {
+            let order = order.parse().unwrap();
+            let source = Source { e: recurrence.expansion::<f64, 8, 256>(&[], order).unwrap() };
+            let mut taylor = integrators::Taylor::new(source, &integrators::Tolerance::both(1e-6)).with_order(order);
+            let mut end = y.clone();
+            let mut steps = 0;
+            for _ in 0..std::env::var("ONLY").unwrap().parse::<u32>().unwrap() {
+                end.copy_from_slice(&y);
+                steps += taylor.propagate(0.0, 2.0, &mut end).unwrap();
+            }
+            println!("{steps}");
+            return;
+        }
         let order = 15;
         let mut e = recurrence.expansion::<f64, 8, 256>(&[], order).unwrap();
         for _ in 0..std::env::var("ONLY").unwrap().parse::<u32>().unwrap() { e.expand(&y, 0.0); }

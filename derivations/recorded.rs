@@ -79,4 +79,10 @@ impl<S: integrators::Real + Fused, const N: usize> TaylorSeries<S> for Series<'_
     fn coefficients(&self, k: usize) -> &[S] {
         self.expansion.as_ref().map_or(&[], |expansion| expansion.coefficients(k))
     }
+
+    fn sum(&self, h: S, out: &mut [S]) {
+        if let Some(expansion) = &self.expansion {
+            expansion.sum(h, out);
+        }
+    }
 }

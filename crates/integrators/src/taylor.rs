@@ -16,15 +16,8 @@ pub trait TaylorSeries<S: Real> {
     /// Of the last expansion the coefficients of order k, that is the k-th derivatives over k!, for k up to its order.
     fn coefficients(&self, k: usize) -> &[S];
 
-    /// The sum of the last expansion at h up to an order, by Horner's scheme.
-    fn sum(&self, h: S, order: usize, out: &mut [S]) {
-        out.copy_from_slice(self.coefficients(order));
-        for k in (0..order).rev() {
-            for (sum, a) in out.iter_mut().zip(self.coefficients(k)) {
-                *sum = *sum * h + *a;
-            }
-        }
-    }
+    /// The sum of the last expansion at h.
+    fn sum(&self, h: S, out: &mut [S]);
 }
 
 impl<S: Real, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
@@ -36,8 +29,8 @@ impl<S: Real, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
         (**self).coefficients(k)
     }
 
-    fn sum(&self, h: S, order: usize, out: &mut [S]) {
-        (**self).sum(h, order, out);
+    fn sum(&self, h: S, out: &mut [S]) {
+        (**self).sum(h, out);
     }
 }
 
@@ -48,7 +41,7 @@ pub(crate) fn order(tolerance: f64) -> usize {
     ((1.0 - ORDER_BY_DIGIT * tolerance.ln()).ceil() as usize).clamp(4, 60)
 }
 
-const ORDER_BY_DIGIT: f64 = 0.6;
+const ORDER_BY_DIGIT: f64 = 0.8;
 
 /// The Taylor method on one system, to be used for as many runs as one likes: a run allocates nothing.
 #[derive(Clone, Debug)]
@@ -128,7 +121,7 @@ impl<T> Taylor<T> {
             if next == at {
                 return Err(Failure::StepCollapsed { at, step: reach });
             }
-            self.source.sum(next - at, self.order, state);
+            self.source.sum(next - at, state);
             (at, steps) = (next, steps + 1);
         }
         Ok(steps)
@@ -164,7 +157,7 @@ impl<S: Real, T: TaylorSeries<S>> Stepper<S> for TaylorStepper<S, T> {
         if self.reach(tau, before, meter).is_none() {
             return Attempt::Rejected { next: step.approx() / 4.0, cause: Cause::Undefined };
         }
-        self.method.source.sum(step * self.direction, self.method.order, after);
+        self.method.source.sum(step * self.direction, after);
         Attempt::Accepted { next: self.reach }
     }
 
@@ -173,6 +166,6 @@ impl<S: Real, T: TaylorSeries<S>> Stepper<S> for TaylorStepper<S, T> {
     }
 
     fn between(&self, passed: S, state: &mut [S]) {
-        self.method.source.sum(passed * self.direction, self.method.order, state);
+        self.method.source.sum(passed * self.direction, state);
     }
 }

@@ -70,6 +70,12 @@ impl<S: Working> TaylorSeries<S> for Recurrence<S> {
     fn coefficients(&self, k: usize) -> &[S] {
         &self.series[2 * k..2 * (k + 1)]
     }
+
+    fn sum(&self, h: S, out: &mut [S]) {
+        let pairs = self.series.chunks(2).rev();
+        let [a, b] = pairs.fold([S::zero(); 2], |[a, b], pair| [a * h + pair[0], b * h + pair[1]]);
+        (out[0], out[1]) = (a, b);
+    }
 }
 
 const PENDULUM: Series = Series(Pendulum { frequency: 3.0 });

@@ -1,63 +1,11 @@
 //! All coefficients of a solution's series, order by order.
 
 use super::Recurrence;
-#[cfg(target_arch = "x86_64")]
-use super::pick::Permuting;
-use super::pick::{Columns, OneByOne, Pick};
-use super::layout::{Block, CHAINS, Group, Implicit, Laid, Lanes, Layout, MOST, Rows, width};
+use super::fused::{Fused, Task};
+use super::layout::{CHAINS, Lanes, Layout, MOST, Rows, width};
+use super::order::add;
+use super::pick::{Columns, Pick};
 use crate::tape::Program;
-use field::{Analytic, DoubleDouble};
-
-/// A field with a product added to a sum as fast as the processor can.
-pub trait Fused: Analytic {
-    /// self + a b, rounded once or twice.
-    #[inline(always)]
-    fn plus_product(self, a: Self, b: Self, _fused: bool) -> Self {
-        self + a * b
-    }
-
-    /// Runs the orders from `first` to the last, with the widest instructions that there are.
-    #[inline]
-    fn run<const W: usize, const N: usize>(expansion: &mut Expansion<'_, Self, W, N>) {
-        expansion.run(OneByOne::<false>);
-    }
-}
-
-impl Fused for DoubleDouble {}
-
-impl Fused for f64 {
-    #[inline(always)]
-    fn plus_product(self, a: Self, b: Self, fused: bool) -> Self {
-        if fused { a.mul_add(b, self) } else { self + a * b }
-    }
-
-    #[inline]
-    fn run<const W: usize, const N: usize>(expansion: &mut Expansion<'_, Self, W, N>) {
-        #[cfg(target_arch = "x86_64")]
-        if W == 8
-            && N >= 8
-            && let Some(widest) = pulp::x86::V4::try_new()
-        {
-            return pulp::Simd::vectorize(widest, Run(expansion, Permuting(widest)));
-        }
-        match pulp::Arch::new() {
-            pulp::Arch::Scalar => expansion.run(OneByOne::<false>),
-            wide => wide.dispatch(Run(expansion, OneByOne::<true>)),
-        }
-    }
-}
-
-/// Compiled once for each set of instructions.
-struct Run<'a, 'b, P, const W: usize, const N: usize>(&'a mut Expansion<'b, f64, W, N>, P);
-
-impl<P: Pick<f64>, const W: usize, const N: usize> pulp::WithSimd for Run<'_, '_, P, W, N> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<I: pulp::Simd>(self, _: I) {
-        self.0.run(self.1);
-    }
-}
 
 /// A recurrence over a field, with room for the series of all its quantities: expanding allocates nothing.
 ///
@@ -71,6 +19,8 @@ pub struct Expansion<'a, S, const W: usize, const N: usize = 256> {
     layout: Layout<S, W>,
     /// The coefficients of the order at hand of all quantities, by column.
     now: Box<Columns<S, N>>,
+    /// Room for the next order: so the rates of this one need not wait for each other.
+    then: Box<Columns<S, N>>,
     /// The coefficients of all orders of what has a rate; so long is one order.
     series: Vec<S>,
     width: usize,
@@ -103,6 +53,7 @@ impl Recurrence {
             time: self.plan.time,
             layout,
             now: Box::new(Columns([S::zero(); N])),
+            then: Box::new(Columns([S::zero(); N])),
             series: vec![S::zero(); width * (order + 1)],
             width,
             reciprocals: std::iter::once(S::zero()).chain((1..=order as i64 + 1).map(|k| S::ratio(1, k))).collect(),
@@ -147,7 +98,7 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<'_, S, W, N> {
             self.points.evaluate(&self.inputs, &mut self.circle);
             self.series[moving..moving + self.circle.len()].copy_from_slice(&self.circle);
         }
-        S::run(self);
+        S::run(Expand(self), W);
     }
 
     /// The coefficients a_k of the states.
@@ -156,10 +107,20 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<'_, S, W, N> {
         &self.series[k * self.width..][..self.states]
     }
 
+    /// The sum of the series at h, by Horner's scheme.
+    #[inline]
+    pub fn sum(&self, h: S, out: &mut [S]) {
+        S::run(Sum { expansion: self, h, out }, W);
+    }
+}
+
+struct Expand<'a, 'b, S, const W: usize, const N: usize>(&'a mut Expansion<'b, S, W, N>);
+
+impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, '_, S, W, N> {
     #[inline(always)]
-    fn run<P: Pick<S>>(&mut self, pick: P) {
-        let Expansion { order, layout, now, series, width, reciprocals, .. } = self;
-        let (order, now) = (*order, &mut **now);
+    fn run<P: Pick<S>>(self, pick: P) {
+        let Expansion { order, layout, now, then, series, width, reciprocals, .. } = self.0;
+        let (order, mut now, mut then) = (*order, &mut **now, &mut **then);
         for group in layout.stages.iter_mut().flat_map(|stage| &mut stage.groups) {
             group.left[..CHAINS].fill(Lanes::zero());
         }
@@ -179,124 +140,40 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<'_, S, W, N> {
                     stage.implicit(k, &mut now.0);
                 }
             }
-            // x_(k+1) = (x')_k / (k + 1); all rates before the first of them is overwritten
-            let next = &mut series[(k + 1) * *width..][..*width];
-            for (block, next) in layout.rates.blocks.iter().zip(next.chunks_exact_mut(W)) {
+            // x_(k+1) = (x')_k / (k + 1)
+            let (next, reciprocal) = (&mut series[(k + 1) * *width..][..*width], reciprocals[k + 1]);
+            let rows = then.0.chunks_exact_mut(W).zip(next.chunks_exact_mut(W));
+            for (block, (then, next)) in layout.rates.blocks.iter().zip(rows) {
                 let mut sum = block.sums::<P, N>(k, now);
                 for rate in &mut sum {
-                    *rate *= reciprocals[k + 1];
+                    *rate *= reciprocal;
                 }
+                then.copy_from_slice(&sum);
                 next.copy_from_slice(&sum);
             }
-            for (now, next) in now.0.chunks_exact_mut(W).zip(next.chunks_exact(W)) {
-                now.copy_from_slice(next);
-            }
+            std::mem::swap(&mut now, &mut then);
         }
     }
 }
 
-#[inline(always)]
-fn add<P: Pick<S>, S: Fused, const W: usize>(mut sum: [S; W], a: [S; W], b: [S; W]) -> [S; W] {
-    for lane in 0..W {
-        sum[lane] = sum[lane].plus_product(a[lane], b[lane], P::FUSED);
-    }
-    sum
+struct Sum<'a, 'b, S, const W: usize, const N: usize> {
+    expansion: &'a Expansion<'b, S, W, N>,
+    h: S,
+    out: &'a mut [S],
 }
 
-#[inline(always)]
-fn together<S: Fused, const W: usize>([mut a, b, mut c, d]: [[S; W]; CHAINS]) -> [S; W] {
-    for lane in 0..W {
-        a[lane] += b[lane];
-        c[lane] += d[lane];
-        a[lane] += c[lane];
-    }
-    a
-}
-
-impl<S: Fused, const W: usize> Block<S, W> {
-    /// The sums in order k.
+impl<S: Fused, const W: usize, const N: usize> Task<S> for Sum<'_, '_, S, W, N> {
     #[inline(always)]
-    fn sums<P: Pick<S>, const N: usize>(&self, k: usize, now: &Columns<S, N>) -> [S; W] {
-        let mut sums = [[S::zero(); W]; CHAINS];
-        if k == 0 {
-            sums[0] = self.constants.0;
-        }
-        for (columns, factors) in self.columns.iter().zip(&self.factors) {
-            for chain in 0..CHAINS {
-                let x = now.0[columns[chain] as usize % N];
-                sums[chain] = add::<P, S, W>(sums[chain], factors[chain].0, [x; W]);
+    fn run<P: Pick<S>>(self, _: P) {
+        let Expansion { series, width, states, .. } = self.expansion;
+        for (first, out) in (0..*states).step_by(W).zip(self.out.chunks_mut(W)) {
+            let mut sum = [S::zero(); W];
+            for row in series.chunks_exact(*width).rev() {
+                let mut next = [S::zero(); W];
+                next.copy_from_slice(&row[first..first + W]);
+                sum = add::<P, S, W>(next, sum, [self.h; W]);
             }
+            out.copy_from_slice(&sum[..out.len()]);
         }
-        together(sums)
-    }
-}
-
-impl<S: Fused, const W: usize> Group<S, W> {
-    /// sum_j a_j b_(k-j) with a_k and b_k from the columns: what is older is summed without waiting for them.
-    #[inline(always)]
-    fn products<P: Pick<S>, const N: usize>(
-        &mut self,
-        pick: P,
-        k: usize,
-        order: usize,
-        now: &Columns<S, N>,
-    ) -> [S; W] {
-        let [a, b] = &self.factors;
-        let (newest_a, newest_b) = (pick.pick(now, a), pick.pick(now, b));
-        let (left, right) = (&mut self.left[..], &mut self.right[order - k..]);
-        // a is zero from k on, b behind its end: the last chains may go too far
-        let middle = k.saturating_sub(1).next_multiple_of(CHAINS);
-        let mut sums = [[S::zero(); W]; CHAINS];
-        for (a, b) in left[1..=middle].chunks_exact(CHAINS).zip(right[1..=middle].chunks_exact(CHAINS)) {
-            for chain in 0..CHAINS {
-                sums[chain] = add::<P, S, W>(sums[chain], a[chain].0, b[chain].0);
-            }
-        }
-        let mut sum = together(sums);
-        left[k + CHAINS] = Lanes::zero();
-        (left[k], right[0]) = (Lanes(newest_a), Lanes(newest_b));
-        if k > 0 {
-            sum = add::<P, S, W>(sum, left[0].0, newest_b);
-        }
-        add::<P, S, W>(sum, newest_a, right[k].0)
-    }
-}
-
-impl<S: Analytic, const W: usize> Laid<S, W> {
-    /// Rare, and kept out of the loop over the orders, which is short without it.
-    #[inline(never)]
-    fn implicit(&mut self, k: usize, now: &mut [S]) {
-        self.reciprocals.iter_mut().for_each(|each| each.reciprocal(k, now));
-        self.roots.iter_mut().for_each(|each| each.root(k, now));
-    }
-}
-
-impl<S: Analytic> Implicit<S> {
-    /// r_k from (r b)_k = 0, and r_0 = 1 / b_0.
-    fn reciprocal(&mut self, k: usize, now: &mut [S]) {
-        let newest = now[self.of];
-        self.series[k][1] = newest;
-        let result = if k == 0 {
-            S::one() / newest
-        } else {
-            let pairs = self.series[..k].iter().zip(self.series[1..=k].iter().rev());
-            -pairs.fold(S::zero(), |sum, (r, b)| sum + r[0] * b[1]) * self.series[0][0]
-        };
-        self.series[k][0] = result;
-        now[self.column] = result;
-    }
-
-    /// r_k from (r r)_k = a_k, and r_0 the non-negative root of a_0.
-    fn root(&mut self, k: usize, now: &mut [S]) {
-        let newest = now[self.of];
-        let result = if k == 0 {
-            newest.sqrt()
-        } else {
-            let pairs = self.series[1..k].iter().zip(self.series[1..k].iter().rev());
-            let known = pairs.fold(S::zero(), |sum, (p, q)| sum + p[0] * q[0]);
-            (newest - known) / (self.series[0][0] + self.series[0][0])
-        };
-        self.series[k][0] = result;
-        now[self.column] = result;
     }
 }

@@ -13,11 +13,14 @@ mod build;
 mod collect;
 mod expand;
 mod form;
+mod fused;
 mod layout;
+mod order;
 mod pick;
 mod plan;
 
-pub use expand::{Expansion, Fused};
+pub use expand::Expansion;
+pub use fused::Fused;
 
 use crate::{Sym, Tape, Untapeable};
 use build::Builder;
