@@ -144,9 +144,7 @@ fn run_own<S: Working>(
         Method::Gauss { stages } => collocate(system, Family::Gauss, stages.into(), tolerance, meter, watch).0,
         Method::RadauIIA { stages } => collocate(system, Family::RadauIIA, stages.into(), tolerance, meter, watch).0,
         Method::Taylor => match S::series(system) {
-            Some(source) => {
-                drive(&mut TaylorStepper::new(source, tolerance), length.approx(), meter, watch)
-            }
+            Some(source) => drive(&mut TaylorStepper::new(source, tolerance), length.approx(), meter, watch),
             None => watch.fail(Failure::Refused(Refusal::NoSeries), meter),
         },
         Method::Euler { .. }

@@ -3,8 +3,8 @@
 use crate::problems::{Kepler, Pendulum, distance};
 use field::DoubleDouble;
 use integrators::{
-    Directions, Failure, Method, Ode, Record, Refusal, Span, System, Taylor, TaylorSeries, Tolerance, Working, integrate, integrate_in,
-    reference,
+    Directions, Failure, Method, Ode, Record, Refusal, Span, System, Taylor, TaylorSeries, Tolerance, Working,
+    integrate, integrate_in, reference,
 };
 
 /// The pendulum with its series.
@@ -28,11 +28,21 @@ where
     Pendulum: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>,
 {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
-        Some(Box::new(Recurrence { frequency: self.0.frequency, sine: Vec::new(), cosine: Vec::new(), series: Vec::new() }))
+        Some(Box::new(Recurrence {
+            frequency: self.0.frequency,
+            sine: Vec::new(),
+            cosine: Vec::new(),
+            series: Vec::new(),
+        }))
     }
 
     fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
-        Some(Box::new(Recurrence { frequency: self.0.frequency, sine: Vec::new(), cosine: Vec::new(), series: Vec::new() }))
+        Some(Box::new(Recurrence {
+            frequency: self.0.frequency,
+            sine: Vec::new(),
+            cosine: Vec::new(),
+            series: Vec::new(),
+        }))
     }
 }
 
@@ -126,8 +136,7 @@ fn a_system_without_a_series_is_refused() {
 #[test]
 fn one_method_carries_many_states_there_and_back() {
     let Series(pendulum) = PENDULUM;
-    let series =
-        Recurrence { frequency: pendulum.frequency, sine: Vec::new(), cosine: Vec::new(), series: Vec::new() };
+    let series = Recurrence { frequency: pendulum.frequency, sine: Vec::new(), cosine: Vec::new(), series: Vec::new() };
     let mut taylor = Taylor::new(series, &Tolerance::both(1e-13));
     for start in [[1.0, 0.5], [-2.0, 3.0], [0.0, 0.0]] {
         let mut state = start;
