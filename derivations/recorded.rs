@@ -3,31 +3,42 @@
 use field::{DoubleDouble, Scalar};
 use integrators::{Directions, Ode, System, TaylorSeries};
 use std::sync::Arc;
-use symbolic::{Series, Sym, Tape};
+use symbolic::{Equations, Expansion, Fused, Recurrence, Sym};
 
-/// A system and the tape of its right-hand side: the same laws, evaluated once over expressions. The data of the
+/// A system and the recurrence of its right-hand side: the same laws, evaluated once over expressions. The data of the
 /// system are in it as exact constants.
 #[derive(Clone, Debug)]
 pub struct Recorded<L> {
     law: Arc<L>,
     /// `None` where a law cannot be recorded; then there is no Taylor method.
-    tape: Option<Tape>,
+    recurrence: Option<Recurrence>,
 }
 
 impl<L: Ode<Sym>> Recorded<L> {
-    /// Records an autonomous system.
+    /// Records a system, which may depend on time.
     pub fn new(law: Arc<L>) -> Self {
+        let time = Sym::symbol("t");
         let state: Vec<Sym> = (0..law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
         let mut rates = vec![Sym::ZERO; state.len()];
-        law.rates(Sym::ZERO, &state, &mut rates);
-        let tape = Tape::record(&state, &rates).ok();
-        Recorded { law, tape }
+        law.rates(time, &state, &mut rates);
+        let moves = rates.iter().any(|rate| rate.symbols_of().contains(&time));
+        let equations = Equations { state: &state, time: moves.then_some(time), parameters: &[], rates: &rates };
+        Recorded { law, recurrence: Recurrence::record(&equations).ok() }
     }
 
-    fn series<S: integrators::Real>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
-        Some(Box::new(Expansion { tape: self.tape.as_ref()?, series: None }))
+    fn series<S: integrators::Real + Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
+        let recurrence = self.recurrence.as_ref()?;
+        if recurrence.columns::<8>() <= FEW {
+            return Some(Box::new(Series::<S, FEW> { recurrence, expansion: None }));
+        }
+        let fits = recurrence.columns::<8>() <= MANY;
+        fits.then(|| Box::new(Series::<S, MANY> { recurrence, expansion: None }) as Box<dyn TaylorSeries<S>>)
     }
 }
+
+/// Columns: of usual systems, which then stay near the processor, and of the largest.
+const FEW: usize = 256;
+const MANY: usize = 1 << 16;
 
 impl<S: Scalar, L: Ode<S>> Ode<S> for Recorded<L> {
     fn dimension(&self) -> usize {
@@ -49,19 +60,29 @@ impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Re
     }
 }
 
-/// The series of a tape, with room made for the order that is asked for.
-struct Expansion<'a, S> {
-    tape: &'a Tape,
-    series: Option<Series<'a, S>>,
+/// The series of a recurrence, with room made for the order that is asked for.
+struct Series<'a, S, const N: usize> {
+    recurrence: &'a Recurrence,
+    expansion: Option<Expansion<'a, S, 8, N>>,
 }
 
-impl<S: integrators::Real> TaylorSeries<S> for Expansion<'_, S> {
-    fn coefficients(&mut self, _t: S, y: &[S], order: usize, out: &mut [S]) {
-        if self.series.as_ref().is_none_or(|series| series.order() != order) {
-            self.series = self.tape.series(order).ok();
+impl<S: integrators::Real + Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
+    fn expand(&mut self, t: S, y: &[S], order: usize) {
+        if self.expansion.as_ref().is_none_or(|expansion| expansion.order() != order) {
+            self.expansion = self.recurrence.expansion(&[], order);
         }
-        if let Some(series) = &mut self.series {
-            series.expand(y, &[], out);
+        if let Some(expansion) = &mut self.expansion {
+            expansion.expand(y, t);
+        }
+    }
+
+    fn coefficients(&self, k: usize) -> &[S] {
+        self.expansion.as_ref().map_or(&[], |expansion| expansion.coefficients(k))
+    }
+
+    fn sum(&self, h: S, out: &mut [S]) {
+        if let Some(expansion) = &self.expansion {
+            expansion.sum(h, out);
         }
     }
 }

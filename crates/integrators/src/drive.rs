@@ -36,6 +36,11 @@ pub(crate) trait Stepper<S: Real> {
     /// Tries one step from `before` at tau; a step that is accepted has its result in `after`.
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &Meter<S>) -> Attempt;
 
+    /// How far the next step may go, where the method knows before it takes it.
+    fn reach(&mut self, _tau: S, _before: &[S], _meter: &Meter<S>) -> Option<f64> {
+        None
+    }
+
     /// The constant step of a method without error control.
     fn fixed(&self) -> Option<S> {
         None
@@ -62,6 +67,9 @@ pub(crate) fn drive<S: Real>(
     while watch.goes_on() {
         let stop = if stepper.reads_between() { watch.length() } else { watch.stop() };
         let remaining = stop - tau;
+        if let Some(reach) = stepper.reach(tau, &before, meter) {
+            proposed = reach;
+        }
         let step = match stepper.fixed() {
             Some(fixed) => remaining / S::lift(((remaining / fixed).approx() - 1e-6).ceil().max(1.0)),
             None => shorten(proposed, remaining),

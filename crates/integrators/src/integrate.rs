@@ -9,7 +9,7 @@ use crate::gragg::GraggBulirschStoer;
 use crate::implicit::Implicit;
 use crate::meter::Meter;
 use crate::rosenbrock::Rodas4;
-use crate::taylor::Taylor;
+use crate::taylor::TaylorStepper;
 use crate::theta::Theta;
 use crate::watch::Watch;
 use crate::{
@@ -144,11 +144,7 @@ fn run_own<S: Working>(
         Method::Gauss { stages } => collocate(system, Family::Gauss, stages.into(), tolerance, meter, watch).0,
         Method::RadauIIA { stages } => collocate(system, Family::RadauIIA, stages.into(), tolerance, meter, watch).0,
         Method::Taylor => match S::series(system) {
-            Some(source) => {
-                let mut stepper = Taylor::new(source, tolerance, n);
-                let reach = stepper.look_ahead(S::zero(), watch.state(), meter);
-                drive(&mut stepper, reach.min(length.approx()), meter, watch)
-            }
+            Some(source) => drive(&mut TaylorStepper::new(source, tolerance), length.approx(), meter, watch),
             None => watch.fail(Failure::Refused(Refusal::NoSeries), meter),
         },
         Method::Euler { .. }

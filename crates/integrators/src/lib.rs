@@ -70,7 +70,7 @@ pub use outcome::{Deviation, End, Outcome, Work};
 pub use real::Real;
 pub use reference::{ENOUGH_DIGITS, Reference, reference};
 pub use span::{Budget, Monitor, Quantity, Span};
-pub use taylor::TaylorSeries;
+pub use taylor::{Taylor, TaylorSeries};
 pub use tolerance::{Absolute, Tolerance};
 pub use turns::{Median, taking_turns};
 pub use work_precision::{Point, judge, measure};

@@ -1,96 +1,164 @@
 //! The Taylor method: as many terms as the tolerance is worth, the step read off the last two.
 //!
-//! y(t + h) = sum_k a_k h^k up to order p = ceil(1 - ln(tolerance) / 2), which is the cheapest for a cost that grows as
-//! p^2, with the step that makes the last two terms just as large as the tolerance allows (Jorba and Zou 2005). The
-//! polynomial is the dense output: an output costs one Horner scheme and no step.
+//! y(t + h) = sum_k a_k h^k up to an order p that grows with the logarithm of the tolerance, with the step that makes
+//! the last two terms just as large as the tolerance allows (Jorba and Zou 2005). The polynomial is the dense output: an
+//! output costs one Horner scheme and no step.
 
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::meter::Meter;
-use crate::{Real, Tolerance};
+use crate::{Failure, Real, Refusal, Tolerance};
 
 /// A source of Taylor coefficients: the recurrences of a system's expression graph.
-pub trait TaylorSeries<S> {
-    /// The coefficients of the solution through (t, y) up to an order: `out[k * n + i]` is a_k of component i, that is
-    /// the k-th derivative over k!, for k = 0 ..= order; n is the length of y.
-    fn coefficients(&mut self, t: S, y: &[S], order: usize, out: &mut [S]);
+pub trait TaylorSeries<S: Real> {
+    /// Expands the solution through (t, y) up to an order.
+    fn expand(&mut self, t: S, y: &[S], order: usize);
+
+    /// Of the last expansion the coefficients of order k, that is the k-th derivatives over k!, for k up to its order.
+    fn coefficients(&self, k: usize) -> &[S];
+
+    /// The sum of the last expansion at h.
+    fn sum(&self, h: S, out: &mut [S]);
+}
+
+impl<S: Real, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
+    fn expand(&mut self, t: S, y: &[S], order: usize) {
+        (**self).expand(t, y, order);
+    }
+
+    fn coefficients(&self, k: usize) -> &[S] {
+        (**self).coefficients(k)
+    }
+
+    fn sum(&self, h: S, out: &mut [S]) {
+        (**self).sum(h, out);
+    }
 }
 
 /// The order for a tolerance, within what rounding leaves of it.
+///
+/// Where a step costs p^2 the cheapest is -ln(tolerance)/2, where it costs p it is -ln(tolerance): here both count.
 pub(crate) fn order(tolerance: f64) -> usize {
-    ((1.0 - 0.5 * tolerance.ln()).ceil() as usize).clamp(4, 60)
+    ((1.0 - ORDER_BY_DIGIT * tolerance.ln()).ceil() as usize).clamp(4, 60)
 }
 
-pub(crate) struct Taylor<'a, S> {
-    source: Box<dyn TaylorSeries<S> + 'a>,
+const ORDER_BY_DIGIT: f64 = 0.8;
+
+/// The Taylor method on one system, to be used for as many runs as one likes: a run allocates nothing.
+#[derive(Clone, Debug)]
+pub struct Taylor<T> {
+    source: T,
     tolerance: Tolerance,
     order: usize,
-    dimension: usize,
-    /// The polynomial of the last accepted step, and the one that starts at its end.
-    past: Vec<S>,
-    coming: Vec<S>,
-    coming_at: Option<S>,
-    /// The longest step that the coming polynomial allows.
-    reach: f64,
 }
 
-impl<'a, S: Real> Taylor<'a, S> {
-    pub fn new(source: Box<dyn TaylorSeries<S> + 'a>, tolerance: &Tolerance, dimension: usize) -> Self {
+impl<T> Taylor<T> {
+    /// With the order that suits the tolerance.
+    pub fn new(source: T, tolerance: &Tolerance) -> Self {
         let order = order(tolerance.relative);
-        let zeros = || vec![S::zero(); (order + 1) * dimension];
-        let tolerance = tolerance.clone();
-        let (past, coming) = (zeros(), zeros());
-        Taylor { source, tolerance, order, dimension, past, coming, coming_at: None, reach: 0.0 }
+        Taylor { source, tolerance: tolerance.clone(), order }
     }
 
-    /// The polynomial at (tau, y), and the step that it allows.
-    pub fn look_ahead(&mut self, tau: S, y: &[S], meter: &Meter<S>) -> f64 {
-        self.coming_at = Some(tau);
-        self.reach = f64::NAN;
-        if !meter.charge(self.order as u64) {
-            return self.reach;
+    /// The order of the last term.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// The same with another order.
+    pub fn with_order(mut self, order: usize) -> Self {
+        self.order = order.max(2);
+        self
+    }
+
+    /// The source of the coefficients, to give it other parameters.
+    pub fn source_mut(&mut self) -> &mut T {
+        &mut self.source
+    }
+
+    /// The longest step that the series through (t, y) allows; not a number where the series is undefined.
+    ///
+    /// With s_k the largest coefficient of order k in units of what is allowed: the smaller one of s_k^(-1/k), k = p - 1, p.
+    #[inline]
+    fn reach<S: Real>(&mut self, time: S, y: &[S]) -> f64
+    where
+        T: TaylorSeries<S>,
+    {
+        self.source.expand(time, y, self.order);
+        let (last, one_before) = (self.source.coefficients(self.order), self.source.coefficients(self.order - 1));
+        let (mut s_last, mut s_before, mut sum) = (0.0_f64, 0.0_f64, 0.0);
+        for (i, y) in y.iter().enumerate() {
+            let share = 1.0 / self.tolerance.allowed(i, y.approx().abs());
+            let (a, b) = (last[i].approx().abs() * share, one_before[i].approx().abs() * share);
+            (s_last, s_before) = (s_last.max(a), s_before.max(b));
+            // `max` forgets what is not a number, a sum does not
+            sum += a + b;
         }
-        self.source.coefficients(meter.time(tau), y, self.order, &mut self.coming);
-        if meter.direction < S::zero() {
-            let n = self.dimension;
-            self.coming.chunks_mut(n).skip(1).step_by(2).flatten().for_each(|a| *a = -*a);
+        if !sum.is_finite() {
+            return f64::NAN;
         }
-        let term = |k: usize| {
-            let a = &self.coming[k * self.dimension..][..self.dimension];
-            self.tolerance.norm(y, y, |i| a[i].approx()).powf(-1.0 / k as f64)
-        };
-        let (last, one_before) = (term(self.order), term(self.order - 1));
-        let defined = self.coming.iter().all(|a| a.finite()) && !last.is_nan() && !one_before.is_nan();
-        self.reach = if defined { last.min(one_before) } else { f64::NAN };
-        self.reach
+        let p = self.order as f64;
+        (-(s_last.ln() / p).max(s_before.ln() / (p - 1.0))).exp()
+    }
+
+    /// Carries the state from one time to another, forwards or backwards, and returns the number of steps.
+    ///
+    /// # Errors
+    /// [`Failure`] says why the run ended, and `state` holds where.
+    pub fn propagate(&mut self, from: f64, to: f64, state: &mut [f64]) -> Result<u64, Failure>
+    where
+        T: TaylorSeries<f64>,
+    {
+        if !(from.is_finite() && to.is_finite()) {
+            return Err(Failure::Refused(Refusal::SpanNotFinite { start: from, end: to }));
+        }
+        let (direction, mut at, mut steps) = ((to - from).signum(), from, 0);
+        while at != to {
+            let reach = self.reach(at, state);
+            if reach.is_nan() {
+                return Err(Failure::LeftTheNumbers { at });
+            }
+            let lands = reach >= (to - at).abs();
+            let next = if lands { to } else { at + direction * reach };
+            if next == at {
+                return Err(Failure::StepCollapsed { at, step: reach });
+            }
+            self.source.sum(next - at, state);
+            (at, steps) = (next, steps + 1);
+        }
+        Ok(steps)
     }
 }
 
-/// The polynomial at h after its beginning, by Horner's scheme.
-fn evaluate<S: Real>(coefficients: &[S], h: S, out: &mut [S]) {
-    let n = out.len();
-    out.fill(S::zero());
-    for row in coefficients.chunks(n).rev() {
-        for (sum, a) in out.iter_mut().zip(row) {
-            *sum = *sum * h + *a;
-        }
+/// One run of the method as the loop around the steps sees it.
+pub(crate) struct TaylorStepper<S, T> {
+    method: Taylor<T>,
+    /// Where the series at hand begins, and how far it reaches.
+    expanded_at: Option<S>,
+    reach: f64,
+    direction: S,
+}
+
+impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
+    pub fn new(source: T, tolerance: &Tolerance) -> Self {
+        TaylorStepper { method: Taylor::new(source, tolerance), expanded_at: None, reach: 0.0, direction: S::one() }
     }
 }
 
-impl<S: Real> Stepper<S> for Taylor<'_, S> {
+impl<S: Real, T: TaylorSeries<S>> Stepper<S> for TaylorStepper<S, T> {
+    fn reach(&mut self, tau: S, before: &[S], meter: &Meter<S>) -> Option<f64> {
+        if self.expanded_at != Some(tau) {
+            (self.expanded_at, self.direction) = (Some(tau), meter.direction);
+            let allowed = meter.charge(self.method.order as u64);
+            self.reach = if allowed { self.method.reach(meter.time(tau), before) } else { f64::NAN };
+        }
+        (!self.reach.is_nan()).then_some(self.reach)
+    }
+
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &Meter<S>) -> Attempt {
-        if self.coming_at != Some(tau) {
-            self.look_ahead(tau, before, meter);
-        }
-        if self.reach.is_nan() {
+        if self.reach(tau, before, meter).is_none() {
             return Attempt::Rejected { next: step.approx() / 4.0, cause: Cause::Undefined };
         }
-        if step.approx() > self.reach * 1.001 {
-            return Attempt::Rejected { next: self.reach, cause: Cause::Error };
-        }
-        evaluate(&self.coming, step, after);
-        std::mem::swap(&mut self.past, &mut self.coming);
-        let next = self.look_ahead(tau + step, after, meter);
-        Attempt::Accepted { next: if next.is_nan() { step.approx() } else { next } }
+        self.method.source.sum(step * self.direction, after);
+        Attempt::Accepted { next: self.reach }
     }
 
     fn reads_between(&self) -> bool {
@@ -98,6 +166,6 @@ impl<S: Real> Stepper<S> for Taylor<'_, S> {
     }
 
     fn between(&self, passed: S, state: &mut [S]) {
-        evaluate(&self.past, passed, state);
+        self.method.source.sum(passed * self.direction, state);
     }
 }

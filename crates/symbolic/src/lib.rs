@@ -7,7 +7,7 @@
 //! Angles are circle points and roots are generators with a known square, so that expressions are fractions of
 //! polynomials modulo rewriting rules ([`Hypotheses`]). Whether one vanishes is then decidable: [`decide`] brings it
 //! over a denominator kept as a product of known factors and looks at the numerator. [`normal`] gives the normal form,
-//! [`Tape`] the straight-line program and its Taylor series, [`dimension`] the physical dimension.
+//! [`Tape`] the straight-line program, [`Recurrence`] the Taylor series, [`dimension`] the physical dimension.
 //!
 //! ```
 //! use field::{Analytic, Scalar};
@@ -41,6 +41,7 @@ mod operators;
 mod poly;
 mod print;
 mod prove;
+mod recurrence;
 mod sym;
 mod tape;
 
@@ -50,5 +51,6 @@ pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
 pub use graph::{Node, Sym};
 pub use prove::{Decision, Hypotheses, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, normal};
+pub use recurrence::{Equations, Expansion, Fused, Recurrence};
 pub use sym::symbols;
-pub use tape::{IllPosed, Program, Series, Tape, Untapeable};
+pub use tape::{Program, Tape, Untapeable};

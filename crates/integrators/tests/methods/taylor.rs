@@ -3,8 +3,8 @@
 use crate::problems::{Kepler, Pendulum, distance};
 use field::DoubleDouble;
 use integrators::{
-    Directions, Method, Ode, Record, Refusal, Span, System, TaylorSeries, Tolerance, Working, integrate, integrate_in,
-    reference,
+    Directions, Failure, Method, Ode, Record, Refusal, Span, System, Taylor, TaylorSeries, Tolerance, Working,
+    integrate, integrate_in, reference,
 };
 
 /// The pendulum with its series.
@@ -28,11 +28,21 @@ where
     Pendulum: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>,
 {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
-        Some(Box::new(Recurrence { frequency: self.0.frequency, sine: Vec::new(), cosine: Vec::new() }))
+        Some(Box::new(Recurrence {
+            frequency: self.0.frequency,
+            sine: Vec::new(),
+            cosine: Vec::new(),
+            series: Vec::new(),
+        }))
     }
 
     fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
-        Some(Box::new(Recurrence { frequency: self.0.frequency, sine: Vec::new(), cosine: Vec::new() }))
+        Some(Box::new(Recurrence {
+            frequency: self.0.frequency,
+            sine: Vec::new(),
+            cosine: Vec::new(),
+            series: Vec::new(),
+        }))
     }
 }
 
@@ -40,10 +50,13 @@ struct Recurrence<S> {
     frequency: f64,
     sine: Vec<S>,
     cosine: Vec<S>,
+    series: Vec<S>,
 }
 
 impl<S: Working> TaylorSeries<S> for Recurrence<S> {
-    fn coefficients(&mut self, _: S, y: &[S], order: usize, out: &mut [S]) {
+    fn expand(&mut self, _: S, y: &[S], order: usize) {
+        self.series.resize(2 * (order + 1), S::zero());
+        let out = &mut self.series;
         let square = S::lift(self.frequency * self.frequency);
         let point = y[0].circle();
         self.sine.clear();
@@ -62,6 +75,16 @@ impl<S: Working> TaylorSeries<S> for Recurrence<S> {
             self.sine.push(sine);
             self.cosine.push(cosine);
         }
+    }
+
+    fn coefficients(&self, k: usize) -> &[S] {
+        &self.series[2 * k..2 * (k + 1)]
+    }
+
+    fn sum(&self, h: S, out: &mut [S]) {
+        let pairs = self.series.chunks(2).rev();
+        let [a, b] = pairs.fold([S::zero(); 2], |[a, b], pair| [a * h + pair[0], b * h + pair[1]]);
+        (out[0], out[1]) = (a, b);
     }
 }
 
@@ -107,5 +130,21 @@ fn a_system_without_a_series_is_refused() {
     let ellipse = Kepler { eccentricity: 0.1 };
     let span = Span::new(0.0, 1.0, &ellipse.state::<f64>(0.0));
     let outcome = integrate(&ellipse, Method::Taylor, &Tolerance::both(1e-6), &span, &mut ());
-    assert_eq!(outcome.failure(), Some(integrators::Failure::Refused(Refusal::NoSeries)));
+    assert_eq!(outcome.failure(), Some(Failure::Refused(Refusal::NoSeries)));
+}
+
+#[test]
+fn one_method_carries_many_states_there_and_back() {
+    let Series(pendulum) = PENDULUM;
+    let series = Recurrence { frequency: pendulum.frequency, sine: Vec::new(), cosine: Vec::new(), series: Vec::new() };
+    let mut taylor = Taylor::new(series, &Tolerance::both(1e-13));
+    for start in [[1.0, 0.5], [-2.0, 3.0], [0.0, 0.0]] {
+        let mut state = start;
+        let there = taylor.propagate(0.0, 4.0, &mut state);
+        let back = taylor.propagate(4.0, 0.0, &mut state);
+        assert!(there.is_ok() && back.is_ok() && distance(&state, &start) < 1e-11, "{state:?}");
+    }
+    let mut lost = [f64::NAN, 0.0];
+    assert_eq!(taylor.propagate(0.0, 1.0, &mut lost), Err(Failure::LeftTheNumbers { at: 0.0 }));
+    assert!(taylor.propagate(0.0, f64::INFINITY, &mut [0.0; 2]).is_err());
 }

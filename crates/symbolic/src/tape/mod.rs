@@ -2,18 +2,16 @@
 
 mod record;
 mod run;
-mod series;
 
 pub use record::Untapeable;
 pub use run::Program;
-pub use series::{IllPosed, Series};
 
 use field::Rational;
 
 /// A straight-line program without branches: what the expressions compute, every common part once.
 ///
 /// A tape knows nothing of the expression graph and may be sent to other threads. [`Tape::over`] readies it for a
-/// field, [`Tape::series`] for Taylor series of the differential equation that it is the right side of.
+/// field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tape {
     inputs: usize,

@@ -16,6 +16,8 @@ pub enum Untapeable {
     Function(String),
     /// A division by the constant zero.
     Undefined,
+    /// A differential equation needs one rate for each state.
+    Shape { rates: usize, states: usize },
 }
 
 impl fmt::Display for Untapeable {
@@ -24,6 +26,7 @@ impl fmt::Display for Untapeable {
             Untapeable::Unbound(name) => write!(f, "`{name}` occurs but is not among the inputs"),
             Untapeable::Function(name) => write!(f, "`{name}` is an arbitrary function and has no values"),
             Untapeable::Undefined => write!(f, "a division by the constant zero"),
+            Untapeable::Shape { rates, states } => write!(f, "{rates} rates for {states} states: wanted one for each"),
         }
     }
 }

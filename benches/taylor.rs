@@ -1,0 +1,94 @@
+//! The Taylor method on the gyrostat with 8 states (synchronous motor) and 15 (six damper bars), in both forms: how long
+//! one takes to write the laws down, and a run of two seconds by tolerance. `cargo bench --bench taylor`.
+
+use derivations::machines::multi_current::{MultiCurrent, Windings};
+use derivations::machines::synchronous::Synchronous;
+use derivations::recorded::Recorded;
+use derivations::systems::gyrostat::driven::Driven;
+use derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};
+use field::DoubleDouble;
+use integrators::{Directions, Ode, System, Taylor, Tolerance};
+use nalgebra::{Matrix3, Vector3};
+use std::sync::Arc;
+use std::time::Instant;
+use symbolic::Sym;
+
+const REPEATS: usize = 15;
+const RUNS: u32 = 20;
+const SPAN: f64 = 2.0;
+
+fn main() {
+    let gyrostat = Gyrostat {
+        carrier: Carrier {
+            mass: 1.5,
+            centre: Vector3::new(0.01, -0.02, 0.05),
+            inertia: Matrix3::new(0.02, 0.001, -0.002, 0.001, 0.03, 0.0005, -0.002, 0.0005, 0.025),
+        },
+        rotor: Rotor {
+            mass: 0.4,
+            centre: Vector3::new(0.0, 0.03, 0.04),
+            axis: Vector3::new(2.0, -1.0, 2.0) / 3.0,
+            axial: 3e-4,
+            transverse: 2e-4,
+        },
+        gravity: 9.81,
+    };
+    let windings = Windings {
+        field_speed: 30.0,
+        b0: 0.05,
+        a1: 0.01,
+        l1: 0.01,
+        r1: 1.0,
+        a2: 0.01,
+        l2: 0.01,
+        r2: 1.0,
+        mu: 1e-4,
+        f: 1e-4,
+    };
+    let single = Synchronous { field_speed: windings.field_speed, b0: windings.b0, f: windings.f };
+    let bars = MultiCurrent::evenly(windings, 6);
+    let (first, second) = (gyrostat.first_form().0, gyrostat.second_form().0);
+    println!("states form    recorded [ms]   tolerance order steps   run [us]  step [ns]   error");
+    rows("first", Driven::new(first, single));
+    rows("second", Driven::new(second, single));
+    rows("first", Driven::new(first, bars.clone()));
+    rows("second", Driven::new(second, bars));
+}
+
+fn rows<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>>(form: &str, law: L) {
+    let states = Ode::<f64>::dimension(&law);
+    let law = Arc::new(law);
+    let start = Instant::now();
+    let system = Recorded::new(law);
+    let recorded = start.elapsed().as_secs_f64() * 1e3;
+    let mut first = vec![1.0, -2.0, 3.0, 0.6, 0.0, 0.8, 0.3, -1.0];
+    first.resize(states, 0.1);
+    let run = |tolerance: f64| -> Option<(usize, u64, f64, Vec<f64>)> {
+        let mut taylor = Taylor::new(system.taylor()?, &Tolerance::both(tolerance));
+        let mut state = first.clone();
+        let steps = taylor.propagate(0.0, SPAN, &mut state).ok()?;
+        let mut times: Vec<f64> = (0..REPEATS)
+            .map(|_| {
+                let start = Instant::now();
+                for _ in 0..RUNS {
+                    state.copy_from_slice(&first);
+                    if taylor.propagate(0.0, SPAN, &mut state).is_err() {
+                        return f64::NAN;
+                    }
+                }
+                start.elapsed().as_secs_f64() * 1e6 / f64::from(RUNS)
+            })
+            .collect();
+        times.sort_by(f64::total_cmp);
+        Some((taylor.order(), steps, times[REPEATS / 2], state))
+    };
+    let Some((.., exact)) = run(3e-15) else { return println!("{states:>6} {form:<7} no run") };
+    for tolerance in [1e-6, 1e-9, 1e-12, 1e-14] {
+        let Some((order, steps, time, end)) = run(tolerance) else { continue };
+        let error = end.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let step = time * 1e3 / steps as f64;
+        println!(
+            "{states:>6} {form:<7} {recorded:>13.2}   {tolerance:>9.0e} {order:>5} {steps:>5} {time:>10.1} {step:>10.0}  {error:>6.0e}"
+        );
+    }
+}

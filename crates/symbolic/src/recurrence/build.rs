@@ -1,0 +1,313 @@
+//! From the expression graph to sums and products.
+
+use super::collect::{Uses, common_factor};
+use super::form::{Atom, Form};
+use super::plan::Plan;
+use super::{Equations, Recurrence};
+use crate::graph::Node;
+use crate::{Sym, Tape, Untapeable};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// What a quantity is.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Definition {
+    /// A state, time, or a coordinate of a circle point: found by its rate.
+    State,
+    /// A sum of a constant and multiples of quantities.
+    Sum(Form),
+    Product(Atom, Atom),
+    Reciprocal(Atom),
+    Root(Atom),
+}
+
+/// Sums and products in the making.
+pub(super) struct Builder<'a> {
+    equations: &'a Equations<'a>,
+    pub definitions: Vec<Definition>,
+    /// For each state its rate, a sum.
+    pub rates: Vec<Form>,
+    forms: FxHashMap<Sym, Form>,
+    known_sums: FxHashMap<Vec<(Atom, Sym)>, Atom>,
+    known: FxHashMap<(u8, Atom, Atom), Atom>,
+    /// The coordinates of circle points among the states, as expressions.
+    points: Vec<Sym>,
+    /// Products of sums with at most so many terms are multiplied out.
+    multiplied_out: usize,
+    /// Where products arise: counted in a first run, used in a second.
+    uses: Uses,
+    gathers: bool,
+}
+
+impl<'a> Builder<'a> {
+    /// Twice: the first run counts where products arise.
+    pub fn run(equations: &'a Equations<'a>, multiplied_out: usize) -> Result<Self, Untapeable> {
+        let mut counting = Builder::new(equations, multiplied_out, Uses::default(), false);
+        counting.build()?;
+        let mut builder = Builder::new(equations, multiplied_out, counting.uses, true);
+        builder.build()?;
+        Ok(builder)
+    }
+
+    fn new(equations: &'a Equations<'a>, multiplied_out: usize, uses: Uses, gathers: bool) -> Self {
+        let states = equations.state.len() + usize::from(equations.time.is_some());
+        let mut forms = FxHashMap::default();
+        for (atom, &symbol) in equations.state.iter().chain(&equations.time).enumerate() {
+            forms.insert(symbol, Form::atom(atom));
+        }
+        for &parameter in equations.parameters {
+            forms.insert(parameter, Form::constant(parameter));
+        }
+        Builder {
+            equations,
+            definitions: vec![Definition::State; states],
+            rates: Vec::new(),
+            forms,
+            known_sums: FxHashMap::default(),
+            known: FxHashMap::default(),
+            points: Vec::new(),
+            multiplied_out,
+            uses,
+            gathers,
+        }
+    }
+
+    fn build(&mut self) -> Result<(), Untapeable> {
+        let mut rates = self.equations.rates.to_vec();
+        rates.extend(self.equations.time.map(|_| Sym::ONE));
+        // Circle points are states: their rates come after the others, and may bring new points.
+        self.admit_points(&mut rates);
+        self.read(&rates)?;
+        for rate in rates {
+            let form = self.forms[&rate].clone();
+            let form = self.resolved(form);
+            self.rates.push(form);
+        }
+        Ok(())
+    }
+
+    /// Makes states of all circle points in the rates, and in the rates of those.
+    fn admit_points(&mut self, rates: &mut Vec<Sym>) {
+        let mut next = 0;
+        while next < rates.len() {
+            let inside = Sym::reached(&rates[next..], |each, _| !self.forms.contains_key(&each));
+            next = rates.len();
+            for each in inside {
+                let (Node::Cos(angle) | Node::Sin(angle)) = each.node() else { continue };
+                if self.forms.contains_key(&each) || !self.moves(angle) {
+                    continue;
+                }
+                let [cos, sin] = [Node::Cos(angle), Node::Sin(angle)].map(Sym::from_node);
+                let rate = self.rate(angle);
+                for (point, rate) in [(cos, -(sin * rate)), (sin, cos * rate)] {
+                    self.forms.insert(point, Form::atom(self.definitions.len()));
+                    self.definitions.push(Definition::State);
+                    self.points.push(point);
+                    rates.push(rate);
+                }
+            }
+        }
+    }
+
+    fn moves(&self, expression: Sym) -> bool {
+        let moving = |each: &Sym| self.equations.state.contains(each) || self.equations.time == Some(*each);
+        Sym::ascending(&[expression]).iter().any(moving)
+    }
+
+    /// The rate of an expression along the solution, by the chain rule.
+    fn rate(&self, expression: Sym) -> Sym {
+        let by_time = self.equations.time.map_or(Sym::ZERO, |time| expression.diff(time));
+        let states = self.equations.state.iter().zip(self.equations.rates);
+        states.fold(by_time, |sum, (&state, &rate)| sum + expression.diff(state) * rate)
+    }
+
+    fn read(&mut self, rates: &[Sym]) -> Result<(), Untapeable> {
+        let order = Sym::reached(rates, |each, _| !self.forms.contains_key(&each));
+        let whole = whole_sums(&order, rates);
+        for each in order {
+            if !self.forms.contains_key(&each) {
+                let form = self.form(each)?;
+                let form = if self.gathers && whole.contains(&each) { self.gathered(form) } else { form };
+                self.forms.insert(each, form);
+            }
+        }
+        Ok(())
+    }
+
+    fn form(&mut self, each: Sym) -> Result<Form, Untapeable> {
+        // What is made of constants is a coefficient as it stands.
+        let fixed = each.node().children().all(|child| self.forms[&child].as_constant().is_some());
+        Ok(match each.node() {
+            Node::Constant(_) if each == Sym::UNDEFINED => return Err(Untapeable::Undefined),
+            Node::Symbol(_) => return Err(Untapeable::Unbound(each.to_string())),
+            Node::Function(..) => return Err(Untapeable::Function(each.to_string())),
+            _ if fixed => Form::constant(each),
+            Node::Sum(a, b) => self.forms[&a].clone().plus(&self.forms[&b], Sym::ONE),
+            Node::Difference(a, b) => self.forms[&a].clone().plus(&self.forms[&b], -Sym::ONE),
+            Node::Negation(a) => self.forms[&a].times(-Sym::ONE),
+            Node::Product(a, b) => self.product(self.forms[&a].clone(), self.forms[&b].clone()),
+            Node::Power(a, n) => {
+                let base = self.forms[&a].clone();
+                let squared = |builder: &mut Self, form: Form| builder.product(form.clone(), form);
+                (0..n.ilog2()).rev().fold(base.clone(), |power, bit| {
+                    let power = squared(self, power);
+                    if n >> bit & 1 == 1 { self.product(power, base.clone()) } else { power }
+                })
+            }
+            Node::Quotient(a, b) => {
+                let (above, below) = (self.forms[&a].clone(), self.forms[&b].clone());
+                match below.as_constant() {
+                    Some(constant) => above.times(Sym::ONE / constant),
+                    None => {
+                        let divisor = self.quantity(below);
+                        let reciprocal = self.intern(1, divisor, divisor, Definition::Reciprocal(divisor));
+                        self.product(above, Form::atom(reciprocal))
+                    }
+                }
+            }
+            Node::Root(a) => {
+                let square = self.quantity(self.forms[&a].clone());
+                Form::atom(self.intern(2, square, square, Definition::Root(square)))
+            }
+            // constants have no children; circle points that move are states already
+            Node::Constant(_) | Node::Cos(_) | Node::Sin(_) => Form::constant(each),
+        })
+    }
+
+    fn product(&mut self, a: Form, b: Form) -> Form {
+        if let Some(factor) = a.as_constant() {
+            return b.times(factor);
+        }
+        if let Some(factor) = b.as_constant() {
+            return a.times(factor);
+        }
+        let (a, b) = (self.resolved(a), self.resolved(b));
+        if a.terms() * b.terms() <= self.multiplied_out || a.terms().min(b.terms()) == 1 && self.multiplied_out > 1 {
+            let product = a.multiplied_out(&b);
+            if !self.gathers {
+                product.products.keys().for_each(|&pair| *self.uses.entry(pair).or_default() += 1);
+            }
+            return product;
+        }
+        let (a, b) = (self.quantity(a), self.quantity(b));
+        Form::atom(self.product_of(a, b))
+    }
+
+    fn product_of(&mut self, a: Atom, b: Atom) -> Atom {
+        let (a, b) = (a.min(b), a.max(b));
+        self.intern(0, a, b, Definition::Product(a, b))
+    }
+
+    /// The same with every product a quantity of its own.
+    fn resolved(&mut self, mut form: Form) -> Form {
+        for ((a, b), c) in std::mem::take(&mut form.products) {
+            let product = self.product_of(a, b);
+            form.add_atom(product, c.0);
+        }
+        form
+    }
+
+    /// The same with products gathered by common factors.
+    fn gathered(&mut self, mut form: Form) -> Form {
+        while let Some((factor, sum)) = common_factor(&form, &self.uses) {
+            form.products.retain(|&(a, b), _| {
+                let partner = if a == factor { b } else { a };
+                !((a == factor || b == factor) && sum.linear.contains_key(&partner))
+            });
+            let sum = self.quantity(sum);
+            let product = self.product_of(factor, sum);
+            form.add_atom(product, Sym::ONE);
+        }
+        form
+    }
+
+    /// The form as one quantity.
+    fn quantity(&mut self, form: Form) -> Atom {
+        let form = self.resolved(form);
+        if let Some(atom) = form.as_atom() {
+            return atom;
+        }
+        let mut key: Vec<(Atom, Sym)> = form.linear.iter().map(|(&atom, c)| (atom, c.0)).collect();
+        key.push((Atom::MAX, form.constant.0));
+        let next = self.definitions.len();
+        let atom = *self.known_sums.entry(key).or_insert(next);
+        if atom == next {
+            self.definitions.push(Definition::Sum(form));
+        }
+        atom
+    }
+
+    fn intern(&mut self, kind: u8, a: Atom, b: Atom, definition: Definition) -> Atom {
+        let next = self.definitions.len();
+        let atom = *self.known.entry((kind, a, b)).or_insert(next);
+        if atom == next {
+            self.definitions.push(definition);
+        }
+        atom
+    }
+
+    /// Roughly the operations of a series of usual order.
+    pub fn cost(&self) -> usize {
+        let of = |definition: &Definition| match definition {
+            Definition::State => 0,
+            Definition::Sum(form) => 4 + form.terms(),
+            Definition::Product(..) => 8,
+            Definition::Reciprocal(_) | Definition::Root(_) => 24,
+        };
+        let used = self.used();
+        let definitions = self.definitions.iter().zip(&used).filter(|(_, used)| **used).map(|(each, _)| of(each));
+        definitions.sum::<usize>() + self.rates.iter().map(Form::terms).sum::<usize>()
+    }
+
+    /// Which quantities a rate needs.
+    pub fn used(&self) -> Vec<bool> {
+        let mut used = vec![false; self.definitions.len()];
+        self.rates.iter().flat_map(|rate| rate.linear.keys()).for_each(|&atom| used[atom] = true);
+        for atom in (0..self.definitions.len()).rev() {
+            match &self.definitions[atom] {
+                Definition::State => used[atom] = true,
+                _ if !used[atom] => {}
+                Definition::Sum(form) => form.linear.keys().for_each(|&part| used[part] = true),
+                Definition::Product(a, b) => (used[*a], used[*b]) = (true, true),
+                Definition::Reciprocal(a) | Definition::Root(a) => used[*a] = true,
+            }
+        }
+        used
+    }
+
+    /// With the tapes for its coefficients and its circle points.
+    pub fn finish(self) -> Result<Recurrence, Untapeable> {
+        let (plan, coefficients) = Plan::new(&self);
+        let inputs: Vec<Sym> =
+            self.equations.state.iter().chain(&self.equations.time).chain(self.equations.parameters).copied().collect();
+        Ok(Recurrence {
+            plan,
+            coefficients: Tape::record(self.equations.parameters, &coefficients)?,
+            points: Tape::record(&inputs, &self.points)?,
+        })
+    }
+
+    pub fn states(&self) -> usize {
+        self.equations.state.len()
+    }
+
+    pub fn has_time(&self) -> bool {
+        self.equations.time.is_some()
+    }
+}
+
+/// The sums that are not part of one larger sum alone.
+fn whole_sums(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
+    let is_sum = |each: Sym| matches!(each.node(), Node::Sum(..) | Node::Difference(..));
+    let mut parents: FxHashMap<Sym, u32> = FxHashMap::default();
+    let mut in_sums: FxHashMap<Sym, u32> = FxHashMap::default();
+    for &each in order {
+        for child in each.node().children() {
+            *parents.entry(child).or_default() += 1;
+            if is_sum(each) || matches!(each.node(), Node::Negation(_)) {
+                *in_sums.entry(child).or_default() += 1;
+            }
+        }
+    }
+    let partial = |each: Sym| parents.get(&each) == Some(&1) && in_sums.get(&each) == Some(&1);
+    order.iter().copied().filter(|&each| is_sum(each) && (outputs.contains(&each) || !partial(each))).collect()
+}

@@ -1,0 +1,26 @@
+//! Gathering products by a common factor.
+
+use super::form::{Atom, Form};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// From so many products with one factor on it is worth a sum of its own.
+const WORTH: usize = 3;
+
+/// In how many places a product of two quantities arises.
+pub(super) type Uses = FxHashMap<(Atom, Atom), u32>;
+
+/// The factor with most products that arise here alone, and its partners: x_f times (sum c_i x_i).
+pub(super) fn common_factor(form: &Form, uses: &Uses) -> Option<(Atom, Form)> {
+    let own = |pair: &(Atom, Atom)| uses.get(pair).is_some_and(|&count| count == 1);
+    let pairs: Vec<(Atom, Atom)> = form.products.keys().copied().filter(own).collect();
+    let atoms: FxHashSet<Atom> = pairs.iter().flat_map(|&(a, b)| [a, b]).collect();
+    let count = |atom: Atom| pairs.iter().filter(|&&(a, b)| a == atom || b == atom).count();
+    // among equals the first, so that the choice does not hang on the order of hashing
+    let factor = atoms.into_iter().max_by_key(|&atom| (count(atom), std::cmp::Reverse(atom)))?;
+    let mut sum = Form::default();
+    for &(a, b) in pairs.iter().filter(|&&(a, b)| a == factor || b == factor) {
+        let partner = if a == factor { b } else { a };
+        sum.add_atom(partner, form.products[&(a, b)].0);
+    }
+    (sum.linear.len() >= WORTH).then_some((factor, sum))
+}

@@ -1,0 +1,179 @@
+//! All coefficients of a solution's series, order by order.
+
+use super::Recurrence;
+use super::fused::{Fused, Task};
+use super::layout::{CHAINS, Lanes, Layout, MOST, Rows, width};
+use super::order::add;
+use super::pick::{Columns, Pick};
+use crate::tape::Program;
+
+/// A recurrence over a field, with room for the series of all its quantities: expanding allocates nothing.
+///
+/// `W` quantities are computed side by side: 8 fill the widest registers of today with `f64`; for a field that is wide
+/// itself, 1. `N` is a power of two above the number of columns, so that no index needs a check.
+#[derive(Clone, Debug)]
+pub struct Expansion<'a, S, const W: usize, const N: usize = 256> {
+    order: usize,
+    states: usize,
+    time: bool,
+    layout: Layout<S, W>,
+    /// The coefficients of the order at hand of all quantities, by column.
+    now: Box<Columns<S, N>>,
+    /// Room for the next order: so the rates of this one need not wait for each other.
+    then: Box<Columns<S, N>>,
+    /// The coefficients of all orders of what has a rate; so long is one order.
+    series: Vec<S>,
+    width: usize,
+    /// 1/k
+    reciprocals: Vec<S>,
+    points: Program<'a, S>,
+    inputs: Vec<S>,
+    circle: Vec<S>,
+    coefficients: Program<'a, S>,
+}
+
+impl Recurrence {
+    /// Readies the recurrence for series to the given order at these parameters; `None` where it has more than `N`
+    /// columns.
+    pub fn expansion<S: Fused, const W: usize, const N: usize>(
+        &self,
+        parameters: &[S],
+        order: usize,
+    ) -> Option<Expansion<'_, S, W, N>> {
+        const { assert!(N.is_power_of_two() && N <= MOST) };
+        if width(&self.plan, W) > N {
+            return None;
+        }
+        let layout = Layout::new(&self.plan, order);
+        let inputs = self.plan.states + usize::from(self.plan.time);
+        let width = self.plan.moving.next_multiple_of(W);
+        let mut expansion = Expansion {
+            order,
+            states: self.plan.states,
+            time: self.plan.time,
+            layout,
+            now: Box::new(Columns([S::zero(); N])),
+            then: Box::new(Columns([S::zero(); N])),
+            series: vec![S::zero(); width * (order + 1)],
+            width,
+            reciprocals: std::iter::once(S::zero()).chain((1..=order as i64 + 1).map(|k| S::ratio(1, k))).collect(),
+            points: self.points.over(),
+            inputs: vec![S::zero(); inputs + parameters.len()],
+            circle: vec![S::zero(); self.plan.moving - inputs],
+            coefficients: self.coefficients.over(),
+        };
+        expansion.set_parameters(parameters);
+        Some(expansion)
+    }
+}
+
+impl<S: Fused, const W: usize, const N: usize> Expansion<'_, S, W, N> {
+    /// The order of the last coefficient.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Takes other values of the parameters.
+    pub fn set_parameters(&mut self, parameters: &[S]) {
+        let first = self.states + usize::from(self.time);
+        for (input, value) in self.inputs[first..].iter_mut().zip(parameters) {
+            *input = *value;
+        }
+        let mut values = vec![S::zero(); self.layout.coefficients];
+        self.coefficients.evaluate(parameters, &mut values);
+        self.layout.set(&values);
+    }
+
+    /// Expands the solution through `state` at `time`.
+    pub fn expand(&mut self, state: &[S], time: S) {
+        let n = self.states.min(state.len());
+        self.inputs[..n].copy_from_slice(&state[..n]);
+        let mut moving = self.states;
+        if self.time {
+            self.inputs[moving] = time;
+            moving += 1;
+        }
+        self.series[..moving].copy_from_slice(&self.inputs[..moving]);
+        if !self.circle.is_empty() {
+            self.points.evaluate(&self.inputs, &mut self.circle);
+            self.series[moving..moving + self.circle.len()].copy_from_slice(&self.circle);
+        }
+        S::run(Expand(self), W);
+    }
+
+    /// The coefficients a_k of the states.
+    #[inline]
+    pub fn coefficients(&self, k: usize) -> &[S] {
+        &self.series[k * self.width..][..self.states]
+    }
+
+    /// The sum of the series at h, by Horner's scheme.
+    #[inline]
+    pub fn sum(&self, h: S, out: &mut [S]) {
+        S::run(Sum { expansion: self, h, out }, W);
+    }
+}
+
+struct Expand<'a, 'b, S, const W: usize, const N: usize>(&'a mut Expansion<'b, S, W, N>);
+
+impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, '_, S, W, N> {
+    #[inline(always)]
+    fn run<P: Pick<S>>(self, pick: P) {
+        let Expansion { order, layout, now, then, series, width, reciprocals, .. } = self.0;
+        let (order, mut now, mut then) = (*order, &mut **now, &mut **then);
+        for group in layout.stages.iter_mut().flat_map(|stage| &mut stage.groups) {
+            group.left[..CHAINS].fill(Lanes::zero());
+        }
+        now.0[..*width].copy_from_slice(&series[..*width]);
+        for k in 0..order {
+            for stage in &mut layout.stages {
+                let Rows { first, blocks } = &stage.sums;
+                for (place, block) in blocks.iter().enumerate() {
+                    let sum = block.sums::<P, N>(k, now);
+                    now.0[first + place * W..][..W].copy_from_slice(&sum);
+                }
+                for group in &mut stage.groups {
+                    let products = group.products(pick, k, order, now);
+                    now.0[group.first..][..W].copy_from_slice(&products);
+                }
+                if stage.has_implicit {
+                    stage.implicit(k, &mut now.0);
+                }
+            }
+            // x_(k+1) = (x')_k / (k + 1)
+            let (next, reciprocal) = (&mut series[(k + 1) * *width..][..*width], reciprocals[k + 1]);
+            let rows = then.0.chunks_exact_mut(W).zip(next.chunks_exact_mut(W));
+            for (block, (then, next)) in layout.rates.blocks.iter().zip(rows) {
+                let mut sum = block.sums::<P, N>(k, now);
+                for rate in &mut sum {
+                    *rate *= reciprocal;
+                }
+                then.copy_from_slice(&sum);
+                next.copy_from_slice(&sum);
+            }
+            std::mem::swap(&mut now, &mut then);
+        }
+    }
+}
+
+struct Sum<'a, 'b, S, const W: usize, const N: usize> {
+    expansion: &'a Expansion<'b, S, W, N>,
+    h: S,
+    out: &'a mut [S],
+}
+
+impl<S: Fused, const W: usize, const N: usize> Task<S> for Sum<'_, '_, S, W, N> {
+    #[inline(always)]
+    fn run<P: Pick<S>>(self, _: P) {
+        let Expansion { series, width, states, .. } = self.expansion;
+        for (first, out) in (0..*states).step_by(W).zip(self.out.chunks_mut(W)) {
+            let mut sum = [S::zero(); W];
+            for row in series.chunks_exact(*width).rev() {
+                let mut next = [S::zero(); W];
+                next.copy_from_slice(&row[first..first + W]);
+                sum = add::<P, S, W>(next, sum, [self.h; W]);
+            }
+            out.copy_from_slice(&sum[..out.len()]);
+        }
+    }
+}

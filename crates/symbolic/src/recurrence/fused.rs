@@ -1,0 +1,63 @@
+//! With the widest instructions that the processor has, chosen when the program runs.
+
+#[cfg(target_arch = "x86_64")]
+use super::pick::Permuting;
+use super::pick::{OneByOne, Pick};
+use field::{Analytic, DoubleDouble};
+
+/// A field with a product added to a sum as fast as the processor can.
+pub trait Fused: Analytic {
+    /// self + a b, rounded once or twice.
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self, _fused: bool) -> Self {
+        self + a * b
+    }
+
+    /// Runs what works on groups of so many.
+    #[doc(hidden)]
+    #[allow(private_bounds)]
+    #[inline]
+    fn run<T: Task<Self>>(task: T, _group: usize) {
+        task.run(OneByOne::<false>);
+    }
+}
+
+/// Work that is compiled once for each set of instructions.
+pub(super) trait Task<S> {
+    fn run<P: Pick<S>>(self, pick: P);
+}
+
+impl Fused for DoubleDouble {}
+
+impl Fused for f64 {
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self, fused: bool) -> Self {
+        if fused { a.mul_add(b, self) } else { self + a * b }
+    }
+
+    #[allow(private_bounds)]
+    #[inline]
+    fn run<T: Task<f64>>(task: T, group: usize) {
+        #[cfg(target_arch = "x86_64")]
+        if group == 8
+            && let Some(widest) = pulp::x86::V4::try_new()
+        {
+            return pulp::Simd::vectorize(widest, With(task, Permuting(widest)));
+        }
+        match pulp::Arch::new() {
+            pulp::Arch::Scalar => task.run(OneByOne::<false>),
+            wide => wide.dispatch(With(task, OneByOne::<true>)),
+        }
+    }
+}
+
+struct With<T, P>(T, P);
+
+impl<T: Task<f64>, P: Pick<f64>> pulp::WithSimd for With<T, P> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<I: pulp::Simd>(self, _: I) {
+        self.0.run(self.1);
+    }
+}

@@ -1,0 +1,203 @@
+//! Where the quantities of a plan stand, so that `W` of them are computed at once.
+
+use super::pick::Selection;
+use super::plan::{Place, Plan, Product, Sums};
+use field::Scalar;
+
+/// W numbers side by side; a group of eight `f64` is one line of the cache.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(super) struct Lanes<S, const W: usize>(pub [S; W]);
+
+impl<S: Scalar, const W: usize> Lanes<S, W> {
+    pub fn zero() -> Self {
+        Lanes([S::zero(); W])
+    }
+}
+
+/// Sums that run side by side: none waits for the addition before. Terms are filled up to a multiple of it.
+pub(super) const CHAINS: usize = 4;
+
+/// The most columns that there can be.
+pub(super) const MOST: usize = 1 << 16;
+
+/// Columns of quantities, and the sums and products over them.
+#[derive(Clone, Debug)]
+pub(super) struct Layout<S, const W: usize> {
+    pub coefficients: usize,
+    pub stages: Vec<Laid<S, W>>,
+    pub rates: Rows<S, W>,
+}
+
+/// A stage of the plan.
+#[derive(Clone, Debug)]
+pub(super) struct Laid<S, const W: usize> {
+    pub sums: Rows<S, W>,
+    pub groups: Vec<Group<S, W>>,
+    pub reciprocals: Vec<Implicit<S>>,
+    pub roots: Vec<Implicit<S>>,
+    /// Whether there is one of them.
+    pub has_implicit: bool,
+}
+
+/// W products of two series each.
+#[derive(Clone, Debug)]
+pub(super) struct Group<S, const W: usize> {
+    /// The columns of the factors.
+    pub factors: [Selection<W>; 2],
+    /// The column of the first product.
+    pub first: usize,
+    /// The series of the factors on the left: a_i at i.
+    pub left: Vec<Lanes<S, W>>,
+    /// The series of the factors on the right: b_i at order - i.
+    pub right: Vec<Lanes<S, W>>,
+}
+
+/// A reciprocal or a root.
+#[derive(Clone, Debug)]
+pub(super) struct Implicit<S> {
+    pub column: usize,
+    /// The column of what it is the reciprocal or root of.
+    pub of: usize,
+    /// Its series, and that of the other.
+    pub series: Vec<[S; 2]>,
+}
+
+/// W sums at a time: by columns, each with one coefficient for every sum.
+#[derive(Clone, Debug)]
+pub(super) struct Rows<S, const W: usize> {
+    /// The column of the first sum.
+    pub first: usize,
+    pub blocks: Vec<Block<S, W>>,
+}
+
+/// W sums: their constants, and for each column what it counts in each.
+#[derive(Clone, Debug)]
+pub(super) struct Block<S, const W: usize> {
+    pub constants: Lanes<S, W>,
+    pub columns: Vec<[u16; CHAINS]>,
+    pub factors: Vec<[Lanes<S, W>; CHAINS]>,
+    /// Which coefficient is to be put where.
+    constant_of: [u32; W],
+    factor_of: Vec<[[u32; W]; CHAINS]>,
+}
+
+const NONE: u32 = u32::MAX;
+
+impl<S: Scalar, const W: usize> Layout<S, W> {
+    /// The layout for series to the given order, without its coefficients.
+    pub fn new(plan: &Plan, order: usize) -> Self {
+        let mut columns = Places { of: (0..plan.moving as u16).collect(), next: plan.moving.next_multiple_of(W) };
+        let mut stages = Vec::new();
+        for stage in &plan.stages {
+            let first_sum = columns.take::<W>(stage.sum_places.iter().copied());
+            let sums = Rows::new(&stage.sums, first_sum, &columns);
+            let first = columns.take::<W>(stage.products.iter().map(|product| product.place));
+            let group = |(number, products): (usize, &[Product])| {
+                let column = |factor: fn(&Product) -> Place, lane: usize| -> u16 {
+                    products.get(lane).map_or(0, |product| columns.of(factor(product)))
+                };
+                let factors: [fn(&Product) -> Place; 2] = [|product| product.a, |product| product.b];
+                let factors = factors.map(|factor| Selection::new(std::array::from_fn(|lane| column(factor, lane))));
+                let room = vec![Lanes::zero(); order + 1 + 2 * CHAINS];
+                Group { factors, first: first + number * W, left: room.clone(), right: room }
+            };
+            let groups = stage.products.chunks(W).enumerate().map(group).collect();
+            let mut implicit = |pairs: &[(Place, Place)]| -> Vec<Implicit<S>> {
+                let series = vec![[S::zero(); 2]; order + 1];
+                let one = |&(place, of): &(Place, Place)| {
+                    let column = columns.take::<1>([place]);
+                    Implicit { column, of: columns.of(of).into(), series: series.clone() }
+                };
+                pairs.iter().map(one).collect()
+            };
+            let (reciprocals, roots) = (implicit(&stage.reciprocals), implicit(&stage.roots));
+            let has_implicit = !(reciprocals.is_empty() && roots.is_empty());
+            stages.push(Laid { sums, groups, reciprocals, roots, has_implicit });
+            columns.next = columns.next.next_multiple_of(W);
+        }
+        Layout { coefficients: plan.coefficients, stages, rates: Rows::new(&plan.rates, 0, &columns) }
+    }
+
+    /// Takes the values of the coefficients.
+    pub fn set(&mut self, values: &[S]) {
+        self.stages.iter_mut().for_each(|stage| stage.sums.set(values));
+        self.rates.set(values);
+    }
+}
+
+/// How many columns a plan takes with groups of W.
+pub(super) fn width(plan: &Plan, lanes: usize) -> usize {
+    let stage = |stage: &super::plan::Stage| {
+        let single = (stage.reciprocals.len() + stage.roots.len()).next_multiple_of(lanes);
+        stage.sum_places.len().next_multiple_of(lanes) + stage.products.len().next_multiple_of(lanes) + single
+    };
+    plan.moving.next_multiple_of(lanes) + plan.stages.iter().map(stage).sum::<usize>()
+}
+
+impl<S: Scalar, const W: usize> Rows<S, W> {
+    fn new(sums: &Sums, first: usize, columns: &Places) -> Self {
+        let block = |number: usize| {
+            let mut constant_of = [NONE; W];
+            let inside = |row: u32| row as usize / W == number;
+            for &(row, coefficient) in sums.constants.iter().filter(|(row, _)| inside(*row)) {
+                constant_of[row as usize % W] = coefficient;
+            }
+            // what is known first comes first
+            let mut own: Vec<_> = sums.terms.iter().filter(|(row, ..)| inside(*row)).collect();
+            own.sort_by_key(|(_, place, _)| columns.of(*place));
+            let mut terms: Vec<(u16, [u32; W])> = Vec::new();
+            for &&(row, place, coefficient) in &own {
+                let column = columns.of(place);
+                if terms.last().is_none_or(|(last, _)| *last != column) {
+                    terms.push((column, [NONE; W]));
+                }
+                if let Some((_, coefficients)) = terms.last_mut() {
+                    coefficients[row as usize % W] = coefficient;
+                }
+            }
+            terms.resize(terms.len().next_multiple_of(CHAINS), (0, [NONE; W]));
+            let four = terms.chunks_exact(CHAINS);
+            let columns = four.clone().map(|four| std::array::from_fn(|chain| four[chain].0)).collect();
+            let factor_of: Vec<_> = four.map(|four| std::array::from_fn(|chain| four[chain].1)).collect();
+            let factors = vec![[Lanes::zero(); CHAINS]; factor_of.len()];
+            Block { constants: Lanes::zero(), columns, factors, constant_of, factor_of }
+        };
+        Rows { first, blocks: (0..sums.rows.div_ceil(W)).map(block).collect() }
+    }
+
+    fn set(&mut self, values: &[S]) {
+        let value = |number: u32| values.get(number as usize).copied().unwrap_or(S::zero());
+        for block in &mut self.blocks {
+            block.constants.0 = block.constant_of.map(value);
+            for (factors, numbers) in block.factors.iter_mut().zip(&block.factor_of) {
+                *factors = numbers.map(|numbers| Lanes(numbers.map(value)));
+            }
+        }
+    }
+}
+
+/// The column of each place.
+struct Places {
+    of: Vec<u16>,
+    next: usize,
+}
+
+impl Places {
+    fn of(&self, place: Place) -> u16 {
+        self.of.get(place as usize).copied().unwrap_or(0)
+    }
+
+    /// Columns for these places, filled up to a multiple of W.
+    fn take<const W: usize>(&mut self, places: impl IntoIterator<Item = Place>) -> usize {
+        let first = self.next;
+        for (number, place) in places.into_iter().enumerate() {
+            if self.of.len() <= place as usize {
+                self.of.resize(place as usize + 1, 0);
+            }
+            self.of[place as usize] = (first + number) as u16;
+            self.next = first + (number + 1).next_multiple_of(W);
+        }
+        first
+    }
+}

@@ -1,0 +1,113 @@
+//! One order: sums, products, reciprocals and roots from what is known.
+
+use super::fused::Fused;
+use super::layout::{Block, CHAINS, Group, Implicit, Laid, Lanes};
+use super::pick::{Columns, Pick};
+use field::Analytic;
+
+/// sum + a b
+#[inline(always)]
+pub(super) fn add<P: Pick<S>, S: Fused, const W: usize>(mut sum: [S; W], a: [S; W], b: [S; W]) -> [S; W] {
+    for lane in 0..W {
+        sum[lane] = sum[lane].plus_product(a[lane], b[lane], P::FUSED);
+    }
+    sum
+}
+
+#[inline(always)]
+fn together<S: Fused, const W: usize>([mut a, b, mut c, d]: [[S; W]; CHAINS]) -> [S; W] {
+    for lane in 0..W {
+        a[lane] += b[lane];
+        c[lane] += d[lane];
+        a[lane] += c[lane];
+    }
+    a
+}
+
+impl<S: Fused, const W: usize> Block<S, W> {
+    /// The sums in order k.
+    #[inline(always)]
+    pub fn sums<P: Pick<S>, const N: usize>(&self, k: usize, now: &Columns<S, N>) -> [S; W] {
+        let mut sums = [[S::zero(); W]; CHAINS];
+        if k == 0 {
+            sums[0] = self.constants.0;
+        }
+        for (columns, factors) in self.columns.iter().zip(&self.factors) {
+            for chain in 0..CHAINS {
+                let x = now.0[columns[chain] as usize % N];
+                sums[chain] = add::<P, S, W>(sums[chain], factors[chain].0, [x; W]);
+            }
+        }
+        together(sums)
+    }
+}
+
+impl<S: Fused, const W: usize> Group<S, W> {
+    /// sum_j a_j b_(k-j) with a_k and b_k from the columns: what is older is summed without waiting for them.
+    #[inline(always)]
+    pub fn products<P: Pick<S>, const N: usize>(
+        &mut self,
+        pick: P,
+        k: usize,
+        order: usize,
+        now: &Columns<S, N>,
+    ) -> [S; W] {
+        let [a, b] = &self.factors;
+        let (newest_a, newest_b) = (pick.pick(now, a), pick.pick(now, b));
+        let (left, right) = (&mut self.left[..], &mut self.right[order - k..]);
+        // a is zero from k on, b behind its end: the last chains may go too far
+        let middle = k.saturating_sub(1).next_multiple_of(CHAINS);
+        let mut sums = [[S::zero(); W]; CHAINS];
+        for (a, b) in left[1..=middle].chunks_exact(CHAINS).zip(right[1..=middle].chunks_exact(CHAINS)) {
+            for chain in 0..CHAINS {
+                sums[chain] = add::<P, S, W>(sums[chain], a[chain].0, b[chain].0);
+            }
+        }
+        let mut sum = together(sums);
+        left[k + CHAINS] = Lanes::zero();
+        (left[k], right[0]) = (Lanes(newest_a), Lanes(newest_b));
+        if k > 0 {
+            sum = add::<P, S, W>(sum, left[0].0, newest_b);
+        }
+        add::<P, S, W>(sum, newest_a, right[k].0)
+    }
+}
+
+impl<S: Analytic, const W: usize> Laid<S, W> {
+    /// Rare, and kept out of the loop over the orders, which is short without it.
+    #[inline(never)]
+    pub fn implicit(&mut self, k: usize, now: &mut [S]) {
+        self.reciprocals.iter_mut().for_each(|each| each.reciprocal(k, now));
+        self.roots.iter_mut().for_each(|each| each.root(k, now));
+    }
+}
+
+impl<S: Analytic> Implicit<S> {
+    /// r_k from (r b)_k = 0, and r_0 = 1 / b_0.
+    fn reciprocal(&mut self, k: usize, now: &mut [S]) {
+        let newest = now[self.of];
+        self.series[k][1] = newest;
+        let result = if k == 0 {
+            S::one() / newest
+        } else {
+            let pairs = self.series[..k].iter().zip(self.series[1..=k].iter().rev());
+            -pairs.fold(S::zero(), |sum, (r, b)| sum + r[0] * b[1]) * self.series[0][0]
+        };
+        self.series[k][0] = result;
+        now[self.column] = result;
+    }
+
+    /// r_k from (r r)_k = a_k, and r_0 the non-negative root of a_0.
+    fn root(&mut self, k: usize, now: &mut [S]) {
+        let newest = now[self.of];
+        let result = if k == 0 {
+            newest.sqrt()
+        } else {
+            let pairs = self.series[1..k].iter().zip(self.series[1..k].iter().rev());
+            let known = pairs.fold(S::zero(), |sum, (p, q)| sum + p[0] * q[0]);
+            (newest - known) / (self.series[0][0] + self.series[0][0])
+        };
+        self.series[k][0] = result;
+        now[self.column] = result;
+    }
+}

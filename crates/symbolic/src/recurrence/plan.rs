@@ -1,0 +1,142 @@
+//! The order in which sums and products are formed.
+
+use super::build::{Builder, Definition};
+use super::form::Form;
+use crate::Sym;
+use rustc_hash::FxHashMap;
+
+/// A quantity in the plan.
+pub(super) type Place = u32;
+
+/// What is computed for each order: the stages, then the rates.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Plan {
+    /// How many states there are; their places come first, then time, if it has one, then the circle points.
+    pub states: usize,
+    pub time: bool,
+    /// All places with a rate.
+    pub moving: usize,
+    pub stages: Vec<Stage>,
+    /// Row i is the rate of place i.
+    pub rates: Sums,
+    /// How many coefficients the sums draw on.
+    pub coefficients: usize,
+}
+
+/// Sums first, which need earlier stages only; then products, which need the sums too.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub(super) struct Stage {
+    pub sums: Sums,
+    /// The places of the sums, by row.
+    pub sum_places: Vec<Place>,
+    pub products: Vec<Product>,
+    pub reciprocals: Vec<(Place, Place)>,
+    pub roots: Vec<(Place, Place)>,
+}
+
+/// place = a b
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Product {
+    pub place: Place,
+    pub a: Place,
+    pub b: Place,
+}
+
+/// Row by row, constants and multiples of places; coefficients by their number.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub(super) struct Sums {
+    pub rows: usize,
+    pub constants: Vec<(u32, u32)>,
+    /// row, place, coefficient
+    pub terms: Vec<(u32, Place, u32)>,
+}
+
+/// The coefficients, each once.
+#[derive(Default)]
+struct Coefficients {
+    all: Vec<Sym>,
+    known: FxHashMap<Sym, u32>,
+}
+
+impl Coefficients {
+    fn number(&mut self, coefficient: Sym) -> u32 {
+        let next = self.all.len() as u32;
+        let number = *self.known.entry(coefficient).or_insert(next);
+        if number == next {
+            self.all.push(coefficient);
+        }
+        number
+    }
+}
+
+impl Sums {
+    fn push(&mut self, form: &Form, coefficients: &mut Coefficients) {
+        let row = self.rows as u32;
+        if form.constant.0 != Sym::ZERO {
+            self.constants.push((row, coefficients.number(form.constant.0)));
+        }
+        let terms = form.linear.iter().map(|(&atom, c)| (row, atom as Place, coefficients.number(c.0)));
+        self.terms.extend(terms);
+        self.rows += 1;
+    }
+}
+
+impl Plan {
+    /// The plan, and the expressions of its coefficients.
+    pub fn new(builder: &Builder<'_>) -> (Plan, Vec<Sym>) {
+        let mut coefficients = Coefficients::default();
+        let mut stages: Vec<Stage> = Vec::new();
+        // the stage before which a quantity is ready
+        let mut ready = vec![0usize; builder.definitions.len()];
+        let used = builder.used();
+        for (atom, definition) in builder.definitions.iter().enumerate().filter(|(atom, _)| used[*atom]) {
+            let place = atom as Place;
+            let after = |atoms: &[usize]| atoms.iter().map(|&atom| ready[atom]).max().unwrap_or(0);
+            let stage = match definition {
+                Definition::State => continue,
+                Definition::Sum(form) => form.linear.keys().map(|&part| ready[part]).max().unwrap_or(0),
+                Definition::Product(a, b) => after(&[*a, *b]),
+                Definition::Reciprocal(a) | Definition::Root(a) => after(&[*a]),
+            };
+            if stage >= stages.len() {
+                stages.resize(stage + 1, Stage::default());
+            }
+            let here = &mut stages[stage];
+            match definition {
+                Definition::State => {}
+                Definition::Sum(form) => {
+                    here.sums.push(form, &mut coefficients);
+                    here.sum_places.push(place);
+                }
+                Definition::Product(a, b) => {
+                    here.products.push(Product { place, a: *a as Place, b: *b as Place });
+                }
+                Definition::Reciprocal(a) => here.reciprocals.push((place, *a as Place)),
+                Definition::Root(a) => here.roots.push((place, *a as Place)),
+            }
+            // a sum is ready for the products of its own stage
+            ready[atom] = if matches!(definition, Definition::Sum(_)) { stage } else { stage + 1 };
+        }
+        let mut rates = Sums::default();
+        builder.rates.iter().for_each(|rate| rates.push(rate, &mut coefficients));
+        let plan = Plan {
+            states: builder.states(),
+            time: builder.has_time(),
+            moving: rates.rows,
+            stages,
+            rates,
+            coefficients: coefficients.all.len(),
+        };
+        (plan, coefficients.all)
+    }
+
+    /// How many products of two series there are.
+    pub fn products(&self) -> usize {
+        self.stages.iter().map(|stage| stage.products.len() + stage.reciprocals.len() + stage.roots.len()).sum()
+    }
+
+    /// How many terms all sums have.
+    pub fn terms(&self) -> usize {
+        self.stages.iter().map(|stage| &stage.sums).chain([&self.rates]).map(|sums| sums.terms.len()).sum()
+    }
+}

@@ -1,0 +1,106 @@
+//! Taylor series of solutions: sums and products for every law, whatever the width of a group.
+
+use field::{Analytic, DoubleDouble, Scalar};
+use symbolic::{Equations, Fused, Recurrence, Sym, Untapeable, symbols};
+
+fn record(state: &[Sym], time: Option<Sym>, parameters: &[Sym], rates: &[Sym]) -> Result<Recurrence, Untapeable> {
+    Recurrence::record(&Equations { state, time, parameters, rates })
+}
+
+/// The coefficients of the solution of y' = rate through (t, y).
+fn solution<S: Fused>(rate: impl Fn(Sym, Sym) -> Sym, y: S, t: S, order: usize) -> Vec<S> {
+    let [state, time] = symbols(["y", "t"]);
+    let recurrence = record(&[state], Some(time), &[], &[rate(state, time)]).unwrap();
+    let mut expansion = recurrence.expansion::<S, 8, 256>(&[], order).unwrap();
+    expansion.expand(&[y], t);
+    (0..=order).map(|k| expansion.coefficients(k)[0]).collect()
+}
+
+#[test]
+fn series_of_known_solutions_have_their_known_coefficients() {
+    let near = |found: &[f64], known: &[f64]| {
+        assert!(found.iter().zip(known).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?} is not {known:?}");
+    };
+    near(&solution(|y, _| y, 1.0, 0.0, 4), &[1.0, 1.0, 0.5, 1.0 / 6.0, 1.0 / 24.0]);
+    near(&solution(|y, _| y * y, 1.0, 0.0, 4), &[1.0; 5]);
+    near(&solution(|y, _| Sym::int(1) + y * y, 0.0, 0.0, 5), &[0.0, 1.0, 0.0, 1.0 / 3.0, 0.0, 2.0 / 15.0]);
+    near(&solution(|_, t| t.circle().cos, 0.0, 0.0, 5), &[0.0, 1.0, 0.0, -1.0 / 6.0, 0.0, 1.0 / 120.0]);
+    near(&solution(|y, _| Sym::ratio(1, 2) / y, 1.0, 0.0, 4), &[1.0, 0.5, -0.125, 0.0625, -5.0 / 128.0]);
+    near(&solution(|_, t| (Sym::int(1) + t).sqrt(), 0.0, 0.0, 4), &[0.0, 1.0, 0.25, -1.0 / 24.0, 1.0 / 64.0]);
+}
+
+#[test]
+fn a_series_in_double_double_sums_to_the_solution() {
+    let order = 30;
+    let coefficients = solution(|y, t| -(y * t.circle().sin), DoubleDouble::from(1.0), DoubleDouble::from(0.0), order);
+    let h = DoubleDouble::ratio(1, 8);
+    let sum = coefficients.iter().rev().fold(DoubleDouble::from(0.0), |sum, &c| sum * h + c);
+    // y = exp(cos t - 1).
+    let exact = num_traits::Float::exp(h.circle().cos - DoubleDouble::from(1.0));
+    assert!(f64::from(sum - exact).abs() < 1e-29);
+}
+
+#[test]
+fn more_rates_than_states_are_refused() {
+    let x = Sym::symbol("x");
+    let refused = record(&[x], None, &[], &[x, x]).unwrap_err();
+    assert_eq!(refused, Untapeable::Shape { rates: 2, states: 1 });
+}
+
+/// A motor with many bars: currents times the field at their own angles.
+fn bars(count: usize) -> (Vec<Sym>, Vec<Sym>, Vec<Sym>) {
+    let mut state = symbols(["g", "u"]).to_vec();
+    state.extend((0..count).map(|n| Sym::symbol(&format!("i{n}"))));
+    let parameters = symbols(["a", "r", "l"]).to_vec();
+    let [a, r, l] = [parameters[0], parameters[1], parameters[2]];
+    let point = state[0].circle();
+    let field = |n: i64| (point.cos * Sym::ratio(n + 1, 7) - point.sin * Sym::ratio(3, n + 2)) * a;
+    let mut rates = vec![state[1], Sym::ZERO];
+    for n in 0..count {
+        let (current, field) = (state[2 + n], field(n as i64));
+        rates[1] += current * field;
+        rates.push(-(r * current + field * state[1]) / l);
+    }
+    (state, parameters, rates)
+}
+
+#[test]
+fn any_number_of_currents_costs_two_products_with_their_sum_and_two_with_the_slip() {
+    for count in [3, 6, 40] {
+        let (state, parameters, rates) = bars(count);
+        let (products, terms) = record(&state, None, &parameters, &rates).unwrap().size();
+        assert_eq!(products, 4);
+        assert!(terms <= 8 + 6 * count, "{terms} terms for {count} currents");
+    }
+}
+
+#[test]
+fn groups_of_any_width_and_both_fields_have_the_same_series_for_any_parameters() {
+    let (state, parameters, rates) = bars(6);
+    let recurrence = record(&state, None, &parameters, &rates).unwrap();
+    let mut wide = recurrence.expansion::<f64, 8, 256>(&[1.0, 1.0, 1.0], 12).unwrap();
+    let mut narrow = recurrence.expansion::<f64, 1, 64>(&[0.5, 2.0, 0.25], 12).unwrap();
+    let exact = |values: &[f64]| -> Vec<DoubleDouble> { values.iter().map(|&x| DoubleDouble::from(x)).collect() };
+    let mut precise = recurrence.expansion::<DoubleDouble, 4, 1024>(&exact(&[0.5, 2.0, 0.25]), 12).unwrap();
+    wide.set_parameters(&[0.5, 2.0, 0.25]);
+    // a first expansion leaves nothing behind
+    wide.expand(&[f64::NAN; 8], 0.0);
+    let start = [0.3, -1.0, 0.1, 0.2, -0.3, 0.4, 0.5, -0.6];
+    wide.expand(&start, 0.0);
+    narrow.expand(&start, 0.0);
+    precise.expand(&exact(&start), DoubleDouble::from(0.0));
+    for k in 0..=12 {
+        for i in 0..8 {
+            let value = precise.coefficients(k)[i].hi();
+            let near = |other: f64| (other - value).abs() <= 1e-13 * value.abs().max(1.0);
+            assert!(near(wide.coefficients(k)[i]) && near(narrow.coefficients(k)[i]), "{k} {i}");
+        }
+    }
+}
+
+#[test]
+fn more_quantities_than_columns_are_no_expansion() {
+    let (state, parameters, rates) = bars(6);
+    let recurrence = record(&state, None, &parameters, &rates).unwrap();
+    assert!(recurrence.expansion::<f64, 8, 16>(&[1.0; 3], 5).is_none());
+}
