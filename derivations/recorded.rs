@@ -26,7 +26,7 @@ impl<L: Ode<Sym>> Recorded<L> {
         Recorded { law, recurrence: Recurrence::record(&equations).ok() }
     }
 
-    fn series<S: integrators::Real + Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
+    fn series<S: Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
         let recurrence = self.recurrence.as_ref()?;
         if recurrence.columns::<8>() <= FEW {
             return Some(Box::new(Series::<S, FEW> { recurrence, expansion: None }));
@@ -55,6 +55,10 @@ impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Re
         self.series()
     }
 
+    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
+        self.series()
+    }
+
     fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         self.series()
     }
@@ -66,7 +70,7 @@ struct Series<'a, S, const N: usize> {
     expansion: Option<Expansion<'a, S, 8, N>>,
 }
 
-impl<S: integrators::Real + Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
+impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
     fn expand(&mut self, t: S, y: &[S], order: usize) {
         if self.expansion.as_ref().is_none_or(|expansion| expansion.order() != order) {
             self.expansion = self.recurrence.expansion(&[], order);

@@ -93,6 +93,9 @@ pub(crate) fn drive<S: Real>(
                     stepper.between(output - tau, &mut before);
                     watch.sample(&before);
                 }
+                if stepper.reads_between() {
+                    watch.look_between(end, |passed, state| stepper.between(passed, state));
+                }
                 tau = end;
                 before.copy_from_slice(&after);
                 watch.accept(tau, &before);

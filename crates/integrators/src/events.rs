@@ -2,10 +2,12 @@
 //!
 //! A step is looked at when it is accepted. Where a signal fell through zero in it, or may have dipped below, the motion
 //! is computed again from the beginning of the step to trial times, by the same method: so the state of an event is as
-//! accurate as any state of the run, and no interpolant comes in. Two falls with a rise between them within one step
+//! accurate as any state of the run, and no interpolant comes in. The Taylor method's step is a polynomial as accurate as
+//! its end: there a trial is one sum, and a step, which may be long, is looked at in parts. Two falls with a rise between them within one step
 //! leave no trace at its ends if the rates there do not differ in sign; nothing finds them but a smaller tolerance.
 
-use crate::{End, Method, Observer, Outcome, Span, System, Tolerance, Work, integrate};
+use crate::taylor::order;
+use crate::{End, Method, Observer, Outcome, Span, System, TaylorSeries, Tolerance, Work, integrate};
 
 /// The value of a signal, its rate along the motion, and how large a value still counts as zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -56,11 +58,19 @@ pub fn integrate_to_event(
 ) -> (Outcome<f64>, Option<Event>) {
     let count = switches.count();
     let mut guard = Guard {
-        again: Again { system, method, tolerance, switches, evaluations: span.budget.evaluations },
+        again: Again {
+            system,
+            method,
+            tolerance,
+            switches,
+            evaluations: span.budget.evaluations,
+            series: if method == Method::Taylor { system.taylor() } else { None },
+        },
         observer,
         armed: vec![false; count],
         before: Instant::of(switches, span.start, &span.state),
         after: Instant::of(switches, span.start, &span.state),
+        parts: Vec::new(),
         samples: Vec::new(),
         found: None,
         extra: Work::default(),
@@ -73,6 +83,9 @@ pub fn integrate_to_event(
     (outcome.end, outcome.time, outcome.state) = (End::Halted, event.time, state);
     (outcome, Some(event))
 }
+
+/// So many parts of a step that is a polynomial are looked at one by one.
+const PARTS: usize = 8;
 
 /// A state with its signals.
 #[derive(Clone, Debug)]
@@ -104,6 +117,8 @@ struct Guard<'a> {
     armed: Vec<bool>,
     before: Instant,
     after: Instant,
+    /// Within the step, where the method shows it.
+    parts: Vec<Instant>,
     /// Outputs of the step that was not looked at yet.
     samples: Vec<(f64, Vec<f64>)>,
     found: Option<(Event, Vec<f64>)>,
@@ -176,9 +191,32 @@ impl Observer<f64> for Guard<'_> {
         }
     }
 
+    fn between(&mut self, begin: f64, end: f64, state_at: &dyn Fn(f64, &mut [f64])) {
+        self.parts.resize(PARTS - 1, self.before.clone());
+        let mut state = self.before.state.clone();
+        for (number, part) in self.parts.iter_mut().enumerate() {
+            let time = begin + (end - begin) * (number + 1) as f64 / PARTS as f64;
+            state_at(time, &mut state);
+            part.move_to(self.again.switches, time, &state);
+        }
+    }
+
     fn step(&mut self, time: f64, state: &[f64]) {
-        self.after.move_to(self.again.switches, time, state);
-        self.found = self.first_event();
+        let mut parts = std::mem::take(&mut self.parts);
+        for part in &mut parts {
+            std::mem::swap(&mut self.after, part);
+            self.found = self.first_event();
+            if self.found.is_some() {
+                break;
+            }
+            std::mem::swap(&mut self.before, &mut self.after);
+            self.arm();
+        }
+        self.parts = parts;
+        if self.found.is_none() {
+            self.after.move_to(self.again.switches, time, state);
+            self.found = self.first_event();
+        }
         let direction = self.direction();
         let last = self.found.as_ref().map_or(time, |(event, _)| event.time);
         for (output, state) in self.samples.drain(..).filter(|(output, _)| (last - output) * direction >= 0.0) {
@@ -207,6 +245,8 @@ struct Again<'a> {
     tolerance: &'a Tolerance,
     switches: &'a dyn Switches,
     evaluations: u64,
+    /// The motion as a polynomial, where the method has it.
+    series: Option<Box<dyn TaylorSeries<f64> + 'a>>,
 }
 
 /// A halving gains one bit, and there are no more in a double.
@@ -216,7 +256,7 @@ impl Again<'_> {
     /// Where a function of the signals, positive or zero at the beginning, becomes negative before `end`: Newton's
     /// method with the rate, kept in the bracket by halving. `None` where the motion could not be computed again.
     fn root(
-        &self,
+        &mut self,
         from: &Instant,
         end: f64,
         work: &mut Work,
@@ -224,10 +264,18 @@ impl Again<'_> {
     ) -> Option<(f64, Vec<f64>)> {
         let (mut low, mut high, mut time) = (from.time, end, end);
         let (mut best, mut beyond): (Option<(f64, Vec<f64>)>, _) = (None, None);
-        let mut instant = from.clone();
+        let (mut instant, mut state) = (from.clone(), from.state.clone());
+        if let Some(series) = &mut self.series {
+            let order = order(self.tolerance.relative);
+            series.expand(from.time, &from.state, order);
+            work.rates += order as u64;
+        }
         for trial in 0..MOST_TRIALS {
             if time == from.time {
                 instant.clone_from(from);
+            } else if let Some(series) = &self.series {
+                series.sum(time - from.time, &mut state);
+                instant.move_to(self.switches, time, &state);
             } else {
                 let span = Span::new(from.time, time, &from.state).with_evaluations(self.evaluations);
                 let outcome = integrate(self.system, self.method, self.tolerance, &span, &mut ());

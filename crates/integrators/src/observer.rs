@@ -8,6 +8,10 @@ pub trait Observer<S> {
     /// The state after an accepted step, wherever the method put it.
     fn step(&mut self, _time: f64, _state: &[S]) {}
 
+    /// Before [`Observer::step`], where the method's step is a polynomial: the state at any time from the step's
+    /// beginning to its end.
+    fn between(&mut self, _begin: f64, _end: f64, _state_at: &dyn Fn(f64, &mut [S])) {}
+
     /// The fraction of the span that is done, after every accepted step.
     fn progress(&mut self, _fraction: f64) {}
 

@@ -30,6 +30,11 @@ pub trait System: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {
         None
     }
 
+    /// A source of Taylor coefficients with their derivatives in eight directions, where there is one.
+    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
+        None
+    }
+
     /// A source of Taylor coefficients in double-double, where there is one.
     fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         None

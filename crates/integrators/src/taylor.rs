@@ -7,9 +7,10 @@
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::meter::Meter;
 use crate::{Failure, Real, Refusal, Tolerance};
+use field::Scalar;
 
 /// A source of Taylor coefficients: the recurrences of a system's expression graph.
-pub trait TaylorSeries<S: Real> {
+pub trait TaylorSeries<S: Scalar> {
     /// Expands the solution through (t, y) up to an order.
     fn expand(&mut self, t: S, y: &[S], order: usize);
 
@@ -20,7 +21,7 @@ pub trait TaylorSeries<S: Real> {
     fn sum(&self, h: S, out: &mut [S]);
 }
 
-impl<S: Real, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
+impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
     fn expand(&mut self, t: S, y: &[S], order: usize) {
         (**self).expand(t, y, order);
     }
@@ -36,12 +37,13 @@ impl<S: Real, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
 
 /// The order for a tolerance, within what rounding leaves of it.
 ///
-/// Where a step costs p^2 the cheapest is -ln(tolerance)/2, where it costs p it is -ln(tolerance): here both count.
+/// The step goes as tolerance^(1/p). Where a step costs p^2 the cheapest p is -ln(tolerance)/2, where it costs p it is
+/// -ln(tolerance). In `f64` eight terms of a product cost as much as one, and the second is nearer; a tolerance below its
+/// rounding is for double-double, where the products are all that counts.
 pub(crate) fn order(tolerance: f64) -> usize {
-    ((1.0 - ORDER_BY_DIGIT * tolerance.ln()).ceil() as usize).clamp(4, 60)
+    let by_logarithm = if tolerance < f64::EPSILON { 0.5 } else { 0.8 };
+    ((1.0 - by_logarithm * tolerance.ln()).ceil() as usize).clamp(4, 60)
 }
-
-const ORDER_BY_DIGIT: f64 = 0.8;
 
 /// The Taylor method on one system, to be used for as many runs as one likes: a run allocates nothing.
 #[derive(Clone, Debug)]

@@ -86,6 +86,14 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         }
     }
 
+    /// Lets the observer look into the step from the last good state to tau.
+    pub fn look_between(&mut self, tau: S, state_after: impl Fn(S, &mut [S])) {
+        let (begin, end) = (self.time(), self.time_of(tau));
+        let begun = self.tau;
+        let span = self.span;
+        self.observer.between(begin, end, &|time, state| state_after(span.since_start(time) - begun, state));
+    }
+
     /// Takes the state after an accepted step; shows it if an output lies exactly here.
     pub fn accept(&mut self, tau: S, state: &[S]) {
         self.tau = tau;
@@ -115,10 +123,14 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
 
     /// The clock's time of the last good state.
     pub fn time(&self) -> f64 {
-        if self.tau == self.length {
+        self.time_of(self.tau)
+    }
+
+    fn time_of(&self, tau: S) -> f64 {
+        if tau == self.length {
             return self.span.end;
         }
-        (S::lift(self.span.start) + S::lift(self.span.direction()) * self.tau).approx()
+        (S::lift(self.span.start) + S::lift(self.span.direction()) * tau).approx()
     }
 
     pub fn finish(self, end: End, meter: &Meter<S>) -> Outcome<S> {

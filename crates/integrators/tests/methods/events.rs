@@ -2,7 +2,8 @@
 
 use field::{Analytic, Over};
 use integrators::{
-    Event, Happening, Method, Ode, Outcome, Record, Signal, Span, Switches, System, Tolerance, integrate_to_event,
+    Event, Happening, Method, Ode, Outcome, Record, Signal, Span, Switches, System, TaylorSeries, Tolerance, integrate,
+    integrate_to_event,
 };
 
 /// q'' = -q
@@ -18,7 +19,34 @@ impl<S: Over<f64> + Analytic> Ode<S> for Oscillator {
     }
 }
 
-impl System for Oscillator {}
+impl System for Oscillator {
+    fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
+        Some(Box::new(Turning(Vec::new())))
+    }
+}
+
+/// The series of a rotation: a_(k+1) is a_k turned back by a right angle, over k + 1.
+struct Turning(Vec<[f64; 2]>);
+
+impl TaylorSeries<f64> for Turning {
+    fn expand(&mut self, _t: f64, y: &[f64], order: usize) {
+        self.0.clear();
+        let mut term = [y[0], y[1]];
+        for k in 0..=order {
+            self.0.push(term);
+            term = [term[1] / (k as f64 + 1.0), -term[0] / (k as f64 + 1.0)];
+        }
+    }
+
+    fn coefficients(&self, k: usize) -> &[f64] {
+        &self.0[k]
+    }
+
+    fn sum(&self, h: f64, out: &mut [f64]) {
+        let sum = self.0.iter().rev().fold([0.0; 2], |[a, b], [p, q]| [a * h + p, b * h + q]);
+        out.copy_from_slice(&sum);
+    }
+}
 
 /// q - level
 struct Above(f64);
@@ -33,8 +61,14 @@ impl Switches for Above {
     }
 }
 
-const ADAPTIVE: [Method; 5] =
-    [Method::DormandPrince5, Method::DormandPrince8, Method::Verner9, Method::GraggBulirschStoer, Method::Radau5];
+const ADAPTIVE: [Method; 6] = [
+    Method::DormandPrince5,
+    Method::DormandPrince8,
+    Method::Verner9,
+    Method::GraggBulirschStoer,
+    Method::Radau5,
+    Method::Taylor,
+];
 
 fn run(method: Method, level: f64, start: [f64; 2], outputs: &[f64]) -> (Outcome<f64>, Option<Event>, Record<f64>) {
     let tolerance = Tolerance::both(if method == Method::Radau5 { 1e-11 } else { 1e-13 });
@@ -97,4 +131,40 @@ fn the_observer_sees_nothing_beyond_the_event() {
         let (_, _, record) = run(method, 0.5, [1.0, 0.0], &[0.0, 0.5, 1.0, 1.5, 10.0]);
         assert_eq!(record.times, [0.0, 0.5, 1.0], "{method:?}");
     }
+}
+
+#[test]
+fn an_event_on_a_polynomial_costs_one_more_expansion() {
+    let span = Span::new(0.0, 10.0, &[1.0, 0.0]);
+    let tolerance = Tolerance::both(1e-13);
+    let (outcome, event) = integrate_to_event(&Oscillator, Method::Taylor, &tolerance, &span, &Above(0.5), &mut ());
+    assert!(event.is_some());
+    assert_eq!(outcome.work.rates % (outcome.work.steps + 1), 0, "{}", outcome.work);
+}
+
+/// cos 5t where q = cos t: 16 q^5 - 20 q^3 + 5 q.
+struct Fifth;
+
+impl Switches for Fifth {
+    fn count(&self) -> usize {
+        1
+    }
+
+    fn signals(&self, _time: f64, y: &[f64], out: &mut [Signal]) {
+        let square = y[0] * y[0];
+        let value = ((16.0 * square - 20.0) * square + 5.0) * y[0];
+        let rate = ((80.0 * square - 60.0) * square + 5.0) * y[1];
+        out[0] = Signal { value, rate, noise: 1e-11 };
+    }
+}
+
+#[test]
+fn of_several_falls_within_one_long_polynomial_step_the_first_is_found() {
+    let span = Span::new(0.0, 10.0, &[1.0, 0.0]);
+    let (method, tolerance) = (Method::Taylor, Tolerance::both(1e-12));
+    // cos 5t falls eight times
+    assert!(integrate(&Oscillator, method, &tolerance, &span, &mut ()).work.steps <= 4);
+    let (_, event) = integrate_to_event(&Oscillator, method, &tolerance, &span, &Fifth, &mut ());
+    let exact = std::f64::consts::PI / 10.0;
+    assert!(event.is_some_and(|event| (event.time - exact).abs() < 1e-12), "{event:?}");
 }

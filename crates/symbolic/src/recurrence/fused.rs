@@ -29,6 +29,9 @@ pub(super) trait Task<S> {
 
 impl Fused for DoubleDouble {}
 
+/// A number with its derivatives in D directions: the series of a solution and of how it depends on its beginning.
+impl<const D: usize> Fused for num_dual::DualSVec64<D> {}
+
 impl Fused for f64 {
     #[inline(always)]
     fn plus_product(self, a: Self, b: Self, fused: bool) -> Self {

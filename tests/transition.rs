@@ -1,0 +1,65 @@
+//! The state-transition matrix of a run, beside differences of runs in double-double by another method.
+
+use derivations::scene::{AnyScene, Axes, Problem};
+use field::DoubleDouble;
+use integrators::{Method, Ode, Span, System, Tolerance, integrate_in, transition};
+use std::path::Path;
+
+const SPAN: f64 = 0.3;
+
+fn problem(scene: &str) -> Problem {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(scene);
+    match AnyScene::open(&path) {
+        Ok(AnyScene::Driven(scene)) => scene.problem(Axes::Second),
+        _ => panic!("{scene} is a scene of a gyrostat"),
+    }
+}
+
+/// The end of the run from these states, in double-double.
+fn end(law: &dyn System, start: &[DoubleDouble]) -> Vec<DoubleDouble> {
+    let span = Span::new(0.0, SPAN, start);
+    let outcome = integrate_in(law, Method::GraggBulirschStoer, &Tolerance::both(1e-24), &span, &mut ());
+    assert!(outcome.reached());
+    outcome.state
+}
+
+#[test]
+fn the_transition_matrix_has_the_slopes_of_the_end_by_the_beginning() {
+    for scene in ["spin_up.toml", "pull_out.toml", "asynchronous_drive.toml"] {
+        let Problem { law, state, .. } = problem(scene);
+        let n = Ode::<f64>::dimension(&*law);
+        let found = transition(&*law, &Tolerance::both(1e-13), (0.0, SPAN), &state).expect("a series");
+        let exact: Vec<DoubleDouble> = state.iter().map(|&y| DoubleDouble::from(y)).collect();
+        for j in 0..n {
+            let step = DoubleDouble::from(1e-9);
+            let moved = |by: DoubleDouble| {
+                let mut start = exact.clone();
+                start[j] += by;
+                end(&*law, &start)
+            };
+            let (ahead, behind) = (moved(step), moved(-step));
+            let column: Vec<f64> = ahead.iter().zip(&behind).map(|(a, b)| ((*a - *b) / (step + step)).hi()).collect();
+            let size = column.iter().fold(0.0_f64, |size, slope| size.max(slope.abs()));
+            for (i, slope) in column.iter().enumerate() {
+                let error = (found.matrix[i * n + j] - slope).abs() / size;
+                assert!(error < 1e-11, "{scene}: row {i}, column {j}: {error:.1e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn there_and_back_the_matrices_are_inverse() {
+    let Problem { law, state, .. } = problem("spin_up.toml");
+    let n = state.len();
+    let there = transition(&*law, &Tolerance::both(1e-13), (0.0, SPAN), &state).expect("a series");
+    let back = transition(&*law, &Tolerance::both(1e-13), (SPAN, 0.0), &there.state).expect("a series");
+    for i in 0..n {
+        for j in 0..n {
+            let entry: f64 = (0..n).map(|k| back.matrix[i * n + k] * there.matrix[k * n + j]).sum();
+            let size: f64 = (0..n).map(|k| (back.matrix[i * n + k] * there.matrix[k * n + j]).abs()).sum();
+            let unit = if i == j { 1.0 } else { 0.0 };
+            assert!((entry - unit).abs() <= 1e-10 * size.max(1.0), "{i} {j}: {entry}");
+        }
+    }
+}
