@@ -1,12 +1,12 @@
 //! From the expression graph to sums and products.
 
-use super::collect::{Uses, common_factor};
+use super::collect::{Uses, common_factor, whole_sums};
 use super::form::{Atom, Form};
 use super::plan::Plan;
 use super::{Equations, Recurrence};
 use crate::graph::Node;
 use crate::{Sym, Tape, Untapeable};
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 
 /// What a quantity is.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,15 +22,15 @@ pub(super) enum Definition {
 
 /// Sums and products in the making.
 pub(super) struct Builder<'a> {
-    equations: &'a Equations<'a>,
+    pub equations: &'a Equations<'a>,
     pub definitions: Vec<Definition>,
     /// For each state its rate, a sum.
     pub rates: Vec<Form>,
-    forms: FxHashMap<Sym, Form>,
+    pub forms: FxHashMap<Sym, Form>,
     known_sums: FxHashMap<Vec<(Atom, Sym)>, Atom>,
     known: FxHashMap<(u8, Atom, Atom), Atom>,
     /// The coordinates of circle points among the states, as expressions.
-    points: Vec<Sym>,
+    pub points: Vec<Sym>,
     /// Products of sums with at most so many terms are multiplied out.
     multiplied_out: usize,
     /// Where products arise: counted in a first run, used in a second.
@@ -83,41 +83,6 @@ impl<'a> Builder<'a> {
             self.rates.push(form);
         }
         Ok(())
-    }
-
-    /// Makes states of all circle points in the rates, and in the rates of those.
-    fn admit_points(&mut self, rates: &mut Vec<Sym>) {
-        let mut next = 0;
-        while next < rates.len() {
-            let inside = Sym::reached(&rates[next..], |each, _| !self.forms.contains_key(&each));
-            next = rates.len();
-            for each in inside {
-                let (Node::Cos(angle) | Node::Sin(angle)) = each.node() else { continue };
-                if self.forms.contains_key(&each) || !self.moves(angle) {
-                    continue;
-                }
-                let [cos, sin] = [Node::Cos(angle), Node::Sin(angle)].map(Sym::from_node);
-                let rate = self.rate(angle);
-                for (point, rate) in [(cos, -(sin * rate)), (sin, cos * rate)] {
-                    self.forms.insert(point, Form::atom(self.definitions.len()));
-                    self.definitions.push(Definition::State);
-                    self.points.push(point);
-                    rates.push(rate);
-                }
-            }
-        }
-    }
-
-    fn moves(&self, expression: Sym) -> bool {
-        let moving = |each: &Sym| self.equations.state.contains(each) || self.equations.time == Some(*each);
-        Sym::ascending(&[expression]).iter().any(moving)
-    }
-
-    /// The rate of an expression along the solution, by the chain rule.
-    fn rate(&self, expression: Sym) -> Sym {
-        let by_time = self.equations.time.map_or(Sym::ZERO, |time| expression.diff(time));
-        let states = self.equations.state.iter().zip(self.equations.rates);
-        states.fold(by_time, |sum, (&state, &rate)| sum + expression.diff(state) * rate)
     }
 
     fn read(&mut self, rates: &[Sym]) -> Result<(), Untapeable> {
@@ -293,21 +258,4 @@ impl<'a> Builder<'a> {
     pub fn has_time(&self) -> bool {
         self.equations.time.is_some()
     }
-}
-
-/// The sums that are not part of one larger sum alone.
-fn whole_sums(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
-    let is_sum = |each: Sym| matches!(each.node(), Node::Sum(..) | Node::Difference(..));
-    let mut parents: FxHashMap<Sym, u32> = FxHashMap::default();
-    let mut in_sums: FxHashMap<Sym, u32> = FxHashMap::default();
-    for &each in order {
-        for child in each.node().children() {
-            *parents.entry(child).or_default() += 1;
-            if is_sum(each) || matches!(each.node(), Node::Negation(_)) {
-                *in_sums.entry(child).or_default() += 1;
-            }
-        }
-    }
-    let partial = |each: Sym| parents.get(&each) == Some(&1) && in_sums.get(&each) == Some(&1);
-    order.iter().copied().filter(|&each| is_sum(each) && (outputs.contains(&each) || !partial(each))).collect()
 }

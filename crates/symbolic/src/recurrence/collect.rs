@@ -1,6 +1,8 @@
 //! Gathering products by a common factor.
 
 use super::form::{Atom, Form};
+use crate::Sym;
+use crate::graph::Node;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// From so many products with one factor on it is worth a sum of its own.
@@ -23,4 +25,21 @@ pub(super) fn common_factor(form: &Form, uses: &Uses) -> Option<(Atom, Form)> {
         sum.add_atom(partner, form.products[&(a, b)].0);
     }
     (sum.linear.len() >= WORTH).then_some((factor, sum))
+}
+
+/// The sums that are not part of one larger sum alone.
+pub(super) fn whole_sums(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
+    let is_sum = |each: Sym| matches!(each.node(), Node::Sum(..) | Node::Difference(..));
+    let mut parents: FxHashMap<Sym, u32> = FxHashMap::default();
+    let mut in_sums: FxHashMap<Sym, u32> = FxHashMap::default();
+    for &each in order {
+        for child in each.node().children() {
+            *parents.entry(child).or_default() += 1;
+            if is_sum(each) || matches!(each.node(), Node::Negation(_)) {
+                *in_sums.entry(child).or_default() += 1;
+            }
+        }
+    }
+    let partial = |each: Sym| parents.get(&each) == Some(&1) && in_sums.get(&each) == Some(&1);
+    order.iter().copied().filter(|&each| is_sum(each) && (outputs.contains(&each) || !partial(each))).collect()
 }

@@ -18,6 +18,7 @@ mod layout;
 mod order;
 mod pick;
 mod plan;
+mod points;
 
 pub use expand::Expansion;
 pub use fused::Fused;

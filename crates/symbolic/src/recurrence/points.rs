@@ -1,0 +1,43 @@
+//! Circle points as states: c' = -a' s, s' = a' c.
+
+use super::build::{Builder, Definition};
+use super::form::Form;
+use crate::Sym;
+use crate::graph::Node;
+
+impl Builder<'_> {
+    /// Makes states of all circle points in the rates, and in the rates of those.
+    pub fn admit_points(&mut self, rates: &mut Vec<Sym>) {
+        let mut next = 0;
+        while next < rates.len() {
+            let inside = Sym::reached(&rates[next..], |each, _| !self.forms.contains_key(&each));
+            next = rates.len();
+            for each in inside {
+                let (Node::Cos(angle) | Node::Sin(angle)) = each.node() else { continue };
+                if self.forms.contains_key(&each) || !self.moves(angle) {
+                    continue;
+                }
+                let [cos, sin] = [Node::Cos(angle), Node::Sin(angle)].map(Sym::from_node);
+                let rate = self.rate(angle);
+                for (point, rate) in [(cos, -(sin * rate)), (sin, cos * rate)] {
+                    self.forms.insert(point, Form::atom(self.definitions.len()));
+                    self.definitions.push(Definition::State);
+                    self.points.push(point);
+                    rates.push(rate);
+                }
+            }
+        }
+    }
+
+    fn moves(&self, expression: Sym) -> bool {
+        let moving = |each: &Sym| self.equations.state.contains(each) || self.equations.time == Some(*each);
+        Sym::ascending(&[expression]).iter().any(moving)
+    }
+
+    /// The rate of an expression along the solution, by the chain rule.
+    fn rate(&self, expression: Sym) -> Sym {
+        let by_time = self.equations.time.map_or(Sym::ZERO, |time| expression.diff(time));
+        let states = self.equations.state.iter().zip(self.equations.rates);
+        states.fold(by_time, |sum, (&state, &rate)| sum + expression.diff(state) * rate)
+    }
+}
