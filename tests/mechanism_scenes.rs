@@ -157,6 +157,24 @@ fn the_drive_of_the_scene_is_the_drive_of_the_experiment() {
     assert!(told.theory.iter().any(|said| said.contains("decays")), "{:?}", told.theory);
 }
 
+/// The moments of the one grow with the time, the source of the other alternates: the tape must know the time.
+#[test]
+fn taylors_method_follows_laws_with_the_time_in_them() {
+    for name in ["governors/released", "drive/euler_bears"] {
+        let scene = open(name);
+        let by = |method| {
+            let choice = Choice { method, tolerance: 1e-10, ..scene.run.choice() };
+            let trajectory = scene.simulate(&choice, |_| ());
+            assert!(trajectory.outcome.reached(), "{name}: {:?}", trajectory.stopped());
+            trajectory.outcome.state
+        };
+        let (series, stages) = (by(Method::Taylor), by(Method::DormandPrince8));
+        for (a, b) in series.iter().zip(&stages) {
+            assert!((a - b).abs() < 1e-6 * a.abs().max(1.0), "{name}: {a} and {b}");
+        }
+    }
+}
+
 #[test]
 fn what_theory_says_of_a_constant_step_is_what_the_run_does() {
     let overdamped = open("drive/euler_overdamped");
