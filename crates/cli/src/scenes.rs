@@ -16,7 +16,7 @@ pub fn list(folder: &Path) -> Result<Ending, Ending> {
             Ok(AnyScene::Mechanism(scene)) => format!("{:<22} {}", scene.name, scene.title),
             Err(error) => format!("{:<22} {} faults; `dalembert run` tells them", "", error.issues.len()),
         };
-        text += &format!("{:<38} {said}\n", path.display().to_string());
+        text += &format!("{:<46} {said}\n", path.display().to_string());
     }
     print(&text)?;
     Ok(Ending::Done)
