@@ -1,6 +1,6 @@
 //! What is drawn of the friction governors: where the one with an elastic rim is stable, how its series do.
 
-use crate::systems::elastic_governor::{ElasticGovernor, Rim};
+use crate::systems::elastic_governor::ElasticGovernor;
 use crate::systems::governor::constant::ConstantMoments;
 use crate::systems::governor::{Gearing, Governor, Moment};
 use mechanics::stability::{characteristic, hurwitz};
@@ -23,50 +23,54 @@ pub struct StabilityMap {
 
 const COLUMNS: usize = 90;
 const ROWS: usize = 75;
-const SPEED: f64 = 2.0;
+/// omega1 of the stationary motion, rad/s.
+pub const SPEED: f64 = 2.0;
 /// Of the search for eigenvalues.
 const MOST_SWEEPS: usize = 1000;
 
-/// The governor of the maps: SI units; x0 is 0.6 m, the disc is touched at 0.5 m from its axis.
-fn governor(stiffness: f64, load: f64, curved_by_angle: f64) -> ElasticGovernor<f64> {
-    let rim = Rim {
-        across: -stiffness,
-        twist: 0.0,
-        drill: 0.0,
-        curved_by_displacement: 5.0,
-        curved_by_angle,
-        masses: [0.0; 2],
-    };
+/// The governor of the maps, with a stiffness across and a load: SI units; the disc is touched at 0.5 m from its axis.
+pub fn governor(stiffness: f64, load: f64) -> ElasticGovernor<f64> {
     ElasticGovernor {
-        inertia: [1.0, 1.0, 0.1],
+        drum_inertia: 1.0,
+        disc_inertia: 1.0,
+        wheel_inertia: 0.1,
         drum: 0.5,
         wheel: 0.2,
         offset: 0.1,
         sleeve: 1.0,
         ball: 1.0,
         link: 0.5,
-        moments: [0.0, -load],
-        stiffness: [30.0, 20.0],
-        tension: [0.1, 0.0],
+        m1: 0.0,
+        m2: -load,
+        c1: 30.0,
+        c2: 20.0,
+        delta1: 0.1,
+        delta2: 0.0,
         rest: 0.6,
-        rim,
+        across: -stiffness,
+        twist: 0.0,
+        drill: 0.0,
+        alpha: 5.0,
+        beta: 8.0,
+        rim_mass: 0.0,
+        rim_inertia: 0.0,
     }
     .stationary_at(SPEED)
 }
 
-/// Whether Hurwitz' minors of the exact characteristic polynomial are positive.
-fn by_minors(data: &ElasticGovernor<f64>) -> bool {
-    let minors = data.first_approximation(SPEED).map(|matrix| hurwitz(characteristic(matrix)));
+/// Whether Hurwitz' minors of the exact characteristic polynomial are positive: the stationary motion at (omega1, x0) is
+/// stable then, exponentially.
+pub fn has_positive_minors(data: &ElasticGovernor<f64>, speed: f64) -> bool {
+    let minors = data.first_approximation(speed).map(|matrix| hurwitz(characteristic(matrix)));
     minors.is_ok_and(|minors| minors.iter().all(|minor| *minor > 0.0))
 }
 
-fn by_eigenvalues(data: &ElasticGovernor<f64>) -> bool {
-    data.first_approximation(SPEED).is_ok_and(|matrix| {
-        let flat = SMatrix::<f64, 5, 5>::from_fn(|i, j| matrix[i][j]);
-        // a bounded search: on what is no number it would not end
-        let schur = flat.try_schur(f64::EPSILON, MOST_SWEEPS);
-        schur.is_some_and(|schur| schur.complex_eigenvalues().iter().all(|root| root.re < 0.0))
-    })
+/// The largest real part of an eigenvalue of the first approximation, 1/s; `None` where none was found.
+pub fn growth(data: &ElasticGovernor<f64>, speed: f64) -> Option<f64> {
+    let matrix = data.first_approximation(speed).ok()?;
+    // a bounded search: on what is no number it would not end
+    let schur = SMatrix::<f64, 5, 5>::from_fn(|i, j| matrix[i][j]).try_schur(f64::EPSILON, MOST_SWEEPS)?;
+    schur.complex_eigenvalues().iter().map(|root| root.re).max_by(f64::total_cmp)
 }
 
 /// Load against the stiffness of the rim, and against how its angle bends the line of rolling.
@@ -75,14 +79,14 @@ pub fn stability() -> [StabilityMap; 2] {
         map(
             "Stability of the governor with an elastic rim: load and stiffness across",
             ("stiffness of the rim across, -a, N/m", 200.0),
-            |stiffness, load| governor(stiffness, load, 8.0),
+            governor,
             "Stable where the disc is braked, $M_2<0$, and not too hard. The curve is where the first of Hurwitz' minors \
              of the exact characteristic polynomial vanishes.",
         ),
         map(
             "Stability of the governor with an elastic rim: load and damping",
             ("β of Keldysh's curvature, 1/m", 20.0),
-            |beta, load| governor(50.0, load, beta),
+            |beta, load| ElasticGovernor { beta, ..governor(50.0, load) },
             "Without $\\beta$ nothing is damped. The curve is where the first of Hurwitz' minors vanishes.",
         ),
     ]
@@ -96,19 +100,20 @@ fn map(
     data: impl Fn(f64, f64) -> ElasticGovernor<f64>,
     note: &'static str,
 ) -> StabilityMap {
+    let decays = |data: &ElasticGovernor<f64>| growth(data, SPEED).is_some_and(|rate| rate < 0.0);
     let middle = |k: usize, of: usize| (k as f64 + 0.5) / of as f64;
     let row = |r: usize| {
         let load = MOST_LOAD * middle(r, ROWS);
-        (0..COLUMNS).map(|c| by_eigenvalues(&data(most * middle(c, COLUMNS), load))).collect()
+        (0..COLUMNS).map(|c| decays(&data(most * middle(c, COLUMNS), load))).collect()
     };
     let curve: Vec<(f64, f64)> = (1..=4 * COLUMNS)
         .map(|k| most * k as f64 / (4 * COLUMNS) as f64)
-        .map(|x| (x, boundary(|load| by_minors(&data(x, load)))))
+        .map(|x| (x, boundary(|load| has_positive_minors(&data(x, load), SPEED))))
         .collect();
     let distance = curve
         .iter()
         .step_by(4)
-        .map(|(x, exact)| (boundary(|load| by_eigenvalues(&data(*x, load))) - exact).abs())
+        .map(|(x, exact)| (boundary(|load| decays(&data(*x, load))) - exact).abs())
         .fold(0.0, f64::max);
     let y = ("braking moment on the disc, -M₂, N m", [0.0, MOST_LOAD]);
     StabilityMap { title, x: (x, [0.0, most]), y, rows: (0..ROWS).map(row).collect(), curve, distance, note }

@@ -4,6 +4,7 @@
 //! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
 //! * [`derive`](mod@derive): equations of motion by a chosen principle, for reading;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
+//! * [`mechanisms`]: governors, drives, bodies that roll, by the names that scene files use;
 //! * [`principles`]: the principles of mechanics, equal on every system: a page of claims of the workbench's own;
 //! * [`recorded`]: a system with its laws as straight-line code;
 //! * [`scene`]: a system with a machine, data and an initial state, from a file;
@@ -19,6 +20,7 @@ pub mod derive;
 pub mod friction;
 pub mod governors;
 pub mod machines;
+pub mod mechanisms;
 pub mod papers;
 pub mod principles;
 pub mod recorded;

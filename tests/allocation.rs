@@ -2,7 +2,9 @@
 
 use derivations::friction::stretch::Stretch;
 use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, Source};
+use derivations::mechanisms::MechanismScene;
 use derivations::papers::konosevich2022::gyrostats;
+use derivations::scene::{Family, Problem};
 use derivations::systems::disc::Disc;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;
@@ -147,4 +149,24 @@ fn leading_violated_constraints_allocates_nothing() {
         assert!(led.acceleration.iter().all(|a| a.is_finite()));
     });
     assert_eq!(count, 0);
+}
+
+#[test]
+fn the_equations_of_mechanisms_and_their_power_allocate_nothing() {
+    fn over<S: Over<f64> + Analytic>(law: &dyn Ode<S>, state: &[f64]) -> usize {
+        let y: Vec<S> = state.iter().map(|y| S::lift(*y)).collect();
+        let mut dy = vec![S::zero(); y.len()];
+        allocations(|| law.rates(S::lift(0.1), &y, &mut dy))
+    }
+    for name in
+        ["governors/drum_programme", "governors/between_discs", "governors/released", "governors/elastic_stable"]
+            .into_iter()
+            .chain(["drive/stiff_diode", "bodies/coin", "bodies/sleigh", "bodies/crank_slider"])
+    {
+        let path = std::path::Path::new("scenes").join(name).with_extension("toml");
+        let Problem { law, state, .. } = MechanismScene::open(&path).expect("it is sound").problem();
+        let count =
+            over::<f64>(&*law, &state) + over::<Directions>(&*law, &state) + over::<DoubleDouble>(&*law, &state);
+        assert_eq!(count, 0, "{name}");
+    }
 }

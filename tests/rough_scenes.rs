@@ -1,6 +1,7 @@
 //! Scenes with rough contacts: the project's own end as they say, and whatever is wrong with one is told at its place.
 
 use derivations::friction::RoughScene;
+use derivations::scene::Family;
 use std::path::Path;
 
 fn open(name: &str) -> RoughScene {

@@ -1,7 +1,7 @@
 //! The scenes of the project: each is read, conserves what it must, runs alike in both forms, and does what it says.
 
 use derivations::machines::ForMachine;
-use derivations::scene::{Axes, Choice, Scene, Trajectory};
+use derivations::scene::{Axes, Choice, Family, Scene, Trajectory};
 use integrators::Method;
 use std::path::PathBuf;
 

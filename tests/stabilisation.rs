@@ -1,5 +1,6 @@
 //! Stabilised constraints as they run, beside the exact regions of their gains.
 
+use derivations::stabilisation::drive_law::UNKNOWNS;
 use derivations::stabilisation::experiment;
 use derivations::stabilisation::regions::{self, Fate};
 use derivations::stabilisation::schemes::Scheme;
@@ -171,7 +172,7 @@ fn the_nine_equations_are_those_of_the_drive_without_its_slider() {
     let nine = experiment::run("", |steps| Method::RungeKutta4 { steps }, 0.002, 0.0, 0.0);
     for ((_, exact), (_, found)) in exact.iter().zip(nine.points[1..].chunks(500).map(|chunk| chunk[499])) {
         for i in 0..9 {
-            assert!((exact[i] - found[i]).abs() < 1e-4, "{}: {} and {}", experiment::UNKNOWNS[i], exact[i], found[i]);
+            assert!((exact[i] - found[i]).abs() < 1e-4, "{}: {} and {}", UNKNOWNS[i], exact[i], found[i]);
         }
     }
 }

@@ -99,9 +99,4 @@ impl Rough {
             }
         }
     }
-
-    /// Whether a scene file means one of them.
-    pub fn knows(name: &str) -> bool {
-        Self::LIST.iter().any(|(known, _)| *known == name)
-    }
 }

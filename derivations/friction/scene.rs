@@ -3,20 +3,19 @@
 use super::log::Names;
 use super::rough::Rough;
 use super::run::Plan;
-use crate::scene::issue::{Issue, SceneError};
+use crate::scene::file::{Family, Opening};
+use crate::scene::issue::Issue;
 use crate::scene::read::{At, Table};
-use crate::scene::run::{MOST_SAMPLES, check_tolerance};
-use crate::scene::{methods, read_file, read_text};
+use crate::scene::run::of_any_family;
 use crate::systems::climbed_ladder::ClimbedLadder;
 use crate::systems::ladder::Ladder;
 use crate::systems::rod::Rod;
 use crate::systems::slender_rod::SlenderRod;
 use crate::systems::steered_rod::SteeredRod;
-use integrators::{Method, Tolerance};
+use integrators::Tolerance;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::{Contacts, Sides};
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::path::Path;
 
 /// A scene whose data are all admissible.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,34 +47,15 @@ pub trait ForRough {
         Q: Contacts<N, C, K, Given = f64>;
 }
 
-impl RoughScene {
-    /// Reads a file.
-    ///
-    /// # Errors
-    /// All that is wrong with it, each at its place.
-    pub fn open(path: &Path) -> Result<Self, SceneError> {
-        read_file(path, Self::read)
+impl Family for RoughScene {
+    const KIND: &'static str = "a system with rough contacts";
+
+    fn systems() -> Vec<(&'static str, &'static str)> {
+        Rough::LIST.to_vec()
     }
 
-    /// Reads a text; `name` is what messages call it.
-    ///
-    /// # Errors
-    /// All that is wrong with it, each at its place.
-    pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
-        read_text(name, text, Self::read)
-    }
-
-    fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
-        let title = top.text("title", "one line that says what happens").value;
-        let description = top.optional_text("description", "what happens and why");
-        let name = top.text("system", "name of what moves");
-        if !Rough::knows(&name.value) {
-            let known: Vec<&str> = Rough::LIST.iter().map(|(name, _)| *name).collect();
-            let issue = Issue::at(name.span, format!("`{}` has no rough contacts", name.value), "not accepted here");
-            top.report(issue.accepted(format!("known here: {}", known.join(", "))));
-            top.known_all();
-            return None;
-        }
+    fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
+        let Opening { title, description, system: name } = opening;
         let gravity = positive(top, "gravity", "acceleration of gravity", "m/s^2");
         let system = body(top, issues, &name.value, gravity);
         let mut start = top.table("start", "the initial state");
@@ -93,39 +73,18 @@ impl RoughScene {
         let slide = if is_ladder { 0.0 } else { start.scalar("sliding", "velocity of the contact", "m/s").value };
         let mut sound = start.exists() && !start.has_issues();
         issues.extend(start.finish());
-        let mut run = top.table("run", "the span of time");
-        let span = positive(&mut run, "span", "length of the run", "s");
-        let tolerance = run.optional_scalar("tolerance", "error allowed in a step", "1");
-        if let Some(At { value, span }) = &tolerance
-            && let Err(wrong) = check_tolerance(*value)
-        {
-            let issue = Issue::at(span.clone(), "`tolerance` is out of range", wrong);
-            run.report(issue.accepted("from 1e-14 to below 1 is accepted, such as 1e-12"));
-        }
-        let samples = run.optional_count("samples", "number of instants that are kept", 1, MOST_SAMPLES);
-        let method = run.optional_text("method", "name of a method");
-        let method = method.map_or(Ok(Method::DormandPrince8), |At { value, span }| {
-            let refused =
-                |(wrong, accepted): (String, String)| Issue::at(span, wrong, "not accepted").accepted(accepted);
-            methods::method(&value).map_err(refused)
-        });
-        let method = method.map_err(|issue| run.report(issue)).ok();
-        sound &= run.exists() && !run.has_issues() && !top.has_issues();
-        issues.extend(run.finish());
-        let system = system.filter(|_| sound)?;
-        let tolerance = Tolerance::both(tolerance.map_or(1e-14, |tolerance| tolerance.value));
-        let plan = Plan { tolerance, method: method?, ..Plan::until(span) };
-        Some(RoughScene {
-            title,
-            description: description.map_or_else(String::new, |text| text.value.trim().to_owned()),
-            system,
-            angle: angle.value,
-            spin,
-            slide,
-            plan: plan.with_samples(samples.map_or(200, |samples| samples.value)),
-        })
+        let mut table = top.table("run", "the span of time");
+        let run = of_any_family(&mut table, 1e-14);
+        sound &= table.exists() && !table.has_issues() && !top.has_issues();
+        issues.extend(table.finish());
+        let (system, run) = (system.filter(|_| sound)?, run?);
+        let plan = Plan { tolerance: Tolerance::both(run.tolerance), method: run.method, ..Plan::until(run.span) };
+        let plan = plan.with_samples(run.samples);
+        Some(RoughScene { title, description, system, angle: angle.value, spin, slide, plan })
     }
+}
 
+impl RoughScene {
     /// The system with its type, its initial state and the names of its contacts.
     pub fn apply<F: ForRough>(&self, then: F) -> F::Output {
         let (s, c) = self.angle.sin_cos();

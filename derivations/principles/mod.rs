@@ -36,7 +36,7 @@ pub const PAPER: Paper = Paper {
     key: "principles",
     title: "The principles of mechanics, equal on every system",
     citation: "This workbench's own page: theorems that its systems rest on",
-    summary: r"Lagrange's equations of both kinds, Newton's with reactions, Appell's, Shulgin's and Gauss' principle as a minimisation are derived from one description of a system, and are shown equal as rational functions on eight systems: geometric and kinematic constraints, one that is nonlinear in the velocities, two that contain the time. The method of combining constraints is stated as theorems on masses, constraints and reactions: what exists, what is unique, what does not depend on friction. Gauss' principle with friction holds with the law of friction substituted for the extended choice of displacements, and fails for the contact's own force. Faults that are widely read are kept with the terms that they lose. Multipliers that lead violated constraints by a prescribed law do so exactly; that they exist follows from the principles, the law does not.",
+    summary: r"Lagrange's equations of both kinds, Newton's with reactions, Appell's, Shulgin's and Gauss' principle as a minimisation are derived from one description of a system, and are shown equal as rational functions on nine systems: geometric and kinematic constraints, one that is nonlinear in the velocities, two that contain the time. The method of combining constraints is stated as theorems on masses, constraints and reactions: what exists, what is unique, what does not depend on friction. Gauss' principle with friction holds with the law of friction substituted for the extended choice of displacements, and fails for the contact's own force. Faults that are widely read are kept with the terms that they lose. Multipliers that lead violated constraints by a prescribed law do so exactly; that they exist follows from the principles, the law does not.",
     entries: &[
         "rod",
         "steered-rod",
@@ -44,6 +44,7 @@ pub const PAPER: Paper = Paper {
         "disc",
         "knife-edge",
         "governor",
+        "governor-discs",
         "swing",
         "kept-speed",
         "combining",
@@ -109,11 +110,14 @@ fn nonholonomic(page: &mut Page) {
     disc.gauss(page);
     disc.shulgin(page);
     disc.energy(page);
-    page.section("Every principle: the friction governor");
-    let governor = systems::governor();
-    governor.chart(page);
-    governor.claims(page);
-    governor.gauss(page);
-    governor.shulgin(page);
-    governor.energy(page);
+    let drum = "Every principle: the friction governor";
+    let discs = "Every principle: the friction governor between two discs";
+    for (section, governor) in [(drum, systems::governor()), (discs, systems::governor_between_discs())] {
+        page.section(section);
+        governor.chart(page);
+        governor.claims(page);
+        governor.gauss(page);
+        governor.shulgin(page);
+        governor.energy(page);
+    }
 }

@@ -115,6 +115,18 @@ pub fn governor() -> Case<Governor<Sym>, 7, 5, 4, 2> {
     }
 }
 
+/// The friction governor between two discs: both levers change with the place of the wheel.
+pub fn governor_between_discs() -> Case<Governor<Sym>, 7, 5, 4, 2> {
+    let case = governor();
+    let gearing = Gearing::Discs { distance: letter("l") };
+    Case {
+        entry: "governor-discs",
+        name: "the friction governor between two discs",
+        system: Governor { gearing, ..case.system },
+        ..case
+    }
+}
+
 /// The pendulum with a moving pivot.
 pub fn swing() -> Case<Swing<Sym>, 2, 1, 1, 1> {
     let [mass, length, gravity, speed, acceleration] = letters(["m", "l", "g", "u", "b"]);

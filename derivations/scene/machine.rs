@@ -98,7 +98,7 @@ impl Source for FromData<'_> {
     type Error = NoModel;
 
     fn quantity(&mut self, quantity: &'static Quantity) -> Result<f64, NoModel> {
-        let Quantity { name, unit, meaning } = *quantity;
+        let Quantity { name, unit, meaning, .. } = *quantity;
         let kept = if name == "speed" { self.data.synchronous_speed } else { None };
         let missing = || NoModel::Missing { model: self.model.to_owned(), datum: name, meaning, unit };
         let given = self.data.numbers.iter().find(|(given, _)| given.name == name).map(|(_, value)| *value);

@@ -1,6 +1,6 @@
 //! Speed against accuracy: every method on a scene, measured by a reference.
 
-use super::{Axes, Scene};
+use super::{Axes, Problem, Scene};
 use integrators::{Failure, Method, Point, Reference, Span, judge, measure, reference};
 use std::time::{Duration, Instant};
 
@@ -24,6 +24,16 @@ pub struct Trials {
 pub struct Measured {
     pub reference: Reference,
     pub points: Vec<Point>,
+}
+
+impl Trials {
+    /// The same with one more method, where it is not yet among them.
+    pub fn with(mut self, method: Method) -> Self {
+        if !self.methods.contains(&method) {
+            self.methods.push(method);
+        }
+        self
+    }
 }
 
 impl Default for Trials {
@@ -51,37 +61,48 @@ impl Default for Trials {
 
 impl Scene {
     /// Runs every method at every tolerance, and measures each by a reference that two methods confirm.
+    ///
+    /// # Errors
+    /// Where there is no reference.
     pub fn measure(&self, axes: Axes, trials: &Trials) -> Result<Measured, Failure> {
-        let reference = self.reference(axes, trials.allowed)?;
-        let mut measured = self.judge_by(reference, axes, trials);
-        self.take_times(&mut measured, axes, trials);
+        self.problem(axes).measure(trials)
+    }
+}
+
+impl Problem {
+    /// Runs every method at every tolerance, and measures each by a reference that two methods confirm.
+    ///
+    /// # Errors
+    /// Where there is no reference.
+    pub fn measure(&self, trials: &Trials) -> Result<Measured, Failure> {
+        let mut measured = self.judge_by(self.reference(trials.allowed)?, trials);
+        self.take_times(&mut measured, trials);
         Ok(measured)
     }
 
-    /// What errors are measured by: many scenes' at a time, if there are processors, since it is not timed.
-    pub fn reference(&self, axes: Axes, allowed: Duration) -> Result<Reference, Failure> {
-        let problem = self.problem(axes);
-        let span = self.instants(&problem.state);
-        reference(&*problem.law, &span.with_deadline(Instant::now() + allowed))
+    /// What errors are measured by: many problems' at a time, if there are processors, since it is not timed.
+    ///
+    /// # Errors
+    /// Where a method stopped, or the two do not agree.
+    pub fn reference(&self, allowed: Duration) -> Result<Reference, Failure> {
+        reference(&*self.law, &self.instants().with_deadline(Instant::now() + allowed))
     }
 
-    /// Runs every method at every tolerance without timing them: many scenes' at a time too.
-    pub fn judge_by(&self, reference: Reference, axes: Axes, trials: &Trials) -> Measured {
-        let problem = self.problem(axes);
-        let span = self.instants(&problem.state).with_evaluations(trials.evaluations);
+    /// Runs every method at every tolerance without timing them: many problems' at a time too.
+    pub fn judge_by(&self, reference: Reference, trials: &Trials) -> Measured {
+        let span = self.instants().with_evaluations(trials.evaluations);
         let Trials { methods, tolerances, allowed, .. } = trials;
-        let points = judge(&*problem.law, &span, methods, tolerances, &reference, *allowed / 2);
+        let points = judge(&*self.law, &span, methods, tolerances, &reference, *allowed / 2);
         Measured { reference, points }
     }
 
     /// Takes the times of the methods that reached the end, while nothing else runs.
-    pub fn take_times(&self, measured: &mut Measured, axes: Axes, trials: &Trials) {
-        let problem = self.problem(axes);
-        let span = self.instants(&problem.state).with_evaluations(trials.evaluations);
-        measure(&*problem.law, &span, &mut measured.points, &measured.reference, trials.allowed / 2);
+    pub fn take_times(&self, measured: &mut Measured, trials: &Trials) {
+        let span = self.instants().with_evaluations(trials.evaluations);
+        measure(&*self.law, &span, &mut measured.points, &measured.reference, trials.allowed / 2);
     }
 
-    fn instants(&self, state: &[f64]) -> Span<'static, f64> {
-        Span::new(0.0, self.run.span, state).with_even_outputs(INSTANTS)
+    fn instants(&self) -> Span<'static, f64> {
+        Span::new(0.0, self.span, &self.state).with_even_outputs(INSTANTS)
     }
 }

@@ -1,5 +1,6 @@
 //! A scene as an initial value problem, its types forgotten: what any method runs.
 
+use super::state::outputs;
 use super::{Axes, Scene, System};
 use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
 use crate::recorded::Recorded;
@@ -8,21 +9,31 @@ use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::Form;
 use std::sync::Arc;
 
-/// A law with its state at time zero and what it conserves.
+/// A law with its state at time zero, what it conserves, and what a run shows of it.
 pub struct Problem {
     pub law: Arc<dyn Law>,
-    /// In the axes of the form.
+    /// As the law has it: of a gyrostat in the axes of the form.
     pub state: Vec<f64>,
+    /// s, from time zero.
+    pub span: f64,
     pub invariants: Vec<Invariant>,
+    /// The names of a row.
+    pub columns: Vec<String>,
+    /// What is shown of a state at a time.
+    pub row: Box<Row>,
+    /// Why the law does not hold at a state, where it does not.
+    pub outside: Box<Outside>,
 }
 
 /// A system that can be shared between threads.
 pub trait Law: integrators::System + Send + Sync {}
 impl<L: integrators::System + Send + Sync> Law for L {}
 
-type Function = dyn Fn(&[f64]) -> f64 + Send + Sync;
+type Function = dyn Fn(f64, &[f64]) -> f64 + Send + Sync;
+type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
+type Outside = dyn Fn(&[f64]) -> Option<&'static str> + Send + Sync;
 
-/// A function of the state that keeps its first value.
+/// A function of time and state that keeps its first value.
 pub struct Invariant {
     pub name: &'static str,
     pub value: Box<Function>,
@@ -35,7 +46,15 @@ impl Scene {
             System::Gyrostat(bodies) => self.machine.clone().apply(Gyrostatic { bodies, axes }),
             System::Bench { axial } => self.machine.clone().apply(OnBench { axial: *axial }),
         };
-        Problem { law, state: self.state(axes), invariants }
+        Problem {
+            law,
+            state: self.state(axes),
+            span: self.run.span,
+            invariants,
+            columns: outputs(self.on_bench(), &self.machine),
+            row: Box::new(self.row(axes)),
+            outside: Box::new(|_| None),
+        }
     }
 }
 
@@ -100,5 +119,5 @@ impl ForMachine for OnBench {
 
 fn of<L: Send + Sync + 'static>(law: &Arc<L>, name: &'static str, value: fn(&L, &[f64]) -> f64) -> Invariant {
     let law = Arc::clone(law);
-    Invariant { name, value: Box::new(move |y| value(&law, y)) }
+    Invariant { name, value: Box::new(move |_, y| value(&law, y)) }
 }

@@ -3,14 +3,12 @@
 use super::issue::{Issue, nearest};
 use super::methods;
 use super::read::{At, Table};
-use super::state::{ROTOR_SPEED, names};
-use crate::machines::AnyMachine;
 use integrators::Method;
 
 /// The finest tolerance that double precision leaves room for.
 const FINEST: f64 = 1e-14;
 /// More instants than anyone looks at.
-pub const MOST_SAMPLES: usize = 1_000_000;
+const MOST_SAMPLES: usize = 1_000_000;
 
 /// The table `[run]`.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,9 +25,22 @@ pub struct Run {
     pub outputs: Vec<String>,
 }
 
-/// Reads it.
-pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, on_bench: bool, machine: Option<&AnyMachine>) -> Option<Run> {
+/// Reads it; without `known` outputs nobody knows which there are.
+pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String]>) -> Option<Run> {
     let mut table = top.table("run", "the span of time and the tolerance");
+    let run = of_any_family(&mut table, 1e-8);
+    let outputs = table.texts("outputs", "[\"slip\"]");
+    if let Some(known) = known {
+        outputs.iter().for_each(|output| check_output(&mut table, output, known));
+    }
+    let sound = table.exists() && !table.has_issues();
+    issues.extend(table.finish());
+    let run = run.filter(|_| sound)?;
+    Some(Run { outputs: outputs.into_iter().map(|output| output.value).collect(), ..run })
+}
+
+/// What every family's table `[run]` may hold, with the tolerance where none is given.
+pub fn of_any_family(table: &mut Table<'_>, usual: f64) -> Option<Run> {
     let span = table.scalar("span", "length of the run", "s");
     if span.value <= 0.0 {
         let issue = Issue::at(span.span, "`span` must be positive", format!("it is {} s", span.value));
@@ -48,22 +59,13 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, on_bench: bool, machin
     let method = method.map_or(Ok(Method::DormandPrince8), |At { value, span }| {
         methods::method(&value).map_err(|(wrong, accepted)| Issue::at(span, wrong, "not accepted").accepted(accepted))
     });
-    let outputs = table.texts("outputs", "[\"slip\"]");
-    if let Some(machine) = machine {
-        for output in &outputs {
-            check_output(&mut table, output, &names(on_bench, machine));
-        }
-    }
-    let method = method.map_err(|issue| table.report(issue)).ok();
-    let sound = table.exists() && !table.has_issues();
-    issues.extend(table.finish());
-    let method = method.filter(|_| sound)?;
+    let method = method.map_err(|issue| table.report(issue)).ok()?;
     Some(Run {
         span: span.value,
         samples: samples.map_or(200, |samples| samples.value),
-        tolerance: tolerance.map_or(1e-8, |tolerance| tolerance.value),
+        tolerance: tolerance.map_or(usual, |tolerance| tolerance.value),
         method,
-        outputs: outputs.into_iter().map(|output| output.value).collect(),
+        outputs: Vec::new(),
     })
 }
 
@@ -76,13 +78,12 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), String> {
     }
 }
 
-fn check_output(table: &mut Table<'_>, output: &At<String>, states: &[String]) {
-    let known = || states.iter().map(String::as_str).chain([ROTOR_SPEED]);
-    if known().any(|name| name == output.value) {
+fn check_output(table: &mut Table<'_>, output: &At<String>, names: &[String]) {
+    if names.contains(&output.value) {
         return;
     }
-    let list = known().collect::<Vec<_>>().join(", ");
-    let accepted = match nearest(&output.value, known()) {
+    let list = names.join(", ");
+    let accepted = match nearest(&output.value, names.iter().map(String::as_str)) {
         Some(nearest) => format!("is `{nearest}` meant? Known: {list}"),
         None => format!("known: {list}"),
     };

@@ -1,12 +1,10 @@
-//! A scene run: its trajectory in the axes of the data.
+//! A problem run: its trajectory as a reader wants it.
 
-use super::state::ROTOR_SPEED;
-use super::{Axes, Scene};
-use crate::machines::{Catalogued, ForMachine};
+use super::{Axes, Problem, Run, Scene};
 use integrators::{Method, Observer, Outcome, Span, Tolerance, integrate};
 use std::time::{Duration, Instant};
 
-/// How a scene is to be run.
+/// How a problem is to be run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choice {
     pub method: Method,
@@ -21,74 +19,71 @@ pub struct Choice {
 /// A run, whether it reached its end or not.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory {
-    /// Of the states, then `rotor_speed`.
+    /// Of the columns: the states, then what is computed from them.
     pub names: Vec<String>,
     pub times: Vec<f64>,
-    /// One row for each time: the states in the axes of the data, then the rotor's relative speed.
+    /// One for each time.
     pub rows: Vec<Vec<f64>>,
     /// The last good state, written like a row.
     pub last: Vec<f64>,
-    /// As the integrator gave it, in the axes of the form.
+    /// As the integrator gave it; where the run left its law, up to the last good state.
     pub outcome: Outcome<f64>,
+    /// Why the law did not hold any more after the last good state: a method had stepped over its end.
+    pub left: Option<&'static str>,
+}
+
+impl Run {
+    /// What a scene itself asks for.
+    pub fn choice(&self) -> Choice {
+        Choice {
+            method: self.method,
+            tolerance: self.tolerance,
+            axes: Axes::First,
+            samples: self.samples,
+            allowed: Duration::from_secs(300),
+        }
+    }
 }
 
 impl Scene {
     /// What the scene itself asks for.
     pub fn choice(&self) -> Choice {
-        let run = &self.run;
-        Choice {
-            method: run.method,
-            tolerance: run.tolerance,
-            axes: Axes::First,
-            samples: run.samples,
-            allowed: Duration::from_secs(300),
-        }
+        self.run.choice()
     }
 
     /// Runs. `progress` is told the fraction done after every step.
     pub fn simulate(&self, choice: &Choice, progress: impl FnMut(f64)) -> Trajectory {
-        let problem = self.problem(choice.axes);
+        self.problem(choice.axes).simulate(choice, progress)
+    }
+}
+
+impl Problem {
+    /// Runs. `progress` is told the fraction done after every step.
+    pub fn simulate(&self, choice: &Choice, progress: impl FnMut(f64)) -> Trajectory {
         let samples = divisor(choice.method, choice.samples);
-        let mut span = Span::new(0.0, self.run.span, &problem.state)
+        let mut span = Span::new(0.0, self.span, &self.state)
             .with_even_outputs(samples)
             .with_deadline(Instant::now() + choice.allowed);
         span.outputs.insert(0, 0.0);
-        for invariant in &problem.invariants {
-            span = span.with_monitor(invariant.name, |_, y| (invariant.value)(y));
+        for invariant in &self.invariants {
+            span = span.with_monitor(invariant.name, |time, y| (invariant.value)(time, y));
         }
-        let row = self.row(choice.axes);
-        let mut kept = Kept { row: &row, times: Vec::new(), rows: Vec::new(), progress };
+        let good = (0.0, self.state.clone());
+        let mut kept = Kept { problem: self, times: Vec::new(), rows: Vec::new(), good, left: None, progress };
         let tolerance = Tolerance::both(choice.tolerance);
-        let outcome = integrate(&*problem.law, choice.method, &tolerance, &span, &mut kept);
-        let (times, rows) = (kept.times, kept.rows);
-        let mut names = self.names();
-        names.push(ROTOR_SPEED.to_owned());
-        Trajectory { names, times, rows, last: row(&outcome.state), outcome }
-    }
-
-    /// From a state in the axes of a form to a row in the axes of the data.
-    fn row(&self, axes: Axes) -> impl Fn(&[f64]) -> Vec<f64> {
-        let back = self.back(axes);
-        let frame_speed = self.machine.clone().apply(FrameSpeed);
-        let slip = self.names().iter().position(|name| name == "slip");
-        move |state| {
-            let mut row = state.to_vec();
-            back(&mut row);
-            row.push(frame_speed + slip.map_or(0.0, |slip| state[slip]));
-            row
+        let mut outcome = integrate(&*self.law, choice.method, &tolerance, &span, &mut kept);
+        let Kept { times, rows, good, left, .. } = kept;
+        if left.is_some() {
+            (outcome.time, outcome.state) = good;
         }
+        let last = (self.row)(outcome.time, &outcome.state);
+        Trajectory { names: self.columns.clone(), times, rows, last, outcome, left }
     }
 }
 
 /// Methods land their steps on the samples. One of constant step keeps its steps only where their number is a multiple.
 fn divisor(method: Method, samples: usize) -> usize {
-    let (Method::Euler { steps }
-    | Method::RungeKutta4 { steps }
-    | Method::BackwardEuler { steps }
-    | Method::ImplicitMidpoint { steps }) = method
-    else {
-        return samples;
-    };
+    let Some(steps) = method.steps() else { return samples };
     let steps = steps as usize;
     (1..=samples.min(steps)).rev().find(|samples| steps.is_multiple_of(*samples)).unwrap_or(1)
 }
@@ -98,33 +93,46 @@ impl Trajectory {
     pub fn column(&self, name: &str) -> Option<usize> {
         self.names.iter().position(|known| known == name)
     }
+
+    /// Why the run stopped before its end, if it did.
+    pub fn stopped(&self) -> Option<String> {
+        let failure = || self.outcome.failure().map(|failure| failure.to_string());
+        self.left.map(|why| format!("left its law: {why}")).or_else(failure)
+    }
 }
 
-/// Keeps the rows, and passes the progress on.
-struct Kept<R, F> {
-    row: R,
+/// Keeps the rows, and passes the progress on. Ends the run where the law does not hold.
+struct Kept<'a, F> {
+    problem: &'a Problem,
     times: Vec<f64>,
     rows: Vec<Vec<f64>>,
+    /// The last state at which the law holds.
+    good: (f64, Vec<f64>),
+    left: Option<&'static str>,
     progress: F,
 }
 
-impl<R: Fn(&[f64]) -> Vec<f64>, F: FnMut(f64)> Observer<f64> for Kept<R, F> {
+impl<F: FnMut(f64)> Observer<f64> for Kept<'_, F> {
     fn sample(&mut self, time: f64, state: &[f64]) {
-        self.times.push(time);
-        self.rows.push((self.row)(state));
+        if (self.problem.outside)(state).is_none() {
+            self.times.push(time);
+            self.rows.push((self.problem.row)(time, state));
+        }
+    }
+
+    fn step(&mut self, time: f64, state: &[f64]) {
+        self.left = (self.problem.outside)(state);
+        if self.left.is_none() {
+            self.good.0 = time;
+            self.good.1.copy_from_slice(state);
+        }
     }
 
     fn progress(&mut self, fraction: f64) {
         (self.progress)(fraction);
     }
-}
 
-struct FrameSpeed;
-
-impl ForMachine for FrameSpeed {
-    type Output = f64;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> f64 {
-        machine.frame_speed()
+    fn enough(&self) -> bool {
+        self.left.is_some()
     }
 }

@@ -47,7 +47,12 @@ impl Scene {
 
     /// The names of the states.
     pub fn names(&self) -> Vec<String> {
-        names(matches!(self.system, System::Bench { .. }), &self.machine)
+        names(self.on_bench(), &self.machine)
+    }
+
+    /// Whether there is no carrier.
+    pub(super) fn on_bench(&self) -> bool {
+        matches!(self.system, System::Bench { .. })
     }
 
     /// The same scene with another machine, made of the same data.
@@ -64,6 +69,19 @@ impl Scene {
         let names = scene.names();
         scene.run.outputs.retain(|output| output == ROTOR_SPEED || names.contains(output));
         Ok(scene)
+    }
+
+    /// From a state in the axes of a form to what is shown: the state in the axes of the data, and the rotor's speed.
+    pub(super) fn row(&self, axes: Axes) -> impl Fn(f64, &[f64]) -> Vec<f64> + use<> {
+        let back = self.back(axes);
+        let frame_speed = self.machine.clone().apply(FrameSpeed);
+        let slip = self.names().iter().position(|name| name == "slip");
+        move |_, state| {
+            let mut row = state.to_vec();
+            back(&mut row);
+            row.push(frame_speed + slip.map_or(0.0, |slip| state[slip]));
+            row
+        }
     }
 
     /// The axes of a form as columns, in the axes of the data.
@@ -84,6 +102,13 @@ pub fn names(on_bench: bool, machine: &AnyMachine) -> Vec<String> {
     names
 }
 
+/// What a run shows: the states and the rotor's speed.
+pub fn outputs(on_bench: bool, machine: &AnyMachine) -> Vec<String> {
+    let mut names = names(on_bench, machine);
+    names.push(ROTOR_SPEED.to_owned());
+    names
+}
+
 /// The unit of a state or of the rotor's speed, by its name.
 pub fn unit(name: &str) -> &'static str {
     match name.as_bytes() {
@@ -99,9 +124,18 @@ pub fn windings(machine: &AnyMachine) -> usize {
     machine.clone().apply(Windings)
 }
 
+struct FrameSpeed;
 struct RotorPart<'a>(&'a Scene);
 struct MachineNames;
 struct Windings;
+
+impl ForMachine for FrameSpeed {
+    type Output = f64;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> f64 {
+        machine.frame_speed()
+    }
+}
 
 impl ForMachine for RotorPart<'_> {
     type Output = Vec<f64>;

@@ -97,18 +97,25 @@ fn equations(page: &mut Page) {
             Line::equation(residual[4], inertia * a6, motor * f5 - b6 * f6 - weight * angle.cos + two * lambda * crank * q7 * angle.sin),
             Line::equation(residual[5], mass * a7, -b7 * f7 + two * lambda * (q7 - crank * angle.cos)),
         ]);
-    let slopes = [0, 1, 3].map(|k| instant.force.map(|f| f.diff(at.place[k])));
-    let charge: Vec<Condition> = (0..6)
-        .flat_map(|i| [Zero(slopes[0][i]), Zero(slopes[1][i]), Equal(instant.force[i].diff(q4), -slopes[2][i])])
-        .collect();
     page.claim("drive", "nine", r"of the charges only $q^3=q^4-q^5$ acts: with $\dot q^3=f^4-f^5$ the equations close in nine unknowns $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$")
         .in_words()
-        .follows(charge);
+        .follows(close_in_nine(&drive, &at));
     page.claim("drive", "closure", r"the rod ties $q^7$ to $q^6$: the paper's constraint").holds([Line::equation(
         instant.kinematics.value[0],
         (q7 - crank * angle.cos).powi(2) + (crank * angle.sin).powi(2),
         drive.mechanism.rod.powi(2),
     )]);
+}
+
+/// Of the charges only q3 = q4 - q5 acts: no force depends on q1, q2, nor on q4 and q5 but by their difference.
+pub fn close_in_nine(drive: &CrankDrive<Sym>, at: &State<Sym, 6>) -> Vec<Condition> {
+    let instant = Instant::of(drive, at);
+    let [q1, q2, q4, q5, ..] = at.place;
+    let of_one = |i: usize| {
+        let slope = |charge: Sym| instant.force[i].diff(charge);
+        [Zero(slope(q1)), Zero(slope(q2)), Equal(slope(q4), -slope(q5))]
+    };
+    (0..6).flat_map(of_one).collect()
 }
 
 fn diode(page: &mut Page) {
@@ -138,12 +145,9 @@ fn diode(page: &mut Page) {
     .follows([Equal(voltage(&drive, Sym::ZERO), gap * (knee - knee.powi(2).sqrt()) / Sym::int(4))]);
 }
 
-/// d/dt of the energy along the motion, whatever lambda.
-fn power(page: &mut Page) {
-    let (drive, at) = (drive(), anywhere());
-    let instant = Instant::of(&drive, &at);
-    let accelerations: [Sym; 6] = letters(["a1", "a2", "a4", "a5", "a6", "a7"]);
-    let lambda = letter("λ");
+/// d/dt of the energy along the motion, whatever lambda: the source's power less the heat, and lambda f'.
+pub fn balance(drive: &CrankDrive<Sym>, at: &State<Sym, 6>, accelerations: [Sym; 6], lambda: Sym) -> Condition {
+    let instant = Instant::of(drive, at);
     let moving =
         |x: [Sym; 6], dx: [Sym; 6]| -> [Tangent<Sym>; 6] { std::array::from_fn(|k| Tangent::moving(x[k], dx[k])) };
     let (q, f) = (moving(at.place, at.velocity), moving(at.velocity, accelerations));
@@ -156,21 +160,30 @@ fn power(page: &mut Page) {
         let inertia = (0..6).fold(Sym::ZERO, |sum, j| sum + instant.mass[i][j] * accelerations[j]);
         sum + at.velocity[i] * (inertia - instant.force[i] - lambda * instant.kinematics.rows[0][i])
     });
+    let source = drive.source(at.time) * at.velocity[0];
+    Equal(energy.slope - motion, source - heat(drive, at.velocity) + lambda * instant.kinematics.rate[0])
+}
+
+/// What resistances, diodes and bearings take, W.
+pub fn heat(drive: &CrankDrive<Sym>, [f1, f2, f4, f5, f6, f7]: [Sym; 6]) -> Sym {
     let Circuit { r1, r2, r4, r5, b6, b7, .. } = drive.circuit;
-    let [f1, f2, f4, f5, f6, f7] = at.velocity;
     let (half_sum, half_gap) = ((f4 + f2).half(), (f4 - f2).half());
-    let heat = r1 * f1.powi(2)
+    r1 * f1.powi(2)
         + r2 * f2.powi(2)
         + r4 * f4.powi(2)
         + r5 * f5.powi(2)
         + b6 * f6.powi(2)
         + b7 * f7.powi(2)
-        + Sym::int(2) * (half_sum * voltage(&drive, half_sum) + half_gap * voltage(&drive, half_gap));
-    let source = drive.source(at.time) * f1;
-    let rate = instant.kinematics.rate[0];
+        + Sym::int(2) * (half_sum * voltage(drive, half_sum) + half_gap * voltage(drive, half_gap))
+}
+
+fn power(page: &mut Page) {
+    let (drive, at) = (drive(), anywhere());
+    let instant = Instant::of(&drive, &at);
+    let accelerations = letters(["a1", "a2", "a4", "a5", "a6", "a7"]);
     page.claim("drive", "power", r"along the motion the energy of windings, capacitor, crank and slider changes by the source's power $Ef^1$, less the heat in resistances, diodes and bearings, plus $\lambda\dot f$: the motor's coupling gives and takes the same, and the rod's reaction works only where the constraint is violated")
         .in_words()
-        .follows([Equal(energy.slope - motion, source - heat + lambda * rate)]);
+        .follows([balance(&drive, &at, accelerations, letter("λ"))]);
     let entry = |i: usize, j: usize| instant.force[i].diff(at.velocity[j]);
     page.claim("drive", "coupling", r"the armature's voltage per speed of the crank and the crank's moment per current are opposite, $-K$ and $K$: a gyroscopic coupling, without work")
         .follows([Equal(entry(3, 4), -drive.circuit.motor), Equal(entry(4, 3), drive.circuit.motor)]);

@@ -4,11 +4,12 @@
 //! * [`schemes`]: one step of a method on the law of violations, over any field;
 //! * `gains`: for which gains the discrete error of a constraint decays, exactly, and the best gains;
 //! * `floor`: what no gains remove;
-//! * `drive`: the equations of the electromechanical drive;
+//! * [`drive`]: the equations of the electromechanical drive; [`drive_law`], [`experiment`]: the drive run;
 //! * [`regions`], [`treatments`]: gains and treatments of a constraint, measured.
 
 mod alphabet;
-mod drive;
+pub mod drive;
+pub mod drive_law;
 pub mod experiment;
 mod floor;
 mod gains;

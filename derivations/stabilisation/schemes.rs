@@ -40,6 +40,13 @@ impl Scheme {
         }
     }
 
+    /// Of an integrator over a span, with the length of its step; `None` where that varies.
+    pub fn of(method: Method, span: f64) -> Option<(Self, f64)> {
+        let steps = method.steps()?;
+        let scheme = Self::ALL.into_iter().find(|scheme| scheme.method(steps) == method)?;
+        Some((scheme, span / f64::from(steps)))
+    }
+
     /// The gains (beta, kappa) with which a violation goes fastest: the matrix of the step is nilpotent, or zero. Backward
     /// Euler has none: the larger the gains, the faster.
     pub fn best(self) -> Option<(f64, f64)> {

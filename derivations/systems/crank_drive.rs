@@ -24,9 +24,9 @@ crate::quantities! {
         /// angular frequency of the source
         frequency: "rad/s",
         /// inductance of the primary winding with the source's
-        l1: "H",
+        l1: "H" > 0,
         /// inductance of the secondary winding
-        l2: "H",
+        l2: "H" > 0,
         /// mutual inductance; M^2 < L1 L2
         mutual: "H",
         /// resistance of the primary winding with the source's
@@ -34,19 +34,19 @@ crate::quantities! {
         /// resistance of the secondary winding
         r2: "ohm",
         /// differential resistance of a diode far forwards
-        forward: "ohm",
+        forward: "ohm" > 0,
         /// differential resistance of a diode far backwards
-        reverse: "ohm",
+        reverse: "ohm" > 0,
         /// the current over which a diode changes from one to the other
-        knee: "A",
+        knee: "A" > 0,
         /// capacitance of the smoothing capacitor
-        c3: "A s/V",
+        c3: "A s/V" > 0,
         /// inductance of the choke
-        l4: "H",
+        l4: "H" > 0,
         /// resistance of the choke
         r4: "ohm",
         /// inductance of the armature
-        l5: "H",
+        l5: "H" > 0,
         /// resistance of the armature
         r5: "ohm",
         /// moment of the motor by its current

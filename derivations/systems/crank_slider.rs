@@ -6,19 +6,20 @@
 use field::{Analytic, Base, Over};
 use mechanics::constrained::energies::{Energies, Reducible};
 
-/// q = (angle of the crank from the slider's line, distance of the slider from the axis).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CrankSlider<P> {
-    /// J, moment of inertia of what turns, with the rod's mass at the pin
-    pub inertia: P,
-    /// m, mass of what slides, with the rod's mass at the slider
-    pub mass: P,
-    /// r
-    pub crank: P,
-    /// l > r
-    pub rod: P,
-    /// G, the greatest moment of the weight about the axis; the slider's line is horizontal
-    pub weight: P,
+crate::quantities! {
+    /// q = (angle of the crank from the slider's line, distance of the slider from the axis).
+    pub struct CrankSlider {
+        /// J, moment of inertia of what turns, with the rod's mass at the pin
+        inertia: "kg m^2" > 0,
+        /// m, mass of what slides, with the rod's mass at the slider
+        mass: "kg" > 0,
+        /// r, length of the crank
+        crank: "m" > 0,
+        /// l, length of the rod
+        rod: "m" > 0,
+        /// G, greatest moment of the weight about the axis, the slider's line being horizontal
+        weight: "N m",
+    }
 }
 
 impl<P: Base> CrankSlider<P> {

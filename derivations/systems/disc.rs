@@ -10,17 +10,18 @@ use mechanics::constrained::newton::{Reactions, at_point};
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
 use mechanics::rotation::euler;
 
-/// The data of the disc.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Disc<P> {
-    /// m, kg
-    pub mass: P,
-    /// P, the second moment along a diameter, kg m^2: half of the moment about the axis
-    pub second_moment: P,
-    /// a, m
-    pub radius: P,
-    /// g, m/s^2
-    pub gravity: P,
+crate::quantities! {
+    /// The data of the disc.
+    pub struct Disc {
+        /// m, mass
+        mass: "kg" > 0,
+        /// P, second moment of the mass along a diameter, half of the moment of inertia about the axis
+        second_moment: "kg m^2" > 0,
+        /// a, radius
+        radius: "m" > 0,
+        /// g, acceleration of gravity
+        gravity: "m/s^2",
+    }
 }
 
 /// The coordinates, one vector after the other.

@@ -17,71 +17,79 @@ use mechanics::constrained::{Charted, State, System};
 use mechanics::definite::NotDefinite;
 use mechanics::differentiate::{along, unit};
 
-/// The data of the governor.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ElasticGovernor<P> {
-    /// J1 of the drum, J2 of the disc, J of the wheel about their axes, kg m^2
-    pub inertia: [P; 3],
-    /// R, m
-    pub drum: P,
-    /// r, m
-    pub wheel: P,
-    /// c, m
-    pub offset: P,
-    /// of the sleeve with all that moves along with it, kg
-    pub sleeve: P,
-    /// of each ball, kg
-    pub ball: P,
-    /// l, m
-    pub link: P,
-    /// M1, M2, N m
-    pub moments: [P; 2],
-    /// c1, c2, N/m
-    pub stiffness: [P; 2],
-    /// delta1, delta2: tensions of the springs at x0, m
-    pub tension: [P; 2],
-    /// x0, m
-    pub rest: P,
-    pub rim: Rim<P>,
-}
-
-/// The elastic rim.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rim<P> {
-    /// a: the force a lambda, N/m
-    pub across: P,
-    /// b: the moment b psi, N m
-    pub twist: P,
-    /// d: the moment d psi on the disc about its axis, N m
-    pub drill: P,
-    /// alpha, 1/m^2
-    pub curved_by_displacement: P,
-    /// beta, 1/m
-    pub curved_by_angle: P,
-    /// masses that belong to lambda and psi, kg and kg m^2
-    pub masses: [P; 2],
+crate::quantities! {
+    /// The data of the governor.
+    pub struct ElasticGovernor {
+        /// J1, moment of inertia of the drum with its shaft
+        drum_inertia: "kg m^2" > 0,
+        /// J2, moment of inertia of the disc with its shaft
+        disc_inertia: "kg m^2" > 0,
+        /// J, moment of inertia of the wheel
+        wheel_inertia: "kg m^2" > 0,
+        /// R, radius of the drum
+        drum: "m" > 0,
+        /// r, radius of the wheel
+        wheel: "m" > 0,
+        /// c, distance of the sleeve at which the wheel is on the disc's axis
+        offset: "m",
+        /// mass of the sleeve with all that moves along with it
+        sleeve: "kg" > 0,
+        /// mass of each ball
+        ball: "kg" > 0,
+        /// l, length of a link
+        link: "m" > 0,
+        /// M1, moment on the drum
+        m1: "N m",
+        /// M2, moment on the disc
+        m2: "N m",
+        /// stiffness of the first spring
+        c1: "N/m",
+        /// stiffness of the second spring
+        c2: "N/m",
+        /// tension of the first spring at x0
+        delta1: "m",
+        /// tension of the second spring at x0
+        delta2: "m",
+        /// x0, place of the sleeve from which the springs are counted
+        rest: "m" > 0,
+        /// a of the rim's force a lambda; it is elastic where a < 0
+        across: "N/m",
+        /// b of the rim's moment b psi; it is elastic where b < 0
+        twist: "N m",
+        /// d of the moment d psi on the disc about its axis
+        drill: "N m",
+        /// alpha, curvature of the line of rolling by the displacement
+        alpha: "1/m^2",
+        /// beta, curvature of the line of rolling by the angle
+        beta: "1/m",
+        /// mass of the rim that moves with lambda
+        rim_mass: "kg",
+        /// moment of inertia of the rim that turns with psi
+        rim_inertia: "kg m^2",
+    }
 }
 
 impl<P: Base> System<12> for ElasticGovernor<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 12] {
-        let ([first, second, wheel], ball) = (self.inertia, self.ball);
-        let [across, twist] = self.rim.masses;
-        [first, second, wheel, self.sleeve, ball, ball, ball, ball, ball, ball, across, twist].map(S::lift)
+        let ElasticGovernor { drum_inertia, disc_inertia, wheel_inertia, sleeve, ball, rim_mass, rim_inertia, .. } =
+            self.map(S::lift);
+        let mut masses = [ball; 12];
+        masses[..4].copy_from_slice(&[drum_inertia, disc_inertia, wheel_inertia, sleeve]);
+        masses[10..].copy_from_slice(&[rim_mass, rim_inertia]);
+        masses
     }
 
     fn force<S: Over<P>>(&self, at: &State<S, 12>) -> [S; 12] {
         let (x, lambda, psi) = (at.place[3], at.place[10], at.place[11]);
-        let [first, second] = self.moments.map(S::lift);
-        let ([c1, c2], [d1, d2]) = (self.stiffness.map(S::lift), self.tension.map(S::lift));
-        let springs = -(c1 + c2) * (x - S::lift(self.rest)) - c1 * d1 + c2 * d2;
+        let given = self.map(S::lift);
         let mut force = [S::zero(); 12];
-        force[0] = first;
-        force[1] = second + S::lift(self.rim.drill) * psi;
-        force[3] = springs;
-        force[10] = S::lift(self.rim.across) * lambda;
-        force[11] = S::lift(self.rim.twist) * psi;
+        force[0] = given.m1;
+        force[1] = given.m2 + given.drill * psi;
+        force[3] = -(given.c1 + given.c2) * (x - given.rest) - given.c1 * given.delta1 + given.c2 * given.delta2;
+        force[10] = given.across * lambda;
+        force[11] = given.twist * psi;
         force
     }
 }
@@ -99,7 +107,7 @@ impl<P: Base> Charted<12, 6, 2> for ElasticGovernor<P> {
     fn rates<S: Over<P> + Analytic>(&self, _time: S, q: [S; 6], [speed, drift]: [S; 2]) -> [S; 6] {
         let [_, _, _, x, lambda, psi] = q;
         let rolled = S::lift(self.drum) * speed;
-        let curvature = S::lift(self.rim.curved_by_displacement) * lambda - S::lift(self.rim.curved_by_angle) * psi;
+        let curvature = S::lift(self.alpha) * lambda - S::lift(self.beta) * psi;
         [
             speed,
             rolled / (x - S::lift(self.offset)),
@@ -132,19 +140,24 @@ impl<P: Base> ElasticGovernor<P> {
         let zero = S::zero();
         let motion: Motion<S, 12, 2> = Motion::at(self, zero, [zero, zero, zero, x, lambda, psi], [speed, drift]);
         let moving: S = mechanics::constrained::kinetic_energy(self.masses(), motion.state.velocity);
-        let ([c1, c2], [d1, d2]) = (self.stiffness.map(S::lift), self.tension.map(S::lift));
-        let shift = x - S::lift(self.rest);
-        let rim = S::lift(self.rim.across) * lambda.squared() + S::lift(self.rim.twist) * psi.squared();
-        moving + ((c1 + c2) * shift.squared() - rim).half() + (c1 * d1 - c2 * d2) * shift
+        let ElasticGovernor { c1, c2, delta1, delta2, rest, across, twist, .. } = self.map(S::lift);
+        let shift = x - rest;
+        let rim = across * lambda.squared() + twist * psi.squared();
+        moving + ((c1 + c2) * shift.squared() - rim).half() + (c1 * delta1 - c2 * delta2) * shift
+    }
+
+    /// The power of the shafts and of the rim's moment on the disc, W: the rate of [`energy`](Self::energy).
+    pub fn power<S: Over<P>>(&self, [speed, x, _, _, psi]: [S; 5]) -> S {
+        let ElasticGovernor { m1, m2, drill, drum, offset, .. } = self.map(S::lift);
+        m1 * speed + (m2 + drill * psi) * drum * speed / (x - offset)
     }
 
     /// The same governor with the moment M1 and the tension delta2 that (omega1, x0, lambda = psi = 0) needs to be a
     /// motion; c2 must not vanish.
     pub fn stationary_at(self, speed: P) -> Self {
-        let ([_, load], [c1, c2], [d1, _]) = (self.moments, self.stiffness, self.tension);
-        let balanced = -self.drum * load / (self.rest - self.offset);
-        let pull = self.ball.half() * self.rest * speed.squared() + c1 * d1;
-        ElasticGovernor { moments: [balanced, load], tension: [d1, pull / c2], ..self }
+        let m1 = -self.drum * self.m2 / (self.rest - self.offset);
+        let pull = self.ball.half() * self.rest * speed.squared() + self.c1 * self.delta1;
+        ElasticGovernor { m1, delta2: pull / self.c2, ..self }
     }
 
     /// The first approximation about (omega1, x0) with lambda = psi = 0, in (omega1, x, x', lambda, psi).

@@ -7,17 +7,18 @@ use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::newton::{Reactions, at_point};
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
 
-/// The data of the sleigh.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KnifeEdge<P> {
-    /// m, kg
-    pub mass: P,
-    /// J about the centre, kg m^2
-    pub inertia: P,
-    /// d from the blade to the centre, m
-    pub offset: P,
-    /// g times the sine of the slope, m/s^2
-    pub slope: P,
+crate::quantities! {
+    /// The data of the sleigh.
+    pub struct KnifeEdge {
+        /// m, mass
+        mass: "kg" > 0,
+        /// J, moment of inertia about the centre
+        inertia: "kg m^2" > 0,
+        /// d, distance from the blade to the centre
+        offset: "m",
+        /// acceleration of gravity times the sine of the slope
+        slope: "m/s^2",
+    }
 }
 
 impl<P: Base> System<4> for KnifeEdge<P> {

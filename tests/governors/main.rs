@@ -4,14 +4,12 @@ mod elastic;
 mod programme;
 mod regulator;
 
-use derivations::systems::elastic_governor::{ElasticGovernor, Rim};
+use derivations::systems::elastic_governor::ElasticGovernor;
 use derivations::systems::governor::constant::{ConstantMoments, Course};
 use derivations::systems::governor::{Gearing, Governor, Moment};
 use field::{Analytic, Over, Rational, Scalar};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};
 use mechanics::bellman::{Regulator, quadratic};
-use mechanics::stability::{characteristic, hurwitz};
-use nalgebra::SMatrix;
 
 const SPEED: f64 = 2.0;
 

@@ -165,3 +165,47 @@ fn the_counterexamples_to_rank_and_to_staying_on_the_disc_are_governors() {
     let leaving = ConstantMoments { epsilon: 1.0, of_second: 1.0, of_first: 0.0, start: 1.0 };
     assert_eq!(leaving.distance(4.0), Some(3.0), "past the edge of a disc of radius 2");
 }
+
+/// Every form of the quadrature, every course, and the ends.
+#[test]
+fn between_two_discs_the_programme_is_the_quadrature() {
+    let between = |first: f64, second: f64| Governor {
+        gearing: Gearing::Discs { distance: 0.8 },
+        moments: [Moment::constant(first), Moment::constant(second)],
+        ..steady(first, second)
+    };
+    for (first, second, course) in [
+        (-0.5, 0.4, Course::TendsTo { distance: 0.8 * 0.5 / 0.9 }),
+        (0.5, 0.4, Course::TendsTo { distance: 0.0 }),
+        (0.4, 0.4, Course::TendsTo { distance: 0.0 }),
+        (0.0, 0.4, Course::TendsTo { distance: 0.0 }),
+        (0.4, 0.0, Course::TendsTo { distance: 0.0 }),
+        (0.5, -0.1, Course::TendsTo { distance: 0.0 }),
+        (0.1, -0.5, Course::ReachesAxis { time: f64::NAN }),
+        (-0.4, -0.4, Course::ReachesAxis { time: f64::NAN }),
+        (0.0, -0.4, Course::ReachesAxis { time: f64::NAN }),
+        (-0.2, -0.4, Course::ReachesAxis { time: f64::NAN }),
+    ] {
+        let data = between(first, second);
+        let law = data.between(SPEED).expect("two discs");
+        let end = match (law.course(0.3), course) {
+            (Course::ReachesAxis { time }, Course::ReachesAxis { .. }) => {
+                assert_eq!(law.distance_at(0.3, time), None);
+                let nearly = law.distance_at(0.3, time * (1.0 - 1e-12)).expect("before the end");
+                assert!((0.8 - nearly).abs() < 1e-4, "{nearly}");
+                0.9 * time
+            }
+            (Course::TendsTo { distance: found }, Course::TendsTo { distance }) => {
+                assert!((found - distance).abs() < 1e-15, "{found} and {distance}");
+                1.5
+            }
+            other => panic!("{other:?}"),
+        };
+        let followed = run(&Programme(data), &Span::new(0.0, end, &[0.3]))[0];
+        let direct = law.distance_at(0.3, end).expect("before the end");
+        assert!((followed - direct).abs() < 1e-11, "M1 = {first}, M2 = {second}: {followed} and {direct}");
+        assert!((law.time(0.3, direct) - end).abs() < 1e-11, "the quadrature takes it back");
+    }
+    assert_eq!(between(-0.5, 0.5).between(SPEED).map(|law| law.course(0.4)), Some(Course::Rest));
+    assert!(between(-0.5, 0.4).between(SPEED).is_some_and(|law| law.time(0.3, 0.5).is_nan()), "behind its place");
+}

@@ -137,8 +137,8 @@ pub struct Run {
     /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way
     #[arg(long)]
     pub form: Option<Axes>,
-    /// Writes the trajectory as a table: time, states, rotor's speed; with rough contacts time, coordinates,
-    /// velocities, works
+    /// Writes the trajectory as a table: time, states, rotor's speed; of a mechanism time, states, work and what follows
+    /// from them; with rough contacts time, coordinates, velocities, works
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
     /// How to print the summary
@@ -168,8 +168,8 @@ pub struct Chart {
     #[arg(long)]
     pub model: Option<String>,
     /// The equations in the axes of A (first) or of A* (second)
-    #[arg(long, default_value_t)]
-    pub form: Axes,
+    #[arg(long)]
+    pub form: Option<Axes>,
     /// Time allowed for the reference, and again for the measurements
     #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=3600))]
     pub seconds: u32,

@@ -2,7 +2,7 @@
 
 use crate::arguments::{Bodies, Format};
 use crate::ending::{Ending, print};
-use derivations::scene::{Scene, System};
+use derivations::scene::{Family, Scene, System};
 use derivations::systems::gyrostat::Gyrostat;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::{Value, json};

@@ -2,14 +2,15 @@
 
 use charts::{AreaCurve, Areas, Failure, Panel, Point, Track, Work, WorkPrecision, significant};
 use derivations::governors::StabilityMap;
+use derivations::machines::Quantity;
 use derivations::regimes::maps::{Kind, Map};
 use derivations::scene::state::unit;
-use derivations::scene::{Measured, Scene, Trajectory};
+use derivations::scene::{Measured, Smooth, Trajectory};
 use integrators::{self as run, Method};
 
 /// Error against work, once in evaluations and once in time.
-pub fn work_precision(scene: &Scene, measured: &Measured) -> [WorkPrecision; 2] {
-    let dimension = scene.names().len() as u64;
+pub fn work_precision(measured: &Measured) -> [WorkPrecision; 2] {
+    let dimension = measured.reference.sizes.len() as u64;
     let seconds = measured.points.iter().filter_map(|point| point.time).map(|time| time.seconds);
     let fastest = seconds.fold(f64::INFINITY, f64::min);
     let evaluations = |point: &run::Point| evaluations(point, dimension) as f64;
@@ -28,7 +29,7 @@ pub fn work_precision(scene: &Scene, measured: &Measured) -> [WorkPrecision; 2] 
 }
 
 /// What errors, evaluations and times of a scene are, for the line below its charts.
-pub fn measured_by(scene: &Scene, measured: &Measured) -> String {
+pub fn measured_by(measured: &Measured) -> String {
     let reference = &measured.reference;
     format!(
         "Error: the largest over eight instants and all states, each relative to its size, by the reference: {} and {} \
@@ -37,7 +38,7 @@ pub fn measured_by(scene: &Scene, measured: &Measured) -> String {
         reference.methods[0],
         reference.methods[1],
         reference.digits,
-        scene.names().len()
+        reference.sizes.len()
     )
 }
 
@@ -95,16 +96,20 @@ pub fn reason(failure: &run::Failure) -> &'static str {
 }
 
 /// The outputs that the scene names against time; components of one vector, and all currents, share a panel.
-pub fn trajectory(scene: &Scene, run: &Trajectory) -> charts::Trajectory {
-    let outputs = &scene.run.outputs;
+pub fn trajectory(scene: &dyn Smooth, run: &Trajectory) -> charts::Trajectory {
+    let outputs = &scene.run().outputs;
     let shown: Vec<&String> = run.names.iter().filter(|name| outputs.is_empty() || outputs.contains(name)).collect();
-    let stopped = run.outcome.failure().map(|failure| reason(&failure).to_owned());
+    let failure = run.outcome.failure();
+    let stopped = run.left.or(failure.as_ref().map(reason)).map(str::to_owned);
     let mut panels: Vec<(String, Panel)> = Vec::new();
     for name in shown {
         let Some(column) = run.column(name) else { continue };
         let points = run.times.iter().zip(&run.rows).map(|(time, row)| (*time, row[column])).collect();
-        let track = Track { name: label(name), points, stopped: stopped.clone() };
-        let quantity = quantity(name);
+        let (label, quantity) = match scene.column(name) {
+            Some(Quantity { name, unit, meaning, .. }) => ((*name).to_owned(), format!("{meaning}, {unit}")),
+            None => (label(name), quantity(name)),
+        };
+        let track = Track { name: label, points, stopped: stopped.clone() };
         match panels.iter_mut().find(|(known, _)| *known == quantity) {
             Some((_, panel)) => panel.series.push(track),
             None => panels.push((quantity.clone(), Panel { y: quantity, series: vec![track] })),

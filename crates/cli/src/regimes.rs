@@ -3,6 +3,7 @@
 use crate::ending::{Ending, print};
 use derivations::friction::log::{Names, describe};
 use derivations::friction::{ForRough, RoughScene};
+use derivations::scene::Family;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::{Dry, Found, Sizes, Touch, Verdict, conditions, consistent, touches, verdict};

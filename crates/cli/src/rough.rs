@@ -4,6 +4,7 @@ use crate::arguments::{Format, Run as Asked};
 use crate::csv;
 use crate::ending::{Ending, print};
 use crate::progress::Progress;
+use crate::run::refuse;
 use charts::{Panel, Parameter, SceneSection, Table, Track, significant, tolerance};
 use derivations::friction::run::Plan;
 use derivations::friction::{Course, RoughScene};
@@ -14,14 +15,7 @@ use std::time::Duration;
 
 /// Runs a scene and prints its log.
 pub fn run(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
-    let given = [("--model", asked.model.is_some()), ("--form", asked.form.is_some())];
-    if let Some((option, _)) = given.iter().find(|(_, given)| *given) {
-        return Err(Ending::refused(format!(
-            "{option} does not apply to {}: a system with rough contacts has no machine, and one form of its equations; \
-             --method, --tol, --samples, --out, --format and --seconds apply",
-            asked.scene.display()
-        )));
-    }
+    refuse("a system with rough contacts", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
     let own = scene.plan.clone();
     let mut plan = Plan {
         method: asked.method.unwrap_or(own.method),

@@ -6,26 +6,49 @@ use crate::ending::{Ending, print};
 use crate::progress::Progress;
 use crate::rough;
 use crate::summary::Summary;
-use derivations::scene::{AnyScene, Choice, NoModel, Scene};
+use derivations::scene::{AnyScene, Axes, Choice, Family, NoModel, Scene, Smooth};
 use std::path::Path;
 use std::time::Duration;
 
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
 pub fn run(asked: &Run) -> Result<Ending, Ending> {
-    let scene = match AnyScene::open(&asked.scene)? {
-        AnyScene::Driven(scene) => *scene,
-        AnyScene::Rough(scene) => return rough::run(&scene, asked),
-    };
-    let scene = with_model(scene, asked.model.as_deref(), &asked.scene)?;
-    let choice = choice(&scene, asked);
+    match AnyScene::open(&asked.scene)? {
+        AnyScene::Rough(scene) => rough::run(&scene, asked),
+        AnyScene::Driven(scene) => {
+            let scene = with_model(*scene, asked.model.as_deref(), &asked.scene)?;
+            follow(&scene, asked, Some(asked.form.unwrap_or_default()))
+        }
+        AnyScene::Mechanism(scene) => {
+            refuse("a mechanism", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+            follow(&*scene, asked, None)
+        }
+    }
+}
+
+/// Machines and forms are for systems with a motor.
+pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), Ending> {
+    let given = [("--model", model), ("--form", form)];
+    match given.iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((option, _)) => Err(Ending::refused(format!(
+            "{option} does not apply to {}: {what} has no machine, and one form of its equations; leave it out",
+            path.display()
+        ))),
+    }
+}
+
+/// Runs one initial value problem.
+fn follow(scene: &dyn Smooth, asked: &Run, form: Option<Axes>) -> Result<Ending, Ending> {
+    let choice = choice(scene.run(), asked);
     let table = csv::Table::open(asked.out.as_deref())?;
 
-    let mut progress = Progress::new(&scene.title);
-    let trajectory = scene.simulate(&choice, |fraction| progress.set(fraction));
+    let mut progress = Progress::new(scene.title());
+    let trajectory = scene.problem(choice.axes).simulate(&choice, |fraction| progress.set(fraction));
     drop(progress);
 
     table.write(&trajectory.names, &trajectory.times, &trajectory.rows)?;
-    let summary = Summary { scene: &scene, choice: &choice, trajectory: &trajectory };
+    let told = scene.told(&choice, &trajectory);
+    let summary = Summary { scene, choice: &choice, form, trajectory: &trajectory, told: &told };
     print(&match asked.format {
         Format::Text => summary.text(),
         Format::Json => summary.json(),
@@ -46,8 +69,8 @@ pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scen
 }
 
 /// The scene's own choices, but for those that are made on the command line.
-fn choice(scene: &Scene, asked: &Run) -> Choice {
-    let own = scene.choice();
+fn choice(own: &derivations::scene::Run, asked: &Run) -> Choice {
+    let own = own.choice();
     Choice {
         method: asked.method.unwrap_or(own.method),
         tolerance: asked.tolerance.unwrap_or(own.tolerance),

@@ -1,20 +1,22 @@
 //! `dalembert scenes`: what there is to run.
 
 use crate::ending::{Ending, print};
-use derivations::scene::AnyScene;
+use derivations::scene::{AnyScene, Family};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Prints each scene of a folder with its machine or its rough system, and its title; one that is not acceptable with the number of its faults.
+/// Prints each scene of a folder with its machine or its system, and its title; one that is not acceptable with the number
+/// of its faults.
 pub fn list(folder: &Path) -> Result<Ending, Ending> {
     let mut text = String::new();
     for path in files(folder)? {
         let said = match AnyScene::open(&path) {
             Ok(AnyScene::Driven(scene)) => format!("{:<22} {}", scene.machine.name(), scene.title),
             Ok(AnyScene::Rough(scene)) => format!("{:<22} {}", scene.system.name(), scene.title),
+            Ok(AnyScene::Mechanism(scene)) => format!("{:<22} {}", scene.name, scene.title),
             Err(error) => format!("{:<22} {} faults; `dalembert run` tells them", "", error.issues.len()),
         };
-        text += &format!("{:<38} {said}\n", path.display().to_string());
+        text += &format!("{:<46} {said}\n", path.display().to_string());
     }
     print(&text)?;
     Ok(Ending::Done)

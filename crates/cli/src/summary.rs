@@ -1,20 +1,23 @@
 //! A run in a few lines, or as one JSON object.
 
-use derivations::scene::{Choice, Scene, Trajectory};
+use derivations::scene::{Axes, Choice, Smooth, Told, Trajectory};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
 /// What is printed after a run.
 pub struct Summary<'a> {
-    pub scene: &'a Scene,
+    pub scene: &'a dyn Smooth,
     pub choice: &'a Choice,
+    /// Where there are several.
+    pub form: Option<Axes>,
     pub trajectory: &'a Trajectory,
+    pub told: &'a Told,
 }
 
 impl Summary<'_> {
     /// `{time, state, work, invariants, model, method, ...}`, one object on its lines.
     pub fn json(&self) -> String {
-        let Summary { scene, choice, trajectory } = self;
+        let Summary { scene, choice, form, trajectory, told } = self;
         let outcome = &trajectory.outcome;
         let states = trajectory.names.iter().zip(&trajectory.last);
         let state: Map<String, Value> = states.map(|(name, value)| (name.clone(), json!(value))).collect();
@@ -35,31 +38,39 @@ impl Summary<'_> {
                 "rejected": work.rejected,
             },
             "invariants": invariants,
-            "model": scene.machine.name(),
+            "model": scene.model(),
             "method": choice.method.to_string(),
-            "form": choice.axes.to_string(),
+            "form": form.map(|axes| axes.to_string()),
             "tolerance": choice.tolerance,
             "reached": outcome.reached(),
-            "stopped": outcome.failure().map(|failure| failure.to_string()),
+            "stopped": trajectory.stopped(),
+            "theory": told.theory,
+            "diagnosis": told.diagnosis,
+            "closed_form": told.closed_form.map(|(what, deviation)| json!({ "what": what, "deviation": deviation })),
         });
         format!("{object:#}\n")
     }
 
     /// For reading.
     pub fn text(&self) -> String {
-        let Summary { scene, choice, trajectory } = self;
+        let Summary { scene, choice, form, trajectory, told } = self;
         let outcome = &trajectory.outcome;
-        let mut text = format!("{}\n\n", scene.title);
+        let mut text = format!("{}\n\n", scene.title());
         let mut line = |name: &str, value: String| {
             // writing to a string cannot fail
             let _ = writeln!(text, "{name:<20} {value}");
         };
-        line("model", scene.machine.name().to_owned());
-        line("method", format!("{}, tolerance {:e}, {} form", choice.method, choice.tolerance, choice.axes));
+        let form = form.map_or_else(String::new, |axes| format!(", {axes} form"));
+        line("model", scene.model().to_owned());
+        line("method", format!("{}, tolerance {:e}{form}", choice.method, choice.tolerance));
         line("work", outcome.work.to_string());
-        match outcome.failure() {
+        told.theory.iter().for_each(|said| line("theory", said.clone()));
+        match trajectory.stopped() {
             None => line("reached", format!("t = {} s", outcome.time)),
-            Some(failure) => line("stopped", format!("{failure}; the last good state is at t = {} s", outcome.time)),
+            Some(why) => line("stopped", format!("{why}; the last good state is at t = {} s", outcome.time)),
+        }
+        if let Some(diagnosis) = &told.diagnosis {
+            line("diagnosis", diagnosis.clone());
         }
         for (name, value) in trajectory.names.iter().zip(&trajectory.last).filter(|(name, _)| self.shown(name)) {
             line(&format!("  {name}"), readable(*value));
@@ -67,12 +78,15 @@ impl Summary<'_> {
         for deviation in &outcome.deviations {
             line(&deviation.name, format!("{}, kept to {:.1e}", readable(deviation.first), deviation.largest));
         }
+        if let Some((what, deviation)) = told.closed_form {
+            line("closed form", format!("off by {deviation:.1e} from {what}"));
+        }
         text
     }
 
     /// What the scene calls its outputs; every state where it names none.
     fn shown(&self, name: &str) -> bool {
-        let outputs = &self.scene.run.outputs;
+        let outputs = &self.scene.run().outputs;
         outputs.is_empty() || outputs.iter().any(|output| output == name)
     }
 }

@@ -218,7 +218,8 @@ fn the_list_of_scenes_names_each_with_its_machine() {
     let output = run(&["scenes"]);
     let list = String::from_utf8(output.stdout).expect("text");
     assert!(
-        list.lines().count() >= 14 && list.contains("pull_out.toml") && list.contains("friction/jam.toml"),
+        list.lines().count() >= 29
+            && ["pull_out.toml", "friction/jam.toml", "governors/blow_up.toml"].iter().all(|file| list.contains(file)),
         "{list}"
     );
     assert!(!list.contains("faults"), "{list}");
@@ -315,4 +316,51 @@ fn the_ledger_lists_one_verdict_where_it_is_asked_to() {
     assert_eq!(output.status.code(), Some(2));
     let message = String::from_utf8(output.stderr).expect("messages are text");
     assert!(message.contains("there is no verdict `wrong`; there are: refuted, "), "{message}");
+}
+
+#[test]
+fn a_blow_up_is_said_by_name_beside_the_time_of_the_closed_form() {
+    let output = run(&["run", "scenes/governors/blow_up.toml", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(1));
+    let run = json(&output);
+    let diagnosis = run["diagnosis"].as_str().expect("it is named");
+    assert!(diagnosis.starts_with("blow-up in finite time") && diagnosis.contains("t = 1.102500000000 s"), "{run}");
+    assert!(run["time"].as_f64().is_some_and(|time| (time - 1.1025).abs() < 1e-9), "{run}");
+    assert!(run["closed_form"]["deviation"].as_f64().is_some_and(|off| off < 1e-10), "{run}");
+    assert_eq!((&run["model"], &run["form"]), (&Value::from("drum_programme"), &Value::Null));
+}
+
+#[test]
+fn a_mechanism_writes_its_table_and_takes_another_method() {
+    let path = temporary("mechanism.csv");
+    let asked =
+        ["run", "scenes/drive/euler_bears.toml", "--method", "radau_5", "--tol", "1e-6", "--samples", "5", "--out"];
+    let output = run(&[&asked[..], &[&path.to_string_lossy()]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let table = std::fs::read_to_string(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    assert!(table.starts_with("time,f1,f2,q3,f4,f5,q6,f6,q7,f7,work,violation,violation_rate\n"), "{table}");
+    assert_eq!(table.lines().count(), 7);
+}
+
+#[test]
+fn a_chart_of_a_mechanism_lists_every_method_and_says_why_there_is_none() {
+    let output = run(&["chart", "scenes/governors/drum_programme.toml", "--seconds", "2"]);
+    let table = String::from_utf8(output.stdout).expect("text");
+    assert_eq!(output.status.code(), Some(0), "{table}");
+    assert!(["Dormand-Prince 8", "Gauss", "Taylor", "1e-13"].iter().all(|word| table.contains(word)), "{table}");
+    let output = run(&["chart", "scenes/governors/blow_up.toml", "--seconds", "2"]);
+    let table = String::from_utf8(output.stdout).expect("text");
+    assert_eq!(output.status.code(), Some(1), "{table}");
+    assert!(table.contains("no reference") && table.contains("blow-up in finite time"), "{table}");
+}
+
+#[test]
+fn a_mechanism_has_no_machine() {
+    refused("a_mechanism_has_no_machine", &["run", "scenes/drive/stiff_diode.toml", "--model", "synchronous"]);
+}
+
+#[test]
+fn a_chart_of_a_rough_scene() {
+    refused("a_chart_of_a_rough_scene", &["chart", "scenes/friction/jam.toml"]);
 }

@@ -84,6 +84,17 @@ impl Method {
         }
     }
 
+    /// How many equal steps it makes; none where it follows a tolerance.
+    pub fn steps(self) -> Option<u32> {
+        match self {
+            Method::Euler { steps }
+            | Method::RungeKutta4 { steps }
+            | Method::BackwardEuler { steps }
+            | Method::ImplicitMidpoint { steps } => Some(steps),
+            _ => None,
+        }
+    }
+
     /// What no run of this method could work with.
     pub(crate) fn check(self, dimension: usize) -> Result<(), Refusal> {
         match self {

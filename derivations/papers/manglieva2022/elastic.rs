@@ -1,7 +1,7 @@
 //! Chapter 3's governor with an elastic rim in the paper's letters: `systems/elastic_governor.rs` with symbols for data.
 
 use super::alphabet::{int, letter, letters, tidy};
-use crate::systems::elastic_governor::{ElasticGovernor, Rim};
+use crate::systems::elastic_governor::ElasticGovernor;
 use field::Scalar;
 use mechanics::constrained::appell::residual;
 use mechanics::constrained::motion::Motion;
@@ -41,27 +41,30 @@ impl Default for ElasticLetters {
         let [drum, wheel, offset, sleeve, ball, link] = letters(["R", "r", "c", "m", "mₛ", "l"]);
         let (moments, springs, tensions) = (letters(["M1", "M2"]), letters(["c1", "c2"]), letters(["δ1", "δ2"]));
         let [rest, a, b, drill, alpha, beta] = letters(["x₀", "aᵉ", "bᵉ", "dᵉ", "αᵉ", "β"]);
-        let rim = Rim {
-            across: a,
-            twist: b,
-            drill,
-            curved_by_displacement: alpha,
-            curved_by_angle: beta,
-            masses: [Sym::ZERO; 2],
-        };
         let governor = ElasticGovernor {
-            inertia,
+            drum_inertia: inertia[0],
+            disc_inertia: inertia[1],
+            wheel_inertia: inertia[2],
             drum,
             wheel,
             offset,
             sleeve,
             ball,
             link,
-            moments,
-            stiffness: springs,
-            tension: tensions,
+            m1: moments[0],
+            m2: moments[1],
+            c1: springs[0],
+            c2: springs[1],
+            delta1: tensions[0],
+            delta2: tensions[1],
             rest,
-            rim,
+            across: a,
+            twist: b,
+            drill,
+            alpha,
+            beta,
+            rim_mass: Sym::ZERO,
+            rim_inertia: Sym::ZERO,
         };
         let (state, rates) = (letters(["ω1", "x", "ẋ", "λᵉ", "ψ"]), letters(["ω̇1", "ẍ"]));
         let motion = motion(&governor, state);

@@ -2,7 +2,8 @@
 
 use super::alphabet::{int, letters, tidy};
 use super::governor::GovernorLetters;
-use claims::{Line, Page};
+use crate::systems::governor::between::{Between, Quadrature};
+use claims::{Condition, Line, Page};
 use mechanics::constrained::newton::Reactions;
 use mechanics::constrained::{Constrained, System};
 use symbolic::Sym;
@@ -14,6 +15,7 @@ pub fn claims(page: &mut Page, s: &GovernorLetters) {
     kinematics(page, s);
     contacts(page, s);
     motion(page, s);
+    quadrature(page, s);
 }
 
 fn kinematics(page: &mut Page, s: &GovernorLetters) {
@@ -119,4 +121,36 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
     )
     .holds([Line::equation(outwards, s.mass * s.ddrho, s.push - f * normal)]);
     page.correct();
+}
+
+/// Under constant moments, beyond the paper: dt/drho of the quadrature against the programme of Appell's equations.
+fn quadrature(page: &mut Page, s: &GovernorLetters) {
+    let drift = |with: [Sym; 2]| -> Sym {
+        let drift: Sym = s.governor.programme(Sym::ZERO, s.rho, s.speed);
+        tidy(drift.substitute(&[(s.m1, with[0]), (s.m2, with[1])]))
+    };
+    let Some(law) = s.governor.between(s.speed) else { return };
+    let slow = |with: [Sym; 2], by: fn(&Between<Sym>) -> Quadrature<Sym>| {
+        let law = Between { moments: with, ..law };
+        Line::formula(int(1) / drift(with), int(1) / s.drho, law.slope(&by(&law), s.rho))
+    };
+    page.claim(ENTRY, "quadrature", r"under constant moments $t$ is an elementary function of $\rho_1$: of $\rho_1$, $\rho_1^2$, $1/\rho_1$, $\ln\rho_1$ and $\ln|M_1(a-\rho_1)+M_2\rho_1|$; its slope against $1/\dot\rho_1$")
+        .note(r"For $M_1\ne0$, $M_1\ne M_2$. Its inverse $\rho_1(t)$ is not elementary, nor Lambert's: polynomial and logarithms stand side by side.")
+        .holds([slow([s.m1, s.m2], Between::general)]);
+    page.claim(ENTRY, "quadrature-equal", r"with $M_1=M_2$: of $\rho_1^2$, $\rho_1^3$, $1/\rho_1$ and $\ln\rho_1$")
+        .holds([slow([s.m1, s.m1], Between::equal)]);
+    page.claim(ENTRY, "quadrature-free", r"with $M_1=0$: of $\rho_1$, $\rho_1^2$, $1/\rho_1$ and $1/\rho_1^2$")
+        .holds([slow([Sym::ZERO, s.m2], Between::free_first)]);
+    let far = s.distance - s.rho;
+    let inertia = s.wheel * s.speed / s.radius + s.speed * s.distance * s.radius * s.first / s.rho.powi(3);
+    let both = drift([s.m1, s.m2]);
+    page.claim(ENTRY, "first-axis", r"the axis of the first disc is not reached: $\dot\rho_1/\rho_1^2\to-M_1/(J_1\omega_2a)$, the first shaft alone under its moment")
+        .in_words()
+        .follows([Condition::Equal(
+            both * (s.wheel * s.speed * s.rho.powi(3) / s.radius + s.speed * s.distance * s.radius * s.first) * far,
+            -(s.radius * s.rho.powi(2) * (s.m1 * far + s.m2 * s.rho)),
+        )]);
+    page.claim(ENTRY, "second-axis", r"with $M_2<0$ that of the second is reached in finite time and with infinite speed: $(a-\rho_1)\dot\rho_1\to-rM_2/(J\omega_2/r+J_1\omega_2r/a^2)$")
+        .in_words()
+        .follows([Condition::Equal(both * far * inertia, -(s.radius * (s.m2 + s.m1 * far / s.rho)))]);
 }

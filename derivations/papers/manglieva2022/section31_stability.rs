@@ -255,7 +255,7 @@ fn determinants(page: &mut Page, q: &Quintic) {
     let entry = "section3.1-hurwitz";
     let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
     let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
-    let [first, second, fourth, fifth] = letters(["Δ₁", "Δ₂", "Δ₄", "Δ₅"]);
+    let [first, second, third, fourth, fifth] = letters(["Δ₁", "Δ₂", "Δ₃", "Δ₄", "Δ₅"]);
     let a = q.right();
     let derived = |size: usize| tidy(minor(&a, size));
     let inertia = theta * m0;
@@ -272,17 +272,33 @@ fn determinants(page: &mut Page, q: &Quintic) {
         .holds([Line::formula(derived(2), second, inertia * (phi3 * phi2 + inertia * alpha * beta * v))]);
     page.correct();
     let z = -(phi3 * phi1) + phi4 * theta + q.a * theta;
-    let fourth_of_paper = (phi3 * (q.b * alpha - beta * phi2) + alpha * v * (q.a * theta - z))
-        * (phi3
-            * phi2
-            * (int(2) * m0.powi(2) * beta * alpha * theta.powi(2) * v + inertia * beta * z - inertia * phi3 * phi2
-                + beta.powi(3) * inertia.powi(2))
-            - alpha * beta.powi(2) * inertia.powi(2) * (q.b * phi3 + v * q.a * theta))
+    let coupling = phi2 * phi3;
+    let third_of_paper = coupling
+        * (int(2) * m0.powi(2) * beta * alpha * theta.powi(2) * v + inertia * beta * z - inertia * coupling
+            + beta.powi(3) * inertia.powi(2))
+        - alpha * beta.powi(2) * inertia.powi(2) * (q.b * phi3 + v * q.a * theta);
+    page.claim(entry, "delta3", r"$\Delta_3$, which is not printed by itself but as the bracket that $a_4$ multiplies in $\Delta_4$: wrong are the sign of $2m_0^2\theta^2\alpha_1\beta_1V_0$, sign and factor of $b$, and the sign of $a$ in $Z$")
+        .fails([Line::formula(derived(3), third, third_of_paper)]);
+    let right_z = -(phi3 * phi1) + phi4 * theta - q.a * theta;
+    page.claim(
+        entry,
+        "delta3-corrected",
+        r"$\Delta_3=\theta m_0\left(\Phi_2\Phi_3\left(\beta_1Z-\Phi_2\Phi_3+\theta m_0\beta_1(\beta_1^2-2\alpha_1V_0)\right)+\theta m_0\alpha_1\beta_1^2\left(b\frac R{\rho_0}\Phi_3-aV_0\theta\right)\right)$ with $Z=\Phi_4\theta-\Phi_1\Phi_3-a\theta$",
+    )
+    .note(r"Beside $a_0,\dots,a_5>0$ it is not needed, by Liénard and Chipart: $\Delta_2$ and $\Delta_4$ suffice.")
+    .holds([Line::formula(
+        derived(3),
+        third,
+        inertia
+            * (coupling * (beta * right_z - coupling + inertia * beta * (beta.powi(2) - int(2) * alpha * v))
+                + inertia * alpha * beta.powi(2) * (q.twist * phi3 - q.a * v * theta)),
+    )]);
+    page.correct();
+    let fourth_of_paper = (phi3 * (q.b * alpha - beta * phi2) + alpha * v * (q.a * theta - z)) * third_of_paper
         - alpha
             * v
-            * phi3
-            * phi2
-            * (inertia * phi3 * phi2 * (z + inertia)
+            * coupling
+            * (inertia * coupling * (z + inertia)
                 + inertia.powi(2) * beta * alpha * (-(phi3 * q.b) - v * (q.a * theta)));
     let data = [theta, m0, v, alpha, beta, phi3, phi4, q.ball];
     let positive = data.map(Condition::Positive);
@@ -304,7 +320,6 @@ fn determinants(page: &mut Page, q: &Quintic) {
         one("ϱ₀", 1),
     ]);
     page.claim(entry, "delta4", r"$\Delta_4$ as printed, its first term $a_4$ times the bracket")
-        .note(r"$\Delta_3$ is not printed; by Liénard and Chipart it is not needed beside $a_0,\dots,a_5>0$.")
         .given(positive)
         .refuted([Condition::Equal(derived(4), fourth_of_paper)], point);
     let by_pairs = (a[1] * a[2] - a[0] * a[3]) * (a[3] * a[4] - a[2] * a[5]) - (a[1] * a[4] - a[0] * a[5]).powi(2);

@@ -190,16 +190,46 @@ const LETTERS: &[Letter<3>] = &[
     ("Δ", r"\Delta", [1, 2, -1]),
 ];
 
+/// Of the drive of section 6, as it is completed here; kg, m, s, A.
+const DRIVE: &[Letter<4>] = &[
+    ("E₀", "E_0", [1, 2, -3, -1]),
+    ("Ωᵈ", r"\Omega", [0, 0, -1, 0]),
+    ("Lᵈ#", "L_#", [1, 2, -2, -2]),
+    ("Mᵈ", "M", [1, 2, -2, -2]),
+    ("Rᵈ#", "R_#", [1, 2, -3, -2]),
+    ("Rᵈᶠ", r"R_{\mathrm f}", [1, 2, -3, -2]),
+    ("Rᵈʳ", r"R_{\mathrm r}", [1, 2, -3, -2]),
+    ("i₀", "i_0", [0, 0, 0, 1]),
+    ("Cᵈ", "C", [-1, -2, 4, 2]),
+    ("Kᵈ", "K", [1, 2, -2, -1]),
+    ("b₆", "b_6", [1, 2, -1, 0]),
+    ("b₇", "b_7", [1, 0, -1, 0]),
+    ("Jᵈ", "J", [1, 2, 0, 0]),
+    ("mᵈ", "m", [1, 0, 0, 0]),
+    ("Gᵈ", "G", [1, 2, -2, 0]),
+    ("qᵈ#", "q^#", [0, 0, 1, 1]),
+    ("fᵈ#", "f^#", [0, 0, 0, 1]),
+    ("f⁶", "f^6", [0, 0, -1, 0]),
+    ("f⁷", "f^7", [0, 1, -1, 0]),
+    ("ḟᵈ#", r"\dot f^#", [0, 0, -1, 1]),
+    ("ḟ⁶", r"\dot f^6", [0, 0, -2, 0]),
+    ("ḟ⁷", r"\dot f^7", [0, 1, -2, 0]),
+    ("λᵈ", r"\lambda", [1, 0, -2, 0]),
+];
+
 pub use crate::alphabet::exact;
 
 /// The dimension of a symbol of the paper; `None` for a name that the paper does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
-    alphabet::dimension(LETTERS, name)
+    alphabet::dimension(LETTERS, name).or_else(|| alphabet::dimension(DRIVE, name))
 }
 
-/// The symbol of a letter; the LaTeX comes from the table.
+/// The symbol of a letter; the LaTeX comes from its table.
 pub fn letter(name: &str) -> Sym {
-    alphabet::letter(LETTERS, name)
+    match alphabet::dimension(DRIVE, name) {
+        Some(_) => alphabet::letter(DRIVE, name),
+        None => alphabet::letter(LETTERS, name),
+    }
 }
 
 /// Several letters at once.

@@ -5,10 +5,11 @@
 //! first (with [`Gearing::Discs`]). The wheel rolls on both without slipping; a force pushes it along its axle.
 //!
 //! * [`programme`]: the motion of the wheel that keeps the speed, the force that this takes;
-//! * [`constant`]: the same in closed form under constant moments, and where it ends;
+//! * [`constant`]: the same in closed form under constant moments, and where it ends; [`between`]: between two discs;
 //! * [`series`]: the same by powers of a small parameter;
 //! * [`released`]: the motion when the speed is not kept exactly, its first approximation.
 
+pub mod between;
 pub mod constant;
 pub mod programme;
 pub mod released;

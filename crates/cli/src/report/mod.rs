@@ -6,7 +6,7 @@ mod scene;
 use crate::ending::{Ending, save};
 use crate::progress::Progress;
 use charts::{Report, SceneSection, WorkPrecision};
-use derivations::scene::{AnyScene, Scene};
+use derivations::scene::{AnyScene, Family, Smooth};
 use parts::Parts;
 use scene::described;
 use std::path::{Path, PathBuf};
@@ -17,8 +17,8 @@ pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, En
     let (mut scenes, mut rough) = (Vec::new(), Vec::new());
     for file in files {
         match AnyScene::open(file)? {
-            AnyScene::Driven(scene) => scenes.push((id(file), *scene)),
             AnyScene::Rough(scene) => rough.push((id(file), *scene)),
+            other => scenes.push((id(file), other)),
         }
     }
     let mut parts = Parts::of(&scenes, &rough);
@@ -26,19 +26,20 @@ pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, En
     parts.compute(&scenes, &rough, |done| progress.set(done));
     drop(progress);
     let mut progress = Progress::new("methods timed");
-    parts.take_times(&scenes, |done| progress.set(done));
+    parts.take_times(|done| progress.set(done));
     drop(progress);
     let whole = parts.sound() && parts.reached();
-    let report = parts.report(&scenes, folder);
+    let report = parts.report(folder);
     save(path, &charts::page::render(&report).html)?;
     Ok(if whole { Ending::Done } else { Ending::Stopped })
 }
 
 /// A page with nothing but a scene and its charts.
-pub fn of_scene(scene: &Scene, work: Vec<WorkPrecision>, note: String) -> String {
-    let run = scene.simulate(&scene.choice(), |_| ());
+pub fn of_scene(scene: &dyn Smooth, work: Vec<WorkPrecision>, note: String) -> String {
+    let choice = scene.run().choice();
+    let run = scene.problem(choice.axes).simulate(&choice, |_| ());
     let section = SceneSection { work, note, ..described("scene", scene, &run) };
-    let report = Report { scenes: vec![section], ..titled(&scene.title, &scene.description) };
+    let report = Report { scenes: vec![section], ..titled(scene.title(), scene.description()) };
     charts::page::render(&report).html
 }
 

@@ -1,6 +1,6 @@
 //! The parts of the report: what is computed side by side, what is timed alone, and the page that they make.
 
-use super::scene::{Prepared, prepare};
+use super::scene::{NoReference, Prepared, prepare};
 use super::titled;
 use crate::crew::Crew;
 use crate::ledger;
@@ -10,7 +10,7 @@ use crate::sphere;
 use crate::studies::{Drive, Gains};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Verdict};
-use derivations::scene::{Axes, Scene, Trials};
+use derivations::scene::AnyScene;
 use derivations::{friction::RoughScene, governors, papers, regimes};
 use std::path::Path;
 
@@ -18,7 +18,7 @@ use std::path::Path;
 /// while nothing else runs.
 pub struct Parts {
     papers: Vec<Option<(PaperSection, bool)>>,
-    prepared: Vec<Option<Prepared>>,
+    prepared: Vec<Option<Option<Prepared>>>,
     rough: Vec<Option<SceneSection>>,
     stability: Option<Vec<Areas>>,
     approximations: Option<charts::Trajectory>,
@@ -30,7 +30,7 @@ pub struct Parts {
 
 impl Parts {
     /// None yet.
-    pub fn of(scenes: &[(String, Scene)], rough: &[(String, RoughScene)]) -> Self {
+    pub fn of(scenes: &[(String, AnyScene)], rough: &[(String, RoughScene)]) -> Self {
         Parts {
             papers: papers::ALL.iter().map(|_| None).collect(),
             prepared: scenes.iter().map(|_| None).collect(),
@@ -45,7 +45,7 @@ impl Parts {
     }
 
     /// All that need not be timed.
-    pub fn compute(&mut self, scenes: &[(String, Scene)], rough: &[(String, RoughScene)], done: impl FnMut(f64)) {
+    pub fn compute(&mut self, scenes: &[(String, AnyScene)], rough: &[(String, RoughScene)], done: impl FnMut(f64)) {
         let mut crew = Crew::default();
         for (place, paper) in self.papers.iter_mut().zip(papers::ALL) {
             crew.add(1.0, place, move || ledger::judged(paper));
@@ -61,16 +61,21 @@ impl Parts {
         crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
-        crew.add(0.2, &mut self.spheres, || sphere::all(scenes.iter().map(|(_, scene)| scene)));
+        crew.add(0.2, &mut self.spheres, || {
+            sphere::all(scenes.iter().filter_map(|(_, scene)| match scene {
+                AnyScene::Driven(scene) => Some(&**scene),
+                _ => None,
+            }))
+        });
         crew.work(done);
     }
 
     /// The times, while nothing else runs.
-    pub fn take_times(&mut self, scenes: &[(String, Scene)], mut done: impl FnMut(f64)) {
-        let whole = (scenes.len() + 1) as f64;
-        for (count, ((_, scene), prepared)) in scenes.iter().zip(self.prepared.iter_mut().flatten()).enumerate() {
-            if let Ok(measured) = &mut prepared.measured {
-                scene.take_times(measured, Axes::First, &Trials::default());
+    pub fn take_times(&mut self, mut done: impl FnMut(f64)) {
+        let whole = (self.prepared.len() + 1) as f64;
+        for (count, prepared) in self.prepared.iter_mut().flatten().flatten().enumerate() {
+            if let Prepared { measured: Ok(measured), problem, trials, .. } = prepared {
+                problem.take_times(measured, trials);
             }
             done((count + 1) as f64 / whole);
         }
@@ -82,25 +87,26 @@ impl Parts {
         self.papers.iter().flatten().all(|(_, sound)| *sound)
     }
 
-    /// Whether every run came to its end, and every scene to a reference.
+    /// Whether every scene came out as it should.
     pub fn reached(&self) -> bool {
-        self.prepared.iter().flatten().all(|one| one.reached && one.measured.is_ok())
+        self.prepared.iter().flatten().flatten().all(|one| one.reached)
     }
 
     /// The page.
-    pub fn report(self, scenes: &[(String, Scene)], folder: &Path) -> Report {
+    pub fn report(self, folder: &Path) -> Report {
         let mut report = titled("dalembert", SUMMARY);
         let mut digits = f64::INFINITY;
-        for ((_, scene), Prepared { mut section, measured, .. }) in
-            scenes.iter().zip(self.prepared.into_iter().flatten())
-        {
+        for Prepared { mut section, measured, .. } in self.prepared.into_iter().flatten().flatten() {
             match measured {
                 Ok(measured) => {
                     digits = digits.min(measured.reference.digits);
-                    section.work = pictures::work_precision(scene, &measured).into();
-                    section.note = pictures::measured_by(scene, &measured);
+                    section.work = pictures::work_precision(&measured).into();
+                    section.note = pictures::measured_by(&measured);
                 }
-                Err(failure) => section.note = format!("No chart, because the reference stopped: {failure}."),
+                Err(NoReference::Stopped(failure)) => {
+                    section.note = format!("No chart, because the reference stopped: {failure}.");
+                }
+                Err(NoReference::Ends) => section.note = "No chart, because the run ends before its span.".to_owned(),
             }
             report.scenes.push(section);
         }
@@ -135,7 +141,7 @@ fn found(report: &Report, digits: f64) -> String {
                  statement that holds instead. ";
     }
     if digits.is_finite() {
-        let count = report.scenes.len();
+        let count = report.scenes.iter().filter(|scene| !scene.work.is_empty()).count();
         let scenes = if count == 1 { "The scene is".to_owned() } else { format!("The {count} scenes are") };
         text += &format!(
             "{scenes} measured by references on which two methods agree to {digits:.0} digits or more: look for the one \

@@ -2,72 +2,95 @@
 
 use crate::pictures;
 use charts::{Parameter, SceneSection, Table, significant, tolerance};
-use derivations::machines::Quantity;
-use derivations::scene::{Axes, Measured, Scene, Trajectory, Trials};
+use derivations::scene::{AnyScene, Axes, Measured, Problem, Scene, Smooth, Trajectory, Trials};
 use integrators::Failure;
 use std::time::Duration;
 
-/// References share the processors, so that one of them has less than when it is alone.
+/// For a reference; they share the processors, so that one of them has less than when it is alone.
 const PATIENCE: Duration = Duration::from_secs(15);
+/// The same for a mechanism, and what all its methods have: there are many, and `dalembert chart` gives each its own time.
+const OF_A_MECHANISM: [Duration; 2] = [Duration::from_secs(6), Duration::from_secs(2)];
 
-/// A scene's section without its charts, whether its run reached the end, and the errors of its methods.
+/// A scene's section without its charts, whether it came out as it should, and the errors of its methods.
 pub struct Prepared {
     pub section: SceneSection,
     pub reached: bool,
-    pub measured: Result<Measured, Failure>,
+    pub measured: Result<Measured, NoReference>,
+    pub problem: Problem,
+    pub trials: Trials,
 }
 
-/// Runs a scene, computes its reference, and the errors of all methods by that.
-pub fn prepare((id, scene): &(String, Scene)) -> Prepared {
-    let run = scene.simulate(&scene.choice(), |_| ());
+/// Why methods are not compared on a scene.
+pub enum NoReference {
+    Stopped(Failure),
+    /// The run ends early, for a reason that has a name.
+    Ends,
+}
+
+/// Runs a scene, computes its reference, and the errors of all methods by that; nothing where it is many problems.
+pub fn prepare((id, any): &(String, AnyScene)) -> Option<Prepared> {
+    let scene = any.smooth()?;
+    let choice = scene.run().choice();
+    let problem = scene.problem(Axes::First);
+    let run = problem.simulate(&choice, |_| ());
     let mut section = described(id, scene, &run);
-    section.tables.extend(ladder(scene, &run));
-    let reference = scene.reference(Axes::First, PATIENCE);
-    let measured = reference.map(|reference| scene.judge_by(reference, Axes::First, &Trials::default()));
-    Prepared { section, reached: run.outcome.reached(), measured }
+    if let AnyScene::Driven(scene) = any {
+        section.tables.extend(ladder(scene, &run));
+    }
+    let of_a_mechanism = matches!(any, AnyScene::Mechanism(_));
+    let [patience, allowed] = if of_a_mechanism { OF_A_MECHANISM } else { [PATIENCE, Trials::default().allowed] };
+    let trials = Trials { allowed, ..Trials::default() }.with(scene.run().method);
+    // what a scene is made to show may be its end: that is no fault of the run
+    let measured = match scene.told(&choice, &run).diagnosis {
+        Some(_) => Err(NoReference::Ends),
+        None => problem.reference(patience).map(|it| problem.judge_by(it, &trials)).map_err(NoReference::Stopped),
+    };
+    let reached = match &measured {
+        Err(NoReference::Ends) => true,
+        // a mechanism may take longer than the report has for it, which is said
+        Err(NoReference::Stopped(failure)) => of_a_mechanism && matches!(failure, Failure::OutOfTime { .. }),
+        Ok(_) => run.outcome.reached(),
+    };
+    Some(Prepared { section, reached, measured, problem, trials })
 }
 
 /// A scene's section with its run and without its charts.
-pub fn described(id: &str, scene: &Scene, run: &Trajectory) -> SceneSection {
+pub fn described(id: &str, scene: &dyn Smooth, run: &Trajectory) -> SceneSection {
+    let parameters = scene.parameters().into_iter().map(|datum| Parameter {
+        symbol: datum.name.replace('_', " "),
+        value: datum.value,
+        unit: datum.unit.to_owned(),
+        meaning: datum.meaning.to_owned(),
+    });
     SceneSection {
         id: id.to_owned(),
-        title: scene.title.clone(),
-        description: scene.description.clone(),
-        parameters: parameters(scene),
+        title: scene.title().to_owned(),
+        description: scene.description().to_owned(),
+        parameters: parameters.collect(),
         facts: facts(scene, run),
         trajectory: Some(pictures::trajectory(scene, run)),
         ..Default::default()
     }
 }
 
-fn facts(scene: &Scene, run: &Trajectory) -> Vec<(String, String)> {
-    let choice = scene.choice();
+fn facts(scene: &dyn Smooth, run: &Trajectory) -> Vec<(String, String)> {
+    let choice = scene.run().choice();
+    let told = scene.told(&choice, run);
     let mut facts = vec![
-        ("model".to_owned(), scene.machine.name().replace('_', " ")),
+        ("model".to_owned(), scene.model().replace('_', " ")),
         ("method".to_owned(), format!("{}, tolerance {}", choice.method, tolerance(choice.tolerance))),
         ("work".to_owned(), run.outcome.work.to_string()),
     ];
-    if let Some(failure) = run.outcome.failure() {
-        facts.push(("stopped".to_owned(), failure.to_string()));
-    }
+    facts.extend(told.theory.into_iter().map(|said| ("theory".to_owned(), said)));
+    facts.extend(run.stopped().map(|why| ("stopped".to_owned(), why)));
+    facts.extend(told.diagnosis.map(|what| ("diagnosis".to_owned(), what)));
     for deviation in &run.outcome.deviations {
         facts.push((deviation.name.replace('_', " "), format!("kept to {}", significant(deviation.largest, 2))));
     }
+    if let Some((what, deviation)) = told.closed_form {
+        facts.push(("closed form".to_owned(), format!("off by {} from {what}", significant(deviation, 2))));
+    }
     facts
-}
-
-fn parameters(scene: &Scene) -> Vec<Parameter> {
-    let numbers = scene.machine_data.numbers.iter().map(|(quantity, value)| {
-        let Quantity { name, unit, meaning } = **quantity;
-        let unit = if unit == "1" { "" } else { unit };
-        parameter(name, value.to_string(), unit, meaning)
-    });
-    let counts = scene.machine_data.counts.iter();
-    numbers.chain(counts.map(|(name, meaning, count)| parameter(name, count.to_string(), "", meaning))).collect()
-}
-
-fn parameter(symbol: &str, value: String, unit: &str, meaning: &str) -> Parameter {
-    Parameter { symbol: symbol.replace('_', " "), value, unit: unit.to_owned(), meaning: meaning.to_owned() }
 }
 
 /// What each smaller model of the same data does to the outputs, where there is one.

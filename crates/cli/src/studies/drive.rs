@@ -3,8 +3,9 @@
 use super::{extent, missing};
 use crate::crew::Crew;
 use charts::{AreaCurve, Areas, Panel, Study, Table, Track, Trajectory, significant};
+use derivations::stabilisation::drive_law::violation;
 use derivations::stabilisation::experiment::{
-    self, Bearable, STEP, Sample, Track as Run, bearable, most_damping, violation,
+    self, Bearable, DRIVE, STEP, Sample, Track as Run, bearable, most_damping,
 };
 use integrators::{Failure, Method};
 
@@ -116,7 +117,12 @@ fn portrait(title: &str, runs: &[&Run], [x, y]: [&str; 2], of: impl Fn(&[f64; 9]
 fn constraint(runs: &[&Run]) -> Areas {
     let curve = |run: &&Run| AreaCurve {
         name: run.name.clone(),
-        points: run.points.iter().skip(1).map(|(time, y)| (*time, violation(y).0.abs().max(1e-9).log10())).collect(),
+        points: run
+            .points
+            .iter()
+            .skip(1)
+            .map(|(time, y)| (*time, violation(&DRIVE, y).0.abs().max(1e-9).log10()))
+            .collect(),
     };
     let curves: Vec<AreaCurve> = runs.iter().map(curve).collect();
     Areas {

@@ -179,6 +179,27 @@ fn dot<S: Scalar, const N: usize>(a: [S; N], b: [S; N]) -> S {
     (0..N).fold(S::zero(), |sum, i| sum + a[i] * b[i])
 }
 
+/// q'.dL/dq' - L: the energy, where time is not in L and the part of L of first degree does no work.
+pub fn energy<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
+    system: &Q,
+    at: &State<S, N>,
+) -> S {
+    let State { time, place, velocity } = *at;
+    let momentum = gradient(|dq| system.lagrangian(Tangent::fixed(time), fixed(place), dq), velocity);
+    dot(momentum, velocity) - system.lagrangian(time, place, velocity)
+}
+
+/// q'.(Q - dD/dq'): the rate of the energy where the constraints hold and time is not in L.
+pub fn power<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
+    system: &Q,
+    at: &State<S, N>,
+) -> S {
+    let State { time, place, velocity } = *at;
+    let lost = gradient(|dq| system.dissipation(Tangent::fixed(time), fixed(place), dq), velocity);
+    let given = system.force(time, place, velocity);
+    dot(std::array::from_fn(|i| given[i] - lost[i]), velocity)
+}
+
 /// Fewer coordinates that keep the constraints.
 pub trait Reducible<const N: usize, const C: usize, const K: usize>: Energies<N, C> {
     /// q = a(s, t), which satisfies the constraints for every s.

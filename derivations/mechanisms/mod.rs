@@ -1,0 +1,38 @@
+//! Mechanisms that scene files name: their data, states and energies by name; everything else about a scene is derived.
+//!
+//! # Overview
+//! * [`mechanism`]: what a mechanism says of itself, and the law with its work that is made of it;
+//! * [`scene`]: the family of scenes: reading, the problem, what theory says of a run;
+//! * [`governors`], [`elastic`], [`drive`], [`bodies`]: the mechanisms.
+//!
+//! To add one: [`Mechanism`] for the system's data, and one line in the list below.
+
+pub mod bodies;
+pub mod drive;
+pub mod elastic;
+pub mod governors;
+pub mod mechanism;
+pub mod scene;
+
+pub use mechanism::{Amiss, Balanced, Diagnosis, Ended, Mechanism};
+pub use scene::MechanismScene;
+
+use crate::systems::crank_slider::CrankSlider;
+use crate::systems::disc::Disc;
+use crate::systems::elastic_governor::ElasticGovernor;
+use crate::systems::knife_edge::KnifeEdge;
+use governors::{Discs, Drum, Programme, Released};
+use scene::{Entry, entry};
+
+/// Every mechanism by the name that scene files use.
+pub const LIST: &[Entry] = &[
+    entry::<Programme<Drum>>(),
+    entry::<Programme<Discs>>(),
+    entry::<Released<Drum>>(),
+    entry::<Released<Discs>>(),
+    entry::<ElasticGovernor<f64>>(),
+    entry::<drive::Drive>(),
+    entry::<CrankSlider<f64>>(),
+    entry::<Disc<f64>>(),
+    entry::<KnifeEdge<f64>>(),
+];

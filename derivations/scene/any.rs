@@ -1,0 +1,49 @@
+//! A scene of any family: the one place that lists the families.
+
+use super::file::{Family, Opening, knows};
+use super::issue::Issue;
+use super::read::Table;
+use super::{MechanismScene, Scene, Smooth};
+use crate::friction::RoughScene;
+
+/// A scene of any family.
+#[derive(Clone, Debug)]
+pub enum AnyScene {
+    /// With a motor.
+    Driven(Box<Scene>),
+    /// With rough contacts.
+    Rough(Box<RoughScene>),
+    /// Governors, drives, bodies that roll.
+    Mechanism(Box<MechanismScene>),
+}
+
+impl Family for AnyScene {
+    const KIND: &'static str = "a system";
+
+    fn systems() -> Vec<(&'static str, &'static str)> {
+        [Scene::systems(), RoughScene::systems(), MechanismScene::systems()].concat()
+    }
+
+    fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
+        match opening.system.value.as_str() {
+            rough if knows::<RoughScene>(rough) => {
+                RoughScene::read(opening, top, issues).map(Box::new).map(Self::Rough)
+            }
+            one if knows::<MechanismScene>(one) => {
+                MechanismScene::read(opening, top, issues).map(Box::new).map(Self::Mechanism)
+            }
+            _ => Scene::read(opening, top, issues).map(Box::new).map(Self::Driven),
+        }
+    }
+}
+
+impl AnyScene {
+    /// As one initial value problem, where it is one: with rough contacts it is many.
+    pub fn smooth(&self) -> Option<&dyn Smooth> {
+        match self {
+            Self::Driven(scene) => Some(&**scene),
+            Self::Mechanism(scene) => Some(&**scene),
+            Self::Rough(_) => None,
+        }
+    }
+}

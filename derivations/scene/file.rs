@@ -1,0 +1,115 @@
+//! Scene files: what each opens with, and how its rest is left to the family of systems that it names.
+
+use super::issue::{Issue, SceneError, nearest};
+use super::read::{At, Table};
+use std::io;
+use std::path::Path;
+
+/// What every scene file opens with.
+pub struct Opening {
+    pub title: String,
+    /// What happens and why it is hard.
+    pub description: String,
+    /// The name of what moves.
+    pub system: At<String>,
+}
+
+/// Systems that are read, run and shown in one way.
+pub trait Family: Sized {
+    /// As messages say it: "a system with ...".
+    const KIND: &'static str;
+
+    /// (name in scene files, what it is).
+    fn systems() -> Vec<(&'static str, &'static str)>;
+
+    /// The rest of a file whose system is of the family; what is wrong goes into the list.
+    fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self>;
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// All that is wrong with it, each at its place.
+    fn open(path: &Path) -> Result<Self, SceneError> {
+        let name = path.display().to_string();
+        let needed = "a TOML file that describes a scene is accepted; the folder `scenes` holds examples";
+        if path.is_dir() {
+            return Err(SceneError::whole(&name, "this is a folder", needed));
+        }
+        let bytes = std::fs::read(path).map_err(|error| SceneError::whole(&name, unreadable(&error), needed))?;
+        let text = String::from_utf8(bytes)
+            .map_err(|error| SceneError::whole(&name, format!("this is no text: {}", error.utf8_error()), needed))?;
+        Self::parse(&name, &text)
+    }
+
+    /// Reads a text; `name` is what messages call it.
+    ///
+    /// # Errors
+    /// All that is wrong with it, each at its place.
+    fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
+        if text.trim().is_empty() {
+            return Err(SceneError::whole(name, "this file is empty", "the folder `scenes` holds examples"));
+        }
+        let (entries, errors) = toml::de::DeTable::parse_recoverable(text);
+        let mut issues: Vec<Issue> = errors.iter().map(of_syntax).collect();
+        let mut scene = None;
+        if issues.is_empty() {
+            let mut top = Table::top(&entries);
+            scene = opening::<Self>(&mut top).and_then(|opening| Self::read(opening, &mut top, &mut issues));
+            issues.extend(top.finish());
+        }
+        issues.sort_by_key(|issue| issue.span.as_ref().map_or(0, |span| span.start));
+        match scene {
+            Some(scene) if issues.is_empty() => Ok(scene),
+            _ => Err(SceneError { path: name.to_owned(), text: text.to_owned(), issues }),
+        }
+    }
+}
+
+/// Whether a family has a system of this name.
+pub fn knows<F: Family>(name: &str) -> bool {
+    F::systems().iter().any(|(known, _)| *known == name)
+}
+
+/// `None` where the system is not of the family: then the other keys cannot be judged.
+fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
+    let title = top.text("title", "one line that says what happens").value;
+    let description = top.optional_text("description", "what happens and why it is hard");
+    let system = top.text("system", "name of what moves");
+    let name = system.value.as_str();
+    if knows::<F>(name) {
+        let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
+        return Some(Opening { title, description, system });
+    }
+    if !name.is_empty() {
+        let title = match knows::<super::AnyScene>(name) {
+            true => format!("`{name}` is not {}", F::KIND),
+            false => format!("unknown system `{name}`"),
+        };
+        top.report(Issue::at(system.span.clone(), title, "not accepted here").accepted(accepted::<F>(name)));
+    }
+    top.known_all();
+    None
+}
+
+/// The systems of a family, the one that was probably meant first.
+fn accepted<F: Family>(name: &str) -> String {
+    let systems = F::systems();
+    let list: Vec<String> = systems.iter().map(|(name, what)| format!("`{name}`: {what}")).collect();
+    match nearest(name, systems.iter().map(|(known, _)| *known)) {
+        Some(nearest) => format!("is `{nearest}` meant? Known: {}", list.join("; ")),
+        None => format!("known: {}", list.join("; ")),
+    }
+}
+
+/// In the same words on every system where it matters.
+fn unreadable(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        io::ErrorKind::PermissionDenied => "this file may not be read".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+fn of_syntax(error: &toml::de::Error) -> Issue {
+    Issue::at(error.span().unwrap_or(0..0), "this is not TOML", error.message())
+}

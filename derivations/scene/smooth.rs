@@ -1,0 +1,87 @@
+//! Scenes that are one initial value problem: what every command asks of them, whatever their family.
+
+use super::{Axes, Choice, Problem, Run, Scene, Trajectory};
+use crate::machines::Quantity;
+
+/// A scene that is one initial value problem.
+pub trait Smooth: Send + Sync {
+    fn title(&self) -> &str;
+    /// What happens and why it is hard.
+    fn description(&self) -> &str;
+    /// The machine, or the mechanism.
+    fn model(&self) -> &'static str;
+    fn run(&self) -> &Run;
+    /// In the axes of a form, where there are forms.
+    fn problem(&self, axes: Axes) -> Problem;
+    fn parameters(&self) -> Vec<Parameter>;
+
+    /// What a column of a run is, where its name does not say it.
+    fn column(&self, _name: &str) -> Option<&'static Quantity> {
+        None
+    }
+
+    /// What is known beside a run.
+    fn told(&self, _choice: &Choice, _trajectory: &Trajectory) -> Told {
+        Told::default()
+    }
+}
+
+/// A datum for a reader.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    pub name: &'static str,
+    pub value: String,
+    /// Empty for a pure number.
+    pub unit: &'static str,
+    pub meaning: &'static str,
+}
+
+impl Parameter {
+    /// A quantity with its value.
+    pub fn of(quantity: &Quantity, value: f64) -> Self {
+        let Quantity { name, unit, meaning, .. } = *quantity;
+        Parameter { name, value: value.to_string(), unit: if unit == "1" { "" } else { unit }, meaning }
+    }
+}
+
+/// What is said of a run beside its numbers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Told {
+    /// What theory says without the run.
+    pub theory: Vec<String>,
+    /// Of one that ended early: the name of what happened.
+    pub diagnosis: Option<String>,
+    /// The closed form's name, and the largest distance of the run's states from it, relative to their size.
+    pub closed_form: Option<(&'static str, f64)>,
+}
+
+impl Smooth for Scene {
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn description(&self) -> &str {
+        &self.description
+    }
+
+    fn model(&self) -> &'static str {
+        self.machine.name()
+    }
+
+    fn run(&self) -> &Run {
+        &self.run
+    }
+
+    fn problem(&self, axes: Axes) -> Problem {
+        Scene::problem(self, axes)
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        let data = &self.machine_data;
+        let numbers = data.numbers.iter().map(|(quantity, value)| Parameter::of(quantity, *value));
+        let counts = data.counts.iter();
+        let count =
+            |&(name, meaning, count): &(_, _, usize)| Parameter { name, value: count.to_string(), unit: "", meaning };
+        numbers.chain(counts.map(count)).collect()
+    }
+}

@@ -1,0 +1,169 @@
+//! The programme between two discs under constant moments: a quadrature in closed form.
+//!
+//! (A + B/rho^3) rho' = -r (M1/rho + M2/(a - rho)) with A = J omega2/r, B = J1 omega2 a r, so that
+//!
+//!   -r t = integral of (A rho (a - rho) + B (a - rho)/rho^2) / D(rho),   D = M1 (a - rho) + M2 rho .
+//!
+//! The integrand is rational: polynomials, reciprocals and two logarithms. rho(t) is its inverse, for which there is no
+//! closed form. At the axis of the first disc its shaft is alone with its moment and takes for ever; at that of the second
+//! rho' is infinite.
+
+use super::constant::Course;
+use super::{Gearing, Governor};
+use field::{Base, Scalar};
+
+/// The law of the programme at a kept speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Between<P> {
+    /// A = J omega2/r
+    pub wheel: P,
+    /// B = J1 omega2 a r
+    pub first: P,
+    /// r
+    pub radius: P,
+    /// a
+    pub distance: P,
+    /// M1, M2
+    pub moments: [P; 2],
+}
+
+/// t(rho) up to a constant: a sum of these with their factors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quadrature<S> {
+    /// Of rho^3, rho^2, rho.
+    pub powers: [S; 3],
+    /// Of 1/rho, 1/rho^2.
+    pub reciprocals: [S; 2],
+    /// Of ln rho and ln |D|.
+    pub logarithms: [S; 2],
+}
+
+impl<P: Base> Governor<P> {
+    /// The law between two discs at a kept speed, with the moments at t = 0; `None` where the first lever stays.
+    pub fn between(&self, speed: P) -> Option<Between<P>> {
+        let Gearing::Discs { distance } = self.gearing else { return None };
+        let [first, _, wheel] = self.inertia;
+        Some(Between {
+            wheel: wheel * speed / self.radius,
+            first: first * speed * distance * self.radius,
+            radius: self.radius,
+            distance,
+            moments: self.moments.map(|moment| moment.start),
+        })
+    }
+}
+
+impl<S: Scalar> Between<S> {
+    /// D(rho): the moments on the wheel, times both levers.
+    pub fn pull(&self, rho: S) -> S {
+        self.moments[0] * (self.distance - rho) + self.moments[1] * rho
+    }
+
+    /// For M1 != 0 and M1 != M2.
+    pub fn general(&self) -> Quadrature<S> {
+        let (a, [m1, m2]) = (self.distance, self.moments);
+        let gap = m2 - m1;
+        let logarithm = m2 / (m1.squared() * a);
+        self.scaled(
+            [S::zero(), -S::one() / (gap + gap), a * m2 / gap.squared()],
+            -m1 * m2 * a.squared() / (gap.squared() * gap),
+            [-S::one() / m1, S::zero()],
+            [-logarithm, logarithm],
+        )
+    }
+
+    /// For M1 = M2 != 0.
+    pub fn equal(&self) -> Quadrature<S> {
+        let (a, m) = (self.distance, self.moments[0]);
+        let third = S::one() / (S::int(3) * m * a);
+        let reciprocals = [-S::one() / m, S::zero()];
+        self.scaled([-third, S::one() / (m + m), S::zero()], S::zero(), reciprocals, [-S::one() / (m * a), S::zero()])
+    }
+
+    /// For M1 = 0 != M2.
+    pub fn free_first(&self) -> Quadrature<S> {
+        let (a, m) = (self.distance, self.moments[1]);
+        let half = S::one() / (m + m);
+        self.scaled([S::zero(), -half, a / m], S::zero(), [S::one() / m, -a * half], [S::zero(); 2])
+    }
+
+    /// A times powers and their logarithm of D, B times reciprocals and their logarithms, over -r.
+    fn scaled(&self, powers: [S; 3], of_powers: S, reciprocals: [S; 2], logarithms: [S; 2]) -> Quadrature<S> {
+        let [by_wheel, by_first] = [self.wheel, self.first].map(|inertia| -inertia / self.radius);
+        let [of_rho, of_pull] = logarithms.map(|factor| by_first * factor);
+        Quadrature {
+            powers: powers.map(|factor| by_wheel * factor),
+            reciprocals: reciprocals.map(|factor| by_first * factor),
+            logarithms: [of_rho, of_pull + by_wheel * of_powers],
+        }
+    }
+
+    /// dt/drho of a quadrature.
+    pub fn slope(&self, of: &Quadrature<S>, rho: S) -> S {
+        let Quadrature { powers: [cube, square, linear], reciprocals: [one, two], logarithms: [near, far] } = *of;
+        let polynomial = (S::int(3) * cube * rho + S::int(2) * square) * rho + linear;
+        let rate = self.moments[1] - self.moments[0];
+        polynomial - (one + S::int(2) * two / rho) / rho.squared() + near / rho + far * rate / self.pull(rho)
+    }
+}
+
+impl Between<f64> {
+    /// t at which the wheel passes rho on its way from `start`, s; not a number where it never does. Near M1 = M2 terms of
+    /// the size (a M1/(M1 - M2))^3 cancel.
+    pub fn time(&self, start: f64, rho: f64) -> f64 {
+        let (from, to) = (self.pull(start), self.pull(rho));
+        if from * to <= 0.0 && from != to {
+            return f64::NAN;
+        }
+        let [m1, m2] = self.moments;
+        let Quadrature { powers: [cube, square, linear], reciprocals: [one, two], logarithms: [near, far] } =
+            if m1 == 0.0 {
+                self.free_first()
+            } else if m1 == m2 {
+                self.equal()
+            } else {
+                self.general()
+            };
+        let (step, sum) = (rho - start, rho + start);
+        let polynomial = step * (cube * (sum * sum - rho * start) + square * sum + linear);
+        let reciprocal = -step / (rho * start) * (one + two * sum / (rho * start));
+        let logarithm = |ratio: f64, factor: f64| if factor == 0.0 { 0.0 } else { factor * ratio.ln() };
+        polynomial + reciprocal + logarithm(rho / start, near) + logarithm(to / from, far)
+    }
+
+    /// What becomes of the wheel.
+    pub fn course(&self, start: f64) -> Course {
+        let [m1, m2] = self.moments;
+        let outwards = -self.pull(start) / self.first;
+        let balance = m1 * self.distance / (m1 - m2);
+        let attracts = (m2 - m1) / self.first > 0.0;
+        if outwards == 0.0 {
+            Course::Rest
+        } else if attracts && 0.0 < balance && balance < self.distance {
+            Course::TendsTo { distance: balance }
+        } else if outwards > 0.0 {
+            Course::ReachesAxis { time: self.time(start, self.distance) }
+        } else {
+            Course::TendsTo { distance: 0.0 }
+        }
+    }
+
+    /// rho at an instant, by the quadrature; `None` after the end.
+    pub fn distance_at(&self, start: f64, time: f64) -> Option<f64> {
+        let goal = match self.course(start) {
+            Course::Rest => return Some(start),
+            Course::ReachesAxis { time: end } if time >= end => return None,
+            Course::ReachesAxis { .. } | Course::Grows => self.distance,
+            Course::TendsTo { distance } => distance,
+        };
+        // the time grows along the way: halves, from start towards the goal
+        let (mut passed, mut ahead) = (start, goal);
+        loop {
+            let middle = 0.5 * (passed + ahead);
+            if middle == passed || middle == ahead {
+                return Some(middle);
+            }
+            if self.time(start, middle) <= time { passed = middle } else { ahead = middle }
+        }
+    }
+}
