@@ -1,6 +1,6 @@
 //! The state-transition matrix of a run, beside differences of runs in double-double by another method.
 
-use derivations::scene::{AnyScene, Axes, Problem};
+use derivations::scene::{AnyScene, Axes, Family, Problem};
 use field::DoubleDouble;
 use integrators::{Method, Ode, Span, System, Tolerance, integrate_in, transition};
 use std::path::Path;
