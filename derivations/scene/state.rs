@@ -2,6 +2,8 @@
 
 use super::{NoModel, Scene, System};
 use crate::machines::{AnyMachine, Catalogued, ForMachine, state_names};
+use crate::systems::gyrostat::Gyrostat;
+use crate::systems::gyrostat::tensors::Principal;
 use nalgebra::{Matrix3, Vector3};
 use std::fmt;
 use std::str::FromStr;
@@ -17,6 +19,16 @@ pub enum Axes {
     First,
     /// Of A*: the second form.
     Second,
+}
+
+impl Axes {
+    /// The tensor whose axes these are.
+    pub fn principal(self, bodies: &Gyrostat<f64>) -> Principal {
+        match self {
+            Axes::First => Principal::of(&bodies.reduced_tensor()),
+            Axes::Second => Principal::of(&bodies.full_tensor()),
+        }
+    }
 }
 
 impl Scene {
@@ -87,8 +99,7 @@ impl Scene {
     /// The axes of a form as columns, in the axes of the data.
     fn frame(&self, axes: Axes) -> Matrix3<f64> {
         match (&self.system, axes) {
-            (System::Gyrostat(bodies), Axes::First) => bodies.derived().reduced.axes,
-            (System::Gyrostat(bodies), Axes::Second) => bodies.derived().full.axes,
+            (System::Gyrostat(bodies), axes) => axes.principal(bodies).axes,
             (System::Bench { .. }, _) => Matrix3::identity(),
         }
     }

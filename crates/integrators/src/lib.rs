@@ -30,6 +30,7 @@ mod adaptors;
 mod classical;
 mod collocation;
 mod drive;
+mod ensemble;
 mod events;
 mod failure;
 mod gragg;
@@ -59,6 +60,7 @@ mod work_precision;
 
 pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family};
+pub use ensemble::{Ensemble, LaneSeries, Members};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use failure::{Failure, Refusal};
 pub use held::{Held, HeldSystem, Holding, hold, integrate_projected};

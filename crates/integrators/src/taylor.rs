@@ -45,6 +45,13 @@ pub(crate) fn order(tolerance: f64) -> usize {
     ((1.0 - by_logarithm * tolerance.ln()).ceil() as usize).clamp(4, 60)
 }
 
+/// How far a series of order p reaches whose last two coefficients have these sizes, in units of what is allowed.
+#[inline]
+pub(crate) fn reach(order: usize, last: f64, one_before: f64) -> f64 {
+    let p = order as f64;
+    (-(last.ln() / p).max(one_before.ln() / (p - 1.0))).exp()
+}
+
 /// The Taylor method on one system, to be used for as many runs as one likes: a run allocates nothing.
 #[derive(Clone, Debug)]
 pub struct Taylor<T> {
@@ -97,8 +104,7 @@ impl<T> Taylor<T> {
         if !sum.is_finite() {
             return f64::NAN;
         }
-        let p = self.order as f64;
-        (-(s_last.ln() / p).max(s_before.ln() / (p - 1.0))).exp()
+        reach(self.order, s_last, s_before)
     }
 
     /// Carries the state from one time to another, forwards or backwards, and returns the number of steps.

@@ -51,6 +51,6 @@ pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
 pub use graph::{Node, Sym};
 pub use prove::{Decision, Hypotheses, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, normal};
-pub use recurrence::{Equations, Expansion, Fused, Recurrence};
+pub use recurrence::{Abreast, Equations, Expansion, Fused, Recurrence};
 pub use sym::symbols;
 pub use tape::{Program, Tape, Untapeable};
