@@ -2,8 +2,8 @@
 //! on one core: trajectories of two seconds each second to a tolerance, and steps of the classical Runge-Kutta method times
 //! systems each second. `cargo bench --bench ensembles`; beside others by `benches/ensembles_against.py`.
 
-use derivations::ensemble::family::{Family, form_parameters};
-use derivations::scene::{Axes, Scene, System};
+use derivations::ensemble::kind::{Kind, form_parameters};
+use derivations::scene::{Axes, Family as _, Scene, System};
 use integrators::{Ensemble, Failure, Members};
 use std::time::Instant;
 
@@ -68,15 +68,14 @@ impl Members for Feed<'_> {
 }
 
 fn row(scene: &Scene, axes: Axes, tolerance: f64) {
-    let family =
-        Family::record(&scene.system, &scene.machine, &scene.machine_data, axes).expect("it can be written down");
+    let kind = Kind::record(&scene.system, &scene.machine, &scene.machine_data, axes).expect("it can be written down");
     let mut parameters = form_parameters(&scene.system, axes);
     parameters.extend(scene.machine_data.numbers.iter().map(|(_, x)| *x));
     let state = scene.state(axes);
     let _ = matches!(scene.system, System::Gyrostat(_));
     let order = Ensemble::<Box<dyn integrators::LaneSeries<LANES>>, LANES>::order(tolerance);
-    let series = family.series::<LANES>(order).expect("it fits");
-    let mut ensemble = Ensemble::new(series, tolerance, SPAN, family.states(), family.parameters());
+    let series = kind.series::<LANES>(order).expect("it fits");
+    let mut ensemble = Ensemble::new(series, tolerance, SPAN, kind.states(), kind.parameters());
     let mut times = Vec::new();
     let mut feed = Feed { next: 0, end: 0, parameters: &parameters, state: &state, steps: 0, failed: 0, sum: 0.0 };
     for _ in 0..REPEATS {
@@ -88,7 +87,7 @@ fn row(scene: &Scene, axes: Axes, tolerance: f64) {
     times.sort_by(f64::total_cmp);
     println!(
         "{:>6} {axes:<7} {tolerance:>8.0e} {order:>5} {:>14.0} {:>12.1} {:>9} step {:.0} ns/system",
-        family.states(),
+        kind.states(),
         MEMBERS as f64 / times[REPEATS / 2],
         feed.steps as f64 / MEMBERS as f64,
         feed.failed,

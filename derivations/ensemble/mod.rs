@@ -1,1 +1,3 @@
-pub mod family;
+pub mod draw;
+pub mod kind;
+pub mod vary;

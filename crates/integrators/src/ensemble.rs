@@ -60,6 +60,8 @@ pub struct Ensemble<T, const L: usize> {
     end: f64,
     most_steps: u64,
     states: Vec<Lanes<L>>,
+    /// Room for the states after a step.
+    after: Vec<Lanes<L>>,
     times: Lanes<L>,
     steps: [u64; L],
     /// Who is in which lane.
@@ -84,6 +86,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
             end,
             most_steps: u64::MAX,
             states: vec![Lanes::all(0.0); states],
+            after: vec![Lanes::all(0.0); states],
             times: Lanes::all(0.0),
             steps: [0; L],
             numbers: [None; L],
@@ -113,46 +116,48 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         self.source.expand(self.times, &self.states);
         let (last, before) = (self.source.coefficients(self.order), self.source.coefficients(self.order - 1));
         let sizes = Sizes { states: &self.states, last, before, tolerance: self.tolerance };
-        let [s_last, s_before, sum] = Arch::new().dispatch(sizes);
-        let (mut steps, mut ends) = (Lanes::all(0.0), [None; L]);
+        let sizes = Arch::new().dispatch(sizes);
+        let (mut steps, mut nexts) = (Lanes::all(0.0), [Ok(0.0); L]);
         for lane in (0..L).filter(|lane| self.numbers[*lane].is_some()) {
-            let at = self.times.0[lane];
-            let reach =
-                if sum.0[lane].is_finite() { reach(self.order, s_last.0[lane], s_before.0[lane]) } else { f64::NAN };
-            let next = if reach >= self.end - at { self.end } else { at + reach };
-            if reach.is_nan() {
-                ends[lane] = Some(Some(Failure::LeftTheNumbers { at }));
-            } else if next == at && at != self.end {
-                ends[lane] = Some(Some(Failure::StepCollapsed { at, step: reach }));
-            } else if self.steps[lane] == self.most_steps {
-                let allowed = self.most_steps.saturating_mul(self.order as u64);
-                ends[lane] = Some(Some(Failure::TooManyEvaluations { at, allowed }));
-            } else {
-                steps.0[lane] = next - at;
-                self.times.0[lane] = next;
-                self.steps[lane] += 1;
-                if next == self.end {
-                    ends[lane] = Some(None);
+            nexts[lane] = self.next_time(lane, sizes.map(|size| size.0[lane]));
+            steps.0[lane] = nexts[lane].map_or(0.0, |next| next - self.times.0[lane]);
+        }
+        self.source.sum(steps, &mut self.after);
+        std::mem::swap(&mut self.states, &mut self.after);
+        for (lane, next) in nexts.into_iter().enumerate() {
+            let Some(number) = self.numbers[lane] else { continue };
+            let lost = || self.states.iter().any(|y| !y.0[lane].is_finite());
+            let failure = match next {
+                Ok(next) if next == self.end && lost() => Some(Failure::LeftTheNumbers { at: self.times.0[lane] }),
+                Ok(next) => {
+                    (self.times.0[lane], self.steps[lane]) = (next, self.steps[lane] + 1);
+                    None
                 }
+                Err(failure) => Some(failure),
+            };
+            if failure.is_some() || self.times.0[lane] == self.end {
+                // where a member failed, the state before is the last good one
+                let states = if failure.is_some() { &self.after } else { &self.states };
+                self.state.iter_mut().zip(states).for_each(|(y, lanes)| *y = lanes.0[lane]);
+                members.ended(number, &self.state, self.steps[lane], failure);
+                self.admit(lane, members);
             }
         }
-        // where a member failed its state remains
-        for (lane, end) in ends.iter().enumerate() {
-            if let Some(Some(failure)) = end {
-                self.dismiss(lane, Some(*failure), members);
-            }
+    }
+
+    /// Where the step of a lane leads, by the sizes of its last coefficients.
+    fn next_time(&self, lane: usize, [last, before, sum]: [f64; 3]) -> Result<f64, Failure> {
+        let at = self.times.0[lane];
+        if !sum.is_finite() {
+            return Err(Failure::LeftTheNumbers { at });
         }
-        self.source.sum(steps, &mut self.states);
-        for (lane, end) in ends.iter().enumerate() {
-            match end {
-                None => {}
-                Some(None) => {
-                    self.dismiss(lane, None, members);
-                    self.admit(lane, members);
-                }
-                Some(Some(_)) => self.admit(lane, members),
-            }
+        if self.steps[lane] == self.most_steps {
+            let allowed = self.most_steps.saturating_mul(self.order as u64);
+            return Err(Failure::TooManyEvaluations { at, allowed });
         }
+        let reach = reach(self.order, last, before);
+        let next = if reach >= self.end - at { self.end } else { at + reach };
+        if next == at { Err(Failure::StepCollapsed { at, step: reach }) } else { Ok(next) }
     }
 
     fn admit(&mut self, lane: usize, members: &mut impl Members) {
@@ -161,13 +166,6 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
             self.source.set(lane, &self.parameters);
             self.states.iter_mut().zip(&self.state).for_each(|(lanes, y)| lanes.0[lane] = *y);
             (self.times.0[lane], self.steps[lane]) = (0.0, 0);
-        }
-    }
-
-    fn dismiss(&mut self, lane: usize, failure: Option<Failure>, members: &mut impl Members) {
-        self.state.iter_mut().zip(&self.states).for_each(|(y, lanes)| *y = lanes.0[lane]);
-        if let Some(number) = self.numbers[lane] {
-            members.ended(number, &self.state, self.steps[lane], failure);
         }
     }
 }

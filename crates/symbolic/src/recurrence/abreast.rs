@@ -93,8 +93,8 @@ impl Recurrence {
             stages,
             rates: Rows::new(&plan.rates, &(0..plan.moving as Place).collect::<Vec<_>>()),
             now: Box::new([zero; N]),
-            series: vec![zero; plan.moving * (order + 1)],
-            width: plan.moving,
+            series: vec![zero; plan.moving.next_multiple_of(CHAINS) * (order + 1)],
+            width: plan.moving.next_multiple_of(CHAINS),
             factors: vec![zero; slots.next * (order + 2)],
             length: order + 2,
             points: self.points.over(),
@@ -251,7 +251,7 @@ impl<const L: usize, const N: usize, const FUSED: bool> Expand<'_, '_, '_, L, N,
         series[..moving].copy_from_slice(&inputs[..moving]);
         if !circle.is_empty() {
             points.evaluate(inputs, circle);
-            series[moving..*width].copy_from_slice(circle);
+            series[moving..][..circle.len()].copy_from_slice(circle);
         }
         for k in 0..*order {
             let (known, next) = series.split_at_mut((k + 1) * *width);
@@ -304,9 +304,10 @@ fn two_orders<const L: usize, const FUSED: bool>(a: &[Lanes<L>], b: &[Lanes<L>])
         }
         first = x[CHAINS - 1];
     }
-    for (chain, (x, y)) in newer.remainder().iter().zip(older.remainder().iter().rev()).enumerate() {
-        sums[chain] = sums[chain].plus_product(first, *y, FUSED);
-        nexts[chain] = nexts[chain].plus_product(*x, *y, FUSED);
+    // the few that are left: an index that is not known beforehand would bring all sums into memory
+    for (x, y) in newer.remainder().iter().zip(older.remainder().iter().rev()) {
+        sums[0] = sums[0].plus_product(first, *y, FUSED);
+        nexts[0] = nexts[0].plus_product(*x, *y, FUSED);
         first = *x;
     }
     let together = |[a, b, c, d]: [Lanes<L>; CHAINS]| (a + b) + (c + d);
@@ -335,8 +336,9 @@ impl<const L: usize, const FUSED: bool> Sum<'_, L, FUSED> {
         for (block, out) in self.out.chunks_mut(CHAINS).enumerate() {
             let mut sums = [Lanes::all(0.0); CHAINS];
             for row in self.series.chunks_exact(self.width).rev() {
-                for (sum, term) in sums.iter_mut().zip(&row[block * CHAINS..]) {
-                    *sum = term.plus_product(*sum, self.h, FUSED);
+                let terms = &row[block * CHAINS..][..CHAINS];
+                for chain in 0..CHAINS {
+                    sums[chain] = terms[chain].plus_product(sums[chain], self.h, FUSED);
                 }
             }
             out.iter_mut().zip(sums).for_each(|(out, sum)| *out = sum);

@@ -13,7 +13,7 @@ use symbolic::{Abreast, Equations, Recurrence, Sym, Tape, Untapeable};
 /// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
 /// axes) or A' of a bench, then the machine's in its own order.
 #[derive(Clone, Debug)]
-pub struct Family {
+pub struct Kind {
     recurrence: Recurrence,
     invariants: Tape,
 }
@@ -25,7 +25,7 @@ pub const INVARIANTS: [&str; 4] = ["vertical_length", "vertical_momentum", "jaco
 const FEW: usize = 256;
 const MANY: usize = 1 << 16;
 
-impl Family {
+impl Kind {
     /// Writes down the law of a system with a machine that has these counts of windings.
     ///
     /// # Errors
@@ -34,6 +34,9 @@ impl Family {
         machine.clone().apply(Recording { system, counts, axes })
     }
 
+    pub fn size(&self) -> (usize, usize) {
+        self.recurrence.size()
+    }
     /// How many parameters a member has.
     pub fn parameters(&self) -> usize {
         self.recurrence.parameters()
@@ -76,7 +79,7 @@ struct Recording<'a> {
 }
 
 impl ForMachine for Recording<'_> {
-    type Output = Result<Family, Untapeable>;
+    type Output = Result<Kind, Untapeable>;
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> Self::Output {
         let mut names = Names { made: Vec::new(), counts: self.counts };
@@ -97,25 +100,25 @@ impl ForMachine for Recording<'_> {
                 let state = states(bench.dimension());
                 let none = [Sym::ZERO; 2];
                 let kept = [none[0], none[1], bench.jacobi(&state), bench.rotor_momentum(&state)];
-                family(&state, &names.made, kept, |dy| bench.rates(&state, dy))
+                kind(&state, &names.made, kept, |dy| bench.rates(&state, dy))
             }
         }
     }
 }
 
-fn gyrostat(form: impl Form<Sym>, machine: impl Machine<Sym>, parameters: &[Sym]) -> Result<Family, Untapeable> {
+fn gyrostat(form: impl Form<Sym>, machine: impl Machine<Sym>, parameters: &[Sym]) -> Result<Kind, Untapeable> {
     let law = Driven::new(form, machine);
     let state = states(law.dimension());
     let kept =
         [law.vertical_length(&state), law.vertical_momentum(&state), law.jacobi(&state), law.rotor_momentum(&state)];
-    family(&state, parameters, kept, |dy| law.rates(&state, dy))
+    kind(&state, parameters, kept, |dy| law.rates(&state, dy))
 }
 
-fn family(state: &[Sym], parameters: &[Sym], kept: [Sym; 4], law: impl Fn(&mut [Sym])) -> Result<Family, Untapeable> {
+fn kind(state: &[Sym], parameters: &[Sym], kept: [Sym; 4], law: impl Fn(&mut [Sym])) -> Result<Kind, Untapeable> {
     let mut rates = vec![Sym::ZERO; state.len()];
     law(&mut rates);
     let inputs = [state, parameters].concat();
-    Ok(Family {
+    Ok(Kind {
         recurrence: Recurrence::record(&Equations { state, time: None, parameters, rates: &rates })?,
         invariants: Tape::record(&inputs, &kept)?,
     })
