@@ -47,8 +47,7 @@ mod tests {
             [powers(1), powers(2), powers(4)]
         };
         let near = |found: [f64; 3], known: [f64; 3]| found.iter().zip(known).all(|(a, b)| (a - b).abs() < 0.05);
-        let [even, normal] =
-            [moments(&|n| Draw::new(1, n, "x").even(0)), moments(&|n| Draw::new(1, n, "x").normal(2))];
+        let [even, normal] = [moments(&|n| Draw::new(1, n, "x").even(0)), moments(&|n| Draw::new(1, n, "x").normal(2))];
         assert!(near(even, [1.0 / 2.0, 1.0 / 3.0, 1.0 / 5.0]) && near(normal, [0.0, 1.0, 3.0]), "{even:?} {normal:?}");
     }
 

@@ -6,7 +6,7 @@ use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 use field::Lanes;
 use integrators::LaneSeries;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use std::convert::Infallible;
 use symbolic::{Abreast, Equations, Recurrence, Sym, Tape, Untapeable};
 
@@ -34,9 +34,6 @@ impl Kind {
         machine.clone().apply(Recording { system, counts, axes })
     }
 
-    pub fn size(&self) -> (usize, usize) {
-        self.recurrence.size()
-    }
     /// How many parameters a member has.
     pub fn parameters(&self) -> usize {
         self.recurrence.parameters()
@@ -61,14 +58,16 @@ impl Kind {
     }
 }
 
-/// The parameters of a system in its form; those of the machine follow.
-pub fn form_parameters(system: &System, axes: Axes) -> Vec<f64> {
+/// The axes of the form as columns, and the parameters of the system; those of the machine follow.
+pub fn form_parameters(system: &System, axes: Axes) -> (Option<Matrix3<f64>>, Vec<f64>) {
     match system {
         System::Gyrostat(bodies) => {
-            let (moments, axis, axial, weight) = bodies.form_data(&axes.principal(bodies));
-            moments.iter().chain(&axis).chain([&axial]).chain(&weight).copied().collect()
+            let principal = axes.principal(bodies);
+            let (moments, axis, axial, weight) = bodies.form_data(&principal);
+            let parameters = moments.iter().chain(&axis).chain([&axial]).chain(&weight).copied().collect();
+            (Some(principal.axes), parameters)
         }
-        System::Bench { axial } => vec![*axial],
+        System::Bench { axial } => (None, vec![*axial]),
     }
 }
 

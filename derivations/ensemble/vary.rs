@@ -32,14 +32,23 @@ pub struct Varied {
 /// How a datum varies, component by component.
 #[derive(Clone, Debug, PartialEq)]
 enum Law {
-    Even { from: Vec<f64>, to: Vec<f64> },
-    Normal { mean: Vec<f64>, deviation: Vec<f64> },
+    Even {
+        from: Vec<f64>,
+        to: Vec<f64>,
+    },
+    Normal {
+        mean: Vec<f64>,
+        deviation: Vec<f64>,
+    },
     /// For each member its own.
-    Listed { all: Vec<f64>, components: usize },
+    Listed {
+        all: Vec<f64>,
+        components: usize,
+    },
 }
 
 /// Where a datum is.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub enum Place {
     Bodies(fn(&mut System) -> Option<&mut [f64]>),
     Machine(usize),
@@ -73,7 +82,13 @@ macro_rules! of_bodies {
 }
 
 impl Known {
-    const fn new(key: &'static str, meaning: &'static str, unit: &'static str, components: usize, place: Place) -> Self {
+    const fn new(
+        key: &'static str,
+        meaning: &'static str,
+        unit: &'static str,
+        components: usize,
+        place: Place,
+    ) -> Self {
         Known { key, meaning, unit, components, place }
     }
 
@@ -82,9 +97,21 @@ impl Known {
         let machine = scene.machine_data.numbers.iter().enumerate();
         let machine = machine.map(|(i, (q, _))| Known::new(q.name, q.meaning, q.unit, 1, Place::Machine(i))).collect();
         let windings = windings(&scene.machine);
-        let mut start = vec![Known::new("rotor_angle", "angle of the rotor", "rad", 1, Place::Start(|s| from_mut(&mut s.rotor_angle)))];
+        let mut start = vec![Known::new(
+            "rotor_angle",
+            "angle of the rotor",
+            "rad",
+            1,
+            Place::Start(|s| from_mut(&mut s.rotor_angle)),
+        )];
         if scene.machine.rotor() != RotorState::Prescribed {
-            start.push(Known::new("rotor_speed", "relative speed of the rotor", "rad/s", 1, Place::Start(|s| from_mut(&mut s.rotor_speed))));
+            start.push(Known::new(
+                "rotor_speed",
+                "relative speed of the rotor",
+                "rad/s",
+                1,
+                Place::Start(|s| from_mut(&mut s.rotor_speed)),
+            ));
         }
         if windings > 0 {
             start.push(Known::new("currents", "row of currents", "A", windings, Place::Start(|s| &mut s.currents)));
@@ -99,20 +126,62 @@ impl Known {
         }
         rotor.extend([
             Known::new("mass", "mass of the rotor", "kg", 1, of_bodies!(b => from_mut(&mut b.rotor.mass))),
-            Known::new("centre", "vector from O to the rotor's centre", "m", 3, of_bodies!(b => b.rotor.centre.as_mut_slice())),
+            Known::new(
+                "centre",
+                "vector from O to the rotor's centre",
+                "m",
+                3,
+                of_bodies!(b => b.rotor.centre.as_mut_slice()),
+            ),
             Known::new("axis", "direction of the rotor's axis", "1", 3, of_bodies!(b => b.rotor.axis.as_mut_slice())),
-            Known::new("transverse", "moment of inertia across the axis", "kg m^2", 1, of_bodies!(b => from_mut(&mut b.rotor.transverse))),
+            Known::new(
+                "transverse",
+                "moment of inertia across the axis",
+                "kg m^2",
+                1,
+                of_bodies!(b => from_mut(&mut b.rotor.transverse)),
+            ),
         ]);
         let carrier = vec![
             Known::new("mass", "mass of the carrier", "kg", 1, of_bodies!(b => from_mut(&mut b.carrier.mass))),
-            Known::new("centre", "vector from O to the carrier's centre", "m", 3, of_bodies!(b => b.carrier.centre.as_mut_slice())),
-            Known::new("inertia", "inertia tensor of the carrier: 11 12 13 22 23 33", "kg m^2", 6, of_bodies!(b => b.carrier.inertia.as_mut_slice())),
+            Known::new(
+                "centre",
+                "vector from O to the carrier's centre",
+                "m",
+                3,
+                of_bodies!(b => b.carrier.centre.as_mut_slice()),
+            ),
+            Known::new(
+                "inertia",
+                "inertia tensor of the carrier: 11 12 13 22 23 33",
+                "kg m^2",
+                6,
+                of_bodies!(b => b.carrier.inertia.as_mut_slice()),
+            ),
         ];
         start.extend([
-            Known::new("angular_velocity", "angular velocity of the carrier", "rad/s", 3, Place::Start(|s| s.angular_velocity.as_mut_slice())),
-            Known::new("vertical", "direction of the vertical, downwards", "1", 3, Place::Start(|s| s.vertical.as_mut_slice())),
+            Known::new(
+                "angular_velocity",
+                "angular velocity of the carrier",
+                "rad/s",
+                3,
+                Place::Start(|s| s.angular_velocity.as_mut_slice()),
+            ),
+            Known::new(
+                "vertical",
+                "direction of the vertical, downwards",
+                "1",
+                3,
+                Place::Start(|s| s.vertical.as_mut_slice()),
+            ),
         ]);
-        let top = vec![Known::new("gravity", "acceleration of gravity", "m/s^2", 1, of_bodies!(b => from_mut(&mut b.gravity)))];
+        let top = vec![Known::new(
+            "gravity",
+            "acceleration of gravity",
+            "m/s^2",
+            1,
+            of_bodies!(b => from_mut(&mut b.gravity)),
+        )];
         vec![("", top), ("carrier", carrier), ("rotor", rotor), ("machine", machine), ("start", start)]
     }
 }
@@ -130,15 +199,20 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, scene: Option<&Scene>)
         Some(scene) => {
             for (name, known) in Known::of(scene) {
                 if name.is_empty() {
-                    varied.extend(known.iter().filter_map(|known| datum(&mut vary, issues, name, known, members.value)));
+                    varied
+                        .extend(known.iter().filter_map(|known| datum(&mut vary, issues, name, known, members.value)));
                 } else if let Some(mut inner) = vary.optional_table(name) {
-                    varied.extend(known.iter().filter_map(|known| datum(&mut inner, issues, name, known, members.value)));
+                    varied
+                        .extend(known.iter().filter_map(|known| datum(&mut inner, issues, name, known, members.value)));
                     issues.extend(inner.finish());
                 }
             }
             if varied.is_empty() && vary.exists() && issues.is_empty() && !vary.has_issues() {
                 let issue = Issue::at(vary.span(), "nothing varies", "no datum is named here");
-                vary.report(issue.accepted("rotor.axial = { from = \"1 g cm^2\", to = \"2 g cm^2\" } is accepted, and the like"));
+                vary.report(
+                    issue
+                        .accepted("rotor.axial = { from = \"1 g cm^2\", to = \"2 g cm^2\" } is accepted, and the like"),
+                );
             }
         }
     }
@@ -152,7 +226,7 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, scene: Option<&Scene>)
 fn datum(table: &mut Table<'_>, issues: &mut Vec<Issue>, group: &str, known: &Known, members: usize) -> Option<Varied> {
     let Known { key, meaning, unit, components, place } = *known;
     let mut law = table.optional_table(key)?;
-    let mut row = |law: &mut Table<'_>, which| law.optional_row(which, meaning, components, unit);
+    let row = |law: &mut Table<'_>, which| law.optional_row(which, meaning, components, unit);
     let [from, to, mean, deviation] = ["from", "to", "mean", "deviation"].map(|which| row(&mut law, which));
     let listed = match components {
         1 => law.optional_rows("values", meaning, 1, members, unit),

@@ -1,6 +1,6 @@
 //! The initial state of a scene in the axes of either form, and results back in the axes of the data.
 
-use super::{NoModel, Scene, System};
+use super::{NoModel, Scene, Start, System};
 use crate::machines::{AnyMachine, Catalogued, ForMachine, state_names};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::tensors::Principal;
@@ -40,7 +40,7 @@ impl Scene {
             state.extend((to_form * self.start.angular_velocity).iter());
             state.extend((to_form * self.start.vertical).iter());
         }
-        state.extend(self.machine.clone().apply(RotorPart(self)));
+        state.extend(rotor_state(&self.machine, &self.start));
         state
     }
 
@@ -105,6 +105,11 @@ impl Scene {
     }
 }
 
+/// The initial state of a machine: of its rotor, then its currents.
+pub fn rotor_state(machine: &AnyMachine, start: &Start) -> Vec<f64> {
+    machine.clone().apply(RotorPart(start))
+}
+
 /// The names of the states of a system with a machine.
 pub fn names(on_bench: bool, machine: &AnyMachine) -> Vec<String> {
     let carrier: &[&str] = if on_bench { &[] } else { &["w1", "w2", "w3", "v1", "v2", "v3"] };
@@ -136,7 +141,7 @@ pub fn windings(machine: &AnyMachine) -> usize {
 }
 
 struct FrameSpeed;
-struct RotorPart<'a>(&'a Scene);
+struct RotorPart<'a>(&'a Start);
 struct MachineNames;
 struct Windings;
 
@@ -152,7 +157,7 @@ impl ForMachine for RotorPart<'_> {
     type Output = Vec<f64>;
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Vec<f64> {
-        let start = &self.0.start;
+        let start = self.0;
         let slip = start.rotor_speed - machine.frame_speed();
         let mut state = vec![0.0; M::ROTOR.dimension()];
         M::ROTOR.write(start.rotor_angle, slip, &mut state);

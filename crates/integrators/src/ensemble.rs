@@ -4,7 +4,7 @@
 //! on its lane, nor on who is in the others.
 
 use crate::Failure;
-use crate::taylor::{order, reach};
+use crate::taylor::{reach, taylor_order};
 use field::Lanes;
 use pulp::{Arch, Simd, WithSimd};
 
@@ -46,8 +46,8 @@ pub trait Members {
     /// Writes parameters and initial state of the next member and returns its number; `None` where there are no more.
     fn next(&mut self, parameters: &mut [f64], state: &mut [f64]) -> Option<u64>;
 
-    /// A member has arrived, or failed: its last good state, and how many steps it took.
-    fn ended(&mut self, number: u64, state: &[f64], steps: u64, failure: Option<Failure>);
+    /// A member has arrived, or failed: its last good state with its time, and how many steps it took.
+    fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>);
 }
 
 /// The method for L members at a time, all from time zero to the same end: a run allocates nothing.
@@ -72,16 +72,11 @@ pub struct Ensemble<T, const L: usize> {
 }
 
 impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
-    /// The order of the series that suits a tolerance, relative and absolute.
-    pub fn order(tolerance: f64) -> usize {
-        order(tolerance)
-    }
-
-    /// From a source of series of that order, for systems with so many states and parameters.
+    /// From a source of series of the order [`taylor_order`](crate::taylor_order), for systems with so many states and parameters.
     pub fn new(source: T, tolerance: f64, end: f64, states: usize, parameters: usize) -> Self {
         Ensemble {
             source,
-            order: order(tolerance),
+            order: taylor_order(tolerance),
             tolerance,
             end,
             most_steps: u64::MAX,
@@ -139,7 +134,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
                 // where a member failed, the state before is the last good one
                 let states = if failure.is_some() { &self.after } else { &self.states };
                 self.state.iter_mut().zip(states).for_each(|(y, lanes)| *y = lanes.0[lane]);
-                members.ended(number, &self.state, self.steps[lane], failure);
+                members.ended(number, &self.state, self.steps[lane], self.times.0[lane], failure);
                 self.admit(lane, members);
             }
         }

@@ -73,7 +73,7 @@ pub use outcome::{Deviation, End, Outcome, Work};
 pub use real::Real;
 pub use reference::{ENOUGH_DIGITS, Reference, reference};
 pub use span::{Budget, Monitor, Quantity, Span};
-pub use taylor::{Taylor, TaylorSeries};
+pub use taylor::{Taylor, TaylorSeries, taylor_order};
 pub use tolerance::{Absolute, Tolerance};
 pub use transition::{Transition, transition};
 pub use turns::{Median, taking_turns};

@@ -40,7 +40,7 @@ impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
 /// The step goes as tolerance^(1/p). Where a step costs p^2 the cheapest p is -ln(tolerance)/2, where it costs p it is
 /// -ln(tolerance). In `f64` eight terms of a product cost as much as one, and the second is nearer; a tolerance below its
 /// rounding is for double-double, where the products are all that counts.
-pub(crate) fn order(tolerance: f64) -> usize {
+pub fn taylor_order(tolerance: f64) -> usize {
     let by_logarithm = if tolerance < f64::EPSILON { 0.5 } else { 0.8 };
     ((1.0 - by_logarithm * tolerance.ln()).ceil() as usize).clamp(4, 60)
 }
@@ -63,7 +63,7 @@ pub struct Taylor<T> {
 impl<T> Taylor<T> {
     /// With the order that suits the tolerance.
     pub fn new(source: T, tolerance: &Tolerance) -> Self {
-        let order = order(tolerance.relative);
+        let order = taylor_order(tolerance.relative);
         Taylor { source, tolerance: tolerance.clone(), order }
     }
 
