@@ -4,8 +4,8 @@ use super::EnsembleScene;
 use super::kind::form_parameters;
 use super::vary::{Data, Varied};
 use crate::machines::{Catalogued, Conserved, ForMachine};
-use crate::scene::state::rotor_state;
 use crate::scene::System;
+use crate::scene::state::rotor_state;
 use crate::systems::gyrostat::admissible::Inadmissible;
 use nalgebra::{Matrix3, Vector3};
 

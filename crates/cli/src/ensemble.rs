@@ -15,7 +15,10 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// What is written is brought to the disk so often: what is lost with the power is not more.
+/// Rows are written when there are so many bytes of them.
+const BLOCK: usize = 1 << 14;
+
+/// What is written is brought to the disk so often.
 const CHUNK: Duration = Duration::from_millis(500);
 
 /// Runs what is not done yet, and says what became of all.
@@ -68,7 +71,7 @@ struct Table {
     file: File,
     /// Rows that are not written yet.
     waiting: String,
-    written: Instant,
+    settled: Instant,
 }
 
 impl Table {
@@ -131,7 +134,7 @@ impl Table {
             }
         }
         file.set_len(whole as u64).map_err(unwritable)?;
-        let mut table = Table { file, waiting: String::new(), written: Instant::now() };
+        let mut table = Table { file, waiting: String::new(), settled: Instant::now() };
         if whole == 0 {
             table.waiting = heading;
             table.settle().map_err(unwritable)?;
@@ -139,17 +142,26 @@ impl Table {
         Ok((table, told))
     }
 
+    /// A kill takes what is not written, a failure of the power what is not brought to the disk.
     fn push(&mut self, row: &str) -> io::Result<()> {
         self.waiting += row;
-        if self.written.elapsed() < CHUNK { Ok(()) } else { self.settle() }
+        if self.settled.elapsed() >= CHUNK {
+            return self.settle();
+        }
+        if self.waiting.len() >= BLOCK { self.write() } else { Ok(()) }
     }
 
-    /// Writes what waits, and brings it to the disk.
-    fn settle(&mut self) -> io::Result<()> {
+    fn write(&mut self) -> io::Result<()> {
         self.file.write_all(self.waiting.as_bytes())?;
-        self.file.sync_data()?;
         self.waiting.clear();
-        self.written = Instant::now();
+        Ok(())
+    }
+
+    /// Writes what waits, and brings all to the disk.
+    fn settle(&mut self) -> io::Result<()> {
+        self.write()?;
+        self.file.sync_data()?;
+        self.settled = Instant::now();
         Ok(())
     }
 }
