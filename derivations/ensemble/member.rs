@@ -2,7 +2,7 @@
 
 use super::EnsembleScene;
 use super::kind::form_parameters;
-use super::vary::{Data, Varied};
+use super::vary::Data;
 use crate::machines::{Catalogued, Conserved, ForMachine};
 use crate::scene::System;
 use crate::scene::state::rotor_state;
@@ -36,10 +36,11 @@ impl EnsembleScene {
     pub fn member(&self, number: u64) -> Result<Member, String> {
         let mut data = Data::of(&self.scene);
         for varied in &self.varied {
-            varied.put(&varied.drawn(self.seed, number), &mut data);
-        }
-        if let Some(varied) = self.varied.iter().find(|varied| !finite(varied, self.seed, number)) {
-            return Err(format!("`{}` is not finite", varied.name));
+            let drawn = varied.drawn(self.seed, number);
+            if drawn.iter().any(|x| !x.is_finite()) {
+                return Err(format!("`{}` is not finite", varied.name));
+            }
+            varied.put(&drawn, &mut data);
         }
         match &data.system {
             System::Gyrostat(bodies) => {
@@ -53,7 +54,7 @@ impl EnsembleScene {
         let mut known = self.scene.machine_data.clone();
         known.numbers.iter_mut().zip(&data.machine).for_each(|((_, value), new)| *value = *new);
         let machine = known.machine(self.scene.machine.name()).map_err(|error| error.to_string())?;
-        let frame_and_law = machine.clone().apply(OfMachine);
+        let (frame_speed, conserved) = machine.clone().apply(OfMachine);
         let (frame, mut parameters) = form_parameters(&data.system, self.axes);
         parameters.extend(&data.machine);
         let mut state = Vec::with_capacity(self.kind.states());
@@ -62,13 +63,8 @@ impl EnsembleScene {
             state.extend((frame.transpose() * data.start.vertical).iter());
         }
         state.extend(rotor_state(&machine, &data.start));
-        let (frame_speed, conserved) = frame_and_law;
         Ok(Member { number, parameters, state, frame, frame_speed, conserved })
     }
-}
-
-fn finite(varied: &Varied, seed: u64, number: u64) -> bool {
-    varied.drawn(seed, number).iter().all(|x| x.is_finite())
 }
 
 impl Member {
