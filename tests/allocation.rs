@@ -5,7 +5,7 @@ use derivations::friction::stretch::Stretch;
 use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, Source};
 use derivations::mechanisms::MechanismScene;
 use derivations::papers::konosevich2022::gyrostats;
-use derivations::scene::{Family, Problem};
+use derivations::scene::{Axes, Family, Problem, Scene};
 use derivations::systems::disc::Disc;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;
