@@ -35,9 +35,7 @@ macro_rules! by_lane {
             type Output = Self;
             #[inline(always)]
             fn $method(mut self, b: Self) -> Self {
-                for lane in 0..L {
-                    self.0[lane] = self.0[lane] $sign b.0[lane];
-                }
+                self $sign b;
                 self
             }
         }
@@ -45,17 +43,19 @@ macro_rules! by_lane {
         impl<const L: usize> $assign for Lanes<L> {
             #[inline(always)]
             fn $assign_method(&mut self, b: Self) {
-                *self = *self $sign b;
+                for lane in 0..L {
+                    self.0[lane] $sign b.0[lane];
+                }
             }
         }
     )*};
 }
 by_lane!(
-    Add add AddAssign add_assign +,
-    Sub sub SubAssign sub_assign -,
-    Mul mul MulAssign mul_assign *,
-    Div div DivAssign div_assign /,
-    Rem rem RemAssign rem_assign %
+    Add add AddAssign add_assign +=,
+    Sub sub SubAssign sub_assign -=,
+    Mul mul MulAssign mul_assign *=,
+    Div div DivAssign div_assign /=,
+    Rem rem RemAssign rem_assign %=
 );
 
 impl<const L: usize> Neg for Lanes<L> {
@@ -187,7 +187,7 @@ fn near_quarters<const L: usize>(angle: Lanes<L>) -> Circle<Lanes<L>> {
 #[cold]
 #[inline(never)]
 fn one_by_one<const L: usize>(angle: Lanes<L>, point: &mut Circle<Lanes<L>>) {
-    for lane in (0..L).filter(|lane| !(angle.0[*lane].abs() <= FARTHEST)) {
+    for lane in (0..L).filter(|lane| angle.0[*lane].abs() > FARTHEST || angle.0[*lane].is_nan()) {
         (point.sin.0[lane], point.cos.0[lane]) = angle.0[lane].sin_cos();
     }
 }
