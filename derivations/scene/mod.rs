@@ -27,6 +27,7 @@ pub mod simulate;
 pub mod smooth;
 pub mod start;
 pub mod state;
+mod transition;
 pub mod units;
 
 pub use crate::mechanisms::MechanismScene;

@@ -141,6 +141,9 @@ pub struct Run {
     /// from them; with rough contacts time, coordinates, velocities, works
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
+    /// Writes how the end depends on the start as a table: a row for each state at the end, a column for each at the start
+    #[arg(long, value_name = "FILE.csv")]
+    pub transition: Option<PathBuf>,
     /// How to print the summary
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
