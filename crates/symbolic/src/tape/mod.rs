@@ -16,6 +16,8 @@ use field::Rational;
 pub struct Tape {
     inputs: usize,
     constants: Vec<Rational>,
+    /// The same to the nearest `f64`.
+    rounded: Vec<f64>,
     operations: Vec<Operation>,
     outputs: Vec<Register>,
     registers: usize,
