@@ -7,7 +7,7 @@ use crate::ledger;
 use crate::pictures;
 use crate::rough;
 use crate::sphere;
-use crate::studies::{Drive, Gains};
+use crate::studies::{Drive, Gains, atlas};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Verdict};
 use derivations::scene::AnyScene;
@@ -96,6 +96,12 @@ impl Parts {
     pub fn report(self, folder: &Path) -> Report {
         let mut report = titled("dalembert", SUMMARY);
         let mut digits = f64::INFINITY;
+        let atlas = {
+            let prepared = self.prepared.iter().flatten().flatten();
+            let measured: Vec<_> =
+                prepared.filter_map(|one| Some((one.section.title.as_str(), one.measured.as_ref().ok()?))).collect();
+            atlas::study(&measured)
+        };
         for Prepared { mut section, measured, .. } in self.prepared.into_iter().flatten().flatten() {
             match measured {
                 Ok(measured) => {
@@ -116,7 +122,7 @@ impl Parts {
         report.approximations = self.approximations.into_iter().collect();
         report.friction = self.friction.unwrap_or_default();
         report.spheres = self.spheres.unwrap_or_default();
-        report.studies = vec![self.gains.study(), self.drive.study()];
+        report.studies = vec![atlas, self.gains.study(), self.drive.study()];
         match timings::read(folder) {
             Ok(timings) => report.timings = vec![timings],
             Err(reason) => report.timings_missing = reason,

@@ -1,5 +1,6 @@
 //! Studies in the report: gains and treatments of stabilised constraints, and the electromechanical drive.
 
+pub mod atlas;
 mod drive;
 mod gains;
 mod treatments;
