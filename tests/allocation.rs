@@ -4,10 +4,11 @@ use derivations::friction::stretch::Stretch;
 use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, Source};
 use derivations::mechanisms::MechanismScene;
 use derivations::papers::konosevich2022::gyrostats;
+use derivations::recorded::Recorded;
 use derivations::scene::{Family, Problem};
 use derivations::systems::disc::Disc;
 use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::Form;
+use derivations::systems::gyrostat::forms::{Form, SecondForm};
 use derivations::systems::ladder::Ladder;
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Directions, Ode, Signal, Switches};
@@ -19,6 +20,7 @@ use physical::rounded;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::convert::Infallible;
+use std::sync::Arc;
 
 mod physical;
 
@@ -99,6 +101,32 @@ fn the_right_hand_side_allocates_nothing() {
             assert_eq!(machine.apply(Evaluate(g.second_form().0)), 0, "{name} with {bars} bars, second form");
         }
     }
+}
+
+#[test]
+fn a_series_allocates_nothing_once_there_is_room_for_it() {
+    let g = rounded(&gyrostats::opposite_sign().gyrostat);
+    let Some(Ok(machine)) = AnyMachine::read("multi_current", &mut Bars(40)) else { panic!("it is in the list") };
+    struct Expand(SecondForm<f64>);
+    impl ForMachine for Expand {
+        type Output = usize;
+
+        fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
+            let system = Recorded::new(Arc::new(Driven::new(self.0, machine)));
+            let mut series = integrators::System::taylor(&system).expect("it has a series");
+            let mut y = vec![0.1; Ode::<f64>::dimension(&system)];
+            series.expand(0.0, &y, 20);
+            let count = allocations(|| {
+                for _ in 0..3 {
+                    series.expand(0.0, &y, 20);
+                    series.sum(1e-3, &mut y);
+                }
+            });
+            assert!(y.iter().all(|y| y.is_finite()));
+            count
+        }
+    }
+    assert_eq!(machine.apply(Expand(g.second_form().0)), 0);
 }
 
 /// The uniform ladder on wall and floor, with the direction from which it is seen.
