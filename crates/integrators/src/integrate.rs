@@ -2,6 +2,7 @@
 
 use crate::adaptors::dormand_prince::{self, Pair};
 use crate::adaptors::ryan_gast::{self, Choice};
+use crate::bader_deuflhard::BaderDeuflhard;
 use crate::classical::{Euler, RungeKutta4};
 use crate::collocation::Family;
 use crate::drive::{Stepper, drive, first_step};
@@ -36,6 +37,11 @@ pub fn integrate(
         Method::Rodas4 => {
             let first = first_step(meter, watch.state(), tolerance, 4, watch.length());
             drive(&mut Rodas4::new(system, tolerance, meter.dimension()), first, meter, watch)
+        }
+        Method::BaderDeuflhard => {
+            let mut stepper = BaderDeuflhard::new(system, tolerance, meter.dimension());
+            let first = first_step(meter, watch.state(), tolerance, stepper.first_order(), watch.length());
+            drive(&mut stepper, first, meter, watch)
         }
         _ => run_own(system, method, tolerance, meter, watch),
     };
@@ -157,7 +163,8 @@ fn run_own<S: Working>(
         | Method::Verner9
         | Method::Radau5
         | Method::Kvaerno5
-        | Method::Rodas4 => watch.fail(Failure::Refused(Refusal::Field), meter),
+        | Method::Rodas4
+        | Method::BaderDeuflhard => watch.fail(Failure::Refused(Refusal::Field), meter),
     }
 }
 
