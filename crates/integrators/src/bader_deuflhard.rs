@@ -8,12 +8,12 @@
 //! k rows are of order 2 k - 1. One Jacobian a step, one factorisation a row.
 //! Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.9. The only crate with it is not looked after.
 
+use crate::Tolerance;
 use crate::columns::Columns;
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::jacobian::Jacobian;
 use crate::lu::Lu;
 use crate::meter::Meter;
-use crate::{Directions, Ode, Tolerance};
 
 /// n_j.
 const SUBSTEPS: [usize; 8] = [2, 6, 10, 14, 22, 34, 50, 70];
@@ -43,7 +43,7 @@ pub(crate) struct BaderDeuflhard<'a> {
 }
 
 impl<'a> BaderDeuflhard<'a> {
-    pub fn new(law: &'a dyn Ode<Directions>, tolerance: &Tolerance, dimension: usize) -> Self {
+    pub fn new(jacobian: Jacobian<'a>, tolerance: &Tolerance, dimension: usize) -> Self {
         let zeros = || vec![0.0; dimension];
         let row = |j: usize| FACTORISATION + (SUBSTEPS[j] + 1) as f64;
         let costs = (0..SUBSTEPS.len()).map(|j| JACOBIAN + (0..=j).map(row).sum::<f64>()).collect();
@@ -54,7 +54,7 @@ impl<'a> BaderDeuflhard<'a> {
             columns: Columns::new(SUBSTEPS.to_vec(), costs, guess).damped(),
             factors: (0..SUBSTEPS.len()).map(|j| (1..=j).map(|k| factor(j, k)).collect()).collect(),
             table: SUBSTEPS.map(|_| zeros()).to_vec(),
-            jacobian: Jacobian::new(law),
+            jacobian,
             matrix: vec![0.0; dimension * dimension],
             drift: zeros(),
             first_slope: zeros(),
@@ -169,7 +169,7 @@ impl Stepper<f64> for BaderDeuflhard<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Span, System};
+    use crate::{Ode, Span, System};
     use field::{Over, Scalar};
 
     /// y' = -2 t y^2 from y(0) = 1: y = 1 / (1 + t^2).
@@ -189,7 +189,7 @@ mod tests {
 
     /// The error at t = 2 after so many equal steps, each with so many rows.
     fn error(rows: usize, steps: u32, spoil: impl Fn(&mut BaderDeuflhard)) -> f64 {
-        let mut method = BaderDeuflhard::new(&Bell, &Tolerance::both(1e-2), 1);
+        let mut method = BaderDeuflhard::new(Jacobian::new(&Bell), &Tolerance::both(1e-2), 1);
         spoil(&mut method);
         let (span, step) = (Span::new(0.0, 2.0, &[1.0]), 2.0 / f64::from(steps));
         let meter = Meter::new(&Bell, &span);

@@ -69,7 +69,7 @@ pub use integrate::{integrate, integrate_in};
 pub use jacobian::Jacobian;
 pub use method::{MOST_STAGES, Method, Traits};
 pub use observer::{Observer, Progress, Record, Samples};
-pub use ode::{DIRECTIONS, Directions, Ode, System, Working};
+pub use ode::{DIRECTIONS, Directions, Ode, Slopes, System, Working};
 pub use outcome::{Deviation, End, Outcome, Work};
 pub use real::Real;
 pub use reference::{ENOUGH_DIGITS, Reference, reference};
