@@ -189,10 +189,10 @@ mod tests {
         for n in 1..25_usize {
             let entry = |i: usize, j: usize| {
                 let wave = ((3 * i + 7 * j + n) as f64).sin();
-                let unit = if i % 3 == 0 { 1e9 } else { 1.0 };
+                let unit = if i.is_multiple_of(3) { 1e9 } else { 1.0 };
                 // what is large stands beside the diagonal
                 let large = if j == (i + 1) % n { 2.0 * n as f64 } else { 0.0 };
-                if large == 0.0 && (i * j + n) % 3 == 0 { 0.0 } else { unit * (wave + large) }
+                if large == 0.0 && (i * j + n).is_multiple_of(3) { 0.0 } else { unit * (wave + large) }
             };
             let solution: Vec<f64> = (0..n).map(|j| 1.0 + j as f64).collect();
             let mut lu = Lu::new(n);
