@@ -3,7 +3,7 @@
 //! `cargo bench --bench against -- SCENE.toml` prints the reference, then answers `METHOD TOLERANCE` by the nanoseconds of
 //! one run and its last state, and `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds.
 
-use derivations::scene::{Axes, Scene, methods};
+use derivations::scene::{Axes, Family, Scene, methods};
 use integrators::{Directions, Jacobian, Ode, Span, System, Tolerance, integrate, reference};
 use std::error::Error;
 use std::hint::black_box;

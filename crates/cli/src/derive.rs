@@ -3,7 +3,7 @@
 use crate::arguments::{Derive, Equations, PrincipleName};
 use crate::ending::{Ending, print};
 use derivations::derive::{Equation, Principle, derive as equations_of};
-use derivations::scene::Scene;
+use derivations::scene::{Family, Scene};
 use std::path::Path;
 use symbolic::Language;
 

@@ -61,7 +61,7 @@ impl Source<'_> {
 
     /// Which results are operands or outputs: of a circle point often one coordinate alone.
     fn used(&self) -> Vec<bool> {
-        let Tape { inputs, constants, operations, outputs, registers } = self.tape;
+        let Tape { inputs, constants, operations, outputs, registers, .. } = self.tape;
         let first = inputs + constants.len();
         let mut used = vec![false; registers - first];
         let operands = operations.iter().flat_map(|operation| operation.operands());
