@@ -3,6 +3,7 @@
 //! # Overview
 //! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
 //! * [`derive`](mod@derive): equations of motion by a chosen principle, for reading;
+//! * [`differentiated`]: a system with its Jacobian as code of its own;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
 //! * [`mechanisms`]: governors, drives, bodies that roll, by the names that scene files use;
 //! * [`principles`]: the principles of mechanics, equal on every system: a page of claims of the workbench's own;
@@ -17,6 +18,7 @@
 
 pub mod alphabet;
 pub mod derive;
+pub mod differentiated;
 pub mod friction;
 pub mod governors;
 pub mod machines;

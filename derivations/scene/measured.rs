@@ -46,6 +46,7 @@ impl Default for Trials {
             Method::GraggBulirschStoer,
             Method::Taylor,
             Method::Rodas4,
+            Method::BaderDeuflhard,
             Method::Radau5,
             Method::RadauIIA { stages: 5 },
             Method::Gauss { stages: 6 },

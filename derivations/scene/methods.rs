@@ -21,6 +21,11 @@ const METHODS: &[(&str, Named, &str)] = &[
     ("taylor", Named::Plain(Method::Taylor), "Taylor series from the recorded law, variable order"),
     ("radau_5", Named::Plain(Method::Radau5), "implicit, for stiff scenes"),
     ("rodas_4", Named::Plain(Method::Rodas4), "linearly implicit, for stiff scenes at moderate tolerances"),
+    (
+        "bader_deuflhard",
+        Named::Plain(Method::BaderDeuflhard),
+        "implicit extrapolation of variable order, for stiff scenes",
+    ),
     ("kvaerno_5", Named::Plain(Method::Kvaerno5), "diagonally implicit 5(4), for stiff scenes"),
     (
         "radau_iia",

@@ -88,14 +88,18 @@ pub struct Bodies {
 /// What is to be derived, and how.
 #[derive(Args, Debug)]
 pub struct Derive {
-    /// The system: gyrostat, motor
+    /// The system: gyrostat, motor; or a scene, SCENE.toml, whose right-hand side and Jacobian are written as code
+    #[arg(value_name = "SYSTEM|SCENE.toml")]
     pub system: String,
     /// The principle; without it the first that applies
     #[arg(long, value_enum)]
     pub principle: Option<PrincipleName>,
-    /// How to print the equations
-    #[arg(long, value_enum, default_value_t)]
-    pub format: Equations,
+    /// How to print the equations: text and LaTeX for a system, C, Python and Rust for a scene
+    #[arg(long, value_enum)]
+    pub format: Option<Equations>,
+    /// For a scene: the equations in the axes of A (first) or of A* (second)
+    #[arg(long, default_value_t)]
+    pub form: Axes,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -112,11 +116,13 @@ pub enum PrincipleName {
     Maxwell,
 }
 
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Equations {
-    #[default]
     Text,
     Latex,
+    C,
+    Python,
+    Rust,
 }
 
 /// How a scene is to be run; what is left out, the scene says.

@@ -18,6 +18,7 @@
 //! | Gauss, Radau IIA with s stages | 2s, 2s - 1 | yes | yes | own |
 //! | Radau5, Kvaerno 5(4) | 5 | yes | | `differential-equations` |
 //! | Rodas4 | 4 | yes | | own |
+//! | Bader-Deuflhard | varies | yes | | own |
 //!
 //! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
 //! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
@@ -27,8 +28,10 @@
 //! gives 26 digits at any stiffness in milliseconds.
 
 mod adaptors;
+mod bader_deuflhard;
 mod classical;
 mod collocation;
+mod columns;
 mod drive;
 mod events;
 mod failure;
@@ -67,7 +70,7 @@ pub use integrate::{integrate, integrate_in};
 pub use jacobian::Jacobian;
 pub use method::{MOST_STAGES, Method, Traits};
 pub use observer::{Observer, Progress, Record, Samples};
-pub use ode::{DIRECTIONS, Directions, Ode, System, Working};
+pub use ode::{DIRECTIONS, Directions, Ode, Slopes, System, Working};
 pub use outcome::{Deviation, End, Outcome, Work};
 pub use real::Real;
 pub use reference::{ENOUGH_DIGITS, Reference, reference};

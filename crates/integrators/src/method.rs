@@ -41,6 +41,8 @@ pub enum Method {
     RadauIIA { stages: u8 },
     /// Hairer and Wanner's Rosenbrock pair 4(3) with 6 stages.
     Rodas4,
+    /// Bader and Deuflhard's extrapolation of the linearly implicit midpoint rule, variable order.
+    BaderDeuflhard,
     /// Taylor's method after Jorba and Zou, for systems that offer their coefficients.
     Taylor,
 }
@@ -80,6 +82,7 @@ impl Method {
                 Traits { order: Some((2 * u32::from(stages)).saturating_sub(1)), implicit: true, ..adaptive }
             }
             Method::Rodas4 => Traits { order: Some(4), exact: false, implicit: true, ..adaptive },
+            Method::BaderDeuflhard => Traits { implicit: true, exact: false, ..adaptive },
             Method::Taylor => Traits { lands: false, ..adaptive },
         }
     }
@@ -110,7 +113,10 @@ impl Method {
             {
                 Err(Refusal::TooLarge { dimension, most: MOST_UNKNOWNS / usize::from(stages) })
             }
-            Method::Rodas4 | Method::BackwardEuler { .. } | Method::ImplicitMidpoint { .. }
+            Method::Rodas4
+            | Method::BaderDeuflhard
+            | Method::BackwardEuler { .. }
+            | Method::ImplicitMidpoint { .. }
                 if dimension > MOST_UNKNOWNS =>
             {
                 Err(Refusal::TooLarge { dimension, most: MOST_UNKNOWNS })
@@ -137,6 +143,7 @@ impl fmt::Display for Method {
             Method::Gauss { stages } => write!(f, "Gauss, {stages} stages"),
             Method::RadauIIA { stages } => write!(f, "Radau IIA, {stages} stages"),
             Method::Rodas4 => write!(f, "Rodas4"),
+            Method::BaderDeuflhard => write!(f, "Bader-Deuflhard"),
             Method::Taylor => write!(f, "Taylor"),
         }
     }

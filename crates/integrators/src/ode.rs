@@ -35,10 +35,21 @@ pub trait System: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {
         None
     }
 
+    /// The law's Jacobian as code of its own, where there is one; otherwise the law is run over [`Directions`].
+    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+        None
+    }
+
     /// A source of Taylor coefficients in double-double, where there is one.
     fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         None
     }
+}
+
+/// The derivatives of a law that does not depend on time.
+pub trait Slopes {
+    /// `matrix[i * n + j]` = df_i / dy_j at y. Must not allocate.
+    fn matrix(&mut self, y: &[f64], matrix: &mut [f64]);
 }
 
 /// A field in which a [`System`] can be integrated.

@@ -2,9 +2,11 @@
 
 mod record;
 mod run;
+mod source;
 
 pub use record::Untapeable;
 pub use run::Program;
+pub use source::{Language, Source};
 
 use field::Rational;
 
