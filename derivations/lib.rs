@@ -7,6 +7,7 @@
 //! * [`mechanisms`]: governors, drives, bodies that roll, by the names that scene files use;
 //! * [`principles`]: the principles of mechanics, equal on every system: a page of claims of the workbench's own;
 //! * [`recorded`]: a system with its laws as straight-line code;
+//! * [`separated`]: a system with the pieces of its law, for the splitting methods;
 //! * [`scene`]: a system with a machine, data and an initial state, from a file;
 //! * [`alphabet`](mod@alphabet): the letters of a page, with LaTeX and dimensions;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
@@ -26,5 +27,6 @@ pub mod principles;
 pub mod recorded;
 pub mod regimes;
 pub mod scene;
+pub mod separated;
 pub mod stabilisation;
 pub mod systems;

@@ -3,7 +3,7 @@
 use super::state::outputs;
 use super::{Axes, Scene, System};
 use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
-use crate::recorded::Recorded;
+use crate::separated::Separated;
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::Form;
@@ -93,7 +93,7 @@ where
     if conserved.spin {
         invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
     }
-    (Arc::new(Recorded::new(law)), invariants)
+    (Arc::new(Separated::new(law)), invariants)
 }
 
 struct OnBench {
@@ -113,7 +113,7 @@ impl ForMachine for OnBench {
         if conserved.spin {
             invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
         }
-        (Arc::new(Recorded::new(law)), invariants)
+        (Arc::new(Separated::new(law)), invariants)
     }
 }
 

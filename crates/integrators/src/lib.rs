@@ -18,6 +18,7 @@
 //! | Gauss, Radau IIA with s stages | 2s, 2s - 1 | yes | yes | own |
 //! | Radau5, Kvaerno 5(4) | 5 | yes | | `differential-equations` |
 //! | Rodas4 | 4 | yes | | own |
+//! | Strang, Blanes-Moan, Kahan-Li splittings, for systems with pieces (constant step) | 2, 4, 6, 8 | | 2, 8 | own |
 //!
 //! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
 //! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
@@ -29,6 +30,7 @@
 mod adaptors;
 mod classical;
 mod collocation;
+mod composition;
 mod drive;
 mod events;
 mod failure;
@@ -49,6 +51,7 @@ mod reference;
 mod rosenbrock;
 mod span;
 mod spectral;
+mod splitting;
 mod taylor;
 mod theta;
 mod tolerance;
@@ -59,6 +62,7 @@ mod work_precision;
 
 pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family};
+pub use composition::Splitting;
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use failure::{Failure, Refusal};
 pub use held::{Held, HeldSystem, Holding, hold, integrate_projected};
@@ -71,6 +75,7 @@ pub use outcome::{Deviation, End, Outcome, Work};
 pub use real::Real;
 pub use reference::{ENOUGH_DIGITS, Reference, reference};
 pub use span::{Budget, Monitor, Quantity, Span};
+pub use splitting::{Composed, Pieces, compose};
 pub use taylor::{Taylor, TaylorSeries};
 pub use tolerance::{Absolute, Tolerance};
 pub use transition::{Transition, transition};
