@@ -16,7 +16,7 @@ use symbolic::{Hypotheses, Sym, decide};
 /// Stages of the collocation: its order, 8, is not below that of any composition.
 const STAGES: usize = 4;
 /// Of Newton's iteration, whose error is squared each time.
-const ITERATIONS: usize = 5;
+const ITERATIONS: usize = 4;
 
 /// The rotor in the coordinates in which pieces flow.
 #[derive(Clone, Debug, PartialEq)]

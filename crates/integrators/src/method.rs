@@ -95,7 +95,8 @@ impl Method {
             Method::Euler { steps }
             | Method::RungeKutta4 { steps }
             | Method::BackwardEuler { steps }
-            | Method::ImplicitMidpoint { steps } => Some(steps),
+            | Method::ImplicitMidpoint { steps }
+            | Method::Split { steps, .. } => Some(steps),
             _ => None,
         }
     }
