@@ -1,14 +1,15 @@
 //! What the steps keep: |v|, x.v, brackets, the energy within bounds, the rate at which volumes shrink.
 
 use crate::runs::{self, SCENES, split};
-use derivations::machines::{Catalogued, ForMachine};
+use derivations::machines::{AnyMachine, Catalogued, ForMachine, Point as RotorPoint};
 use derivations::scene::{Axes, System};
 use derivations::separated::Separable;
 use derivations::systems::gyrostat::Gyrostat;
 use derivations::systems::gyrostat::driven::Driven;
+use derivations::systems::gyrostat::momenta::Point;
 use field::DoubleDouble;
-use integrators::{Jacobian, Method, Span, Splitting, compose};
-use nalgebra::DMatrix;
+use integrators::{Jacobian, Method, Pieces, Span, Splitting, compose};
+use nalgebra::{DMatrix, Vector3};
 
 /// The deviation of an invariant by name at the end of a run, relative to its size at the start or to the scale given.
 fn drift(name: &str, model: Option<&str>, method: Method, time: f64, invariant: &str, scale: f64) -> f64 {
@@ -125,8 +126,9 @@ fn volumes_shrink_exactly_as_the_divergence_of_the_law_says() {
 
 /// B of the bracket {f, g} = df.B dg in the coordinates (x, v, angle, spin): x' = x x dH/dx + v x dH/dv, v' = v x dH/dx,
 /// angle' = dH/dp, p' = -dH/dangle.
-fn bracket(at: &Point<f64>) -> DMatrix<f64> {
-    let (x, v) = (at.momentum.cross_matrix(), at.vertical.cross_matrix());
+fn bracket(z: &[DoubleDouble]) -> DMatrix<f64> {
+    let at = point(z);
+    let [x, v] = [at.momentum, at.vertical].map(|a| a.map(|a| a.hi()).cross_matrix());
     let mut b = DMatrix::zeros(8, 8);
     b.view_mut((0, 0), (3, 3)).copy_from(&x);
     b.view_mut((0, 3), (3, 3)).copy_from(&v);
@@ -143,41 +145,34 @@ fn without_friction_a_step_keeps_the_bracket() {
     let AnyMachine::Synchronous(motor) = &mut scene.machine else { panic!("it is synchronous") };
     motor.f = 0.0;
     let law = Driven::new(bodies.first_form().0, *motor);
-    let pieces = law.pieces::<DoubleDouble>().expect("it has pieces");
-    let flows = Flows::<DoubleDouble>::new(&law.form, &law.machine);
+    let pieces = law.in_momenta::<DoubleDouble>().expect("it has pieces");
     let state = [0.3, -0.2, 4.0, 0.6, 0.0, 0.8, 0.7, -11.0].map(DoubleDouble::from);
-    let point = |z: &[DoubleDouble]| Point {
-        momentum: Vector3::new(z[0], z[1], z[2]),
-        vertical: Vector3::new(z[3], z[4], z[5]),
-        rotor: RotorPoint { angle: z[6], momentum: z[7], fluxes: Vec::new() },
-    };
-    let flat = |p: &Point<DoubleDouble>| {
-        let [x, v] = [p.momentum, p.vertical];
-        vec![x[0], x[1], x[2], v[0], v[1], v[2], p.rotor.angle, p.rotor.momentum]
-    };
-    let near = |p: &Point<DoubleDouble>| Point {
-        momentum: p.momentum.map(|x| x.hi()),
-        vertical: p.vertical.map(|x| x.hi()),
-        rotor: RotorPoint { angle: p.rotor.angle.hi(), momentum: p.rotor.momentum.hi(), fluxes: Vec::new() },
-    };
-    let start = flows.enter(&law.form, &law.machine, &state);
+    let start = flat(&pieces.enter(&state));
     for splitting in Splitting::ALL {
-        // through the flows themselves: a step is chi, then its adjoint
         let step = |z: &[DoubleDouble]| {
             let mut at = point(z);
             for (place, share) in splitting.coefficients::<DoubleDouble>().into_iter().enumerate() {
                 let count = pieces.pieces();
-                for k in 0..count {
-                    let piece = if place % 2 == 0 { k } else { count - 1 - k };
+                for piece in (0..count).map(|k| if place % 2 == 0 { k } else { count - 1 - k }) {
                     let lapse = pieces.lapse(piece, share * DoubleDouble::from(STEP));
-                    flow(&flows, &law.machine, piece, &lapse, &mut at);
+                    assert!(pieces.flow(piece, &lapse, &mut at));
                 }
             }
             flat(&at)
         };
-        let m = matrix(step, &flat(&start));
-        let end = point(&step(&flat(&start)));
-        let gap = (&m * bracket(&near(&start)) * m.transpose() - bracket(&near(&end))).amax();
+        let m = matrix(step, &start);
+        let gap = (&m * bracket(&start) * m.transpose() - bracket(&step(&start))).amax();
         assert!(gap < 1e-12, "{}: {gap:e}", splitting.name());
     }
+}
+
+fn point(z: &[DoubleDouble]) -> Point<DoubleDouble> {
+    let three = |from: usize| Vector3::new(z[from], z[from + 1], z[from + 2]);
+    let rotor = RotorPoint { angle: z[6], momentum: z[7], fluxes: Vec::new() };
+    Point { momentum: three(0), vertical: three(3), rotor }
+}
+
+fn flat(at: &Point<DoubleDouble>) -> Vec<DoubleDouble> {
+    let bodies = at.momentum.iter().chain(at.vertical.iter());
+    bodies.chain([&at.rotor.angle, &at.rotor.momentum]).copied().collect()
 }

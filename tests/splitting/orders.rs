@@ -46,7 +46,13 @@ fn every_composition_has_its_order_with_every_kind_of_motor_in_both_forms() {
                 let pair = [run(steps), run(2 * steps)];
                 let (order, theory) = ((pair[0] / pair[1]).log2(), f64::from(splitting.order()));
                 let what = format!("{name} {model:?} {axes} {}", splitting.name());
-                assert!((order - theory).abs() < 0.5, "{what}: {:.1e} {:.1e}, order {order:.2}", pair[0], pair[1]);
+                // an even order is no other even number: half a one below, one above
+                assert!(
+                    (-0.5..1.0).contains(&(order - theory)),
+                    "{what}: {:.1e} {:.1e}, order {order:.2}",
+                    pair[0],
+                    pair[1]
+                );
             }
         }
     }

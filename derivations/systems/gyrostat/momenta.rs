@@ -251,11 +251,18 @@ pub enum Lapse<S> {
     Turn(S),
 }
 
-impl<F: Form<f64>, M: Machine<f64>> Separable for Driven<f64, F, M> {
-    fn pieces<S: Real>(&self) -> Option<impl Pieces<S>> {
+impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
+    /// The pieces over a field; none for windings on a rotor whose angle is not known.
+    pub fn in_momenta<S: Real>(&self) -> Option<GyrostatPieces<'_, S, F, M>> {
         let Driven { form, machine, .. } = self;
         let known = M::ROTOR == RotorState::AngleAndSpeed || machine.windings() == 0;
         let flows = Flows::new(form, machine);
         known.then(|| GyrostatPieces { form, machine, flows, law: Law::of(machine), rule: Rule::gauss() })
+    }
+}
+
+impl<F: Form<f64>, M: Machine<f64>> Separable for Driven<f64, F, M> {
+    fn pieces<S: Real>(&self) -> Option<impl Pieces<S>> {
+        self.in_momenta()
     }
 }

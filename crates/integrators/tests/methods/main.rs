@@ -9,4 +9,5 @@ mod observing;
 mod orders;
 mod problems;
 mod references;
+mod splittings;
 mod taylor;
