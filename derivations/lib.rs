@@ -3,6 +3,7 @@
 //! # Overview
 //! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
 //! * [`derive`](mod@derive): equations of motion by a chosen principle, for reading;
+//! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
 //! * [`mechanisms`]: governors, drives, bodies that roll, by the names that scene files use;
 //! * [`principles`]: the principles of mechanics, equal on every system: a page of claims of the workbench's own;
@@ -20,6 +21,7 @@ pub mod alphabet;
 pub mod derive;
 pub mod friction;
 pub mod governors;
+pub mod long_runs;
 pub mod machines;
 pub mod mechanisms;
 pub mod papers;

@@ -8,7 +8,8 @@
 //! * [`forms`]: the equations solved for the accelerations, in the axes of A and of A*: what runs.
 //! * [`stationary`], [`cone`]: the conditions of rotations about the vertical, and the line of their axes on the sphere;
 //! * [`driven`]: a form with a motor, as the system of first-order equations that is integrated;
-//! * [`momenta`]: the same in the momenta, split into flows that are known.
+//! * [`momenta`]: the same in the momenta, split into flows that are known;
+//! * [`lagrange`]: the symmetric top in closed form.
 //!
 //! Conventions: components in axes fixed in the carrier with origin O; w its angular velocity, v the unit vector of the
 //! vertical *downwards*, l the unit vector of the rotor's axis, phi' the rotor's speed relative to the carrier, M the
@@ -22,6 +23,7 @@ pub mod bodies;
 pub mod cone;
 pub mod driven;
 pub mod forms;
+pub mod lagrange;
 pub mod momenta;
 pub mod routes;
 pub mod stationary;
