@@ -69,13 +69,13 @@ const LOST: f64 = 0.05;
 /// What is set side by side: at about 320 evaluations, or pairs of flows there and back, for a revolution.
 pub const PACES: [Pace; 8] = [
     Pace::Steps(|steps| Method::RungeKutta4 { steps }, 80),
-    Pace::Steps(|steps| Method::ImplicitMidpoint { steps }, 80),
     Pace::Tolerance(Method::DormandPrince8, 1e-10),
-    Pace::Tolerance(Method::Gauss { stages: 6 }, 1e-10),
     Pace::Steps(|steps| Method::Split { splitting: Splitting::Strang, steps }, 320),
     Pace::Steps(|steps| Method::Split { splitting: Splitting::BlanesMoan4, steps }, 52),
     Pace::Steps(|steps| Method::Split { splitting: Splitting::BlanesMoan6, steps }, 32),
     Pace::Steps(|steps| Method::Split { splitting: Splitting::KahanLi8, steps }, 20),
+    Pace::Steps(|steps| Method::ImplicitMidpoint { steps }, 80),
+    Pace::Tolerance(Method::Gauss { stages: 6 }, 1e-10),
 ];
 
 impl LongRun {

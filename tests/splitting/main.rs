@@ -4,6 +4,7 @@
 mod physical;
 
 mod kept;
+mod long;
 mod orders;
 mod pieces;
 mod runs;
