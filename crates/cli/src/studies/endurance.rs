@@ -6,7 +6,7 @@ use charts::{AreaCurve, Areas, Study, Table, significant};
 use derivations::long_runs::{Course, LongRun, PACES, Sample};
 
 /// In the report; `cargo bench --bench long_runs` goes on to a million.
-const REVOLUTIONS: u32 = 10_000;
+const REVOLUTIONS: u32 = 2_000;
 
 /// Below this an error is shown as this: rounding.
 const FLOOR: f64 = 1e-17;
