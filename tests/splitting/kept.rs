@@ -16,7 +16,7 @@ fn drift(name: &str, model: Option<&str>, method: Method, time: f64, invariant: 
     let problem = runs::problem(name, model, Axes::First);
     let found = problem.invariants.iter().find(|known| known.name == invariant).expect("the scene has it");
     let outcome = runs::run(&problem, method, &Span::new(0.0, time, &problem.state));
-    ((found.value)(&outcome.state) - (found.value)(&problem.state)).abs() / scale
+    ((found.value)(time, &outcome.state) - (found.value)(0.0, &problem.state)).abs() / scale
 }
 
 /// Each of n turns rounds v by about half a unit, in any direction: a random walk of about sqrt(n) units, and not n.
@@ -51,7 +51,7 @@ fn the_energy_swings_where_that_of_runge_kutta_drifts() {
     let worst = |method: fn(u32) -> Method, time: f64| {
         let problem = runs::problem("free_rotor", None, Axes::First);
         let jacobi = problem.invariants.iter().find(|known| known.name == "jacobi").expect("it is conserved");
-        let span = Span::new(0.0, time, &problem.state).with_monitor("jacobi", |_, y| (jacobi.value)(y));
+        let span = Span::new(0.0, time, &problem.state).with_monitor("jacobi", |t, y| (jacobi.value)(t, y));
         runs::run(&problem, method((time * 500.0) as u32), &span).deviations[0].largest
     };
     let growth = |method| worst(method, 160.0) / worst(method, 10.0);
