@@ -1,7 +1,7 @@
 //! A system with its Jacobian as sums of multiples of monomials, for the implicit methods.
 
 use field::{DoubleDouble, Scalar};
-use integrators::{Directions, Ode, Slopes, System, TaylorSeries};
+use integrators::{Composed, Directions, Ode, Slopes, Splitting, System, TaylorSeries};
 use std::sync::{Arc, OnceLock};
 use symbolic::{Evaluation, Polynomials, Sym};
 
@@ -58,6 +58,14 @@ where
 
     fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
         self.system.taylor_directions()
+    }
+
+    fn composed(&self, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
+        self.system.composed(splitting)
+    }
+
+    fn composed_exact(&self, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
+        self.system.composed_exact(splitting)
     }
 
     fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {

@@ -6,12 +6,13 @@ use derivations::mechanisms::MechanismScene;
 use derivations::papers::konosevich2022::gyrostats;
 use derivations::recorded::Recorded;
 use derivations::scene::{Family, Problem};
+use derivations::separated::Separable;
 use derivations::systems::disc::Disc;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::{Form, SecondForm};
 use derivations::systems::ladder::Ladder;
 use field::{Analytic, DoubleDouble, Over};
-use integrators::{Directions, Ode, Signal, Switches};
+use integrators::{Directions, Ode, Real, Signal, Splitting, Switches, compose};
 use mechanics::constrained::State;
 use mechanics::constrained::System as _;
 use mechanics::constrained::programmed::{Linear, programmed};
@@ -127,6 +128,42 @@ fn a_series_allocates_nothing_once_there_is_room_for_it() {
         }
     }
     assert_eq!(machine.apply(Expand(g.second_form().0)), 0);
+}
+
+/// Twenty steps of a composition, once it has been prepared.
+struct Advance<F>(F);
+
+impl<F: Form<f64>> ForMachine for Advance<F> {
+    type Output = usize;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
+        fn over<S: Real>(driven: &Driven<f64, impl Form<f64>, impl Catalogued>) -> usize {
+            let mut y: Vec<S> = (0..driven.dimension()).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();
+            let mut composed = compose(driven.pieces::<S>().expect("every machine has pieces"), Splitting::BlanesMoan4);
+            composed.prepare(S::lift(1e-3));
+            composed.enter(&y);
+            allocations(|| {
+                for _ in 0..20 {
+                    assert!(composed.advance());
+                    composed.leave(&mut y);
+                }
+            })
+        }
+        let driven = Driven::new(self.0, machine);
+        over::<f64>(&driven) + over::<DoubleDouble>(&driven)
+    }
+}
+
+#[test]
+fn a_step_of_a_composition_allocates_nothing() {
+    let g = rounded(&gyrostats::opposite_sign().gyrostat);
+    for (name, _) in AnyMachine::LIST {
+        for bars in [1, 40] {
+            let Some(Ok(machine)) = AnyMachine::read(name, &mut Bars(bars)) else { panic!("{name} is in the list") };
+            assert_eq!(machine.clone().apply(Advance(g.first_form().0)), 0, "{name} with {bars} bars, first form");
+            assert_eq!(machine.apply(Advance(g.second_form().0)), 0, "{name} with {bars} bars, second form");
+        }
+    }
 }
 
 /// The uniform ladder on wall and floor, with the direction from which it is seen.

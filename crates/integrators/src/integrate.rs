@@ -11,6 +11,7 @@ use crate::implicit::Implicit;
 use crate::jacobian::Jacobian;
 use crate::meter::Meter;
 use crate::rosenbrock::Rodas4;
+use crate::splitting::Split;
 use crate::taylor::TaylorStepper;
 use crate::theta::Theta;
 use crate::watch::Watch;
@@ -152,7 +153,17 @@ fn run_own<S: Working>(
             Some(source) => drive(&mut TaylorStepper::new(source, tolerance), length.approx(), meter, watch),
             None => watch.fail(Failure::Refused(Refusal::NoSeries), meter),
         },
-        Method::Euler { .. }
+        Method::Split { splitting, steps } if S::EPSILON >= f64::EPSILON || splitting.exact() => {
+            match S::composed(system, splitting) {
+                Some(composed) => {
+                    let step = length / S::int(steps.into());
+                    drive(&mut Split::new(composed, splitting, step), 0.0, meter, watch)
+                }
+                None => watch.fail(Failure::Refused(Refusal::NoPieces), meter),
+            }
+        }
+        Method::Split { .. }
+        | Method::Euler { .. }
         | Method::RungeKutta4 { .. }
         | Method::BackwardEuler { .. }
         | Method::ImplicitMidpoint { .. }

@@ -19,6 +19,7 @@
 //! | Radau5, Kvaerno 5(4) | 5 | yes | | `differential-equations` |
 //! | Rodas4 | 4 | yes | | own |
 //! | Bader-Deuflhard | varies | yes | | own |
+//! | Strang, Blanes-Moan, Kahan-Li splittings, for systems with pieces (constant step) | 2, 4, 6, 8 | | 2, 8 | own |
 //!
 //! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
 //! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
@@ -32,6 +33,7 @@ mod bader_deuflhard;
 mod classical;
 mod collocation;
 mod columns;
+mod composition;
 mod drive;
 mod events;
 mod failure;
@@ -53,6 +55,7 @@ mod regret;
 mod rosenbrock;
 mod span;
 mod spectral;
+mod splitting;
 mod taylor;
 mod theta;
 mod tolerance;
@@ -63,6 +66,7 @@ mod work_precision;
 
 pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family};
+pub use composition::Splitting;
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use failure::{Failure, Refusal};
 pub use held::{Held, HeldSystem, Holding, hold, integrate_projected};
@@ -76,6 +80,7 @@ pub use real::Real;
 pub use reference::{ENOUGH_DIGITS, Reference, reference};
 pub use regret::{Regrets, Trial, cost};
 pub use span::{Budget, Monitor, Quantity, Span};
+pub use splitting::{Composed, Pieces, compose};
 pub use taylor::{Taylor, TaylorSeries};
 pub use tolerance::{Absolute, Tolerance};
 pub use transition::{Transition, transition};

@@ -3,7 +3,7 @@
 use field::{DoubleDouble, Scalar};
 use num_dual::DualSVec64;
 
-use crate::{HeldSystem, TaylorSeries, held::Held};
+use crate::{Composed, HeldSystem, Splitting, TaylorSeries, held::Held};
 
 /// How many columns of a Jacobian one evaluation gives.
 pub const DIRECTIONS: usize = 8;
@@ -44,6 +44,16 @@ pub trait System: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {
     fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         None
     }
+
+    /// The flows of the law's pieces composed in `f64`, where the law has pieces.
+    fn composed(&self, _splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
+        None
+    }
+
+    /// The flows of the law's pieces composed in double-double, where the law has pieces.
+    fn composed_exact(&self, _splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
+        None
+    }
 }
 
 /// The derivatives of a law that does not depend on time.
@@ -62,6 +72,9 @@ pub trait Working: crate::Real {
 
     /// The system's source of Taylor coefficients in this field.
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<Self> + '_>>;
+
+    /// The system's pieces composed in this field.
+    fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<Self> + '_>>;
 }
 
 impl Working for f64 {
@@ -76,6 +89,10 @@ impl Working for f64 {
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         system.taylor()
     }
+
+    fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
+        system.composed(splitting)
+    }
 }
 
 impl Working for DoubleDouble {
@@ -89,5 +106,9 @@ impl Working for DoubleDouble {
 
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         system.taylor_exact()
+    }
+
+    fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
+        system.composed_exact(splitting)
     }
 }

@@ -10,4 +10,5 @@ mod orders;
 mod problems;
 mod references;
 mod regret;
+mod splittings;
 mod taylor;
