@@ -52,7 +52,7 @@ fn methods(scenes: &[(&str, &Measured)]) -> Vec<String> {
 fn regrets(scenes: &[(&str, &Measured)], methods: &[String], counted: &Counted<'_>, error: f64) -> Regrets {
     let trials = |method: &String, measured: &Measured| -> Vec<Trial> {
         let own = measured.points.iter().filter(|point| family(point.method) == *method);
-        own.map(|point| Trial { cost: (counted.of)(point, measured), error: point.error.clone().ok() }).collect()
+        own.map(|point| Trial { cost: (counted.of)(point, measured), error: point.error.ok() }).collect()
     };
     let costs: Vec<Vec<Option<f64>>> = methods
         .iter()
