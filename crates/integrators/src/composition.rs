@@ -19,9 +19,9 @@ pub enum Splitting {
     Strang,
     /// Order 4 with 6 stages, S6 of Blanes and Moan (2002): the first piece goes back by 0.042 of a step.
     BlanesMoan4,
-    /// Order 6 with 10 stages, S10 of Blanes and Moan (2002): the first piece goes back by 0.188.
+    /// Order 6 with 10 stages, S10 of Blanes and Moan (2002): the first piece goes back by 0.726.
     BlanesMoan6,
-    /// Order 8 with 17 stages, of Kahan and Li (1997): the first piece goes back by 0.119.
+    /// Order 8 with 17 stages, of Kahan and Li (1997): the first piece goes back by 0.155.
     KahanLi8,
 }
 
@@ -149,11 +149,11 @@ mod tests {
 
     /// What the documentation promises of friction in the first piece.
     #[test]
-    fn the_first_piece_goes_back_by_less_than_a_fifth_of_a_step() {
-        for (splitting, least) in Splitting::ALL.into_iter().zip([0.5, -0.043, -0.189, -0.12]) {
+    fn the_first_piece_goes_back_by_as_much_as_is_said() {
+        for (splitting, least) in Splitting::ALL.into_iter().zip([0.5, -0.042, -0.726, -0.155]) {
             let first = splitting.schedule::<f64>(3).into_iter().filter(|(piece, _)| *piece == 0);
             let found = first.fold(f64::INFINITY, |found, (_, share)| found.min(share));
-            assert!(found >= least && found < least + 0.005, "{splitting:?}: {found}");
+            assert!((found - least).abs() < 0.0006, "{splitting:?}: {found}");
         }
     }
 }

@@ -12,7 +12,7 @@ pub trait Pieces<S> {
     /// What a piece wants to know of a length of time before it flows for it, again and again.
     type Lapse;
 
-    /// How many pieces there are. The first goes back least in compositions of higher order: friction belongs there.
+    /// How many pieces there are. In compositions of orders 4 and 8 the first goes back least: friction belongs there.
     fn pieces(&self) -> usize;
 
     /// From a state of the law.
