@@ -3,11 +3,14 @@
 //! # Overview
 //! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
 //! * [`derive`](mod@derive): equations of motion by a chosen principle, for reading;
+//! * [`differentiated`]: a system with its Jacobian as code of its own;
+//! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
 //! * [`ensemble`]: many systems of one kind with data of their own, run side by side;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
 //! * [`mechanisms`]: governors, drives, bodies that roll, by the names that scene files use;
 //! * [`principles`]: the principles of mechanics, equal on every system: a page of claims of the workbench's own;
 //! * [`recorded`]: a system with its laws as straight-line code;
+//! * [`separated`]: a system with the pieces of its law, for the splitting methods;
 //! * [`scene`]: a system with a machine, data and an initial state, from a file;
 //! * [`alphabet`](mod@alphabet): the letters of a page, with LaTeX and dimensions;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
@@ -18,9 +21,11 @@
 
 pub mod alphabet;
 pub mod derive;
+pub mod differentiated;
 pub mod ensemble;
 pub mod friction;
 pub mod governors;
+pub mod long_runs;
 pub mod machines;
 pub mod mechanisms;
 pub mod papers;
@@ -28,5 +33,6 @@ pub mod principles;
 pub mod recorded;
 pub mod regimes;
 pub mod scene;
+pub mod separated;
 pub mod stabilisation;
 pub mod systems;

@@ -5,13 +5,17 @@ use derivations::friction::stretch::Stretch;
 use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, Source};
 use derivations::mechanisms::MechanismScene;
 use derivations::papers::konosevich2022::gyrostats;
+use derivations::recorded::Recorded;
 use derivations::scene::{Axes, Family, Problem, Scene};
+use derivations::separated::Separable;
 use derivations::systems::disc::Disc;
 use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::Form;
+use derivations::systems::gyrostat::forms::{Form, SecondForm};
 use derivations::systems::ladder::Ladder;
 use field::{Analytic, DoubleDouble, Over};
-use integrators::{Directions, Ensemble, Failure, Members, Ode, Signal, Switches, taylor_order};
+use integrators::{
+    Directions, Ensemble, Failure, Members, Ode, Real, Signal, Splitting, Switches, compose, taylor_order,
+};
 use mechanics::constrained::State;
 use mechanics::constrained::System as _;
 use mechanics::constrained::programmed::{Linear, programmed};
@@ -20,6 +24,7 @@ use physical::rounded;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::convert::Infallible;
+use std::sync::Arc;
 
 mod physical;
 
@@ -98,6 +103,68 @@ fn the_right_hand_side_allocates_nothing() {
             let Some(Ok(machine)) = AnyMachine::read(name, &mut Bars(bars)) else { panic!("{name} is in the list") };
             assert_eq!(machine.clone().apply(Evaluate(g.first_form().0)), 0, "{name} with {bars} bars, first form");
             assert_eq!(machine.apply(Evaluate(g.second_form().0)), 0, "{name} with {bars} bars, second form");
+        }
+    }
+}
+
+#[test]
+fn a_series_allocates_nothing_once_there_is_room_for_it() {
+    let g = rounded(&gyrostats::opposite_sign().gyrostat);
+    let Some(Ok(machine)) = AnyMachine::read("multi_current", &mut Bars(40)) else { panic!("it is in the list") };
+    struct Expand(SecondForm<f64>);
+    impl ForMachine for Expand {
+        type Output = usize;
+
+        fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
+            let system = Recorded::new(Arc::new(Driven::new(self.0, machine)));
+            let mut series = integrators::System::taylor(&system).expect("it has a series");
+            let mut y = vec![0.1; Ode::<f64>::dimension(&system)];
+            series.expand(0.0, &y, 20);
+            let count = allocations(|| {
+                for _ in 0..3 {
+                    series.expand(0.0, &y, 20);
+                    series.sum(1e-3, &mut y);
+                }
+            });
+            assert!(y.iter().all(|y| y.is_finite()));
+            count
+        }
+    }
+    assert_eq!(machine.apply(Expand(g.second_form().0)), 0);
+}
+
+/// Twenty steps of a composition, once it has been prepared.
+struct Advance<F>(F);
+
+impl<F: Form<f64>> ForMachine for Advance<F> {
+    type Output = usize;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
+        fn over<S: Real>(driven: &Driven<f64, impl Form<f64>, impl Catalogued>) -> usize {
+            let mut y: Vec<S> = (0..driven.dimension()).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();
+            let mut composed = compose(driven.pieces::<S>().expect("every machine has pieces"), Splitting::BlanesMoan4);
+            composed.prepare(S::lift(1e-3));
+            composed.enter(&y);
+            allocations(|| {
+                for _ in 0..20 {
+                    assert!(composed.advance());
+                    composed.leave(&mut y);
+                }
+            })
+        }
+        let driven = Driven::new(self.0, machine);
+        over::<f64>(&driven) + over::<DoubleDouble>(&driven)
+    }
+}
+
+#[test]
+fn a_step_of_a_composition_allocates_nothing() {
+    let g = rounded(&gyrostats::opposite_sign().gyrostat);
+    for (name, _) in AnyMachine::LIST {
+        for bars in [1, 40] {
+            let Some(Ok(machine)) = AnyMachine::read(name, &mut Bars(bars)) else { panic!("{name} is in the list") };
+            assert_eq!(machine.clone().apply(Advance(g.first_form().0)), 0, "{name} with {bars} bars, first form");
+            assert_eq!(machine.apply(Advance(g.second_form().0)), 0, "{name} with {bars} bars, second form");
         }
     }
 }

@@ -4,7 +4,7 @@ use derivations::governors::{self, SPEED, growth};
 use derivations::mechanisms::{LIST, MechanismScene};
 use derivations::scene::{Choice, Family, Smooth, Told, Trajectory, methods};
 use derivations::stabilisation::experiment;
-use integrators::Method;
+use integrators::{Failure, Method, Refusal};
 use std::path::Path;
 
 fn open(name: &str) -> MechanismScene {
@@ -109,6 +109,10 @@ fn no_method_steps_over_the_axis() {
         let method = methods::method(&written.replace("STEPS", "70")).expect("it is in the list");
         let choice = Choice { method, ..scene.run.choice() };
         let trajectory = scene.simulate(&choice, |_| ());
+        if let Some(Failure::Refused(refusal)) = trajectory.outcome.failure() {
+            assert_eq!(refusal, Refusal::NoPieces, "{method}");
+            continue;
+        }
         let told = scene.told(&choice, &trajectory);
         assert!(!trajectory.outcome.reached() && trajectory.last[0] > 0.0, "{method}: {:?}", trajectory.last);
         // backward Euler's equation has no root two steps before the end: what theory foretells is all that is said

@@ -1,6 +1,6 @@
 //! The state-transition matrix of a run, beside differences of runs in double-double by another method.
 
-use derivations::scene::{AnyScene, Axes, Family, Problem};
+use derivations::scene::{AnyScene, Axes, Choice, Family, Problem};
 use field::DoubleDouble;
 use integrators::{Method, Ode, Span, System, Tolerance, integrate_in, transition};
 use std::path::Path;
@@ -60,6 +60,24 @@ fn there_and_back_the_matrices_are_inverse() {
             let size: f64 = (0..n).map(|k| (back.matrix[i * n + k] * there.matrix[k * n + j]).abs()).sum();
             let unit = if i == j { 1.0 } else { 0.0 };
             assert!((entry - unit).abs() <= 1e-10 * size.max(1.0), "{i} {j}: {entry}");
+        }
+    }
+}
+
+#[test]
+fn in_the_axes_of_the_data_the_matrix_keeps_the_length_of_the_vertical() {
+    for axes in [Axes::First, Axes::Second] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/spin_up.toml");
+        let Ok(AnyScene::Driven(scene)) = AnyScene::open(&path) else { panic!("a gyrostat") };
+        let problem = scene.problem(axes);
+        let run = problem.simulate(&Choice { tolerance: 1e-12, axes, ..scene.choice() }, |_| {});
+        let matrix = problem.transition(1e-12).expect("a series");
+        let (first, last) = (&run.rows[0], &run.last);
+        // d(v.v) = 0 for every change of the start that leaves v.v alone: v(end) M = v(start) in the columns of v
+        for j in 0..matrix.len() {
+            let carried: f64 = (3..6).map(|i| last[i] * matrix[i][j]).sum();
+            let wanted = if (3..6).contains(&j) { first[j] } else { 0.0 };
+            assert!((carried - wanted).abs() < 1e-9, "{axes:?}, column {j}: {carried} is not {wanted}");
         }
     }
 }

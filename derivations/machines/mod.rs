@@ -8,11 +8,14 @@
 //!
 //! To add a motor: one file here, and one line in the list below.
 
+mod bench_pieces;
 mod conserved;
+mod kick;
 mod machine;
 mod quantity;
 
 pub use conserved::{Conserved, ConservedBy};
+pub use kick::{Kick, Law, Point, Rule, decay_quotient, kick, solved};
 pub use machine::{Bench, Machine, RotorState, drive, heat, state_names, stored_energy};
 pub use quantity::Quantity;
 

@@ -1,7 +1,7 @@
 //! Speed against accuracy: every method on a scene, measured by a reference.
 
 use super::{Axes, Problem, Scene};
-use integrators::{Failure, Method, Point, Reference, Span, judge, measure, reference};
+use integrators::{Failure, Method, Point, Reference, Span, Splitting, judge, measure, reference};
 use std::time::{Duration, Instant};
 
 /// Times, beside the start, at which an error is taken: few, so that landing on them costs no method much.
@@ -39,6 +39,9 @@ impl Trials {
 impl Default for Trials {
     fn default() -> Self {
         let constant = [250, 1_000, 4_000, 16_000].map(|steps| Method::RungeKutta4 { steps });
+        let split = [Splitting::BlanesMoan4, Splitting::BlanesMoan6]
+            .into_iter()
+            .flat_map(|splitting| [60, 250, 1_000, 4_000].map(|steps| Method::Split { splitting, steps }));
         let adaptive = [
             Method::DormandPrince5,
             Method::DormandPrince8,
@@ -46,12 +49,13 @@ impl Default for Trials {
             Method::GraggBulirschStoer,
             Method::Taylor,
             Method::Rodas4,
+            Method::BaderDeuflhard,
             Method::Radau5,
             Method::RadauIIA { stages: 5 },
             Method::Gauss { stages: 6 },
         ];
         Trials {
-            methods: adaptive.into_iter().chain(constant).collect(),
+            methods: adaptive.into_iter().chain(constant).chain(split).collect(),
             tolerances: TOLERANCES.to_vec(),
             evaluations: 100_000,
             allowed: Duration::from_secs(5),

@@ -1,7 +1,7 @@
 //! The methods of integration by the names that scenes and the command line use.
 
 use super::nearest;
-use integrators::{MOST_STAGES, Method};
+use integrators::{MOST_STAGES, Method, Splitting};
 
 /// How a method is named: some take a number after a colon.
 enum Named {
@@ -10,6 +10,12 @@ enum Named {
     Steps(fn(u32) -> Method),
     /// Stages, with a good number where none is said.
     Stages(u8, fn(u8) -> Method),
+}
+
+macro_rules! split {
+    ($splitting:ident) => {
+        Named::Steps(|steps| Method::Split { splitting: Splitting::$splitting, steps })
+    };
 }
 
 const METHODS: &[(&str, Named, &str)] = &[
@@ -21,6 +27,11 @@ const METHODS: &[(&str, Named, &str)] = &[
     ("taylor", Named::Plain(Method::Taylor), "Taylor series from the recorded law, variable order"),
     ("radau_5", Named::Plain(Method::Radau5), "implicit, for stiff scenes"),
     ("rodas_4", Named::Plain(Method::Rodas4), "linearly implicit, for stiff scenes at moderate tolerances"),
+    (
+        "bader_deuflhard",
+        Named::Plain(Method::BaderDeuflhard),
+        "implicit extrapolation of variable order, for stiff scenes",
+    ),
     ("kvaerno_5", Named::Plain(Method::Kvaerno5), "diagonally implicit 5(4), for stiff scenes"),
     (
         "radau_iia",
@@ -35,6 +46,10 @@ const METHODS: &[(&str, Named, &str)] = &[
         Named::Steps(|steps| Method::BackwardEuler { steps }),
         "implicit, damps what is stiff, so many equal steps",
     ),
+    ("strang", split!(Strang), "splitting of order 2, keeps |v| and x.v to rounding, so many equal steps"),
+    ("blanes_moan_4", split!(BlanesMoan4), "the same of order 4"),
+    ("blanes_moan_6", split!(BlanesMoan6), "the same of order 6"),
+    ("kahan_li_8", split!(KahanLi8), "the same of order 8"),
     ("euler", Named::Steps(|steps| Method::Euler { steps }), "explicit, so many equal steps"),
 ];
 

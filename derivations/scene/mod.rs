@@ -10,10 +10,12 @@
 //! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data;
 //! * [`problem`], [`simulate`]: the law that any method integrates, and the run; [`smooth`]: scenes of every family that
 //!   has one;
+//! * [`code`]: the right-hand side and its Jacobian as code of other languages;
 //! * [`measured`]: every method on a scene, speed against accuracy.
 
 pub mod any;
 pub mod bodies;
+pub mod code;
 pub mod file;
 pub mod issue;
 pub mod machine;
@@ -27,6 +29,7 @@ pub mod simulate;
 pub mod smooth;
 pub mod start;
 pub mod state;
+mod transition;
 pub mod units;
 
 pub use crate::mechanisms::MechanismScene;

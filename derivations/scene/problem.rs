@@ -2,8 +2,9 @@
 
 use super::state::outputs;
 use super::{Axes, Scene, System};
+use crate::differentiated::Differentiated;
 use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
-use crate::recorded::Recorded;
+use crate::separated::Separated;
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::Form;
@@ -93,7 +94,7 @@ where
     if conserved.spin {
         invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
     }
-    (Arc::new(Recorded::new(law)), invariants)
+    (Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), law)), invariants)
 }
 
 struct OnBench {
@@ -113,7 +114,7 @@ impl ForMachine for OnBench {
         if conserved.spin {
             invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
         }
-        (Arc::new(Recorded::new(law)), invariants)
+        (Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), law)), invariants)
     }
 }
 

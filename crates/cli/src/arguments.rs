@@ -90,14 +90,18 @@ pub struct Bodies {
 /// What is to be derived, and how.
 #[derive(Args, Debug)]
 pub struct Derive {
-    /// The system: gyrostat, motor
+    /// The system: gyrostat, motor; or a scene, SCENE.toml, whose right-hand side and Jacobian are written as code
+    #[arg(value_name = "SYSTEM|SCENE.toml")]
     pub system: String,
     /// The principle; without it the first that applies
     #[arg(long, value_enum)]
     pub principle: Option<PrincipleName>,
-    /// How to print the equations
-    #[arg(long, value_enum, default_value_t)]
-    pub format: Equations,
+    /// How to print the equations: text and LaTeX for a system, C, Python and Rust for a scene
+    #[arg(long, value_enum)]
+    pub format: Option<Equations>,
+    /// For a scene: the equations in the axes of A (first) or of A* (second)
+    #[arg(long, default_value_t)]
+    pub form: Axes,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -114,11 +118,13 @@ pub enum PrincipleName {
     Maxwell,
 }
 
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Equations {
-    #[default]
     Text,
     Latex,
+    C,
+    Python,
+    Rust,
 }
 
 /// How a scene is to be run; what is left out, the scene says.
@@ -143,6 +149,9 @@ pub struct Run {
     /// from them; with rough contacts time, coordinates, velocities, works
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
+    /// Writes how the end depends on the start as a table: a row for each state at the end, a column for each at the start
+    #[arg(long, value_name = "FILE.csv")]
+    pub transition: Option<PathBuf>,
     /// How to print the summary
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

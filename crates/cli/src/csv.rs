@@ -20,6 +20,17 @@ impl<'a> Table<'a> {
         let Some((path, file)) = self.0 else { return Ok(()) };
         write(names, times, rows, &mut BufWriter::new(file)).map_err(|error| Ending::unwritable(path, &error))
     }
+
+    /// Writes how each named quantity at the end depends on each at the start.
+    pub fn write_matrix(self, names: &[String], rows: &[Vec<f64>]) -> Result<(), Ending> {
+        let Some((path, file)) = self.0 else { return Ok(()) };
+        let line = |(name, row): (&String, &Vec<f64>)| {
+            let values: Vec<String> = row.iter().map(f64::to_string).collect();
+            format!("{name},{}\n", values.join(","))
+        };
+        let table: String = names.iter().zip(rows).map(line).collect();
+        write!(&file, "end by start,{}\n{table}", names.join(",")).map_err(|error| Ending::unwritable(path, &error))
+    }
 }
 
 fn write(names: &[String], times: &[f64], rows: &[Vec<f64>], out: &mut impl Write) -> io::Result<()> {

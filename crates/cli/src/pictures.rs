@@ -76,6 +76,7 @@ pub fn family(method: Method) -> String {
         Method::Euler { .. } => "Euler, constant step".to_owned(),
         Method::BackwardEuler { .. } => "backward Euler, constant step".to_owned(),
         Method::ImplicitMidpoint { .. } => "implicit midpoint, constant step".to_owned(),
+        Method::Split { splitting, .. } => format!("{} splitting, constant step", splitting.name()),
         other => other.to_string(),
     }
 }

@@ -13,6 +13,10 @@ use std::time::Duration;
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
 pub fn run(asked: &Run) -> Result<Ending, Ending> {
     match AnyScene::open(&asked.scene)? {
+        AnyScene::Rough(_) if asked.transition.is_some() => Err(Ending::refused(format!(
+            "--transition does not apply to {}: across stick and slip the end has no derivative by the start",
+            asked.scene.display()
+        ))),
         AnyScene::Rough(scene) => rough::run(&scene, asked),
         AnyScene::Driven(scene) => {
             let scene = with_model(*scene, asked.model.as_deref(), &asked.scene)?;
@@ -41,12 +45,21 @@ pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), En
 fn follow(scene: &dyn Smooth, asked: &Run, form: Option<Axes>) -> Result<Ending, Ending> {
     let choice = choice(scene.run(), asked);
     let table = csv::Table::open(asked.out.as_deref())?;
+    let matrix = csv::Table::open(asked.transition.as_deref())?;
 
     let mut progress = Progress::new(scene.title());
-    let trajectory = scene.problem(choice.axes).simulate(&choice, |fraction| progress.set(fraction));
+    let problem = scene.problem(choice.axes);
+    let trajectory = problem.simulate(&choice, |fraction| progress.set(fraction));
     drop(progress);
 
     table.write(&trajectory.names, &trajectory.times, &trajectory.rows)?;
+    if let Some(path) = &asked.transition
+        && trajectory.outcome.reached()
+    {
+        let rows = problem.transition(choice.tolerance);
+        let rows = rows.map_err(|failure| Ending::refused(format!("{}: {failure}", path.display())))?;
+        matrix.write_matrix(&problem.columns[..rows.len()], &rows)?;
+    }
     let told = scene.told(&choice, &trajectory);
     let summary = Summary { scene, choice: &choice, form, trajectory: &trajectory, told: &told };
     print(&match asked.format {

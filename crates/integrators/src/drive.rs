@@ -64,6 +64,7 @@ pub(crate) fn drive<S: Real>(
 ) -> Outcome<S> {
     let (mut before, mut after) = (watch.state().to_vec(), watch.state().to_vec());
     let (mut tau, mut proposed, mut last_cause) = (S::zero(), first, Cause::Error);
+    let mut even = Even { plan: None, all: 0, done: 0 };
     while watch.goes_on() {
         let stop = if stepper.reads_between() { watch.length() } else { watch.stop() };
         let remaining = stop - tau;
@@ -71,11 +72,11 @@ pub(crate) fn drive<S: Real>(
             proposed = reach;
         }
         let step = match stepper.fixed() {
-            Some(fixed) => remaining / S::lift(((remaining / fixed).approx() - 1e-6).ceil().max(1.0)),
+            Some(fixed) => even.step(tau, stop, fixed),
             None => shorten(proposed, remaining),
         };
         let at = watch.time();
-        let lands = step == remaining;
+        let lands = step == remaining || even.lands();
         if !lands && (step.approx() <= 4.0 * S::EPSILON * at.abs() || tau + step == tau) || !step.finite() {
             return watch.fail(last_cause.failure(at, step.approx()), meter);
         }
@@ -85,7 +86,11 @@ pub(crate) fn drive<S: Real>(
         }
         match attempt {
             Attempt::Accepted { next } if after.iter().all(|y| y.finite()) => {
-                let end = if lands { stop } else { tau + step };
+                let end = match even.next() {
+                    _ if lands => stop,
+                    Some(end) => end,
+                    None => tau + step,
+                };
                 while stepper.reads_between()
                     && let Some(output) = watch.output_up_to(end)
                     && output < end
@@ -119,6 +124,40 @@ pub(crate) fn drive<S: Real>(
     }
     let end = watch.end();
     watch.finish(end, meter)
+}
+
+/// Equal steps to the next place where one must land: their length does not change on the way, and the time is not a sum
+/// of them, whose rounding would grow with their number.
+struct Even<S> {
+    plan: Option<(S, S, S)>,
+    all: u64,
+    done: u64,
+}
+
+impl<S: Real> Even<S> {
+    /// The length of the steps from `tau` to `stop`, near a given one.
+    fn step(&mut self, tau: S, stop: S, near: S) -> S {
+        match self.plan {
+            Some((_, known, step)) if known == stop => step,
+            _ => {
+                let count = (((stop - tau) / near).approx() - 1e-6).ceil().max(1.0);
+                let step = (stop - tau) / S::lift(count);
+                (self.plan, self.all, self.done) = (Some((tau, stop, step)), count as u64, 0);
+                step
+            }
+        }
+    }
+
+    /// Whether the coming step is the last of them.
+    fn lands(&self) -> bool {
+        self.plan.is_some() && self.done + 1 >= self.all
+    }
+
+    /// Where the step just made ends, if it is one of them.
+    fn next(&mut self) -> Option<S> {
+        self.done += 1;
+        self.plan.map(|(from, _, step)| from + S::lift(self.done as f64) * step)
+    }
 }
 
 /// The proposed step, or what remains, or half of it rather than leaving a sliver.

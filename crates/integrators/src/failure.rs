@@ -39,6 +39,7 @@ pub enum Refusal {
     Steps { given: u32 },
     Stages { given: usize, least: usize, most: usize },
     NoSeries,
+    NoPieces,
     TooLarge { dimension: usize, most: usize },
     Field,
     FollowsTolerance,
@@ -134,6 +135,12 @@ impl fmt::Display for Refusal {
             }
             Refusal::NoSeries => {
                 write!(f, "the system offers no Taylor coefficients; give it `System::taylor`, or take another method")
+            }
+            Refusal::NoPieces => {
+                write!(
+                    f,
+                    "the system offers no pieces with known flows; give it `System::composed`, or take another method"
+                )
             }
             Refusal::TooLarge { dimension, most } => {
                 write!(f, "the state has {dimension} components; this method takes at most {most}")

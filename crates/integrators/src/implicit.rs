@@ -16,7 +16,7 @@ use crate::jacobian::Jacobian;
 use crate::lu::Lu;
 use crate::meter::Meter;
 use crate::spectral::SpectralRadius;
-use crate::{Directions, Ode, Real, Tolerance};
+use crate::{Real, Tolerance};
 
 /// Iterations after which a step is shortened.
 const MOST_ITERATIONS: usize = 30;
@@ -52,18 +52,12 @@ pub(crate) struct Implicit<'a, S> {
 }
 
 impl<'a, S: Real> Implicit<'a, S> {
-    pub fn new(
-        family: Family,
-        stages: usize,
-        law: &'a dyn Ode<Directions>,
-        tolerance: &Tolerance,
-        dimension: usize,
-    ) -> Self {
+    pub fn new(family: Family, stages: usize, jacobian: Jacobian<'a>, tolerance: &Tolerance, dimension: usize) -> Self {
         let (n, all) = (dimension, stages * dimension);
         Implicit {
             method: Collocation::new(family, stages),
             tolerance: tolerance.clone(),
-            jacobian: Jacobian::new(law),
+            jacobian,
             n,
             z: vec![S::zero(); all],
             z_step: None,

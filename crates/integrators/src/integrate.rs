@@ -2,19 +2,20 @@
 
 use crate::adaptors::dormand_prince::{self, Pair};
 use crate::adaptors::ryan_gast::{self, Choice};
+use crate::bader_deuflhard::BaderDeuflhard;
 use crate::classical::{Euler, RungeKutta4};
 use crate::collocation::Family;
 use crate::drive::{Stepper, drive, first_step};
 use crate::gragg::GraggBulirschStoer;
 use crate::implicit::Implicit;
+use crate::jacobian::Jacobian;
 use crate::meter::Meter;
 use crate::rosenbrock::Rodas4;
+use crate::splitting::Split;
 use crate::taylor::TaylorStepper;
 use crate::theta::Theta;
 use crate::watch::Watch;
-use crate::{
-    Directions, End, Failure, Method, Observer, Ode, Outcome, Real, Refusal, Span, System, Tolerance, Work, Working,
-};
+use crate::{End, Failure, Method, Observer, Outcome, Real, Refusal, Span, System, Tolerance, Work, Working};
 
 /// Integrates a system over a span. The tolerance is ignored by a method with a constant step.
 ///
@@ -35,7 +36,12 @@ pub fn integrate(
         Method::Kvaerno5 => ryan_gast::run(Choice::Kvaerno5, system, tolerance, meter, watch),
         Method::Rodas4 => {
             let first = first_step(meter, watch.state(), tolerance, 4, watch.length());
-            drive(&mut Rodas4::new(system, tolerance, meter.dimension()), first, meter, watch)
+            drive(&mut Rodas4::new(Jacobian::of(system), tolerance, meter.dimension()), first, meter, watch)
+        }
+        Method::BaderDeuflhard => {
+            let mut stepper = BaderDeuflhard::new(Jacobian::of(system), tolerance, meter.dimension());
+            let first = first_step(meter, watch.state(), tolerance, stepper.first_order(), watch.length());
+            drive(&mut stepper, first, meter, watch)
         }
         _ => run_own(system, method, tolerance, meter, watch),
     };
@@ -107,7 +113,7 @@ pub(crate) fn refused<S: Real>(span: &Span<'_, S>, refusal: Refusal) -> Outcome<
 
 /// The methods with a constant step, over any field; none for the others.
 pub(crate) fn constant<'a, S: Real>(
-    law: &'a dyn Ode<Directions>,
+    jacobian: impl FnOnce() -> Jacobian<'a>,
     method: Method,
     length: S,
     n: usize,
@@ -116,8 +122,8 @@ pub(crate) fn constant<'a, S: Real>(
     Some(match method {
         Method::Euler { steps } => Box::new(Euler::new(step(steps), n)),
         Method::RungeKutta4 { steps } => Box::new(RungeKutta4::new(step(steps), n)),
-        Method::BackwardEuler { steps } => Box::new(Theta::new(step(steps), S::one(), law, n)),
-        Method::ImplicitMidpoint { steps } => Box::new(Theta::new(step(steps), S::ratio(1, 2), law, n)),
+        Method::BackwardEuler { steps } => Box::new(Theta::new(step(steps), S::one(), jacobian(), n)),
+        Method::ImplicitMidpoint { steps } => Box::new(Theta::new(step(steps), S::ratio(1, 2), jacobian(), n)),
         _ => return None,
     })
 }
@@ -132,7 +138,7 @@ fn run_own<S: Working>(
 ) -> Outcome<S> {
     let (n, length) = (meter.dimension(), watch.length());
     let first = |order| first_step(meter, watch.state(), tolerance, order, length.approx());
-    if let Some(mut stepper) = constant(system, method, length, n) {
+    if let Some(mut stepper) = constant(|| Jacobian::of(system), method, length, n) {
         return drive(&mut *stepper, 0.0, meter, watch);
     }
     match method {
@@ -147,7 +153,17 @@ fn run_own<S: Working>(
             Some(source) => drive(&mut TaylorStepper::new(source, tolerance), length.approx(), meter, watch),
             None => watch.fail(Failure::Refused(Refusal::NoSeries), meter),
         },
-        Method::Euler { .. }
+        Method::Split { splitting, steps } if S::EPSILON >= f64::EPSILON || splitting.exact() => {
+            match S::composed(system, splitting) {
+                Some(composed) => {
+                    let step = length / S::int(steps.into());
+                    drive(&mut Split::new(composed, splitting, step), 0.0, meter, watch)
+                }
+                None => watch.fail(Failure::Refused(Refusal::NoPieces), meter),
+            }
+        }
+        Method::Split { .. }
+        | Method::Euler { .. }
         | Method::RungeKutta4 { .. }
         | Method::BackwardEuler { .. }
         | Method::ImplicitMidpoint { .. }
@@ -157,7 +173,8 @@ fn run_own<S: Working>(
         | Method::Verner9
         | Method::Radau5
         | Method::Kvaerno5
-        | Method::Rodas4 => watch.fail(Failure::Refused(Refusal::Field), meter),
+        | Method::Rodas4
+        | Method::BaderDeuflhard => watch.fail(Failure::Refused(Refusal::Field), meter),
     }
 }
 
@@ -170,7 +187,7 @@ fn collocate<S: Real>(
     meter: &Meter<S>,
     watch: Watch<'_, '_, S>,
 ) -> (Outcome<S>, f64) {
-    let mut stepper = Implicit::new(family, stages, system, tolerance, meter.dimension());
+    let mut stepper = Implicit::new(family, stages, Jacobian::of(system), tolerance, meter.dimension());
     // the stages alone must follow the first step: their order, not the higher one at its end
     let first = first_step(meter, watch.state(), tolerance, stages as u32, watch.length().approx());
     let outcome = drive(&mut stepper, first, meter, watch);

@@ -18,6 +18,8 @@
 //! | Gauss, Radau IIA with s stages | 2s, 2s - 1 | yes | yes | own |
 //! | Radau5, Kvaerno 5(4) | 5 | yes | | `differential-equations` |
 //! | Rodas4 | 4 | yes | | own |
+//! | Bader-Deuflhard | varies | yes | | own |
+//! | Strang, Blanes-Moan, Kahan-Li splittings, for systems with pieces (constant step) | 2, 4, 6, 8 | | 2, 8 | own |
 //!
 //! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
 //! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
@@ -27,8 +29,11 @@
 //! gives 26 digits at any stiffness in milliseconds.
 
 mod adaptors;
+mod bader_deuflhard;
 mod classical;
 mod collocation;
+mod columns;
+mod composition;
 mod drive;
 mod ensemble;
 mod events;
@@ -47,9 +52,11 @@ mod ode;
 mod outcome;
 mod real;
 mod reference;
+mod regret;
 mod rosenbrock;
 mod span;
 mod spectral;
+mod splitting;
 mod taylor;
 mod theta;
 mod tolerance;
@@ -60,6 +67,7 @@ mod work_precision;
 
 pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family};
+pub use composition::Splitting;
 pub use ensemble::{Ensemble, LaneSeries, Members};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use failure::{Failure, Refusal};
@@ -68,11 +76,13 @@ pub use integrate::{integrate, integrate_in};
 pub use jacobian::Jacobian;
 pub use method::{MOST_STAGES, Method, Traits};
 pub use observer::{Observer, Progress, Record, Samples};
-pub use ode::{DIRECTIONS, Directions, Ode, System, Working};
+pub use ode::{DIRECTIONS, Directions, Ode, Slopes, System, Working};
 pub use outcome::{Deviation, End, Outcome, Work};
 pub use real::Real;
 pub use reference::{ENOUGH_DIGITS, Reference, reference};
+pub use regret::{Regrets, Trial, cost};
 pub use span::{Budget, Monitor, Quantity, Span};
+pub use splitting::{Composed, Pieces, compose};
 pub use taylor::{Taylor, TaylorSeries, taylor_order};
 pub use tolerance::{Absolute, Tolerance};
 pub use transition::{Transition, transition};

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::Refusal;
+use crate::{Refusal, Splitting};
 
 /// The most stages of a collocation method: tested to 30 digits up to here.
 pub const MOST_STAGES: u8 = 20;
@@ -21,6 +21,8 @@ pub enum Method {
     BackwardEuler { steps: u32 },
     /// The implicit midpoint rule with so many equal steps over the span.
     ImplicitMidpoint { steps: u32 },
+    /// Compositions of the flows of a law's pieces with so many equal steps over the span, for systems that offer them.
+    Split { splitting: Splitting, steps: u32 },
     /// Dormand-Prince 5(4), crate `ode_solvers`.
     DormandPrince5,
     /// Dormand-Prince 8(5,3), crate `ode_solvers`.
@@ -41,6 +43,8 @@ pub enum Method {
     RadauIIA { stages: u8 },
     /// Hairer and Wanner's Rosenbrock pair 4(3) with 6 stages.
     Rodas4,
+    /// Bader and Deuflhard's extrapolation of the linearly implicit midpoint rule, variable order.
+    BaderDeuflhard,
     /// Taylor's method after Jorba and Zou, for systems that offer their coefficients.
     Taylor,
 }
@@ -69,6 +73,9 @@ impl Method {
             Method::RungeKutta4 { .. } => Traits { order: Some(4), adaptive: false, ..adaptive },
             Method::BackwardEuler { .. } => Traits { order: Some(1), adaptive: false, implicit: true, ..adaptive },
             Method::ImplicitMidpoint { .. } => Traits { order: Some(2), adaptive: false, implicit: true, ..adaptive },
+            Method::Split { splitting, .. } => {
+                Traits { order: Some(splitting.order()), adaptive: false, exact: splitting.exact(), ..adaptive }
+            }
             Method::DormandPrince5 => Traits { order: Some(5), exact: false, ..adaptive },
             Method::DormandPrince8 => Traits { order: Some(8), exact: false, ..adaptive },
             Method::Verner6 => Traits { order: Some(6), exact: false, ..adaptive },
@@ -80,6 +87,7 @@ impl Method {
                 Traits { order: Some((2 * u32::from(stages)).saturating_sub(1)), implicit: true, ..adaptive }
             }
             Method::Rodas4 => Traits { order: Some(4), exact: false, implicit: true, ..adaptive },
+            Method::BaderDeuflhard => Traits { implicit: true, exact: false, ..adaptive },
             Method::Taylor => Traits { lands: false, ..adaptive },
         }
     }
@@ -90,7 +98,8 @@ impl Method {
             Method::Euler { steps }
             | Method::RungeKutta4 { steps }
             | Method::BackwardEuler { steps }
-            | Method::ImplicitMidpoint { steps } => Some(steps),
+            | Method::ImplicitMidpoint { steps }
+            | Method::Split { steps, .. } => Some(steps),
             _ => None,
         }
     }
@@ -101,7 +110,8 @@ impl Method {
             Method::Euler { steps: 0 }
             | Method::RungeKutta4 { steps: 0 }
             | Method::BackwardEuler { steps: 0 }
-            | Method::ImplicitMidpoint { steps: 0 } => Err(Refusal::Steps { given: 0 }),
+            | Method::ImplicitMidpoint { steps: 0 }
+            | Method::Split { steps: 0, .. } => Err(Refusal::Steps { given: 0 }),
             Method::Gauss { stages } | Method::RadauIIA { stages } if !(1..=MOST_STAGES).contains(&stages) => {
                 Err(Refusal::Stages { given: stages.into(), least: 1, most: MOST_STAGES.into() })
             }
@@ -110,7 +120,10 @@ impl Method {
             {
                 Err(Refusal::TooLarge { dimension, most: MOST_UNKNOWNS / usize::from(stages) })
             }
-            Method::Rodas4 | Method::BackwardEuler { .. } | Method::ImplicitMidpoint { .. }
+            Method::Rodas4
+            | Method::BaderDeuflhard
+            | Method::BackwardEuler { .. }
+            | Method::ImplicitMidpoint { .. }
                 if dimension > MOST_UNKNOWNS =>
             {
                 Err(Refusal::TooLarge { dimension, most: MOST_UNKNOWNS })
@@ -127,6 +140,7 @@ impl fmt::Display for Method {
             Method::RungeKutta4 { steps } => write!(f, "Runge-Kutta 4, {steps} steps"),
             Method::BackwardEuler { steps } => write!(f, "backward Euler, {steps} steps"),
             Method::ImplicitMidpoint { steps } => write!(f, "implicit midpoint, {steps} steps"),
+            Method::Split { splitting, steps } => write!(f, "{} splitting, {steps} steps", splitting.name()),
             Method::DormandPrince5 => write!(f, "Dormand-Prince 5(4)"),
             Method::DormandPrince8 => write!(f, "Dormand-Prince 8(5,3)"),
             Method::Verner6 => write!(f, "Verner 6(5)"),
@@ -137,6 +151,7 @@ impl fmt::Display for Method {
             Method::Gauss { stages } => write!(f, "Gauss, {stages} stages"),
             Method::RadauIIA { stages } => write!(f, "Radau IIA, {stages} stages"),
             Method::Rodas4 => write!(f, "Rodas4"),
+            Method::BaderDeuflhard => write!(f, "Bader-Deuflhard"),
             Method::Taylor => write!(f, "Taylor"),
         }
     }

@@ -3,7 +3,7 @@
 use field::{DoubleDouble, Scalar};
 use num_dual::DualSVec64;
 
-use crate::{HeldSystem, TaylorSeries, held::Held};
+use crate::{Composed, HeldSystem, Splitting, TaylorSeries, held::Held};
 
 /// How many columns of a Jacobian one evaluation gives.
 pub const DIRECTIONS: usize = 8;
@@ -35,10 +35,31 @@ pub trait System: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {
         None
     }
 
+    /// The law's Jacobian as code of its own, where there is one; otherwise the law is run over [`Directions`].
+    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+        None
+    }
+
     /// A source of Taylor coefficients in double-double, where there is one.
     fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         None
     }
+
+    /// The flows of the law's pieces composed in `f64`, where the law has pieces.
+    fn composed(&self, _splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
+        None
+    }
+
+    /// The flows of the law's pieces composed in double-double, where the law has pieces.
+    fn composed_exact(&self, _splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
+        None
+    }
+}
+
+/// The derivatives of a law that does not depend on time.
+pub trait Slopes {
+    /// `matrix[i * n + j]` = df_i / dy_j at y. Must not allocate.
+    fn matrix(&mut self, y: &[f64], matrix: &mut [f64]);
 }
 
 /// A field in which a [`System`] can be integrated.
@@ -51,6 +72,9 @@ pub trait Working: crate::Real {
 
     /// The system's source of Taylor coefficients in this field.
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<Self> + '_>>;
+
+    /// The system's pieces composed in this field.
+    fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<Self> + '_>>;
 }
 
 impl Working for f64 {
@@ -65,6 +89,10 @@ impl Working for f64 {
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         system.taylor()
     }
+
+    fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
+        system.composed(splitting)
+    }
 }
 
 impl Working for DoubleDouble {
@@ -78,5 +106,9 @@ impl Working for DoubleDouble {
 
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         system.taylor_exact()
+    }
+
+    fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
+        system.composed_exact(splitting)
     }
 }

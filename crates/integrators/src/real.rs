@@ -10,6 +10,9 @@ pub trait Real: Analytic + Base + Over<f64> + PartialOrd {
     /// The nearest `f64`: for norms, step sizes and reports.
     fn approx(self) -> f64;
 
+    /// e^x.
+    fn exp(self) -> Self;
+
     /// |x|.
     fn magnitude(self) -> Self {
         if self < Self::zero() { -self } else { self }
@@ -28,6 +31,11 @@ impl Real for f64 {
     fn approx(self) -> f64 {
         self
     }
+
+    #[inline]
+    fn exp(self) -> Self {
+        f64::exp(self)
+    }
 }
 
 impl Real for DoubleDouble {
@@ -36,5 +44,9 @@ impl Real for DoubleDouble {
     #[inline]
     fn approx(self) -> f64 {
         self.hi()
+    }
+
+    fn exp(self) -> Self {
+        num_traits::Float::exp(self)
     }
 }

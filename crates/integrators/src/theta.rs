@@ -4,12 +4,12 @@
 //! * backward Euler, c = 1: order 1, L-stable;
 //! * the implicit midpoint rule, c = 1/2: order 2, A-stable, symmetric, symplectic (Gauss with one stage).
 
+use crate::Real;
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::jacobian::Jacobian;
 use crate::lu::Lu;
 use crate::meter::Meter;
 use crate::newton::Newton;
-use crate::{Directions, Ode, Real};
 
 pub(crate) struct Theta<'a, S> {
     pub step: S,
@@ -25,11 +25,11 @@ pub(crate) struct Theta<'a, S> {
 }
 
 impl<'a, S: Real> Theta<'a, S> {
-    pub fn new(step: S, node: S, law: &'a dyn Ode<Directions>, dimension: usize) -> Self {
+    pub fn new(step: S, node: S, jacobian: Jacobian<'a>, dimension: usize) -> Self {
         Theta {
             step,
             node,
-            jacobian: Jacobian::new(law),
+            jacobian,
             matrix: vec![0.0; dimension * dimension],
             lu: Lu::new(dimension),
             stage: vec![S::zero(); dimension],

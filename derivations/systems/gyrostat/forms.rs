@@ -10,6 +10,7 @@
 //! and for both A' (l.w' + phi'') = M. The second divides by D = 1 - A' l.(A*^-1 l).
 
 use super::Gyrostat;
+use super::momenta::Momenta;
 use super::tensors::Principal;
 use field::{Base, Over, Scalar};
 use nalgebra::{Matrix3, Vector3};
@@ -27,6 +28,9 @@ pub trait Form<P: Base> {
 
     /// T - Ge.v, the mechanical energy.
     fn energy<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> S;
+
+    /// The same energy in the momenta; `kept`: of a rotor that is kept at its speed.
+    fn momenta(&self, kept: bool) -> Momenta<P>;
 }
 
 /// What both forms hold, in their own axes.
@@ -121,6 +125,13 @@ impl<P: Base> Form<P> for FirstForm<P> {
         let own = w.dot(&w.component_mul(&self.data.moments.map(S::lift)));
         (own + S::lift(self.data.axial) * absolute_spin * absolute_spin).half() - self.data.weight.map(S::lift).dot(&v)
     }
+
+    /// Kept: A*^-1 = A^-1 - n n^T / (1/A' + l.n) with n = A^-1 l (Sherman and Morrison).
+    fn momenta(&self, kept: bool) -> Momenta<P> {
+        let Data { mobility, axis, axial, weight, .. } = self.data;
+        let oblique = axis.component_mul(&mobility);
+        Momenta { mobility, oblique, share: if kept { -self.reaction } else { P::zero() }, axis, axial, weight }
+    }
 }
 
 impl<P: Base> Form<P> for SecondForm<P> {
@@ -152,6 +163,13 @@ impl<P: Base> Form<P> for SecondForm<P> {
         let axial = S::lift(self.data.axial);
         let mixed = axial * rotor_speed * w.dot(&self.data.axis.map(S::lift));
         (own + axial * rotor_speed * rotor_speed).half() + mixed - self.data.weight.map(S::lift).dot(&v)
+    }
+
+    /// Free: A^-1 = A*^-1 + (A'/D) n n^T with n = A*^-1 l (Sherman and Morrison).
+    fn momenta(&self, kept: bool) -> Momenta<P> {
+        let Data { mobility, axis, axial, weight, .. } = self.data;
+        let share = if kept { P::zero() } else { axial * self.inverse_d };
+        Momenta { mobility, oblique: self.response, share, axis, axial, weight }
     }
 }
 

@@ -7,7 +7,9 @@
 //! * [`tensors`]: the two inertia tensors A and A*, principal axes, the weight;
 //! * [`forms`]: the equations solved for the accelerations, in the axes of A and of A*: what runs.
 //! * [`stationary`], [`cone`]: the conditions of rotations about the vertical, and the line of their axes on the sphere;
-//! * [`driven`]: a form with a motor, as the system of first-order equations that is integrated.
+//! * [`driven`]: a form with a motor, as the system of first-order equations that is integrated;
+//! * [`momenta`]: the same in the momenta, split into flows that are known;
+//! * [`lagrange`]: the symmetric top in closed form.
 //!
 //! Conventions: components in axes fixed in the carrier with origin O; w its angular velocity, v the unit vector of the
 //! vertical *downwards*, l the unit vector of the rotor's axis, phi' the rotor's speed relative to the carrier, M the
@@ -21,6 +23,8 @@ pub mod bodies;
 pub mod cone;
 pub mod driven;
 pub mod forms;
+pub mod lagrange;
+pub mod momenta;
 pub mod routes;
 pub mod stationary;
 pub mod tensors;

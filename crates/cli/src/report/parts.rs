@@ -7,7 +7,7 @@ use crate::ledger;
 use crate::pictures;
 use crate::rough;
 use crate::sphere;
-use crate::studies::{Drive, Gains};
+use crate::studies::{Drive, Endurance, Gains, atlas};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Verdict};
 use derivations::scene::AnyScene;
@@ -26,6 +26,7 @@ pub struct Parts {
     spheres: Option<Vec<Sphere>>,
     gains: Gains,
     drive: Drive,
+    endurance: Endurance,
 }
 
 impl Parts {
@@ -41,6 +42,7 @@ impl Parts {
             spheres: None,
             gains: Gains::default(),
             drive: Drive::default(),
+            endurance: Endurance::default(),
         }
     }
 
@@ -58,6 +60,7 @@ impl Parts {
         }
         self.gains.enlist(&mut crew);
         self.drive.enlist(&mut crew);
+        self.endurance.enlist(&mut crew);
         crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
@@ -96,6 +99,12 @@ impl Parts {
     pub fn report(self, folder: &Path) -> Report {
         let mut report = titled("dalembert", SUMMARY);
         let mut digits = f64::INFINITY;
+        let atlas = {
+            let prepared = self.prepared.iter().flatten().flatten();
+            let measured: Vec<_> =
+                prepared.filter_map(|one| Some((one.section.title.as_str(), one.measured.as_ref().ok()?))).collect();
+            atlas::study(&measured)
+        };
         for Prepared { mut section, measured, .. } in self.prepared.into_iter().flatten().flatten() {
             match measured {
                 Ok(measured) => {
@@ -116,7 +125,7 @@ impl Parts {
         report.approximations = self.approximations.into_iter().collect();
         report.friction = self.friction.unwrap_or_default();
         report.spheres = self.spheres.unwrap_or_default();
-        report.studies = vec![self.gains.study(), self.drive.study()];
+        report.studies = vec![atlas, self.gains.study(), self.drive.study(), self.endurance.study()];
         match timings::read(folder) {
             Ok(timings) => report.timings = vec![timings],
             Err(reason) => report.timings_missing = reason,

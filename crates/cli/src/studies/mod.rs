@@ -1,10 +1,13 @@
-//! Studies in the report: gains and treatments of stabilised constraints, and the electromechanical drive.
+//! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs.
 
+pub mod atlas;
 mod drive;
+mod endurance;
 mod gains;
 mod treatments;
 
 pub use drive::Drive;
+pub use endurance::Endurance;
 pub use gains::Gains;
 
 use charts::AreaCurve;

@@ -18,7 +18,7 @@ use crate::drive::first_step;
 use crate::jacobian::Jacobian;
 use crate::meter::Meter;
 use crate::watch::Watch;
-use crate::{Directions, Failure, Ode, Outcome, Refusal, Tolerance};
+use crate::{Failure, Outcome, Refusal, System, Tolerance};
 
 /// Which of the crate's methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +38,7 @@ const MOST_REJECTIONS: u32 = 60;
 /// Runs one method to the end of the span, or to its failure.
 pub(crate) fn run(
     choice: Choice,
-    law: &dyn Ode<Directions>,
+    system: &dyn System,
     tolerance: &Tolerance,
     meter: &Meter<f64>,
     watch: Watch<'_, '_, f64>,
@@ -46,7 +46,7 @@ pub(crate) fn run(
     macro_rules! dispatch {
         ($($n:literal)*) => {
             match meter.dimension() {
-                $(0..=$n => in_size::<$n>(choice, law, tolerance, meter, watch),)*
+                $(0..=$n => in_size::<$n>(choice, system, tolerance, meter, watch),)*
                 dimension => watch.fail(Failure::Refused(Refusal::TooLarge { dimension, most: MOST }), meter),
             }
         };
@@ -83,13 +83,13 @@ impl<const N: usize> ODE<f64, [f64; N]> for Law<'_, N> {
 
 fn in_size<const N: usize>(
     choice: Choice,
-    law: &dyn Ode<Directions>,
+    system: &dyn System,
     tolerance: &Tolerance,
     meter: &Meter<f64>,
     mut watch: Watch<'_, '_, f64>,
 ) -> Outcome<f64> {
     let n = meter.dimension();
-    let law = Law::<N> { meter, jacobian: RefCell::new((Jacobian::new(law), vec![0.0; n * n])) };
+    let law = Law::<N> { meter, jacobian: RefCell::new((Jacobian::of(system), vec![0.0; n * n])) };
     let relative = [tolerance.relative; N];
     let absolute: [f64; N] = std::array::from_fn(|i| if i < n { tolerance.absolute(i) } else { 1.0 });
     let finest = absolute.iter().copied().fold(1.0, f64::min);

@@ -20,6 +20,7 @@ mod projected;
 use crate::collocation::Family;
 use crate::drive::drive;
 use crate::integrate::{constant, refused};
+use crate::jacobian::Jacobian;
 use crate::meter::Meter;
 use crate::watch::Watch;
 use crate::{Directions, MOST_STAGES, Method, Observer, Ode, Outcome, Refusal, Span, System, Working};
@@ -160,7 +161,7 @@ pub fn integrate_projected<S: Working>(
         return refused(span, refusal);
     }
     let (meter, watch) = (Meter::new(law, span), Watch::new(span, observer));
-    match constant(system, method, watch.length(), n) {
+    match constant(|| Jacobian::of(system), method, watch.length(), n) {
         Some(inner) => drive(&mut Projected::new(inner, Onto::new(S::held(held), held)), 0.0, &meter, watch),
         None => refused(span, Refusal::FollowsTolerance),
     }

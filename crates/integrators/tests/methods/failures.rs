@@ -8,8 +8,9 @@ use integrators::{Absolute, Failure, Method, Outcome, Record, Refusal, Span, Sys
 const EXPLICIT: [Method; 5] =
     [Method::DormandPrince5, Method::DormandPrince8, Method::Verner6, Method::Verner9, Method::GraggBulirschStoer];
 
-const ADAPTIVE: [Method; 10] = [
+const ADAPTIVE: [Method; 11] = [
     Method::Rodas4,
+    Method::BaderDeuflhard,
     Method::DormandPrince5,
     Method::DormandPrince8,
     Method::Verner6,

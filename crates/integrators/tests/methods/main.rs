@@ -9,4 +9,6 @@ mod observing;
 mod orders;
 mod problems;
 mod references;
+mod regret;
+mod splittings;
 mod taylor;

@@ -1,6 +1,6 @@
 //! Every method converges as its theory says, on nonlinear problems.
 
-use crate::problems::{Drive, Kaps, Kepler, distance};
+use crate::problems::{Drive, Kaps, Kepler, ProtheroRobinson, distance};
 use field::DoubleDouble;
 use integrators::{Method, Span, Tolerance, Work, Working, integrate, integrate_in};
 
@@ -78,8 +78,9 @@ fn collocation_has_order_2s_or_one_less() {
 }
 
 /// All methods that follow a tolerance, but Taylor's, which needs a series.
-const ADAPTIVE: [Method; 11] = [
+const ADAPTIVE: [Method; 12] = [
     Method::Rodas4,
+    Method::BaderDeuflhard,
     Method::DormandPrince5,
     Method::DormandPrince8,
     Method::Verner6,
@@ -125,6 +126,31 @@ fn implicit_methods_follow_a_stiff_problem_with_few_steps() {
         assert!(outcome.reached() && outcome.work.steps < 1000, "{method}: {:?} {}", outcome.failure(), outcome.work);
         // the solution has fallen to e^-5, the tolerance is absolute
         assert!(error < 5e-4, "{method}: {error:.1e}");
+    }
+}
+
+/// Where the order of the stages is all that is left, the smooth solution is followed still, in few steps.
+#[test]
+fn implicit_methods_follow_prothero_and_robinson_at_any_stiffness() {
+    for method in ADAPTIVE.into_iter().filter(|method| method.traits().implicit) {
+        for rate in [1e2, 1e4, 1e6, 1e9] {
+            let span = Span::new(0.0, 5.0, &[1.0]).with_evaluations(100_000);
+            let outcome = integrate(&ProtheroRobinson { rate }, method, &Tolerance::both(1e-8), &span, &mut ());
+            let error = (outcome.state[0] - 5.0_f64.cos()).abs();
+            assert!(outcome.reached(), "{method} at {rate:e}: {:?} {}", outcome.failure(), outcome.work);
+            assert!(error < 1e-6, "{method} at {rate:e}: {error:.1e} with {}", outcome.work);
+        }
+    }
+}
+
+/// Without df/dt in its first substep the rule loses the even powers: 815 steps at a rate of 1e4.
+#[test]
+fn extrapolation_takes_few_steps_where_a_stiff_law_is_driven_by_time() {
+    for rate in [1e2, 1e4, 1e6, 1e9] {
+        let span = Span::new(0.0, 5.0, &[1.0]);
+        let tolerance = Tolerance::both(1e-8);
+        let outcome = integrate(&ProtheroRobinson { rate }, Method::BaderDeuflhard, &tolerance, &span, &mut ());
+        assert!(outcome.reached() && outcome.work.steps < 100, "at {rate:e}: {}", outcome.work);
     }
 }
 

@@ -90,6 +90,24 @@ impl Kaps {
     }
 }
 
+/// Prothero and Robinson's problem: y' = -rate (y - cos t) - sin t, solved by y = cos t at any rate.
+pub struct ProtheroRobinson {
+    pub rate: f64,
+}
+
+impl<S: Over<f64> + Analytic> Ode<S> for ProtheroRobinson {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        let point = t.circle();
+        dy[0] = -S::lift(self.rate) * (y[0] - point.cos) - point.sin;
+    }
+}
+
+impl System for ProtheroRobinson {}
+
 /// y' = y^2 from y(0) = 1: 1 / (1 - t), infinite at t = 1.
 pub struct Explosion;
 

@@ -5,7 +5,7 @@ use super::fused::{Fused, Task};
 use super::layout::{CHAINS, Lanes, Layout, MOST, Rows, width};
 use super::order::add;
 use super::pick::{Columns, Pick};
-use crate::tape::Program;
+use crate::tape::{Program, Tape};
 
 /// A recurrence over a field, with room for the series of all its quantities: expanding allocates nothing.
 ///
@@ -57,14 +57,18 @@ impl Recurrence {
             series: vec![S::zero(); width * (order + 1)],
             width,
             reciprocals: std::iter::once(S::zero()).chain((1..=order as i64 + 1).map(|k| S::ratio(1, k))).collect(),
-            points: self.points.over(),
+            points: program(&self.points),
             inputs: vec![S::zero(); inputs + parameters.len()],
             circle: vec![S::zero(); self.plan.moving - inputs],
-            coefficients: self.coefficients.over(),
+            coefficients: program(&self.coefficients),
         };
         expansion.set_parameters(parameters);
         Some(expansion)
     }
+}
+
+fn program<S: Fused>(tape: &Tape) -> Program<'_, S> {
+    if S::FINER { tape.over() } else { tape.over_rounded() }
 }
 
 impl<S: Fused, const W: usize, const N: usize> Expansion<'_, S, W, N> {

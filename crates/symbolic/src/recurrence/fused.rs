@@ -3,10 +3,13 @@
 #[cfg(target_arch = "x86_64")]
 use super::pick::Permuting;
 use super::pick::{OneByOne, Pick};
-use field::{Analytic, DoubleDouble};
+use field::{Analytic, DoubleDouble, Over};
 
 /// A field with a product added to a sum as fast as the processor can.
-pub trait Fused: Analytic {
+pub trait Fused: Analytic + Over<f64> {
+    /// Whether it holds more digits than `f64`.
+    const FINER: bool = false;
+
     /// self + a b, rounded once or twice.
     #[inline(always)]
     fn plus_product(self, a: Self, b: Self, _fused: bool) -> Self {
@@ -27,7 +30,9 @@ pub(super) trait Task<S> {
     fn run<P: Pick<S>>(self, pick: P);
 }
 
-impl Fused for DoubleDouble {}
+impl Fused for DoubleDouble {
+    const FINER: bool = true;
+}
 
 /// A number with its derivatives in D directions: the series of a solution and of how it depends on its beginning.
 impl<const D: usize> Fused for num_dual::DualSVec64<D> {}

@@ -2,9 +2,11 @@
 
 mod record;
 mod run;
+mod source;
 
 pub use record::Untapeable;
 pub use run::Program;
+pub use source::{Language, Source};
 
 use field::Rational;
 
@@ -16,6 +18,8 @@ use field::Rational;
 pub struct Tape {
     inputs: usize,
     constants: Vec<Rational>,
+    /// The same to the nearest `f64`.
+    rounded: Vec<f64>,
     operations: Vec<Operation>,
     outputs: Vec<Register>,
     registers: usize,

@@ -2,6 +2,7 @@
 
 use super::{Operation, Register, Tape};
 use crate::Sym;
+use crate::evaluate::constant;
 use crate::graph::Node;
 use field::{Analytic, Rational};
 use rustc_hash::FxHashMap;
@@ -208,6 +209,7 @@ impl Recorder {
             operations.push(operation);
         }
         let outputs = outputs.iter().map(|&place| register(place, &register_of)).collect();
-        Tape { inputs, constants: self.constants, operations, outputs, registers }
+        let rounded = self.constants.iter().map(|value| constant(*value)).collect();
+        Tape { inputs, constants: self.constants, rounded, operations, outputs, registers }
     }
 }

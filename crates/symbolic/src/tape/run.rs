@@ -2,7 +2,7 @@
 
 use super::{Operation, Tape};
 use crate::evaluate::constant;
-use field::Analytic;
+use field::{Analytic, Over};
 
 /// A tape over a field, with its registers: evaluation allocates nothing.
 #[derive(Clone, Debug)]
@@ -17,6 +17,15 @@ impl Tape {
         let mut registers = vec![S::zero(); self.registers];
         for (register, value) in registers[self.inputs..].iter_mut().zip(&self.constants) {
             *register = constant(*value);
+        }
+        Program { tape: self, registers }
+    }
+
+    /// The program over a field that is no finer than `f64`: its constants need not be computed again.
+    pub fn over_rounded<S: Analytic + Over<f64>>(&self) -> Program<'_, S> {
+        let mut registers = vec![S::zero(); self.registers];
+        for (register, value) in registers[self.inputs..].iter_mut().zip(&self.rounded) {
+            *register = S::lift(*value);
         }
         Program { tape: self, registers }
     }

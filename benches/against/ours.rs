@@ -1,0 +1,80 @@
+//! Our side of the comparison with other tools, driven by `compare.py`: one scene, one line a run.
+//!
+//! `cargo bench --bench against -- SCENE.toml` prints the reference, then answers `METHOD TOLERANCE` by the nanoseconds of
+//! one run and its last state, and `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds.
+
+use derivations::scene::{Axes, Family, Scene, methods};
+use integrators::{Directions, Jacobian, Ode, Span, System, Tolerance, integrate, reference};
+use std::error::Error;
+use std::hint::black_box;
+use std::io::{self, BufRead, Write};
+use std::path::Path;
+use std::time::Instant;
+
+const AXES: Axes = Axes::Second;
+const CALLS: u32 = 20_000;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let Some(path) = std::env::args().skip(1).find(|argument| argument.ends_with(".toml")) else {
+        println!("a scene is needed: cargo bench --bench against -- benches/against/six_bars.toml");
+        return Ok(());
+    };
+    let scene = Scene::open(Path::new(&path)).map_err(|error| error.render(false))?;
+    let begin = Instant::now();
+    let problem = scene.problem(AXES);
+    let law: &dyn System = &*problem.law;
+    black_box(law.slopes().is_some());
+    let setup = begin.elapsed().as_nanos();
+    let span = Span::new(0.0, scene.run.span, &problem.state);
+    let exact = reference(law, &span)?;
+    let row = |state: &mut dyn Iterator<Item = f64>| state.map(|y| format!("{y:?}")).collect::<Vec<_>>().join(" ");
+    println!("{:.1}", exact.digits);
+    println!("{}", row(&mut exact.states.iter().flatten().map(|y| y.hi())));
+    println!("{}", row(&mut exact.sizes.iter().copied()));
+    println!("{}", row(&mut problem.state.iter().copied()));
+    for line in io::stdin().lock().lines() {
+        let line = line?;
+        match line.split_once(' ') {
+            Some((name, tolerance)) => {
+                let method = methods::method(name).map_err(|(wrong, accepted)| format!("{wrong}; {accepted}"))?;
+                let tolerance = Tolerance::both(tolerance.parse()?);
+                let begin = Instant::now();
+                let outcome = integrate(law, method, &tolerance, &span, &mut ());
+                let took = begin.elapsed().as_nanos();
+                let state = if outcome.reached() { row(&mut outcome.state.into_iter()) } else { String::new() };
+                println!("{took} {state}");
+            }
+            None if line == "setup" => println!("{setup}"),
+            None => println!("{}", evaluations(law, &problem.state, &line)?),
+        }
+        io::stdout().flush()?;
+    }
+    Ok(())
+}
+
+/// Nanoseconds of one evaluation; each depends on the one before.
+fn evaluations(law: &dyn System, start: &[f64], what: &str) -> Result<f64, String> {
+    let n = start.len();
+    let (mut y, mut rates, mut matrix) = (start.to_vec(), vec![0.0; n], vec![0.0; n * n]);
+    let dual: &dyn Ode<Directions> = law;
+    let mut jacobian = match what {
+        "rates" | "jacobian" => Jacobian::of(law),
+        "num-dual" => Jacobian::new(dual),
+        _ => {
+            return Err(format!(
+                "`{what}` is not known: setup, rates, jacobian, num-dual, or a method and a tolerance"
+            ));
+        }
+    };
+    let begin = Instant::now();
+    for _ in 0..CALLS {
+        if what == "rates" {
+            Ode::<f64>::rates(law, 0.0, &y, &mut rates);
+            y[0] = start[0] + 1e-15 * rates[0];
+        } else {
+            jacobian.matrix(0.0, &y, &mut matrix);
+            y[0] = start[0] + 1e-15 * matrix[1];
+        }
+    }
+    Ok(begin.elapsed().as_secs_f64() * 1e9 / f64::from(CALLS))
+}

@@ -1,0 +1,102 @@
+//! Long runs: how errors grow with the number of revolutions.
+
+use super::extent;
+use crate::crew::Crew;
+use charts::{AreaCurve, Areas, Study, Table, significant};
+use derivations::long_runs::{Course, LongRun, PACES, Sample};
+
+/// In the report; `cargo bench --bench long_runs` goes on to a million.
+const REVOLUTIONS: u32 = 2_000;
+
+/// Below this an error is shown as this: rounding.
+const FLOOR: f64 = 1e-17;
+
+/// The course of each method, computed by itself.
+#[derive(Default)]
+pub struct Endurance {
+    courses: [Option<Option<Course>>; PACES.len()],
+}
+
+impl Endurance {
+    /// All of it.
+    pub fn enlist<'s>(&'s mut self, crew: &mut Crew<'s>) {
+        for (place, pace) in self.courses.iter_mut().zip(PACES) {
+            crew.add(1.2, place, move || LongRun::new().map(|run| run.course(pace, REVOLUTIONS)));
+        }
+    }
+
+    /// All of it, for the page.
+    pub fn study(self) -> Study {
+        let courses: Vec<Course> = self.courses.into_iter().flatten().flatten().collect();
+        let mut study = Study {
+            id: "long-runs".into(),
+            title: "Long runs".into(),
+            lead: r"A heavy symmetric top with a free rotor, whose nutation is known in closed form: $u=\nu\cdot l=u_3-(u_3-u_2)\,\mathrm{sn}^2$. What is left of the exact motion after $n$ periods and a quarter, by methods that take about 320 evaluations of the law, or flows of all pieces, for a period. The splitting methods turn $\nu$ and $x$ by exact rotations, so that $|\nu|$ and $x\cdot\nu$ err by rounding alone.".into(),
+            note: r"Theory, for order $p$ and $n$ revolutions: any method loses the energy as $h^pn$ and, since the frequency goes with the energy, the phase as $h^pn^2$; a splitting keeps an energy near the true one, so that the error of the energy is bounded and that of the phase grows as $h^pn$; what rounding adds to an invariant walks at random, $\sqrt n$. The exponents of the table are measured between a hundredth of the run and its end, or the loss of the phase. The implicit midpoint rule keeps quadratic invariants but for the tolerance of its iteration, whose rest has a direction. A million revolutions: cargo bench --bench long_runs.".into(),
+            ..Study::default()
+        };
+        if courses.is_empty() {
+            study.note = "The top has no nutation.".into();
+            return study;
+        }
+        study.pictures = vec![
+            picture(&courses, "Energy", "log₁₀ of the relative error", |sample| Some(sample.energy)),
+            picture(&courses, "Length of the vertical", "log₁₀ of |ν² − 1|", |sample| Some(sample.length)),
+            picture(&courses, "Phase", "log₁₀ of the error, revolutions", |sample| sample.phase),
+        ];
+        study.tables.push(table(&courses));
+        study
+    }
+}
+
+/// Decades over decades.
+fn picture(courses: &[Course], title: &str, label: &str, of: impl Fn(&Sample) -> Option<f64>) -> Areas {
+    let curve = |course: &Course| {
+        let point = |sample: &Sample| Some((sample.revolutions.log10(), of(sample)?.max(FLOOR).log10()));
+        AreaCurve { name: name(course), points: course.samples.iter().filter_map(point).collect() }
+    };
+    let curves: Vec<AreaCurve> = courses.iter().map(curve).collect();
+    Areas {
+        title: title.into(),
+        x: ("log₁₀ of the revolutions".into(), [0.0, f64::from(REVOLUTIONS).log10() + 0.1]),
+        y: (label.into(), extent(&curves, |point| point.1)),
+        curves,
+        ..Areas::default()
+    }
+}
+
+fn name(course: &Course) -> String {
+    if course.method.traits().adaptive {
+        return format!("{}, tolerance {:e}", course.method, course.tolerance);
+    }
+    crate::pictures::family(course.method)
+}
+
+/// Errors at the end, with the exponents of their growth.
+fn table(courses: &[Course]) -> Table {
+    let head = [
+        "Method",
+        "Steps",
+        "Error of the energy",
+        "as n to the",
+        "of ν²",
+        "as n to the",
+        "of the phase",
+        "as n to the",
+    ];
+    let row = |course: &Course| {
+        let mut cells = vec![name(course), course.work.steps.to_string()];
+        if let Some(failure) = course.failure {
+            cells.push(failure.to_string());
+            return cells;
+        }
+        for of in [|s: &Sample| Some(s.energy), |s: &Sample| Some(s.length), |s: &Sample| s.phase] {
+            let last = course.samples.last().and_then(of);
+            cells.push(last.map_or_else(|| "lost".into(), |error| significant(error, 2)));
+            cells.push(course.growth(of).map_or_else(String::new, |growth| format!("{growth:.1}")));
+        }
+        cells
+    };
+    let caption = format!("After {REVOLUTIONS} revolutions");
+    Table { caption, head: head.map(String::from).into(), rows: courses.iter().map(row).collect() }
+}

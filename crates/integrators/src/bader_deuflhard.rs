@@ -1,0 +1,227 @@
+//! Bader-Deuflhard: extrapolation of the linearly implicit midpoint rule, variable order and step, for stiff laws.
+//!
+//! No Newton iteration: with J = df/dy and f_t = df/dt at the step's start, h = H/n and z = y - y_0 the rule is
+//! (I - h J) D_0 = h f(y_0) + h^2 f_t,  D_k = D_{k-1} + 2 (I - h J)^-1 (h f(y_k) - D_{k-1}),  z_{k+1} = z_k + D_k,
+//! with the smoothing T = z_n + (I - h J)^-1 (h f(y_n) - D_{n-1}) at its end. Its error has an expansion in even powers
+//! of h (Bader and Deuflhard, Numer. Math. 41, 1983), extrapolated over n_j = 2, 6, 10, 14, 22, 34, 50, 70; the odd
+//! halves of these damp what is stiff with one sign in every row. The smoothing adds h^2 y''/2, however short the way:
+//! k rows are of order 2 k - 1. One Jacobian a step, one factorisation a row.
+//! Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.9. The only crate with it is not looked after.
+
+use crate::Tolerance;
+use crate::columns::Columns;
+use crate::drive::{Attempt, Cause, Stepper};
+use crate::jacobian::Jacobian;
+use crate::lu::Lu;
+use crate::meter::Meter;
+
+/// n_j.
+const SUBSTEPS: [usize; 8] = [2, 6, 10, 14, 22, 34, 50, 70];
+/// The work of a Jacobian and of a factorisation, in substeps: as measured with 15 states.
+const JACOBIAN: f64 = 5.0;
+const FACTORISATION: f64 = 4.0;
+
+pub(crate) struct BaderDeuflhard<'a> {
+    tolerance: Tolerance,
+    columns: Columns,
+    /// 1 / ((n_j / n_{j-k})^2 - 1), by row and k.
+    factors: Vec<Vec<f64>>,
+    /// The last row of the table, T_{j,1} .., less y_0: so that the sums of small steps keep their digits.
+    table: Vec<Vec<f64>>,
+    jacobian: Jacobian<'a>,
+    /// J, f_t and f at the step's start, kept over rejections.
+    matrix: Vec<f64>,
+    drift: Vec<f64>,
+    first_slope: Vec<f64>,
+    linear_at: Option<f64>,
+    lu: Lu,
+    y: Vec<f64>,
+    /// z_k and D_k.
+    z: Vec<f64>,
+    difference: Vec<f64>,
+    change: Vec<f64>,
+}
+
+impl<'a> BaderDeuflhard<'a> {
+    pub fn new(jacobian: Jacobian<'a>, tolerance: &Tolerance, dimension: usize) -> Self {
+        let zeros = || vec![0.0; dimension];
+        let row = |j: usize| FACTORISATION + (SUBSTEPS[j] + 1) as f64;
+        let costs = (0..SUBSTEPS.len()).map(|j| JACOBIAN + (0..=j).map(row).sum::<f64>()).collect();
+        let factor = |j: usize, k: usize| 1.0 / ((SUBSTEPS[j] as f64 / SUBSTEPS[j - k] as f64).powi(2) - 1.0);
+        let guess = (-0.6 * tolerance.relative.log10() + 1.5) as usize;
+        BaderDeuflhard {
+            tolerance: tolerance.clone(),
+            columns: Columns::new(SUBSTEPS.to_vec(), costs, guess).damped(),
+            factors: (0..SUBSTEPS.len()).map(|j| (1..=j).map(|k| factor(j, k)).collect()).collect(),
+            table: SUBSTEPS.map(|_| zeros()).to_vec(),
+            jacobian,
+            matrix: vec![0.0; dimension * dimension],
+            drift: zeros(),
+            first_slope: zeros(),
+            linear_at: None,
+            lu: Lu::new(dimension),
+            y: zeros(),
+            z: zeros(),
+            difference: zeros(),
+            change: zeros(),
+        }
+    }
+
+    /// The order at which the first step will be tried.
+    pub fn first_order(&self) -> u32 {
+        self.columns.order()
+    }
+
+    /// J, f_t and f at the start of a step.
+    fn linearise(&mut self, tau: f64, y: &[f64], meter: &Meter<f64>) {
+        let t = meter.time(tau);
+        self.jacobian.matrix(t, y, &mut self.matrix);
+        // in the run's own time f and t both change sign backwards: df/dy does, df/dt does not
+        self.matrix.iter_mut().for_each(|entry| *entry *= meter.direction);
+        self.jacobian.time_slopes(t, y, &mut self.drift);
+        meter.count_jacobian();
+        meter.rates(tau, y, &mut self.first_slope);
+        self.linear_at = Some(tau);
+    }
+
+    /// Factors of I - h J.
+    fn factorise(&mut self, h: f64, meter: &Meter<f64>) -> Result<(), Cause> {
+        let n = self.y.len();
+        for (i, (row, slopes)) in self.lu.rows().zip(self.matrix.chunks(n)).enumerate() {
+            row.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = -h * slope);
+            row[i] += 1.0;
+        }
+        meter.count_factorisation();
+        if self.lu.factorise() {
+            return Ok(());
+        }
+        let finite = self.matrix.iter().all(|entry| entry.is_finite());
+        Err(if finite { Cause::Singular } else { Cause::Undefined })
+    }
+
+    /// One row: the rule into the first column, then the extrapolations.
+    fn row(&mut self, j: usize, tau: f64, before: &[f64], step: f64, meter: &Meter<f64>) -> Result<(), Cause> {
+        let (n, substeps) = (before.len(), self.columns.substeps(j));
+        let h = step / substeps as f64;
+        self.factorise(h, meter)?;
+        for ((change, slope), drift) in self.difference.iter_mut().zip(&self.first_slope).zip(&self.drift) {
+            *change = h * slope + h * h * drift;
+        }
+        self.lu.solve(&mut self.difference);
+        self.z.copy_from_slice(&self.difference);
+        for k in 1..=substeps {
+            for ((y, start), z) in self.y.iter_mut().zip(before).zip(&self.z) {
+                *y = start + z;
+            }
+            meter.rates(tau + h * k as f64, &self.y, &mut self.change);
+            for (change, difference) in self.change.iter_mut().zip(&self.difference) {
+                *change = h * *change - difference;
+            }
+            self.lu.solve(&mut self.change);
+            if k == substeps {
+                self.z.iter_mut().zip(&self.change).for_each(|(z, change)| *z += change);
+            } else {
+                for ((z, difference), change) in self.z.iter_mut().zip(&mut self.difference).zip(&self.change) {
+                    *difference += 2.0 * change;
+                    *z += *difference;
+                }
+            }
+        }
+        for i in 0..n {
+            let mut entry = self.z[i];
+            for (column, factor) in self.table.iter_mut().zip(&self.factors[j - 1]) {
+                // the table holds T_{j-1,k} still: replaced once it was used
+                let better = entry + (entry - column[i]) * factor;
+                column[i] = entry;
+                entry = better;
+            }
+            self.table[j - 1][i] = entry;
+        }
+        Ok(())
+    }
+}
+
+impl Stepper<f64> for BaderDeuflhard<'_> {
+    fn attempt(&mut self, tau: f64, before: &[f64], step: f64, after: &mut [f64], meter: &Meter<f64>) -> Attempt {
+        if self.linear_at != Some(tau) {
+            self.linearise(tau, before, meter);
+        }
+        for j in 1..=self.columns.last() {
+            if let Err(cause) = self.row(j, tau, before, step, meter) {
+                return self.columns.fail(step, cause);
+            }
+            let best = &self.table[j - 1];
+            for ((after, before), gained) in after.iter_mut().zip(before).zip(best) {
+                *after = before + gained;
+            }
+            if j > 1 {
+                let lower = &self.table[j - 2];
+                let error = self.tolerance.norm(before, after, |i| best[i] - lower[i]);
+                if let Some(attempt) = self.columns.judge(j, error, step) {
+                    return attempt;
+                }
+            }
+        }
+        self.columns.fail(step, Cause::Error)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Ode, Span, System};
+    use field::{Over, Scalar};
+
+    /// y' = -2 t y^2 from y(0) = 1: y = 1 / (1 + t^2).
+    struct Bell;
+
+    impl<S: Over<f64> + Scalar> Ode<S> for Bell {
+        fn dimension(&self) -> usize {
+            1
+        }
+
+        fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+            dy[0] = -(t + t) * y[0] * y[0];
+        }
+    }
+
+    impl System for Bell {}
+
+    /// The error at t = 2 after so many equal steps, each with so many rows.
+    fn error(rows: usize, steps: u32, spoil: impl Fn(&mut BaderDeuflhard)) -> f64 {
+        let mut method = BaderDeuflhard::new(Jacobian::new(&Bell), &Tolerance::both(1e-2), 1);
+        spoil(&mut method);
+        let (span, step) = (Span::new(0.0, 2.0, &[1.0]), 2.0 / f64::from(steps));
+        let meter = Meter::new(&Bell, &span);
+        let mut y = [1.0];
+        for k in 0..steps {
+            let tau = step * f64::from(k);
+            method.linearise(tau, &y, &meter);
+            for j in 1..=rows {
+                assert!(method.row(j, tau, &y, step, &meter).is_ok());
+            }
+            y[0] += method.table[rows - 1][0];
+        }
+        (y[0] - 0.2).abs()
+    }
+
+    fn order(rows: usize, steps: u32, spoil: impl Fn(&mut BaderDeuflhard) + Copy) -> f64 {
+        (error(rows, steps, spoil) / error(rows, 2 * steps, spoil)).log2()
+    }
+
+    #[test]
+    fn so_many_rows_have_one_order_less_than_twice_their_number() {
+        for (rows, steps) in [(1, 512), (2, 64), (3, 32)] {
+            let (measured, theory) = (order(rows, steps, |_| ()), 2.0 * rows as f64 - 1.0);
+            assert!((measured - theory).abs() < 0.4, "{rows} rows: {measured:.2}, theory {theory}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_weight_costs_the_order() {
+        for (j, k) in [(1, 0), (2, 0), (2, 1)] {
+            let measured = order(3, 32, |method| method.factors[j][k] *= 1.001);
+            assert!(measured < 4.5, "weight {j} {k}: {measured:.2}");
+        }
+    }
+}

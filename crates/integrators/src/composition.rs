@@ -1,0 +1,159 @@
+//! Compositions of a splitting with its adjoint: coefficients, and the order in which pieces flow.
+//!
+//! Let f = f_1 + .. + f_m with flows phi_k that are known. With chi_h = phi_m(h) .. phi_1(h), of order 1, and its adjoint
+//! chi*_h = phi_1(h) .. phi_m(h), a step is
+//!
+//!   chi*(a_2s h) chi(a_2s-1 h) .. chi*(a_2 h) chi(a_1 h)   with   a_i = a_(2s+1-i), sum a_i = 1 :
+//!
+//! symmetric, so of even order, and inverted by a step of -h. Where every flow keeps something (an invariant, a bracket,
+//! the rate at which volumes shrink), so does the step. Beyond order 2 some a_i are negative (Sheng 1989, Suzuki 1991):
+//! there a step goes against friction, and what fades as exp(-r t) grows by exp(r h |b|) before it is brought back. The
+//! first piece flows for b = a_2i + a_2i+1, where most of that cancels: friction belongs there.
+
+use crate::Real;
+
+/// A composition, by inventors and order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Splitting {
+    /// chi*(h/2) chi(h/2) (Strang 1968): order 2, no negative coefficient.
+    Strang,
+    /// Order 4 with 6 stages, S6 of Blanes and Moan (2002): the first piece goes back by 0.042 of a step.
+    BlanesMoan4,
+    /// Order 6 with 10 stages, S10 of Blanes and Moan (2002): the first piece goes back by 0.726.
+    BlanesMoan6,
+    /// Order 8 with 17 stages, of Kahan and Li (1997): the first piece goes back by 0.155.
+    KahanLi8,
+}
+
+impl Splitting {
+    /// All of them, by order.
+    pub const ALL: [Splitting; 4] =
+        [Splitting::Strang, Splitting::BlanesMoan4, Splitting::BlanesMoan6, Splitting::KahanLi8];
+
+    /// The order in the step.
+    pub fn order(self) -> u32 {
+        match self {
+            Splitting::Strang => 2,
+            Splitting::BlanesMoan4 => 4,
+            Splitting::BlanesMoan6 => 6,
+            Splitting::KahanLi8 => 8,
+        }
+    }
+
+    /// s: what the first piece and the last flow in a step, and half of what those between do.
+    pub fn stages(self) -> u64 {
+        match self {
+            Splitting::Strang => 1,
+            Splitting::BlanesMoan4 => 6,
+            Splitting::BlanesMoan6 => 10,
+            Splitting::KahanLi8 => 17,
+        }
+    }
+
+    /// The inventors, with the order where they have several.
+    pub fn name(self) -> &'static str {
+        match self {
+            Splitting::Strang => "Strang",
+            Splitting::BlanesMoan4 => "Blanes-Moan 4",
+            Splitting::BlanesMoan6 => "Blanes-Moan 6",
+            Splitting::KahanLi8 => "Kahan-Li 8",
+        }
+    }
+
+    /// Whether its coefficients are known to more than double precision.
+    pub fn exact(self) -> bool {
+        matches!(self, Splitting::Strang | Splitting::KahanLi8)
+    }
+
+    /// a_1 .. a_2s.
+    pub fn coefficients<S: Real>(self) -> Vec<S> {
+        match self {
+            Splitting::Strang => vec![S::ratio(1, 2); 2],
+            Splitting::BlanesMoan4 => alternating(
+                &[0.0792036964311957, 0.353172906049774, -0.0420650803577195],
+                &[0.209515106613362, -0.143851773179818],
+            ),
+            Splitting::BlanesMoan6 => alternating(
+                &[0.0502627644003922, 0.413514300428344, 0.0450798897943977, -0.188054853819569, 0.541960678450780],
+                &[0.148816447901042, -0.132385865767784, 0.067307604692185, 0.432666402578175],
+            ),
+            Splitting::KahanLi8 => halved(&[
+                // seventeen digits, and the next ten
+                (13_020_248_308_889_008, 0.087_881_763),
+                (56_116_298_177_510_838, 0.456_196_444),
+                (-38_947_496_264_484_728, -0.640_807_861),
+                (15_884_190_655_515_560, 0.089_621_075),
+                (-39_590_389_413_323_757, -0.733_623_154),
+                (18_453_964_097_831_570, 0.709_183_254),
+                (25_837_438_768_632_204, 0.729_397_911),
+                (29_501_172_360_931_029, 0.887_096_624),
+            ]),
+        }
+    }
+
+    /// The pieces in the order in which they flow in a step, each with its share of it; of so many, at least one.
+    pub(crate) fn schedule<S: Real>(self, pieces: usize) -> Vec<(usize, S)> {
+        let mut schedule: Vec<(usize, S)> = Vec::new();
+        for (place, share) in self.coefficients::<S>().into_iter().enumerate() {
+            let turned = |k: usize| if place % 2 == 0 { k } else { pieces - 1 - k };
+            for piece in (0..pieces).map(turned) {
+                match schedule.last_mut() {
+                    Some((last, sum)) if *last == piece => *sum += share,
+                    _ => schedule.push((piece, share)),
+                }
+            }
+        }
+        schedule
+    }
+}
+
+/// From the shares of the first piece, A_1 .. A_r, and of the last, B_1 .. B_(r-1), in half a step: A_1 = a_1,
+/// B_1 = a_1 + a_2, A_2 = a_2 + a_3, ...; all B sum to one half.
+fn alternating<S: Real>(first: &[f64], last: &[f64]) -> Vec<S> {
+    let rest = last.iter().fold(S::ratio(1, 2), |rest, share| rest - S::lift(*share));
+    let last = last.iter().map(|share| S::lift(*share)).chain([rest]);
+    let shares = first.iter().zip(last).flat_map(|(a, b)| [S::lift(*a), b]);
+    let half = shares.scan(S::zero(), |before, share| {
+        *before = share - *before;
+        Some(*before)
+    });
+    mirrored(half.collect())
+}
+
+/// Symmetric steps of order 2: their shares in units of 1e-17, each with its remainder, and one in the middle.
+fn halved<S: Real>(shares: &[(i64, f64)]) -> Vec<S> {
+    let unit = S::int(100_000_000_000_000_000);
+    let shares: Vec<S> = shares.iter().map(|(whole, rest)| (S::int(*whole) + S::lift(*rest)) / unit).collect();
+    let middle = shares.iter().fold(S::ratio(1, 2), |middle, share| middle - *share);
+    mirrored(shares.into_iter().flat_map(|share| [share.half(); 2]).chain([middle]).collect())
+}
+
+fn mirrored<S: Real>(half: Vec<S>) -> Vec<S> {
+    let back: Vec<S> = half.iter().rev().copied().collect();
+    half.into_iter().chain(back).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Splitting;
+
+    #[test]
+    fn coefficients_are_symmetric_and_sum_to_one() {
+        for splitting in Splitting::ALL {
+            let a = splitting.coefficients::<f64>();
+            assert_eq!(a.len() as u64, 2 * splitting.stages());
+            assert!((a.iter().sum::<f64>() - 1.0).abs() < 1e-15, "{splitting:?}");
+            assert!(a.iter().zip(a.iter().rev()).all(|(a, b)| a == b), "{splitting:?}");
+        }
+    }
+
+    /// What the documentation promises of friction in the first piece.
+    #[test]
+    fn the_first_piece_goes_back_by_as_much_as_is_said() {
+        for (splitting, least) in Splitting::ALL.into_iter().zip([0.5, -0.042, -0.726, -0.155]) {
+            let first = splitting.schedule::<f64>(3).into_iter().filter(|(piece, _)| *piece == 0);
+            let found = first.fold(f64::INFINITY, |found, (_, share)| found.min(share));
+            assert!((found - least).abs() < 0.0006, "{splitting:?}: {found}");
+        }
+    }
+}

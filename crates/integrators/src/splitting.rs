@@ -1,0 +1,126 @@
+//! Splitting methods: a step is made of the flows of the pieces of a law.
+
+use crate::Real;
+use crate::composition::Splitting;
+use crate::drive::{Attempt, Cause, Stepper};
+use crate::meter::Meter;
+
+/// A law as a sum of fields, each with a flow that is known.
+pub trait Pieces<S> {
+    /// A state in the coordinates in which the pieces flow.
+    type Point;
+    /// What a piece wants to know of a length of time before it flows for it, again and again.
+    type Lapse;
+
+    /// How many pieces there are. In compositions of orders 4 and 8 the first goes back least: friction belongs there.
+    fn pieces(&self) -> usize;
+
+    /// From a state of the law.
+    fn enter(&self, y: &[S]) -> Self::Point;
+
+    /// To a state of the law. Must not allocate.
+    fn leave(&self, point: &Self::Point, y: &mut [S]);
+
+    /// What a piece wants to know of a length of time, which may be negative.
+    fn lapse(&self, piece: usize, length: S) -> Self::Lapse;
+
+    /// Flows; false where no point is reached. Must not allocate.
+    fn flow(&self, piece: usize, lapse: &Self::Lapse, point: &mut Self::Point) -> bool;
+}
+
+/// A composition at work, its pieces forgotten.
+pub trait Composed<S> {
+    /// The length of the steps from now on, negative for backwards.
+    fn prepare(&mut self, step: S);
+
+    /// Takes a state of the law.
+    fn enter(&mut self, y: &[S]);
+
+    /// One step; false where it leads nowhere.
+    fn advance(&mut self) -> bool;
+
+    /// The state of the law.
+    fn leave(&self, y: &mut [S]);
+}
+
+/// Composes pieces.
+pub fn compose<'a, S: Real, G: Pieces<S> + 'a>(pieces: G, splitting: Splitting) -> Box<dyn Composed<S> + 'a> {
+    let schedule = splitting.schedule(pieces.pieces());
+    Box::new(Composition { pieces, schedule, flows: Vec::new(), point: None })
+}
+
+struct Composition<S, G: Pieces<S>> {
+    pieces: G,
+    /// Which piece flows for which share of a step.
+    schedule: Vec<(usize, S)>,
+    flows: Vec<(usize, G::Lapse)>,
+    point: Option<G::Point>,
+}
+
+impl<S: Real, G: Pieces<S>> Composed<S> for Composition<S, G> {
+    fn prepare(&mut self, step: S) {
+        self.flows.clear();
+        let flow = |(piece, share): &(usize, S)| (*piece, self.pieces.lapse(*piece, *share * step));
+        self.flows.extend(self.schedule.iter().map(flow));
+    }
+
+    fn enter(&mut self, y: &[S]) {
+        self.point = Some(self.pieces.enter(y));
+    }
+
+    fn advance(&mut self) -> bool {
+        let Some(point) = &mut self.point else { return false };
+        self.flows.iter().all(|(piece, lapse)| self.pieces.flow(*piece, lapse, point))
+    }
+
+    fn leave(&self, y: &mut [S]) {
+        if let Some(point) = &self.point {
+            self.pieces.leave(point, y);
+        }
+    }
+}
+
+/// The method with a constant step. It stays in the coordinates of the pieces from step to step, so that going there
+/// and back is no source of rounding.
+pub(crate) struct Split<'a, S> {
+    composed: Box<dyn Composed<S> + 'a>,
+    stages: u64,
+    fixed: S,
+    /// What the composition is prepared for, and where it stands.
+    step: Option<S>,
+    left: Vec<S>,
+}
+
+impl<'a, S: Real> Split<'a, S> {
+    pub fn new(composed: Box<dyn Composed<S> + 'a>, splitting: Splitting, fixed: S) -> Self {
+        Split { composed, stages: splitting.stages(), fixed, step: None, left: Vec::new() }
+    }
+}
+
+impl<S: Real> Stepper<S> for Split<'_, S> {
+    fn attempt(&mut self, _tau: S, before: &[S], step: S, after: &mut [S], meter: &Meter<S>) -> Attempt {
+        let failed = |cause| Attempt::Rejected { next: 0.0, cause };
+        // a stage costs about as much as the law
+        if !meter.charge(self.stages) {
+            return failed(Cause::Error);
+        }
+        if self.step != Some(step) {
+            self.composed.prepare(step * meter.direction);
+            self.step = Some(step);
+        }
+        if self.left != before {
+            self.composed.enter(before);
+        }
+        if !self.composed.advance() {
+            return failed(Cause::Newton);
+        }
+        self.composed.leave(after);
+        self.left.clear();
+        self.left.extend_from_slice(after);
+        Attempt::Accepted { next: 0.0 }
+    }
+
+    fn fixed(&self) -> Option<S> {
+        Some(self.fixed)
+    }
+}

@@ -1,0 +1,120 @@
+//! Compositions of two and of three flows, without knowledge of a system: orders, and refusals by name.
+
+use crate::problems::{Drive, Kepler, distance};
+use field::{DoubleDouble, Over};
+use integrators::{
+    Composed, End, Failure, Method, Ode, Pieces, Real, Refusal, Span, Splitting, System, Tolerance, Working, compose,
+    integrate, integrate_in,
+};
+
+/// Kepler's problem in two pieces, the pull of the centre and the motion along straight lines; or in three, with the
+/// pull in two parts.
+struct Parted {
+    kepler: Kepler,
+    pieces: usize,
+}
+
+impl<S> Ode<S> for Parted
+where
+    S: field::Scalar,
+    Kepler: Ode<S>,
+{
+    fn dimension(&self) -> usize {
+        self.kepler.dimension()
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        self.kepler.rates(t, y, dy);
+    }
+}
+
+struct Parts(usize);
+
+impl<S: Real + Over<f64>> Pieces<S> for Parts
+where
+    Kepler: Ode<S>,
+{
+    type Point = [S; 4];
+    type Lapse = S;
+
+    fn pieces(&self) -> usize {
+        self.0
+    }
+
+    fn enter(&self, y: &[S]) -> [S; 4] {
+        [y[0], y[1], y[2], y[3]]
+    }
+
+    fn leave(&self, point: &[S; 4], y: &mut [S]) {
+        y.copy_from_slice(point);
+    }
+
+    fn lapse(&self, piece: usize, length: S) -> S {
+        // with three pieces the pull is in two unequal parts
+        match (self.0, piece) {
+            (3, 0) => length * S::ratio(1, 3),
+            (3, 2) => length * S::ratio(2, 3),
+            _ => length,
+        }
+    }
+
+    fn flow(&self, piece: usize, length: &S, point: &mut [S; 4]) -> bool {
+        let mut rates = [S::zero(); 4];
+        Kepler { eccentricity: 0.3 }.rates(S::zero(), point, &mut rates);
+        let moved = if piece == 1 { 0..2 } else { 2..4 };
+        moved.for_each(|k| point[k] += *length * rates[k]);
+        true
+    }
+}
+
+impl System for Parted {
+    fn composed(&self, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
+        Some(compose(Parts(self.pieces), splitting))
+    }
+
+    fn composed_exact(&self, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
+        Some(compose(Parts(self.pieces), splitting))
+    }
+}
+
+/// The error at t = 5 after so many steps.
+fn error<S: Working>(pieces: usize, splitting: Splitting, steps: u32) -> f64 {
+    let law = Parted { kepler: Kepler { eccentricity: 0.3 }, pieces };
+    let span = Span::new(0.0, 5.0, &law.kepler.state::<S>(0.0));
+    let method = Method::Split { splitting, steps };
+    let outcome = integrate_in(&law, method, &Tolerance::both(1e-9), &span, &mut ());
+    assert!(outcome.reached() && outcome.work.steps == u64::from(steps), "{:?}", outcome.end);
+    assert_eq!(outcome.work.rates, u64::from(steps) * splitting.stages());
+    distance(&outcome.state, &law.kepler.state::<S>(5.0))
+}
+
+#[test]
+fn compositions_of_two_and_of_three_flows_have_their_order() {
+    for pieces in [2, 3] {
+        for (splitting, steps) in Splitting::ALL.into_iter().zip([1000, 200, 100]) {
+            let order = (error::<f64>(pieces, splitting, steps) / error::<f64>(pieces, splitting, 2 * steps)).log2();
+            let theory = f64::from(splitting.order());
+            assert!((order - theory).abs() < 0.3, "{splitting:?} of {pieces} pieces: {order:.2}");
+        }
+    }
+}
+
+/// Its coefficients are given to 25 digits: the order goes on where double precision has long ended.
+#[test]
+fn order_8_holds_down_to_19_digits() {
+    for pieces in [2, 3] {
+        let error = |steps| error::<DoubleDouble>(pieces, Splitting::KahanLi8, steps);
+        let (coarse, fine) = (error(2000), error(4000));
+        let order = (coarse / fine).log2();
+        assert!(fine < 1e-19 && (order - 8.0).abs() < 0.1, "{pieces} pieces: {coarse:.1e} {fine:.1e} {order:.2}");
+    }
+}
+
+#[test]
+fn a_system_without_pieces_is_refused_by_name() {
+    let span = Span::new(0.0, 5.0, &[0.5]);
+    let method = |steps| Method::Split { splitting: Splitting::Strang, steps };
+    let end = |method| integrate(&Drive, method, &Tolerance::both(1e-9), &span, &mut ()).end;
+    assert_eq!(end(method(10)), End::Stopped(Failure::Refused(Refusal::NoPieces)));
+    assert_eq!(end(method(0)), End::Stopped(Failure::Refused(Refusal::Steps { given: 0 })));
+}

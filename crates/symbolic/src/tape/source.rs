@@ -1,0 +1,129 @@
+//! A tape as source text: straight-line code of other languages, every common part once.
+
+use super::{Operation, Register, Tape};
+use std::fmt::{self, Write};
+
+/// A language in which a tape can be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    C,
+    Python,
+    Rust,
+}
+
+/// A tape as a function of a language, for display.
+///
+/// | language | signature | needs |
+/// |---|---|---|
+/// | C | `void NAME(const double *y, double *dy)` | `math.h` |
+/// | Python | `def NAME(y, cos=cos, sin=sin, sqrt=sqrt)`, gives a list | the three functions: of floats, arrays or symbols |
+/// | Rust | `pub fn NAME(y: &[f64; N], dy: &mut [f64; M])` | |
+///
+/// The constants are rounded to `f64`; so the code agrees with the law to round-off.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    tape: &'a Tape,
+    language: Language,
+    name: &'a str,
+}
+
+impl Tape {
+    /// The tape as a function with this name.
+    pub fn source<'a>(&'a self, language: Language, name: &'a str) -> Source<'a> {
+        Source { tape: self, language, name }
+    }
+
+    /// Additions, multiplications, divisions and roots; a circle point is counted apart, negations are free.
+    pub fn flops(&self) -> usize {
+        self.operations.iter().filter(|each| !matches!(each, Operation::Circle(_) | Operation::Negation(_))).count()
+    }
+}
+
+impl Source<'_> {
+    /// How an operand is written: in brackets where it begins with a sign.
+    fn operand(&self, register: Register) -> String {
+        let text = self.number(register);
+        if text.starts_with('-') { format!("({text})") } else { text }
+    }
+
+    /// How a number is written.
+    fn number(&self, register: Register) -> String {
+        let number = register as usize;
+        let Tape { inputs, rounded, .. } = self.tape;
+        match number.checked_sub(*inputs) {
+            None => format!("y[{number}]"),
+            Some(place) => match rounded.get(place) {
+                Some(value) => format!("{value:?}"),
+                None => format!("r{}", place - rounded.len()),
+            },
+        }
+    }
+
+    /// Which results are operands or outputs: of a circle point often one coordinate alone.
+    fn used(&self) -> Vec<bool> {
+        let Tape { inputs, constants, operations, outputs, registers, .. } = self.tape;
+        let first = inputs + constants.len();
+        let mut used = vec![false; registers - first];
+        let operands = operations.iter().flat_map(|operation| operation.operands());
+        for register in operands.chain(outputs.iter().copied()) {
+            if let Some(place) = (register as usize).checked_sub(first) {
+                used[place] = true;
+            }
+        }
+        used
+    }
+
+    /// The statement that computes one operation into registers from `next` on.
+    fn statement(&self, operation: Operation, next: usize, used: &[bool]) -> String {
+        let [a, b] = operation.operands().map(|operand| self.operand(operand));
+        let (start, end) = match self.language {
+            Language::C => ("const double ", ";"),
+            Language::Python => ("", ""),
+            Language::Rust => ("let ", ";"),
+        };
+        let value = match operation {
+            Operation::Sum(..) => format!("{a} + {b}"),
+            Operation::Difference(..) => format!("{a} - {b}"),
+            Operation::Product(..) | Operation::Multiple(..) => format!("{a} * {b}"),
+            Operation::Quotient(..) | Operation::Part(..) => format!("{a} / {b}"),
+            Operation::Negation(_) => format!("-{a}"),
+            Operation::Root(_) if self.language == Language::Rust => format!("{a}.sqrt()"),
+            Operation::Root(_) => format!("sqrt({a})"),
+            Operation::Circle(_) => {
+                let part = |function: &str, register: usize| match self.language {
+                    Language::Rust => format!("{start}r{register} = {a}.{function}(){end}"),
+                    Language::C | Language::Python => format!("{start}r{register} = {function}({a}){end}"),
+                };
+                let parts = [("cos", next), ("sin", next + 1)].into_iter().filter(|(_, register)| used[*register]);
+                return parts.map(|(function, register)| part(function, register)).collect::<Vec<_>>().join("\n    ");
+            }
+        };
+        format!("{start}r{next} = {value}{end}")
+    }
+}
+
+impl fmt::Display for Source<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Source { tape, language, name } = *self;
+        let (n, m) = (tape.inputs(), tape.outputs());
+        match language {
+            Language::C => writeln!(f, "void {name}(const double *y, double *dy)\n{{")?,
+            Language::Python => writeln!(f, "def {name}(y, cos=cos, sin=sin, sqrt=sqrt):")?,
+            Language::Rust => writeln!(f, "pub fn {name}(y: &[f64; {n}], dy: &mut [f64; {m}]) {{")?,
+        }
+        let (mut next, used) = (0, self.used());
+        for &operation in &tape.operations {
+            writeln!(f, "    {}", self.statement(operation, next, &used))?;
+            next += operation.results();
+        }
+        let outputs = tape.outputs.iter().map(|&output| self.number(output));
+        if language == Language::Python {
+            return writeln!(f, "    return [{}]", outputs.collect::<Vec<_>>().join(", "));
+        }
+        let mut text = String::new();
+        for (place, output) in outputs.enumerate() {
+            writeln!(text, "    dy[{place}] = {output};")?;
+        }
+        writeln!(f, "{text}}}")
+    }
+}

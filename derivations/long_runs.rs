@@ -1,0 +1,177 @@
+//! Long runs of a top whose motion is known in closed form: how errors grow with the number of revolutions.
+//!
+//! What theory says of a method of order p at constant steps h over n revolutions:
+//!
+//! | method | energy | phase |
+//! |---|---|---|
+//! | any | h^p n | h^p n^2: the frequency goes with the energy |
+//! | of a splitting without friction | h^p, bounded (a nearby energy is kept) | h^p n |
+//! | either, where rounding is all that is left | sqrt(n) | n^(3/2) (Brouwer 1937) |
+//!
+//! and of v.v: as its energy, or sqrt(n) where a step turns v by rotations.
+
+use crate::machines::free_rotor::FreeRotor;
+use crate::separated::Separated;
+use crate::systems::gyrostat::driven::Driven;
+use crate::systems::gyrostat::forms::FirstForm;
+use crate::systems::gyrostat::lagrange::{Nutation, Top};
+use crate::systems::gyrostat::{Carrier, Gyrostat, Rotor};
+use integrators::{Failure, Method, Observer, Span, Splitting, Tolerance, Work, integrate};
+use nalgebra::{Matrix3, Vector3};
+use std::sync::Arc;
+
+/// A top, a rotor that turns freely along its axis, and where it starts: at a turning point of its nutation.
+pub struct LongRun {
+    law: Arc<Driven<f64, FirstForm<f64>, FreeRotor<f64>>>,
+    state: Vec<f64>,
+    axis: Vector3<f64>,
+    nutation: Nutation,
+}
+
+/// What is left of the exact motion after so many revolutions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// periods of the nutation
+    pub revolutions: f64,
+    /// of the energy, relative
+    pub energy: f64,
+    /// of v.v
+    pub length: f64,
+    /// in revolutions; none once it was too large to be read off the slope of u
+    pub phase: Option<f64>,
+}
+
+/// A method over a long run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Course {
+    pub method: Method,
+    /// for a method that follows one
+    pub tolerance: f64,
+    pub samples: Vec<Sample>,
+    pub work: Work,
+    pub failure: Option<Failure>,
+}
+
+/// A method by what it takes for a revolution.
+#[derive(Clone, Copy, Debug)]
+pub enum Pace {
+    /// So many steps, a multiple of four.
+    Steps(Constant, u32),
+    Tolerance(Method, f64),
+}
+
+/// A method that takes a number of steps.
+pub type Constant = fn(u32) -> Method;
+
+/// Beyond this u is no line in time any more, in revolutions.
+const LOST: f64 = 0.05;
+
+/// What is set side by side: at about 320 evaluations, or pairs of flows there and back, for a revolution.
+pub const PACES: [Pace; 8] = [
+    Pace::Steps(|steps| Method::RungeKutta4 { steps }, 80),
+    Pace::Tolerance(Method::DormandPrince8, 1e-10),
+    Pace::Steps(|steps| Method::Split { splitting: Splitting::Strang, steps }, 320),
+    Pace::Steps(|steps| Method::Split { splitting: Splitting::BlanesMoan4, steps }, 52),
+    Pace::Steps(|steps| Method::Split { splitting: Splitting::BlanesMoan6, steps }, 32),
+    Pace::Steps(|steps| Method::Split { splitting: Splitting::KahanLi8, steps }, 20),
+    Pace::Steps(|steps| Method::ImplicitMidpoint { steps }, 80),
+    Pace::Tolerance(Method::Gauss { stages: 6 }, 1e-10),
+];
+
+impl LongRun {
+    /// The top; none if its data gave no nutation.
+    pub fn new() -> Option<Self> {
+        let bodies = Gyrostat {
+            carrier: Carrier {
+                mass: 1.5,
+                centre: Vector3::new(0.0, 0.0, 0.06),
+                inertia: Matrix3::from_diagonal(&Vector3::new(0.0096, 0.0096, 0.0034)),
+            },
+            rotor: Rotor {
+                mass: 0.3,
+                centre: Vector3::new(0.0, 0.0, 0.072),
+                axis: Vector3::z(),
+                axial: 2.4e-4,
+                transverse: 1.5e-4,
+            },
+            gravity: 9.81,
+        };
+        let (form, axes) = bodies.first_form();
+        let (w, v) = (Vector3::new(2.0, 0.0, 12.0), Vector3::new(0.6, 0.0, -0.8));
+        let rotor_speed = 100.0;
+        let back = axes.transpose();
+        let law = Driven::new(form, FreeRotor::default());
+        let mut state: Vec<f64> = (back * w).iter().chain((back * v).iter()).copied().collect();
+        state.push(rotor_speed);
+        let reduced = bodies.reduced_tensor();
+        let top = Top {
+            transverse: reduced[(0, 0)],
+            weight: bodies.weight().z,
+            axis: Vector3::z(),
+            spin: bodies.full_tensor()[(2, 2)] * w.z + bodies.rotor.axial * rotor_speed,
+        };
+        let nutation = top.nutation(w, v)?;
+        Some(LongRun { law: Arc::new(law), state, axis: back * Vector3::z(), nutation })
+    }
+
+    /// Runs a method; samples at 1, 2, 5, 10, ... revolutions and a quarter.
+    pub fn course(&self, pace: Pace, revolutions: u32) -> Course {
+        let (period, quarter) = (self.nutation.period, 0.25);
+        let counts = (0..).map(|k| [1, 2, 5][k % 3] * 10_u32.pow(k as u32 / 3));
+        let counts: Vec<u32> = counts.take_while(|count| *count <= revolutions).collect();
+        let outputs: Vec<f64> = counts.iter().map(|count| period * (f64::from(*count) + quarter)).collect();
+        let end = outputs.last().copied().unwrap_or(period);
+        let span = Span::new(0.0, end, &self.state).with_outputs(&outputs).with_evaluations(u64::MAX);
+        let (method, tolerance) = match pace {
+            Pace::Steps(method, each) => {
+                let last = counts.last().copied().unwrap_or(1);
+                (method(last.saturating_mul(each).saturating_add(each / 4)), 1e-10)
+            }
+            Pace::Tolerance(method, tolerance) => (method, tolerance),
+        };
+        let mut samples = Sampled { run: self, samples: Vec::new() };
+        let system = Separated::new(Arc::clone(&self.law));
+        let outcome = integrate(&system, method, &Tolerance::both(tolerance), &span, &mut samples);
+        Course { method, tolerance, samples: samples.samples, work: outcome.work, failure: outcome.failure() }
+    }
+
+    fn sample(&self, time: f64, state: &[f64]) -> Sample {
+        let start = self.law.energy(&self.state);
+        let vertical = Vector3::new(state[3], state[4], state[5]);
+        let (u, speed) = self.nutation.quarter;
+        let phase = (vertical.dot(&self.axis) - u) / (speed * self.nutation.period);
+        Sample {
+            revolutions: time / self.nutation.period,
+            energy: ((self.law.energy(state) - start) / start).abs(),
+            length: (self.law.vertical_length(state) - 1.0).abs(),
+            phase: Some(phase.abs()).filter(|phase| *phase < LOST),
+        }
+    }
+}
+
+impl Course {
+    /// The exponent e of error ~ n^e from a hundredth of the run to its end, or while `of` shows any.
+    pub fn growth(&self, of: impl Fn(&Sample) -> Option<f64>) -> Option<f64> {
+        let seen = |sample: &Sample| Some((sample.revolutions, of(sample)?));
+        let (end, last) = self.samples.iter().filter_map(seen).next_back()?;
+        let (start, first) = self.samples.iter().filter_map(seen).find(|(at, _)| *at >= end / 110.0)?;
+        let growth = (last / first).ln() / (end / start).ln();
+        growth.is_finite().then_some(growth)
+    }
+}
+
+struct Sampled<'a> {
+    run: &'a LongRun,
+    samples: Vec<Sample>,
+}
+
+impl Observer<f64> for Sampled<'_> {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        let mut sample = self.run.sample(time, state);
+        // what came back into view is another revolution
+        if self.samples.last().is_some_and(|before| before.phase.is_none()) {
+            sample.phase = None;
+        }
+        self.samples.push(sample);
+    }
+}

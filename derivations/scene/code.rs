@@ -1,0 +1,53 @@
+//! A scene's right-hand side as straight-line code of other languages.
+
+use super::{Axes, Scene, System};
+use crate::machines::{Bench, Catalogued, ForMachine};
+use crate::systems::gyrostat::driven::Driven;
+use integrators::Ode;
+use symbolic::{Sym, Tape, Untapeable};
+
+impl Scene {
+    /// The rates of the states as a tape over the states, in the axes of a form; the scene's data are constants in it.
+    ///
+    /// # Errors
+    /// [`Untapeable`] where the law divides by the constant zero.
+    pub fn tape(&self, axes: Axes) -> Result<Tape, Untapeable> {
+        let (state, rates) = self.machine.clone().apply(Writing { scene: self, axes });
+        Tape::record(&state, &rates)
+    }
+
+    /// The same for the Jacobian of the rates, row after row, by exact differentiation of the recorded expressions.
+    ///
+    /// # Errors
+    /// As [`Scene::tape`].
+    pub fn jacobian_tape(&self, axes: Axes) -> Result<Tape, Untapeable> {
+        let (state, rates) = self.machine.clone().apply(Writing { scene: self, axes });
+        let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
+        Tape::record(&state, &entries)
+    }
+}
+
+/// The states and their rates, written down.
+struct Writing<'a> {
+    scene: &'a Scene,
+    axes: Axes,
+}
+
+impl ForMachine for Writing<'_> {
+    type Output = (Vec<Sym>, Vec<Sym>);
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
+        match (&self.scene.system, self.axes) {
+            (System::Gyrostat(bodies), Axes::First) => written(&Driven::new(bodies.first_form().0, machine)),
+            (System::Gyrostat(bodies), Axes::Second) => written(&Driven::new(bodies.second_form().0, machine)),
+            (System::Bench { axial }, _) => written(&Bench { machine, axial: *axial }),
+        }
+    }
+}
+
+fn written(law: &impl Ode<Sym>) -> (Vec<Sym>, Vec<Sym>) {
+    let state: Vec<Sym> = (0..law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
+    let mut rates = vec![Sym::ZERO; state.len()];
+    law.rates(Sym::ZERO, &state, &mut rates);
+    (state, rates)
+}

@@ -1,0 +1,34 @@
+//! How the end of a scene's run depends on its beginning, in the components that a run shows.
+
+use super::Problem;
+use integrators::{Failure, Tolerance, transition};
+use nalgebra::DMatrix;
+
+impl Problem {
+    /// dy_i(end) / dy_j(start), row by row; of a gyrostat in the axes of the data.
+    ///
+    /// What is shown of a state begins with B y, where B turns the axes of the law into those of the data; so the matrix is
+    /// B M B^-1.
+    ///
+    /// # Errors
+    /// [`Failure`] where the law has no series, or the run stops before its end.
+    pub fn transition(&self, tolerance: f64) -> Result<Vec<Vec<f64>>, Failure> {
+        let n = self.state.len();
+        let found = transition(&*self.law, &Tolerance::both(tolerance), (0.0, self.span), &self.state)?;
+        let inner = DMatrix::from_row_slice(n, n, &found.matrix);
+        let shown = |state: &[f64]| (self.row)(0.0, state);
+        let (origin, mut unit) = (shown(&vec![0.0; n]), vec![0.0; n]);
+        let mut turn = DMatrix::zeros(n, n);
+        for j in 0..n {
+            unit[j] = 1.0;
+            let column = shown(&unit);
+            unit[j] = 0.0;
+            for i in 0..n {
+                turn[(i, j)] = column[i] - origin[i];
+            }
+        }
+        // orthogonal: rotations of vectors, and nothing else
+        let outer = &turn * inner * turn.transpose();
+        Ok((0..n).map(|i| outer.row(i).iter().copied().collect()).collect())
+    }
+}

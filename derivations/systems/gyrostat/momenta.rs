@@ -1,0 +1,268 @@
+//! The gyrostat in its momenta: Hamilton's equations on se(3)* with a rotor, split into flows that are known.
+//!
+//! With x the angular momentum about O, v the vertical, p = A' (w.l + phi') the rotor's spin and U(g) the energy of its
+//! magnets in the field that turns with W,
+//!
+//!   H = 1/2 (x - p l).A^-1 (x - p l) + p^2/(2 A') - W p - Ge.v + U(g) ,
+//!
+//!   x' = x x dH/dx + v x dH/dv ,   v' = v x dH/dx ,   g' = dH/dp ,   p' = -dH/dg + friction .
+//!
+//! Whatever H is, v.v and x.v stay (Casimir functions), and a moment between rotor and carrier changes neither. The sum
+//! is split into squares (in an inertia tensor's principal axes: Reich 1994, McLachlan 1993): each of the terms
+//!
+//! | term | flow |
+//! |---|---|
+//! | 1/2 m_k y_k^2, y = x - q l | x and v turn about axis k with the constant speed m_k y_k, and g by -l_k of that |
+//! | 1/2 s (n.y)^2 | the same about n, where the tensor is not diagonal in the form's axes |
+//! | p^2/(2 A') - W p | g grows steadily; this goes with any of the others, since it commutes with all |
+//! | -Ge.v + U(g) with windings and friction | v and g rest; x, p and the currents move, see [`crate::machines::Kick`] |
+//!
+//! With q = p for a free rotor, and q = A' phi' for one that is kept at its speed: then p is no variable, and x is the
+//! momentum of all less a constant along l.
+
+use super::driven::Driven;
+use super::forms::Form;
+use crate::machines::{Kick, Law, Machine, Point as RotorPoint, RotorState, Rule, decay_quotient, kick, solved};
+use crate::separated::Separable;
+use field::{Analytic, Base, Over, Scalar};
+use integrators::{Pieces, Real};
+use mechanics::rotation::{turned_about, turned_along};
+use nalgebra::Vector3;
+
+/// What H is made of, in the axes of a form.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Momenta<P: Scalar> {
+    /// m_k
+    pub mobility: Vector3<P>,
+    /// n, of any length
+    pub oblique: Vector3<P>,
+    /// s, zero where three squares are enough
+    pub share: P,
+    /// l
+    pub axis: Vector3<P>,
+    /// A'
+    pub axial: P,
+    /// Ge
+    pub weight: Vector3<P>,
+}
+
+/// A state in which the pieces flow.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point<S: Scalar> {
+    /// x
+    pub momentum: Vector3<S>,
+    /// v
+    pub vertical: Vector3<S>,
+    /// g, q and the fluxes
+    pub rotor: RotorPoint<S>,
+}
+
+/// H over a field, with what follows from it.
+#[derive(Clone, Copy, Debug)]
+pub struct Flows<S: Scalar> {
+    momenta: Momenta<S>,
+    /// n / |n|, and s n.n
+    unit: Vector3<S>,
+    oblique_mobility: S,
+    /// 1/A', and zero for a rotor that is kept
+    rotor_mobility: S,
+    /// W
+    frame_speed: S,
+}
+
+impl<S: Analytic> Flows<S> {
+    /// Of a form with a machine.
+    pub fn new<P: Base, M: Machine<P>>(form: &impl Form<P>, machine: &M) -> Self
+    where
+        S: Over<P>,
+    {
+        let kept = M::ROTOR == RotorState::Prescribed;
+        let Momenta { mobility, oblique, share, axis, axial, weight } = form.momenta(kept);
+        let momenta = Momenta {
+            mobility: mobility.map(S::lift),
+            oblique: oblique.map(S::lift),
+            share: S::lift(share),
+            axis: axis.map(S::lift),
+            axial: S::lift(axial),
+            weight: weight.map(S::lift),
+        };
+        let square = momenta.oblique.dot(&momenta.oblique);
+        Flows {
+            momenta,
+            unit: momenta.oblique / square.sqrt(),
+            oblique_mobility: momenta.share * square,
+            rotor_mobility: if kept { S::zero() } else { S::one() / momenta.axial },
+            frame_speed: S::lift(machine.frame_speed()),
+        }
+    }
+
+    /// How many squares there are.
+    pub fn squares(&self) -> usize {
+        if self.momenta.share.is_zero() { 3 } else { 4 }
+    }
+
+    /// d(g')/dp at a fixed x: what an impulse on the rotor does to its slip.
+    pub fn compliance(&self) -> S {
+        let l = self.momenta.axis;
+        self.rotor_mobility + l.dot(&self.angular_velocity(l))
+    }
+
+    /// dH/dx, linear in y.
+    fn angular_velocity(&self, y: Vector3<S>) -> Vector3<S> {
+        y.component_mul(&self.momenta.mobility) + self.unit * (self.oblique_mobility * self.unit.dot(&y))
+    }
+
+    /// (w, g'); the slip of a rotor that is kept means nothing.
+    pub fn velocities(&self, at: &Point<S>) -> (Vector3<S>, S) {
+        let w = self.angular_velocity(at.momentum - self.momenta.axis * at.rotor.momentum);
+        (w, at.rotor.momentum * self.rotor_mobility - self.frame_speed - w.dot(&self.momenta.axis))
+    }
+
+    /// The rotor's steady drift, which goes with the first square.
+    fn drift(&self, length: S, at: &mut Point<S>) {
+        at.rotor.angle += length * (at.rotor.momentum * self.rotor_mobility - self.frame_speed);
+    }
+
+    /// The flow of the square of component k.
+    #[inline]
+    pub fn turn(&self, k: usize, length: S, at: &mut Point<S>) {
+        let l = self.momenta.axis[k];
+        let angle = length * self.momenta.mobility[k] * (at.momentum[k] - l * at.rotor.momentum);
+        let half = angle.half().circle();
+        at.momentum = turned_about(at.momentum, k, half);
+        at.vertical = turned_about(at.vertical, k, half);
+        at.rotor.angle -= l * angle;
+        if k == 0 {
+            self.drift(length, at);
+        }
+    }
+
+    /// The flow of the square along n.
+    pub fn turn_oblique(&self, length: S, at: &mut Point<S>) {
+        let y = at.momentum - self.momenta.axis * at.rotor.momentum;
+        let angle = length * self.oblique_mobility * self.unit.dot(&y);
+        let half = angle.half().circle();
+        at.momentum = turned_along(at.momentum, self.unit, half);
+        at.vertical = turned_along(at.vertical, self.unit, half);
+        at.rotor.angle -= self.momenta.axis.dot(&self.unit) * angle;
+    }
+
+    /// The flow at resting v and g: the weight moves x, the machine the rest. Gives what is left of the equation it
+    /// solves by iteration.
+    #[inline]
+    pub fn push<P: Base, M: Machine<P>>(&self, machine: &M, by: &Kick<S>, at: &mut Point<S>) -> S
+    where
+        S: Over<P>,
+    {
+        let moment = self.momenta.weight.cross(&at.vertical);
+        let mut left = S::zero();
+        if M::ROTOR != RotorState::Prescribed {
+            let (_, slip) = self.velocities(at);
+            let pull = -self.momenta.axis.dot(&self.angular_velocity(moment));
+            left = kick(machine, by, slip, pull, &mut at.rotor);
+        }
+        at.momentum += moment * by.length;
+        left
+    }
+
+    /// From a state (w, v, rotor, currents) of the law.
+    pub fn enter<P: Base, M: Machine<P>>(&self, form: &impl Form<P>, machine: &M, y: &[S]) -> Point<S>
+    where
+        S: Over<P>,
+    {
+        let (w, vertical) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
+        let (rotor, currents) = y[6..].split_at(M::ROTOR.dimension());
+        let (_, slip) = M::ROTOR.angle_and_slip(rotor);
+        let rotor_speed = slip + self.frame_speed;
+        let absolute = if M::ROTOR == RotorState::Prescribed { S::zero() } else { w.dot(&self.momenta.axis) };
+        Point {
+            momentum: form.momentum(w, rotor_speed),
+            vertical,
+            rotor: RotorPoint::enter(machine, rotor, self.momenta.axial * (absolute + rotor_speed), currents),
+        }
+    }
+
+    /// To a state of the law.
+    #[inline]
+    pub fn leave<P: Base, M: Machine<P>>(&self, machine: &M, at: &Point<S>, y: &mut [S])
+    where
+        S: Over<P>,
+    {
+        let (w, slip) = self.velocities(at);
+        for k in 0..3 {
+            y[k] = w[k];
+            y[3 + k] = at.vertical[k];
+        }
+        at.rotor.leave(machine, slip, &mut y[6..]);
+    }
+}
+
+/// The pieces of a gyrostat with a machine: the push, then the squares.
+#[derive(Clone, Debug)]
+pub struct GyrostatPieces<'a, S: Scalar, F, M> {
+    form: &'a F,
+    machine: &'a M,
+    flows: Flows<S>,
+    law: Law,
+    rule: Rule<S>,
+}
+
+impl<S: Real, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPieces<'_, S, F, M> {
+    type Point = Point<S>;
+    type Lapse = Lapse<S>;
+
+    fn pieces(&self) -> usize {
+        1 + self.flows.squares()
+    }
+
+    fn enter(&self, y: &[S]) -> Point<S> {
+        self.flows.enter(self.form, self.machine, y)
+    }
+
+    fn leave(&self, point: &Point<S>, y: &mut [S]) {
+        self.flows.leave(self.machine, point, y);
+    }
+
+    fn lapse(&self, piece: usize, length: S) -> Lapse<S> {
+        if piece > 0 {
+            return Lapse::Turn(length);
+        }
+        let compliance = self.flows.compliance();
+        Lapse::Push(Kick::new(self.machine, self.law, length, compliance, decay_quotient, self.rule))
+    }
+
+    #[inline]
+    fn flow(&self, piece: usize, lapse: &Lapse<S>, point: &mut Point<S>) -> bool {
+        match (piece, lapse) {
+            (_, Lapse::Push(kick)) => return solved(self.flows.push(self.machine, kick, point)),
+            (1, Lapse::Turn(length)) => self.flows.turn(0, *length, point),
+            (2, Lapse::Turn(length)) => self.flows.turn(1, *length, point),
+            (3, Lapse::Turn(length)) => self.flows.turn(2, *length, point),
+            (_, Lapse::Turn(length)) => self.flows.turn_oblique(*length, point),
+        }
+        true
+    }
+}
+
+/// What a piece wants to know of a length of time.
+#[derive(Clone, Debug)]
+pub enum Lapse<S> {
+    Push(Kick<S>),
+    Turn(S),
+}
+
+impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
+    /// The pieces over a field; none for windings on a rotor whose angle is not known.
+    pub fn in_momenta<S: Real>(&self) -> Option<GyrostatPieces<'_, S, F, M>> {
+        let Driven { form, machine, .. } = self;
+        let known = M::ROTOR == RotorState::AngleAndSpeed || machine.windings() == 0;
+        let flows = Flows::new(form, machine);
+        known.then(|| GyrostatPieces { form, machine, flows, law: Law::of(machine), rule: Rule::gauss() })
+    }
+}
+
+impl<F: Form<f64>, M: Machine<f64>> Separable for Driven<f64, F, M> {
+    fn pieces<S: Real>(&self) -> Option<impl Pieces<S>> {
+        self.in_momenta()
+    }
+}

@@ -1,0 +1,10 @@
+//! The splitting methods on the gyrostat: pieces that are the law, what they keep, their orders, their dissipation.
+
+#[path = "../physical/mod.rs"]
+mod physical;
+
+mod kept;
+mod long;
+mod orders;
+mod pieces;
+mod runs;

@@ -1,0 +1,36 @@
+//! What the tests run: scenes with their own motor or another.
+
+use derivations::scene::{Axes, Family, Problem, Scene};
+use integrators::{Method, Outcome, Span, Splitting, Tolerance, integrate};
+use std::path::Path;
+
+/// Scenes by file and model, from no motor at all to every bar: nonlinear, none of them symmetric.
+pub const SCENES: [(&str, Option<&str>); 6] = [
+    ("constant_speed", None),
+    ("free_rotor", None),
+    ("asynchronous_drive", None),
+    ("spin_up", Some("synchronous")),
+    ("spin_up", Some("equivalent_windings")),
+    ("pull_out", None),
+];
+
+pub fn scene(name: &str, model: Option<&str>) -> Scene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
+    let scene = Scene::open(&path).unwrap_or_else(|error| panic!("{error}"));
+    model.map_or(scene.clone(), |model| scene.with_model(model).unwrap_or_else(|error| panic!("{error}")))
+}
+
+pub fn problem(name: &str, model: Option<&str>, axes: Axes) -> Problem {
+    scene(name, model).problem(axes)
+}
+
+pub fn split(splitting: Splitting, steps: u32) -> Method {
+    Method::Split { splitting, steps }
+}
+
+/// A run that must reach its end.
+pub fn run(problem: &Problem, method: Method, span: &Span<'_, f64>) -> Outcome<f64> {
+    let outcome = integrate(&*problem.law, method, &Tolerance::both(1e-9), span, &mut ());
+    assert!(outcome.reached(), "{method}: {:?}", outcome.end);
+    outcome
+}
