@@ -5,6 +5,7 @@
 //! * [`derive`](mod@derive): equations of motion by a chosen principle, for reading;
 //! * [`differentiated`]: a system with its Jacobian as code of its own;
 //! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
+//! * [`ensemble`]: many systems of one kind with data of their own, run side by side;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
 //! * [`mechanisms`]: governors, drives, bodies that roll, by the names that scene files use;
 //! * [`principles`]: the principles of mechanics, equal on every system: a page of claims of the workbench's own;
@@ -21,6 +22,7 @@
 pub mod alphabet;
 pub mod derive;
 pub mod differentiated;
+pub mod ensemble;
 pub mod friction;
 pub mod governors;
 pub mod long_runs;

@@ -1,18 +1,21 @@
 //! The right-hand side allocates nothing: for every machine, with one bar or with forty, over every field that runs.
 
+use derivations::ensemble::kind::{Kind, form_parameters};
 use derivations::friction::stretch::Stretch;
 use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, Source};
 use derivations::mechanisms::MechanismScene;
 use derivations::papers::konosevich2022::gyrostats;
 use derivations::recorded::Recorded;
-use derivations::scene::{Family, Problem};
+use derivations::scene::{Axes, Family, Problem, Scene};
 use derivations::separated::Separable;
 use derivations::systems::disc::Disc;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::{Form, SecondForm};
 use derivations::systems::ladder::Ladder;
 use field::{Analytic, DoubleDouble, Over};
-use integrators::{Directions, Ode, Real, Signal, Splitting, Switches, compose};
+use integrators::{
+    Directions, Ensemble, Failure, Members, Ode, Real, Signal, Splitting, Switches, compose, taylor_order,
+};
 use mechanics::constrained::State;
 use mechanics::constrained::System as _;
 use mechanics::constrained::programmed::{Linear, programmed};
@@ -234,4 +237,44 @@ fn the_equations_of_mechanisms_and_their_power_allocate_nothing() {
             over::<f64>(&*law, &state) + over::<Directions>(&*law, &state) + over::<DoubleDouble>(&*law, &state);
         assert_eq!(count, 0, "{name}");
     }
+}
+
+/// Members with a tenth of a percent between them.
+struct Crowd<'a> {
+    left: u64,
+    parameters: &'a [f64],
+    state: &'a [f64],
+    steps: u64,
+}
+
+impl Members for Crowd<'_> {
+    fn next(&mut self, parameters: &mut [f64], state: &mut [f64]) -> Option<u64> {
+        self.left = self.left.checked_sub(1)?;
+        let near = |to: &mut [f64], from: &[f64]| {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to = from * (1.0 + 1e-3 * self.left as f64));
+        };
+        near(parameters, self.parameters);
+        near(state, self.state);
+        Some(self.left)
+    }
+
+    fn ended(&mut self, _: u64, _: &[f64], steps: u64, _: f64, failure: Option<Failure>) {
+        assert_eq!(failure, None);
+        self.steps += steps;
+    }
+}
+
+#[test]
+fn an_ensemble_allocates_nothing_from_its_first_member_to_its_last() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/ensembles/spread.toml");
+    let scene = Scene::open(&path).expect("it is in order");
+    let kind = Kind::record(&scene.system, &scene.machine, &scene.machine_data, Axes::Second).expect("it has a law");
+    let (_, mut parameters) = form_parameters(&scene.system, Axes::Second);
+    parameters.extend(scene.machine_data.numbers.iter().map(|(_, value)| *value));
+    let state = scene.state(Axes::Second);
+    let series = kind.series::<8>(taylor_order(1e-9)).expect("it is small");
+    let mut ensemble = Ensemble::new(series, 1e-9, 0.05, kind.states(), kind.parameters());
+    let mut crowd = Crowd { left: 20, parameters: &parameters, state: &state, steps: 0 };
+    assert_eq!(allocations(|| ensemble.run(&mut crowd)), 0);
+    assert!(crowd.steps > 60, "{}", crowd.steps);
 }

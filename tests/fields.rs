@@ -2,7 +2,7 @@
 //! few units of its own rounding.
 
 use field::laws::{analytic_laws, circle_laws, field_laws};
-use field::{Analytic, Circle, DoubleDouble, Rational, Scalar, Tangent};
+use field::{Analytic, Circle, DoubleDouble, Lanes, Rational, Scalar, Tangent};
 use num_dual::{Dual, Dual2, DualSVec, HyperDual};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
@@ -46,6 +46,16 @@ impl Rounded for DoubleDouble {
     }
     fn size(self) -> f64 {
         self.hi().abs()
+    }
+}
+
+impl Rounded for Lanes<5> {
+    fn from_parts(parts: [f64; 5]) -> Self {
+        // away from zero, as the values of the others are
+        Lanes(parts.map(|part| part + 1.0_f64.copysign(part)))
+    }
+    fn size(self) -> f64 {
+        largest(self.0)
     }
 }
 
@@ -135,6 +145,8 @@ macro_rules! to_rounding {
 to_rounding! {
     double_precision_is_a_field_to_rounding: f64;
     double_double_is_a_field_to_its_own_rounding: DoubleDouble;
+    lanes_are_a_field_to_rounding: Lanes<5>;
+    tangents_of_lanes_are_a_field_to_rounding: Tangent<Lanes<5>>;
     dual_numbers_are_a_field_to_rounding: Dual<f64>;
     second_order_dual_numbers_are_a_field_to_rounding: Dual2<f64>;
     hyper_dual_numbers_are_a_field_to_rounding: HyperDual<f64>;
@@ -251,4 +263,21 @@ fn a_point_turns_at_the_rate_of_its_angle() {
     let angle = Tangent::moving(0.7, 3.0).circle();
     assert!((angle.cos.slope + 3.0 * 0.7f64.sin()).abs() < 1e-15);
     assert!((angle.sin.slope - 3.0 * 0.7f64.cos()).abs() < 1e-15);
+}
+
+/// The laws of the circle would hold for any other unit of angle too.
+#[test]
+fn every_lane_has_its_own_angle_be_it_near_far_or_undefined() {
+    let near = (-4000..4000).map(|n| f64::from(n) * 0.39 + 1e-9 * f64::from(n * n));
+    let angles: Vec<f64> = near.chain([1e6, -1e6, 1.1e6, -3e9, 1e300, 0.0, 1e-300, f64::MIN_POSITIVE]).collect();
+    for four in angles.chunks_exact(4) {
+        let point = Lanes::<4>(std::array::from_fn(|lane| four[lane])).circle();
+        for (lane, angle) in four.iter().enumerate() {
+            let (sin, cos) = angle.sin_cos();
+            let off = (point.sin.0[lane] - sin).abs().max((point.cos.0[lane] - cos).abs());
+            assert!(off <= f64::EPSILON, "{angle}: {off:e}");
+        }
+    }
+    let point = Lanes([0.5, f64::NAN, f64::INFINITY]).circle();
+    assert!(point.sin.0[0] == Lanes([0.5]).circle().sin.0[0] && point.cos.0[1].is_nan() && point.sin.0[2].is_nan());
 }

@@ -1,6 +1,6 @@
 //! The asynchronous motor without currents, moment linear in the slip.
 
-use super::{Catalogued, Machine, RotorState, Source};
+use super::{Catalogued, Datum, Machine, RotorState, Source};
 use field::{Base, Over};
 
 crate::quantities! {
@@ -30,8 +30,9 @@ impl<P: Base> Machine<P> for Asynchronous<P> {
 
 impl Catalogued for Asynchronous<f64> {
     const SUMMARY: &'static str = "asynchronous without currents, moment linear in the slip";
+    type Over<P: Datum> = Asynchronous<P>;
 
-    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<Asynchronous<P>, E> {
         Asynchronous::read(|quantity| source.quantity(quantity))
     }
 }

@@ -1,6 +1,6 @@
 //! A rotor that is kept at a constant speed relative to the carrier, whatever moment that takes.
 
-use super::{Catalogued, Machine, RotorState, Source};
+use super::{Catalogued, Datum, Machine, RotorState, Source};
 use field::{Base, Over};
 
 crate::quantities! {
@@ -25,8 +25,9 @@ impl<P: Base> Machine<P> for ConstantSpeed<P> {
 
 impl Catalogued for ConstantSpeed<f64> {
     const SUMMARY: &'static str = "constant relative speed";
+    type Over<P: Datum> = ConstantSpeed<P>;
 
-    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<ConstantSpeed<P>, E> {
         ConstantSpeed::read(|quantity| source.quantity(quantity))
     }
 }

@@ -11,7 +11,7 @@
 //! feel no field, do no work, and die out as exp(-R2 t / L2).
 
 use super::multi_current::{MultiCurrent, Windings};
-use super::{Catalogued, Machine, RotorState, Source};
+use super::{Catalogued, Datum, Machine, RotorState, Source};
 use field::{Analytic, Base, Circle, Over};
 
 /// One or two circuits in the place of N evenly spaced bars: a motor with fewer bars and more flux.
@@ -63,10 +63,11 @@ impl<P: Base> Machine<P> for EquivalentWindings<P> {
 
 impl Catalogued for EquivalentWindings<f64> {
     const SUMMARY: &'static str = "synchronous with the damper's bars as one or two equivalent windings";
+    type Over<P: Datum> = EquivalentWindings<P>;
 
-    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<EquivalentWindings<P>, E> {
         let windings = Windings::read(|quantity| source.quantity(quantity))?;
         let bars = source.count("bars", "number of bars that the windings stand for")?;
-        Ok(Self::new(windings, bars, -Circle::turn(1, 8)))
+        Ok(EquivalentWindings::new(windings, bars, -Circle::turn(1, 8).map(P::lift)))
     }
 }

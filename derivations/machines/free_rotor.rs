@@ -1,6 +1,6 @@
 //! A rotor that turns by inertia without friction.
 
-use super::{Catalogued, Machine, RotorState, Source};
+use super::{Catalogued, Datum, Machine, RotorState, Source};
 use field::{Base, Over};
 
 /// No moment about the axis: the classical gyrostat of section 8.2. Its speed is measured from zero.
@@ -29,8 +29,9 @@ impl<P: Base> Machine<P> for FreeRotor<P> {
 
 impl Catalogued for FreeRotor<f64> {
     const SUMMARY: &'static str = "free rotor: by inertia, without friction";
+    type Over<P: Datum> = FreeRotor<P>;
 
-    fn read<E>(_source: &mut impl Source<Error = E>) -> Result<Self, E> {
-        Ok(Self::default())
+    fn read<P: Datum, E>(_source: &mut impl Source<P, Error = E>) -> Result<FreeRotor<P>, E> {
+        Ok(FreeRotor::default())
     }
 }

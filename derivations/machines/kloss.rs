@@ -1,6 +1,6 @@
 //! The asynchronous motor without currents, moment after Kloss.
 
-use super::{Catalogued, Machine, RotorState, Source};
+use super::{Catalogued, Datum, Machine, RotorState, Source};
 use field::{Base, Over};
 
 crate::quantities! {
@@ -34,8 +34,9 @@ impl<P: Base> Machine<P> for Kloss<P> {
 
 impl Catalogued for Kloss<f64> {
     const SUMMARY: &'static str = "asynchronous without currents, moment after Kloss";
+    type Over<P: Datum> = Kloss<P>;
 
-    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<Kloss<P>, E> {
         Kloss::read(|quantity| source.quantity(quantity))
     }
 }

@@ -19,12 +19,18 @@ pub use kick::{Kick, Law, Point, Rule, decay_quotient, kick, solved};
 pub use machine::{Bench, Machine, RotorState, drive, heat, state_names, stored_energy};
 pub use quantity::Quantity;
 
-/// Where the data of a machine come from: a scene file, or a test.
-pub trait Source {
+use field::{Analytic, Base, Over};
+
+/// A field in which the data of a machine are given: numbers, or symbols that stand for them.
+pub trait Datum: Base + Analytic + Over<f64> {}
+impl<P: Base + Analytic + Over<f64>> Datum for P {}
+
+/// Where the data of a machine come from: a scene file, a test, or names as symbols.
+pub trait Source<P = f64> {
     /// Why a datum could not be had.
     type Error;
     /// A parameter in SI units.
-    fn quantity(&mut self, quantity: &'static Quantity) -> Result<f64, Self::Error>;
+    fn quantity(&mut self, quantity: &'static Quantity) -> Result<P, Self::Error>;
     /// A whole number of at least one.
     fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, Self::Error>;
 }
@@ -33,8 +39,10 @@ pub trait Source {
 pub trait Catalogued: Machine<f64> + Sized {
     /// One line for lists and reports.
     const SUMMARY: &'static str;
+    /// The same machine with its parameters in another field.
+    type Over<P: Datum>: Machine<P>;
     /// Reads the parameters.
-    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E>;
+    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<Self::Over<P>, E>;
 }
 
 /// What can be done with any machine, written once for all of them.
@@ -59,7 +67,7 @@ macro_rules! machines {
             /// Reads the machine of a name; `None` where there is no such machine.
             pub fn read<E>(name: &str, source: &mut impl Source<Error = E>) -> Option<Result<Self, E>> {
                 match name {
-                    $(stringify!($module) => Some(Catalogued::read(source).map(Self::$machine)),)*
+                    $(stringify!($module) => Some(<$module::$machine<f64> as Catalogued>::read(source).map(Self::$machine)),)*
                     _ => None,
                 }
             }

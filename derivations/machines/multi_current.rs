@@ -1,6 +1,6 @@
 //! The synchronous motor with the current of the excitation and of every bar of the damper, after Leonov and Zaretskii.
 
-use super::{Catalogued, Machine, RotorState, Source};
+use super::{Catalogued, Datum, Machine, RotorState, Source};
 use field::{Base, Circle, Over};
 
 crate::quantities! {
@@ -38,11 +38,11 @@ pub struct MultiCurrent<P> {
     pub bars: Vec<Circle<P>>,
 }
 
-impl MultiCurrent<f64> {
+impl<P: Datum> MultiCurrent<P> {
     /// N bars evenly round the rotor.
-    pub fn evenly(windings: Windings<f64>, bars: usize) -> Self {
+    pub fn evenly(windings: Windings<P>, bars: usize) -> Self {
         let whole = u32::try_from(bars).unwrap_or(u32::MAX);
-        let bars = (1..=whole).map(|n| Circle::turn(n, whole) - Circle::turn(1, 8)).collect();
+        let bars = (1..=whole).map(|n| (Circle::turn(n, whole) - Circle::turn(1, 8)).map(P::lift)).collect();
         MultiCurrent { windings, bars }
     }
 }
@@ -84,9 +84,10 @@ impl<P: Base> Machine<P> for MultiCurrent<P> {
 
 impl Catalogued for MultiCurrent<f64> {
     const SUMMARY: &'static str = "synchronous with the currents of the excitation and of every damper bar";
+    type Over<P: Datum> = MultiCurrent<P>;
 
-    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<MultiCurrent<P>, E> {
         let windings = Windings::read(|quantity| source.quantity(quantity))?;
-        Ok(Self::evenly(windings, source.count("bars", "number of bars of the damper")?))
+        Ok(MultiCurrent::evenly(windings, source.count("bars", "number of bars of the damper")?))
     }
 }

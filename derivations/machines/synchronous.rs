@@ -1,6 +1,6 @@
 //! The synchronous motor without currents.
 
-use super::{Catalogued, Machine, RotorState, Source};
+use super::{Catalogued, Datum, Machine, RotorState, Source};
 use field::{Base, Circle, Over};
 
 crate::quantities! {
@@ -33,8 +33,9 @@ impl<P: Base> Machine<P> for Synchronous<P> {
 
 impl Catalogued for Synchronous<f64> {
     const SUMMARY: &'static str = "synchronous without currents";
+    type Over<P: Datum> = Synchronous<P>;
 
-    fn read<E>(source: &mut impl Source<Error = E>) -> Result<Self, E> {
+    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<Synchronous<P>, E> {
         Synchronous::read(|quantity| source.quantity(quantity))
     }
 }

@@ -85,6 +85,8 @@ impl Family for Scene {
 
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
         let Opening { title, description, system } = opening;
+        // what varies is for `EnsembleScene`
+        top.known(&["ensemble"]);
         let on_bench = system.value == "bench";
         let system = match on_bench {
             true => bodies::bench(top, issues).map(|axial| System::Bench { axial }),

@@ -59,6 +59,11 @@ impl<'a> Table<'a> {
         Table::new(name, span, entries)
     }
 
+    /// A table that may be left out.
+    pub fn optional_table(&mut self, name: &'static str) -> Option<Table<'a>> {
+        self.find(name).is_some().then(|| self.table(name, ""))
+    }
+
     /// Where the heading of the table is.
     pub fn span(&self) -> Range<usize> {
         self.span.clone()
@@ -196,7 +201,19 @@ impl<'a> Table<'a> {
         columns: usize,
         unit: &str,
     ) -> Option<At<Vec<f64>>> {
-        self.find(key).is_some().then(|| self.numbers(key, meaning, 1, columns, Dimension::of(unit)))
+        self.optional_rows(key, meaning, 1, columns, unit)
+    }
+
+    /// `rows` rows of `columns` numbers that may be left out.
+    pub fn optional_rows(
+        &mut self,
+        key: &'static str,
+        meaning: &str,
+        rows: usize,
+        columns: usize,
+        unit: &str,
+    ) -> Option<At<Vec<f64>>> {
+        self.find(key).is_some().then(|| self.numbers(key, meaning, rows, columns, Dimension::of(unit)))
     }
 
     fn numbers(

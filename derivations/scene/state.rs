@@ -1,7 +1,9 @@
 //! The initial state of a scene in the axes of either form, and results back in the axes of the data.
 
-use super::{NoModel, Scene, System};
+use super::{NoModel, Scene, Start, System};
 use crate::machines::{AnyMachine, Catalogued, ForMachine, state_names};
+use crate::systems::gyrostat::Gyrostat;
+use crate::systems::gyrostat::tensors::Principal;
 use nalgebra::{Matrix3, Vector3};
 use std::fmt;
 use std::str::FromStr;
@@ -19,6 +21,16 @@ pub enum Axes {
     Second,
 }
 
+impl Axes {
+    /// The tensor whose axes these are.
+    pub fn principal(self, bodies: &Gyrostat<f64>) -> Principal {
+        match self {
+            Axes::First => Principal::of(&bodies.reduced_tensor()),
+            Axes::Second => Principal::of(&bodies.full_tensor()),
+        }
+    }
+}
+
 impl Scene {
     /// The initial state: w and v in the axes of the form, then the rotor's state and the currents.
     pub fn state(&self, axes: Axes) -> Vec<f64> {
@@ -28,7 +40,7 @@ impl Scene {
             state.extend((to_form * self.start.angular_velocity).iter());
             state.extend((to_form * self.start.vertical).iter());
         }
-        state.extend(self.machine.clone().apply(RotorPart(self)));
+        state.extend(rotor_state(&self.machine, &self.start));
         state
     }
 
@@ -87,11 +99,15 @@ impl Scene {
     /// The axes of a form as columns, in the axes of the data.
     fn frame(&self, axes: Axes) -> Matrix3<f64> {
         match (&self.system, axes) {
-            (System::Gyrostat(bodies), Axes::First) => bodies.derived().reduced.axes,
-            (System::Gyrostat(bodies), Axes::Second) => bodies.derived().full.axes,
+            (System::Gyrostat(bodies), axes) => axes.principal(bodies).axes,
             (System::Bench { .. }, _) => Matrix3::identity(),
         }
     }
+}
+
+/// The initial state of a machine: of its rotor, then its currents.
+pub fn rotor_state(machine: &AnyMachine, start: &Start) -> Vec<f64> {
+    machine.clone().apply(RotorPart(start))
 }
 
 /// The names of the states of a system with a machine.
@@ -125,7 +141,7 @@ pub fn windings(machine: &AnyMachine) -> usize {
 }
 
 struct FrameSpeed;
-struct RotorPart<'a>(&'a Scene);
+struct RotorPart<'a>(&'a Start);
 struct MachineNames;
 struct Windings;
 
@@ -141,7 +157,7 @@ impl ForMachine for RotorPart<'_> {
     type Output = Vec<f64>;
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Vec<f64> {
-        let start = &self.0.start;
+        let start = self.0;
         let slip = start.rotor_speed - machine.frame_speed();
         let mut state = vec![0.0; M::ROTOR.dimension()];
         M::ROTOR.write(start.rotor_angle, slip, &mut state);

@@ -39,6 +39,8 @@ pub enum Command {
     Run(Run),
     /// Measures every method on a scene: speed against accuracy
     Chart(Chart),
+    /// Runs many members of a scene whose table [ensemble] says what varies; a run that was killed is continued
+    Ensemble(Ensemble),
     /// Every claim of the papers with its verdict
     Ledger(Ledger),
     /// Equations of motion by a chosen principle
@@ -159,6 +161,20 @@ pub struct Run {
     /// Stops a run that takes longer, and keeps what there is
     #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
     pub seconds: u32,
+}
+
+/// Which members are to be run, and where the results go.
+#[derive(Args, Debug)]
+pub struct Ensemble {
+    /// The scene with a table [ensemble]; the folder `scenes/ensembles` holds an example
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// The table of results, a row for each member; one that is there is continued. Without it: the scene's name, here
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Threads; without it as many as there are processors. The results do not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
 }
 
 /// What is to be measured and drawn.

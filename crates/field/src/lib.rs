@@ -10,6 +10,7 @@
 //! | [`Tangent`] over any field, num-dual's duals over `f64` | derivatives, forward mode |
 //! | [`Rational`] | exact points and counterexamples |
 //! | [`DoubleDouble`] | reference solutions |
+//! | [`Lanes`] | as many systems at once as a register is wide |
 //! | `Sym` (crate `symbolic`) | proofs, printing, straight-line code |
 //!
 //! Key results: one suite of field laws ([`laws`]) that every field passes.
@@ -18,11 +19,13 @@ pub mod laws;
 
 mod circle;
 mod duals;
+mod lanes;
 mod rational;
 mod scalar;
 mod tangent;
 
 pub use circle::Circle;
+pub use lanes::Lanes;
 pub use rational::Rational;
 pub use scalar::{Analytic, Base, Over, Scalar};
 pub use tangent::Tangent;

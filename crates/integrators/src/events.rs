@@ -6,7 +6,7 @@
 //! its end: there a trial is one sum, and a step, which may be long, is looked at in parts. Two falls with a rise between them within one step
 //! leave no trace at its ends if the rates there do not differ in sign; nothing finds them but a smaller tolerance.
 
-use crate::taylor::order;
+use crate::taylor::taylor_order;
 use crate::{End, Method, Observer, Outcome, Span, System, TaylorSeries, Tolerance, Work, integrate};
 
 /// The value of a signal, its rate along the motion, and how large a value still counts as zero.
@@ -266,7 +266,7 @@ impl Again<'_> {
         let (mut best, mut beyond): (Option<(f64, Vec<f64>)>, _) = (None, None);
         let (mut instant, mut state) = (from.clone(), from.state.clone());
         if let Some(series) = &mut self.series {
-            let order = order(self.tolerance.relative);
+            let order = taylor_order(self.tolerance.relative);
             series.expand(from.time, &from.state, order);
             work.rates += order as u64;
         }

@@ -40,9 +40,16 @@ impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
 /// The step goes as tolerance^(1/p). Where a step costs p^2 the cheapest p is -ln(tolerance)/2, where it costs p it is
 /// -ln(tolerance). In `f64` eight terms of a product cost as much as one, and the second is nearer; a tolerance below its
 /// rounding is for double-double, where the products are all that counts.
-pub(crate) fn order(tolerance: f64) -> usize {
+pub fn taylor_order(tolerance: f64) -> usize {
     let by_logarithm = if tolerance < f64::EPSILON { 0.5 } else { 0.8 };
     ((1.0 - by_logarithm * tolerance.ln()).ceil() as usize).clamp(4, 60)
+}
+
+/// How far a series of order p reaches whose last two coefficients have these sizes, in units of what is allowed.
+#[inline]
+pub(crate) fn reach(order: usize, last: f64, one_before: f64) -> f64 {
+    let p = order as f64;
+    (-(last.ln() / p).max(one_before.ln() / (p - 1.0))).exp()
 }
 
 /// The Taylor method on one system, to be used for as many runs as one likes: a run allocates nothing.
@@ -56,7 +63,7 @@ pub struct Taylor<T> {
 impl<T> Taylor<T> {
     /// With the order that suits the tolerance.
     pub fn new(source: T, tolerance: &Tolerance) -> Self {
-        let order = order(tolerance.relative);
+        let order = taylor_order(tolerance.relative);
         Taylor { source, tolerance: tolerance.clone(), order }
     }
 
@@ -97,8 +104,7 @@ impl<T> Taylor<T> {
         if !sum.is_finite() {
             return f64::NAN;
         }
-        let p = self.order as f64;
-        (-(s_last.ln() / p).max(s_before.ln() / (p - 1.0))).exp()
+        reach(self.order, s_last, s_before)
     }
 
     /// Carries the state from one time to another, forwards or backwards, and returns the number of steps.

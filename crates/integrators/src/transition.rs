@@ -4,7 +4,7 @@
 //! matrix is as accurate as the motion, and nobody writes down variational equations.
 
 use crate::jacobian::{slope, variable};
-use crate::taylor::order;
+use crate::taylor::taylor_order;
 use crate::{DIRECTIONS, Directions, Failure, Refusal, System, TaylorSeries, Tolerance};
 
 /// Where a motion ends, and how that depends on where it began.
@@ -55,7 +55,7 @@ fn carry(
     (from, to): (f64, f64),
     y: &mut [Directions],
 ) -> Result<(), Failure> {
-    let (order, direction, mut at) = (order(tolerance.relative), (to - from).signum(), from);
+    let (order, direction, mut at) = (taylor_order(tolerance.relative), (to - from).signum(), from);
     while at != to {
         series.expand(Directions::from_re(at), y, order);
         let terms = [order, order - 1].map(|k| {

@@ -53,6 +53,6 @@ pub use evaluate::Unbound;
 pub use graph::{Node, Sym};
 pub use polynomials::{Evaluation, Polynomials};
 pub use prove::{Decision, Hypotheses, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, normal};
-pub use recurrence::{Equations, Expansion, Fused, Recurrence};
+pub use recurrence::{Abreast, Equations, Expansion, Fused, Recurrence};
 pub use sym::symbols;
 pub use tape::{Language, Program, Source, Tape, Untapeable};

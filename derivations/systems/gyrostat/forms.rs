@@ -11,6 +11,7 @@
 
 use super::Gyrostat;
 use super::momenta::Momenta;
+use super::tensors::Principal;
 use field::{Base, Over, Scalar};
 use nalgebra::{Matrix3, Vector3};
 
@@ -176,14 +177,20 @@ impl Gyrostat<f64> {
     /// The first form, and its axes (columns) in the axes of the data.
     pub fn first_form(&self) -> (FirstForm<f64>, Matrix3<f64>) {
         let principal = self.derived().reduced;
-        let own = self.in_axes(&principal.axes);
-        (FirstForm::new(principal.moments, own.rotor.axis, own.rotor.axial, own.weight()), principal.axes)
+        let (moments, axis, axial, weight) = self.form_data(&principal);
+        (FirstForm::new(moments, axis, axial, weight), principal.axes)
     }
 
     /// The second form, and its axes (columns) in the axes of the data.
     pub fn second_form(&self) -> (SecondForm<f64>, Matrix3<f64>) {
         let principal = self.derived().full;
+        let (moments, axis, axial, weight) = self.form_data(&principal);
+        (SecondForm::new(moments, axis, axial, weight), principal.axes)
+    }
+
+    /// What a form is made of: the principal moments of its tensor, and l, A', Ge in its principal axes.
+    pub fn form_data(&self, principal: &Principal) -> (Vector3<f64>, Vector3<f64>, f64, Vector3<f64>) {
         let own = self.in_axes(&principal.axes);
-        (SecondForm::new(principal.moments, own.rotor.axis, own.rotor.axial, own.weight()), principal.axes)
+        (principal.moments, own.rotor.axis, own.rotor.axial, own.weight())
     }
 }

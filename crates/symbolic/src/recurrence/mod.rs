@@ -9,6 +9,7 @@
 //! (slip cos, slip sin), and what has a factor in common is gathered: seven currents, each with the field at its own
 //! angle, are two products.
 
+mod abreast;
 mod build;
 mod collect;
 mod expand;
@@ -20,6 +21,7 @@ mod pick;
 mod plan;
 mod points;
 
+pub use abreast::Abreast;
 pub use expand::Expansion;
 pub use fused::Fused;
 

@@ -84,7 +84,7 @@ impl<S: Analytic, const W: usize> Laid<S, W> {
 
 impl<S: Analytic> Implicit<S> {
     /// r_k from (r b)_k = 0, and r_0 = 1 / b_0.
-    fn reciprocal(&mut self, k: usize, now: &mut [S]) {
+    pub fn reciprocal(&mut self, k: usize, now: &mut [S]) {
         let newest = now[self.of];
         self.series[k][1] = newest;
         let result = if k == 0 {
@@ -98,7 +98,7 @@ impl<S: Analytic> Implicit<S> {
     }
 
     /// r_k from (r r)_k = a_k, and r_0 the non-negative root of a_0.
-    fn root(&mut self, k: usize, now: &mut [S]) {
+    pub fn root(&mut self, k: usize, now: &mut [S]) {
         let newest = now[self.of];
         let result = if k == 0 {
             newest.sqrt()

@@ -69,6 +69,15 @@ impl Coefficients {
     }
 }
 
+impl Stage {
+    /// The quantities that it brings.
+    pub fn places(&self) -> impl Iterator<Item = Place> {
+        let products = self.products.iter().map(|product| product.place);
+        let implicit = self.reciprocals.iter().chain(&self.roots).map(|(place, _)| *place);
+        self.sum_places.iter().copied().chain(products).chain(implicit)
+    }
+}
+
 impl Sums {
     fn push(&mut self, form: &Form, coefficients: &mut Coefficients) {
         let row = self.rows as u32;

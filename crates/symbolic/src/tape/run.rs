@@ -34,6 +34,8 @@ impl Tape {
 impl<S: Analytic> Program<'_, S> {
     /// The outputs at the inputs; numbers that are missing in `inputs` stay what they were, superfluous ones are
     /// ignored, and of the outputs as many are written as there is room for.
+    // always inlined: whoever is compiled for wide registers evaluates with them
+    #[inline(always)]
     pub fn evaluate(&mut self, inputs: &[S], outputs: &mut [S]) {
         let Tape { inputs: count, constants, operations, outputs: results, .. } = self.tape;
         for (register, input) in self.registers[..*count].iter_mut().zip(inputs) {

@@ -1,0 +1,253 @@
+#!/usr/bin/env python3
+"""Ensembles of gyrostats: dalembert beside heyoka's batch integrator, JAX and a vectorised C loop, in one run.
+
+    python3 benches/ensembles_against.py
+
+needs cargo, gcc, and from pip numpy, heyoka, jax; what is missing is said. The sides take turns, three rounds; figures are
+medians, of the time of the own thread or process. All take the members of benches/ensembles.rs: a percent of spread in
+every datum and in every start. The peers' equations are the second form written out by hand; that all agree is checked on
+the end of one member.
+"""
+
+import ctypes
+import pathlib
+import statistics
+import subprocess
+import tempfile
+import time
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SPAN, ROUNDS, LANES = 2.0, 3, 8
+
+
+def data():
+    """Parameters of the second form, and the start in its axes."""
+    m, c = 1.5, np.array([0.01, -0.02, 0.05])
+    a0 = np.array([[0.02, 0.001, -0.002], [0.001, 0.03, 0.0005], [-0.002, 0.0005, 0.025]])
+    mr, h, l, axial, across = 0.4, np.array([0, 0.03, 0.04]), np.array([0, 0.6, 0.8]), 3e-4, 2e-4
+    full = a0 + across * np.eye(3) + (axial - across) * np.outer(l, l) + mr * (h @ h * np.eye(3) - np.outer(h, h))
+    moments, axes = np.linalg.eigh(full)
+    for i in range(2):
+        axes[:, i] *= np.sign(axes[np.argmax(abs(axes[:, i])), i])
+    axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])
+    form = np.concatenate([moments, axes.T @ l, [axial], axes.T @ (9.81 * (m * c + mr * h))])
+    start = np.concatenate([axes.T @ [1.0, -2, 3], axes.T @ [0.6, 0, 0.8], [0.3, -1.0]])
+    return form, start
+
+
+def members(count, bars):
+    form, start = data()
+    machine = [30.0, 0.05, 1e-4] if not bars else [30.0, 0.05, 0.01, 0.01, 1.0, 0.01, 0.01, 1.0, 1e-4, 1e-4]
+    parameters = np.concatenate([form, machine])
+    start = np.concatenate([start, np.zeros(1 + bars if bars else 0)])
+    spread = lambda x: np.array([x * (1 + 1e-4 * ((37 * n + 11 * np.arange(len(x))) % 101)) for n in range(1, count + 1)])
+    return spread(parameters), spread(start)
+
+
+def rates(y, p, bars, sin, cos):
+    """The second form, for any numbers."""
+    moments, l, axial, ge, rest = p[0:3], p[3:6], p[6], p[7:10], p[10:]
+    w, v, g, slip, currents = y[0:3], y[3:6], y[6], y[7], y[8:]
+    cross = lambda a, b: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    dot = lambda a, b: a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    s, c = sin(g), cos(g)
+    speed = slip + rest[0]
+    out = []
+    if not bars:
+        moment = -rest[1] * s - rest[2] * speed
+    else:
+        w0, b0, a1, l1, r1, a2, l2, r2, mu, f = rest
+        moment = -b0 * s - mu * slip - f * speed
+        for n in range(bars + 1):
+            t = 2 * np.pi * n / bars - np.pi / 4
+            flux = -a1 * s if n == 0 else -a2 * (c * float(np.cos(t)) - s * float(np.sin(t)))
+            moment = moment + currents[n] * flux
+            r, ind = (r1, l1) if n == 0 else (r2, l2)
+            out.append(-(r * currents[n] + flux * slip) / ind)
+    x = [moments[i] * w[i] + l[i] * (axial * speed) for i in range(3)]
+    gain, weight = cross(x, w), cross(ge, v)
+    free = [gain[i] + weight[i] for i in range(3)]
+    response = [l[i] / moments[i] for i in range(3)]
+    turn = (moment / axial - dot(response, free)) / (1.0 - axial * dot(l, response))
+    dw = [free[i] / moments[i] - response[i] * (axial * turn) for i in range(3)]
+    return dw + cross(v, w) + [slip, turn] + out
+
+
+def heyoka_side(bars, tolerance):
+    import heyoka as hy
+
+    count = 512
+    parameters, start = members(count, bars)
+    y = hy.make_vars(*[f"y{i}" for i in range(start.shape[1])])
+    p = [hy.par[i] for i in range(parameters.shape[1])]
+    system = list(zip(y, rates(y, p, bars, hy.sin, hy.cos)))
+    ta = hy.taylor_adaptive_batch(system, np.zeros((len(y), LANES)), tol=tolerance, pars=np.ones((len(p), LANES)))
+
+    def run():
+        for first in range(0, count, LANES):
+            ta.set_time([0.0] * LANES)
+            ta.state[:] = start[first : first + LANES].T
+            ta.pars[:] = parameters[first : first + LANES].T
+            ta.propagate_until([SPAN] * LANES)
+        return np.array(ta.state[:, -1])
+
+    return count, run
+
+
+C = """
+#include <math.h>
+typedef double v __attribute__((vector_size(64)));
+v _ZGVeN8v_sin(v); v _ZGVeN8v_cos(v);
+static inline __attribute__((always_inline)) void rates(const v *y, const v *p, v *dy) {
+%s
+}
+void run(v *y, const v *p, double step, int steps) {
+    v k1[%d], k2[%d], k3[%d], k4[%d], s[%d];
+    for (int n = 0; n < steps; n++) {
+        rates(y, p, k1);
+        for (int i = 0; i < %d; i++) s[i] = y[i] + step / 2 * k1[i];
+        rates(s, p, k2);
+        for (int i = 0; i < %d; i++) s[i] = y[i] + step / 2 * k2[i];
+        rates(s, p, k3);
+        for (int i = 0; i < %d; i++) s[i] = y[i] + step * k3[i];
+        rates(s, p, k4);
+        for (int i = 0; i < %d; i++) y[i] += step / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
+    }
+}
+"""
+
+
+class Text:
+    """An expression as C; each operation is a constant of its own."""
+
+    lines = []
+
+    def __init__(self, text):
+        self.text = text
+
+    @classmethod
+    def new(cls, text):
+        cls.lines.append(f"    const v t{len(cls.lines)} = {text};")
+        return cls(f"t{len(cls.lines) - 1}")
+
+    def __neg__(self):
+        return Text.new(f"-{self.text}")
+
+
+def operation(sign):
+    text = lambda x: x.text if isinstance(x, Text) else repr(float(x))
+    return (lambda a, b: Text.new(f"{text(a)} {sign} {text(b)}")), (lambda a, b: Text.new(f"{text(b)} {sign} {text(a)}"))
+
+
+for name, sign in [("add", "+"), ("sub", "-"), ("mul", "*"), ("truediv", "/")]:
+    there, back = operation(sign)
+    setattr(Text, f"__{name}__", there)
+    setattr(Text, f"__r{name}__", back)
+
+
+def c_side(bars, folder):
+    steps = 20_000
+    parameters, start = members(LANES, bars)
+    n = start.shape[1]
+    Text.lines = []
+    y, p = [Text(f"y[{i}]") for i in range(n)], [Text(f"p[{i}]") for i in range(parameters.shape[1])]
+    call = lambda f: lambda x: Text.new(f"_ZGVeN8v_{f}({x.text})")
+    out = rates(y, p, bars, call("sin"), call("cos"))
+    body = Text.lines + [f"    dy[{i}] = {each.text};" for i, each in enumerate(out)]
+    source = pathlib.Path(folder) / f"loop{bars}.c"
+    source.write_text(C % (("\n".join(body),) + (n,) * 9))
+    library = source.with_suffix(".so")
+    flags = ["-O3", "-march=native", "-ffast-math", "-mprefer-vector-width=512", "-shared", "-fPIC"]
+    subprocess.run(["gcc", *flags, str(source), "-o", str(library), "-lmvec", "-lm"], check=True)
+    code = ctypes.CDLL(str(library))
+
+    def aligned(rows):
+        room = np.zeros(rows.size + 8)
+        offset = (-room.ctypes.data // 8) % 8
+        part = room[offset : offset + rows.size].reshape(rows.shape)
+        part[:] = rows
+        return part
+
+    constants = aligned(np.ascontiguousarray(parameters.T))
+
+    def run():
+        state = aligned(np.ascontiguousarray(start.T))
+        pointer = lambda x: ctypes.c_void_p(x.ctypes.data)
+        code.run(pointer(state), pointer(constants), ctypes.c_double(SPAN / steps), steps)
+        return state[:, -1]
+
+    return steps * LANES, run
+
+
+def jax_side(bars):
+    import jax
+    import jax.numpy as jnp
+
+    jax.config.update("jax_enable_x64", True)
+    count, steps = 512, 2_000
+    parameters, start = members(count, bars)
+    law = lambda y, p: jnp.stack(rates(y, p, bars, jnp.sin, jnp.cos))
+    h = SPAN / steps
+
+    def step(y, p):
+        k1 = law(y, p)
+        k2 = law(y + h / 2 * k1, p)
+        k3 = law(y + h / 2 * k2, p)
+        return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + law(y + h * k3, p))
+
+    one = lambda y, p: jax.lax.fori_loop(0, steps, lambda _, y: step(y, p), y)
+    compiled = jax.jit(jax.vmap(one))
+    return count * steps, lambda: np.array(compiled(start, parameters))[LANES - 1]
+
+
+def timed(work):
+    start = time.process_time()
+    work()
+    return time.process_time() - start
+
+
+def ours():
+    command = ["cargo", "bench", "--quiet", "--bench", "ensembles"]
+    text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    found = {}
+    for line in text.splitlines()[1:]:
+        words = line.split()
+        key = (int(words[0]), "rk4") if words[1] == "RK4" else (int(words[0]), words[1], float(words[3]))
+        found[key] = float(words[5] if words[1] == "RK4" else words[4])
+    return found
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        sides = {}
+        for states, bars in [(8, 0), (15, 6)]:
+            makers = {(states, "heyoka", tol): (lambda bars=bars, tol=tol: heyoka_side(bars, tol)) for tol in [1e-6, 1e-9, 1e-12]}
+            makers[(states, "C")] = lambda bars=bars: c_side(bars, folder)
+            makers[(states, "JAX")] = lambda bars=bars: jax_side(bars)
+            for key, make in makers.items():
+                try:
+                    sides[key] = make()
+                    print(*key, "ends at", *sides[key][1]()[:3])
+                except ImportError as error:
+                    print(*key, "is not here:", error)
+        found = {key: [] for key in sides}
+        own = {}
+        for _ in range(ROUNDS):
+            for key, value in ours().items():
+                own.setdefault(key, []).append(value)
+            for key, (count, run) in sides.items():
+                found[key].append(count / timed(run))
+        print(f"{'states':>6} {'what':<24} {'dalembert':>12} {'peer':>12}  ratio")
+        for key, values in found.items():
+            peer = statistics.median(values)
+            if key[1] == "heyoka":
+                mine = statistics.median(max(each) for each in zip(own[(key[0], "first", key[2])], own[(key[0], "second", key[2])]))
+                what = f"heyoka, to {key[2]:.0e}"
+            else:
+                mine, what = statistics.median(own[(key[0], "rk4")]), f"RK4, {key[1]}"
+            print(f"{key[0]:>6} {what:<24} {mine:>12.3g} {peer:>12.3g}  {mine / peer:.2f}")
+
+
+main()

@@ -1,0 +1,102 @@
+//! Ensembles as their users meet them: killed, continued, refused.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn program(scene: &Path, out: &Path, more: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_dalembert"));
+    command.current_dir(root()).arg("ensemble").arg(scene).arg("--out").arg(out).args(more);
+    command
+}
+
+fn run(scene: &Path, out: &Path, more: &[&str]) -> Output {
+    program(scene, out, more).output().expect("the program starts")
+}
+
+/// A folder for one test, which goes with it.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("dalembert_ensemble_{}_{name}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder can be made");
+        Folder(folder)
+    }
+
+    fn scene(&self, members: u32, change: [&str; 2]) -> PathBuf {
+        let text = std::fs::read_to_string(root().join("scenes/ensembles/spread.toml")).expect("it is there");
+        let text = text.replace("members = 10000", &format!("members = {members}")).replace(change[0], change[1]);
+        let path = self.0.join(format!("scene{members}.toml"));
+        std::fs::write(&path, text).expect("it can be written");
+        path
+    }
+
+    fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.0.join(name)).expect("it was written")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+const SAME: [&str; 2] = ["", ""];
+
+#[test]
+fn a_run_killed_again_and_again_ends_with_the_same_table() {
+    let folder = Folder::new("killed");
+    let scene = folder.scene(1200, SAME);
+    let whole = run(&scene, &folder.0.join("whole.csv"), &["--threads", "1"]);
+    assert!(whole.status.success(), "{}", String::from_utf8_lossy(&whole.stderr));
+    let path = folder.0.join("killed.csv");
+    let mut sizes = Vec::new();
+    for pause in [30, 55, 80, 20, 130, 47, 99] {
+        let mut child = program(&scene, &path, &[]).stdout(Stdio::null()).spawn().expect("the program starts");
+        std::thread::sleep(Duration::from_millis(pause));
+        child.kill().and_then(|()| child.wait()).expect("it can be killed");
+        let size = std::fs::metadata(&path).map_or(0, |data| data.len());
+        // a row that is cut in the middle, as when the power fails
+        if let Ok(file) = std::fs::OpenOptions::new().write(true).open(&path) {
+            file.set_len(size - size.min(7)).expect("it can be cut");
+        }
+        sizes.push(size);
+    }
+    let last = run(&scene, &path, &[]);
+    assert!(last.status.success(), "{}", String::from_utf8_lossy(&last.stderr));
+    assert!(folder.read("killed.csv") == folder.read("whole.csv"), "{sizes:?}");
+    assert_eq!(folder.read("whole.csv").lines().count(), 1201);
+    // nothing is left to do, and more members are those and some more
+    let again = run(&scene, &path, &[]);
+    assert!(String::from_utf8_lossy(&again.stdout).contains("the first 1200 were there already"));
+    assert!(run(&folder.scene(1250, SAME), &path, &[]).status.success());
+    assert!(folder.read("killed.csv").starts_with(&folder.read("whole.csv")));
+    assert_eq!(folder.read("killed.csv").lines().count(), 1251);
+}
+
+#[test]
+fn a_table_of_something_else_is_refused_and_left_alone() {
+    let folder = Folder::new("foreign");
+    let path = folder.0.join("table.csv");
+    assert!(run(&folder.scene(20, SAME), &path, &[]).status.success());
+    let before = folder.read("table.csv");
+    let others = [
+        (["seed = 1", "seed = 2"], "line 2: member 1 has other data here"),
+        (["r1 = \"1.2 ohm\"", "r1 = \"1.3 ohm\""], "line 21: member 20 comes out otherwise today"),
+        (["machine.r2", "machine.r1"], "line 1: these are the columns of something else"),
+    ];
+    for (change, message) in others {
+        let output = run(&folder.scene(20, change), &path, &[]);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(2) && said.contains(message), "{said}");
+        assert_eq!(folder.read("table.csv"), before);
+    }
+    let output = run(&folder.scene(19, SAME), &path, &[]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("there are more than the 19 members"));
+}

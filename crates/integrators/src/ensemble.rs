@@ -1,0 +1,193 @@
+//! The Taylor method on many systems of one kind: one in each lane, each with its own time and step.
+//!
+//! Nothing waits for the slowest: whoever has arrived makes room for the next. What becomes of a member does not depend
+//! on its lane, nor on who is in the others.
+
+use crate::Failure;
+use crate::taylor::{reach, taylor_order};
+use field::Lanes;
+use pulp::{Arch, Simd, WithSimd};
+
+/// The series of L systems that differ in their parameters, states and times.
+pub trait LaneSeries<const L: usize> {
+    /// Gives the system in a lane its parameters.
+    fn set(&mut self, lane: usize, parameters: &[f64]);
+
+    /// Expands the solutions through (t, y), lane by lane.
+    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]);
+
+    /// Of the last expansion the coefficients of order k.
+    fn coefficients(&self, k: usize) -> &[Lanes<L>];
+
+    /// The sum of the last expansion, each lane at its h.
+    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]);
+}
+
+impl<T: LaneSeries<L> + ?Sized, const L: usize> LaneSeries<L> for Box<T> {
+    fn set(&mut self, lane: usize, parameters: &[f64]) {
+        (**self).set(lane, parameters);
+    }
+
+    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]) {
+        (**self).expand(times, states);
+    }
+
+    fn coefficients(&self, k: usize) -> &[Lanes<L>] {
+        (**self).coefficients(k)
+    }
+
+    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
+        (**self).sum(h, out);
+    }
+}
+
+/// Where members come from, and where they go.
+pub trait Members {
+    /// Writes parameters and initial state of the next member and returns its number; `None` where there are no more.
+    fn next(&mut self, parameters: &mut [f64], state: &mut [f64]) -> Option<u64>;
+
+    /// A member has arrived, or failed: its last good state with its time, and how many steps it took.
+    fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>);
+}
+
+/// The method for L members at a time, all from time zero to the same end: a run allocates nothing.
+#[derive(Clone, Debug)]
+pub struct Ensemble<T, const L: usize> {
+    source: T,
+    /// Of the last term of a series.
+    order: usize,
+    tolerance: f64,
+    end: f64,
+    most_steps: u64,
+    states: Vec<Lanes<L>>,
+    /// Room for the states after a step.
+    after: Vec<Lanes<L>>,
+    times: Lanes<L>,
+    steps: [u64; L],
+    /// Who is in which lane.
+    numbers: [Option<u64>; L],
+    /// Room for the data of one member.
+    parameters: Vec<f64>,
+    state: Vec<f64>,
+}
+
+impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
+    /// From a source of series of the order [`taylor_order`](crate::taylor_order), for systems with so many states and parameters.
+    pub fn new(source: T, tolerance: f64, end: f64, states: usize, parameters: usize) -> Self {
+        Ensemble {
+            source,
+            order: taylor_order(tolerance),
+            tolerance,
+            end,
+            most_steps: u64::MAX,
+            states: vec![Lanes::all(0.0); states],
+            after: vec![Lanes::all(0.0); states],
+            times: Lanes::all(0.0),
+            steps: [0; L],
+            numbers: [None; L],
+            parameters: vec![0.0; parameters],
+            state: vec![0.0; states],
+        }
+    }
+
+    /// With so many steps for each member at most.
+    pub fn with_most_steps(mut self, most_steps: u64) -> Self {
+        self.most_steps = most_steps;
+        self
+    }
+
+    /// Carries members from the start to the end until there are no more.
+    pub fn run(&mut self, members: &mut impl Members) {
+        for lane in 0..L {
+            self.admit(lane, members);
+        }
+        while self.numbers.iter().any(Option::is_some) {
+            self.step(members);
+        }
+    }
+
+    /// One step in every lane.
+    fn step(&mut self, members: &mut impl Members) {
+        self.source.expand(self.times, &self.states);
+        let (last, before) = (self.source.coefficients(self.order), self.source.coefficients(self.order - 1));
+        let sizes = Sizes { states: &self.states, last, before, tolerance: self.tolerance };
+        let sizes = Arch::new().dispatch(sizes);
+        let (mut steps, mut nexts) = (Lanes::all(0.0), [Ok(0.0); L]);
+        for lane in (0..L).filter(|lane| self.numbers[*lane].is_some()) {
+            nexts[lane] = self.next_time(lane, sizes.map(|size| size.0[lane]));
+            steps.0[lane] = nexts[lane].map_or(0.0, |next| next - self.times.0[lane]);
+        }
+        self.source.sum(steps, &mut self.after);
+        std::mem::swap(&mut self.states, &mut self.after);
+        for (lane, next) in nexts.into_iter().enumerate() {
+            let Some(number) = self.numbers[lane] else { continue };
+            let lost = || self.states.iter().any(|y| !y.0[lane].is_finite());
+            let failure = match next {
+                Ok(next) if next == self.end && lost() => Some(Failure::LeftTheNumbers { at: self.times.0[lane] }),
+                Ok(next) => {
+                    (self.times.0[lane], self.steps[lane]) = (next, self.steps[lane] + 1);
+                    None
+                }
+                Err(failure) => Some(failure),
+            };
+            if failure.is_some() || self.times.0[lane] == self.end {
+                // where a member failed, the state before is the last good one
+                let states = if failure.is_some() { &self.after } else { &self.states };
+                self.state.iter_mut().zip(states).for_each(|(y, lanes)| *y = lanes.0[lane]);
+                members.ended(number, &self.state, self.steps[lane], self.times.0[lane], failure);
+                self.admit(lane, members);
+            }
+        }
+    }
+
+    /// Where the step of a lane leads, by the sizes of its last coefficients.
+    fn next_time(&self, lane: usize, [last, before, sum]: [f64; 3]) -> Result<f64, Failure> {
+        let at = self.times.0[lane];
+        if !sum.is_finite() {
+            return Err(Failure::LeftTheNumbers { at });
+        }
+        if self.steps[lane] == self.most_steps {
+            let allowed = self.most_steps.saturating_mul(self.order as u64);
+            return Err(Failure::TooManyEvaluations { at, allowed });
+        }
+        let reach = reach(self.order, last, before);
+        let next = if reach >= self.end - at { self.end } else { at + reach };
+        if next == at { Err(Failure::StepCollapsed { at, step: reach }) } else { Ok(next) }
+    }
+
+    fn admit(&mut self, lane: usize, members: &mut impl Members) {
+        self.numbers[lane] = members.next(&mut self.parameters, &mut self.state);
+        if self.numbers[lane].is_some() {
+            self.source.set(lane, &self.parameters);
+            self.states.iter_mut().zip(&self.state).for_each(|(lanes, y)| lanes.0[lane] = *y);
+            (self.times.0[lane], self.steps[lane]) = (0.0, 0);
+        }
+    }
+}
+
+/// The largest coefficients of two orders in units of what is allowed, and the sum of all, which is finite where they are.
+struct Sizes<'a, const L: usize> {
+    states: &'a [Lanes<L>],
+    last: &'a [Lanes<L>],
+    before: &'a [Lanes<L>],
+    tolerance: f64,
+}
+
+impl<const L: usize> WithSimd for Sizes<'_, L> {
+    type Output = [Lanes<L>; 3];
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> [Lanes<L>; 3] {
+        let [mut s_last, mut s_before, mut sum] = [Lanes::all(0.0); 3];
+        for ((state, last), before) in self.states.iter().zip(self.last).zip(self.before) {
+            for lane in 0..L {
+                let share = 1.0 / (self.tolerance + self.tolerance * state.0[lane].abs());
+                let (a, b) = (last.0[lane].abs() * share, before.0[lane].abs() * share);
+                s_last.0[lane] = if a > s_last.0[lane] { a } else { s_last.0[lane] };
+                s_before.0[lane] = if b > s_before.0[lane] { b } else { s_before.0[lane] };
+                sum.0[lane] += a + b;
+            }
+        }
+        [s_last, s_before, sum]
+    }
+}

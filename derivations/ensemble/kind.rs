@@ -1,0 +1,180 @@
+//! The law of a scene with a symbol for every datum, written down once: it serves every member of an ensemble.
+
+use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, Quantity, Source};
+use crate::scene::{Axes, MachineData, System};
+use crate::systems::gyrostat::driven::Driven;
+use crate::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
+use field::Lanes;
+use integrators::LaneSeries;
+use nalgebra::{Matrix3, Vector3};
+use std::convert::Infallible;
+use symbolic::{Abreast, Equations, Recurrence, Sym, Tape, Untapeable};
+
+/// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
+/// axes) or A' of a bench, then the machine's in its own order.
+#[derive(Clone, Debug)]
+pub struct Kind {
+    recurrence: Recurrence,
+    invariants: Tape,
+}
+
+/// What each system may keep, and its name; which of them a member keeps, its machine says.
+pub const INVARIANTS: [&str; 4] = ["vertical_length", "vertical_momentum", "jacobi", "rotor_momentum"];
+
+/// The columns of a recurrence that still lie near the processor, and of the largest.
+const FEW: usize = 256;
+const MANY: usize = 1 << 16;
+
+impl Kind {
+    /// Writes down the law of a system with a machine that has these counts of windings.
+    ///
+    /// # Errors
+    /// [`Untapeable`] where the law is none that can be written down.
+    pub fn record(system: &System, machine: &AnyMachine, counts: &MachineData, axes: Axes) -> Result<Self, Untapeable> {
+        machine.clone().apply(Recording { system, counts, axes })
+    }
+
+    /// How many parameters a member has.
+    pub fn parameters(&self) -> usize {
+        self.recurrence.parameters()
+    }
+
+    /// How many states a member has.
+    pub fn states(&self) -> usize {
+        self.recurrence.states()
+    }
+
+    /// The series of L members, to this order.
+    pub fn series<const L: usize>(&self, order: usize) -> Option<Box<dyn LaneSeries<L> + '_>> {
+        if let Some(series) = self.recurrence.abreast::<L, FEW>(order) {
+            return Some(Box::new(Series(series)));
+        }
+        self.recurrence.abreast::<L, MANY>(order).map(|series| Box::new(Series(series)) as Box<dyn LaneSeries<L>>)
+    }
+
+    /// The values of [`INVARIANTS`] in a state: a program that takes the states and the parameters.
+    pub fn invariants(&self) -> symbolic::Program<'_, f64> {
+        self.invariants.over()
+    }
+}
+
+/// The axes of the form as columns, and the parameters of the system; those of the machine follow.
+pub fn form_parameters(system: &System, axes: Axes) -> (Option<Matrix3<f64>>, Vec<f64>) {
+    match system {
+        System::Gyrostat(bodies) => {
+            let principal = axes.principal(bodies);
+            let (moments, axis, axial, weight) = bodies.form_data(&principal);
+            let parameters = moments.iter().chain(&axis).chain([&axial]).chain(&weight).copied().collect();
+            (Some(principal.axes), parameters)
+        }
+        System::Bench { axial } => (None, vec![*axial]),
+    }
+}
+
+struct Recording<'a> {
+    system: &'a System,
+    counts: &'a MachineData,
+    axes: Axes,
+}
+
+impl ForMachine for Recording<'_> {
+    type Output = Result<Kind, Untapeable>;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> Self::Output {
+        let mut names = Names { made: Vec::new(), counts: self.counts };
+        match self.system {
+            System::Gyrostat(_) => {
+                let [moments, axis] = [names.three(), names.three()];
+                let (axial, weight) = (names.one(), names.three());
+                let Ok(machine) = M::read::<Sym, _>(&mut names);
+                match self.axes {
+                    Axes::First => gyrostat(FirstForm::new(moments, axis, axial, weight), machine, &names.made),
+                    Axes::Second => gyrostat(SecondForm::new(moments, axis, axial, weight), machine, &names.made),
+                }
+            }
+            System::Bench { .. } => {
+                let axial = names.one();
+                let Ok(machine) = M::read::<Sym, _>(&mut names);
+                let bench = Bench { machine, axial };
+                let state = states(bench.dimension());
+                let none = [Sym::ZERO; 2];
+                let kept = [none[0], none[1], bench.jacobi(&state), bench.rotor_momentum(&state)];
+                kind(&state, &names.made, kept, |dy| bench.rates(&state, dy))
+            }
+        }
+    }
+}
+
+fn gyrostat(form: impl Form<Sym>, machine: impl Machine<Sym>, parameters: &[Sym]) -> Result<Kind, Untapeable> {
+    let law = Driven::new(form, machine);
+    let state = states(law.dimension());
+    let kept =
+        [law.vertical_length(&state), law.vertical_momentum(&state), law.jacobi(&state), law.rotor_momentum(&state)];
+    kind(&state, parameters, kept, |dy| law.rates(&state, dy))
+}
+
+fn kind(state: &[Sym], parameters: &[Sym], kept: [Sym; 4], law: impl Fn(&mut [Sym])) -> Result<Kind, Untapeable> {
+    let mut rates = vec![Sym::ZERO; state.len()];
+    law(&mut rates);
+    let inputs = [state, parameters].concat();
+    Ok(Kind {
+        recurrence: Recurrence::record(&Equations { state, time: None, parameters, rates: &rates })?,
+        invariants: Tape::record(&inputs, &kept)?,
+    })
+}
+
+fn states(count: usize) -> Vec<Sym> {
+    (0..count).map(|i| Sym::symbol(&format!("y{i}"))).collect()
+}
+
+/// Symbols, as many as are asked for.
+struct Names<'a> {
+    made: Vec<Sym>,
+    counts: &'a MachineData,
+}
+
+impl Names<'_> {
+    fn one(&mut self) -> Sym {
+        let next = Sym::symbol(&format!("p{}", self.made.len()));
+        self.made.push(next);
+        next
+    }
+
+    fn three(&mut self) -> Vector3<Sym> {
+        Vector3::from([self.one(), self.one(), self.one()])
+    }
+}
+
+impl Source<Sym> for Names<'_> {
+    type Error = Infallible;
+
+    fn quantity(&mut self, _: &'static Quantity) -> Result<Sym, Infallible> {
+        Ok(self.one())
+    }
+
+    /// How many bars there are is no number of a member, but the shape of them all.
+    fn count(&mut self, name: &'static str, _: &'static str) -> Result<usize, Infallible> {
+        Ok(self.counts.counts.iter().find(|(given, ..)| *given == name).map_or(1, |(.., count)| *count))
+    }
+}
+
+/// The series of a recurrence, in lanes.
+struct Series<'a, const L: usize, const N: usize>(Abreast<'a, L, N>);
+
+impl<const L: usize, const N: usize> LaneSeries<L> for Series<'_, L, N> {
+    fn set(&mut self, lane: usize, parameters: &[f64]) {
+        self.0.set(lane, parameters);
+    }
+
+    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]) {
+        self.0.expand(states, times);
+    }
+
+    fn coefficients(&self, k: usize) -> &[Lanes<L>] {
+        self.0.coefficients(k)
+    }
+
+    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
+        self.0.sum(h, out);
+    }
+}

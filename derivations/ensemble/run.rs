@@ -1,0 +1,164 @@
+//! An ensemble run: lanes in every thread, results in the order of the members.
+
+use super::EnsembleScene;
+use super::kind::INVARIANTS;
+use super::member::Member;
+use crate::scene::state::ROTOR_SPEED;
+use integrators::{Ensemble, Failure, Members};
+use std::collections::BTreeMap;
+use std::ops::{ControlFlow, RangeInclusive};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc;
+use symbolic::Program;
+
+/// As many as a register of today holds.
+const LANES: usize = 8;
+
+/// What takes longer is given up: a million steps are more than a million oscillations.
+const MOST_STEPS: u64 = 1_000_000;
+
+/// What became of a member.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Counted from one.
+    pub number: u64,
+    /// What varies, in SI units.
+    pub drawn: Vec<f64>,
+    /// Why it stopped before the end, where it did.
+    pub stopped: Option<String>,
+    pub steps: u64,
+    /// The last good time and state in the axes of the data, the rotor's relative speed, and by how much each invariant
+    /// has changed, where the member keeps it; `None` where there is no such member.
+    pub last: Option<Last>,
+}
+
+/// The last good state of a member.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Last {
+    pub time: f64,
+    pub state: Vec<f64>,
+    pub changes: [Option<f64>; 4],
+}
+
+impl EnsembleScene {
+    /// Runs these members and hands on the rows in their order, whoever finished first. Each row is the same in every run,
+    /// with any number of threads.
+    ///
+    /// `take` may end the run; then members that are under way are lost.
+    pub fn run(&self, members: RangeInclusive<u64>, threads: usize, mut take: impl FnMut(Row) -> ControlFlow<()>) {
+        let (next, stop) = (AtomicU64::new(*members.start()), AtomicBool::new(false));
+        std::thread::scope(|scope| {
+            let (sender, receiver) = mpsc::sync_channel(1024);
+            for _ in 0..threads.max(1) {
+                let worker = Worker {
+                    scene: self,
+                    next: &next,
+                    last: *members.end(),
+                    stop: &stop,
+                    invariants: self.kind.invariants(),
+                    aboard: Vec::with_capacity(LANES + 1),
+                    slip: self.names().iter().position(|name| name == "slip"),
+                    rows: sender.clone(),
+                };
+                scope.spawn(move || worker.work());
+            }
+            drop(sender);
+            let (mut waiting, mut expected) = (BTreeMap::new(), *members.start());
+            for row in receiver {
+                waiting.insert(row.number, row);
+                while let Some(row) = waiting.remove(&expected) {
+                    expected += 1;
+                    if !stop.load(Ordering::Relaxed) && take(row).is_break() {
+                        stop.store(true, Ordering::Relaxed);
+                    }
+                }
+            }
+        });
+    }
+
+    /// The columns of a row, in their order.
+    pub fn columns(&self) -> Vec<String> {
+        let mut columns = vec!["member".to_owned()];
+        columns.extend(self.varied.iter().flat_map(super::vary::Varied::columns));
+        columns.extend(["stopped", "time", "steps"].map(String::from));
+        columns.extend(self.names());
+        columns.push(ROTOR_SPEED.to_owned());
+        columns.extend(INVARIANTS.map(|name| format!("{name}_change")));
+        columns
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.scene.names()
+    }
+}
+
+/// What one thread has in its hands.
+struct Worker<'a> {
+    scene: &'a EnsembleScene,
+    next: &'a AtomicU64,
+    last: u64,
+    stop: &'a AtomicBool,
+    invariants: Program<'a, f64>,
+    /// The members in the lanes.
+    aboard: Vec<Member>,
+    slip: Option<usize>,
+    rows: mpsc::SyncSender<Row>,
+}
+
+impl Worker<'_> {
+    fn work(mut self) {
+        let tolerance = self.scene.scene.run.tolerance;
+        let order = integrators::taylor_order(tolerance);
+        let Some(series) = self.scene.kind.series::<LANES>(order) else { return };
+        let (kind, end) = (&self.scene.kind, self.scene.scene.run.span);
+        Ensemble::new(series, tolerance, end, kind.states(), kind.parameters())
+            .with_most_steps(MOST_STEPS)
+            .run(&mut self);
+    }
+
+    fn kept(&mut self, state: &[f64], parameters: &[f64]) -> [f64; 4] {
+        let mut kept = [0.0; 4];
+        self.invariants.evaluate(&[state, parameters].concat(), &mut kept);
+        kept
+    }
+
+    /// The other end lives as long as the run.
+    fn hand_on(&self, row: Row) {
+        let _ = self.rows.send(row);
+    }
+}
+
+impl Members for Worker<'_> {
+    fn next(&mut self, parameters: &mut [f64], state: &mut [f64]) -> Option<u64> {
+        loop {
+            let number = self.next.fetch_add(1, Ordering::Relaxed);
+            if number > self.last || self.stop.load(Ordering::Relaxed) {
+                return None;
+            }
+            match self.scene.member(number) {
+                Ok(member) => {
+                    parameters.copy_from_slice(&member.parameters);
+                    state.copy_from_slice(&member.state);
+                    self.aboard.push(member);
+                    return Some(number);
+                }
+                Err(why) => {
+                    let drawn = self.scene.drawn(number);
+                    self.hand_on(Row { number, drawn, stopped: Some(why), steps: 0, last: None });
+                }
+            }
+        }
+    }
+
+    fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>) {
+        let Some(place) = self.aboard.iter().position(|member| member.number == number) else { return };
+        let member = self.aboard.swap_remove(place);
+        let before = self.kept(&member.state, &member.parameters);
+        let after = self.kept(state, &member.parameters);
+        let keeps = member.keeps();
+        let change = |i: usize| (keeps[i] && (after[i] - before[i]).is_finite()).then_some(after[i] - before[i]);
+        let last = Last { time: at, state: member.row(state, self.slip), changes: std::array::from_fn(change) };
+        let (drawn, stopped) = (self.scene.drawn(number), failure.map(|failure| failure.to_string()));
+        self.hand_on(Row { number, drawn, stopped, steps, last: Some(last) });
+    }
+}

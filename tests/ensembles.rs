@@ -1,0 +1,237 @@
+//! Ensembles: each member is the single run of that member, whoever runs beside it.
+
+use derivations::ensemble::{EnsembleScene, Row};
+use derivations::scene::{Axes, Family, Scene};
+use field::Lanes;
+use integrators::{Ensemble, Failure, LaneSeries, Members, Taylor, Tolerance};
+use std::ops::ControlFlow;
+
+/// The scene of the folder, with other machines too.
+fn text() -> String {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/ensembles/spread.toml");
+    std::fs::read_to_string(path).expect("it is there")
+}
+
+fn ensemble(text: &str) -> EnsembleScene {
+    EnsembleScene::parse("ensemble.toml", text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn rows(scene: &EnsembleScene, threads: usize) -> Vec<Row> {
+    let mut rows = Vec::new();
+    scene.run(1..=scene.members, threads, |row| {
+        rows.push(row);
+        ControlFlow::Continue(())
+    });
+    rows
+}
+
+fn short(members: u64) -> String {
+    text().replace("members = 10000", &format!("members = {members}")).replace("span = \"0.5 s\"", "span = \"0.1 s\"")
+}
+
+/// The scene of a member as its own file would give it.
+fn single(scene: &EnsembleScene, row: &Row) -> Scene {
+    let mut one = scene.scene.clone();
+    let derivations::scene::System::Gyrostat(bodies) = &mut one.system else { panic!("it has a carrier") };
+    let [cx, cy, cz, axial, b0, r2, angle, wx, wy, wz, vx, vy, vz] = row.drawn[..] else { panic!("13 numbers vary") };
+    bodies.rotor.axial = axial;
+    bodies.carrier.centre = [cx, cy, cz].into();
+    for (quantity, value) in &mut one.machine_data.numbers {
+        match quantity.name {
+            "b0" => *value = b0,
+            "r2" => *value = r2,
+            _ => {}
+        }
+    }
+    one.machine = one.machine_data.machine(one.machine.name()).expect("the data are its own");
+    one.start.rotor_angle = angle;
+    one.start.vertical = [vx, vy, vz].into();
+    one.start.angular_velocity = [wx, wy, wz].into();
+    one
+}
+
+#[test]
+fn every_member_is_the_single_run_of_its_scene() {
+    let scene = ensemble(&short(19));
+    for row in rows(&scene, 2) {
+        let last = row.last.as_ref().unwrap_or_else(|| panic!("{row:?}"));
+        let one = single(&scene, &row);
+        let mut problem = one.problem(Axes::Second);
+        let series = problem.law.taylor().expect("its law is recorded");
+        let mut taylor = Taylor::new(series, &Tolerance::both(one.run.tolerance));
+        let steps = taylor.propagate(0.0, one.run.span, &mut problem.state).expect("it arrives");
+        assert_eq!((steps, &row.stopped), (row.steps, &None));
+        one.back(Axes::Second)(&mut problem.state);
+        // the slip comes from -150 rad/s: rounding is of that size, and grows a thousandfold
+        for (a, b) in problem.state.iter().zip(&last.state) {
+            assert!((a - b).abs() < 1e-12 * 150.0, "member {}: {a} {b}", row.number);
+        }
+        assert!(last.changes[..2].iter().all(|change| change.is_some_and(|change| change.abs() < 1e-8)), "{last:?}");
+        assert_eq!((last.changes[2], last.changes[3]), (None, None), "this motor dissipates");
+    }
+}
+
+#[test]
+fn results_are_the_same_to_the_last_bit_with_any_number_of_threads() {
+    let scene = ensemble(&short(40));
+    let one = rows(&scene, 1);
+    assert_eq!(one, rows(&scene, 3));
+    assert!(one.iter().zip(1..).all(|(row, number)| row.number == number) && one.len() == 40);
+    // who begins later finds the same
+    let mut tail = Vec::new();
+    scene.run(30..=40, 2, |row| {
+        tail.push(row);
+        ControlFlow::Continue(())
+    });
+    assert_eq!(tail[..], one[29..]);
+}
+
+#[test]
+fn every_machine_and_both_systems_have_ensembles_that_agree_with_single_runs() {
+    let data = "k = \"1e-3 N m s\"\npull_out = \"0.1 N m\"\npull_out_slip = 0.2\nspeed = \"150 rad/s\"\n";
+    for (name, _) in derivations::machines::AnyMachine::LIST {
+        let all = short(9).replace("[start]", &format!("{data}\n[start]"));
+        // each machine takes what it knows
+        let known = |line: &str| {
+            let key = line.split(" =").next().unwrap_or_default();
+            !line.contains(" = \"") && !line.starts_with("bars") && !line.starts_with("pull_out_slip")
+                || keys(name).contains(&key)
+        };
+        let (before, rest) = all.split_once("[machine]").expect("it has one");
+        let (machine, after) = rest.split_once("[start]").expect("it follows");
+        let machine: String = machine.lines().filter(|line| known(line)).map(|line| format!("{line}\n")).collect();
+        let machine = machine.replace("multi_current", name) + &format!("model = \"{name}\"\n");
+        let after: String = after
+            .lines()
+            .filter(|line| !line.starts_with("machine.") && !line.starts_with("outputs"))
+            .filter(|line| *name != "constant_speed" || !line.starts_with("rotor_speed"))
+            .map(|line| format!("{line}\n"))
+            .collect();
+        let scene = ensemble(&format!("{before}[machine]\n{machine}\n[start]\n{after}"));
+        for row in rows(&scene, 1) {
+            let last = row.last.as_ref().unwrap_or_else(|| panic!("{name}: {row:?}"));
+            assert!(row.stopped.is_none(), "{name}: {row:?}");
+            for change in last.changes.into_iter().flatten() {
+                assert!(change.abs() < 1e-6, "{name}: {change:e}");
+            }
+        }
+    }
+}
+
+/// The data of a machine by their names.
+fn keys(name: &str) -> Vec<&'static str> {
+    let windings = ["field_speed", "b0", "a1", "l1", "r1", "a2", "l2", "r2", "mu", "f", "bars"];
+    match name {
+        "constant_speed" => vec!["speed"],
+        "free_rotor" => vec![],
+        "asynchronous" => vec!["field_speed", "k", "f"],
+        "kloss" => vec!["field_speed", "pull_out", "pull_out_slip", "f"],
+        "synchronous" => vec!["field_speed", "b0", "f"],
+        _ => windings.to_vec(),
+    }
+}
+
+#[test]
+fn members_that_cannot_exist_or_do_not_arrive_are_rows_with_a_reason() {
+    let text = short(30).replace("deviation = \"0.2e-4 kg m^2\"", "deviation = \"3e-4 kg m^2\"");
+    let rows = rows(&ensemble(&text), 2);
+    let impossible = rows.iter().filter(|row| row.last.is_none()).count();
+    assert!(impossible > 3 && impossible < 27 && rows.len() == 30, "{impossible}");
+    assert!(rows.iter().all(|row| row.last.is_some() || row.stopped.as_ref().is_some_and(|why| why.contains("A'"))));
+    // a field that turns so fast that no step above rounding is short enough
+    let text = short(8).replace(
+        "machine.b0 = { mean = \"0.15 N m\", deviation = \"0.01 N m\" }",
+        "machine.field_speed = { from = \"1e200 rad/s\", to = \"1e300 rad/s\" }",
+    );
+    for row in self::rows(&ensemble(&text), 1) {
+        let last = row.last.as_ref().expect("its bodies exist");
+        assert!(row.stopped.is_some() && last.time < 0.1, "{row:?}");
+        assert!(last.state.iter().all(|x| x.is_finite()));
+    }
+}
+
+#[test]
+fn what_is_wrong_with_an_ensemble_is_told_at_its_place() {
+    let wrong = [
+        ("rotor.axial = {", "rotor.axiel = {", "unknown key `axiel`", "is `axial` meant?"),
+        ("\"0.01 N m\"", "\"0.01 A\"", "`deviation`", "units of the dimension"),
+        ("to = \"180 deg\"", "to = \"-190 deg\"", "`to` is less than `from`", "a number that is not less"),
+        ("mean = \"0.15 N m\", ", "", "how `b0` varies is not said", "{ from, to }"),
+        ("members = 10000", "members = 0", "`members` is out of range", "from 1 to"),
+        ("[ensemble.vary]", "[ensemble.very]", "unknown key `very`", "is `vary` meant?"),
+    ];
+    for (from, to, title, help) in wrong {
+        let text = text();
+        assert!(text.contains(from), "{from}");
+        let message = EnsembleScene::parse("wrong.toml", &text.replacen(from, to, 1)).expect_err(to).to_string();
+        assert!(message.contains(title) && message.contains(help) && message.contains("^"), "{message}");
+    }
+}
+
+/// y' = p y, which leaves the numbers where y does, and takes no steps of its own.
+struct Growth {
+    rates: Lanes<4>,
+    series: Vec<[Lanes<4>; 1]>,
+}
+
+impl LaneSeries<4> for Growth {
+    fn set(&mut self, lane: usize, parameters: &[f64]) {
+        self.rates.0[lane] = parameters[0];
+    }
+
+    fn expand(&mut self, _: Lanes<4>, states: &[Lanes<4>]) {
+        let mut term = states[0];
+        for (k, row) in self.series.iter_mut().enumerate() {
+            row[0] = term;
+            term = term * self.rates / Lanes::all((k + 1) as f64);
+        }
+    }
+
+    fn coefficients(&self, k: usize) -> &[Lanes<4>] {
+        &self.series[k]
+    }
+
+    fn sum(&self, h: Lanes<4>, out: &mut [Lanes<4>]) {
+        out[0] = self.series.iter().rev().fold(Lanes::all(0.0), |sum, row| sum * h + row[0]);
+    }
+}
+
+struct Rates<'a> {
+    rates: &'a [f64],
+    next: usize,
+    ended: Vec<(u64, f64, f64, Option<Failure>)>,
+}
+
+impl Members for Rates<'_> {
+    fn next(&mut self, parameters: &mut [f64], state: &mut [f64]) -> Option<u64> {
+        (parameters[0], state[0]) = (*self.rates.get(self.next)?, 1.0);
+        self.next += 1;
+        Some(self.next as u64)
+    }
+
+    fn ended(&mut self, number: u64, state: &[f64], _: u64, at: f64, failure: Option<Failure>) {
+        self.ended.push((number, state[0], at, failure));
+    }
+}
+
+#[test]
+fn a_member_that_fails_disturbs_no_other_and_nobody_waits_for_the_slowest() {
+    let rates = [1.0, -2.0, f64::NAN, 300.0, 0.0, 5e5, -1.0, 2.0, 3.0];
+    let series = vec![[Lanes::all(0.0)]; integrators::taylor_order(1e-12) + 1];
+    let mut members = Rates { rates: &rates, next: 0, ended: Vec::new() };
+    let source = Growth { rates: Lanes::all(0.0), series };
+    Ensemble::new(source, 1e-12, 1.0, 1, 1).with_most_steps(10_000).run(&mut members);
+    assert_eq!(members.ended.len(), rates.len());
+    for (number, state, at, failure) in members.ended.iter().copied() {
+        let rate = rates[number as usize - 1];
+        match rate {
+            _ if rate.is_nan() => {
+                assert_eq!((state, at, failure), (1.0, 0.0, Some(Failure::LeftTheNumbers { at: 0.0 })))
+            }
+            5e5 => assert!(failure.is_some() && state.is_finite() && at < 1.0, "{failure:?}"),
+            _ => assert!(failure.is_none() && (state / rate.exp() - 1.0).abs() < 1e-9, "{rate}: {state}"),
+        }
+    }
+    // the member with the fastest growth came in fourth, and is not among the first to leave
+    assert!(members.ended.iter().position(|end| end.0 == 4) > members.ended.iter().position(|end| end.0 == 5));
+}
