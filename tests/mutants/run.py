@@ -181,8 +181,9 @@ def table(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> st
         "# What notices a broken law", "",
         f"{len(shown)} mutants: " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()) + ".", "",
         "Each breaks one law by a sign, a factor, a term or an index (`tests/mutants/mutants.toml`). Beside it stand how many",
-        "claims of the ledger then fail and how many laws of `tests/`, and of these the one that notices the fewest other",
-        "mutants. Written by `tests/mutants/run.py`.",
+        "claims of the ledger then fail and how many laws of `tests/` or of the file's own crate, and of these the one that",
+        "notices the fewest other mutants. Laws that run whole motions are asked only where nothing else notices. Written by",
+        "`tests/mutants/run.py`.",
     ]
     for file in dict.fromkeys(file for file, _ in shown):
         lines += ["", f"## {file}", "", "| broken | claims | laws | one of them |", "|---|---|---|---|"]
