@@ -47,7 +47,7 @@ OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
 SETTINGS = {"CARGO_PROFILE_DEV_OPT_LEVEL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
 # that a law fails is enough: no search for its smallest failure
 RUNNING = {"CARGO_MANIFEST_DIR": str(COPY), "PROPTEST_MAX_SHRINK_ITERS": "0"}
-SECONDS = 600
+SECONDS = 120
 # told of a program that does not come to its tests, by a panic or by an endless loop
 STOPPED = ("stops", "does not end")
 
@@ -113,8 +113,9 @@ def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
 def failures(test: str, programs: dict[str, Path]) -> list[str]:
     """The names of the tests that fail, in their order; the program's where it does not come to its tests."""
     command = [programs[test], "--test-threads=2"]
+    seconds = 10 * SECONDS if test in RUNS else SECONDS
     try:
-        done = subprocess.run(command, cwd=COPY, env=os.environ | RUNNING, capture_output=True, text=True, timeout=SECONDS)
+        done = subprocess.run(command, cwd=COPY, env=os.environ | RUNNING, capture_output=True, text=True, timeout=seconds)
     except subprocess.TimeoutExpired:
         return [f"{test} {STOPPED[1]}"]
     names = re.findall(r"^test (\S.*?)\s+\.\.\. FAILED$", done.stdout, re.MULTILINE)
