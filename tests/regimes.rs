@@ -5,7 +5,7 @@ use derivations::systems::ladder::Ladder;
 use derivations::systems::painleve_klein::Sliders;
 use derivations::systems::rod::Rod;
 use derivations::systems::slender_rod::SlenderRod;
-use field::{Circle, Over, Rational, Scalar};
+use field::{Circle, Over, Rational};
 use mechanics::constrained::contacts::{Contact, Contacts, Sides};
 use mechanics::constrained::{Constrained, Constraint, State, System};
 use mechanics::regimes::cramer::Cramer;
