@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Breaks every law once and tells what notices: writes snapshots/mutants.md.
+"""Breaks every law once and tells what notices: writes snapshots/mutants/, a page for each top folder.
 
 Each mutant of mutants.toml is one replacement in one file of a copy of the project, outside of it. The ledger, the laws
 and what the file's own crate tests are built there and run; what fails has caught the mutant. Whole motions run only where
@@ -26,7 +26,7 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-TABLE = ROOT / "snapshots" / "mutants.md"
+TABLES = ROOT / "snapshots" / "mutants"
 COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-mutants"))
 PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches"]
 LEDGER = "ledger"
@@ -164,9 +164,9 @@ def rows(outcomes: dict[str, list[Outcome]]) -> dict[tuple[str, str], str]:
 
 
 def known_rows() -> dict[tuple[str, str], str]:
-    """The rows of the table as it stands."""
+    """The rows of the tables as they stand."""
     found, file = {}, ""
-    for line in (TABLE.read_text() if TABLE.exists() else "").splitlines():
+    for line in "".join(page.read_text() for page in sorted(TABLES.glob("*.md"))).splitlines():
         if line.startswith("## "):
             file = line.removeprefix("## ")
         elif file and line.startswith("| ") and not line.startswith("| broken |"):
@@ -190,6 +190,14 @@ def table(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> st
         lines += ["", f"## {file}", "", "| broken | claims | laws | one of them |", "|---|---|---|---|"]
         lines += [row for of_file, row in shown if of_file == file]
     return "\n".join(lines) + "\n"
+
+
+def write_tables(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> None:
+    """A page for the mutants of each top folder."""
+    TABLES.mkdir(exist_ok=True)
+    for top in dict.fromkeys(Path(file).parts[0] for file, _ in listed):
+        of_top = [(file, name) for file, name in listed if Path(file).parts[0] == top]
+        (TABLES / f"{top}.md").write_text(table(of_top, rows))
 
 
 def main() -> None:
@@ -217,7 +225,7 @@ def main() -> None:
         if words:
             print("".join(f"        {catcher}\n" for catcher in outcome.claims + outcome.laws), end="", flush=True)
     listed = [(file, name) for file, of_file in mutants.items() for name in of_file]
-    TABLE.write_text(table(listed, known_rows() | rows(outcomes)))
+    write_tables(listed, known_rows() | rows(outcomes))
     wrong = [f"{file}: {outcome.name}: {outcome.verdict()}" for file, of_file in outcomes.items()
              for outcome in of_file if not outcome.right()]
     sys.exit("\n".join(wrong) or None)
