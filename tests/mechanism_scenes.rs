@@ -1,10 +1,13 @@
 //! Scenes of mechanisms: they end as they should, beside closed forms and theory, and their energy is the work on them.
 
 use derivations::governors::{self, SPEED, growth};
-use derivations::mechanisms::{LIST, MechanismScene};
+use derivations::mechanisms::governors::{Discs, Drum, Programme, Released};
+use derivations::mechanisms::{LIST, Mechanism, MechanismScene};
 use derivations::scene::{Choice, Family, Smooth, Told, Trajectory, methods};
 use derivations::stabilisation::experiment;
+use derivations::systems::elastic_governor::ElasticGovernor;
 use integrators::{Failure, Method, Refusal};
+use std::convert::Infallible;
 use std::path::Path;
 
 fn open(name: &str) -> MechanismScene {
@@ -121,6 +124,26 @@ fn no_method_steps_over_the_axis() {
         assert!(told.theory[0].contains("t = 1.1025"), "{:?}", told.theory);
         assert!(trajectory.rows.iter().all(|row| row[0] > 0.0), "{method}");
     }
+}
+
+/// What a mechanism shows at a state; every datum is 1 but those that are told.
+fn shown<M: Mechanism>(name: &str, y: &[f64], told: &[(&str, f64)]) -> f64 {
+    let datum = |name: &str| told.iter().find(|(told, _)| *told == name).map_or(1.0, |(_, value)| *value);
+    let Ok(mechanism) = M::read(&mut |quantity| Ok::<_, Infallible>(datum(quantity.name)));
+    let place = M::SHOWN.iter().position(|quantity| quantity.name == name).expect("it is shown");
+    mechanism.shown(0.0, y)[place]
+}
+
+/// No contact slips: R omega1 = rho omega2 at a drum, rho omega1 = (a - rho) omega2 between two discs.
+#[test]
+fn the_other_shaft_is_shown_as_fast_as_the_wheel_rolls() {
+    let (drum, discs) = ([("drum", 0.5), ("speed", 3.0)], [("distance", 1.0), ("speed", 3.0)]);
+    assert_eq!(shown::<Programme<Drum>>("omega1", &[0.25], &drum), 1.5);
+    assert_eq!(shown::<Released<Drum>>("omega1", &[3.0, 0.25, 0.0], &drum), 1.5);
+    assert_eq!(shown::<Programme<Discs>>("omega1", &[0.25], &discs), 9.0);
+    assert_eq!(shown::<Released<Discs>>("omega1", &[3.0, 0.25, 0.0], &discs), 9.0);
+    let elastic = [("drum", 0.5), ("offset", 0.5)];
+    assert_eq!(shown::<ElasticGovernor<f64>>("omega2", &[3.0, 0.75, 0.0, 0.0, 0.0], &elastic), 6.0);
 }
 
 /// The rate of the linear theory, seen over forty seconds of the motion.

@@ -156,6 +156,18 @@ fn coordinates_that_are_no_split_are_refused() {
     assert!(Split::<4, 2, 2>::new([3, 1]).is_some());
 }
 
+/// Upwards at its lowest point; its stiffness takes the push from there to the centre.
+#[test]
+fn the_plane_carries_the_weight_of_a_disc_that_stands() {
+    let [mass, second_moment, radius, gravity] = [3, 1, 2, 10].map(Rational::int);
+    let disc = Disc { mass, second_moment, radius, gravity };
+    let place = [0, 0, 2, 1, 0, 0, 0, 0, 1].map(Rational::int);
+    let at = State { time: Rational::zero(), place, velocity: [Rational::zero(); 9] };
+    let stands = newton::<_, _, 9, 6>(&disc, &at, disc.force(&at)).expect("the disc is inclined");
+    assert_eq!(stands.acceleration, [Rational::zero(); 9]);
+    assert_eq!(stands.reactions, [0, 60, 0, 30, 0, 0].map(Rational::int));
+}
+
 /// The greatest difference between what the principles make of a motion, relative to the accelerations.
 fn spread<Q, const N: usize, const C: usize, const K: usize, const R: usize>(
     system: &Q,

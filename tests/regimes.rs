@@ -6,8 +6,8 @@ use derivations::systems::painleve_klein::Sliders;
 use derivations::systems::rod::Rod;
 use derivations::systems::slender_rod::SlenderRod;
 use field::{Circle, Over, Rational};
-use mechanics::constrained::State;
-use mechanics::constrained::contacts::{Contacts, Sides};
+use mechanics::constrained::contacts::{Contact, Contacts, Sides};
+use mechanics::constrained::{Constrained, Constraint, State, System};
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::mode::modes;
 use mechanics::regimes::{
@@ -118,6 +118,48 @@ fn painleves_rod_slides_as_newtons_laws_for_its_two_points_say() {
     }
 }
 
+/// A bead of mass 1 on a rough dome of radius 1, g = 10, f = 1/2.
+struct Dome;
+
+impl System<2> for Dome {
+    type Given = Rational;
+
+    fn masses<S: Over<Rational>>(&self) -> [S; 2] {
+        [S::one(); 2]
+    }
+
+    fn force<S: Over<Rational>>(&self, _at: &State<S, 2>) -> [S; 2] {
+        [S::zero(), S::int(-10)]
+    }
+}
+
+impl Constrained<2, 0> for Dome {
+    fn constraints<S: Over<Rational>>(&self, _at: &State<S, 2>) -> [Constraint<S>; 0] {
+        []
+    }
+}
+
+impl Contacts<2, 0, 1> for Dome {
+    fn contacts<S: Over<Rational>>(&self, _time: S, [x, y]: [S; 2]) -> [Contact<S>; 1] {
+        let gap = (x.squared() + y.squared() - S::one()).half();
+        // near the top
+        [Contact { gap, along: x / y, friction: S::ratio(1, 2), sides: Sides::One }]
+    }
+}
+
+#[test]
+fn a_bead_leaves_the_top_of_a_dome_when_it_is_too_fast() {
+    let over_the_top = |speed| {
+        let at = State { time: q(0, 1), place: [q(0, 1), q(1, 1)], velocity: [q(speed, 1), q(0, 1)] };
+        let Verdict::Unique(found) = decide(&Dome, &at) else { panic!("one motion") };
+        found
+    };
+    // N = m (g - v^2/R)
+    assert_eq!(over_the_top(3).reactions, [[q(1, 1), q(-1, 2)]]);
+    let fast = over_the_top(4);
+    assert_eq!((fast.regime, fast.motion), ([Mode::Apart], [[q(6, 1), q(0, 1)]]));
+}
+
 #[test]
 fn a_contact_that_closes_with_a_velocity_is_an_impact() {
     let one = q(1, 1);
@@ -149,6 +191,15 @@ fn a_steep_ladder_on_rough_ground_stays_with_undetermined_reactions() {
     let Verdict::Unique(found) = decide(&ladder(q(1, 2)), &steep) else { panic!("one motion") };
     assert_eq!(found.regime, [Mode::Stick(Face::Front); 2]);
     assert!(found.motion.as_flattened().iter().all(Rational::is_zero));
+    assert!(!found.determined);
+}
+
+/// With both cones around the line of its ends nothing bounds the push along it.
+#[test]
+fn a_ladder_that_is_wedged_has_reactions_without_bound() {
+    let wedged = leaning(Circle { cos: q(3, 5), sin: q(4, 5) }, q(0, 1));
+    let Verdict::Unique(found) = decide(&ladder(q(2, 1)), &wedged) else { panic!("one motion") };
+    assert_eq!(found.regime, [Mode::Stick(Face::Front); 2]);
     assert!(!found.determined);
 }
 

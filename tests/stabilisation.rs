@@ -2,11 +2,12 @@
 
 use derivations::stabilisation::drive_law::UNKNOWNS;
 use derivations::stabilisation::experiment;
+use derivations::stabilisation::law::BothHeld;
 use derivations::stabilisation::regions::{self, Fate};
 use derivations::stabilisation::schemes::Scheme;
 use derivations::stabilisation::treatments::{Goal, Line, Measured, Scan, Treatment, measure, times};
 use field::Scalar;
-use integrators::{Method, Ode, Span, System, Tolerance, integrate};
+use integrators::{Held, Method, Ode, Span, System, Tolerance, integrate};
 use std::time::Duration;
 
 /// y'' = -b y' - k y.
@@ -119,6 +120,21 @@ fn both_constraints_held_have_the_order_of_theory_with_every_method() {
         let kept = |found: &Measured| found.drift < 2.0 * rounding && found.rate_drift < 12.0 * rounding;
         assert!(found.iter().all(kept), "{scheme:?}: {found:?}");
     }
+}
+
+/// q' = v + M^-1 J^T mu and v' = M^-1 (F + J^T lambda): the columns are those of (mu, lambda), in this order.
+#[test]
+fn the_first_multiplier_moves_the_places_and_the_second_the_velocities() {
+    let law = BothHeld::<_, 2, 1>(&regions::MECHANISM);
+    let (y, z) = ([0.3, 1.5, 1.0, -0.2], [2.0, -3.0]);
+    let ([mut rates, mut free], mut columns) = ([[0.0; 4]; 2], [0.0; 8]);
+    law.rates(0.0, &y, &z, &mut rates);
+    law.parts(0.0, &y, &mut free, &mut columns);
+    for i in 0..4 {
+        let sum = free[i] + columns[i] * z[0] + columns[4 + i] * z[1];
+        assert!((rates[i] - sum).abs() < 1e-14, "{i}: {} and {sum}", rates[i]);
+    }
+    assert_eq!((&free[..2], &columns[2..4], &columns[4..6]), (&y[2..], &[0.0; 2][..], &[0.0; 2][..]));
 }
 
 #[test]

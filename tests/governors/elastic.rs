@@ -48,7 +48,7 @@ fn the_energy_of_the_elastic_governor_is_the_work_of_the_shafts() {
         let start = [2.3, 0.62, 0.1, 0.01, 0.05];
         let mut state = start.to_vec();
         state.push(0.0);
-        let end = run(&Elastic(data), &Span::new(0.0, 2.0, &state));
+        let end = run(&Elastic(data), Span::new(0.0, 2.0, &state));
         let gained = data.energy([end[0], end[1], end[2], end[3], end[4]]) - data.energy(start);
         assert!((gained - end[5]).abs() < 1e-10, "{gained} and {}", end[5]);
         assert!((end[0] - 2.3).abs() > 1e-3, "the motion is one");

@@ -11,7 +11,7 @@ fn the_closed_form_is_the_programme_of_appells_equations() {
             Course::ReachesAxis { time } => 0.9 * time,
             _ => 0.7,
         };
-        let followed = run(&Programme(data), &Span::new(0.0, end, &[0.3]))[0];
+        let followed = run(&Programme(data), Span::new(0.0, end, &[0.3]))[0];
         let direct = closed.distance(end).expect("before the end");
         assert!((followed - direct).abs() < 1e-11, "M1 = {first}, M2 = {second}: {followed} and {direct}");
         assert!((closed.time(direct) - end).abs() < 1e-11, "the quadrature takes it back");
@@ -62,7 +62,7 @@ fn two_motions_approach_by_the_exact_law_of_contraction() {
     }
     impl System for Pair {}
     let moments = [Moment { start: -0.5, growth: 0.1 }, Moment { start: 0.4, growth: 0.2 }];
-    let end = run(&Pair(governor(moments)), &Span::new(0.0, 1.5, &[0.30, 0.37, 0.0]));
+    let end = run(&Pair(governor(moments)), Span::new(0.0, 1.5, &[0.30, 0.37, 0.0]));
     let contracted = 0.07 * (-end[2]).exp();
     assert!(((end[1] - end[0]) - contracted).abs() < 1e-12, "{} and {contracted}", end[1] - end[0]);
 }
@@ -108,7 +108,7 @@ fn the_series_satisfies_its_equation_to_every_order_exactly() {
 fn the_error_of_the_series_falls_with_every_order() {
     let moments = [Moment { start: -0.5, growth: 0.3 }, Moment { start: 0.4, growth: 0.1 }];
     let data = governor(moments);
-    let exact = run(&Programme(data), &Span::new(0.0, 0.3, &[0.3]))[0];
+    let exact = run(&Programme(data), Span::new(0.0, 0.3, &[0.3]))[0];
     let sums = data.small_parameter(SPEED).expect("a drum").approximations(0.3, 12, 0.3);
     let errors: Vec<f64> = sums.iter().map(|sum| (sum - exact).abs()).collect();
     for pair in errors.windows(2).take(10) {
@@ -201,7 +201,7 @@ fn between_two_discs_the_programme_is_the_quadrature() {
             }
             other => panic!("{other:?}"),
         };
-        let followed = run(&Programme(data), &Span::new(0.0, end, &[0.3]))[0];
+        let followed = run(&Programme(data), Span::new(0.0, end, &[0.3]))[0];
         let direct = law.distance_at(0.3, end).expect("before the end");
         assert!((followed - direct).abs() < 1e-11, "M1 = {first}, M2 = {second}: {followed} and {direct}");
         assert!((law.time(0.3, direct) - end).abs() < 1e-11, "the quadrature takes it back");

@@ -51,11 +51,11 @@ fn the_cost_of_the_optimal_motion_is_riccatis_value() {
     let moments = [Moment { start: -0.5, growth: 0.1 }, Moment { start: 0.4, growth: 0.2 }];
     let data = governor(moments);
     let horizon = 3.0;
-    let at_end = run(&Programme(data), &Span::new(0.0, horizon, &[0.3]))[0];
+    let at_end = run(&Programme(data), Span::new(0.0, horizon, &[0.3]))[0];
     // C(T) = 0; where the motion ends is free, and decides where it begins
     let mut state = vec![0.0; 6];
     state.extend([at_end, 0.05, -0.03, 0.04, 0.0]);
-    let begun = run(&Backwards(data), &Span::new(horizon, 0.0, &state));
+    let begun = run(&Backwards(data), Span::new(horizon, 0.0, &state));
     let value = quadratic(symmetric(&begun), [begun[7], begun[8], begun[9]]);
     let cost = -begun[10];
     assert!((begun[6] - 0.3).abs() < 1e-11);
@@ -99,7 +99,7 @@ fn the_stationary_solution_stabilises_the_governor_at_its_value() {
     let rho = 0.4;
     let mut state = vec![0.0; 6];
     state.extend([rho, 0.0, 0.0, 0.0, 0.0]);
-    let begun = run(&Backwards(data), &Span::new(400.0, 0.0, &state));
+    let begun = run(&Backwards(data), Span::new(400.0, 0.0, &state));
     let backwards = Backwards(data);
     let regulator = backwards.regulator(0.0, rho);
     let value = symmetric(&begun);
@@ -108,7 +108,7 @@ fn the_stationary_solution_stabilises_the_governor_at_its_value() {
     let push = data.control_force(0.0, rho, SPEED);
     let closed = Closed { governor: data, rho, regulator, value, push };
     let start = [1e-4, -2e-4, 1e-4];
-    let end = run(&closed, &Span::new(0.0, 60.0, &[SPEED + start[0], rho + start[1], start[2], 0.0]));
+    let end = run(&closed, Span::new(0.0, 60.0, &[SPEED + start[0], rho + start[1], start[2], 0.0]));
     assert!((end[0] - SPEED).abs() < 1e-9 && (end[1] - rho).abs() < 1e-9, "{end:?}");
     // V is quadratic: the cost differs from it by the third order
     let expected = quadratic(value, start);

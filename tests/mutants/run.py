@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Breaks every law once and tells what notices: writes snapshots/mutants.md.
+"""Breaks every law once and tells what notices: writes snapshots/mutants/, a page for each top folder.
 
-Each mutant of mutants.toml is one replacement in one file of a copy of the project, outside of it. The ledger and the
-laws are built there and run; what fails has caught the mutant. Half a minute of a core each, an hour for all; the copy
-stays, so that the next run builds only what differs.
+Each mutant of mutants.toml is one replacement in one file of a copy of the project, outside of it. The ledger, the laws
+and what the file's own crate tests are built there and run; what fails has caught the mutant. Whole motions run only where
+nothing else has. Half a minute of a core each, two hours for all; the copy stays, so that the next run builds only what
+differs.
 
     tests/mutants/run.py              all mutants
     tests/mutants/run.py forms kloss  those whose file or name contains a word: their rows alone are written anew
@@ -25,14 +26,22 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-TABLE = ROOT / "snapshots" / "mutants.md"
+TABLES = ROOT / "snapshots" / "mutants"
 COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-mutants"))
 PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches"]
 LEDGER = "ledger"
 # what else is tested: the house, its pages and the program
 OTHERS = {"allocation", "contributing", "house", "mutants", "pages", "rough_scenes", "scene_messages", "scenes", "units"}
-TESTS = [*(ROOT / "tests").glob("*.rs"), *(main.parent for main in (ROOT / "tests").glob("*/main.rs"))]
-LAWS = sorted({path.stem for path in TESTS} - OTHERS - {LEDGER})
+
+
+def programs_in(tests: Path) -> set[str]:
+    """The names of the test programs of a folder."""
+    return {path.stem for path in [*tests.glob("*.rs"), *(main.parent for main in tests.glob("*/main.rs"))]}
+
+
+# whole motions, minutes of them unoptimised: asked only of what nothing else notices
+RUNS = ["friction", "governors", "mechanism_scenes", "stabilisation"]
+LAWS = sorted(programs_in(ROOT / "tests") - OTHERS - {LEDGER, *RUNS})
 # quick to build: only what proves and what multiplies big numbers is optimised
 OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
 SETTINGS = {"CARGO_PROFILE_DEV_OPT_LEVEL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
@@ -78,10 +87,21 @@ def prepare() -> None:
             shutil.copyfile(source, target)
 
 
-def build() -> dict[str, Path] | None:
-    """The test programs by name; None where the copy does not compile."""
-    command = ["cargo", "test", "--quiet", "--package", "dalembert", "--no-run", "--message-format=json"]
-    command += [argument for test in [LEDGER, *LAWS] for argument in ["--test", test]]
+def crates_of(files: list[str]) -> list[str]:
+    """The crates in which these files lie, without the project's own."""
+    return sorted({Path(file).parts[1] for file in files if file.startswith("crates/")})
+
+
+def laws_of(crates: list[str]) -> list[str]:
+    """The laws, and the programs that test these crates alone."""
+    return [*LAWS, *(test for crate in crates for test in sorted(programs_in(ROOT / "crates" / crate / "tests")))]
+
+
+def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
+    """These test programs by name, of the project and of these crates; None where the copy does not compile."""
+    command = ["cargo", "test", "--quiet", "--no-run", "--message-format=json"]
+    command += [argument for name in ["", *(f"-{crate}" for crate in crates)] for argument in ["--package", f"dalembert{name}"]]
+    command += [argument for test in tests for argument in ["--test", test]]
     command += [argument for crate in OPTIMISED for argument in ["--config", f"profile.dev.package.{crate}.opt-level=2"]]
     done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS, capture_output=True, text=True)
     if done.returncode != 0:
@@ -93,22 +113,30 @@ def build() -> dict[str, Path] | None:
 def failures(test: str, programs: dict[str, Path]) -> list[str]:
     """The names of the tests that fail, in their order; the program's where it does not come to its tests."""
     command = [programs[test], "--test-threads=2"]
+    seconds = 10 * SECONDS if test in RUNS else SECONDS
     try:
-        done = subprocess.run(command, cwd=COPY, env=os.environ | RUNNING, capture_output=True, text=True, timeout=SECONDS)
+        done = subprocess.run(command, cwd=COPY, env=os.environ | RUNNING, capture_output=True, text=True, timeout=seconds)
     except subprocess.TimeoutExpired:
         return [f"{test} {STOPPED[1]}"]
     names = re.findall(r"^test (\S.*?)\s+\.\.\. FAILED$", done.stdout, re.MULTILINE)
     return names or ([f"{test} {STOPPED[0]}"] if done.returncode != 0 else [])
 
 
-def examine(name: str, reason: str) -> Outcome:
-    """Builds and runs the copy as it stands."""
-    programs = build()
+def examine(name: str, reason: str, crates: list[str]) -> Outcome:
+    """Builds and runs the copy as it stands, with the tests of these crates."""
+    programs = build([LEDGER, *laws_of(crates)], crates)
     if programs is None:
         return Outcome(name, reason, [], [], compiles=False)
     claims = [claim.removeprefix("konosevich2022/") for claim in failures(LEDGER, programs)]
-    laws = [law.split("::")[-1].replace("_", " ") for test in LAWS for law in failures(test, programs)]
-    return Outcome(name, reason, claims, laws, compiles=True)
+    outcome = Outcome(name, reason, claims, failing_laws(laws_of(crates), programs), compiles=True)
+    if not outcome.caught() and (runs := build(RUNS, [])):
+        outcome.laws = failing_laws(RUNS, runs)
+    return outcome
+
+
+def failing_laws(tests: list[str], programs: dict[str, Path]) -> list[str]:
+    """In words."""
+    return [law.split("::")[-1].replace("_", " ") for test in tests for law in failures(test, programs)]
 
 
 def examine_mutant(file: str, name: str, old: str, new: str, reason: str = "") -> Outcome:
@@ -116,7 +144,7 @@ def examine_mutant(file: str, name: str, old: str, new: str, reason: str = "") -
     sound = path.read_text()
     path.write_text(sound.replace(old, new))
     try:
-        return examine(name, reason)
+        return examine(name, reason, crates_of([file]))
     finally:
         path.write_text(sound)
 
@@ -136,9 +164,9 @@ def rows(outcomes: dict[str, list[Outcome]]) -> dict[tuple[str, str], str]:
 
 
 def known_rows() -> dict[tuple[str, str], str]:
-    """The rows of the table as it stands."""
+    """The rows of the tables as they stand."""
     found, file = {}, ""
-    for line in (TABLE.read_text() if TABLE.exists() else "").splitlines():
+    for line in "".join(page.read_text() for page in sorted(TABLES.glob("*.md"))).splitlines():
         if line.startswith("## "):
             file = line.removeprefix("## ")
         elif file and line.startswith("| ") and not line.startswith("| broken |"):
@@ -154,13 +182,22 @@ def table(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> st
         "# What notices a broken law", "",
         f"{len(shown)} mutants: " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()) + ".", "",
         "Each breaks one law by a sign, a factor, a term or an index (`tests/mutants/mutants.toml`). Beside it stand how many",
-        "claims of the ledger then fail and how many laws of `tests/`, and of these the one that notices the fewest other",
-        "mutants. Written by `tests/mutants/run.py`.",
+        "claims of the ledger then fail and how many laws of `tests/` or of the file's own crate, and of these the one that",
+        "notices the fewest other mutants. Laws that run whole motions are asked only where nothing else notices. Written by",
+        "`tests/mutants/run.py`.",
     ]
     for file in dict.fromkeys(file for file, _ in shown):
         lines += ["", f"## {file}", "", "| broken | claims | laws | one of them |", "|---|---|---|---|"]
         lines += [row for of_file, row in shown if of_file == file]
     return "\n".join(lines) + "\n"
+
+
+def write_tables(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> None:
+    """A page for the mutants of each top folder."""
+    TABLES.mkdir(exist_ok=True)
+    for top in dict.fromkeys(Path(file).parts[0] for file, _ in listed):
+        of_top = [(file, name) for file, name in listed if Path(file).parts[0] == top]
+        (TABLES / f"{top}.md").write_text(table(of_top, rows))
 
 
 def main() -> None:
@@ -173,7 +210,7 @@ def main() -> None:
         if (count := (COPY / file).read_text().count(old)) != 1:
             sys.exit(f"{file}: {name}: `{old}` stands there {count} times, not once")
     begin = time.monotonic()
-    sound = examine("", "")
+    sound = examine("", "", crates_of([file for file, *_ in chosen]))
     if not sound.compiles or sound.caught():
         sys.exit(f"without any mutant: {sound.verdict()}: {sound.claims + sound.laws}")
     print(f"the project itself: {time.monotonic() - begin:.0f} s", flush=True)
@@ -188,7 +225,7 @@ def main() -> None:
         if words:
             print("".join(f"        {catcher}\n" for catcher in outcome.claims + outcome.laws), end="", flush=True)
     listed = [(file, name) for file, of_file in mutants.items() for name in of_file]
-    TABLE.write_text(table(listed, known_rows() | rows(outcomes)))
+    write_tables(listed, known_rows() | rows(outcomes))
     wrong = [f"{file}: {outcome.name}: {outcome.verdict()}" for file, of_file in outcomes.items()
              for outcome in of_file if not outcome.right()]
     sys.exit("\n".join(wrong) or None)

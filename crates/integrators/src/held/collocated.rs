@@ -122,6 +122,9 @@ impl<'a, S: Real> Collocated<'a, S> {
             // the multipliers are as good as rounding of y over h allows: y alone tells when it is reached
             let moved = self.correction.chunks(one).flat_map(|stage| &stage[..n]);
             let size = moved.fold(0.0_f64, |size, d| if d.is_nan() { *d } else { size.max(d.abs()) });
+            // a step that begins in the origin is measured by where it goes
+            let steps = self.unknowns.chunks(one).flat_map(|stage| &stage[..n]);
+            let scale = steps.fold(scale, |scale, z| scale.max(z.approx().abs()));
             if newton.corrected::<S>(size, scale)? {
                 return Ok(());
             }

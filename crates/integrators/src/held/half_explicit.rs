@@ -6,14 +6,15 @@ use crate::drive::{Attempt, Stepper};
 use crate::meter::Meter;
 
 /// The stages after the first by their coefficients, from the left; at last the weights. The node of a stage is their sum.
-type Tableau = &'static [&'static [f64]];
+type Tableau = &'static [&'static [(i64, i64)]];
 
-pub(super) const EULER: Tableau = &[&[1.0]];
+pub(super) const EULER: Tableau = &[&[(1, 1)]];
 pub(super) const RUNGE_KUTTA_4: Tableau =
-    &[&[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0], &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0]];
+    &[&[(1, 2)], &[(0, 1), (1, 2)], &[(0, 1), (0, 1), (1, 1)], &[(1, 6), (1, 3), (1, 3), (1, 6)]];
 
 pub(super) struct HalfExplicit<'a, S> {
-    tableau: Tableau,
+    /// Rounded in the run's own field: a node that is not quite one would meet a moving constraint too early.
+    tableau: Vec<Vec<S>>,
     step: S,
     onto: Onto<'a, S>,
     /// f + B z of the stages.
@@ -24,7 +25,9 @@ pub(super) struct HalfExplicit<'a, S> {
 impl<'a, S: Real> HalfExplicit<'a, S> {
     pub fn new(tableau: Tableau, step: S, onto: Onto<'a, S>) -> Self {
         let n = onto.n;
-        HalfExplicit { tableau, step, onto, slopes: vec![S::zero(); n * tableau.len()], stage: vec![S::zero(); n] }
+        let tableau: Vec<Vec<S>> =
+            tableau.iter().map(|weights| weights.iter().map(|&(n, d)| S::ratio(n, d)).collect()).collect();
+        HalfExplicit { slopes: vec![S::zero(); n * tableau.len()], tableau, step, onto, stage: vec![S::zero(); n] }
     }
 }
 
@@ -34,16 +37,16 @@ impl<S: Real> Stepper<S> for HalfExplicit<'_, S> {
         self.stage.copy_from_slice(before);
         for (last, weights) in self.tableau.iter().enumerate() {
             self.onto.parts(tau + step * node, &self.stage, &mut self.slopes[last * n..][..n], meter);
-            node = weights.iter().fold(S::zero(), |sum, weight| sum + S::lift(*weight));
+            node = weights.iter().fold(S::zero(), |sum, weight| sum + *weight);
             for (c, stage) in self.stage.iter_mut().enumerate() {
                 let slopes = weights.iter().zip(self.slopes.chunks(n));
-                *stage = slopes.fold(before[c], |sum, (weight, slope)| sum + step * S::lift(*weight) * slope[c]);
+                *stage = slopes.fold(before[c], |sum, (weight, slope)| sum + step * *weight * slope[c]);
             }
             if let Err(cause) = self.onto.bring(tau + step * node, &mut self.stage, meter) {
                 return Attempt::Rejected { next: 0.0, cause };
             }
             // d = h a z of the last stage
-            let reach = step * S::lift(weights[last]);
+            let reach = step * weights[last];
             for (c, slope) in self.slopes[last * n..][..n].iter_mut().enumerate() {
                 let columns = self.onto.columns.chunks(n).zip(&self.onto.moved);
                 *slope += columns.fold(S::zero(), |sum, (column, d)| sum + column[c] * *d) / reach;

@@ -3,7 +3,8 @@
 use crate::problems::{Growth, LooseRim, Rim, distance};
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{
-    Failure, Held, HeldSystem, Holding, Method, Observer, Refusal, Span, Working, hold, integrate_projected,
+    Failure, Held, HeldSystem, Holding, Method, Observer, Ode, Refusal, Span, System, Working, hold,
+    integrate_projected,
 };
 
 const SPAN: f64 = 2.0;
@@ -178,6 +179,70 @@ fn a_projected_run_has_its_order_and_stays_on_the_constraint() {
         let measured = (few / many).log2();
         assert!((measured - theory).abs() < 0.1, "{coarse}: measured {measured:.2}, theory {theory}");
         assert!(drift < 1e-30, "{fine}: {drift:.1e}");
+    }
+}
+
+/// x led along sin t, and the area below it: y = (x, a), x' = z, a' = x, 0 = x - sin t.
+struct Led;
+
+impl Led {
+    fn state(t: f64) -> [DoubleDouble; 2] {
+        let point = DoubleDouble::from(t).circle();
+        [point.sin, DoubleDouble::from(1.0) - point.cos]
+    }
+}
+
+impl<S: Over<f64> + Analytic> Held<S> for Led {
+    fn sizes(&self) -> (usize, usize) {
+        (2, 1)
+    }
+
+    fn rates(&self, _t: S, y: &[S], z: &[S], dy: &mut [S]) {
+        dy.copy_from_slice(&[z[0], y[0]]);
+    }
+
+    fn parts(&self, _t: S, y: &[S], dy: &mut [S], columns: &mut [S]) {
+        dy.copy_from_slice(&[S::zero(), y[0]]);
+        columns.copy_from_slice(&[S::one(), S::zero()]);
+    }
+
+    fn constraints(&self, t: S, y: &[S], g: &mut [S]) {
+        g[0] = y[0] - t.circle().sin;
+    }
+}
+
+impl HeldSystem for Led {}
+
+/// The same with nothing that leads: x' = cos t.
+struct Unled;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Unled {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        dy.copy_from_slice(&[t.circle().cos, y[0]]);
+    }
+}
+
+impl System for Unled {}
+
+#[test]
+fn a_constraint_that_moves_is_met_where_it_is_at_the_end_of_the_step() {
+    for [start, end] in [[0.0, SPAN], [SPAN, 0.5]] {
+        let span = Span::new(start, end, &Led::state(start));
+        let off =
+            |state: &[DoubleDouble]| (distance(&state[..1], &Led::state(end)[..1]), distance(state, &Led::state(end)));
+        for (coarse, fine) in methods(50).into_iter().zip(methods(100)) {
+            let [(_, few), (drift, many)] = [coarse, fine].map(|method| off(&hold(&Led, method, &span, &mut ()).state));
+            assert!(drift < 1e-30, "{fine}: {drift:.1e}");
+            assert!((few / many).log2() > f64::from(coarse.order()) - 0.1, "{coarse}: {few:.1e} and {many:.1e}");
+        }
+        for (method, _) in constant(50) {
+            let (drift, _) = off(&integrate_projected(&Unled, &Led, method, &span, &mut ()).state);
+            assert!(drift < 1e-30, "{method}: {drift:.1e}");
+        }
     }
 }
 
