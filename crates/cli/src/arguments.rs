@@ -39,7 +39,7 @@ pub enum Command {
     Run(Run),
     /// Measures every method on a scene: speed against accuracy
     Chart(Chart),
-    /// Runs many members of a scene whose table [ensemble] says what varies; a run that was killed is continued
+    /// Runs many members of a scene whose table `ensemble` says what varies; a run that was killed is continued
     Ensemble(Ensemble),
     /// Every claim of the papers with its verdict
     Ledger(Ledger),
@@ -166,7 +166,7 @@ pub struct Run {
 /// Which members are to be run, and where the results go.
 #[derive(Args, Debug)]
 pub struct Ensemble {
-    /// The scene with a table [ensemble]; the folder `scenes/ensembles` holds an example
+    /// The scene with a table `ensemble`; the folder `scenes/ensembles` holds an example
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
     /// The table of results, a row for each member; one that is there is continued. Without it: the scene's name, here

@@ -1,10 +1,10 @@
 //! Ways to keep a constraint, compared on one mechanism: how far it drifts, how far the motion is off, what it costs.
 //!
 //! # Overview
-//! * [`goal`]: the mechanism, its exact motion, and the distance of a run from it;
-//! * [`run`]: one run of one treatment;
-//! * [`scan`]: drift and error by the gain;
-//! * [`timed`]: the times, side by side.
+//! * `goal`: the mechanism, its exact motion, and the distance of a run from it;
+//! * `run`: one run of one treatment;
+//! * `scan`: drift and error by the gain;
+//! * `timed`: the times, side by side.
 
 mod goal;
 mod run;

@@ -30,7 +30,7 @@ pub struct Measure {
 }
 
 impl Scan {
-    /// From [`SLOWEST`] to what the method bears, five rates a decade; finer about the least error.
+    /// From the slowest rate to what the method bears, five rates a decade; finer about the least error.
     pub fn of(scheme: Scheme, steps: u32, goal: &Goal) -> Self {
         let h = SPAN / f64::from(steps);
         let measure = |rate: f64| {
