@@ -15,8 +15,9 @@ use crate::{
 /// The digits below which a reference is none.
 pub const ENOUGH_DIGITS: f64 = 20.0;
 
-/// The tightest tolerance that pays: below it rounding takes over.
-const TIGHTEST: f64 = 1e-29;
+/// The tightest tolerance that pays: five times below it rounding keeps Newton's iteration from its end. What a run loses of
+/// it is the motion's: a driven crank with diodes loses 5 digits in 5 s, and 25 are left.
+const TIGHTEST: f64 = 5e-31;
 
 /// Evaluations of an explicit method in a coarse run after which a problem counts as stiff for it.
 const COARSE_EVALUATIONS: u64 = 1_000_000;
