@@ -4,9 +4,10 @@
 
 use integrators::Real;
 
-/// The powers of z^2 that the series keeps: with |z| below [`SMALL`] of the nearest period's scale they fall by 5 each.
-const TERMS: usize = 46;
-const SMALL: f64 = 0.7;
+/// Below this argument, in units of max(|g2|^(1/4), |g3|^(1/6))^-1, which is less than half of the nearest period, so many
+/// powers of z^2 fall below rounding in double-double. Much smaller arguments would know too little of g3.
+const SMALL: f64 = 1.5;
+const TERMS: usize = 56;
 
 /// Newton's steps to the largest root, from a bound above it: a few tens halve the distance, the last five square it.
 const NEWTON: usize = 200;

@@ -31,8 +31,9 @@ pub fn place(scene: &Path) -> PathBuf {
 }
 
 impl Stored {
-    /// A problem's reference, to be kept: its states are rounded to the digits that are shared.
+    /// A problem's reference, to be kept: its states are rounded as they are written.
     pub fn of(problem: &Problem, reference: Reference) -> Self {
+        let reference = Reference { digits: (reference.digits * 10.0).floor() / 10.0, ..reference };
         let Reference { sizes, digits, .. } = &reference;
         let rounded =
             |(number, size): (&DoubleDouble, &f64)| from_decimal(&written(*number, *size, *digits)).unwrap_or(*number);
@@ -52,19 +53,19 @@ impl Stored {
         now.sums.len() == self.rates.len() && now.sums.iter().zip(&self.rates).zip(now.sizes()).all(same)
     }
 
-    /// As text. Of every number the digits that both methods gave, and no more.
+    /// As text. Of every number one digit more than both methods gave, so that rounding takes nothing from these.
     pub fn write(&self, scene: &str) -> String {
         let Reference { times, states, digits, sizes, methods: [one, other], work } = &self.reference;
         let mut text = format!(
             "# Reference of {scene}: the states that two methods of different families agree on in double-double.\n\
              # Made by: dalembert reference {scene}\n\
-             # Digits count from the largest size of a component; no more are written than are shared.\n\n"
+             # Digits count from the largest size of a component; one more is written than is shared.\n\n"
         );
         let mut line = |key: &str, value: String| {
             // writing to a string cannot fail
             let _ = writeln!(text, "{key} = {value}");
         };
-        line("digits", format!("{:.1}", (digits * 10.0).floor() / 10.0));
+        line("digits", format!("{digits:.1}"));
         line("methods", format!("{:?}", [one, other].map(|method| methods::written(*method))));
         line("steps", format!("[{}, {}]", work[0].steps, work[1].steps));
         line("evaluations", format!("[{}, {}]", work[0].rates, work[1].rates));
@@ -113,9 +114,9 @@ impl Stored {
     }
 }
 
-/// So many digits, counted from a component's size.
+/// So many digits, counted from a component's size, and one.
 fn written(number: DoubleDouble, size: f64, digits: f64) -> String {
-    let places = (digits - size.log10()).floor().clamp(0.0, 60.0) as usize;
+    let places = (digits + 1.0 - size.log10()).ceil().clamp(0.0, 60.0) as usize;
     decimal(number, places).unwrap_or_default()
 }
 
