@@ -4,6 +4,7 @@
 //! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
 //! * [`derive`](mod@derive): equations of motion by a chosen principle, for reading;
 //! * [`differentiated`]: a system with its Jacobian as code of its own;
+//! * [`closed_forms`]: motions that are known, by which runs and references are measured;
 //! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
 //! * [`ensemble`]: many systems of one kind with data of their own, run side by side;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
@@ -20,6 +21,7 @@
 //! * [`stabilisation`]: stabilised constraints in steps, as a page of claims;
 
 pub mod alphabet;
+pub mod closed_forms;
 pub mod derive;
 pub mod differentiated;
 pub mod ensemble;

@@ -65,6 +65,21 @@ pub fn list() -> impl Iterator<Item = (String, &'static str)> {
     })
 }
 
+/// How a method is written: what [`method`] reads.
+pub fn written(method: Method) -> String {
+    let one = |(name, named, _): &(&'static str, Named, _)| match named {
+        Named::Plain(known) => (*known == method).then(|| (*name).to_owned()),
+        Named::Steps(make) => {
+            method.steps().filter(|steps| make(*steps) == method).map(|steps| format!("{name}:{steps}"))
+        }
+        Named::Stages(_, make) => {
+            let stages = (1..=MOST_STAGES).find(|stages| make(*stages) == method);
+            stages.map(|stages| format!("{name}:{stages}"))
+        }
+    };
+    METHODS.iter().find_map(one).unwrap_or_else(|| method.to_string())
+}
+
 /// The method of a name; else what is wrong, and what would be accepted.
 pub fn method(text: &str) -> Result<Method, (String, String)> {
     let (name, number) = text.split_once(':').map_or((text, None), |(name, number)| (name, Some(number)));

@@ -11,7 +11,7 @@
 //! * [`problem`], [`simulate`]: the law that any method integrates, and the run; [`smooth`]: scenes of every family that
 //!   has one;
 //! * [`code`]: the right-hand side and its Jacobian as code of other languages;
-//! * [`measured`]: every method on a scene, speed against accuracy.
+//! * [`measured`]: every method on a scene, speed against accuracy; [`stored`]: what errors are measured by, kept in files.
 
 pub mod any;
 pub mod bodies;
@@ -29,6 +29,7 @@ pub mod simulate;
 pub mod smooth;
 pub mod start;
 pub mod state;
+pub mod stored;
 mod transition;
 pub mod units;
 
@@ -44,6 +45,7 @@ pub use simulate::{Choice, Trajectory};
 pub use smooth::{Smooth, Told};
 pub use start::Start;
 pub use state::Axes;
+pub use stored::Stored;
 
 use crate::machines::AnyMachine;
 use crate::systems::gyrostat::Gyrostat;

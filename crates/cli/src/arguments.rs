@@ -39,6 +39,8 @@ pub enum Command {
     Run(Run),
     /// Measures every method on a scene: speed against accuracy
     Chart(Chart),
+    /// A scene's solution to the digits that two methods share, and the file that keeps it
+    Reference(Reference),
     /// Runs many members of a scene whose table `ensemble` says what varies; a run that was killed is continued
     Ensemble(Ensemble),
     /// Every claim of the papers with its verdict
@@ -175,6 +177,23 @@ pub struct Ensemble {
     /// Threads; without it as many as there are processors. The results do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
+}
+
+/// Whose solution is to be known to all digits.
+#[derive(Args, Debug)]
+pub struct Reference {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Where it is kept; without it where charts look for it: `references/SCENE.reference` in the scene's folder
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Ends sooner than the scene, s: for one whose motion ends
+    #[arg(long, value_name = "T")]
+    pub until: Option<f64>,
+    /// Time allowed
+    #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    pub seconds: u32,
 }
 
 /// What is to be measured and drawn.

@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * `report`, `ledger`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `chart`, `scenes`: one file for each command;
+//! * `report`, `ledger`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `chart`, `reference`, `scenes`: one file for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`crew`]: work shared among the processors;
@@ -20,6 +20,7 @@ mod ensemble;
 mod ledger;
 mod pictures;
 mod progress;
+mod reference;
 mod regimes;
 mod report;
 mod rough;
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
         None => report(&arguments.report),
         Some(Command::Run(asked)) => run::run(&asked),
         Some(Command::Chart(asked)) => chart::chart(&asked),
+        Some(Command::Reference(asked)) => reference::reference(&asked),
         Some(Command::Ensemble(asked)) => ensemble::run(&asked),
         Some(Command::Ledger(asked)) => ledger::list(&asked),
         Some(Command::Derive(asked)) => derive::derive(&asked),

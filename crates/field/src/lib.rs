@@ -18,6 +18,7 @@
 pub mod laws;
 
 mod circle;
+mod decimal;
 mod duals;
 mod lanes;
 mod rational;
@@ -25,6 +26,7 @@ mod scalar;
 mod tangent;
 
 pub use circle::Circle;
+pub use decimal::{decimal, from_decimal};
 pub use lanes::Lanes;
 pub use rational::Rational;
 pub use scalar::{Analytic, Base, Over, Scalar};

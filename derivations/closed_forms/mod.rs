@@ -1,0 +1,144 @@
+//! Motions that are known in closed form, by which runs, references and what they claim are measured.
+//!
+//! # Overview
+//! * [`volterra`]: a gyrostat without weight whose free rotor lies along a principal axis (Zhukovskii 1885, Volterra 1899);
+//! * [`lagrange`]: a heavy one with an axis of symmetry, the rotor and the weight along it;
+//! * [`unloaded`]: a synchronous motor alone on a bench, without friction or load;
+//! * each is u'^2 = f(u), a [`Quadrature`] that [`weierstrass`] solves; [`Scene::closed_form`] finds the one of a scene.
+
+mod lagrange;
+mod quadrature;
+mod unloaded;
+mod volterra;
+mod weierstrass;
+
+pub use quadrature::Quadrature;
+pub use weierstrass::{Lattice, Weierstrass};
+
+use crate::machines::AnyMachine;
+use crate::scene::{Axes, Scene, System};
+use field::Over;
+use integrators::Real;
+use nalgebra::Vector3;
+
+/// One function of the state, known for all times.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClosedForm<S> {
+    /// Whose solution it is, and of what.
+    pub name: &'static str,
+    shown: Shown,
+    motion: Quadrature<S>,
+}
+
+/// Which function of the state.
+#[derive(Clone, Debug, PartialEq)]
+enum Shown {
+    /// The component of the vector that starts at this index along a principal axis, which is `given` in the axes of the data.
+    Along { first: usize, axis: Vector3<f64>, given: Vector3<f64> },
+    /// The cosine of the state at this index.
+    Cosine(usize),
+}
+
+/// A gyrostat in the axes of A, with its first state.
+struct Start<S> {
+    moments: Vector3<S>,
+    /// A', and the weight as a vector
+    axial: S,
+    weight: Vector3<S>,
+    w: Vector3<S>,
+    v: Vector3<S>,
+    rotor_speed: S,
+    /// The axis along which the rotor lies, and the sense
+    along: usize,
+    sense: S,
+    /// That axis in the axes of the data
+    given: Vector3<f64>,
+}
+
+impl<S: Real> ClosedForm<S> {
+    /// The function of a state.
+    pub fn shown(&self, state: &[S]) -> S {
+        match &self.shown {
+            Shown::Along { first, axis, .. } => component(&state[*first..], axis),
+            Shown::Cosine(index) => state[*index].circle().cos,
+        }
+    }
+
+    /// The function of a row of a run, which has its vectors in the axes of the data.
+    pub fn shown_in_row(&self, row: &[S]) -> S {
+        match &self.shown {
+            Shown::Along { first, given, .. } => component(&row[*first..], given),
+            Shown::Cosine(_) => self.shown(row),
+        }
+    }
+
+    /// Its value at a time.
+    pub fn at(&self, time: S) -> S {
+        self.motion.at(time)
+    }
+
+    /// The time after which it returns.
+    pub fn period(&self) -> S {
+        self.motion.period()
+    }
+}
+
+fn component<S: Real>(vector: &[S], axis: &Vector3<f64>) -> S {
+    (0..3).fold(S::zero(), |sum, i| sum + vector[i] * S::lift(axis[i]))
+}
+
+impl Scene {
+    /// What is known of the motion in closed form, for states in the axes of the first form.
+    pub fn closed_form<S: Real>(&self) -> Option<ClosedForm<S>> {
+        match (&self.system, &self.machine) {
+            (System::Gyrostat(_), AnyMachine::FreeRotor(_)) => {
+                let start = self.aligned()?;
+                volterra::solution(&start).or_else(|| lagrange::solution(&start))
+            }
+            (System::Bench { axial }, AnyMachine::Synchronous(machine)) if machine.f == 0.0 => {
+                Some(unloaded::solution(machine, *axial, &self.start))
+            }
+            _ => None,
+        }
+    }
+
+    /// The start, if the rotor lies along a principal axis.
+    fn aligned<S: Real>(&self) -> Option<Start<S>> {
+        let System::Gyrostat(bodies) = &self.system else { return None };
+        let (moments, axis, axial, weight) = bodies.form_data(&Axes::First.principal(bodies));
+        let along = axis.iamax();
+        let off = (0..3).filter(|i| *i != along).map(|i| axis[i].abs()).fold(0.0, f64::max);
+        let state: Vec<S> = self.state(Axes::First).into_iter().map(S::lift).collect();
+        let lifted = |v: Vector3<f64>| v.map(<S as Over<f64>>::lift);
+        (off <= f64::EPSILON).then(|| Start {
+            moments: lifted(moments),
+            axial: S::lift(axial),
+            weight: lifted(weight),
+            w: Vector3::new(state[0], state[1], state[2]),
+            v: Vector3::new(state[3], state[4], state[5]),
+            rotor_speed: state[6],
+            along,
+            sense: S::lift(axis[along].signum()),
+            given: bodies.rotor.axis * axis[along].signum(),
+        })
+    }
+}
+
+impl<S: Real> Start<S> {
+    /// e_k along the rotor and the other two, right-handed: the indices i, j, k.
+    fn indices(&self) -> [usize; 3] {
+        [(self.along + 1) % 3, (self.along + 2) % 3, self.along]
+    }
+
+    /// The momentum of the rotor about its axis, along e_k: A' (w.l + phi') l.
+    fn spin(&self) -> S {
+        self.axial * (self.w[self.along] + self.sense * self.rotor_speed)
+    }
+
+    /// The component along e_k of the vector that starts at this index.
+    fn component(&self, first: usize) -> Shown {
+        let mut axis = Vector3::zeros();
+        axis[self.along] = 1.0;
+        Shown::Along { first, axis, given: self.given }
+    }
+}

@@ -1,0 +1,117 @@
+//! What every friction governor has, what its wheel rolls on, and where that ends.
+
+use super::super::Amiss;
+use crate::machines::Quantity;
+use crate::systems::governor::{Gearing, Governor, Moment};
+use std::fmt::Debug;
+
+crate::quantities! {
+    /// What every governor has.
+    pub struct Shafts {
+        /// J1, moment of inertia of the first disc or drum with its shaft
+        j1: "kg m^2" > 0,
+        /// J2, moment of inertia of the second disc with its shaft
+        j2: "kg m^2" > 0,
+        /// J, moment of inertia of the wheel
+        j: "kg m^2" > 0,
+        /// m, mass of the wheel with its axle
+        mass: "kg" > 0,
+        /// r, radius of the wheel
+        wheel: "m" > 0,
+        /// M1, moment on the first shaft at t = 0
+        m1: "N m",
+        /// rate of M1
+        m1_growth: "N m/s",
+        /// M2, moment on the second shaft at t = 0
+        m2: "N m",
+        /// rate of M2
+        m2_growth: "N m/s",
+        /// F11 + F22, friction across the wheel at both contacts, against the growth of rho
+        lateral: "N",
+    }
+}
+
+/// What the wheel rolls on.
+pub trait Gear: Copy + Debug + Send + Sync + 'static {
+    /// Name and summary of the governor whose speed is kept, and of the one that is released.
+    const NAMES: [(&'static str, &'static str); 2];
+    /// What rho is.
+    const RHO: &'static str;
+    /// The one length that the gear has.
+    const LENGTH: &'static Quantity;
+
+    fn gearing(length: f64) -> Gearing<f64>;
+}
+
+/// A drum, along which the wheel slides, and a disc.
+#[derive(Clone, Copy, Debug)]
+pub struct Drum;
+
+/// Two discs.
+#[derive(Clone, Copy, Debug)]
+pub struct Discs;
+
+impl Gear for Drum {
+    const NAMES: [(&'static str, &'static str); 2] = [
+        ("drum_programme", "a friction governor with a drum, its wheel led so that the second shaft keeps its speed"),
+        ("drum_governor", "a friction governor with a drum, its wheel pushed by a constant force"),
+    ];
+    const RHO: &'static str = "distance of the wheel from the axis of the second disc";
+    const LENGTH: &'static Quantity =
+        &Quantity { positive: true, ..Quantity::any("drum", "m", "R, radius of the drum on the first shaft") };
+
+    fn gearing(radius: f64) -> Gearing<f64> {
+        Gearing::Drum { radius }
+    }
+}
+
+impl Gear for Discs {
+    const NAMES: [(&'static str, &'static str); 2] = [
+        ("disc_programme", "a friction governor between two discs, led so that the second shaft keeps its speed"),
+        ("disc_governor", "a friction governor between two discs, its wheel pushed by a constant force"),
+    ];
+    const RHO: &'static str = "distance of the wheel from the axis of the first disc";
+    const LENGTH: &'static Quantity =
+        &Quantity { positive: true, ..Quantity::any("distance", "m", "a, distance of the axes of both discs") };
+
+    fn gearing(distance: f64) -> Gearing<f64> {
+        Gearing::Discs { distance }
+    }
+}
+
+/// The governor with no push along the axle.
+pub(super) fn governor<G: Gear, E>(
+    source: &mut impl FnMut(&'static Quantity) -> Result<f64, E>,
+) -> Result<Governor<f64>, E> {
+    let Shafts { j1, j2, j, mass, wheel, m1, m1_growth, m2, m2_growth, lateral } = Shafts::read(&mut *source)?;
+    let gearing = G::gearing(source(G::LENGTH)?);
+    let moments = [Moment { start: m1, growth: m1_growth }, Moment { start: m2, growth: m2_growth }];
+    Ok(Governor { inertia: [j1, j2, j], mass, radius: wheel, gearing, moments, push: 0.0, lateral })
+}
+
+/// Where the levers are positive; for the released governor only the first need be.
+fn range(gearing: Gearing<f64>, kept: bool) -> [f64; 2] {
+    match gearing {
+        Gearing::Drum { .. } if kept => [0.0, f64::INFINITY],
+        Gearing::Drum { .. } => [f64::NEG_INFINITY, f64::INFINITY],
+        Gearing::Discs { distance } if kept => [0.0, distance],
+        Gearing::Discs { .. } => [0.0, f64::INFINITY],
+    }
+}
+
+pub(super) fn amiss(gearing: Gearing<f64>, kept: bool, rho: f64) -> Option<Amiss> {
+    let accepted = match range(gearing, kept) {
+        [_, most] if most.is_infinite() => "a positive distance is accepted".to_owned(),
+        [least, most] => format!("a distance between {least} m and {most} m is accepted"),
+    };
+    left(gearing, kept, rho).map(|what| Amiss { name: "rho", what, accepted })
+}
+
+pub(super) fn left(gearing: Gearing<f64>, kept: bool, rho: f64) -> Option<&'static str> {
+    let [least, most] = range(gearing, kept);
+    match gearing {
+        Gearing::Drum { .. } if rho <= least => Some("the wheel has come to the axis of the second disc, or beyond"),
+        Gearing::Discs { .. } if rho <= least => Some("the wheel has come to the axis of the first disc, or beyond"),
+        _ => (rho >= most).then_some("the wheel has come to the axis of the second disc, or beyond"),
+    }
+}

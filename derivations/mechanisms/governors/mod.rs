@@ -1,0 +1,12 @@
+//! The friction governors: the programme that keeps the speed of the second shaft, and the governor released.
+
+mod gear;
+mod programme;
+mod released;
+
+pub use gear::{Discs, Drum, Gear, Shafts};
+pub use programme::Programme;
+pub use released::Released;
+
+/// The share of its first lever at which a wheel counts as come to the axis.
+const NEAR: f64 = 1e-2;

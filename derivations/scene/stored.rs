@@ -1,0 +1,157 @@
+//! References that are kept in files: the digits, how they were made, and whether they are a law's own.
+
+use super::{Problem, methods};
+use field::{DoubleDouble, Over, decimal, from_decimal};
+use integrators::{ENOUGH_DIGITS, Ode, Reference, Work};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use toml::{Table, Value};
+
+/// How closely a law must give the rates that were kept, relative to their sizes. Other data, by the last bit of an `f64`,
+/// are off by 1e-16; the same law, summed in another order, by rounding in double-double.
+const SAME_LAW: f64 = 1e-20;
+
+/// The digits with which rates are kept.
+const RATE_DIGITS: f64 = 28.0;
+
+/// A reference with what shows whose it is.
+#[derive(Clone, Debug)]
+pub struct Stored {
+    pub reference: Reference,
+    /// The initial state.
+    start: Vec<f64>,
+    /// y' summed over the instants: what another law, or other data, would not give.
+    rates: Vec<DoubleDouble>,
+}
+
+/// Where the reference of a scene file is kept: `references/NAME.reference` in its folder.
+pub fn place(scene: &Path) -> PathBuf {
+    let folder = scene.parent().unwrap_or(Path::new("")).join("references");
+    folder.join(scene.file_stem().unwrap_or_default()).with_extension("reference")
+}
+
+impl Stored {
+    /// A problem's reference, to be kept: its states are rounded as they are written.
+    pub fn of(problem: &Problem, reference: Reference) -> Self {
+        let reference = Reference { digits: (reference.digits * 10.0).floor() / 10.0, ..reference };
+        let Reference { sizes, digits, .. } = &reference;
+        let rounded =
+            |(number, size): (&DoubleDouble, &f64)| from_decimal(&written(*number, *size, *digits)).unwrap_or(*number);
+        let states = reference.states.iter().map(|state| state.iter().zip(sizes).map(rounded).collect()).collect();
+        let reference = Reference { states, ..reference };
+        let rates = Rates::of(problem, &reference).sums;
+        Stored { reference, start: problem.state.clone(), rates }
+    }
+
+    /// Whether it is this problem's: its start, and its law at all instants.
+    pub fn belongs_to(&self, problem: &Problem) -> bool {
+        if self.start != problem.state {
+            return false;
+        }
+        let now = Rates::of(problem, &self.reference);
+        let same = |((a, b), size): ((&DoubleDouble, &DoubleDouble), f64)| (*a - *b).hi().abs() <= SAME_LAW * size;
+        now.sums.len() == self.rates.len() && now.sums.iter().zip(&self.rates).zip(now.sizes()).all(same)
+    }
+
+    /// As text. Of every number one digit more than both methods gave, so that rounding takes nothing from these.
+    pub fn write(&self, scene: &str) -> String {
+        let Reference { times, states, digits, sizes, methods: [one, other], work } = &self.reference;
+        let mut text = format!(
+            "# Reference of {scene}: the states that two methods of different families agree on in double-double.\n\
+             # Made by: dalembert reference {scene}\n\
+             # Digits count from the largest size of a component; one more is written than is shared.\n\n"
+        );
+        let mut line = |key: &str, value: String| {
+            // writing to a string cannot fail
+            let _ = writeln!(text, "{key} = {value}");
+        };
+        line("digits", format!("{digits:.1}"));
+        line("methods", format!("{:?}", [one, other].map(|method| methods::written(*method))));
+        line("steps", format!("[{}, {}]", work[0].steps, work[1].steps));
+        line("evaluations", format!("[{}, {}]", work[0].rates, work[1].rates));
+        line("start", format!("{:?}", self.start));
+        line("sizes", format!("{sizes:?}"));
+        line("times", format!("{times:?}"));
+        let row = |numbers: &[DoubleDouble], sizes: &[f64], digits: f64| {
+            let written =
+                numbers.iter().zip(sizes).map(|(number, size)| format!("\"{}\"", written(*number, *size, digits)));
+            format!("[{}]", written.collect::<Vec<_>>().join(", "))
+        };
+        let rows: Vec<String> = states.iter().map(|state| format!("  {},\n", row(state, sizes, *digits))).collect();
+        line("states", format!("[\n{}]", rows.concat()));
+        let sizes: Vec<f64> = self.rates.iter().map(|rate| rate.hi().abs()).collect();
+        line("rates", row(&self.rates, &sizes, RATE_DIGITS));
+        text
+    }
+
+    /// From text; what is wrong with it, where it is none.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let table: Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
+        let digits = table.get("digits").and_then(Value::as_float).ok_or("`digits` is no number")?;
+        let [one, other] = pair(&table, "methods", |value| methods::method(value.as_str()?).ok())?;
+        let count = |value: &Value| u64::try_from(value.as_integer()?).ok();
+        let (steps, evaluations) = (pair(&table, "steps", count)?, pair(&table, "evaluations", count)?);
+        let work = |k: usize| Work { steps: steps[k], rates: evaluations[k], ..Work::default() };
+        let number = |value: &Value| from_decimal(value.as_str()?);
+        let start = list(&table, "start", Value::as_float)?;
+        let states = list(&table, "states", |row| row.as_array()?.iter().map(number).collect::<Option<Vec<_>>>())?;
+        let reference = Reference {
+            times: list(&table, "times", Value::as_float)?,
+            sizes: list(&table, "sizes", Value::as_float)?,
+            states,
+            digits,
+            methods: [one, other],
+            work: [work(0), work(1)],
+        };
+        let n = start.len();
+        let whole = reference.sizes.len() == n
+            && reference.times.len() == reference.states.len()
+            && reference.states.iter().all(|state| state.len() == n);
+        if !whole || digits < ENOUGH_DIGITS {
+            return Err("a row is missing or short".to_owned());
+        }
+        Ok(Stored { reference, start, rates: list(&table, "rates", number)? })
+    }
+}
+
+/// So many digits, counted from a component's size, and one.
+fn written(number: DoubleDouble, size: f64, digits: f64) -> String {
+    let places = (digits + 1.0 - size.log10()).ceil().clamp(0.0, 60.0) as usize;
+    decimal(number, places).unwrap_or_default()
+}
+
+fn list<T>(table: &Table, key: &str, one: impl Fn(&Value) -> Option<T>) -> Result<Vec<T>, String> {
+    let values = table.get(key).and_then(Value::as_array);
+    values.and_then(|values| values.iter().map(one).collect()).ok_or_else(|| format!("`{key}` is no list of its kind"))
+}
+
+fn pair<T>(table: &Table, key: &str, one: impl Fn(&Value) -> Option<T>) -> Result<[T; 2], String> {
+    list(table, key, one)?.try_into().map_err(|_| format!("`{key}` needs two entries"))
+}
+
+/// y' summed over the instants of a reference, and the sums of its magnitudes.
+struct Rates {
+    sums: Vec<DoubleDouble>,
+    magnitudes: Vec<f64>,
+}
+
+impl Rates {
+    fn of(problem: &Problem, reference: &Reference) -> Self {
+        let law: &dyn Ode<DoubleDouble> = &*problem.law;
+        let zeros = vec![DoubleDouble::from(0.0); problem.state.len()];
+        let mut rates = Rates { sums: zeros.clone(), magnitudes: vec![0.0; zeros.len()] };
+        let mut one = zeros;
+        for (time, state) in reference.times.iter().zip(&reference.states) {
+            law.rates(DoubleDouble::lift(*time), state, &mut one);
+            rates.sums.iter_mut().zip(&one).for_each(|(sum, one)| *sum += *one);
+            rates.magnitudes.iter_mut().zip(&one).for_each(|(sum, one)| *sum += one.hi().abs());
+        }
+        rates
+    }
+
+    /// What a component's difference is measured by: one that stays zero, by the largest.
+    fn sizes(&self) -> impl Iterator<Item = f64> {
+        let largest = self.magnitudes.iter().copied().fold(0.0, f64::max);
+        self.magnitudes.iter().map(move |size| size.max(1e-9 * largest))
+    }
+}

@@ -1,0 +1,113 @@
+//! What errors are measured by: kept for every scene, made by two methods, and their own where a scene has changed.
+
+use derivations::scene::{AnyScene, Axes, Family, Problem, Stored, stored};
+use integrators::{Method, Span, Tolerance, integrate};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// The digits that every scene's reference has.
+const DIGITS: f64 = 25.0;
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("the project has scenes");
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("it can be listed").path()).collect();
+    paths.sort();
+    let inside = |path: PathBuf| if path.is_dir() { files(&path) } else { vec![path] };
+    paths.into_iter().flat_map(inside).filter(|path| path.extension().is_some_and(|end| end == "toml")).collect()
+}
+
+/// Every scene that is one initial value problem, with what is kept of it.
+fn all() -> Vec<(String, Problem, Stored)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let open = |path: PathBuf| {
+        let scene = AnyScene::open(&path).unwrap_or_else(|error| panic!("{error}"));
+        let problem = scene.smooth()?.problem(Axes::default());
+        let name = path.strip_prefix(root).expect("it is in the project").display().to_string();
+        let text = std::fs::read_to_string(stored::place(&path)).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let kept = Stored::read(&text).unwrap_or_else(|wrong| panic!("{name}: {wrong}"));
+        Some((name, problem, kept))
+    };
+    files(&root.join("scenes")).into_iter().filter_map(open).collect()
+}
+
+#[test]
+fn every_scene_has_a_reference_of_25_digits_that_is_its_own() {
+    let all = all();
+    assert!(all.len() >= 21, "{}", all.len());
+    for (name, problem, kept) in all {
+        assert!(kept.reference.digits >= DIGITS, "{name}: {} digits", kept.reference.digits);
+        assert!(kept.belongs_to(&problem), "{name} has changed: `dalembert reference {name}` makes its reference anew");
+    }
+}
+
+#[test]
+fn a_reference_is_not_taken_for_that_of_other_data() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let file = root.join("scenes/spin_up.toml");
+    let kept = std::fs::read_to_string(stored::place(&file)).expect("it is kept");
+    let kept = Stored::read(&kept).unwrap_or_else(|wrong| panic!("{wrong}"));
+    let text = std::fs::read_to_string(&file).expect("the scene is there");
+    // the last digit of a moment of inertia, the load, a resistance
+    for (datum, other) in
+        [("axial = \"2.4e-4 ", "axial = \"2.40000000000001e-4 "), ("f = \"1e-4 ", "f = \"1.00000001e-4 ")]
+    {
+        assert!(text.contains(datum), "{datum}");
+        let changed =
+            AnyScene::parse("spin_up.toml", &text.replace(datum, other)).unwrap_or_else(|error| panic!("{error}"));
+        let problem = changed.smooth().expect("it is smooth").problem(Axes::default());
+        assert!(!kept.belongs_to(&problem), "{other}");
+    }
+}
+
+#[test]
+fn what_is_written_is_read_again_to_the_last_digit() {
+    for (name, _, kept) in all() {
+        let text = kept.write(&name);
+        let again = Stored::read(&text).unwrap_or_else(|wrong| panic!("{name}: {wrong}"));
+        assert_eq!(again.reference.states, kept.reference.states, "{name}");
+        assert_eq!(again.write(&name), text, "{name}");
+    }
+    let whole = all().remove(0).2.write("a scene");
+    let cut = whole.replace("times = [", "times = [9.0, ");
+    assert_eq!(Stored::read(&cut).map(|_| ()), Err("a row is missing or short".to_owned()));
+    assert!(Stored::read("digits = 30").is_err() && Stored::read("digits = ]").is_err());
+}
+
+#[test]
+fn references_that_are_made_again_are_those_that_are_kept() {
+    // those that take less than a second
+    let quick = ["spin_up", "stiff_damper", "pull_out", "sleigh", "between_discs.", "volterra"];
+    for (name, mut problem, kept) in
+        all().into_iter().filter(|(name, ..)| quick.iter().any(|quick| name.contains(quick)))
+    {
+        problem.span = *kept.reference.times.last().expect("there are instants");
+        let again = problem.reference(Duration::from_secs(60)).unwrap_or_else(|failure| panic!("{name}: {failure}"));
+        let claimed = 10f64.powf(-kept.reference.digits) + 10f64.powf(-again.digits);
+        for (a, b) in again.states.iter().zip(&kept.reference.states) {
+            for ((a, b), size) in a.iter().zip(b).zip(&again.sizes) {
+                let off = (*a - *b).hi().abs() / size;
+                assert!(off < claimed, "{name}: {off:.1e}, {claimed:.1e} claimed");
+            }
+        }
+    }
+}
+
+/// A third family in another precision comes as close as it can.
+#[test]
+fn every_kept_reference_agrees_with_a_run_in_f64() {
+    for (name, problem, kept) in all() {
+        let times = &kept.reference.times;
+        let end = *times.last().expect("there are instants");
+        let span = Span::new(0.0, end, &problem.state).with_outputs(times);
+        let stiff = kept.reference.methods[1] != Method::Taylor;
+        let (method, tolerance, most) = match stiff {
+            true => (Method::RadauIIA { stages: 5 }, 1e-11, 1e-7),
+            false => (Method::DormandPrince8, 1e-13, 1e-7),
+        };
+        let mut record = integrators::Record::new();
+        let outcome = integrate(&*problem.law, method, &Tolerance::both(tolerance), &span, &mut record);
+        assert!(outcome.reached(), "{name}: {:?}", outcome.end);
+        let error = kept.reference.error(&record);
+        assert!(error < most, "{name}: {error:.1e}");
+    }
+}
