@@ -2,7 +2,7 @@
 
 use field::{DoubleDouble, Scalar};
 use integrators::{Directions, Ode, System, TaylorSeries};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use symbolic::{Equations, Expansion, Fused, Recurrence, Sym};
 
 /// A system and the recurrence of its right-hand side: the same laws, evaluated once over expressions. The data of the
@@ -12,7 +12,11 @@ pub struct Recorded<L> {
     law: Arc<L>,
     /// `None` where a law cannot be recorded; then there is no Taylor method.
     recurrence: Option<Recurrence>,
+    spare: Spare,
 }
+
+/// Expansions that earlier runs have laid out.
+type Spare = Arc<Mutex<Vec<Expansion<f64, WIDTH, FEW>>>>;
 
 impl<L: Ode<Sym>> Recorded<L> {
     /// Records a system, which may depend on time.
@@ -23,18 +27,21 @@ impl<L: Ode<Sym>> Recorded<L> {
         law.rates(time, &state, &mut rates);
         let moves = rates.iter().any(|rate| rate.symbols_of().contains(&time));
         let equations = Equations { state: &state, time: moves.then_some(time), parameters: &[], rates: &rates };
-        Recorded { law, recurrence: Recurrence::record(&equations).ok() }
+        Recorded { law, recurrence: Recurrence::record(&equations).ok(), spare: Spare::default() }
     }
 
     fn series<S: Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
         let recurrence = self.recurrence.as_ref()?;
-        if recurrence.columns::<8>() <= FEW {
-            return Some(Box::new(Series::<S, FEW> { recurrence, expansion: None }));
+        match recurrence.columns::<WIDTH>() {
+            0..=FEW => Some(Box::new(Series::<S, FEW> { recurrence, expansion: None })),
+            0..=MANY => Some(Box::new(Series::<S, MANY> { recurrence, expansion: None })),
+            _ => None,
         }
-        let fits = recurrence.columns::<8>() <= MANY;
-        fits.then(|| Box::new(Series::<S, MANY> { recurrence, expansion: None }) as Box<dyn TaylorSeries<S>>)
     }
 }
+
+/// Quantities side by side: eight `f64` fill the widest registers.
+const WIDTH: usize = 8;
 
 /// Columns: of usual systems, which then stay near the processor, and of the largest.
 const FEW: usize = 256;
@@ -52,7 +59,12 @@ impl<S: Scalar, L: Ode<S>> Ode<S> for Recorded<L> {
 
 impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Recorded<L> {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
-        self.series()
+        match &self.recurrence {
+            Some(recurrence) if recurrence.columns::<WIDTH>() <= FEW => {
+                Some(Box::new(Kept { series: Series { recurrence, expansion: None }, spare: &self.spare }))
+            }
+            _ => self.series(),
+        }
     }
 
     fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
@@ -67,7 +79,7 @@ impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Re
 /// The series of a recurrence, with room made for the order that is asked for.
 struct Series<'a, S, const N: usize> {
     recurrence: &'a Recurrence,
-    expansion: Option<Expansion<'a, S, 8, N>>,
+    expansion: Option<Expansion<S, WIDTH, N>>,
 }
 
 impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
@@ -88,5 +100,37 @@ impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
         if let Some(expansion) = &self.expansion {
             expansion.sum(h, out);
         }
+    }
+}
+
+/// A series whose room goes from run to run.
+struct Kept<'a> {
+    series: Series<'a, f64, FEW>,
+    spare: &'a Spare,
+}
+
+impl TaylorSeries<f64> for Kept<'_> {
+    fn expand(&mut self, t: f64, y: &[f64], order: usize) {
+        if self.series.expansion.is_none() {
+            let mut spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner);
+            let fitting = spare.iter().position(|expansion| expansion.order() == order);
+            self.series.expansion = fitting.map(|place| spare.swap_remove(place));
+        }
+        self.series.expand(t, y, order);
+    }
+
+    fn coefficients(&self, k: usize) -> &[f64] {
+        self.series.coefficients(k)
+    }
+
+    fn sum(&self, h: f64, out: &mut [f64]) {
+        self.series.sum(h, out);
+    }
+}
+
+impl Drop for Kept<'_> {
+    fn drop(&mut self) {
+        let mut spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner);
+        spare.extend(self.series.expansion.take());
     }
 }

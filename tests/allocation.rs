@@ -127,6 +127,12 @@ fn a_series_allocates_nothing_once_there_is_room_for_it() {
                 }
             });
             assert!(y.iter().all(|y| y.is_finite()));
+            drop(series);
+            let next = allocations(|| {
+                let mut series = integrators::System::taylor(&system).expect("it has a series");
+                series.expand(0.0, &y, 20);
+            });
+            assert_eq!(next, 1, "the next run finds the room of the last one");
             count
         }
     }

@@ -67,7 +67,7 @@ fn output(command: &mut Command) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-const SCENES: [&str; 3] = ["scenes/spin_up.toml", "scenes/bench.toml", "benches/against/synchronous.toml"];
+const SCENES: [&str; 3] = ["scenes/spin_up.toml", "scenes/bench.toml", "benches/peers/synchronous.toml"];
 
 #[test]
 fn the_c_agrees_with_the_law() {

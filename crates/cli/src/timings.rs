@@ -5,8 +5,8 @@ use serde_json::Value;
 use std::path::Path;
 
 /// Where the script writes, beside the folder of scenes.
-const FILE: &str = "benches/against_sympy.json";
-const COMMAND: &str = "python3 benches/against_sympy.py";
+const FILE: &str = "benches/peers/proofs.json";
+const COMMAND: &str = "python3 benches/peers/proofs.py";
 
 /// The times, or why there are none.
 pub fn read(scenes: &Path) -> Result<Timings, String> {

@@ -6,7 +6,7 @@
 
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::meter::Meter;
-use crate::{Failure, Real, Refusal, Tolerance};
+use crate::{Absolute, Failure, Real, Refusal, Tolerance};
 use field::Scalar;
 
 /// A source of Taylor coefficients: the recurrences of a system's expression graph.
@@ -49,7 +49,33 @@ pub fn taylor_order(tolerance: f64) -> usize {
 #[inline]
 pub(crate) fn reach(order: usize, last: f64, one_before: f64) -> f64 {
     let p = order as f64;
-    (-(last.ln() / p).max(one_before.ln() / (p - 1.0))).exp()
+    if last.max(one_before) < f64::MIN_POSITIVE {
+        return f64::INFINITY;
+    }
+    power_of_two(-(logarithm(last) / p).max(logarithm(one_before) / (p - 1.0)))
+}
+
+/// log2 of a number that is not negative, to 2e-5: a step need not be known better, and steps are short enough for the
+/// difference to show. Zero counts as the smallest number.
+#[inline]
+fn logarithm(x: f64) -> f64 {
+    const FRACTION: u64 = (1 << 52) - 1;
+    let exponent = (x.to_bits() >> 52) as f64 - 1023.0;
+    let fraction = f64::from_bits((x.to_bits() & FRACTION) | 1.0_f64.to_bits());
+    // ln m = 2 artanh t
+    let t = (fraction - 1.0) / (fraction + 1.0);
+    let square = t * t;
+    exponent + std::f64::consts::LOG2_E * 2.0 * t * (1.0 + square * (1.0 / 3.0 + square * (0.2 + square / 7.0)))
+}
+
+/// 2^y, to 2e-5.
+#[inline]
+fn power_of_two(y: f64) -> f64 {
+    let whole = y.clamp(-1000.0, 1000.0) as i32;
+    let rest = (y - f64::from(whole)) * std::f64::consts::LN_2;
+    let series = [1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0];
+    let scale = f64::from_bits(((1023 + whole) as u64) << 52);
+    scale * series.iter().fold(0.0, |sum, c| sum * rest + c)
 }
 
 /// The Taylor method on one system, to be used for as many runs as one likes: a run allocates nothing.
@@ -94,12 +120,21 @@ impl<T> Taylor<T> {
         self.source.expand(time, y, self.order);
         let (last, one_before) = (self.source.coefficients(self.order), self.source.coefficients(self.order - 1));
         let (mut s_last, mut s_before, mut sum) = (0.0_f64, 0.0_f64, 0.0);
-        for (i, y) in y.iter().enumerate() {
-            let share = 1.0 / self.tolerance.allowed(i, y.approx().abs());
-            let (a, b) = (last[i].approx().abs() * share, one_before[i].approx().abs() * share);
-            (s_last, s_before) = (s_last.max(a), s_before.max(b));
+        let mut compare = |absolute: f64, y: S, last: S, before: S| {
+            let share = 1.0 / (absolute + self.tolerance.relative * y.approx().abs());
+            let (a, b) = (last.approx().abs() * share, before.approx().abs() * share);
             // `max` forgets what is not a number, a sum does not
+            s_last = if a > s_last { a } else { s_last };
+            s_before = if b > s_before { b } else { s_before };
             sum += a + b;
+        };
+        let terms = y.iter().zip(last).zip(one_before);
+        match &self.tolerance.absolute {
+            Absolute::Same(same) => terms.for_each(|((y, last), before)| compare(*same, *y, *last, *before)),
+            Absolute::Each(each) => {
+                let terms = terms.zip(each.iter().copied().chain(std::iter::repeat(0.0)));
+                terms.for_each(|(((y, last), before), absolute)| compare(absolute, *y, *last, *before));
+            }
         }
         if !sum.is_finite() {
             return f64::NAN;

@@ -10,9 +10,10 @@ use crate::tape::{Program, Tape};
 /// A recurrence over a field, with room for the series of all its quantities: expanding allocates nothing.
 ///
 /// `W` quantities are computed side by side: 8 fill the widest registers of today with `f64`; for a field that is wide
-/// itself, 1. `N` is a power of two above the number of columns, so that no index needs a check.
+/// itself, 1. `N` is a power of two above the number of columns, so that no index needs a check. To lay one out takes as
+/// long as a few steps, so an expansion is to be kept from run to run.
 #[derive(Clone, Debug)]
-pub struct Expansion<'a, S, const W: usize, const N: usize = 256> {
+pub struct Expansion<S, const W: usize, const N: usize = 256> {
     order: usize,
     states: usize,
     time: bool,
@@ -26,10 +27,8 @@ pub struct Expansion<'a, S, const W: usize, const N: usize = 256> {
     width: usize,
     /// 1/k
     reciprocals: Vec<S>,
-    points: Program<'a, S>,
-    inputs: Vec<S>,
-    circle: Vec<S>,
-    coefficients: Program<'a, S>,
+    points: Program<'static, S>,
+    coefficients: Program<'static, S>,
 }
 
 impl Recurrence {
@@ -39,13 +38,12 @@ impl Recurrence {
         &self,
         parameters: &[S],
         order: usize,
-    ) -> Option<Expansion<'_, S, W, N>> {
+    ) -> Option<Expansion<S, W, N>> {
         const { assert!(N.is_power_of_two() && N <= MOST) };
         if width(&self.plan, W) > N {
             return None;
         }
         let layout = Layout::new(&self.plan, order);
-        let inputs = self.plan.states + usize::from(self.plan.time);
         let width = self.plan.moving.next_multiple_of(W);
         let mut expansion = Expansion {
             order,
@@ -58,8 +56,6 @@ impl Recurrence {
             width,
             reciprocals: std::iter::once(S::zero()).chain((1..=order as i64 + 1).map(|k| S::ratio(1, k))).collect(),
             points: program(&self.points),
-            inputs: vec![S::zero(); inputs + parameters.len()],
-            circle: vec![S::zero(); self.plan.moving - inputs],
             coefficients: program(&self.coefficients),
         };
         expansion.set_parameters(parameters);
@@ -67,11 +63,11 @@ impl Recurrence {
     }
 }
 
-fn program<S: Fused>(tape: &Tape) -> Program<'_, S> {
-    if S::FINER { tape.over() } else { tape.over_rounded() }
+fn program<S: Fused>(tape: &Tape) -> Program<'static, S> {
+    if S::FINER { tape.over().kept() } else { tape.over_rounded().kept() }
 }
 
-impl<S: Fused, const W: usize, const N: usize> Expansion<'_, S, W, N> {
+impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
     /// The order of the last coefficient.
     pub fn order(&self) -> usize {
         self.order
@@ -79,10 +75,10 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<'_, S, W, N> {
 
     /// Takes other values of the parameters.
     pub fn set_parameters(&mut self, parameters: &[S]) {
-        let first = self.states + usize::from(self.time);
-        for (input, value) in self.inputs[first..].iter_mut().zip(parameters) {
-            *input = *value;
-        }
+        // the points' program keeps them
+        let moving = self.states + usize::from(self.time);
+        let inputs: Vec<S> = std::iter::repeat_n(S::zero(), moving).chain(parameters.iter().copied()).collect();
+        self.points.evaluate(&inputs, &mut []);
         let mut values = vec![S::zero(); self.layout.coefficients];
         self.coefficients.evaluate(parameters, &mut values);
         self.layout.set(&values);
@@ -91,17 +87,14 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<'_, S, W, N> {
     /// Expands the solution through `state` at `time`.
     pub fn expand(&mut self, state: &[S], time: S) {
         let n = self.states.min(state.len());
-        self.inputs[..n].copy_from_slice(&state[..n]);
+        self.series[..n].copy_from_slice(&state[..n]);
         let mut moving = self.states;
         if self.time {
-            self.inputs[moving] = time;
+            self.series[moving] = time;
             moving += 1;
         }
-        self.series[..moving].copy_from_slice(&self.inputs[..moving]);
-        if !self.circle.is_empty() {
-            self.points.evaluate(&self.inputs, &mut self.circle);
-            self.series[moving..moving + self.circle.len()].copy_from_slice(&self.circle);
-        }
+        let (known, points) = self.series.split_at_mut(moving);
+        self.points.evaluate(known, points);
         S::run(Expand(self), W);
     }
 
@@ -118,9 +111,9 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<'_, S, W, N> {
     }
 }
 
-struct Expand<'a, 'b, S, const W: usize, const N: usize>(&'a mut Expansion<'b, S, W, N>);
+struct Expand<'a, S, const W: usize, const N: usize>(&'a mut Expansion<S, W, N>);
 
-impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, '_, S, W, N> {
+impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, S, W, N> {
     #[inline(always)]
     fn run<P: Pick<S>>(self, pick: P) {
         let Expansion { order, layout, now, then, series, width, reciprocals, .. } = self.0;
@@ -128,7 +121,9 @@ impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, '_, S, W, 
         for group in layout.stages.iter_mut().flat_map(|stage| &mut stage.groups) {
             group.left[..CHAINS].fill(Lanes::zero());
         }
-        now.0[..*width].copy_from_slice(&series[..*width]);
+        for (now, first) in now.0.chunks_exact_mut(W).zip(series[..*width].chunks_exact(W)) {
+            now.copy_from_slice(first);
+        }
         for k in 0..order {
             for stage in &mut layout.stages {
                 let Rows { first, blocks } = &stage.sums;
@@ -160,13 +155,13 @@ impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, '_, S, W, 
     }
 }
 
-struct Sum<'a, 'b, S, const W: usize, const N: usize> {
-    expansion: &'a Expansion<'b, S, W, N>,
+struct Sum<'a, S, const W: usize, const N: usize> {
+    expansion: &'a Expansion<S, W, N>,
     h: S,
     out: &'a mut [S],
 }
 
-impl<S: Fused, const W: usize, const N: usize> Task<S> for Sum<'_, '_, S, W, N> {
+impl<S: Fused, const W: usize, const N: usize> Task<S> for Sum<'_, S, W, N> {
     #[inline(always)]
     fn run<P: Pick<S>>(self, _: P) {
         let Expansion { series, width, states, .. } = self.expansion;

@@ -3,11 +3,12 @@
 use super::{Operation, Tape};
 use crate::evaluate::constant;
 use field::{Analytic, Over};
+use std::borrow::Cow;
 
 /// A tape over a field, with its registers: evaluation allocates nothing.
 #[derive(Clone, Debug)]
 pub struct Program<'a, S> {
-    tape: &'a Tape,
+    tape: Cow<'a, Tape>,
     registers: Vec<S>,
 }
 
@@ -18,7 +19,7 @@ impl Tape {
         for (register, value) in registers[self.inputs..].iter_mut().zip(&self.constants) {
             *register = constant(*value);
         }
-        Program { tape: self, registers }
+        Program { tape: Cow::Borrowed(self), registers }
     }
 
     /// The program over a field that is no finer than `f64`: its constants need not be computed again.
@@ -27,7 +28,21 @@ impl Tape {
         for (register, value) in registers[self.inputs..].iter_mut().zip(&self.rounded) {
             *register = S::lift(*value);
         }
-        Program { tape: self, registers }
+        Program { tape: Cow::Borrowed(self), registers }
+    }
+}
+
+impl<S> Program<'_, S> {
+    /// The program with a tape of its own.
+    pub fn into_owned(self) -> Program<'static, S> {
+        Program { tape: Cow::Owned(self.tape.into_owned()), registers: self.registers }
+    }
+}
+
+impl<S> Program<'_, S> {
+    /// The program with a tape of its own, to be kept.
+    pub fn kept(self) -> Program<'static, S> {
+        Program { tape: Cow::Owned(self.tape.into_owned()), registers: self.registers }
     }
 }
 
@@ -37,7 +52,7 @@ impl<S: Analytic> Program<'_, S> {
     // always inlined: whoever is compiled for wide registers evaluates with them
     #[inline(always)]
     pub fn evaluate(&mut self, inputs: &[S], outputs: &mut [S]) {
-        let Tape { inputs: count, constants, operations, outputs: results, .. } = self.tape;
+        let Tape { inputs: count, constants, operations, outputs: results, .. } = &*self.tape;
         for (register, input) in self.registers[..*count].iter_mut().zip(inputs) {
             *register = *input;
         }

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Builds and proves the same statements with dalembert, SymPy and FLINT, side by side in one run.
 
-    python3 benches/against_sympy.py
+    python3 benches/peers/proofs.py
 
 needs cargo, Python 3.10 with venv, and the network once, for pip: SymPy and python-flint go into a virtual environment
-in a temporary directory that is removed at the end. Prints a table and writes benches/against_sympy.json.
+in a temporary directory that is removed at the end. Prints a table and writes benches/peers/proofs.json.
 
 What is compared, and how:
 
@@ -32,7 +32,7 @@ import tempfile
 import time
 import venv
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 INSIDE = "--inside"
 
 if __name__ == "__main__" and INSIDE not in sys.argv:
@@ -458,7 +458,7 @@ def main():
         print(f"| {task} | {shown(seconds)} | " + " | ".join(beside) + " |", flush=True)
         tasks.append({"task": task, "dalembert": seconds, "sympy": best, "sympy_by": sympys, "flint": flints})
     report = {"unit": "seconds, medians", "versions": versions, "tasks": tasks}
-    (ROOT / "benches" / "against_sympy.json").write_text(json.dumps(report, indent=2) + "\n")
+    (ROOT / "benches" / "peers" / "proofs.json").write_text(json.dumps(report, indent=2) + "\n")
 
 
 if __name__ == "__main__":

@@ -1,25 +1,39 @@
-//! Our side of the comparison with other tools, driven by `compare.py`: one scene, one line a run.
+//! Our side of the comparison with other tools, driven by `run.py`: one scene, one line a measurement.
 //!
-//! `cargo bench --bench against -- SCENE.toml` prints the reference, then answers `METHOD TOLERANCE` by the nanoseconds of
-//! one run and its last state, and `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds.
+//! `cargo bench --bench peers -- SCENE.toml [--model NAME] [--code FOLDER]` writes the scene's code into the folder, prints the
+//! reference, then answers `METHOD TOLERANCE` by the nanoseconds of a run (the median of several) and its last state, and
+//! `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds.
 
 use derivations::scene::{Axes, Family, Scene, methods};
 use integrators::{Directions, Jacobian, Ode, Span, System, Tolerance, integrate, reference};
 use std::error::Error;
+use std::fs;
 use std::hint::black_box;
 use std::io::{self, BufRead, Write};
 use std::path::Path;
-use std::time::Instant;
+use std::time::{Duration, Instant};
+use symbolic::Language;
 
 const AXES: Axes = Axes::Second;
 const CALLS: u32 = 20_000;
+/// A run is repeated so often, or until so much time is gone.
+const RUNS: usize = 25;
+const PATIENCE: Duration = Duration::from_millis(10);
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let Some(path) = std::env::args().skip(1).find(|argument| argument.ends_with(".toml")) else {
-        println!("a scene is needed: cargo bench --bench against -- benches/against/six_bars.toml");
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let after = |flag: &str| arguments.iter().skip_while(|each| *each != flag).nth(1);
+    let Some(path) = arguments.iter().find(|argument| argument.ends_with(".toml")) else {
+        println!("a scene is needed: cargo bench --bench peers -- benches/peers/six_bars.toml");
         return Ok(());
     };
-    let scene = Scene::open(Path::new(&path)).map_err(|error| error.render(false))?;
+    let mut scene = Scene::open(Path::new(path)).map_err(|error| error.render(false))?;
+    if let Some(model) = after("--model") {
+        scene = scene.with_model(model).map_err(|error| error.to_string())?;
+    }
+    if let Some(folder) = after("--code") {
+        write_code(&scene, Path::new(folder))?;
+    }
     let begin = Instant::now();
     let problem = scene.problem(AXES);
     let law: &dyn System = &*problem.law;
@@ -28,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let span = Span::new(0.0, scene.run.span, &problem.state);
     let exact = reference(law, &span)?;
     let row = |state: &mut dyn Iterator<Item = f64>| state.map(|y| format!("{y:?}")).collect::<Vec<_>>().join(" ");
-    println!("{:.1}", exact.digits);
+    println!("{:.1} {:?}", exact.digits, span.end);
     println!("{}", row(&mut exact.states.iter().flatten().map(|y| y.hi())));
     println!("{}", row(&mut exact.sizes.iter().copied()));
     println!("{}", row(&mut problem.state.iter().copied()));
@@ -38,9 +52,19 @@ fn main() -> Result<(), Box<dyn Error>> {
             Some((name, tolerance)) => {
                 let method = methods::method(name).map_err(|(wrong, accepted)| format!("{wrong}; {accepted}"))?;
                 let tolerance = Tolerance::both(tolerance.parse()?);
+                let run = || {
+                    let begin = Instant::now();
+                    let outcome = integrate(law, method, &tolerance, &span, &mut ());
+                    (begin.elapsed().as_nanos(), outcome)
+                };
                 let begin = Instant::now();
-                let outcome = integrate(law, method, &tolerance, &span, &mut ());
-                let took = begin.elapsed().as_nanos();
+                let (first, outcome) = run();
+                let mut times = vec![first];
+                while times.len() < RUNS && begin.elapsed() < PATIENCE {
+                    times.push(run().0);
+                }
+                times.sort_unstable();
+                let took = times[times.len() / 2];
                 let state = if outcome.reached() { row(&mut outcome.state.into_iter()) } else { String::new() };
                 println!("{took} {state}");
             }
@@ -49,6 +73,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         io::stdout().flush()?;
     }
+    Ok(())
+}
+
+/// The right-hand side and its Jacobian, for the others.
+fn write_code(scene: &Scene, folder: &Path) -> Result<(), Box<dyn Error>> {
+    let (rates, jacobian) = (scene.tape(AXES)?, scene.jacobian_tape(AXES)?);
+    let both = |language| format!("{}\n{}", rates.source(language, "rates"), jacobian.source(language, "jacobian"));
+    fs::write(folder.join("rates.h"), format!("#include <math.h>\n\n{}", both(Language::C)))?;
+    fs::write(folder.join("exported.py"), format!("from math import cos, sin, sqrt\n\n\n{}", both(Language::Python)))?;
     Ok(())
 }
 

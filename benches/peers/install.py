@@ -1,0 +1,71 @@
+"""Installs the peers by name, in target/peers: nothing of the reader's is changed.
+
+From PyPI into a virtual environment. From Debian the development packages are downloaded and unpacked, not installed: that
+needs no rights. What a machine has already is taken as it is, and what cannot be had is said.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import venv
+
+PYTHON = ["numpy", "heyoka", "scipy", "scikit-sundae", "jax", "diffrax", "casadi"]
+# a header that is needed, and the package that brings it
+DEBIAN = {"gsl/gsl_odeiv2.h": "libgsl-dev", "boost/numeric/odeint.hpp": "libboost-dev"}
+
+
+def environment(folder):
+    """The interpreter of the virtual environment with all that pip finds, and what it does not."""
+    python, missing = folder / "venv" / "bin" / "python", {}
+    if not python.exists():
+        venv.create(folder / "venv", with_pip=True)
+    have = subprocess.run([python, "-m", "pip", "list", "--format", "freeze"], capture_output=True, text=True).stdout.lower()
+    for name in PYTHON:
+        if not re.search(rf"^{re.escape(name)}==", have, re.MULTILINE):
+            print(f"pip: {name}", file=sys.stderr, flush=True)
+            done = subprocess.run([python, "-m", "pip", "install", "--quiet", name], capture_output=True, text=True)
+            if done.returncode:
+                missing[name] = f"pip cannot install it: {done.stderr.strip().splitlines()[-1]}"
+    return python, missing
+
+
+def has(header, flags=()):
+    """Whether the C++ compiler finds a header."""
+    command = ["g++", *flags, "-E", "-x", "c++", "-"]
+    return subprocess.run(command, input=f"#include <{header}>", capture_output=True, text=True).returncode == 0
+
+
+def debian(folder):
+    """Flags for the C++ compiler, the headers that it finds, and what is missing."""
+    if subprocess.run(["which", "g++"], capture_output=True).returncode:
+        return [], [], {"g++": "not installed (Debian: g++): no rows of GSL, odeint and the exported C"}
+    root = folder / "debian"
+    flags = [f"-I{root}/usr/include", *(flag for place in root.glob("usr/lib/*-linux-gnu") for flag in (f"-L{place}", f"-Wl,-rpath,{place}"))]
+    missing = {}
+    for header, package in DEBIAN.items():
+        if not has(header, flags):
+            unpack(package, root)
+            flags = [f"-I{root}/usr/include", *(flag for place in root.glob("usr/lib/*-linux-gnu") for flag in (f"-L{place}", f"-Wl,-rpath,{place}"))]
+        if not has(header, flags):
+            missing[package] = "apt-get cannot download it"
+    return flags, [header for header in DEBIAN if has(header, flags)], missing
+
+
+def unpack(package, root):
+    """Unpacks a Debian package, and those of its own source that it depends on."""
+    root.mkdir(parents=True, exist_ok=True)
+    family = re.match(r"lib[a-z]+", package).group().removesuffix("dev")
+    waiting, seen = [package], set()
+    while waiting:
+        name = waiting.pop()
+        if name in seen or not name.startswith(family):
+            continue
+        seen.add(name)
+        print(f"Debian: {name}", file=sys.stderr, flush=True)
+        if subprocess.run(["apt-get", "download", name], cwd=root, capture_output=True).returncode:
+            return
+        for archive in pathlib.Path(root).glob(f"{name}_*.deb"):
+            subprocess.run(["dpkg", "-x", archive, root], check=True)
+            depends = subprocess.run(["dpkg", "-f", archive, "Depends"], capture_output=True, text=True).stdout
+            waiting += re.findall(r"lib[a-z0-9.+-]+", depends)

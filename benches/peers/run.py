@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""Milliseconds to reach an error: dalembert beside other tools, on the same scenes, side by side in one run.
+
+    python3 benches/peers/run.py [--rounds 3] [--install] [--reduced] [SCENE.toml ...]
+
+needs cargo, Python 3.10, and the network once: the peers go into target/peers (install.py). Without scenes all are run: the
+three here against all peers, those of scenes/ against heyoka, and these with the reduced model where they have one. With
+scenes only these, with --reduced their reduced model; the others' last figures are kept. `--install` installs, compiles, and
+runs nothing. Writes results.json and results.md; ends with 1 where a tool does not agree with the reference.
+
+What is compared, and how:
+
+* The model is written once: ours.rs exports the right-hand side and its exact Jacobian from the recorded laws. heyoka, JAX
+  and CasADi trace the Python, the others call the C (-O3 -march=native).
+* Every tool runs over a scan of tolerances. Errors are those achieved at the end, relative to the largest size of each
+  component, against a reference in double-double that two methods of ours confirm. Times are interpolated between the two
+  runs around an error, logarithmically; a tool that is better than asked at its loosest tolerance counts with that run.
+* The tools take turns at each tolerance, several rounds; figures are medians. Each clock runs inside the tool's own process.
+  Setting up (recording, compiling, tracing) is counted apart. SciPy and SUNDIALS call the compiled C through ctypes: that
+  and their own Python are in their times, as in any use of them from Python.
+* The reduced model has two windings in the place of all damper bars: the same motion, proved. It is compared with itself,
+  and ours with heyoka's full one.
+"""
+
+import argparse
+import json
+import pathlib
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+import install
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+FOLDER = ROOT / "target" / "peers"
+TABLES = [HERE / f"{name}.toml" for name in ("synchronous", "six_bars", "six_bars_stiff")]
+SMOOTH = sorted((ROOT / "scenes").glob("*.toml"))
+REDUCED = "equivalent_windings"
+# the scan, and of the stiff scenes, where no tool goes on for long
+TOLERANCES = [10.0 ** (-k / 2) for k in range(6, 31)]
+OURS = {
+    False: ["taylor", "dormand_prince_8", "gragg_bulirsch_stoer"],
+    True: ["taylor", "bader_deuflhard", "rodas_4", "radau_iia:5", "radau_iia:7"],
+}
+# who never comes nearer to the reference does not agree with it
+AGREES = 1e-5
+
+
+def optional(name, missing, setup, make):
+    """A tool's runs by name; nothing where it is not installed or does not work here."""
+    begin = time.perf_counter()
+    try:
+        runs = make()
+    except ImportError as error:
+        missing[name] = f"not installed: {error}"
+    except Exception as error:
+        missing[name] = f"failed: {type(error).__name__}: {error}"
+    else:
+        setup[name] = time.perf_counter() - begin
+        return runs
+    return {}
+
+
+def compare(path, model, rounds, cpp, missing):
+    """One scene: times by tolerance, evaluations, set-up times."""
+    from scene import Library, Scene
+    from sides import casadi_side, compiled_side, diffrax_side, heyoka_side, scipy_side, sundials_side
+    from turns import measure
+
+    with tempfile.TemporaryDirectory() as folder:
+        scene = Scene(path, folder, model)
+        setup, ask = {"dalembert": scene.ours.ask("setup")[0] / 1e9}, {}
+        runs = {f"dalembert {name}": scene.ours.run(name) for name in OURS[scene.stiff]}
+        runs |= optional("heyoka", missing, setup, lambda: heyoka_side.runs(scene, TOLERANCES))
+        if path in TABLES:
+            casadi = optional("CasADi", missing, setup, lambda: casadi_side.compiled(scene))
+            ask = {"our rates": (scene.ours, "rates"), "our Jacobian": (scene.ours, "jacobian"), "num-dual Jacobian": (scene.ours, "num-dual")}
+            found = optional("C++", missing, setup, lambda: compiled_side.server(scene, *cpp, casadi)) or (None, {})
+            if found[0]:
+                ask |= {"exported C, rates": (found[0], "rates"), "exported C, Jacobian": (found[0], "jacobian")}
+            if found[0] and casadi:
+                ask["CasADi's C, Jacobian"] = (found[0], "casadi")
+            library = Library(scene)
+            runs |= found[1]
+            runs |= optional("SciPy", missing, setup, lambda: scipy_side.runs(scene, library))
+            runs |= optional("SUNDIALS", missing, setup, lambda: sundials_side.runs(scene, library))
+            runs |= optional("diffrax", missing, setup, lambda: diffrax_side.runs(scene))
+        points, failed = measure(scene, runs, TOLERANCES, rounds)
+        samples = {name: [server.ask(what)[0] for _ in range(2 * rounds + 1)] for name, (server, what) in ask.items()}
+        scene.ours.close()
+        return {
+            "states": scene.n,
+            "digits": scene.digits,
+            "rounds": rounds,
+            "setup": setup,
+            "nanoseconds": {name: statistics.median(values) for name, values in samples.items()},
+            "points": points,
+            "failed": {name: tolerances for name, tolerances in failed.items() if tolerances},
+            "disagree": [name for name, own in points.items() if min((error for _, error, _ in own), default=1.0) > AGREES],
+        }
+
+
+def has_reduced(path):
+    return 'model = "multi_current"' in path.read_text() and "currents =" not in path.read_text()
+
+
+def write(results):
+    from tables import page
+
+    lines = ",\n".join(f"{json.dumps(key)}: {json.dumps(value)}" for key, value in results.items())
+    (HERE / "results.json").write_text("{\n" + lines + "\n}\n")
+    (HERE / "results.md").write_text(page(results))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--install", action="store_true")
+    parser.add_argument("--reduced", action="store_true")
+    parser.add_argument("scenes", nargs="*", type=pathlib.Path)
+    asked = parser.parse_args()
+    python, missing = install.environment(FOLDER)
+    if pathlib.Path(sys.prefix) != FOLDER / "venv":
+        return subprocess.run([python, __file__, *sys.argv[1:]]).returncode
+    flags, headers, without = install.debian(FOLDER)
+    missing |= without
+    subprocess.run(["cargo", "bench", "--quiet", "--bench", "peers", "--no-run"], cwd=ROOT, check=True)
+    if asked.install:
+        print("\n".join(f"{name}: {reason}" for name, reason in missing.items()) or "all peers are there")
+        return 0
+    if asked.scenes:
+        plan = [(path.resolve(), REDUCED if asked.reduced else None) for path in asked.scenes]
+    else:
+        plan = [(path, None) for path in TABLES + SMOOTH] + [(path, REDUCED) for path in SMOOTH if has_reduced(path)]
+    stored = HERE / "results.json"
+    results = json.loads(stored.read_text()) if stored.exists() else {}
+    for path, model in plan:
+        key = path.stem + (", reduced" if model else "")
+        print(key, file=sys.stderr, flush=True)
+        results[key] = compare(path, model, asked.rounds, (flags, headers), missing)
+        results["machine"] = {"processor": platform.machine(), "python": platform.python_version(), "missing": missing}
+        write(results)
+    disagree = [f"{key}: {name}" for key, result in results.items() for name in result.get("disagree", [])]
+    print("\n".join(f"does not agree with the reference: {each}" for each in disagree))
+    return 1 if disagree else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""The tools, each a small module: `runs(scene)` gives for every method a run by tolerance, (nanoseconds, last state)."""

@@ -1,0 +1,75 @@
+"""The results as Markdown."""
+
+from turns import at_error
+
+ERRORS = [1e-6, 1e-9, 1e-12]
+FINE = [1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14]
+REDUCED = ", reduced"
+
+
+def page(results):
+    machine = results["machine"]
+    scenes = {key: result for key, result in results.items() if key != "machine"}
+    tables = {key: result for key, result in scenes.items() if result["nanoseconds"]}
+    reduced = {key: result for key, result in scenes.items() if key.endswith(REDUCED)}
+    full = {key: result for key, result in scenes.items() if key not in reduced}
+    parts = ["# Beside other tools", f"{machine['processor']}, Python {machine['python']}. How it was measured: run.py."]
+    parts += [table(key, result) for key, result in tables.items()]
+    parts += ["## Beside heyoka, every scene", HEYOKA, beside(full, full)]
+    if reduced:
+        parts += ["## The reduced model, both sides", REDUCED_MODEL, beside(reduced, reduced)]
+        parts += ["## Our reduced model beside heyoka's full one", beside(reduced, {key: full.get(key.removesuffix(REDUCED)) for key in reduced})]
+    parts += ["\n".join(f"{name}: {reason}." for name, reason in machine["missing"].items())]
+    return "\n\n".join(part for part in parts if part) + "\n"
+
+
+HEYOKA = """Microseconds to reach the error: ours (the best of our methods) and heyoka (the best of its settings), in brackets
+how many times as long heyoka takes. `-`: the tool does not get there. The last column has the least error that either
+reaches at any tolerance: there rounding stops it."""
+
+REDUCED_MODEL = """Two windings in the place of all damper bars. Errors are those of the model's own states."""
+
+
+def rows(result, ours):
+    return {name: own for name, own in result["points"].items() if name.startswith("dalembert" if ours else "heyoka")}
+
+
+def best(named, error):
+    return min((took for took in (at_error(points, error) for points in named.values()) if took), default=None)
+
+
+def beside(own, other):
+    """A row a scene: our best beside heyoka's."""
+    lines = ["| scene | states | " + " | ".join(f"{error:.0e}" for error in FINE) + " | least error |", "|---|---|" + "---|" * (len(FINE) + 1)]
+    for key, result in own.items():
+        if not other[key]:
+            continue
+        ours, theirs = rows(result, True), rows(other[key], False)
+        cells = [pair(best(ours, error), best(theirs, error)) for error in FINE]
+        least = [min((error for points in side.values() for _, error, _ in points), default=1.0) for side in (ours, theirs)]
+        lines.append(f"| {key} | {result['states']} | " + " | ".join(cells) + f" | {least[0]:.0e}, {least[1]:.0e} |")
+    return "\n".join(lines)
+
+
+def pair(ours, theirs):
+    shown = lambda took: "-" if took is None else f"{took * 1e3:.3g}"
+    ratio = f" ({theirs / ours:.2f})" if ours and theirs else ""
+    return f"{shown(ours)}, {shown(theirs)}{ratio}"
+
+
+def table(key, result):
+    """One scene, all tools."""
+    milliseconds = {name: [at_error(points, error) for error in ERRORS] for name, points in result["points"].items()}
+    own = [row for name, row in milliseconds.items() if name.startswith("dalembert")]
+    least = [min((row[k] for row in own if row[k]), default=None) for k in range(len(ERRORS))]
+    cell = lambda value, ours: "-" if value is None else f"{value:.3f} ({value / ours:.2f})" if ours else f"{value:.3f}"
+    lines = [f"## {key}, {result['states']} states", "", "Milliseconds to reach the error, and in brackets the ratio to our best.", "",
+             "| tool | " + " | ".join(f"{error:.0e}" for error in ERRORS) + " |", "|---|" + "---|" * len(ERRORS)]
+    for name, row in milliseconds.items():
+        shown = ["does not agree with the reference"] * len(ERRORS) if name in result["disagree"] else map(cell, row, least)
+        lines.append(f"| {name} | " + " | ".join(shown) + " |")
+    rates = result["nanoseconds"]["our rates"]
+    lines += ["", "| evaluation | ns | in our rates |", "|---|---|---|"]
+    lines += [f"| {name} | {value:.0f} | {value / rates:.1f} |" for name, value in result["nanoseconds"].items()]
+    lines += ["", "Set up once: " + ", ".join(f"{name} {took:.3g} s" for name, took in result["setup"].items()) + "."]
+    return "\n".join(lines)
