@@ -14,7 +14,7 @@ static void fold(void) {
     inverse_d = 1 / d;
     inverse_axial = 1 / AXIAL;
     for (int n = 0; n < WINDINGS; n++) {
-        const double t = 2 * M_PI * n / (WINDINGS - 1) - M_PI / 4;
+        const double t = 2 * M_PI * n / (N > 9 ? WINDINGS - 1 : 1) - M_PI / 4;
         along[n] = n ? -A2 * cos(t) : 0;
         across[n] = n ? A2 * sin(t) : -A1;
         response[n] = 1 / (n ? L2 : L1);

@@ -2,46 +2,36 @@
 //!
 //! num-dual's duals need an ordered base with a value in `f64`; a proof runs over a field that has neither. A tangent
 //! asks for the field operations alone, so the same derivation runs over `f64`, exact rationals, double-double and
-//! expressions. What does not move is known not to: a law over tangents costs no products with zero, since the question
-//! is answered when it is compiled, once everything is inlined. Nested once it gives second derivatives. Over `f64` num-dual is the second route that checks it.
+//! expressions. Nested once it gives second derivatives. Over `f64` num-dual is the second route that checks it.
 
 use crate::{Analytic, Base, Circle, Over, Scalar};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
 /// value + slope e with e^2 = 0.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tangent<S> {
     pub value: S,
     pub slope: S,
-    /// Known not to move: the slope is zero.
-    fixed: bool,
 }
 
 impl<S: Scalar> Tangent<S> {
     /// A number that does not move.
     #[inline(always)]
     pub fn fixed(value: S) -> Self {
-        Tangent { value, slope: S::zero(), fixed: true }
+        Tangent { value, slope: S::zero() }
     }
 
     /// A number that moves at the rate `slope`.
     #[inline(always)]
     pub fn moving(value: S, slope: S) -> Self {
-        Tangent { value, slope, fixed: false }
+        Tangent { value, slope }
     }
 
     /// The variable of differentiation: slope 1.
     #[inline(always)]
     pub fn variable(value: S) -> Self {
-        Self::moving(value, S::one())
-    }
-}
-
-/// By the numbers: that a slope is known to be zero makes no difference.
-impl<S: PartialEq> PartialEq for Tangent<S> {
-    fn eq(&self, b: &Self) -> bool {
-        self.value == b.value && self.slope == b.slope
+        Tangent { value, slope: S::one() }
     }
 }
 
@@ -49,13 +39,7 @@ impl<S: Scalar> Add for Tangent<S> {
     type Output = Self;
     #[inline(always)]
     fn add(self, b: Self) -> Self {
-        let value = self.value + b.value;
-        match (self.fixed, b.fixed) {
-            (true, true) => Self::fixed(value),
-            (true, false) => Self::moving(value, b.slope),
-            (false, true) => Self::moving(value, self.slope),
-            (false, false) => Self::moving(value, self.slope + b.slope),
-        }
+        Tangent { value: self.value + b.value, slope: self.slope + b.slope }
     }
 }
 
@@ -63,7 +47,7 @@ impl<S: Scalar> Sub for Tangent<S> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, b: Self) -> Self {
-        self + -b
+        Tangent { value: self.value - b.value, slope: self.slope - b.slope }
     }
 }
 
@@ -71,27 +55,16 @@ impl<S: Scalar> Mul for Tangent<S> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, b: Self) -> Self {
-        let value = self.value * b.value;
-        match (self.fixed, b.fixed) {
-            (true, true) => Self::fixed(value),
-            (true, false) => Self::moving(value, self.value * b.slope),
-            (false, true) => Self::moving(value, self.slope * b.value),
-            (false, false) => Self::moving(value, (self.slope * b.value).and_product(self.value, b.slope)),
-        }
+        Tangent { value: self.value * b.value, slope: (self.slope * b.value).and_product(self.value, b.slope) }
     }
 }
 
 impl<S: Scalar> Div for Tangent<S> {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn div(self, b: Self) -> Self {
         let value = self.value / b.value;
-        match (self.fixed, b.fixed) {
-            (true, true) => Self::fixed(value),
-            (true, false) => Self::moving(value, -value * b.slope / b.value),
-            (false, true) => Self::moving(value, self.slope / b.value),
-            (false, false) => Self::moving(value, (self.slope - value * b.slope) / b.value),
-        }
+        Tangent { value, slope: (self.slope - value * b.slope) / b.value }
     }
 }
 
@@ -99,7 +72,7 @@ impl<S: Scalar> Div for Tangent<S> {
 impl<S: Scalar> Rem for Tangent<S> {
     type Output = Self;
     fn rem(self, b: Self) -> Self {
-        Self::fixed(self.value % b.value)
+        Tangent { value: self.value % b.value, slope: S::zero() }
     }
 }
 
@@ -107,14 +80,14 @@ impl<S: Scalar> Neg for Tangent<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Tangent { value: -self.value, slope: -self.slope, fixed: self.fixed }
+        Tangent { value: -self.value, slope: -self.slope }
     }
 }
 
 macro_rules! assign {
     ($($op:ident $method:ident $sign:tt),*) => {$(
         impl<S: Scalar> $op for Tangent<S> {
-            #[inline(always)]
+            #[inline]
             fn $method(&mut self, b: Self) {
                 *self = *self $sign b;
             }
@@ -124,7 +97,6 @@ macro_rules! assign {
 assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /, RemAssign rem_assign %);
 
 impl<S: Scalar> Zero for Tangent<S> {
-    #[inline(always)]
     fn zero() -> Self {
         Self::fixed(S::zero())
     }
@@ -135,14 +107,12 @@ impl<S: Scalar> Zero for Tangent<S> {
 }
 
 impl<S: Scalar> One for Tangent<S> {
-    #[inline(always)]
     fn one() -> Self {
         Self::fixed(S::one())
     }
 }
 
 impl<S: Scalar> Scalar for Tangent<S> {
-    #[inline(always)]
     fn ratio(numerator: i64, denominator: i64) -> Self {
         Self::fixed(S::ratio(numerator, denominator))
     }
@@ -156,13 +126,13 @@ impl<P: Base, S: Over<P>> Over<P> for Tangent<S> {
 }
 
 impl<S: Analytic> Analytic for Tangent<S> {
-    #[inline(always)]
+    #[inline]
     fn circle(self) -> Circle<Self> {
         self.value.circle().moving(self.slope)
     }
 
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        if self.fixed { Self::fixed(root) } else { Self::moving(root, self.slope / (root + root)) }
+        Tangent { value: root, slope: self.slope / (root + root) }
     }
 }
