@@ -1,25 +1,26 @@
 //! Ensembles of gyrostats with data and starts of their own, with 8 states (synchronous motor) and 15 (six damper bars),
-//! on one thread: trajectories of two seconds in each second, and steps of the classical Runge-Kutta method times systems
-//! in each second, by the law that runs, evaluated in lanes. Time is the thread's own, since computers are shared.
+//! on one thread: trajectories of two seconds in each second, with the largest error of any member against a run to 1e-15,
+//! and steps of the classical Runge-Kutta method times systems in each second, by the law that runs, evaluated in lanes.
 //!
 //! `cargo bench --bench ensembles`; beside others by `benches/ensembles_against.py`.
 
 use derivations::ensemble::kind::{Kind, form_parameters};
-use derivations::machines::Machine;
 use derivations::machines::multi_current::{MultiCurrent, Windings};
 use derivations::machines::synchronous::Synchronous;
 use derivations::scene::{Axes, Family as _, Scene};
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::SecondForm;
 use field::Lanes;
-use integrators::{Ensemble, Failure, Members, runge_kutta_4_step, taylor_order};
+use integrators::{Ensemble, Failure, Members, Ode, SideBySide, fuses, taylor_order};
 use nalgebra::Vector3;
 use std::time::Instant;
 
 const LANES: usize = 8;
+/// For Runge-Kutta: two registers a number, so that one is computed while the other is waited for.
+const WIDE: usize = 16;
 const MEMBERS: u64 = 2048;
 const SPAN: f64 = 2.0;
-const REPEATS: usize = 5;
+const REPEATS: usize = 9;
 const STEPS: usize = 20_000;
 
 /// A gyrostat that swings while its rotor runs beside the field.
@@ -54,15 +55,13 @@ const BARS: &str = "model = \"multi_current\"\na1 = \"0.01 Wb\"\nl1 = \"0.01 H\"
                     l2 = \"0.01 H\"\nr2 = \"1 ohm\"\nmu = \"1e-4 N m s\"\nbars = 6\n";
 
 fn main() {
-    println!("states   what                     per second   steps each   failed");
+    println!("states   what                     per second   steps each   failed   error");
     for machine in [SINGLE, BARS] {
         let scene = Scene::parse("bench", &format!("{SCENE}{machine}")).unwrap_or_else(|error| panic!("{error}"));
         for axes in [Axes::First, Axes::Second] {
-            for tolerance in [1e-6, 1e-9, 1e-12] {
-                trajectories(&scene, axes, tolerance);
-            }
+            trajectories(&scene, axes);
         }
-        runge_kutta(&scene);
+        if fuses() { runge_kutta::<true>(&scene) } else { runge_kutta::<false>(&scene) }
     }
 }
 
@@ -73,6 +72,8 @@ struct Spread<'a> {
     state: &'a [f64],
     steps: u64,
     failed: u64,
+    /// Where they end, one after the other.
+    ends: Vec<f64>,
 }
 
 /// Around one, by a percent.
@@ -91,40 +92,53 @@ impl Members for Spread<'_> {
         (self.next <= MEMBERS).then_some(self.next)
     }
 
-    fn ended(&mut self, _: u64, _: &[f64], steps: u64, _: f64, failure: Option<Failure>) {
+    fn ended(&mut self, number: u64, state: &[f64], steps: u64, _: f64, failure: Option<Failure>) {
+        self.ends[(number as usize - 1) * state.len()..][..state.len()].copy_from_slice(state);
         self.steps += steps;
         self.failed += u64::from(failure.is_some());
     }
 }
 
-fn trajectories(scene: &Scene, axes: Axes, tolerance: f64) {
+fn trajectories(scene: &Scene, axes: Axes) {
     let kind = Kind::record(&scene.system, &scene.machine, &scene.machine_data, axes);
     let kind = kind.unwrap_or_else(|error| panic!("{error}"));
     let (_, mut parameters) = form_parameters(&scene.system, axes);
     parameters.extend(scene.machine_data.numbers.iter().map(|(_, value)| *value));
     let state = scene.state(axes);
-    let Some(series) = kind.series::<LANES>(taylor_order(tolerance)) else { return };
-    let mut ensemble = Ensemble::new(series, tolerance, SPAN, kind.states(), kind.parameters());
-    let mut spread = Spread { next: 0, parameters: &parameters, state: &state, steps: 0, failed: 0 };
-    let time = median(|| {
-        spread = Spread { next: 0, steps: 0, failed: 0, ..spread };
-        ensemble.run(&mut spread);
-    });
-    let (rate, steps) = (MEMBERS as f64 / time, spread.steps as f64 / MEMBERS as f64);
-    println!("{:>6}   {axes:<7} to {tolerance:<6.0e} {rate:>18.0} {steps:>12.1} {:>8}", kind.states(), spread.failed);
+    let n = kind.states();
+    let ends = vec![0.0; n * MEMBERS as usize];
+    let mut spread = Spread { next: 0, parameters: &parameters, state: &state, steps: 0, failed: 0, ends };
+    let mut run = |tolerance: f64, repeats: usize| {
+        let series = kind.series::<LANES>(taylor_order(tolerance))?;
+        let mut ensemble = Ensemble::new(series, tolerance, SPAN, n, kind.parameters());
+        let time = median(repeats, || {
+            (spread.next, spread.steps, spread.failed) = (0, 0, 0);
+            ensemble.run(&mut spread);
+        });
+        Some((time, spread.steps, spread.failed, spread.ends.clone()))
+    };
+    let Some((.., exact)) = run(1e-15, 1) else { return };
+    for tolerance in [1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
+        let Some((time, steps, failed, ends)) = run(tolerance, REPEATS) else { continue };
+        let off = |(a, b): (&f64, &f64)| (a - b).abs() / b.abs().max(1.0);
+        let error = ends.iter().zip(&exact).map(off).fold(0.0, f64::max);
+        let (rate, steps) = (MEMBERS as f64 / time, steps as f64 / MEMBERS as f64);
+        println!("{n:>6}   {axes:<7} to {tolerance:<6.0e} {rate:>18.0} {steps:>12.1} {failed:>8}   {error:.1e}");
+    }
+    println!("{n:>6}   {axes:<7} ends at {:?}", &exact[..n]);
 }
 
-fn runge_kutta(scene: &Scene) {
+fn runge_kutta<const FUSED: bool>(scene: &Scene) {
     let (_, parameters) = form_parameters(&scene.system, Axes::Second);
     let mut next = 0;
     let mut lanes = |value: f64| {
         next += 1;
-        Lanes::<LANES>(std::array::from_fn(|lane| value * near_one(lane as u64, next)))
+        Lanes::<WIDE, FUSED>(std::array::from_fn(|lane| value * near_one(lane as u64, next)))
     };
-    let p: Vec<Lanes<LANES>> = parameters.iter().map(|p| lanes(*p)).collect();
+    let p: Vec<_> = parameters.iter().map(|p| lanes(*p)).collect();
     let three = |i: usize| Vector3::new(p[i], p[i + 1], p[i + 2]);
     let form = SecondForm::new(three(0), three(3), p[6], three(7));
-    let start: Vec<Lanes<LANES>> = scene.state(Axes::Second).iter().map(|y| lanes(*y)).collect();
+    let start: Vec<_> = scene.state(Axes::Second).iter().map(|y| lanes(*y)).collect();
     let number = |name: &str| -> f64 {
         scene.machine_data.numbers.iter().find(|(q, _)| q.name == name).map_or(0.0, |(_, value)| *value)
     };
@@ -140,53 +154,26 @@ fn runge_kutta(scene: &Scene) {
     }
 }
 
-fn in_lanes<M: Machine<Lanes<LANES>>>(law: &Driven<Lanes<LANES>, SecondForm<Lanes<LANES>>, M>, start: &[Lanes<LANES>]) {
-    let mut state = start.to_vec();
-    let time = median(|| {
+fn in_lanes<const FUSED: bool>(law: &impl Ode<Lanes<WIDE, FUSED>>, start: &[Lanes<WIDE, FUSED>]) {
+    let (mut state, mut room) = (start.to_vec(), SideBySide::new(start.len()));
+    let time = median(REPEATS, || {
         state.copy_from_slice(start);
-        pulp::Arch::new().dispatch(Steps { law, state: &mut state });
+        room.steps(law, 0.0, SPAN / STEPS as f64, STEPS, &mut state);
     });
     let finite = state.iter().all(|y| y.0.iter().all(|y| y.is_finite()));
-    let rate = (STEPS * LANES) as f64 / time;
+    let rate = (STEPS * WIDE) as f64 / time;
     println!("{:>6}   RK4 steps x systems {rate:>15.2e} {:>12} {:>8}", state.len(), STEPS, u8::from(!finite));
 }
 
-struct Steps<'a, M> {
-    law: &'a Driven<Lanes<LANES>, SecondForm<Lanes<LANES>>, M>,
-    state: &'a mut [Lanes<LANES>],
-}
-
-impl<M: Machine<Lanes<LANES>>> pulp::WithSimd for Steps<'_, M> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) {
-        let room = || vec![Lanes::all(0.0); self.state.len()];
-        let (mut slopes, mut stage, mut after) = ([room(), room(), room(), room()], room(), room());
-        let (time, step) = (Lanes::all(0.0), Lanes::all(SPAN / STEPS as f64));
-        for _ in 0..STEPS {
-            let rates = |_, y: &[Lanes<LANES>], dy: &mut [Lanes<LANES>]| self.law.rates(y, dy);
-            runge_kutta_4_step(rates, time, self.state, step, &mut slopes, &mut stage, &mut after);
-            self.state.copy_from_slice(&after);
-        }
-    }
-}
-
 /// The median time of a few repetitions, s.
-fn median(mut work: impl FnMut()) -> f64 {
-    let mut times: Vec<f64> = (0..REPEATS)
+fn median(repeats: usize, mut work: impl FnMut()) -> f64 {
+    let mut times: Vec<f64> = (0..repeats)
         .map(|_| {
-            let (own, start) = (own_time(), Instant::now());
+            let start = Instant::now();
             work();
-            own_time().zip(own).map_or_else(|| start.elapsed().as_secs_f64(), |(after, before)| after - before)
+            start.elapsed().as_secs_f64()
         })
         .collect();
     times.sort_by(f64::total_cmp);
-    times[REPEATS / 2]
-}
-
-/// For how long this thread has been running, s; where the system says so.
-fn own_time() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    Some(text.split(' ').next()?.parse::<f64>().ok()? * 1e-9)
+    times[repeats / 2]
 }

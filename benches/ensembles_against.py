@@ -3,14 +3,21 @@
 
     python3 benches/ensembles_against.py
 
-needs cargo, gcc, and from pip numpy, heyoka, jax; what is missing is said. The sides take turns, three rounds; figures are
-medians, of the time of the own thread or process. All take the members of benches/ensembles.rs: a percent of spread in
-every datum and in every start. The peers' equations are the second form written out by hand; that all agree is checked on
-the end of one member.
+needs cargo, gcc, and from pip numpy, heyoka, jax; what is missing is said. Prints a table, and writes it beside itself as
+ensembles_against.md. The sides take turns, three rounds; figures are medians, on one thread. All take the members of
+benches/ensembles.rs: a percent of spread in every datum and in every start. The peers' equations are the second form
+written out by hand; that all agree is checked on the end of the first member.
+
+Taylor's methods are compared at the error that they reach, not at the tolerance that they are asked for: the largest of any
+member in any component at the end, against a run of the same side to 1e-15. Rates are interpolated between the two runs
+around an error, logarithmically.
 """
 
 import ctypes
+import math
+import os
 import pathlib
+import platform
 import statistics
 import subprocess
 import tempfile
@@ -20,6 +27,7 @@ import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SPAN, ROUNDS, LANES = 2.0, 3, 8
+TOLERANCES, ERRORS = [1e-6, 1e-8, 1e-10, 1e-12, 1e-14], [1e-6, 1e-9, 1e-12]
 
 
 def data():
@@ -86,12 +94,14 @@ def heyoka_side(bars, tolerance):
     ta = hy.taylor_adaptive_batch(system, np.zeros((len(y), LANES)), tol=tolerance, pars=np.ones((len(p), LANES)))
 
     def run():
+        ends = np.empty((count, len(y)))
         for first in range(0, count, LANES):
             ta.set_time([0.0] * LANES)
             ta.state[:] = start[first : first + LANES].T
             ta.pars[:] = parameters[first : first + LANES].T
             ta.propagate_until([SPAN] * LANES)
-        return np.array(ta.state[:, -1])
+            ends[first : first + LANES] = ta.state.T
+        return ends
 
     return count, run
 
@@ -176,7 +186,7 @@ def c_side(bars, folder):
         state = aligned(np.ascontiguousarray(start.T))
         pointer = lambda x: ctypes.c_void_p(x.ctypes.data)
         code.run(pointer(state), pointer(constants), ctypes.c_double(SPAN / steps), steps)
-        return state[:, -1]
+        return state.T
 
     return steps * LANES, run
 
@@ -199,55 +209,108 @@ def jax_side(bars):
 
     one = lambda y, p: jax.lax.fori_loop(0, steps, lambda _, y: step(y, p), y)
     compiled = jax.jit(jax.vmap(one))
-    return count * steps, lambda: np.array(compiled(start, parameters))[LANES - 1]
+    return count * steps, lambda: np.array(compiled(start, parameters))
 
 
 def timed(work):
-    start = time.process_time()
+    start = time.perf_counter()
     work()
-    return time.process_time() - start
+    return time.perf_counter() - start
 
 
 def ours():
+    """Our rates, errors and the end of the first member, by what was run."""
     command = ["cargo", "bench", "--quiet", "--bench", "ensembles"]
     text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
-    found = {}
+    rates, errors, ends = {}, {}, {}
     for line in text.splitlines()[1:]:
         words = line.split()
-        key = (int(words[0]), "rk4") if words[1] == "RK4" else (int(words[0]), words[1], float(words[3]))
-        found[key] = float(words[5] if words[1] == "RK4" else words[4])
-    return found
+        states = int(words[0])
+        if words[1] == "RK4":
+            rates[states, "rk4"] = float(words[5])
+        elif words[2] == "ends":
+            ends[states, words[1]] = [float(word.strip("[],")) for word in words[4:]]
+        else:
+            key = (states, words[1], float(words[3]))
+            rates[key], errors[key] = float(words[4]), float(words[7])
+    return rates, errors, ends
+
+
+def off(ends, exact):
+    return np.max(abs(ends - exact) / np.maximum(1, abs(exact)))
+
+
+def at_error(pairs, wanted):
+    """The rate at an error, from pairs (error, rate); a side that is better than asked at its loosest counts with that."""
+    pairs = sorted(pairs, reverse=True)
+    if pairs[0][0] <= wanted:
+        return pairs[0][1]
+    for (e0, r0), (e1, r1) in zip(pairs, pairs[1:]):
+        if e1 <= wanted < e0:
+            share = math.log(e0 / wanted) / math.log(e0 / e1)
+            return math.exp(math.log(r0) * (1 - share) + math.log(r1) * share)
+    return math.nan
+
+
+def sides_of(folder):
+    sides = {}
+    for states, bars in [(8, 0), (15, 6)]:
+        makers = {}
+        for tolerance in TOLERANCES + [1e-15]:
+            makers[states, "heyoka", tolerance] = lambda bars=bars, tolerance=tolerance: heyoka_side(bars, tolerance)
+        makers[states, "C"] = lambda bars=bars: c_side(bars, folder)
+        makers[states, "JAX"] = lambda bars=bars: jax_side(bars)
+        for key, make in makers.items():
+            try:
+                sides[key] = make()
+            except (ImportError, OSError) as error:
+                print(*key, "is not here:", error)
+    return sides
 
 
 def main():
+    # one core for everybody, what they start included
+    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
     with tempfile.TemporaryDirectory() as folder:
-        sides = {}
-        for states, bars in [(8, 0), (15, 6)]:
-            makers = {(states, "heyoka", tol): (lambda bars=bars, tol=tol: heyoka_side(bars, tol)) for tol in [1e-6, 1e-9, 1e-12]}
-            makers[(states, "C")] = lambda bars=bars: c_side(bars, folder)
-            makers[(states, "JAX")] = lambda bars=bars: jax_side(bars)
-            for key, make in makers.items():
-                try:
-                    sides[key] = make()
-                    print(*key, "ends at", *sides[key][1]()[:3])
-                except ImportError as error:
-                    print(*key, "is not here:", error)
-        found = {key: [] for key in sides}
-        own = {}
+        sides = sides_of(folder)
+        ends = {key: run() for key, (_, run) in sides.items()}
+        _, errors, own_ends = ours()
+        for key, end in ends.items():
+            # the constant steps of JAX are longer
+            allowed = 1e-6 if key[1] == "JAX" else 1e-4 if key[-1] == 1e-6 else 1e-5 if key[-1] == 1e-8 else 1e-7
+            assert off(end[0], np.array(own_ends[key[0], "second"])) < allowed, (key, end[0])
+        found, own = {key: [] for key in sides if key[-1] != 1e-15}, {}
         for _ in range(ROUNDS):
-            for key, value in ours().items():
+            for key, value in ours()[0].items():
                 own.setdefault(key, []).append(value)
-            for key, (count, run) in sides.items():
+            for key in found:
+                count, run = sides[key]
                 found[key].append(count / timed(run))
-        print(f"{'states':>6} {'what':<24} {'dalembert':>12} {'peer':>12}  ratio")
-        for key, values in found.items():
-            peer = statistics.median(values)
-            if key[1] == "heyoka":
-                mine = statistics.median(max(each) for each in zip(own[(key[0], "first", key[2])], own[(key[0], "second", key[2])]))
-                what = f"heyoka, to {key[2]:.0e}"
-            else:
-                mine, what = statistics.median(own[(key[0], "rk4")]), f"RK4, {key[1]}"
-            print(f"{key[0]:>6} {what:<24} {mine:>12.3g} {peer:>12.3g}  {mine / peer:.2f}")
+        mine, theirs = ({key: statistics.median(values) for key, values in each.items()} for each in (own, found))
+        rows = []
+        for states in (8, 15):
+            exact = ends.get((states, "heyoka", 1e-15))
+            if exact is not None:
+                peer = [(off(ends[states, "heyoka", t], exact), theirs[states, "heyoka", t]) for t in TOLERANCES]
+                for wanted in ERRORS:
+                    rate = max(
+                        at_error([(errors[states, form, t], mine[states, form, t]) for t in TOLERANCES], wanted)
+                        for form in ("first", "second")
+                    )
+                    rows.append((states, f"trajectories to the error {wanted:.0e}, heyoka", rate, at_error(peer, wanted)))
+                for (error, rate), t in zip(peer, TOLERANCES):
+                    form = max(("first", "second"), key=lambda form: mine[states, form, t])
+                    what = f"trajectories at tolerance {t:.0e}, heyoka; errors {errors[states, form, t]:.0e}, {error:.0e}"
+                    rows.append((states, what, mine[states, form, t], rate))
+            for name in ("C", "JAX"):
+                if (states, name) in theirs:
+                    rows.append((states, f"RK4 steps x systems, {name}", mine[states, "rk4"], theirs[states, name]))
+    lines = ["| states | what, beside whom | dalembert, 1/s | peer, 1/s | ratio |", "|---|---|---|---|---|"]
+    lines += [f"| {n} | {what} | {own:.3g} | {peer:.3g} | {own / peer:.2f} |" for n, what, own, peer in rows]
+    print("\n".join(lines))
+    head = f"# Ensembles beside others\n\n{platform.machine()}, one thread, {ROUNDS} rounds, by `python3 benches/ensembles_against.py`.\n\n"
+    pathlib.Path(__file__).with_suffix(".md").write_text(head + "\n".join(lines) + "\n")
 
 
-main()
+if __name__ == "__main__":
+    main()

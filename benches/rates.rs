@@ -1,73 +1,159 @@
 //! Nanoseconds for one right-hand side, for its whole Jacobian as sums of monomials, and for eight directions of it by
-//! num-dual, of the gyrostat with 8 states (synchronous motor) and 15 (six damper bars), in both forms; and operations,
-//! circle points apart: `cargo bench --bench rates`.
+//! num-dual, of the gyrostat with 8 states (synchronous motor) and 15 (six damper bars), in both forms; operations, circle
+//! points apart, and what share they are of the most that this processor can; the second form beside straight-line C.
+//!
+//! `cargo bench --bench rates`. Instructions of 1000 right-hand sides and 1000 Jacobians of the second form with 15 states:
+//!
+//! ```text
+//! CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_RUNNER="valgrind --tool=callgrind --callgrind-out-file=/dev/null \\
+//!   --toggle-collect=*thousand_values*" cargo bench --bench rates -- thousand
+//! ```
+//!
+//! and the same with `thousand_jacobians`.
 
 use derivations::machines::Machine;
-use derivations::machines::multi_current::{MultiCurrent, Windings};
+use derivations::machines::multi_current::MultiCurrent;
 use derivations::machines::synchronous::Synchronous;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;
-use derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};
 use field::{Analytic, Over};
 use integrators::Directions;
-use nalgebra::{Matrix3, Vector3};
+use pulp::{Arch, Simd, WithSimd};
+use std::hint::black_box;
 use std::time::Instant;
 use symbolic::{Polynomials, Sym, Tape};
+
+mod gyrostat;
+mod straight_line;
 
 const REPEATS: usize = 9;
 const CALLS: u32 = 200_000;
 
 fn main() {
-    let gyrostat = Gyrostat {
-        carrier: Carrier {
-            mass: 1.5,
-            centre: Vector3::new(0.01, -0.02, 0.05),
-            inertia: Matrix3::new(0.02, 0.001, -0.002, 0.001, 0.03, 0.0005, -0.002, 0.0005, 0.025),
-        },
-        rotor: Rotor {
-            mass: 0.4,
-            centre: Vector3::new(0.0, 0.03, 0.04),
-            axis: Vector3::new(2.0, -1.0, 2.0) / 3.0,
-            axial: 3e-4,
-            transverse: 2e-4,
-        },
-        gravity: 9.81,
-    };
-    let windings = Windings {
-        field_speed: 300.0,
-        b0: 0.5,
-        a1: 0.01,
-        l1: 0.01,
-        r1: 1.0,
-        a2: 0.01,
-        l2: 0.01,
-        r2: 1.0,
-        mu: 1e-4,
-        f: 1e-4,
-    };
+    let (gyrostat, windings) = (gyrostat::gyrostat(), gyrostat::windings());
     let single = Synchronous { field_speed: windings.field_speed, b0: windings.b0, f: windings.f };
     let bars = MultiCurrent::evenly(windings, 6);
     let (first, second) = (gyrostat.first_form().0, gyrostat.second_form().0);
-    println!("states form    value [ns]  flops   Jacobian [ns]  flops   eight directions [ns]");
-    row("first", &Driven::new(first, single));
-    row("second", &Driven::new(second, single));
-    row("first", &Driven::new(first, bars.clone()));
-    row("second", &Driven::new(second, bars));
+    if std::env::args().any(|argument| argument == "thousand") {
+        let law = Driven::new(second, bars);
+        thousand_values(&law);
+        if let Some((_, jacobian)) = recorded(&law) {
+            thousand_jacobians(&jacobian.1, law.dimension());
+        }
+        return;
+    }
+    let peak = peak();
+    println!("the most that one core can, by products and sums rounded once: {peak:.1} flops/ns");
+    println!(
+        "states form    value [ns]  flops   of the most   Jacobian [ns]  flops   of the most   eight directions [ns]"
+    );
+    row("first", &Driven::new(first, single), peak);
+    row("second", &Driven::new(second, single), peak);
+    row("first", &Driven::new(first, bars.clone()), peak);
+    row("second", &Driven::new(second, bars.clone()), peak);
+    println!(
+        "states  value: ours, exported C, C by hand [ns]   ratios         Jacobian: ours, exported C [ns]   in values"
+    );
+    beside(&Driven::new(second, single), &gyrostat, &windings);
+    beside(&Driven::new(second, bars), &gyrostat, &windings);
 }
 
-fn row<F: Form<f64>, M: Machine<f64>>(form: &str, law: &Driven<f64, F, M>) {
+/// The right-hand side and the Jacobian, as tapes, and the Jacobian as polynomials.
+fn recorded<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(Tape, (Tape, Polynomials))> {
     let n = law.dimension();
     let state: Vec<Sym> = (0..n).map(|i| Sym::symbol(&format!("y{i}"))).collect();
     let mut rates = vec![Sym::ZERO; n];
     law.rates(&state, &mut rates);
     let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
-    let (Ok(tape), Ok(jacobian)) = (Tape::record(&state, &rates), Polynomials::record(&state, &entries, n)) else {
-        println!("{n:>6} {form:<7} is no polynomial");
-        return;
-    };
+    let jacobian = (Tape::record(&state, &entries).ok()?, Polynomials::record(&state, &entries, n).ok()?);
+    Some((Tape::record(&state, &rates).ok()?, jacobian))
+}
+
+fn row<F: Form<f64>, M: Machine<f64>>(form: &str, law: &Driven<f64, F, M>, peak: f64) {
+    let n = law.dimension();
+    let Some((tape, (_, jacobian))) = recorded(law) else { return println!("{n:>6} {form:<7} is no polynomial") };
     let (value, directions) = (nanoseconds::<f64, F, M>(law), nanoseconds::<Directions, F, M>(law));
     let (whole, of_value, of_whole) = (whole(&jacobian, n), tape.flops(), jacobian.flops());
-    println!("{n:>6} {form:<7} {value:>10.1} {of_value:>6} {whole:>15.1} {of_whole:>6} {directions:>23.1}");
+    let share = |flops: usize, time: f64| 100.0 * flops as f64 / time / peak;
+    println!(
+        "{n:>6} {form:<7} {value:>10.1} {of_value:>6} {:>12.1}% {whole:>15.1} {of_whole:>6} {:>12.1}% {directions:>23.1}",
+        share(of_value, value),
+        share(of_whole, whole),
+    );
+}
+
+/// Ours and C take turns; medians.
+fn beside<F: Form<f64>, M: Machine<f64>>(
+    law: &Driven<f64, F, M>,
+    gyrostat: &derivations::systems::gyrostat::Gyrostat<f64>,
+    windings: &derivations::machines::multi_current::Windings<f64>,
+) {
+    let n = law.dimension();
+    let Some((tape, (entries, jacobian))) = recorded(law) else { return };
+    let turns: Option<Vec<[f64; 5]>> = (0..5)
+        .map(|_| {
+            let c = straight_line::in_c(n, gyrostat, windings, &tape, &entries)?;
+            let own = [nanoseconds::<f64, F, M>(law), whole(&jacobian, n)];
+            Some([own[0], c.exported, c.by_hand, own[1], c.jacobian])
+        })
+        .collect();
+    let Some(turns) = turns else { return println!("{n:>6}  needs gcc, and values that agree") };
+    let [own, exported, by_hand, whole, in_c] = std::array::from_fn(|i| {
+        let mut column: Vec<f64> = turns.iter().map(|turn| turn[i]).collect();
+        column.sort_by(f64::total_cmp);
+        column[column.len() / 2]
+    });
+    println!(
+        "{n:>6} {own:>14.1} {exported:>10.1} {by_hand:>10.1} {:>16.2} {:.2} {whole:>17.1} {in_c:>10.1} {:>18.1}",
+        own / exported,
+        own / by_hand,
+        whole / own,
+    );
+}
+
+#[inline(never)]
+fn thousand_values<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) {
+    let state: Vec<f64> = (0..law.dimension()).map(|i| 0.1 + 0.05 * i as f64).collect();
+    let mut rates = state.clone();
+    for _ in 0..1000 {
+        law.rates(black_box(&state), &mut rates);
+        black_box(&mut rates);
+    }
+}
+
+#[inline(never)]
+fn thousand_jacobians(jacobian: &Polynomials, n: usize) {
+    let state: Vec<f64> = (0..n).map(|i| 0.1 + 0.05 * i as f64).collect();
+    let (mut matrix, mut evaluation) = (vec![0.0; n * n], jacobian.ready());
+    for _ in 0..1000 {
+        evaluation.evaluate(black_box(&state), &mut matrix);
+        black_box(&mut matrix);
+    }
+}
+
+/// Additions and multiplications in a nanosecond, by chains of them that do not wait for each other.
+fn peak() -> f64 {
+    struct Chains;
+    impl WithSimd for Chains {
+        type Output = f64;
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, simd: S) -> f64 {
+            const CHAINS: usize = 16;
+            let (factor, term) = (simd.splat_f64s(black_box(0.999)), simd.splat_f64s(black_box(1e-3)));
+            let mut sums = [simd.splat_f64s(black_box(1.0)); CHAINS];
+            let start = Instant::now();
+            for _ in 0..CALLS {
+                for sum in &mut sums {
+                    *sum = simd.mul_add_f64s(factor, *sum, term);
+                }
+            }
+            let time = start.elapsed().as_secs_f64() * 1e9;
+            black_box(sums.map(|sum| simd.reduce_sum_f64s(sum)));
+            2.0 * (CHAINS * S::F64_LANES) as f64 * f64::from(CALLS) / time
+        }
+    }
+    (0..REPEATS).map(|_| Arch::new().dispatch(Chains)).fold(0.0, f64::max)
 }
 
 /// The median over repeats of the mean over calls of the whole Jacobian.

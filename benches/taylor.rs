@@ -1,50 +1,24 @@
 //! The Taylor method on the gyrostat with 8 states (synchronous motor) and 15 (six damper bars), in both forms: how long
 //! one takes to write the laws down, and a run of two seconds by tolerance. `cargo bench --bench taylor`.
 
-use derivations::machines::multi_current::{MultiCurrent, Windings};
+use derivations::machines::multi_current::MultiCurrent;
 use derivations::machines::synchronous::Synchronous;
 use derivations::recorded::Recorded;
 use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};
 use field::DoubleDouble;
 use integrators::{Directions, Ode, System, Taylor, Tolerance};
-use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 use std::time::Instant;
 use symbolic::Sym;
+
+mod gyrostat;
 
 const REPEATS: usize = 15;
 const RUNS: u32 = 20;
 const SPAN: f64 = 2.0;
 
 fn main() {
-    let gyrostat = Gyrostat {
-        carrier: Carrier {
-            mass: 1.5,
-            centre: Vector3::new(0.01, -0.02, 0.05),
-            inertia: Matrix3::new(0.02, 0.001, -0.002, 0.001, 0.03, 0.0005, -0.002, 0.0005, 0.025),
-        },
-        rotor: Rotor {
-            mass: 0.4,
-            centre: Vector3::new(0.0, 0.03, 0.04),
-            axis: Vector3::new(2.0, -1.0, 2.0) / 3.0,
-            axial: 3e-4,
-            transverse: 2e-4,
-        },
-        gravity: 9.81,
-    };
-    let windings = Windings {
-        field_speed: 30.0,
-        b0: 0.05,
-        a1: 0.01,
-        l1: 0.01,
-        r1: 1.0,
-        a2: 0.01,
-        l2: 0.01,
-        r2: 1.0,
-        mu: 1e-4,
-        f: 1e-4,
-    };
+    let (gyrostat, windings) = (gyrostat::gyrostat(), gyrostat::windings());
     let single = Synchronous { field_speed: windings.field_speed, b0: windings.b0, f: windings.f };
     let bars = MultiCurrent::evenly(windings, 6);
     let (first, second) = (gyrostat.first_form().0, gyrostat.second_form().0);

@@ -2,6 +2,7 @@
 
 use derivations::ensemble::kind::{Kind, form_parameters};
 use derivations::friction::stretch::Stretch;
+use derivations::machines::synchronous::Synchronous;
 use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, Source};
 use derivations::mechanisms::MechanismScene;
 use derivations::papers::konosevich2022::gyrostats;
@@ -12,9 +13,9 @@ use derivations::systems::disc::Disc;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::{Form, SecondForm};
 use derivations::systems::ladder::Ladder;
-use field::{Analytic, DoubleDouble, Over};
+use field::{Analytic, DoubleDouble, Lanes, Over};
 use integrators::{
-    Directions, Ensemble, Failure, Members, Ode, Real, Signal, Splitting, Switches, compose, taylor_order,
+    Directions, Ensemble, Failure, Members, Ode, Real, SideBySide, Signal, Splitting, Switches, compose, taylor_order,
 };
 use mechanics::constrained::State;
 use mechanics::constrained::System as _;
@@ -283,4 +284,22 @@ fn an_ensemble_allocates_nothing_from_its_first_member_to_its_last() {
     let mut crowd = Crowd { left: 20, parameters: &parameters, state: &state, steps: 0 };
     assert_eq!(allocations(|| ensemble.run(&mut crowd)), 0);
     assert!(crowd.steps > 60, "{}", crowd.steps);
+}
+
+#[test]
+fn steps_side_by_side_allocate_nothing() {
+    let (form, motor) = (
+        SecondForm::new(
+            [1.0, 2.0, 2.5].map(Lanes::all).into(),
+            [0.6, 0.0, 0.8].map(Lanes::all).into(),
+            Lanes::all(0.1),
+            [0.5, 0.8, 0.2].map(Lanes::all).into(),
+        ),
+        Synchronous { field_speed: 30.0, b0: 0.5, f: 0.1 },
+    );
+    let law = Driven::new(form, motor.map(Lanes::<16, true>::all));
+    let mut state: Vec<_> = (0..8).map(|i| Lanes::all(0.1 * f64::from(i))).collect();
+    let mut room = SideBySide::new(8);
+    assert_eq!(allocations(|| room.steps(&law, 0.0, 1e-3, 5, &mut state)), 0);
+    assert!(state[0].0[15].is_finite());
 }

@@ -1,9 +1,13 @@
 //! Ensembles: each member is the single run of that member, whoever runs beside it.
 
 use derivations::ensemble::{EnsembleScene, Row};
+use derivations::machines::multi_current::{MultiCurrent, Windings};
 use derivations::scene::{Axes, Family, Scene};
+use derivations::systems::gyrostat::driven::Driven;
+use derivations::systems::gyrostat::forms::SecondForm;
 use field::Lanes;
-use integrators::{Ensemble, Failure, LaneSeries, Members, Taylor, Tolerance};
+use integrators::{Ensemble, Failure, LaneSeries, Members, Ode, SideBySide, Taylor, Tolerance, runge_kutta_4_step};
+use nalgebra::Vector3;
 use std::ops::ControlFlow;
 
 /// The scene of the folder, with other machines too.
@@ -234,4 +238,67 @@ fn a_member_that_fails_disturbs_no_other_and_nobody_waits_for_the_slowest() {
     }
     // the member with the fastest growth came in fourth, and is not among the first to leave
     assert!(members.ended.iter().position(|end| end.0 == 4) > members.ended.iter().position(|end| end.0 == 5));
+}
+
+/// Gyrostats with bars, one a lane, each a little different, from the first of so many on; and where they are after
+/// fifty steps.
+fn side_by_side<const L: usize, const FUSED: bool>(first: usize) -> Vec<Lanes<L, FUSED>> {
+    let lanes = |value: f64| Lanes(std::array::from_fn(|lane| value * (1.0 + 1e-2 * (first + lane) as f64)));
+    let form = SecondForm::new(
+        Vector3::new(0.02, 0.026, 0.031).map(lanes),
+        Vector3::new(0.6, 0.0, 0.8).map(Lanes::all),
+        lanes(3e-4),
+        Vector3::new(0.5, 0.8, 0.2).map(lanes),
+    );
+    let Ok(windings) = Windings::read(|quantity| {
+        Ok::<_, std::convert::Infallible>(lanes(if quantity.name == "field_speed" { 30.0 } else { 0.01 }))
+    });
+    let law = Driven::new(form, MultiCurrent::evenly(windings, 3));
+    let mut state: Vec<Lanes<L, FUSED>> = (0..law.dimension()).map(|i| lanes(0.3 + 0.1 * i as f64)).collect();
+    SideBySide::new(state.len()).steps(&law, 0.0, 1e-4, 50, &mut state);
+    state
+}
+
+#[test]
+fn steps_side_by_side_are_the_same_to_the_last_bit_in_any_company() {
+    fn in_company<const FUSED: bool>() {
+        let sixteen = side_by_side::<16, FUSED>(0);
+        let (five, one) = (side_by_side::<5, FUSED>(4), side_by_side::<1, FUSED>(6));
+        for ((many, few), single) in sixteen.iter().zip(&five).zip(&one) {
+            assert!(many.0[4..9] == few.0 && many.0[6] == single.0[0] && many.0[6].is_finite());
+        }
+    }
+    in_company::<true>();
+    in_company::<false>();
+    let (once, twice) = (side_by_side::<16, true>(0), side_by_side::<16, false>(0));
+    for (a, b) in once.iter().zip(&twice).flat_map(|(a, b)| a.0.into_iter().zip(b.0)) {
+        assert!((a - b).abs() <= 1e-12 * a.abs().max(1.0), "{a} and {b}");
+    }
+}
+
+#[test]
+fn steps_side_by_side_are_the_classical_ones_with_the_time_in_the_law() {
+    struct Forced;
+    impl<S: field::Scalar> Ode<S> for Forced {
+        fn dimension(&self) -> usize {
+            2
+        }
+        fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+            (dy[0], dy[1]) = (y[1] * t, -y[0] + t * t);
+        }
+    }
+    let mut state = [Lanes::<3, false>([1.0, 2.0, 3.0]), Lanes::all(0.5)];
+    SideBySide::new(2).steps(&Forced, 0.25, 0.125, 8, &mut state);
+    for lane in 0..3 {
+        let (mut y, mut after) = ([[1.0, 2.0, 3.0][lane], 0.5], [0.0; 2]);
+        let (mut slopes, mut stage) = (std::array::from_fn(|_| vec![0.0; 2]), [0.0; 2]);
+        for n in 0..8 {
+            let rates = |t: f64, y: &[f64], dy: &mut [f64]| Forced.rates(t, y, dy);
+            runge_kutta_4_step(rates, 0.25 + 0.125 * f64::from(n), &y, 0.125, &mut slopes, &mut stage, &mut after);
+            y = after;
+        }
+        for i in 0..2 {
+            assert!((state[i].0[lane] - y[i]).abs() < 1e-13, "{} and {}", state[i].0[lane], y[i]);
+        }
+    }
 }

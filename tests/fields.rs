@@ -49,7 +49,7 @@ impl Rounded for DoubleDouble {
     }
 }
 
-impl Rounded for Lanes<5> {
+impl<const FUSED: bool> Rounded for Lanes<5, FUSED> {
     fn from_parts(parts: [f64; 5]) -> Self {
         // away from zero, as the values of the others are
         Lanes(parts.map(|part| part + 1.0_f64.copysign(part)))
@@ -146,6 +146,7 @@ to_rounding! {
     double_precision_is_a_field_to_rounding: f64;
     double_double_is_a_field_to_its_own_rounding: DoubleDouble;
     lanes_are_a_field_to_rounding: Lanes<5>;
+    lanes_that_round_a_product_and_a_sum_once_are_a_field_to_rounding: Lanes<5, true>;
     tangents_of_lanes_are_a_field_to_rounding: Tangent<Lanes<5>>;
     dual_numbers_are_a_field_to_rounding: Dual<f64>;
     second_order_dual_numbers_are_a_field_to_rounding: Dual2<f64>;
@@ -167,7 +168,7 @@ fn rational() -> impl Strategy<Value = Rational> {
 }
 
 fn tangent() -> impl Strategy<Value = Tangent<Rational>> {
-    (rational(), rational()).prop_map(|(value, slope)| Tangent { value, slope })
+    (rational(), rational()).prop_map(|(value, slope)| Tangent::moving(value, slope))
 }
 
 fn exactly<S: Scalar>(laws: Vec<(&str, S, S)>) -> Result<(), TestCaseError> {
@@ -194,7 +195,7 @@ proptest! {
 
     #[test]
     fn nested_tangents_of_rationals_are_a_field_exactly(numbers in [tangent(), tangent(), tangent()], d in tangent()) {
-        let [a, b, c] = numbers.map(|value| Tangent { value, slope: d * value + d });
+        let [a, b, c] = numbers.map(|value| Tangent::moving(value, d * value + d));
         exactly(field_laws(a, b, c))?;
         exactly(circle_laws(a, b))?;
     }
@@ -236,7 +237,7 @@ proptest! {
         for (law, left, right) in field_laws(a, b, c).into_iter().chain(circle_laws(a, n[0] * z)) {
             prop_assert!(none.equal(left, right).is_zero(), "{law}: {left} and {right}");
         }
-        let moving = |value: Sym, slope: Sym| Tangent { value, slope };
+        let moving = |value: Sym, slope: Sym| Tangent::moving(value, slope);
         for (law, left, right) in field_laws(moving(a, y), moving(b, n[1] * x), moving(c, z - x)) {
             prop_assert!(none.equal(left.value, right.value).is_zero(), "{law}");
             prop_assert!(none.equal(left.slope, right.slope).is_zero(), "{law}: {} and {}", left.slope, right.slope);
@@ -271,13 +272,21 @@ fn every_lane_has_its_own_angle_be_it_near_far_or_undefined() {
     let near = (-4000..4000).map(|n| f64::from(n) * 0.39 + 1e-9 * f64::from(n * n));
     let angles: Vec<f64> = near.chain([1e6, -1e6, 1.1e6, -3e9, 1e300, 0.0, 1e-300, f64::MIN_POSITIVE]).collect();
     for four in angles.chunks_exact(4) {
-        let point = Lanes::<4>(std::array::from_fn(|lane| four[lane])).circle();
+        let angles = std::array::from_fn(|lane| four[lane]);
+        let point = Lanes::<4, false>(angles).circle();
+        let fused = Lanes::<4, true>(angles).circle();
         for (lane, angle) in four.iter().enumerate() {
             let (sin, cos) = angle.sin_cos();
-            let off = (point.sin.0[lane] - sin).abs().max((point.cos.0[lane] - cos).abs());
-            assert!(off <= f64::EPSILON, "{angle}: {off:e}");
+            for (s, c) in [(point.sin.0[lane], point.cos.0[lane]), (fused.sin.0[lane], fused.cos.0[lane])] {
+                let off = (s - sin).abs().max((c - cos).abs());
+                assert!(off <= f64::EPSILON, "{angle}: {off:e}");
+            }
         }
     }
-    let point = Lanes([0.5, f64::NAN, f64::INFINITY]).circle();
-    assert!(point.sin.0[0] == Lanes([0.5]).circle().sin.0[0] && point.cos.0[1].is_nan() && point.sin.0[2].is_nan());
+    let point = Lanes::<3, false>([0.5, f64::NAN, f64::INFINITY]).circle();
+    assert!(
+        point.sin.0[0] == Lanes::<1, false>([0.5]).circle().sin.0[0]
+            && point.cos.0[1].is_nan()
+            && point.sin.0[2].is_nan()
+    );
 }

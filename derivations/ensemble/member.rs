@@ -2,7 +2,7 @@
 
 use super::EnsembleScene;
 use super::kind::form_parameters;
-use super::vary::Data;
+use super::known::Data;
 use crate::machines::{Catalogued, Conserved, ForMachine};
 use crate::scene::System;
 use crate::scene::state::rotor_state;

@@ -2,12 +2,13 @@
 //!
 //! # Overview
 //! * [`EnsembleScene`]: a scene with a motor and a table `[ensemble]` that says what varies, from a file;
-//! * [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
+//! * [`known`]: the numbers that may vary; [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
 //! * [`kind`]: the law written down once, with a symbol for every datum;
 //! * [`member`], [`run`]: a member's data, and all members in lanes and threads.
 
 pub mod draw;
 pub mod kind;
+pub mod known;
 pub mod member;
 pub mod run;
 pub mod vary;

@@ -18,10 +18,12 @@ crate::quantities! {
 impl<P: Base> Machine<P> for Asynchronous<P> {
     const ROTOR: RotorState = RotorState::Speed;
 
+    #[inline(always)]
     fn frame_speed(&self) -> P {
         self.field_speed
     }
 
+    #[inline(always)]
     fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
         let Asynchronous { k, f, .. } = self.map(S::lift);
         -(k * slip + f * speed)

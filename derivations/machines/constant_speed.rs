@@ -14,10 +14,12 @@ crate::quantities! {
 impl<P: Base> Machine<P> for ConstantSpeed<P> {
     const ROTOR: RotorState = RotorState::Prescribed;
 
+    #[inline(always)]
     fn frame_speed(&self) -> P {
         self.speed
     }
 
+    #[inline(always)]
     fn moment_law<S: Over<P>>(&self, _slip: S, _speed: S) -> S {
         S::zero()
     }

@@ -32,30 +32,37 @@ impl<P: Base + Analytic> EquivalentWindings<P> {
 impl<P: Base> Machine<P> for EquivalentWindings<P> {
     const ROTOR: RotorState = RotorState::AngleAndSpeed;
 
+    #[inline(always)]
     fn frame_speed(&self) -> P {
         self.0.frame_speed()
     }
 
+    #[inline(always)]
     fn windings(&self) -> usize {
         self.0.windings()
     }
 
+    #[inline(always)]
     fn inductance(&self, winding: usize) -> P {
         self.0.inductance(winding)
     }
 
+    #[inline(always)]
     fn resistance(&self, winding: usize) -> P {
         self.0.resistance(winding)
     }
 
+    #[inline(always)]
     fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
         self.0.linkage(winding, angle)
     }
 
+    #[inline(always)]
     fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
         self.0.field_energy(angle)
     }
 
+    #[inline(always)]
     fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
         self.0.moment_law(slip, speed)
     }

@@ -18,10 +18,12 @@ impl<P: Base> Default for FreeRotor<P> {
 impl<P: Base> Machine<P> for FreeRotor<P> {
     const ROTOR: RotorState = RotorState::Speed;
 
+    #[inline(always)]
     fn frame_speed(&self) -> P {
         self.at_rest
     }
 
+    #[inline(always)]
     fn moment_law<S: Over<P>>(&self, _slip: S, _speed: S) -> S {
         S::zero()
     }

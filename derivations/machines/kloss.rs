@@ -21,10 +21,12 @@ crate::quantities! {
 impl<P: Base> Machine<P> for Kloss<P> {
     const ROTOR: RotorState = RotorState::Speed;
 
+    #[inline(always)]
     fn frame_speed(&self) -> P {
         self.field_speed
     }
 
+    #[inline(always)]
     fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
         let Kloss { field_speed, pull_out, pull_out_slip, f } = self.map(S::lift);
         let s = -slip / field_speed;

@@ -35,26 +35,31 @@ pub trait Machine<P: Base> {
     fn frame_speed(&self) -> P;
 
     /// The number of windings on the rotor.
+    #[inline(always)]
     fn windings(&self) -> usize {
         0
     }
 
     /// L_k, H.
+    #[inline(always)]
     fn inductance(&self, _winding: usize) -> P {
         P::one()
     }
 
     /// R_k, ohm.
+    #[inline(always)]
     fn resistance(&self, _winding: usize) -> P {
         P::zero()
     }
 
     /// psi_k(g), Wb.
+    #[inline(always)]
     fn linkage<S: Over<P>>(&self, _winding: usize, _angle: Circle<S>) -> S {
         S::zero()
     }
 
     /// U(g), J: the energy of a rotor magnetised for ever in the stator's field.
+    #[inline(always)]
     fn field_energy<S: Over<P>>(&self, _angle: Circle<S>) -> S {
         S::zero()
     }
@@ -63,10 +68,48 @@ pub trait Machine<P: Base> {
     fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S;
 }
 
+/// What of a winding is known before it moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Circuit<P> {
+    /// R/L, 1/s
+    decay: P,
+    /// 1/L, 1/H
+    response: P,
+}
+
+impl<P: Base> Circuit<P> {
+    /// Of one winding of a machine.
+    #[inline(always)]
+    pub fn of(machine: &impl Machine<P>, winding: usize) -> Self {
+        let response = P::one() / machine.inductance(winding);
+        Circuit { decay: machine.resistance(winding) * response, response }
+    }
+
+    /// di/dt = -(R i + u)/L under the voltage u that the motion induces.
+    #[inline(always)]
+    fn rate<S: Over<P>>(self, current: S, induced: S) -> S {
+        -(S::lift(self.decay) * current).and_product(S::lift(self.response), induced)
+    }
+}
+
 /// M and the rates of the currents by Lagrange-Maxwell; the rates are written to `current_rates`.
-#[inline]
+#[inline(always)]
 pub fn drive<P: Base, S: Over<P>>(
     machine: &impl Machine<P>,
+    angle: Circle<S>,
+    slip: S,
+    currents: &[S],
+    current_rates: &mut [S],
+) -> S {
+    let circuits = (0..machine.windings()).map(|winding| Circuit::of(machine, winding));
+    drive_circuits(machine, circuits, angle, slip, currents, current_rates)
+}
+
+/// The same with the circuits of its windings, in order.
+#[inline(always)]
+pub fn drive_circuits<P: Base, S: Over<P>>(
+    machine: &impl Machine<P>,
+    circuits: impl Iterator<Item = Circuit<P>>,
     angle: Circle<S>,
     slip: S,
     currents: &[S],
@@ -75,10 +118,10 @@ pub fn drive<P: Base, S: Over<P>>(
     let varied = angle.moving(S::one());
     let speed = slip + S::lift(machine.frame_speed());
     let mut moment = machine.moment_law(slip, speed) - machine.field_energy(varied).slope;
-    for (k, (&current, rate)) in currents.iter().zip(current_rates).enumerate() {
+    for (k, ((&current, rate), circuit)) in currents.iter().zip(current_rates).zip(circuits).enumerate() {
         let coupling = machine.linkage(k, varied).slope;
-        moment += current * coupling;
-        *rate = -(S::lift(machine.resistance(k)) * current + coupling * slip) / S::lift(machine.inductance(k));
+        moment = moment.and_product(current, coupling);
+        *rate = circuit.rate(current, coupling * slip);
     }
     moment
 }
@@ -169,7 +212,7 @@ impl RotorState {
     }
 
     /// (g as a point of the circle, g') from the rotor's part of the state; what is not state is zero.
-    #[inline]
+    #[inline(always)]
     pub fn angle_and_slip<S: Analytic>(self, state: &[S]) -> (Circle<S>, S) {
         match (self, state) {
             (Self::AngleAndSpeed, [angle, slip, ..]) => (angle.circle(), *slip),
@@ -179,7 +222,7 @@ impl RotorState {
     }
 
     /// The rates of the rotor's part of the state. (Angle and speed for speed and acceleration: the state itself.)
-    #[inline]
+    #[inline(always)]
     pub fn write<S: Scalar>(self, slip: S, acceleration: S, rates: &mut [S]) {
         match (self, rates) {
             (Self::AngleAndSpeed, [angle_rate, slip_rate, ..]) => {

@@ -16,7 +16,7 @@ mod quantity;
 
 pub use conserved::{Conserved, ConservedBy};
 pub use kick::{Kick, Law, Point, Rule, decay_quotient, kick, solved};
-pub use machine::{Bench, Machine, RotorState, drive, heat, state_names, stored_energy};
+pub use machine::{Bench, Circuit, Machine, RotorState, drive, drive_circuits, heat, state_names, stored_energy};
 pub use quantity::Quantity;
 
 use field::{Analytic, Base, Over};

@@ -50,22 +50,27 @@ impl<P: Datum> MultiCurrent<P> {
 impl<P: Base> Machine<P> for MultiCurrent<P> {
     const ROTOR: RotorState = RotorState::AngleAndSpeed;
 
+    #[inline(always)]
     fn frame_speed(&self) -> P {
         self.windings.field_speed
     }
 
+    #[inline(always)]
     fn windings(&self) -> usize {
         1 + self.bars.len()
     }
 
+    #[inline(always)]
     fn inductance(&self, winding: usize) -> P {
         if winding == 0 { self.windings.l1 } else { self.windings.l2 }
     }
 
+    #[inline(always)]
     fn resistance(&self, winding: usize) -> P {
         if winding == 0 { self.windings.r1 } else { self.windings.r2 }
     }
 
+    #[inline(always)]
     fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
         match winding.checked_sub(1).and_then(|n| self.bars.get(n)) {
             Some(bar) => -S::lift(self.windings.a2) * (angle + bar.map(S::lift)).sin,
@@ -73,10 +78,12 @@ impl<P: Base> Machine<P> for MultiCurrent<P> {
         }
     }
 
+    #[inline(always)]
     fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
         -S::lift(self.windings.b0) * angle.cos
     }
 
+    #[inline(always)]
     fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
         -(S::lift(self.windings.mu) * slip + S::lift(self.windings.f) * speed)
     }

@@ -52,6 +52,7 @@ macro_rules! quantities {
             }
 
             /// The same parameters in another field.
+            #[inline(always)]
             pub fn map<T>(self, f: impl Fn(P) -> T) -> $name<T> {
                 $name { $($field: f(self.$field)),* }
             }

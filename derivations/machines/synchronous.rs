@@ -18,14 +18,17 @@ crate::quantities! {
 impl<P: Base> Machine<P> for Synchronous<P> {
     const ROTOR: RotorState = RotorState::AngleAndSpeed;
 
+    #[inline(always)]
     fn frame_speed(&self) -> P {
         self.field_speed
     }
 
+    #[inline(always)]
     fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
         -S::lift(self.b0) * angle.cos
     }
 
+    #[inline(always)]
     fn moment_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
         -S::lift(self.f) * speed
     }

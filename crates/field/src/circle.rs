@@ -13,6 +13,7 @@ pub struct Circle<S> {
 
 impl<S: Scalar> Circle<S> {
     /// The angle 0.
+    #[inline(always)]
     pub fn zero() -> Self {
         Circle { cos: S::one(), sin: S::zero() }
     }
@@ -29,16 +30,13 @@ impl<S: Scalar> Circle<S> {
     }
 
     /// The same angle moving at the rate `speed`: its derivative is (-sin, cos) * speed.
-    #[inline]
+    #[inline(always)]
     pub fn moving(self, speed: S) -> Circle<Tangent<S>> {
-        Circle {
-            cos: Tangent { value: self.cos, slope: -self.sin * speed },
-            sin: Tangent { value: self.sin, slope: self.cos * speed },
-        }
+        Circle { cos: Tangent::moving(self.cos, -self.sin * speed), sin: Tangent::moving(self.sin, self.cos * speed) }
     }
 
     /// The same point with its coordinates seen in another field.
-    #[inline]
+    #[inline(always)]
     pub fn map<T>(self, f: impl Fn(S) -> T) -> Circle<T> {
         Circle { cos: f(self.cos), sin: f(self.sin) }
     }
@@ -83,15 +81,18 @@ impl Circle<f64> {
 
 impl<S: Scalar> Add for Circle<S> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Circle { cos: self.cos * other.cos - self.sin * other.sin, sin: self.sin * other.cos + self.cos * other.sin }
+        Circle {
+            cos: (self.cos * other.cos).and_product(-self.sin, other.sin),
+            sin: (self.sin * other.cos).and_product(self.cos, other.sin),
+        }
     }
 }
 
 impl<S: Scalar> Neg for Circle<S> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Circle { cos: self.cos, sin: -self.sin }
     }
@@ -99,7 +100,7 @@ impl<S: Scalar> Neg for Circle<S> {
 
 impl<S: Scalar> Sub for Circle<S> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }

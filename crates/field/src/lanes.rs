@@ -6,24 +6,28 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssi
 
 /// L numbers, each a field for itself: what one lane holds never depends on another. Equality is that of all lanes.
 ///
-/// Plain loops that are always inlined, so that whoever is compiled for wide registers uses them here too.
+/// Plain loops that are always inlined, so that whoever is compiled for wide registers uses them here too. Where `FUSED`,
+/// a product and a sum are rounded once, which is fast only where the processor can, and slow elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
-pub struct Lanes<const L: usize>(pub [f64; L]);
+pub struct Lanes<const L: usize, const FUSED: bool = false>(pub [f64; L]);
 
-impl<const L: usize> Lanes<L> {
+impl<const L: usize, const FUSED: bool> Lanes<L, FUSED> {
     /// The same number in every lane.
     #[inline(always)]
     pub fn all(number: f64) -> Self {
         Lanes([number; L])
     }
 
-    /// self + a b, rounded once where `fused`, which is fast only where the processor can.
+    /// self + a b, rounded once where `fused`: for numbers that are kept and computed on by either kind of processor.
     #[inline(always)]
     pub fn plus_product(mut self, a: Self, b: Self, fused: bool) -> Self {
         for lane in 0..L {
-            self.0[lane] =
-                if fused { a.0[lane].mul_add(b.0[lane], self.0[lane]) } else { self.0[lane] + a.0[lane] * b.0[lane] };
+            self.0[lane] = if fused {
+                plus::<true>(self.0[lane], a.0[lane], b.0[lane])
+            } else {
+                plus::<false>(self.0[lane], a.0[lane], b.0[lane])
+            };
         }
         self
     }
@@ -31,7 +35,7 @@ impl<const L: usize> Lanes<L> {
 
 macro_rules! by_lane {
     ($($trait:ident $method:ident $assign:ident $assign_method:ident $sign:tt),*) => {$(
-        impl<const L: usize> $trait for Lanes<L> {
+        impl<const L: usize, const FUSED: bool> $trait for Lanes<L, FUSED> {
             type Output = Self;
             #[inline(always)]
             fn $method(mut self, b: Self) -> Self {
@@ -40,7 +44,7 @@ macro_rules! by_lane {
             }
         }
 
-        impl<const L: usize> $assign for Lanes<L> {
+        impl<const L: usize, const FUSED: bool> $assign for Lanes<L, FUSED> {
             #[inline(always)]
             fn $assign_method(&mut self, b: Self) {
                 for lane in 0..L {
@@ -58,7 +62,7 @@ by_lane!(
     Rem rem RemAssign rem_assign %=
 );
 
-impl<const L: usize> Neg for Lanes<L> {
+impl<const L: usize, const FUSED: bool> Neg for Lanes<L, FUSED> {
     type Output = Self;
     #[inline(always)]
     fn neg(mut self) -> Self {
@@ -69,7 +73,7 @@ impl<const L: usize> Neg for Lanes<L> {
     }
 }
 
-impl<const L: usize> Zero for Lanes<L> {
+impl<const L: usize, const FUSED: bool> Zero for Lanes<L, FUSED> {
     #[inline(always)]
     fn zero() -> Self {
         Self::all(0.0)
@@ -80,37 +84,45 @@ impl<const L: usize> Zero for Lanes<L> {
     }
 }
 
-impl<const L: usize> One for Lanes<L> {
+impl<const L: usize, const FUSED: bool> One for Lanes<L, FUSED> {
     #[inline(always)]
     fn one() -> Self {
         Self::all(1.0)
     }
 }
 
-impl<const L: usize> Scalar for Lanes<L> {
+impl<const L: usize, const FUSED: bool> Scalar for Lanes<L, FUSED> {
     #[inline(always)]
     fn ratio(numerator: i64, denominator: i64) -> Self {
         Self::all(f64::ratio(numerator, denominator))
     }
+
+    #[inline(always)]
+    fn and_product(mut self, a: Self, b: Self) -> Self {
+        for lane in 0..L {
+            self.0[lane] = plus::<FUSED>(self.0[lane], a.0[lane], b.0[lane]);
+        }
+        self
+    }
 }
 
-impl<const L: usize> Base for Lanes<L> {}
+impl<const L: usize, const FUSED: bool> Base for Lanes<L, FUSED> {}
 
-impl<const L: usize> Over<Lanes<L>> for Lanes<L> {
+impl<const L: usize, const FUSED: bool> Over<Lanes<L, FUSED>> for Lanes<L, FUSED> {
     #[inline(always)]
     fn lift(parameter: Self) -> Self {
         parameter
     }
 }
 
-impl<const L: usize> Over<f64> for Lanes<L> {
+impl<const L: usize, const FUSED: bool> Over<f64> for Lanes<L, FUSED> {
     #[inline(always)]
     fn lift(parameter: f64) -> Self {
         Self::all(parameter)
     }
 }
 
-impl<const L: usize> Analytic for Lanes<L> {
+impl<const L: usize, const FUSED: bool> Analytic for Lanes<L, FUSED> {
     #[inline(always)]
     fn circle(self) -> Circle<Self> {
         let mut point = near_quarters(self);
@@ -162,19 +174,20 @@ const COSINE: [f64; 6] = [
 
 /// Cosine and sine to about one unit of rounding, for angles that are not too far from zero, without a branch.
 #[inline(always)]
-fn near_quarters<const L: usize>(angle: Lanes<L>) -> Circle<Lanes<L>> {
+fn near_quarters<const L: usize, const FUSED: bool>(angle: Lanes<L, FUSED>) -> Circle<Lanes<L, FUSED>> {
     let mut point = Circle { cos: angle, sin: angle };
     for lane in 0..L {
         let x = angle.0[lane];
-        let counted = x * std::f64::consts::FRAC_2_PI + ROUNDER;
+        let sum = |c: f64, a: f64, b: f64| plus::<FUSED>(c, a, b);
+        let counted = sum(ROUNDER, x, std::f64::consts::FRAC_2_PI);
         let quarters = counted - ROUNDER;
-        let r = x - quarters * QUARTER[0] - quarters * QUARTER[1] - quarters * QUARTER[2];
+        let r = sum(sum(sum(x, quarters, -QUARTER[0]), quarters, -QUARTER[1]), quarters, -QUARTER[2]);
         let z = r * r;
-        let sum = |c: &[f64; 6]| ((((c[5] * z + c[4]) * z + c[3]) * z + c[2]) * z + c[1]) * z + c[0];
-        let sine = r + r * z * sum(&SINE);
+        let series = |c: &[f64; 6]| c[..5].iter().rev().fold(c[5], |s, c| sum(*c, s, z));
+        let sine = sum(r, r * z, series(&SINE));
         let half = 0.5 * z;
         let near = 1.0 - half;
-        let cosine = near + (((1.0 - near) - half) + z * z * sum(&COSINE));
+        let cosine = near + sum((1.0 - near) - half, z * z, series(&COSINE));
         let turned = counted.to_bits();
         let (cos, sin) = if turned & 1 == 0 { (cosine, sine) } else { (sine, cosine) };
         point.cos.0[lane] = if (turned + 1) & 2 == 0 { cos } else { -cos };
@@ -186,8 +199,14 @@ fn near_quarters<const L: usize>(angle: Lanes<L>) -> Circle<Lanes<L>> {
 /// The lanes whose angles are far away, or not finite.
 #[cold]
 #[inline(never)]
-fn one_by_one<const L: usize>(angle: Lanes<L>, point: &mut Circle<Lanes<L>>) {
+fn one_by_one<const L: usize, const FUSED: bool>(angle: Lanes<L, FUSED>, point: &mut Circle<Lanes<L, FUSED>>) {
     for lane in (0..L).filter(|lane| angle.0[*lane].abs() > FARTHEST || angle.0[*lane].is_nan()) {
         (point.sin.0[lane], point.cos.0[lane]) = angle.0[lane].sin_cos();
     }
+}
+
+/// c + a b.
+#[inline(always)]
+fn plus<const FUSED: bool>(c: f64, a: f64, b: f64) -> f64 {
+    if FUSED { a.mul_add(b, c) } else { c + a * b }
 }

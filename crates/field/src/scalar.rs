@@ -17,12 +17,20 @@ pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + Num
         Self::ratio(n, 1)
     }
 
+    /// x + a b; a field that rounds may round it once.
+    #[inline(always)]
+    fn and_product(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
+
     /// x / 2.
+    #[inline(always)]
     fn half(self) -> Self {
         self * Self::ratio(1, 2)
     }
 
     /// x^2.
+    #[inline(always)]
     fn squared(self) -> Self {
         self * self
     }
@@ -54,7 +62,7 @@ impl Scalar for f64 {
 impl Base for f64 {}
 
 impl Over<f64> for f64 {
-    #[inline]
+    #[inline(always)]
     fn lift(parameter: f64) -> Self {
         parameter
     }

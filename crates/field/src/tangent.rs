@@ -17,19 +17,19 @@ pub struct Tangent<S> {
 
 impl<S: Scalar> Tangent<S> {
     /// A number that does not move.
-    #[inline]
+    #[inline(always)]
     pub fn fixed(value: S) -> Self {
         Tangent { value, slope: S::zero() }
     }
 
     /// A number that moves at the rate `slope`.
-    #[inline]
+    #[inline(always)]
     pub fn moving(value: S, slope: S) -> Self {
         Tangent { value, slope }
     }
 
     /// The variable of differentiation: slope 1.
-    #[inline]
+    #[inline(always)]
     pub fn variable(value: S) -> Self {
         Tangent { value, slope: S::one() }
     }
@@ -37,7 +37,7 @@ impl<S: Scalar> Tangent<S> {
 
 impl<S: Scalar> Add for Tangent<S> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, b: Self) -> Self {
         Tangent { value: self.value + b.value, slope: self.slope + b.slope }
     }
@@ -45,7 +45,7 @@ impl<S: Scalar> Add for Tangent<S> {
 
 impl<S: Scalar> Sub for Tangent<S> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, b: Self) -> Self {
         Tangent { value: self.value - b.value, slope: self.slope - b.slope }
     }
@@ -53,9 +53,9 @@ impl<S: Scalar> Sub for Tangent<S> {
 
 impl<S: Scalar> Mul for Tangent<S> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, b: Self) -> Self {
-        Tangent { value: self.value * b.value, slope: self.slope * b.value + self.value * b.slope }
+        Tangent { value: self.value * b.value, slope: (self.slope * b.value).and_product(self.value, b.slope) }
     }
 }
 
@@ -78,7 +78,7 @@ impl<S: Scalar> Rem for Tangent<S> {
 
 impl<S: Scalar> Neg for Tangent<S> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Tangent { value: -self.value, slope: -self.slope }
     }
@@ -119,7 +119,7 @@ impl<S: Scalar> Scalar for Tangent<S> {
 }
 
 impl<P: Base, S: Over<P>> Over<P> for Tangent<S> {
-    #[inline]
+    #[inline(always)]
     fn lift(parameter: P) -> Self {
         Self::fixed(S::lift(parameter))
     }

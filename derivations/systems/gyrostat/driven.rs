@@ -1,8 +1,9 @@
 //! The gyrostat driven by a motor: the system of first-order equations that runs.
 
 use super::forms::Form;
-use crate::machines::{Machine, RotorState, drive, state_names, stored_energy};
-use field::{Analytic, Base, Over, Tangent};
+use super::vectors::cross;
+use crate::machines::{Circuit, Machine, RotorState, drive_circuits, state_names, stored_energy};
+use field::{Analytic, Base, Lanes, Over, Tangent};
 use integrators::Ode;
 use nalgebra::Vector3;
 use std::marker::PhantomData;
@@ -13,13 +14,15 @@ use std::marker::PhantomData;
 pub struct Driven<P, F, M> {
     pub form: F,
     pub machine: M,
+    circuits: Vec<Circuit<P>>,
     field: PhantomData<P>,
 }
 
 impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
     /// Joins a form and a machine.
     pub fn new(form: F, machine: M) -> Self {
-        Driven { form, machine, field: PhantomData }
+        let circuits = (0..machine.windings()).map(|k| Circuit::of(&machine, k)).collect();
+        Driven { form, machine, circuits, field: PhantomData }
     }
 
     /// 6 + the rotor's states + the currents.
@@ -35,14 +38,15 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
     }
 
     /// The right-hand side. Allocates nothing.
-    #[inline]
+    #[inline(always)]
     pub fn rates<S: Over<P> + Analytic>(&self, y: &[S], dy: &mut [S]) {
         let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
         let rotor_end = 6 + M::ROTOR.dimension();
         let (angle, slip) = M::ROTOR.angle_and_slip(&y[6..rotor_end]);
         let rotor_speed = slip + S::lift(self.machine.frame_speed());
         let (mechanical, current_rates) = dy.split_at_mut(rotor_end);
-        let moment = drive(&self.machine, angle, slip, &y[rotor_end..], current_rates);
+        let circuits = self.circuits.iter().copied();
+        let moment = drive_circuits(&self.machine, circuits, angle, slip, &y[rotor_end..], current_rates);
         let w_rate = if M::ROTOR == RotorState::Prescribed {
             self.form.prescribed(w, v, rotor_speed).0
         } else {
@@ -50,7 +54,7 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
             M::ROTOR.write(slip, rotor_acceleration, &mut mechanical[6..]);
             w_rate
         };
-        let v_rate = v.cross(&w);
+        let v_rate = cross(v, w);
         for i in 0..3 {
             mechanical[i] = w_rate[i];
             mechanical[3 + i] = v_rate[i];
@@ -102,6 +106,22 @@ impl<S: Over<f64> + Analytic, F: Form<f64>, M: Machine<f64>> Ode<S> for Driven<f
     }
 
     fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+        Driven::rates(self, y, dy);
+    }
+}
+
+/// Many gyrostats side by side, each with data of its own.
+impl<const L: usize, const FUSED: bool, F, M> Ode<Lanes<L, FUSED>> for Driven<Lanes<L, FUSED>, F, M>
+where
+    F: Form<Lanes<L, FUSED>>,
+    M: Machine<Lanes<L, FUSED>>,
+{
+    fn dimension(&self) -> usize {
+        Driven::dimension(self)
+    }
+
+    #[inline(always)]
+    fn rates(&self, _t: Lanes<L, FUSED>, y: &[Lanes<L, FUSED>], dy: &mut [Lanes<L, FUSED>]) {
         Driven::rates(self, y, dy);
     }
 }

@@ -12,6 +12,7 @@
 use super::Gyrostat;
 use super::momenta::Momenta;
 use super::tensors::Principal;
+use super::vectors::{by_component, dot, lift, plus, two_crosses};
 use field::{Base, Over, Scalar};
 use nalgebra::{Matrix3, Vector3};
 
@@ -44,19 +45,22 @@ struct Data<P: Scalar> {
     axis: Vector3<P>,
     /// A'
     axial: P,
+    /// 1 / A'
+    lightness: P,
     /// Gamma e
     weight: Vector3<P>,
 }
 
 impl<P: Base> Data<P> {
     fn new(moments: Vector3<P>, axis: Vector3<P>, axial: P, weight: Vector3<P>) -> Self {
-        Data { moments, mobility: moments.map(|a| P::one() / a), axis, axial, weight }
+        let mobility = moments.map(|a| P::one() / a);
+        Data { moments, mobility, axis, axial, lightness: P::one() / axial, weight }
     }
 
     /// x x w + Ge x v, what the momentum of this form gains in the turning axes.
-    #[inline]
+    #[inline(always)]
     fn gain<S: Over<P>>(&self, momentum: Vector3<S>, w: Vector3<S>, v: Vector3<S>) -> Vector3<S> {
-        momentum.cross(&w) + self.weight.map(S::lift).cross(&v)
+        two_crosses(momentum, w, lift(self.weight), v)
     }
 }
 
@@ -97,27 +101,27 @@ impl<P: Base> SecondForm<P> {
 }
 
 impl<P: Base> Form<P> for FirstForm<P> {
-    #[inline]
+    #[inline(always)]
     fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S) {
-        let axis = self.data.axis.map(S::lift);
-        let free = self.data.gain(self.momentum(w, rotor_speed), w, v) - axis * moment;
-        let w_rate = free.component_mul(&self.data.mobility.map(S::lift));
-        (w_rate, moment / S::lift(self.data.axial) - axis.dot(&w_rate))
+        let axis = lift(self.data.axis);
+        let free = plus(self.data.gain(self.momentum(w, rotor_speed), w, v), axis, -moment);
+        let w_rate = by_component(free, lift(self.data.mobility));
+        (w_rate, moment * S::lift(self.data.lightness) - dot(axis, w_rate))
     }
 
-    #[inline]
+    #[inline(always)]
     fn prescribed<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> (Vector3<S>, S) {
         let (free, free_rotor) = self.accelerations(w, v, rotor_speed, S::zero());
         let moment = -free_rotor * S::lift(self.reaction);
-        let back = self.data.axis.component_mul(&self.data.mobility).map(S::lift) * moment;
-        (free - back, moment)
+        let oblique = by_component(self.data.axis, self.data.mobility);
+        (plus(free, lift(oblique), -moment), moment)
     }
 
-    #[inline]
+    #[inline(always)]
     fn momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> Vector3<S> {
-        let axis = self.data.axis.map(S::lift);
-        let absolute_spin = w.dot(&axis) + rotor_speed;
-        w.component_mul(&self.data.moments.map(S::lift)) + axis * (S::lift(self.data.axial) * absolute_spin)
+        let axis = lift(self.data.axis);
+        let absolute_spin = dot(w, axis) + rotor_speed;
+        plus(by_component(w, lift(self.data.moments)), axis, S::lift(self.data.axial) * absolute_spin)
     }
 
     fn energy<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> S {
@@ -135,27 +139,28 @@ impl<P: Base> Form<P> for FirstForm<P> {
 }
 
 impl<P: Base> Form<P> for SecondForm<P> {
-    #[inline]
+    #[inline(always)]
     fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S) {
         let axial = S::lift(self.data.axial);
-        let response = self.response.map(S::lift);
+        let response = lift(self.response);
         let free = self.data.gain(self.momentum(w, rotor_speed), w, v);
-        let rotor_acceleration = (moment / axial - response.dot(&free)) * S::lift(self.inverse_d);
-        let w_rate = free.component_mul(&self.data.mobility.map(S::lift)) - response * (axial * rotor_acceleration);
+        let own = moment * S::lift(self.data.lightness);
+        let rotor_acceleration = (own - dot(response, free)) * S::lift(self.inverse_d);
+        let w_rate = plus(by_component(free, lift(self.data.mobility)), response, -(axial * rotor_acceleration));
         (w_rate, rotor_acceleration)
     }
 
-    #[inline]
+    #[inline(always)]
     fn prescribed<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> (Vector3<S>, S) {
         let free = self.data.gain(self.momentum(w, rotor_speed), w, v);
-        let w_rate = free.component_mul(&self.data.mobility.map(S::lift));
-        (w_rate, S::lift(self.data.axial) * w_rate.dot(&self.data.axis.map(S::lift)))
+        let w_rate = by_component(free, lift(self.data.mobility));
+        (w_rate, S::lift(self.data.axial) * dot(w_rate, lift(self.data.axis)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> Vector3<S> {
-        let own = w.component_mul(&self.data.moments.map(S::lift));
-        own + self.data.axis.map(S::lift) * (S::lift(self.data.axial) * rotor_speed)
+        let own = by_component(w, lift(self.data.moments));
+        plus(own, lift(self.data.axis), S::lift(self.data.axial) * rotor_speed)
     }
 
     fn energy<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> S {

@@ -28,6 +28,7 @@ pub mod momenta;
 pub mod routes;
 pub mod stationary;
 pub mod tensors;
+mod vectors;
 
 pub use bodies::{Carrier, Gyrostat, Rotor};
 pub use routes::Motion;

@@ -1,7 +1,7 @@
 //! With the widest instructions that the processor has, chosen when the program runs.
 
 #[cfg(target_arch = "x86_64")]
-use super::pick::Permuting;
+use super::permuting::Permuting;
 use super::pick::{OneByOne, Pick};
 use field::{Analytic, DoubleDouble, Over};
 

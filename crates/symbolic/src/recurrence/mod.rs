@@ -17,6 +17,8 @@ mod form;
 mod fused;
 mod layout;
 mod order;
+#[cfg(target_arch = "x86_64")]
+mod permuting;
 mod pick;
 mod plan;
 mod points;

@@ -1,0 +1,117 @@
+//! The series of many systems of one kind at once, each with data of its own.
+//!
+//! All numbers are lanes, and every quantity is computed by itself. What costs is bringing the numbers to the processor,
+//! so the series of a factor is held once for all its products, near the processor, and a product is formed for two
+//! orders at a time: each number that is brought is used twice.
+
+mod parts;
+mod work;
+
+use super::Recurrence;
+use super::plan::{Place, Stage};
+use crate::tape::Program;
+use field::Lanes;
+use parts::{Rows, Side, Slots};
+use pulp::Arch;
+use work::{CHAINS, Expand, Sum};
+
+/// L systems that differ in their parameters, states and times, one in each lane. Nothing is allocated, and what one lane
+/// holds does not depend on another. `N` is a power of two above the number of quantities, so that no index needs a
+/// check.
+#[derive(Clone, Debug)]
+pub struct Abreast<'a, const L: usize, const N: usize = 256> {
+    order: usize,
+    states: usize,
+    time: bool,
+    stages: Vec<Side<L>>,
+    rates: Rows<L>,
+    /// The coefficients of the order at hand of all quantities.
+    now: Box<[Lanes<L>; N]>,
+    /// The coefficients of all orders of what has a rate; so long is one order.
+    series: Vec<Lanes<L>>,
+    width: usize,
+    /// The series of all factors, one after the other; so long is one.
+    factors: Vec<Lanes<L>>,
+    length: usize,
+    points: Program<'a, Lanes<L>>,
+    inputs: Vec<Lanes<L>>,
+    circle: Vec<Lanes<L>>,
+    /// From the parameters of one system to its coefficients.
+    coefficients: Program<'a, f64>,
+    values: Vec<f64>,
+}
+
+impl Recurrence {
+    /// Readies the recurrence for L systems; `None` where it has more than `N` quantities. Until a lane is [set], all its
+    /// coefficients are zero.
+    ///
+    /// [set]: Abreast::set
+    pub fn abreast<const L: usize, const N: usize>(&self, order: usize) -> Option<Abreast<'_, L, N>> {
+        const { assert!(N.is_power_of_two() && N <= 1 << 16) };
+        let plan = &self.plan;
+        let last = plan.stages.iter().flat_map(Stage::places).max().unwrap_or(0);
+        if plan.moving.max(last as usize + 1) > N {
+            return None;
+        }
+        let zero = Lanes::all(0.0);
+        let inputs = plan.states + usize::from(plan.time);
+        let mut slots = Slots { of: vec![None; N], next: 0 };
+        let stages: Vec<Side<L>> = plan.stages.iter().map(|stage| Side::new(stage, order, &mut slots)).collect();
+        Some(Abreast {
+            order,
+            states: plan.states,
+            time: plan.time,
+            stages,
+            rates: Rows::new(&plan.rates, &(0..plan.moving as Place).collect::<Vec<_>>()),
+            now: Box::new([zero; N]),
+            series: vec![zero; plan.moving.next_multiple_of(CHAINS) * (order + 1)],
+            width: plan.moving.next_multiple_of(CHAINS),
+            factors: vec![zero; slots.next * (order + 2)],
+            length: order + 2,
+            points: self.points.over(),
+            inputs: vec![zero; self.points.inputs()],
+            circle: vec![zero; plan.moving - inputs],
+            coefficients: self.coefficients.over(),
+            values: vec![0.0; self.coefficients.outputs()],
+        })
+    }
+
+    /// How many parameters a system has.
+    pub fn parameters(&self) -> usize {
+        self.coefficients.inputs()
+    }
+}
+
+impl<const L: usize, const N: usize> Abreast<'_, L, N> {
+    /// Gives the system in a lane its parameters.
+    pub fn set(&mut self, lane: usize, parameters: &[f64]) {
+        self.coefficients.evaluate(parameters, &mut self.values);
+        let inputs = &mut self.inputs[self.states + usize::from(self.time)..];
+        inputs.iter_mut().zip(parameters).for_each(|(input, value)| input.0[lane] = *value);
+        let stages = self.stages.iter_mut().map(|stage| &mut stage.sums);
+        stages.chain([&mut self.rates]).for_each(|sums| sums.set(lane, &self.values));
+    }
+
+    /// Expands the solutions through these states, each at its time.
+    pub fn expand(&mut self, states: &[Lanes<L>], time: Lanes<L>) {
+        match Arch::new() {
+            Arch::Scalar => Expand::<L, N, false> { abreast: self, states, time }.run(),
+            wide => wide.dispatch(Expand::<L, N, true> { abreast: self, states, time }),
+        }
+    }
+
+    /// The coefficients a_k of the states.
+    #[inline]
+    pub fn coefficients(&self, k: usize) -> &[Lanes<L>] {
+        &self.series[k * self.width..][..self.states]
+    }
+
+    /// The sums of the series, each at its h, by Horner's scheme.
+    pub fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
+        let (series, width) = (&self.series[..], self.width);
+        match Arch::new() {
+            Arch::Scalar => Sum::<L, false> { series, width, h, out }.run(),
+            wide => wide.dispatch(Sum::<L, true> { series, width, h, out }),
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! The numbers of a scene that may differ from member to member: how a file names them, and where they are.
+
+use crate::machines::{AnyMachine, RotorState};
+use crate::scene::state::windings;
+use crate::scene::{Scene, Start, System};
+use std::slice::from_mut;
+
+/// The numbers of a scene that may vary.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Data {
+    pub system: System,
+    /// Of the machine, in its own order.
+    pub machine: Vec<f64>,
+    pub start: Start,
+}
+
+/// Where a datum is.
+#[derive(Clone, Copy, Debug)]
+pub enum Place {
+    Bodies(fn(&mut System) -> Option<&mut [f64]>),
+    Machine(usize),
+    Start(fn(&mut Start) -> &mut [f64]),
+}
+
+/// A datum that a file may name: its table, key, meaning, unit, number of components, and where it is.
+pub(super) struct Known {
+    pub key: &'static str,
+    pub meaning: &'static str,
+    pub unit: &'static str,
+    pub components: usize,
+    pub place: Place,
+}
+
+macro_rules! of_bodies {
+    ($bodies:ident => $number:expr) => {
+        Place::Bodies(|system| match system {
+            System::Gyrostat($bodies) => Some($number),
+            System::Bench { .. } => None,
+        })
+    };
+}
+
+impl Known {
+    const fn new(
+        key: &'static str,
+        meaning: &'static str,
+        unit: &'static str,
+        components: usize,
+        place: Place,
+    ) -> Self {
+        Known { key, meaning, unit, components, place }
+    }
+
+    /// All that a scene may vary, by the tables in which they stand; at the top of the file the name is empty.
+    pub fn of(scene: &Scene) -> Vec<(&'static str, Vec<Known>)> {
+        let machine = scene.machine_data.numbers.iter().enumerate();
+        let machine = machine.map(|(i, (q, _))| Known::new(q.name, q.meaning, q.unit, 1, Place::Machine(i))).collect();
+        let windings = windings(&scene.machine);
+        let mut start = vec![Known::new(
+            "rotor_angle",
+            "angle of the rotor",
+            "rad",
+            1,
+            Place::Start(|s| from_mut(&mut s.rotor_angle)),
+        )];
+        if scene.machine.rotor() != RotorState::Prescribed {
+            start.push(Known::new(
+                "rotor_speed",
+                "relative speed of the rotor",
+                "rad/s",
+                1,
+                Place::Start(|s| from_mut(&mut s.rotor_speed)),
+            ));
+        }
+        if windings > 0 {
+            start.push(Known::new("currents", "row of currents", "A", windings, Place::Start(|s| &mut s.currents)));
+        }
+        let axial = Place::Bodies(|system| match system {
+            System::Gyrostat(bodies) => Some(from_mut(&mut bodies.rotor.axial)),
+            System::Bench { axial } => Some(from_mut(axial)),
+        });
+        let mut rotor = vec![Known::new("axial", "moment of inertia about the axis", "kg m^2", 1, axial)];
+        if let System::Bench { .. } = scene.system {
+            return vec![("rotor", rotor), ("machine", machine), ("start", start)];
+        }
+        rotor.extend([
+            Known::new("mass", "mass of the rotor", "kg", 1, of_bodies!(b => from_mut(&mut b.rotor.mass))),
+            Known::new(
+                "centre",
+                "vector from O to the rotor's centre",
+                "m",
+                3,
+                of_bodies!(b => b.rotor.centre.as_mut_slice()),
+            ),
+            Known::new("axis", "direction of the rotor's axis", "1", 3, of_bodies!(b => b.rotor.axis.as_mut_slice())),
+            Known::new(
+                "transverse",
+                "moment of inertia across the axis",
+                "kg m^2",
+                1,
+                of_bodies!(b => from_mut(&mut b.rotor.transverse)),
+            ),
+        ]);
+        let carrier = vec![
+            Known::new("mass", "mass of the carrier", "kg", 1, of_bodies!(b => from_mut(&mut b.carrier.mass))),
+            Known::new(
+                "centre",
+                "vector from O to the carrier's centre",
+                "m",
+                3,
+                of_bodies!(b => b.carrier.centre.as_mut_slice()),
+            ),
+            Known::new(
+                "inertia",
+                "inertia tensor of the carrier: 11 12 13 22 23 33",
+                "kg m^2",
+                6,
+                of_bodies!(b => b.carrier.inertia.as_mut_slice()),
+            ),
+        ];
+        start.extend([
+            Known::new(
+                "angular_velocity",
+                "angular velocity of the carrier",
+                "rad/s",
+                3,
+                Place::Start(|s| s.angular_velocity.as_mut_slice()),
+            ),
+            Known::new(
+                "vertical",
+                "direction of the vertical, downwards",
+                "1",
+                3,
+                Place::Start(|s| s.vertical.as_mut_slice()),
+            ),
+        ]);
+        let top = vec![Known::new(
+            "gravity",
+            "acceleration of gravity",
+            "m/s^2",
+            1,
+            of_bodies!(b => from_mut(&mut b.gravity)),
+        )];
+        vec![("", top), ("carrier", carrier), ("rotor", rotor), ("machine", machine), ("start", start)]
+    }
+}
+
+impl Data {
+    /// As the scene has them.
+    pub fn of(scene: &Scene) -> Self {
+        let mut start = scene.start.clone();
+        start.currents.resize(windings(&scene.machine), 0.0);
+        let machine = scene.machine_data.numbers.iter().map(|(_, value)| *value).collect();
+        Data { system: scene.system.clone(), machine, start }
+    }
+}
+
+impl AnyMachine {
+    /// What its laws need to know of the rotor.
+    fn rotor(&self) -> RotorState {
+        self.clone().apply(Rotor)
+    }
+}
+
+struct Rotor;
+
+impl crate::machines::ForMachine for Rotor {
+    type Output = RotorState;
+
+    fn apply<M: crate::machines::Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> RotorState {
+        M::ROTOR
+    }
+}

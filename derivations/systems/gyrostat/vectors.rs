@@ -1,0 +1,54 @@
+//! Vectors of numbers of any field, always inlined: nalgebra's are where they are short, and over lanes they are not, so
+//! that a law would leave the code that was compiled for wide registers. Products and sums are rounded together where
+//! the field does so.
+
+use field::{Over, Scalar};
+use nalgebra::Vector3;
+
+/// a . b
+#[inline(always)]
+pub(super) fn dot<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> S {
+    (a[0] * b[0]).and_product(a[1], b[1]).and_product(a[2], b[2])
+}
+
+/// a x b
+#[inline(always)]
+pub(super) fn cross<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> Vector3<S> {
+    each(|i| {
+        let [j, k] = [(i + 1) % 3, (i + 2) % 3];
+        (a[j] * b[k]).and_product(-a[k], b[j])
+    })
+}
+
+/// a x b + c x d
+#[inline(always)]
+pub(super) fn two_crosses<S: Scalar>(a: Vector3<S>, b: Vector3<S>, c: Vector3<S>, d: Vector3<S>) -> Vector3<S> {
+    let first = cross(a, b);
+    each(|i| {
+        let [j, k] = [(i + 1) % 3, (i + 2) % 3];
+        first[i].and_product(c[j], d[k]).and_product(-c[k], d[j])
+    })
+}
+
+/// (a1 b1, a2 b2, a3 b3)
+#[inline(always)]
+pub(super) fn by_component<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> Vector3<S> {
+    each(|i| a[i] * b[i])
+}
+
+/// a + b s
+#[inline(always)]
+pub(super) fn plus<S: Scalar>(a: Vector3<S>, b: Vector3<S>, s: S) -> Vector3<S> {
+    each(|i| a[i].and_product(b[i], s))
+}
+
+/// The same vector, seen in the larger field.
+#[inline(always)]
+pub(super) fn lift<P: Scalar, S: Over<P>>(a: Vector3<P>) -> Vector3<S> {
+    each(|i| S::lift(a[i]))
+}
+
+#[inline(always)]
+fn each<S: Scalar>(component: impl Fn(usize) -> S) -> Vector3<S> {
+    Vector3::new(component(0), component(1), component(2))
+}
