@@ -33,8 +33,8 @@ impl<L: Ode<Sym>> Recorded<L> {
     fn series<S: Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
         let recurrence = self.recurrence.as_ref()?;
         match recurrence.columns::<WIDTH>() {
-            0..=FEW => Some(Box::new(Series::<S, FEW> { recurrence, expansion: None })),
-            0..=MANY => Some(Box::new(Series::<S, MANY> { recurrence, expansion: None })),
+            columns if columns <= FEW => Some(Box::new(Series::<S, FEW> { recurrence, expansion: None })),
+            columns if columns <= MANY => Some(Box::new(Series::<S, MANY> { recurrence, expansion: None })),
             _ => None,
         }
     }

@@ -101,10 +101,11 @@ fn largest_root<S: Real>(g2: S, g3: S) -> S {
     for _ in 0..NEWTON {
         let slope = S::int(12) * x * x - g2;
         let next = x - (S::int(4) * x * x * x - g2 * x - g3) / slope;
-        if !(next < x) || !next.finite() {
-            break;
+        // at the root rounding turns the steps round, or ends them
+        match next < x {
+            true if next.finite() => x = next,
+            _ => break,
         }
-        x = next;
     }
     x
 }
