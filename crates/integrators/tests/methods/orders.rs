@@ -161,3 +161,16 @@ fn own_methods_give_26_digits_in_double_double() {
         assert!(error < 1e-26, "{method}: {error:.1e} with {work}");
     }
 }
+
+/// Twelve digits of what follows at once, in few steps: what the extrapolation does not remove would cost hundreds.
+#[test]
+fn bader_deuflhard_extrapolates_what_is_stiff_to_twelve_digits() {
+    let law = Kaps { lambda: 1e5 };
+    let start: Vec<f64> = Kaps::state(0.0).iter().map(|y| y.hi()).collect();
+    let span = Span::new(0.0, 2.0, &start);
+    let outcome = integrate(&law, Method::BaderDeuflhard, &Tolerance::both(1e-13), &span, &mut ());
+    let exact: Vec<f64> = Kaps::state(2.0).iter().map(|y| y.hi()).collect();
+    let error = distance(&outcome.state, &exact);
+    assert!(outcome.reached() && error < 1e-12, "{error:e}");
+    assert!(outcome.work.rates < 900, "{:?}", outcome.work);
+}
