@@ -44,8 +44,8 @@ fn a_rotor_without_moment_keeps_its_spin_exactly() {
     assert!(spin < 1e-16, "{spin:e}");
 }
 
-/// Sixteen times as long: the energy of a splitting swings within the same bounds, that of the classical Runge-Kutta
-/// method falls on and on, by more or less at each fall of the carrier.
+/// Sixteen times as long, on a motion that is not integrable: the energy of a splitting swings within the same bounds, that
+/// of the classical Runge-Kutta method falls on and on. How fast, is measured on a motion that is: `long.rs`.
 #[test]
 fn the_energy_swings_where_that_of_runge_kutta_drifts() {
     let worst = |method: fn(u32) -> Method, time: f64| {
