@@ -172,24 +172,19 @@ impl LongRun {
         (self.law.energy(state) - start) / start
     }
 
-    /// What rounding alone changed in energy (relative), v.v and phase after so many revolutions and a quarter, by the
-    /// same run in double-double; none for a method that does not run there, or did not arrive.
+    /// What rounding alone changed in energy (relative), v.v and x.v (relative) after so many revolutions, by the same run in
+    /// double-double; none for a method that does not run there, or did not arrive.
     pub fn rounding(&self, method: Constant, each: u32, revolutions: u32) -> Option<[f64; 3]> {
-        let method = method(each * revolutions + each / 4);
-        let time = self.nutation.period * (f64::from(revolutions) + 0.25);
+        let method = method(each * revolutions);
+        let time = self.nutation.period * f64::from(revolutions);
         let twice: Vec<DoubleDouble> = self.state.iter().map(|y| DoubleDouble::from(*y)).collect();
         let (rounded, exact) = (self.end(method, time, &self.state)?, self.end(method, time, &twice)?);
         let near: Vec<DoubleDouble> = rounded.iter().map(|y| DoubleDouble::from(*y)).collect();
-        let energy = |y: &[DoubleDouble]| self.law.energy(y);
-        let u = |y: &[DoubleDouble]| {
-            (0..3).fold(DoubleDouble::from(0.0), |u, k| u + y[3 + k] * DoubleDouble::from(self.axis[k]))
-        };
         let of = |value: &dyn Fn(&[DoubleDouble]) -> DoubleDouble| (value(&near) - value(&exact)).approx();
-        let (_, speed) = self.nutation.quarter;
         Some([
-            of(&energy) / self.law.energy(&self.state),
+            of(&|y| self.law.energy(y)) / self.law.energy(&self.state),
             of(&|y| self.law.vertical_length(y)),
-            of(&u) / (speed * self.nutation.period),
+            of(&|y| self.law.vertical_momentum(y)) / self.law.vertical_momentum(&self.state),
         ])
     }
 

@@ -9,7 +9,9 @@ use mechanics::constrained::State;
 use mechanics::constrained::contacts::Sides;
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::mode::modes;
-use mechanics::regimes::{Direction, Dry, Found, Sizes, Touch, Verdict, conditions, consistent, touches, verdict};
+use mechanics::regimes::{
+    Direction, Dry, Found, Ordered, Sizes, Touch, Verdict, conditions, consistent, touches, verdict,
+};
 use num_traits::Zero;
 use std::collections::HashSet;
 

@@ -15,7 +15,7 @@ const SPLITTINGS: [(Constant, u32, u32); 4] = [
     (|steps| Method::Split { splitting: Splitting::Strang, steps }, 2, 640),
     (|steps| Method::Split { splitting: Splitting::BlanesMoan4, steps }, 4, 80),
     (|steps| Method::Split { splitting: Splitting::BlanesMoan6, steps }, 6, 40),
-    (|steps| Method::Split { splitting: Splitting::KahanLi8, steps }, 8, 16),
+    (|steps| Method::Split { splitting: Splitting::KahanLi8, steps }, 8, 20),
 ];
 
 fn course(pace: Pace, revolutions: u32) -> Course {
@@ -80,16 +80,14 @@ fn runge_kutta_loses_energy_and_length_as_h5_n_and_phase_as_h4_n_and_h5_n2() {
     assert!((linear - 4.0).abs() < 0.1, "{linear}");
 }
 
-/// Its steps follow the motion: what one nutation loses the next one does.
+/// Its steps follow the motion, many in a nutation: what one nutation loses the next one does.
 #[test]
 fn a_method_that_follows_a_tolerance_loses_energy_linearly_and_phase_quadratically() {
-    for method in [Method::DormandPrince8, Method::Taylor] {
-        let course = course(Pace::Tolerance(method, 1e-8), 500);
-        let [early, late] = [[1, 200], [200, 500]].map(|range| slope(&course, range, |s| s.energy));
-        assert!((late / early - 1.0).abs() < 0.05, "{method}: {early:e} {late:e}");
-        let [early, late] = [[50, 200], [100, 500]].map(|pair| parabola(&course, pair).1);
-        assert!((late / early - 1.0).abs() < 0.1, "{method}: {early:e} {late:e}");
-    }
+    let course = course(Pace::Tolerance(Method::DormandPrince8, 1e-8), 500);
+    let [early, late] = [[1, 200], [200, 500]].map(|range| slope(&course, range, |s| s.energy));
+    assert!((late / early - 1.0).abs() < 0.05, "{early:e} {late:e}");
+    let [early, late] = [[50, 200], [100, 500]].map(|pair| parabola(&course, pair).1);
+    assert!((late / early - 1.0).abs() < 0.1, "{early:e} {late:e}");
 }
 
 #[test]
@@ -98,12 +96,12 @@ fn a_splitting_bounds_its_energy_and_loses_its_phase_linearly_both_as_its_order_
         let [coarse, fine] = [each, 2 * each].map(|each| course(Pace::Steps(method, each), 500));
         for course in [&coarse, &fine] {
             // the bound is nearly reached as soon as every phase of nutation and spin was met
-            let [early, late] = [50, 500].map(|n| at(course, n).swing);
+            let [early, late] = [20, 200].map(|n| at(course, n).swing);
             assert!(late < 1.02 * early, "{}: {early:e} {late:e}", course.method);
-            let [early, late] = [50, 500].map(|n| phase(at(course, n)) / at(course, n).revolutions);
+            let [early, late] = [[20, 200], [200, 500]].map(|range| slope(course, range, phase));
             assert!((late / early - 1.0).abs() < 0.02, "{}: {early:e} {late:e}", course.method);
         }
-        let swing = (at(&coarse, 500).swing / at(&fine, 500).swing).log2();
+        let swing = (at(&coarse, 200).swing / at(&fine, 200).swing).log2();
         let lag = (phase(at(&coarse, 500)) / phase(at(&fine, 500))).log2();
         let theory = f64::from(order);
         assert!((swing - theory).abs() < 0.2 && (lag - theory).abs() < 0.2, "{}: {swing} {lag}", coarse.method);
@@ -148,19 +146,19 @@ fn what_single_steps_gain_on_the_true_motion_adds_up_to_what_runs_gain() {
     }
 }
 
-/// Beside the same run in double-double, over sixteen starts that differ by a turn about the axis: the root of the mean square
-/// of a random walk of n steps is sqrt(n), and n^(3/2) of what its energy does to the phase (Brouwer 1937).
+/// Beside the same run in double-double, over twelve starts that differ by a turn about the axis: the root of the mean square
+/// of a random walk goes with the root of its length, and would go with its length if rounding had a direction. Of order 8, so
+/// that no swing of the energy shows the phase.
 #[test]
 fn what_rounding_adds_walks_at_random() {
-    let strang: Constant = |steps| Method::Split { splitting: Splitting::Strang, steps };
+    let method: Constant = |steps| Method::Split { splitting: Splitting::KahanLi8, steps };
     let walk = |revolutions: u32| {
-        let starts = (0..16).map(|k| LongRun::turned(0.39 * f64::from(k)).expect("the top nutates"));
-        let squares = starts.map(|run| run.rounding(strang, 40, revolutions).expect("it arrives").map(|x| x * x));
+        let starts = (0..12).map(|k| LongRun::turned(0.52 * f64::from(k)).expect("the top nutates"));
+        let squares = starts.map(|run| run.rounding(method, 16, revolutions).expect("it arrives").map(|x| x * x));
         let sum = squares.reduce(|a, b| std::array::from_fn(|k| a[k] + b[k])).expect("there are starts");
-        sum.map(|sum| (sum / 16.0).sqrt())
+        sum.map(|sum| (sum / 12.0).sqrt())
     };
-    let [few, many] = [walk(10), walk(1000)];
-    let [energy, length, phase]: [f64; 3] = std::array::from_fn(|k| (many[k] / few[k]).log(100.0));
-    assert!((energy - 0.5).abs() < 0.2 && (length - 0.5).abs() < 0.2, "{energy:.2} {length:.2}");
-    assert!((phase - 1.5).abs() < 0.25, "{phase:.2}");
+    let [few, many] = [walk(4), walk(400)];
+    let growth: [f64; 3] = std::array::from_fn(|k| (many[k] / few[k]).log(100.0));
+    assert!(growth.iter().all(|growth| (growth - 0.5).abs() < 0.2), "energy, v.v, x.v: {growth:.2?}");
 }
