@@ -50,8 +50,8 @@ SUBJECT_OF = {
     "crates/integrators/src/transition.rs": ["transition"],
     "derivations/scene/transition.rs": ["transition"],
     "crates/integrators/src/bader_deuflhard.rs": ["methods"],
-    "crates/integrators/src/composition.rs": ["splitting", "methods"],
-    "crates/integrators/src/splitting.rs": ["splitting", "methods"],
+    "crates/integrators/src/composition.rs": ["methods"],
+    "crates/integrators/src/splitting.rs": ["methods", "splitting"],
     "derivations/machines/kick.rs": ["splitting"],
     "derivations/systems/gyrostat/momenta.rs": ["splitting"],
 }
