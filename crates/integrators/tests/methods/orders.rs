@@ -103,6 +103,18 @@ fn the_error_of_an_adaptive_method_is_proportional_to_its_tolerance() {
     }
 }
 
+/// Kepler's ellipse is its own mirror image: backwards from the pericentre every method does what it does forwards.
+#[test]
+fn a_run_backwards_costs_what_its_mirror_image_costs() {
+    for method in ADAPTIVE {
+        let run = |end: f64| {
+            let span = Span::new(0.0, end, &ECCENTRIC.state::<f64>(0.0));
+            integrate(&ECCENTRIC, method, &Tolerance::both(1e-8), &span, &mut ()).work
+        };
+        assert_eq!(run(5.0), run(-5.0), "{method}");
+    }
+}
+
 /// Time enters the stages at the right moments: a wrong node makes any method one of order 1.
 #[test]
 fn a_law_that_depends_on_time_is_followed_as_well() {

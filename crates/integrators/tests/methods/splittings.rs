@@ -118,3 +118,23 @@ fn a_system_without_pieces_is_refused_by_name() {
     assert_eq!(end(method(10)), End::Stopped(Failure::Refused(Refusal::NoPieces)));
     assert_eq!(end(method(0)), End::Stopped(Failure::Refused(Refusal::Steps { given: 0 })));
 }
+
+/// With chi_h = exp(h X_1 + h^2 X_2 + ..), its adjoint has the same odd X_q: a step has none of them below its order if the
+/// powers of its shares sum to zero, to the digits in which they are given.
+#[test]
+fn the_odd_powers_of_the_shares_below_the_order_sum_to_zero() {
+    for splitting in Splitting::ALL {
+        let shares = splitting.coefficients::<f64>();
+        for power in (3..splitting.order() as i32).step_by(2) {
+            let sum: f64 = shares.iter().map(|share| share.powi(power)).sum();
+            assert!(sum.abs() < 1e-14, "{splitting:?}, power {power}: {sum:e}");
+        }
+    }
+}
+
+#[test]
+fn the_piece_of_the_friction_goes_back_by_a_sixth_of_a_step_at_most() {
+    for splitting in Splitting::ALL {
+        assert!(splitting.goes_back() < 1.0 / 6.0, "{splitting:?}: {}", splitting.goes_back());
+    }
+}
