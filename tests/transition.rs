@@ -1,9 +1,11 @@
 //! The state-transition matrix of a run, beside differences of runs in double-double by another method.
 
+use derivations::recorded::Recorded;
 use derivations::scene::{AnyScene, Axes, Choice, Family, Problem};
-use field::DoubleDouble;
+use field::{Analytic, DoubleDouble, Over};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate_in, transition};
 use std::path::Path;
+use std::sync::Arc;
 
 const SPAN: f64 = 0.3;
 
@@ -80,4 +82,43 @@ fn in_the_axes_of_the_data_the_matrix_keeps_the_length_of_the_vertical() {
             assert!((carried - wanted).abs() < 1e-9, "{axes:?}, column {j}: {carried} is not {wanted}");
         }
     }
+}
+
+/// x' = y, y' = x.
+struct Saddle;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Saddle {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        (dy[0], dy[1]) = (y[1], y[0]);
+    }
+}
+
+/// z' = cos t.
+struct Carried;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Carried {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn rates(&self, t: S, _: &[S], dy: &mut [S]) {
+        dy[0] = t.circle().cos;
+    }
+}
+
+/// At rest in a saddle nothing moves but the derivatives; what is carried by time alone has derivatives that rest.
+#[test]
+fn value_and_derivatives_are_followed_each_where_the_other_rests() {
+    let (tolerance, span) = (Tolerance::both(1e-13), (0.0, 20.0));
+    let saddle = transition(&Recorded::new(Arc::new(Saddle)), &tolerance, span, &[0.0; 2]).expect("a series");
+    let [cosh, sinh] = [20.0_f64.cosh(), 20.0_f64.sinh()];
+    for (found, exact) in saddle.matrix.iter().zip([cosh, sinh, sinh, cosh]) {
+        assert!((found / exact - 1.0).abs() < 1e-11, "{found} for {exact}");
+    }
+    let carried = transition(&Recorded::new(Arc::new(Carried)), &tolerance, span, &[0.0]).expect("a series");
+    assert!((carried.state[0] - 20.0_f64.sin()).abs() < 1e-11 && carried.matrix == [1.0], "{carried:?}");
 }

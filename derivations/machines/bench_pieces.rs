@@ -1,6 +1,8 @@
 //! A motor on its bench in pieces: the kick at a resting angle, and the drift at a constant spin.
 
-use super::{Bench, Kick, Law, Machine, Point, RotorState, Rule, decay_quotient, kick, solved};
+use super::{
+    Bench, Kick, Law, Machine, Point, RotorState, Rule, decay_quotient, fading_slip, fastest_current, kick, solved,
+};
 use crate::separated::Separable;
 use field::Scalar;
 use integrators::{Pieces, Real};
@@ -13,6 +15,8 @@ struct BenchPieces<'a, S: Scalar, M> {
     frame_speed: S,
     law: Law,
     rule: Rule<S>,
+    /// The largest r_k.
+    fastest: S,
 }
 
 impl<S: Real, M: Machine<f64>> BenchPieces<'_, S, M> {
@@ -43,6 +47,11 @@ impl<S: Real, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
         Kick::new(self.machine, self.law, length, S::one() / self.axial, decay_quotient, self.rule)
     }
 
+    fn fading(&self, point: &Point<S>) -> f64 {
+        let slip = fading_slip(self.machine, S::one() / self.axial, self.slip(point));
+        self.fastest.approx().max(slip.approx())
+    }
+
     fn flow(&self, piece: usize, lapse: &Kick<S>, point: &mut Point<S>) -> bool {
         let slip = self.slip(point);
         if piece == 0 {
@@ -63,6 +72,7 @@ impl<M: Machine<f64>> Separable for Bench<f64, M> {
             frame_speed: S::lift(machine.frame_speed()),
             law: Law::of(machine),
             rule: Rule::gauss(),
+            fastest: fastest_current(machine),
         })
     }
 }

@@ -237,6 +237,18 @@ impl<S: Analytic> Point<S> {
     }
 }
 
+/// The fastest rate at which a current fades: the largest r_k.
+pub fn fastest_current<S: Real>(machine: &impl Machine<f64>) -> S {
+    let rates = (0..machine.windings()).map(|k| S::lift(machine.resistance(k)) / S::lift(machine.inductance(k)));
+    rates.fold(S::zero(), |fastest, rate| if rate > fastest { rate } else { fastest })
+}
+
+/// The rate at which a slip fades by the moment m alone: -K dm/ds.
+pub fn fading_slip<S: Real>(machine: &impl Machine<f64>, compliance: S, slip: S) -> S {
+    let slip = Tangent::variable(slip);
+    -compliance * machine.moment_law(slip, slip + Tangent::fixed(S::lift(machine.frame_speed()))).slope
+}
+
 /// Whether Newton's iteration came close enough for its next step to end in rounding, slips being of any size.
 pub fn solved<S: Real>(left: S) -> bool {
     left <= S::lift(S::EPSILON)

@@ -15,7 +15,7 @@ mod machine;
 mod quantity;
 
 pub use conserved::{Conserved, ConservedBy};
-pub use kick::{Kick, Law, Point, Rule, decay_quotient, kick, solved};
+pub use kick::{Kick, Law, Point, Rule, decay_quotient, fading_slip, fastest_current, kick, solved};
 pub use machine::{Bench, Circuit, Machine, RotorState, drive, drive_circuits, heat, state_names, stored_energy};
 pub use quantity::Quantity;
 

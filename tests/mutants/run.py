@@ -42,6 +42,19 @@ def programs_in(tests: Path) -> set[str]:
 # whole motions, minutes of them unoptimised: asked only of what nothing else notices
 RUNS = ["friction", "governors", "mechanism_scenes", "stabilisation"]
 LAWS = sorted(programs_in(ROOT / "tests") - OTHERS - {LEDGER, *RUNS})
+# the programs whose subject these files are: the others, and the ledger, are asked only where these notice nothing
+SUBJECT_OF = {
+    "crates/symbolic/src/polynomials.rs": ["jacobians"],
+    "crates/integrators/src/ensemble.rs": ["ensembles", "methods"],
+    "derivations/ensemble/": ["ensembles"],
+    "crates/integrators/src/transition.rs": ["transition"],
+    "derivations/scene/transition.rs": ["transition"],
+    "crates/integrators/src/bader_deuflhard.rs": ["methods"],
+    "crates/integrators/src/composition.rs": ["methods"],
+    "crates/integrators/src/splitting.rs": ["methods", "splitting"],
+    "derivations/machines/kick.rs": ["splitting"],
+    "derivations/systems/gyrostat/momenta.rs": ["splitting"],
+}
 # quick to build: only what proves and what multiplies big numbers is optimised
 OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
 SETTINGS = {"CARGO_PROFILE_DEV_OPT_LEVEL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
@@ -122,6 +135,18 @@ def failures(test: str, programs: dict[str, Path]) -> list[str]:
     return names or ([f"{test} {STOPPED[0]}"] if done.returncode != 0 else [])
 
 
+def near(file: str) -> list[str]:
+    """The programs whose subject a file is, where that is said."""
+    return next((programs for start, programs in SUBJECT_OF.items() if file.startswith(start)), [])
+
+
+def examine_by(tests: list[str], name: str, reason: str, crates: list[str]) -> Outcome:
+    """Builds and runs the copy as it stands, with these tests alone."""
+    programs = build(tests, crates)
+    laws = failing_laws(tests, programs) if programs else []
+    return Outcome(name, reason, [], laws, compiles=programs is not None)
+
+
 def examine(name: str, reason: str, crates: list[str]) -> Outcome:
     """Builds and runs the copy as it stands, with the tests of these crates."""
     programs = build([LEDGER, *laws_of(crates)], crates)
@@ -144,6 +169,10 @@ def examine_mutant(file: str, name: str, old: str, new: str, reason: str = "") -
     sound = path.read_text()
     path.write_text(sound.replace(old, new))
     try:
+        if near(file):
+            outcome = examine_by(near(file), name, reason, crates_of([file]))
+            if outcome.caught() or not outcome.compiles:
+                return outcome
         return examine(name, reason, crates_of([file]))
     finally:
         path.write_text(sound)
@@ -183,8 +212,8 @@ def table(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> st
         f"{len(shown)} mutants: " + ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()) + ".", "",
         "Each breaks one law by a sign, a factor, a term or an index (`tests/mutants/mutants.toml`). Beside it stand how many",
         "claims of the ledger then fail and how many laws of `tests/` or of the file's own crate, and of these the one that",
-        "notices the fewest other mutants. Laws that run whole motions are asked only where nothing else notices. Written by",
-        "`tests/mutants/run.py`.",
+        "notices the fewest other mutants. Laws that run whole motions are asked only where nothing else notices; of a file that",
+        "is the subject of some programs, these are asked first and others only then. Written by `tests/mutants/run.py`.",
     ]
     for file in dict.fromkeys(file for file, _ in shown):
         lines += ["", f"## {file}", "", "| broken | claims | laws | one of them |", "|---|---|---|---|"]
@@ -210,7 +239,11 @@ def main() -> None:
         if (count := (COPY / file).read_text().count(old)) != 1:
             sys.exit(f"{file}: {name}: `{old}` stands there {count} times, not once")
     begin = time.monotonic()
-    sound = examine("", "", crates_of([file for file, *_ in chosen]))
+    if all(near(file) for file, *_ in chosen):
+        few = sorted({test for file, *_ in chosen for test in near(file)})
+        sound = examine_by(few, "", "", crates_of([file for file, *_ in chosen]))
+    else:
+        sound = examine("", "", crates_of([file for file, *_ in chosen]))
     if not sound.compiles or sound.caught():
         sys.exit(f"without any mutant: {sound.verdict()}: {sound.claims + sound.laws}")
     print(f"the project itself: {time.monotonic() - begin:.0f} s", flush=True)

@@ -3,8 +3,10 @@
 #[path = "../physical/mod.rs"]
 mod physical;
 
+mod heat;
 mod kept;
 mod long;
 mod orders;
 mod pieces;
 mod runs;
+mod stiff;

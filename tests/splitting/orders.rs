@@ -1,16 +1,11 @@
 //! Orders on nonlinear motions are theory's, by a reference of another family; a run back undoes a run.
 
-use crate::runs::{self, SCENES, split};
+use crate::runs::{self, SCENES, error, split};
 use derivations::scene::{Axes, Problem};
 use field::DoubleDouble;
 use integrators::{End, Failure, Method, Refusal, Span, Splitting, Tolerance, integrate, integrate_in};
 
 const TIME: f64 = 0.5;
-
-/// The largest error of a state relative to its size, or to one.
-fn error(state: &[f64], exact: &[f64]) -> f64 {
-    state.iter().zip(exact).map(|(y, e)| (y - e).abs() / (1.0 + e.abs())).fold(0.0, f64::max)
-}
 
 fn after(problem: &Problem, splitting: Splitting, steps: u32, [from, to]: [f64; 2], state: &[f64]) -> Vec<f64> {
     let outcome = runs::run(problem, split(splitting, steps), &Span::new(from, to, state));

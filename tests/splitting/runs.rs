@@ -34,3 +34,8 @@ pub fn run(problem: &Problem, method: Method, span: &Span<'_, f64>) -> Outcome<f
     assert!(outcome.reached(), "{method}: {:?}", outcome.end);
     outcome
 }
+
+/// The largest error of a state relative to its size, or to one.
+pub fn error(state: &[f64], exact: &[f64]) -> f64 {
+    state.iter().zip(exact).map(|(y, e)| (y - e).abs() / (1.0 + e.abs())).fold(0.0, f64::max)
+}

@@ -93,6 +93,7 @@ pub fn reason(failure: &run::Failure) -> &'static str {
         Is::LeftTheNumbers { .. } => "left the numbers",
         Is::Stiff { .. } => "found it stiff",
         Is::Singular { .. } => "singular matrix",
+        Is::GoesBack { .. } => "goes back on what fades",
     }
 }
 

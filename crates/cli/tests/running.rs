@@ -101,6 +101,26 @@ fn a_run_that_stops_says_why_and_keeps_what_it_has() {
     assert!(table.lines().count() >= 2 && !table.contains("NaN") && !table.contains("inf"), "{table}");
 }
 
+/// A millisecond is five hundred times what the damper's currents last: going back by a twenty-fourth of it is too much.
+#[test]
+fn a_splitting_that_would_go_back_on_stiff_windings_says_which_step_it_takes() {
+    let output = run(&[
+        "run",
+        "scenes/stiff_damper.toml",
+        "--method",
+        "blanes_moan_4:500",
+        "--format",
+        "json",
+        "--samples",
+        "1",
+    ]);
+    assert_eq!(output.status.code(), Some(1));
+    let run = json(&output);
+    assert_eq!((&run["reached"], &run["time"]), (&Value::from(false), &Value::from(0.0)));
+    let parts = ["goes back at t = 0: by 0.042 of its 1.00e-3", "5.00e5 would grow by exp(21.0)", "at most 9.51e-5"];
+    assert!(run["stopped"].as_str().is_some_and(|why| parts.iter().all(|part| why.contains(part))), "{run}");
+}
+
 /// The field turns so fast that no step above rounding is short enough.
 #[test]
 fn a_step_that_collapses_ends_the_run_with_a_reason() {

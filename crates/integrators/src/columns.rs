@@ -3,7 +3,7 @@
 //! After Deuflhard (Numer. Math. 41, 1983; SIAM Review 27, 1985); Hairer, Norsett and Wanner I, II.9, and Hairer and
 //! Wanner II, IV.9. A row of the table is a run with n_j substeps; the error of row j is |T_{j,j} - T_{j,j-1}|, which
 //! goes with the power 2 j - 1 of the step, since the basic methods have expansions in squares; with 2 j - 2 where a last
-//! substep that damps leaves a square of the shortest step in every row.
+//! mean that damps leaves a square of the shortest step in every row.
 
 use crate::drive::{Attempt, Cause};
 
@@ -19,8 +19,8 @@ pub(crate) struct Columns {
     steps: Vec<f64>,
     efforts: Vec<f64>,
     after_rejection: bool,
-    /// Whether the rows end with a substep that damps. Then a step is given up at the last row only: the coarse rows of a stiff law say little of the fine ones: what
-    /// they fail to damp has vanished there.
+    /// Whether the rows end with a mean that damps. Then a step is given up at the last row only: the coarse rows of a
+    /// stiff law say little of the fine ones, where what they fail to damp has vanished.
     damped: bool,
 }
 
@@ -55,7 +55,7 @@ impl Columns {
         self.substeps[j - 1]
     }
 
-    /// The same for a method that ends with a substep that damps: waits for the last row before a step is given up.
+    /// The same for a method whose rows end with a mean that damps: waits for the last row before a step is given up.
     pub fn damped(self) -> Self {
         Columns { damped: true, ..self }
     }

@@ -12,12 +12,13 @@ pub(crate) enum Attempt {
 }
 
 /// Why a step was rejected: if no shorter one succeeds, why the run failed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Cause {
     Error,
     Newton,
     Singular,
     Undefined,
+    GoesBack { back: f64, rate: f64, most: f64 },
 }
 
 impl Cause {
@@ -27,6 +28,7 @@ impl Cause {
             Cause::Newton => Failure::NewtonFailed { at, step },
             Cause::Singular => Failure::Singular { at },
             Cause::Undefined => Failure::LeftTheNumbers { at },
+            Cause::GoesBack { back, rate, most } => Failure::GoesBack { at, step, back, rate, most },
         }
     }
 }

@@ -19,6 +19,9 @@ pub enum Failure {
     LeftTheNumbers { at: f64 },
     /// The method's own test found the problem stiff: an explicit method wastes its steps there.
     Stiff { at: f64 },
+    /// A step goes back by this share of itself, where what fades at this rate would grow too much; the longest step at
+    /// which it would not.
+    GoesBack { at: f64, step: f64, back: f64, rate: f64, most: f64 },
     /// The matrix of an implicit step is singular with every step tried.
     Singular { at: f64 },
 }
@@ -88,6 +91,15 @@ impl fmt::Display for Failure {
                 write!(
                     f,
                     "stiff at t = {}: an explicit method wastes its steps here, take an implicit one",
+                    Instant(*at)
+                )
+            }
+            Failure::GoesBack { at, step, back, rate, most } => {
+                let growth = rate * step * back;
+                write!(
+                    f,
+                    "the step goes back at t = {}: by {back:.3} of its {step:.2e}, where what fades at a rate of {rate:.2e} would \
+                     grow by exp({growth:.1}); a step of at most {most:.2e} is accepted, any with Strang's splitting",
                     Instant(*at)
                 )
             }

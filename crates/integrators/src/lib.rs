@@ -30,6 +30,8 @@
 
 mod adaptors;
 mod bader_deuflhard;
+#[cfg(test)]
+mod bell;
 mod classical;
 mod collocation;
 mod columns;

@@ -164,23 +164,8 @@ impl Stepper<f64> for Rodas4<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Ode, Span, System};
-    use field::{Over, Scalar};
-
-    /// y' = -2 t y^2 from y(0) = 1: y = 1 / (1 + t^2).
-    struct Bell;
-
-    impl<S: Over<f64> + Scalar> Ode<S> for Bell {
-        fn dimension(&self) -> usize {
-            1
-        }
-
-        fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
-            dy[0] = -(t + t) * y[0] * y[0];
-        }
-    }
-
-    impl System for Bell {}
+    use crate::Span;
+    use crate::bell::Bell;
 
     /// The error at t = 2 after so many equal steps.
     fn error(coefficients: Coefficients, steps: u32) -> f64 {

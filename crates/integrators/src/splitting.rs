@@ -12,7 +12,7 @@ pub trait Pieces<S> {
     /// What a piece wants to know of a length of time before it flows for it, again and again.
     type Lapse;
 
-    /// How many pieces there are. In compositions of orders 4 and 8 the first goes back least: friction belongs there.
+    /// How many pieces there are. The first goes back least: friction belongs there.
     fn pieces(&self) -> usize;
 
     /// From a state of the law.
@@ -23,6 +23,11 @@ pub trait Pieces<S> {
 
     /// What a piece wants to know of a length of time, which may be negative.
     fn lapse(&self, piece: usize, length: S) -> Self::Lapse;
+
+    /// The fastest rate at which anything fades in the first piece at a point; zero where nothing does.
+    fn fading(&self, _point: &Self::Point) -> f64 {
+        0.0
+    }
 
     /// Flows; false where no point is reached. Must not allocate.
     fn flow(&self, piece: usize, lapse: &Self::Lapse, point: &mut Self::Point) -> bool;
@@ -35,6 +40,9 @@ pub trait Composed<S> {
 
     /// Takes a state of the law.
     fn enter(&mut self, y: &[S]);
+
+    /// How fast anything fades in the first piece where the composition stands.
+    fn fading(&self) -> f64;
 
     /// One step; false where it leads nowhere.
     fn advance(&mut self) -> bool;
@@ -68,6 +76,10 @@ impl<S: Real, G: Pieces<S>> Composed<S> for Composition<S, G> {
         self.point = Some(self.pieces.enter(y));
     }
 
+    fn fading(&self) -> f64 {
+        self.point.as_ref().map_or(0.0, |point| self.pieces.fading(point))
+    }
+
     fn advance(&mut self) -> bool {
         let Some(point) = &mut self.point else { return false };
         self.flows.iter().all(|(piece, lapse)| self.pieces.flow(*piece, lapse, point))
@@ -80,11 +92,17 @@ impl<S: Real, G: Pieces<S>> Composed<S> for Composition<S, G> {
     }
 }
 
+/// The logarithm of how much what fades may grow where a step goes back. What is left of it acts like friction that is
+/// wrong by this factor; from exp(4) on it grows from step to step.
+const MOST_GROWTH: f64 = 2.0;
+
 /// The method with a constant step. It stays in the coordinates of the pieces from step to step, so that going there
 /// and back is no source of rounding.
 pub(crate) struct Split<'a, S> {
     composed: Box<dyn Composed<S> + 'a>,
     stages: u64,
+    /// By how much of a step the first piece goes back.
+    back: f64,
     fixed: S,
     /// What the composition is prepared for, and where it stands.
     step: Option<S>,
@@ -93,7 +111,18 @@ pub(crate) struct Split<'a, S> {
 
 impl<'a, S: Real> Split<'a, S> {
     pub fn new(composed: Box<dyn Composed<S> + 'a>, splitting: Splitting, fixed: S) -> Self {
-        Split { composed, stages: splitting.stages(), fixed, step: None, left: Vec::new() }
+        let (stages, back) = (splitting.stages(), splitting.goes_back());
+        Split { composed, stages, back, fixed, step: None, left: Vec::new() }
+    }
+
+    /// Why no step is taken where what fades would grow too much on the way back.
+    fn too_far_back(&self, step: f64) -> Option<Cause> {
+        if self.back == 0.0 {
+            return None;
+        }
+        let rate = self.composed.fading();
+        let most = MOST_GROWTH / (rate * self.back);
+        (step > most).then_some(Cause::GoesBack { back: self.back, rate, most })
     }
 }
 
@@ -110,6 +139,9 @@ impl<S: Real> Stepper<S> for Split<'_, S> {
         }
         if self.left != before {
             self.composed.enter(before);
+        }
+        if let Some(cause) = self.too_far_back(step.approx()) {
+            return failed(cause);
         }
         if !self.composed.advance() {
             return failed(Cause::Newton);

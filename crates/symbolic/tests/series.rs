@@ -104,3 +104,17 @@ fn more_quantities_than_columns_are_no_expansion() {
     let recurrence = record(&state, None, &parameters, &rates).unwrap();
     assert!(recurrence.expansion::<f64, 8, 16>(&[1.0; 3], 5).is_none());
 }
+
+/// (1 - 1) y is no coefficient with a y in it: symmetric bodies have such terms.
+#[test]
+fn what_cancels_is_no_coefficient() {
+    let [x, y] = symbols(["x", "y"]);
+    let (two, three) = (Sym::int(2), Sym::int(3));
+    let vanishes = x * three * y - y * three * x;
+    let rates = [vanishes * two + y, vanishes * vanishes - x];
+    let recurrence = record(&[x, y], None, &[], &rates).unwrap();
+    let mut series = recurrence.expansion::<f64, 8, 256>(&[], 4).unwrap();
+    series.expand(&[1.0, 0.0], 0.0);
+    // the cosine
+    assert_eq!([0, 1, 2, 3].map(|k| series.coefficients(k)[0]), [1.0, 0.0, -0.5, 0.0]);
+}

@@ -22,7 +22,10 @@
 
 use super::driven::Driven;
 use super::forms::Form;
-use crate::machines::{Kick, Law, Machine, Point as RotorPoint, RotorState, Rule, decay_quotient, kick, solved};
+use crate::machines::{
+    Kick, Law, Machine, Point as RotorPoint, RotorState, Rule, decay_quotient, fading_slip, fastest_current, kick,
+    solved,
+};
 use crate::separated::Separable;
 use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
@@ -205,6 +208,8 @@ pub struct GyrostatPieces<'a, S: Scalar, F, M> {
     flows: Flows<S>,
     law: Law,
     rule: Rule<S>,
+    /// The largest r_k.
+    fastest: S,
 }
 
 impl<S: Real, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPieces<'_, S, F, M> {
@@ -229,6 +234,14 @@ impl<S: Real, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPieces<'_, S,
         }
         let compliance = self.flows.compliance();
         Lapse::Push(Kick::new(self.machine, self.law, length, compliance, decay_quotient, self.rule))
+    }
+
+    fn fading(&self, point: &Point<S>) -> f64 {
+        if M::ROTOR == RotorState::Prescribed {
+            return 0.0;
+        }
+        let (_, slip) = self.flows.velocities(point);
+        self.fastest.approx().max(fading_slip(self.machine, self.flows.compliance(), slip).approx())
     }
 
     #[inline]
@@ -257,7 +270,14 @@ impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
         let Driven { form, machine, .. } = self;
         let known = M::ROTOR == RotorState::AngleAndSpeed || machine.windings() == 0;
         let flows = Flows::new(form, machine);
-        known.then(|| GyrostatPieces { form, machine, flows, law: Law::of(machine), rule: Rule::gauss() })
+        known.then(|| GyrostatPieces {
+            form,
+            machine,
+            flows,
+            law: Law::of(machine),
+            rule: Rule::gauss(),
+            fastest: fastest_current(machine),
+        })
     }
 }
 

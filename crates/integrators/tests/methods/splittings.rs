@@ -3,8 +3,8 @@
 use crate::problems::{Drive, Kepler, distance};
 use field::{DoubleDouble, Over};
 use integrators::{
-    Composed, End, Failure, Method, Ode, Pieces, Real, Refusal, Span, Splitting, System, Tolerance, Working, compose,
-    integrate, integrate_in,
+    Composed, End, Failure, Method, Ode, Pieces, Real, Record, Refusal, Span, Splitting, System, Tolerance, Working,
+    compose, integrate, integrate_in,
 };
 
 /// Kepler's problem in two pieces, the pull of the centre and the motion along straight lines; or in three, with the
@@ -117,4 +117,39 @@ fn a_system_without_pieces_is_refused_by_name() {
     let end = |method| integrate(&Drive, method, &Tolerance::both(1e-9), &span, &mut ()).end;
     assert_eq!(end(method(10)), End::Stopped(Failure::Refused(Refusal::NoPieces)));
     assert_eq!(end(method(0)), End::Stopped(Failure::Refused(Refusal::Steps { given: 0 })));
+}
+
+/// With chi_h = exp(h X_1 + h^2 X_2 + ..), its adjoint has the same odd X_q: a step has none of them below its order if the
+/// powers of its shares sum to zero, to the digits in which they are given.
+#[test]
+fn the_odd_powers_of_the_shares_below_the_order_sum_to_zero() {
+    for splitting in Splitting::ALL {
+        let shares = splitting.coefficients::<f64>();
+        for power in (3..splitting.order() as i32).step_by(2) {
+            let sum: f64 = shares.iter().map(|share| share.powi(power)).sum();
+            assert!(sum.abs() < 1e-14, "{splitting:?}, power {power}: {sum:e}");
+        }
+    }
+}
+
+#[test]
+fn the_piece_of_the_friction_goes_back_by_a_sixth_of_a_step_at_most() {
+    for splitting in Splitting::ALL {
+        assert!(splitting.goes_back() < 1.0 / 6.0, "{splitting:?}: {}", splitting.goes_back());
+    }
+}
+
+/// Outputs that no whole number of steps reaches change the length of the steps, and nothing else.
+#[test]
+fn steps_land_on_outputs_at_any_time() {
+    let law = Parted { kepler: Kepler { eccentricity: 0.3 }, pieces: 2 };
+    let span = Span::new(0.0, 5.0, &law.kepler.state::<f64>(0.0)).with_outputs(&[0.1, 1.7, 5.0]);
+    let method = Method::Split { splitting: Splitting::KahanLi8, steps: 160 };
+    let mut record = Record::new();
+    let outcome = integrate(&law, method, &Tolerance::both(1e-9), &span, &mut record);
+    assert!(outcome.reached(), "{:?}", outcome.end);
+    for (time, state) in record.times.iter().zip(&record.states) {
+        let error = distance(state, &law.kepler.state::<f64>(*time));
+        assert!(error < 1e-8, "at {time}: {error:e}");
+    }
 }

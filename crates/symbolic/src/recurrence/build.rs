@@ -99,8 +99,8 @@ impl<'a> Builder<'a> {
     }
 
     fn form(&mut self, each: Sym) -> Result<Form, Untapeable> {
-        // What is made of constants is a coefficient as it stands.
-        let fixed = each.node().children().all(|child| self.forms[&child].as_constant().is_some());
+        // What is made of constants is a coefficient as it stands; what has cancelled is none, whatever it is made of.
+        let fixed = each.node().children().all(|child| self.forms[&child].as_constant() == Some(child));
         Ok(match each.node() {
             Node::Constant(_) if each == Sym::UNDEFINED => return Err(Untapeable::Undefined),
             Node::Symbol(_) => return Err(Untapeable::Unbound(each.to_string())),

@@ -1,0 +1,42 @@
+//! What the tests ask: the verdict on a state, and its name.
+
+use field::{Over, Rational};
+use mechanics::constrained::State;
+use mechanics::constrained::contacts::Contacts;
+use mechanics::regimes::{Dry, Mode, Ordered, Sizes, Touch, Verdict, touches, verdict};
+
+pub fn q(numerator: i64, denominator: i64) -> Rational {
+    Rational::new(numerator, denominator)
+}
+
+/// What the contacts know of a state, under the system's own force.
+pub fn seen<Q, S, const N: usize, const C: usize, const K: usize>(
+    system: &Q,
+    at: &State<S, N>,
+) -> (Dry<S, K>, [Touch; K])
+where
+    Q: Contacts<N, C, K>,
+    S: Over<Q::Given> + Ordered,
+{
+    let dry = Dry::of(system, at, system.force(at)).expect("the constraints are independent");
+    (dry, touches(system, at, Sizes::of(at)).expect("the state is admitted"))
+}
+
+pub fn decide<Q, S, const N: usize, const C: usize, const K: usize>(system: &Q, at: &State<S, N>) -> Verdict<S, K>
+where
+    Q: Contacts<N, C, K>,
+    S: Over<Q::Given> + Ordered,
+{
+    let (dry, touches) = seen(system, at);
+    verdict(&dry, &touches)
+}
+
+pub fn name<S, const K: usize>(verdict: &Verdict<S, K>) -> (&'static str, Option<[Mode; K]>) {
+    match verdict {
+        Verdict::Unique(found) => ("unique", Some(found.regime)),
+        Verdict::None => ("none", None),
+        Verdict::Several(a, _) => ("several", Some(a.regime)),
+        Verdict::Continuum(found) => ("continuum", Some(found.regime)),
+        Verdict::Undefined => ("undefined", None),
+    }
+}
