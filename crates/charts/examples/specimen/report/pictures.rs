@@ -46,7 +46,7 @@ fn branch(name: &str, side: f64, valued: bool) -> Curve {
         let value = 12.0 * side * (2.0 * longitude).sin() + 0.4 / (0.02 + (longitude - 2.0).powi(2)).sqrt();
         CurvePoint { at, value: valued.then_some(value) }
     };
-    Curve { name: name.into(), points: (0..=900).map(point).collect() }
+    Curve { name: name.into(), points: (0..=900).map(point).collect(), ..Curve::default() }
 }
 
 /// Two kinds on either side of a parabola.
