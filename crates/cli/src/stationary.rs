@@ -2,9 +2,10 @@
 
 use crate::arguments::{Format, Stationary as Asked};
 use crate::ending::{Ending, print};
+use crate::run::with_model;
 use derivations::scene::{Family, Scene};
 use derivations::stationary::energies::Kept;
-use derivations::stationary::motions::{Answer, Certificate, Found, Stationary};
+use derivations::stationary::motions::{Answer, Certificate, Found, NoAnswer, Stationary};
 use derivations::stationary::motor::{Angle, Motor};
 use mechanics::uniform::{Census, Kind, Shape, Undecided};
 use serde_json::{Value, json};
@@ -12,11 +13,8 @@ use std::fmt::Write;
 
 /// Prints them.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
-    let mut scene = Scene::open(&asked.scene)?;
-    if let Some(model) = &asked.model {
-        scene = scene.with_model(model).map_err(Ending::refused)?;
-    }
-    let refused = |reason| Ending::refused(format!("{}: {reason}", asked.scene.display()));
+    let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
+    let refused = |reason: NoAnswer| Ending::refused(format!("{}: {reason}", asked.scene.display()));
     let all = Stationary::of(&scene).map_err(refused)?;
     if asked.cone {
         let census = all.census();
@@ -60,7 +58,7 @@ fn text(scene: &Scene, all: &Stationary<'_>, given: Given, answers: &[Answer]) -
         if !answer.found.is_empty() {
             let head = ["v1", "v2", "v3", "w0, rad/s", "phi', rad/s", "x.v, N m s", "residual"];
             let head = head.map(|name| format!("{name:>13}")).concat();
-            let _ = writeln!(out, "  {:<12}{head}", "W");
+            let _ = writeln!(out, "  W           {head}");
         }
         for (place, found) in answer.found.iter().enumerate() {
             out += &line(place + 1, found);

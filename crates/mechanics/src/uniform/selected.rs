@@ -70,7 +70,7 @@ struct Case {
     ratio: Vec<Polynomial>,
 }
 
-const BITS: [usize; 6] = [256, 512, 1024, 2048, 4096, 8192];
+const BITS: [usize; 7] = [160, 320, 640, 1280, 2560, 5120, 8192];
 
 impl Body {
     /// All uniform rotations with the angular momentum p about the vertical, N m s. `None` where that is undefined.
@@ -167,7 +167,9 @@ impl Selected {
         }
         let roots = rest.real_roots();
         (self.degree, self.roots) = (rest.degree().unwrap_or(0), roots.len());
-        for x in roots {
+        for mut x in roots {
+            // once for all that is asked of it
+            x.refine(BITS[0]);
             match case.ratio.get(1) {
                 Some(slope) if x.sign_of(slope) != 0 => self.motions.push(Turning::regular(case, x)),
                 _ => self.undecided.push(Undecided::Several),

@@ -103,6 +103,26 @@ impl Enclosure {
         width.to_f64().value().next_up()
     }
 
+    /// The same interval in finer multiples.
+    pub(super) fn finer(self, bits: usize) -> Self {
+        let more = bits.saturating_sub(self.bits);
+        Enclosure { low: self.low << more, high: self.high << more, bits: self.bits + more }
+    }
+
+    /// The two cells of width 2^-bits in which its middle most probably lies: with it, and next to it on the nearer side.
+    pub(super) fn cells(&self, bits: usize) -> [IBig; 2] {
+        let doubled = &self.low + &self.high;
+        let halves = match (self.bits).checked_sub(bits) {
+            Some(down) => doubled >> down,
+            None => doubled << (bits - self.bits),
+        };
+        // doubled middle / 2: the lowest bit tells the side
+        let cell = &halves >> 1;
+        let upper = &halves - (&cell << 1) == IBig::ONE;
+        let beside = if upper { &cell + IBig::ONE } else { &cell - IBig::ONE };
+        [cell, beside]
+    }
+
     /// Both at the coarser of their finenesses.
     fn level(&self, other: &Self) -> (Self, Self) {
         let bits = self.bits.min(other.bits);

@@ -149,8 +149,35 @@ impl Root {
     /// Halves the interval until it is no wider than 2^-bits.
     pub fn refine(&mut self, bits: usize) {
         while !self.exact && self.scale < bits as isize {
-            self.halve();
+            if !self.leap(bits) {
+                self.halve();
+            }
         }
+    }
+
+    /// Goes to where Newton's method points, with about twice the bits, if the signs at both ends of that interval say that
+    /// the root is in it: whatever the guess was worth, the signs are exact.
+    fn leap(&mut self, most: usize) -> bool {
+        let Ok(scale) = usize::try_from(self.scale) else { return false };
+        let work = 2 * scale.max(16) + 64;
+        let middle = (&self.at << 1) + IBig::ONE;
+        let middle = Enclosure::new(middle.clone(), middle, scale + 1).finer(work);
+        let value = self.polynomial.enclosure(&middle, work);
+        let slope = self.polynomial.derivative().enclosure(&middle, work);
+        let Some(step) = value.over(&slope) else { return false };
+        let guess = &middle - &step;
+        let bits = (2 * scale).max(scale + 4).min(most.max(scale + 1));
+        for at in guess.cells(bits) {
+            let low = sign_at(&self.polynomial, &at, bits as isize);
+            let high = sign_at(&self.polynomial, &(&at + IBig::ONE), bits as isize);
+            let shift = bits - scale;
+            let inside = (&at >> shift) == self.at;
+            if inside && low == self.below && high == -self.below {
+                (self.at, self.scale) = (at, bits as isize);
+                return true;
+            }
+        }
+        false
     }
 
     fn halve(&mut self) {
