@@ -94,7 +94,8 @@ impl Enclosure {
     /// Both ends as floats, rounded outwards.
     pub fn ends(&self) -> [f64; 2] {
         let float = |n: &IBig| dashu_ratio::RBig::from_parts_signed(n.clone(), IBig::ONE << self.bits).to_f64().value();
-        [float(&self.low).next_down(), float(&self.high).next_up()]
+        let outwards = |n: &IBig, step: fn(f64) -> f64| if *n == IBig::ZERO { 0.0 } else { step(float(n)) };
+        [outwards(&self.low, f64::next_down), outwards(&self.high, f64::next_up)]
     }
 
     /// Half of the width, as a float that is not too small.
