@@ -155,7 +155,7 @@ fn study(found: &[(Case, Vec<&str>)]) -> Study {
     let tables = found.iter().filter_map(|(case, _)| table(case)).collect();
     let run = found.first().map(|(case, _)| along(case));
     Study {
-        id: "stationary".into(),
+        id: "stationary-cone".into(),
         title: "All stationary motions".into(),
         lead: "For a given angular velocity the stationary directions are the real roots of one polynomial; for every \
                angular velocity their number is known, because the angular velocities at which two of them merge are roots \
