@@ -177,16 +177,15 @@ fn along(case: &Case) -> charts::Trajectory {
         v.component_mul(&conditions.moments).dot(v) * w + conditions.spin * conditions.axis.dot(v)
     };
     let panel = |y: &str, value: &dyn Fn(&Vector3<f64>, f64) -> f64| {
-        let mut series: Vec<Track> = Vec::new();
-        for branch in case.branches.iter().filter(|branch| branch.kind.is_some()) {
-            let (_, name) = class(branch);
-            let points = branch.points.iter().filter(|(_, w)| w.abs() <= reach).map(|(v, w)| (*w, value(v, *w)));
-            let at = series.iter().position(|track| track.name == name).unwrap_or_else(|| {
-                series.push(Track { name: name.to_owned(), ..Track::default() });
-                series.len() - 1
-            });
-            series[at].points.extend(points.chain([(f64::NAN, f64::NAN)]));
-        }
+        // in the order of the classes, so that they look as on the sphere
+        let mut branches: Vec<&Branch> = case.branches.iter().filter(|branch| branch.kind.is_some()).collect();
+        branches.sort_by_key(|branch| class(branch).0);
+        let track = |branch: &&Branch| Track {
+            name: class(branch).1.to_owned(),
+            points: branch.points.iter().filter(|(_, w)| w.abs() <= reach).map(|(v, w)| (*w, value(v, *w))).collect(),
+            stopped: None,
+        };
+        let series = branches.iter().map(track).filter(|track| !track.points.is_empty()).collect();
         Panel { y: y.to_owned(), series }
     };
     charts::Trajectory {
