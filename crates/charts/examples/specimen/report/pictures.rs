@@ -25,6 +25,7 @@ pub fn spheres() -> Vec<Sphere> {
         ],
         view: (35.0, 24.0),
         note: "Both half-axes of a direction are shown where both are axes of rotation.".into(),
+        ..Sphere::default()
     };
     let plain = Sphere {
         title: "The same without weight, $\\Gamma = 0$".into(),

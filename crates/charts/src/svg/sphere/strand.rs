@@ -96,7 +96,7 @@ pub(super) fn curve(curve: &Curve, look: Look, length: Option<f64>) -> (Vec<Stra
     for point in &curve.points {
         let at = match length {
             None => unit(point.at),
-            Some(length) => Some(point.at.map(|x| x / length)).filter(|at| is_near(at)),
+            Some(length) => Some(point.at.map(|x| x / length)).filter(is_near),
         };
         let Some(at) = at else {
             lost += usize::from(length.is_none() || point.at.iter().any(|x| !x.is_finite()));
