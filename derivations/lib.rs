@@ -19,6 +19,7 @@
 //! * [`governors`]: stability and series of the friction governors, for pictures;
 //! * [`regimes`]: when motion with friction is determined, as a page of claims;
 //! * [`stabilisation`]: stabilised constraints in steps, as a page of claims;
+//! * [`stationary`]: all stationary motions of a gyrostat with any motor, exactly.
 
 pub mod alphabet;
 pub mod closed_forms;
@@ -37,4 +38,5 @@ pub mod regimes;
 pub mod scene;
 pub mod separated;
 pub mod stabilisation;
+pub mod stationary;
 pub mod systems;

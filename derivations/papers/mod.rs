@@ -31,6 +31,7 @@ pub const ALL: &[Paper] = &[
     crate::principles::PAPER,
     crate::regimes::PAPER,
     crate::stabilisation::PAPER,
+    crate::stationary::PAPER,
 ];
 
 /// Every paper's page, made in the calling thread.

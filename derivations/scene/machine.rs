@@ -61,6 +61,27 @@ impl MachineData {
             .unwrap_or_else(|| Err(NoModel::Unknown { name: model.to_owned() }))
     }
 
+    /// A parameter of a model in SI units.
+    ///
+    /// # Errors
+    /// [`NoModel::Missing`].
+    pub fn number(&self, model: &str, quantity: &'static Quantity) -> Result<f64, NoModel> {
+        let Quantity { name, unit, meaning, .. } = *quantity;
+        let kept = if name == "speed" { self.synchronous_speed } else { None };
+        let missing = || NoModel::Missing { model: model.to_owned(), datum: name, meaning, unit };
+        let given = self.numbers.iter().find(|(given, _)| given.name == name).map(|(_, value)| *value);
+        given.or(kept).ok_or_else(missing)
+    }
+
+    /// A count of a model.
+    ///
+    /// # Errors
+    /// [`NoModel::Missing`].
+    pub fn count(&self, model: &str, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
+        let missing = || NoModel::Missing { model: model.to_owned(), datum: name, meaning, unit: "1" };
+        self.counts.iter().find(|(given, ..)| *given == name).map(|(.., count)| *count).ok_or_else(missing)
+    }
+
     /// The machines that can be made of these data.
     pub fn ladder(&self) -> Vec<&'static str> {
         AnyMachine::LIST.iter().map(|(name, _)| *name).filter(|name| self.machine(name).is_ok()).collect()
@@ -98,16 +119,11 @@ impl Source for FromData<'_> {
     type Error = NoModel;
 
     fn quantity(&mut self, quantity: &'static Quantity) -> Result<f64, NoModel> {
-        let Quantity { name, unit, meaning, .. } = *quantity;
-        let kept = if name == "speed" { self.data.synchronous_speed } else { None };
-        let missing = || NoModel::Missing { model: self.model.to_owned(), datum: name, meaning, unit };
-        let given = self.data.numbers.iter().find(|(given, _)| given.name == name).map(|(_, value)| *value);
-        given.or(kept).ok_or_else(missing)
+        self.data.number(self.model, quantity)
     }
 
     fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
-        let missing = || NoModel::Missing { model: self.model.to_owned(), datum: name, meaning, unit: "1" };
-        self.data.counts.iter().find(|(given, ..)| *given == name).map(|(.., count)| *count).ok_or_else(missing)
+        self.data.count(self.model, name, meaning)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The ways in which a theorem is decided.
 
-use crate::univariate::Univariate;
+use crate::univariate::{polynomial, vanish_at_zero_alone};
 use crate::{Condition, Point, Theorem, Verdict};
 use num_traits::{One, Zero};
 use symbolic::{Decision, Sym, coefficients, decide, normal};
@@ -111,13 +111,11 @@ impl Theorem {
         if let Some(condition) = self.given.iter().filter(free).find(|c| c.holds_at(at) != Some(true)) {
             return (Verdict::Undecided, format!("the counterexample does not satisfy {condition}"));
         }
-        let polynomials: Option<Vec<Univariate>> =
-            self.then.iter().map(|c| Univariate::of(at.restrict(c.expression(), unknown), unknown)).collect();
-        match polynomials.map(Univariate::common_divisor) {
-            Some(divisor) if divisor.has_no_root_but_zero() => {
-                (Verdict::Refuted, format!("no {unknown} other than zero satisfies the conclusion there"))
-            }
-            Some(_) => (Verdict::Undecided, format!("some {unknown} satisfies the conclusion there")),
+        let polynomials: Option<Vec<_>> =
+            self.then.iter().map(|c| polynomial(at.restrict(c.expression(), unknown), unknown)).collect();
+        match polynomials.map(vanish_at_zero_alone) {
+            Some(true) => (Verdict::Refuted, format!("no {unknown} other than zero satisfies the conclusion there")),
+            Some(false) => (Verdict::Undecided, format!("some {unknown} satisfies the conclusion there")),
             None => (Verdict::Undecided, "the conclusion is no polynomial there".into()),
         }
     }

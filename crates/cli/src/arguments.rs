@@ -49,6 +49,8 @@ pub enum Command {
     Derive(Derive),
     /// What the bodies of a scene come to: both inertia tensors, principal axes, centre of mass, weight
     Bodies(Bodies),
+    /// All stationary motions of a scene's gyrostat with its motor, and why none is missing
+    Stationary(Stationary),
     /// Every consistent regime of a scene with rough contacts at its start, with all margins
     Regimes {
         /// The scene, a TOML file; the folder `scenes/friction` holds examples
@@ -84,6 +86,29 @@ pub struct Bodies {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Which stationary motions are to be found.
+#[derive(Args, Debug)]
+pub struct Stationary {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Those with this angular velocity about the vertical, rad/s
+    #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true, conflicts_with_all = ["momentum", "cone"])]
+    pub omega0: Option<f64>,
+    /// Those with this angular momentum about the vertical, N m s; without any of the three, that of the scene's start
+    #[arg(long, value_name = "P", value_parser = finite, allow_negative_numbers = true, conflicts_with = "cone")]
+    pub momentum: Option<f64>,
+    /// How many there are for every angular velocity, and where two merge
+    #[arg(long)]
+    pub cone: bool,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
     /// How to print them
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -239,6 +264,13 @@ pub enum Format {
 
 fn method(text: &str) -> Result<Method, String> {
     methods::method(text).map_err(|(_, accepted)| accepted)
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|value: &f64| value.is_finite())
+        .ok_or_else(|| "a finite number such as 6.5 is accepted".to_owned())
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

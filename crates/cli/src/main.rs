@@ -2,7 +2,8 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * `report`, `ledger`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `chart`, `reference`, `scenes`: one file for each command;
+//! * `report`, `ledger`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `chart`, `reference`, `scenes`: one file
+//!   for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`crew`]: work shared among the processors;
@@ -27,6 +28,7 @@ mod rough;
 mod run;
 mod scenes;
 mod sphere;
+mod stationary;
 mod studies;
 mod summary;
 mod timings;
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
         Some(Command::Ledger(asked)) => ledger::list(&asked),
         Some(Command::Derive(asked)) => derive::derive(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
+        Some(Command::Stationary(asked)) => stationary::show(&asked),
         Some(Command::Regimes { scene }) => regimes::show(&scene),
         Some(Command::Scenes { folder }) => scenes::list(&folder),
     };

@@ -1,87 +1,221 @@
-//! The picture of the axes of permanent rotation on the unit sphere.
+//! The pictures of all stationary motions: the cone on the unit sphere, the directrix in space, the angular velocity along
+//! both.
 
-use charts::{Curve, CurvePoint, Mark, Sphere, significant};
-use derivations::machines::{AnyMachine, Catalogued, ForMachine};
+use charts::{Curve, CurvePoint, Mark, Panel, Sphere, Study, Table, Track, significant};
 use derivations::scene::{Scene, System};
+use derivations::stationary::branches::{Branch, Form};
+use derivations::stationary::energies::Kept;
+use derivations::stationary::motions::Stationary as All;
 use derivations::systems::gyrostat::stationary::Stationary;
+use mechanics::uniform::{Census, Kind};
 use nalgebra::Vector3;
 
-/// Angular velocities beyond this multiple of the rotor's relative speed are left without colour: they grow without
-/// bound where the denominator of the formula vanishes.
-const FASTEST: f64 = 2.0;
 /// Moments below this share of the larger one are rounding.
 const ROUNDING: f64 = 1e-9;
+/// Points closer together than this, as a share of the picture, are not drawn.
+const NEAR: f64 = 0.012;
+/// The first point of view.
+const VIEW: (f64, f64) = (35.0, 25.0);
 
-/// One picture for each gyrostat and speed of its rotor: scenes that share these share the picture.
-pub fn all<'a>(scenes: impl Iterator<Item = &'a Scene>) -> Vec<Sphere> {
+/// Gyrostats with a speed of their rotor: scenes that share these share the pictures.
+pub fn all<'a>(scenes: impl Iterator<Item = &'a Scene>) -> (Vec<Sphere>, Option<Study>) {
     let mut found: Vec<(Case, Vec<&str>)> = Vec::new();
     for scene in scenes {
-        let Some(case) = case(scene) else { continue };
-        match found.iter_mut().find(|(known, _)| known.conditions == case.conditions) {
-            Some((_, titles)) => titles.push(&scene.title),
-            None => found.push((case, vec![&scene.title])),
+        for case in cases(scene) {
+            match found.iter_mut().find(|(known, _)| known.conditions == case.conditions) {
+                Some((_, titles)) => titles.push(&scene.title),
+                None => found.push((case, vec![&scene.title])),
+            }
         }
     }
-    found.iter().map(|(case, titles)| sphere(case, titles)).collect()
+    let spheres = found.iter().flat_map(|(case, titles)| [cone(case, titles), directrix(case)]).collect();
+    let study = (!found.is_empty()).then(|| study(&found));
+    (spheres, study)
 }
 
 /// Where a gyrostat may turn for ever, and what it is.
 struct Case {
     conditions: Stationary<f64>,
-    /// The rotor's relative speed, rad/s.
+    /// What the rotor keeps: its relative speed, rad/s.
     speed: f64,
     /// D = det A / det A*
     singularity: f64,
+    branches: Vec<Branch>,
+    census: Option<Census>,
 }
 
-/// `None` where there is no line to draw: no gyrostat, no weight, or a machine that does not prescribe the speed of its
-/// field.
-fn case(scene: &Scene) -> Option<Case> {
-    let System::Gyrostat(bodies) = &scene.system else { return None };
-    let speed = field_speed(&scene.machine)?;
-    let derived = bodies.derived();
-    let principal = derived.full;
-    let own = bodies.in_axes(&principal.axes);
-    let spin = own.rotor.axial * speed;
-    let weight = own.weight();
-    if spin == 0.0 || weight.norm() == 0.0 {
-        return None;
+/// One for each stationary relative speed of the rotor; none for a free rotor, which has one for each of its momenta, and
+/// none where every direction is one.
+fn cases(scene: &Scene) -> Vec<Case> {
+    let System::Gyrostat(bodies) = &scene.system else { return Vec::new() };
+    let Ok(all) = All::of(scene) else { return Vec::new() };
+    if all.kept == Kept::Momentum {
+        return Vec::new();
     }
-    let conditions = Stationary { moments: principal.moments, axis: own.rotor.axis, spin, weight };
-    Some(Case { conditions, speed, singularity: derived.singularity })
+    let derived = bodies.derived();
+    let own = bodies.in_axes(&derived.full.axes);
+    let census = all.census();
+    let of_case = |(case, census): (&derivations::stationary::motions::Case, Option<Census>)| {
+        let speed = case.value.to_f64();
+        let (spin, weight) = (own.rotor.axial * speed, own.weight());
+        let conditions = Stationary { moments: derived.full.moments, axis: own.rotor.axis, spin, weight };
+        let form = Form { moments: conditions.moments, spin: conditions.axis * spin, weight };
+        let folds: Vec<f64> = census.iter().flat_map(|census| &census.stretches).map(|stretch| stretch.to).collect();
+        let folds: Vec<f64> = folds.into_iter().filter(|w| w.is_finite()).collect();
+        let branches = form.branches(&folds);
+        Case { conditions, speed, singularity: derived.singularity, branches, census }
+    };
+    let censuses = census.into_iter().map(Result::ok);
+    let cases = all.cases.iter().zip(censuses).map(of_case);
+    cases.filter(|case| case.conditions.weight.norm() > 0.0).collect()
 }
 
-fn sphere(case: &Case, titles: &[&str]) -> Sphere {
+/// How branches are told apart: by the kind of the critical point of W. What tells them apart by another property, such as
+/// stability, is a function of this shape.
+fn class(branch: &Branch) -> (usize, &'static str) {
+    match branch.kind {
+        Some(Kind::Minimum) => (0, "minima of W"),
+        Some(Kind::Saddle) => (1, "saddles of W"),
+        Some(Kind::Maximum) => (2, "maxima of W"),
+        Some(Kind::Degenerate) => (3, "merging"),
+        None => (4, "no rotation: its square would be negative"),
+    }
+}
+
+/// A branch as a curve of points in space with the angular velocity as value, thinned.
+fn curve(branch: &Branch, size: f64, place: impl Fn(&Vector3<f64>, f64) -> Vector3<f64>) -> Curve {
+    let (class, name) = class(branch);
+    let mut points: Vec<CurvePoint> = Vec::new();
+    let last = branch.points.len().saturating_sub(1);
+    for (k, (v, w)) in branch.points.iter().enumerate() {
+        let at = place(v, *w);
+        let near = |known: &CurvePoint| (Vector3::from(known.at) - at).norm() < NEAR * size;
+        if k == last || !points.last().is_some_and(near) {
+            points.push(CurvePoint { at: at.into(), value: Some(*w) });
+        }
+    }
+    Curve { name: name.to_owned(), class: Some(class), points }
+}
+
+fn cone(case: &Case, titles: &[&str]) -> Sphere {
     let (conditions, speed) = (&case.conditions, case.speed);
-    let coloured = |value: &f64| value.abs() <= FASTEST * speed.abs();
-    let curves = conditions.spherical_line().into_iter().map(|piece| Curve {
-        name: format!("faster than {} rad/s, without bound", significant(FASTEST * speed.abs(), 3)),
-        points: piece
-            .into_iter()
-            .map(|point| CurvePoint { at: point.direction.into(), value: point.speed.filter(coloured) })
-            .collect(),
-    });
     let marks = idle(conditions).into_iter().chain(named(conditions)).collect();
     Sphere {
-        title: format!("Axes of permanent rotation, the rotor at {} rad/s", significant(speed, 4)),
-        description: "Each point of the line is a direction in the carrier, in the principal axes of $A^*$, that can \
+        title: format!("The cone of all axes of rotation, the rotor at {} rad/s", significant(speed, 4)),
+        description: "Each point of the lines is a direction in the carrier, in the principal axes of $A^*$, that can \
                       point straight down while the carrier turns about it for ever and the rotor keeps its relative \
-                      speed: the spherical line (7.11). The colour is the angular velocity $\\omega^0$ of (7.10), the \
-                      only one that goes with the direction. At $e$ and $-e$ the carrier rests."
+                      speed: (7.11), branch by branch over the angular velocity, so that none is missed. Point at a line \
+                      to read $\\omega^0$. The colour is the kind of the critical point of \
+                      $W=\\frac12\\omega^{0\\,2}\\nu\\cdot A^*\\nu+A'\\Omega\\omega^0l\\cdot\\nu+\\Gamma e\\cdot\\nu$; \
+                      kinds meet where two motions merge. At $e$ and $-e$ the carrier rests; to the principal directions \
+                      the lines tend as $\\omega^0\\to\\pm\\infty$."
             .to_owned(),
         facts: facts(case),
         value: "angular velocity of the carrier, rad/s".to_owned(),
         axes: ["\u{3be}₁".into(), "\u{3be}₂".into(), "\u{3be}₃".into()],
-        curves: curves.collect(),
+        curves: case.branches.iter().map(|branch| curve(branch, 1.0, |v, _| *v)).collect(),
         marks,
-        view: (35.0, 25.0),
+        view: VIEW,
         note: format!("The gyrostat of: {}.", titles.join("; ")),
+        ..Sphere::default()
     }
+}
+
+fn directrix(case: &Case) -> Sphere {
+    let length = reach(case);
+    let real = case.branches.iter().filter(|branch| branch.kind.is_some());
+    Sphere {
+        title: format!("The directrix, the rotor at {} rad/s", significant(case.speed, 4)),
+        description: format!(
+            "The ends of the angular velocities $\\omega^0\\nu$ in the carrier, in the principal axes of $A^*$. The sphere \
+             has the radius {} rad/s. The curve passes through the centre, where the carrier rests, and goes to infinity \
+             along the principal axes.",
+            significant(length, 3)
+        ),
+        value: "angular velocity of the carrier, rad/s".to_owned(),
+        axes: ["\u{3be}₁".into(), "\u{3be}₂".into(), "\u{3be}₃".into()],
+        length: Some(length),
+        curves: real.map(|branch| curve(branch, length, |v, w| v * w)).collect(),
+        view: VIEW,
+        ..Sphere::default()
+    }
+}
+
+/// An angular velocity beyond which nothing happens any more: past the last fold.
+fn reach(case: &Case) -> f64 {
+    let stretches = case.census.iter().flat_map(|census| &census.stretches);
+    let last = stretches.map(|stretch| stretch.to.abs()).filter(|w| w.is_finite()).fold(0.0, f64::max);
+    let size = case.conditions.moments.max();
+    let usual = (case.conditions.weight.norm() / size).sqrt() + case.conditions.spin.abs() / size;
+    if last > 0.0 { 1.4 * last } else { 3.0 * usual }
+}
+
+/// The angular velocity along the cone, and the number of motions for each.
+fn study(found: &[(Case, Vec<&str>)]) -> Study {
+    let tables = found.iter().filter_map(|(case, _)| table(case)).collect();
+    let run = found.first().map(|(case, _)| along(case));
+    Study {
+        id: "stationary-cone".into(),
+        title: "All stationary motions".into(),
+        lead: "For a given angular velocity the stationary directions are the real roots of one polynomial; for every \
+               angular velocity their number is known, because the angular velocities at which two of them merge are roots \
+               of a polynomial too. All are isolated exactly; `dalembert stationary` lists them for any scene, with its \
+               certificate."
+            .replace('`', ""),
+        run,
+        tables,
+        ..Study::default()
+    }
+}
+
+/// For each branch: how far the vertical is from the centre of mass, and the vertical momentum, over the angular velocity.
+fn along(case: &Case) -> charts::Trajectory {
+    let (conditions, reach) = (&case.conditions, reach(case));
+    let down = conditions.weight.normalize();
+    let angle = |v: &Vector3<f64>, _: f64| v.dot(&down).clamp(-1.0, 1.0).acos().to_degrees();
+    let momentum = |v: &Vector3<f64>, w: f64| {
+        v.component_mul(&conditions.moments).dot(v) * w + conditions.spin * conditions.axis.dot(v)
+    };
+    let panel = |y: &str, value: &dyn Fn(&Vector3<f64>, f64) -> f64| {
+        // in the order of the classes, so that they look as on the sphere
+        let mut branches: Vec<&Branch> = case.branches.iter().filter(|branch| branch.kind.is_some()).collect();
+        branches.sort_by_key(|branch| class(branch).0);
+        let track = |branch: &&Branch| Track {
+            name: class(branch).1.to_owned(),
+            points: branch.points.iter().filter(|(_, w)| w.abs() <= reach).map(|(v, w)| (*w, value(v, *w))).collect(),
+            stopped: None,
+        };
+        let series = branches.iter().map(track).filter(|track| !track.points.is_empty()).collect();
+        Panel { y: y.to_owned(), series }
+    };
+    charts::Trajectory {
+        title: format!("The angular velocity along the cone, the rotor at {} rad/s", significant(case.speed, 4)),
+        x: "angular velocity of the carrier, rad/s".into(),
+        panels: vec![panel("angle from e, degrees", &angle), panel("vertical momentum, N m s", &momentum)],
+        note: "A vertical line meets the upper curves in all stationary motions with that angular velocity; a horizontal one \
+               meets the lower curves in all with that momentum, which every motor conserves."
+            .into(),
+    }
+}
+
+fn table(case: &Case) -> Option<Table> {
+    let census = case.census.as_ref()?;
+    let bound =
+        |w: f64| if w.is_finite() { significant(w, 6) } else { (if w < 0.0 { "−∞" } else { "∞" }).to_owned() };
+    let rows = census.stretches.iter().map(|stretch| {
+        let families = if stretch.families > 0 { format!(" and {} families", stretch.families) } else { String::new() };
+        vec![bound(stretch.from), bound(stretch.to), format!("{}{families}", stretch.isolated)]
+    });
+    Some(Table {
+        caption: format!("How many stationary motions, the rotor at {} rad/s", significant(case.speed, 4)),
+        head: ["from, rad/s", "to, rad/s", "motions"].map(String::from).into(),
+        rows: rows.collect(),
+    })
 }
 
 /// What carrier and rotor come to, in the principal axes of A*.
 fn facts(case: &Case) -> Vec<(String, String)> {
-    let Case { conditions, speed, singularity } = case;
+    let Case { conditions, speed, singularity, .. } = case;
     let numbers = |v: Vector3<f64>| v.iter().map(|x| significant(*x, 3)).collect::<Vec<_>>().join(", ");
     let weight = conditions.weight;
     let facts = [
@@ -135,18 +269,6 @@ fn turns_about(conditions: &Stationary<f64>, direction: Vector3<f64>) -> bool {
         return true;
     }
     a > ROUNDING * conditions.spin.abs() && slope.cross(&still).norm() <= ROUNDING * a * b
-}
-
-/// The speed that a motor keeps in step, if it is one that does.
-fn field_speed(machine: &AnyMachine) -> Option<f64> {
-    struct Speed;
-    impl ForMachine for Speed {
-        type Output = f64;
-        fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> f64 {
-            machine.frame_speed()
-        }
-    }
-    Some(machine.clone().apply(Speed)).filter(|speed| *speed != 0.0)
 }
 
 #[cfg(test)]

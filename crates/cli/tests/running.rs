@@ -384,3 +384,37 @@ fn a_mechanism_has_no_machine() {
 fn a_chart_of_a_rough_scene() {
     refused("a_chart_of_a_rough_scene", &["chart", "scenes/friction/jam.toml"]);
 }
+
+#[test]
+fn stationary_motions_come_with_their_certificates() {
+    let output = run(&["stationary", "scenes/spin_up.toml", "--omega0", "40", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let all = json(&output);
+    let case = &all["cases"][0];
+    let (motions, certificate) = (case["motions"].as_array().expect("a list"), &case["certificate"]);
+    assert_eq!(
+        (case["complete"].as_bool(), certificate["real_roots"].as_u64()),
+        (Some(true), Some(motions.len() as u64))
+    );
+    assert_eq!(
+        (certificate["by_sturm"].clone(), certificate["morse"].as_i64()),
+        (certificate["real_roots"].clone(), Some(2))
+    );
+    assert_eq!(all["motor"]["angles"].as_array().map(Vec::len), Some(2));
+    for motion in motions {
+        for (value, ends) in motion["direction"].as_array().unwrap().iter().zip(motion["box"].as_array().unwrap()) {
+            let (value, low, high) = (value.as_f64(), ends[0].as_f64(), ends[1].as_f64());
+            assert!(low <= value && value <= high);
+        }
+    }
+    let cone = json(&run(&["stationary", "scenes/spin_up.toml", "--cone", "--format", "json"]));
+    assert_eq!(cone["cone"][0]["complete"], true);
+}
+
+#[test]
+fn stationary_motions_of_what_has_none_are_refused() {
+    refused("stationary_bench", &["stationary", "scenes/bench.toml"]);
+    refused("stationary_ladder", &["stationary", "scenes/friction/painleve.toml"]);
+    refused("stationary_speed", &["stationary", "scenes/spin_up.toml", "--omega0", "fast"]);
+    refused("stationary_infinite", &["stationary", "scenes/spin_up.toml", "--momentum", "inf"]);
+}

@@ -43,6 +43,27 @@ impl Rational {
         RBig::try_from(value).map_or(Self::UNDEFINED, Self::from)
     }
 
+    /// The decimal with the fewest digits that reads as this float: what a person wrote, 1/10 and not the binary fraction
+    /// next to it. Undefined for infinities and NaN.
+    pub fn decimal(value: f64) -> Self {
+        if !value.is_finite() {
+            return Self::UNDEFINED;
+        }
+        let text = format!("{value:e}");
+        let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        let places = digits.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+        let (Ok(whole), Ok(exponent)) = (digits.replace('.', "").parse::<IBig>(), exponent.parse::<i64>()) else {
+            return Self::UNDEFINED;
+        };
+        let shift = exponent - places as i64;
+        // a float has no more than a few hundred places
+        let power = UBig::from(10u8).pow(shift.unsigned_abs() as usize);
+        match shift < 0 {
+            true => Self::from(RBig::from_parts(whole, power)),
+            false => Self::from(RBig::from(whole * IBig::from(power))),
+        }
+    }
+
     /// Whether no division by zero led here.
     pub fn is_defined(self) -> bool {
         !matches!(self.0, Undefined)

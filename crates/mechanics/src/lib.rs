@@ -32,3 +32,4 @@ pub mod momentum;
 pub mod regimes;
 pub mod rotation;
 pub mod stability;
+pub mod uniform;

@@ -42,6 +42,7 @@ mod poly;
 mod polynomials;
 mod print;
 mod prove;
+pub mod real;
 mod recurrence;
 mod sym;
 mod tape;

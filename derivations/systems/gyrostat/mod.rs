@@ -6,7 +6,7 @@
 //! * [`routes`]: the equations of motion by independent principles;
 //! * [`tensors`]: the two inertia tensors A and A*, principal axes, the weight;
 //! * [`forms`]: the equations solved for the accelerations, in the axes of A and of A*: what runs.
-//! * [`stationary`], [`cone`]: the conditions of rotations about the vertical, and the line of their axes on the sphere;
+//! * [`stationary`]: the conditions of rotations about the vertical, as a paper has them; all of them: `crate::stationary`;
 //! * [`driven`]: a form with a motor, as the system of first-order equations that is integrated;
 //! * [`momenta`]: the same in the momenta, split into flows that are known;
 //! * [`lagrange`]: the symmetric top in closed form.
@@ -20,7 +20,6 @@
 
 pub mod admissible;
 pub mod bodies;
-pub mod cone;
 pub mod driven;
 pub mod forms;
 pub mod lagrange;

@@ -44,7 +44,7 @@ for (const card of document.querySelectorAll("[data-sphere]")) {
       const to = place(points[3 * i] / 1e4, points[3 * i + 1] / 1e4, points[3 * i + 2] / 1e4);
       if (from) {
         const side = from[2] + to[2] >= 0 ? 1 : 0;
-        const valued = values && values[i] !== null && values[i - 1] !== null;
+        const valued = data.range && values && values[i] !== null && values[i - 1] !== null;
         const own = valued ? `valued v${level((values[i] + values[i - 1]) / 2)}` : kind;
         if (!piece || piece.side !== side || piece.kind !== own) {
           flush(piece);
@@ -103,7 +103,7 @@ for (const card of document.querySelectorAll("[data-sphere]")) {
       }
     }
     if (!found) return (output.value = hint);
-    const at = found.at.map((x) => x.toFixed(3)).join(", ");
+    const at = found.at.map((x) => Number((x * data.length).toPrecision(4))).join(", ");
     const value = found.value == null ? "" : `; ${data.value}: ${Number(found.value.toPrecision(4))}`;
     const name = found.name ? `${found.name}: ` : "";
     output.value = name + `(${at})${value}`.replaceAll("-", "−");

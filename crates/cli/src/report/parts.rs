@@ -9,7 +9,7 @@ use crate::rough;
 use crate::sphere;
 use crate::studies::{Drive, Endurance, Gains, atlas};
 use crate::timings;
-use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Verdict};
+use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
 use derivations::scene::AnyScene;
 use derivations::{friction::RoughScene, governors, papers, regimes};
 use std::path::Path;
@@ -23,7 +23,7 @@ pub struct Parts {
     stability: Option<Vec<Areas>>,
     approximations: Option<charts::Trajectory>,
     friction: Option<Vec<Areas>>,
-    spheres: Option<Vec<Sphere>>,
+    stationary: Option<(Vec<Sphere>, Option<Study>)>,
     gains: Gains,
     drive: Drive,
     endurance: Endurance,
@@ -39,7 +39,7 @@ impl Parts {
             stability: None,
             approximations: None,
             friction: None,
-            spheres: None,
+            stationary: None,
             gains: Gains::default(),
             drive: Drive::default(),
             endurance: Endurance::default(),
@@ -64,7 +64,7 @@ impl Parts {
         crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
-        crew.add(0.2, &mut self.spheres, || {
+        crew.add(0.5, &mut self.stationary, || {
             sphere::all(scenes.iter().filter_map(|(_, scene)| match scene {
                 AnyScene::Driven(scene) => Some(&**scene),
                 _ => None,
@@ -124,8 +124,10 @@ impl Parts {
         report.stability = self.stability.unwrap_or_default();
         report.approximations = self.approximations.into_iter().collect();
         report.friction = self.friction.unwrap_or_default();
-        report.spheres = self.spheres.unwrap_or_default();
-        report.studies = vec![atlas, self.gains.study(), self.drive.study(), self.endurance.study()];
+        let (spheres, stationary) = self.stationary.unwrap_or_default();
+        report.spheres = spheres;
+        report.studies = stationary.into_iter().collect();
+        report.studies.extend([atlas, self.gains.study(), self.drive.study(), self.endurance.study()]);
         match timings::read(folder) {
             Ok(timings) => report.timings = vec![timings],
             Err(reason) => report.timings_missing = reason,

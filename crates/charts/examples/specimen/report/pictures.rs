@@ -25,6 +25,7 @@ pub fn spheres() -> Vec<Sphere> {
         ],
         view: (35.0, 24.0),
         note: "Both half-axes of a direction are shown where both are axes of rotation.".into(),
+        ..Sphere::default()
     };
     let plain = Sphere {
         title: "The same without weight, $\\Gamma = 0$".into(),
@@ -46,7 +47,7 @@ fn branch(name: &str, side: f64, valued: bool) -> Curve {
         let value = 12.0 * side * (2.0 * longitude).sin() + 0.4 / (0.02 + (longitude - 2.0).powi(2)).sqrt();
         CurvePoint { at, value: valued.then_some(value) }
     };
-    Curve { name: name.into(), points: (0..=900).map(point).collect() }
+    Curve { name: name.into(), points: (0..=900).map(point).collect(), ..Curve::default() }
 }
 
 /// Two kinds on either side of a parabola.

@@ -22,6 +22,9 @@ pub struct Sphere {
     pub value: String,
     /// Names of the three axes, plain text.
     pub axes: [String; 3],
+    /// Where curves lie in space and not on the sphere: the length that the sphere's radius stands for. Parts that are more
+    /// than half as long again are left out.
+    pub length: Option<f64>,
     pub curves: Vec<Curve>,
     pub marks: Vec<Mark>,
     /// From where it is seen first: azimuth from the first axis and height above the first two, in degrees.
@@ -34,6 +37,8 @@ pub struct Sphere {
 #[derive(Clone, Debug, Default)]
 pub struct Curve {
     pub name: String,
+    /// A class of curves that look alike, whatever their values, which then are only read: all curves have one or none has.
+    pub class: Option<usize>,
     pub points: Vec<CurvePoint>,
 }
 
@@ -106,10 +111,11 @@ impl Sphere {
         let (azimuth, height) = View::new(self.view).degrees();
         format!(
             "{{\"view\":[{azimuth},{height}],\"centre\":[{},{}],\"radius\":{RADIUS},\"range\":{range},\"value\":{},\
-             \"axes\":[{}],\"marks\":[{}],\"strands\":[{}]}}",
+             \"length\":{},\"axes\":[{}],\"marks\":[{}],\"strands\":[{}]}}",
             CENTRE.0,
             CENTRE.1,
             quoted(&self.value),
+            self.length.unwrap_or(1.0),
             axes.join(","),
             marks.join(","),
             strands.join(",")
@@ -122,7 +128,7 @@ impl Sphere {
         strands.extend(AXES.map(strand::stub));
         let mut dropped = self.marks.iter().filter(|mark| strand::unit(mark.at).is_none()).count();
         for (position, curve) in self.curves.iter().enumerate() {
-            let (curves, lost) = strand::curve(curve, Look::of(position));
+            let (curves, lost) = strand::curve(curve, curve.look(position), self.length);
             strands.extend(curves);
             dropped += lost;
         }
@@ -130,6 +136,9 @@ impl Sphere {
     }
 
     fn scale(&self) -> Option<Scale> {
+        if self.curves.iter().any(|curve| curve.class.is_some()) {
+            return None;
+        }
         Scale::of(self.curves.iter().flat_map(|curve| curve.points.iter().filter_map(|point| point.value)))
     }
 
@@ -151,8 +160,8 @@ impl Sphere {
     fn names(&self, drawing: &mut Drawing) {
         let mut told: Vec<(String, &str)> = Vec::new();
         for (position, curve) in self.curves.iter().enumerate() {
-            let entry = (strand::class(curve, Look::of(position)), curve.name.as_str());
-            let plain = curve.points.iter().any(|point| point.value.is_none());
+            let entry = (strand::class(curve, curve.look(position)), curve.name.as_str());
+            let plain = curve.class.is_some() || curve.points.iter().any(|point| point.value.is_none());
             if plain && !curve.name.is_empty() && !told.contains(&entry) {
                 let y = drawing.height + 0.5 * LINE;
                 drawing.line((8.0, y), (42.0, y), &entry.0);
@@ -165,6 +174,13 @@ impl Sphere {
 }
 
 pub(crate) const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+impl Curve {
+    /// How it is drawn, by its class or else by its position.
+    fn look(&self, position: usize) -> Look {
+        Look::of(self.class.unwrap_or(position))
+    }
+}
 
 impl Mark {
     /// The point with its name, if it is on this side of the sphere.

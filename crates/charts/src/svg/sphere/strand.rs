@@ -84,23 +84,28 @@ pub(super) fn stub(axis: [f64; 3]) -> Strand {
 /// Stretches without a value of a curve that has values elsewhere look alike on all curves.
 pub(super) fn class(curve: &Curve, look: Look) -> String {
     let valued = curve.points.iter().any(|point| point.value.is_some());
-    if valued { "curve beyond".to_owned() } else { format!("curve {}", look.class()) }
+    if valued && curve.class.is_none() { "curve beyond".to_owned() } else { format!("curve {}", look.class()) }
 }
 
-/// A curve as strands that end where a point is no direction, and how many such points it has.
-pub(super) fn curve(curve: &Curve, look: Look) -> (Vec<Strand>, usize) {
+/// A curve as strands that end where a point is no direction, and how many such points it has; in space, where the sphere's
+/// radius stands for a length, strands end where they leave the picture.
+pub(super) fn curve(curve: &Curve, look: Look, length: Option<f64>) -> (Vec<Strand>, usize) {
     let class = class(curve, look);
     let fresh = || Strand { class: class.clone(), name: curve.name.clone(), points: Vec::new() };
     let (mut strands, mut lost) = (vec![fresh()], 0);
     for point in &curve.points {
-        let Some(at) = unit(point.at) else {
-            lost += 1;
+        let at = match length {
+            None => unit(point.at),
+            Some(length) => Some(point.at.map(|x| x / length)).filter(is_near),
+        };
+        let Some(at) = at else {
+            lost += usize::from(length.is_none() || point.at.iter().any(|x| !x.is_finite()));
             strands.push(fresh());
             continue;
         };
         if let Some(strand) = strands.last_mut() {
             let value = point.value.filter(|value| value.is_finite());
-            if let Some(&last) = strand.points.last() {
+            if let (Some(&last), None) = (strand.points.last(), length) {
                 strand.points.extend(between(last, (at, value)));
             }
             strand.points.push((at, value));
@@ -108,6 +113,11 @@ pub(super) fn curve(curve: &Curve, look: Look) -> (Vec<Strand>, usize) {
     }
     strands.retain(|strand| !strand.points.is_empty());
     (strands, lost)
+}
+
+/// Whether a point in space is in the picture.
+fn is_near(at: &[f64; 3]) -> bool {
+    at.iter().map(|x| x * x).sum::<f64>() <= 1.5 * 1.5
 }
 
 /// Points on the arc between two, where it is long.
@@ -132,7 +142,7 @@ mod tests {
     #[test]
     fn sparse_points_are_joined_on_the_sphere() {
         let points = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0]].map(|at| CurvePoint { at, value: Some(at[1]) }).to_vec();
-        let (strands, lost) = curve(&Curve { name: String::new(), points }, Look::of(0));
+        let (strands, lost) = curve(&Curve { points, ..Curve::default() }, Look::of(0), None);
         assert_eq!((strands.len(), lost), (1, 0));
         assert!(strands[0].points.len() > 20);
         assert!(strands[0].points.iter().all(|(at, _)| (at.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-12));

@@ -1,0 +1,57 @@
+//! Microseconds for all stationary motions of a gyrostat, certified: `cargo bench --bench stationary`.
+
+#[path = "../tests/physical/mod.rs"]
+mod physical;
+
+use derivations::stationary::energies::{Energies, Kept};
+use field::Rational;
+use mechanics::uniform::Body;
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{Config, RngSeed, TestRunner};
+use std::hint::black_box;
+use std::time::Instant;
+use symbolic::real::Root;
+
+const GYROSTATS: usize = 60;
+const REPEATS: usize = 5;
+
+fn main() {
+    let mut runner = TestRunner::new(Config { rng_seed: RngSeed::Fixed(1834), ..Config::default() });
+    let drawn = (physical::gyrostat(), -400..=400i64, -900..=900i64);
+    let draw = |_| drawn.new_tree(&mut runner).expect("data are drawn").current();
+    let gyrostats: Vec<_> = (0..GYROSTATS).map(draw).collect();
+    println!("per gyrostat, median over {GYROSTATS}, each the fastest of {REPEATS} [us]");
+    let bodies: Vec<(Body, Rational)> =
+        gyrostats.iter().map(|(g, w, speed)| (body(g, *speed), Rational::new(*w, 10))).collect();
+    row("data to W, by differentiation", gyrostats.iter().map(|(g, _, speed)| microseconds(|| body(g, *speed))));
+    row("w given: motions, isolated and counted twice", bodies.iter().map(|(b, w)| microseconds(|| b.rotations(*w))));
+    row(
+        "the same with boxes of 2^-64, disjoint",
+        bodies.iter().map(|(b, w)| microseconds(|| b.rotations(*w)?.boxes(64))),
+    );
+    row("vertical momentum given: all motions", bodies.iter().map(|(b, w)| microseconds(|| b.at_momentum(*w))));
+    row("census of all w: folds and counts", bodies.iter().map(|(b, _)| microseconds(|| b.census().ok())));
+}
+
+fn body(g: &derivations::systems::gyrostat::Gyrostat<Rational>, speed: i64) -> Body {
+    let energies = Energies::of(g);
+    let (tensor, share) = energies.quadratic(Kept::RelativeSpeed);
+    let value = Root::rational(Rational::new(speed, 10)).expect("a fraction");
+    Body::new(&tensor, &share, &value, &energies.weight).expect("fractions")
+}
+
+fn row(name: &str, times: impl Iterator<Item = f64>) {
+    let mut times: Vec<f64> = times.collect();
+    times.sort_by(f64::total_cmp);
+    println!("{name:<46} {:>9.0}   slowest {:>9.0}", times[times.len() / 2], times[times.len() - 1]);
+}
+
+fn microseconds<T>(task: impl Fn() -> T) -> f64 {
+    let once = || {
+        let start = Instant::now();
+        black_box(task());
+        start.elapsed().as_secs_f64() * 1e6
+    };
+    (0..REPEATS).map(|_| once()).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,58 @@
+//! How many uniform rotations there are, for every angular velocity.
+
+use super::{Body, Undecided};
+use field::Rational;
+
+/// The line of all angular velocities, cut where the number of rotations may change.
+pub struct Census {
+    /// In ascending order; the first begins at minus infinity, the last ends at plus infinity.
+    pub stretches: Vec<Stretch>,
+}
+
+/// An open interval of angular velocities, rad/s, in which the number of directions is constant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    pub from: f64,
+    pub to: f64,
+    /// Isolated directions and families.
+    pub isolated: usize,
+    pub families: usize,
+}
+
+/// Bits to which cuts are told apart.
+const BITS: usize = 96;
+
+impl Body {
+    /// Counts once, exactly, between any two neighbouring folds and zero: there the number cannot change.
+    ///
+    /// # Errors
+    /// What hides folds, where not all are known.
+    pub fn census(&self) -> Result<Census, Undecided> {
+        let folds = self.folds();
+        if let Some(&reason) = folds.undecided.first() {
+            return Err(reason);
+        }
+        let mut cuts = vec![0.0];
+        for fold in &folds.motions {
+            let (_, w) = fold.direction_and_speed(BITS).ok_or(Undecided::Several)?;
+            cuts.push(w.to_f64());
+        }
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup();
+        let ends = [&[f64::NEG_INFINITY], &cuts[..], &[f64::INFINITY]].concat();
+        let mut stretches: Vec<Stretch> = Vec::new();
+        for pair in ends.windows(2) {
+            let [from, to] = [pair[0], pair[1]];
+            let at = match (from.is_finite(), to.is_finite()) {
+                (true, true) => 0.5 * (from + to),
+                (true, false) => 2.0 * from.abs() + from + 1.0,
+                (false, true) => to - 2.0 * to.abs() - 1.0,
+                (false, false) => 0.0,
+            };
+            let found = self.rotations(Rational::exactly(at)).ok_or(Undecided::Several)?;
+            let isolated = found.isolated();
+            stretches.push(Stretch { from, to, isolated, families: found.motions.len() - isolated });
+        }
+        Ok(Census { stretches })
+    }
+}

@@ -1,0 +1,230 @@
+//! All directions of uniform rotation for a given angular velocity.
+
+use super::Body;
+use super::spectrum::{Matrix, Spectrum, Vector, dot};
+use field::Rational;
+use std::sync::Arc;
+use symbolic::real::{Enclosure, Number, Polynomial, Root};
+
+/// All v for one w.
+pub struct Rotations {
+    /// Isolated directions in ascending order of their multipliers, then families.
+    pub motions: Vec<Motion>,
+    /// Of the polynomial in lambda whose real roots are the directions that no symmetry repeats.
+    pub degree: usize,
+    /// How many different real roots it has: by Descartes' rule and, once more, by Sturm's theorem.
+    pub roots: [usize; 2],
+}
+
+/// One direction, or a connected family of directions.
+#[derive(Clone)]
+pub struct Motion {
+    pub shape: Shape,
+    pub kind: Kind,
+    /// lambda times a positive number that is the same for all.
+    multiplier: Root,
+    case: Arc<Case>,
+}
+
+/// What the directions of a motion form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// One direction.
+    Point,
+    /// One of two that a symmetry exchanges: on the positive or negative side of the eigenvector at a place.
+    Pair { place: usize, positive: bool },
+    /// A circle about the axis across the eigenspace at a place.
+    Circle { place: usize },
+    /// Every direction.
+    Sphere,
+}
+
+/// What W is there on the sphere (across the family, where it is one).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    Minimum,
+    Saddle,
+    Maximum,
+    /// The second derivative does not decide: motions merge here.
+    Degenerate,
+}
+
+struct Case {
+    spectrum: Spectrum,
+    /// F = |N|^2 - q^2, so that |v|^2 - 1 = F / q^2
+    excess: Polynomial,
+    /// What the multipliers are divided by to be lambda, N m.
+    scale: Number,
+}
+
+/// Bits of working precision that are tried: from the first, twice as many each time.
+const BITS: [usize; 8] = [128, 256, 512, 1024, 2048, 4096, 8192, 16384];
+
+impl Body {
+    /// All directions about which the body turns with the angular velocity w, rad/s. `None` where that is undefined.
+    pub fn rotations(&self, w: Rational) -> Option<Rotations> {
+        let (numerator, d) = Number::over_common(&[w])?;
+        let n = numerator.first()?.clone();
+        // (n^2 M - x) v + n d h + d^2 G = 0
+        let (squared, mixed, common) = (&n * &n, &n * &d, &d * &d);
+        let matrix: Matrix<Number> = std::array::from_fn(|i| std::array::from_fn(|j| &self.tensor[i][j] * &squared));
+        let b: Vector<Number> = std::array::from_fn(|i| &(&self.spin[i] * &mixed) + &(&self.weight[i] * &common));
+        Some(Rotations::of(&matrix, b, &self.scale * &common))
+    }
+}
+
+impl Rotations {
+    /// All unit vectors v with (K - x) v + b = 0 for some x.
+    fn of(matrix: &Matrix<Number>, b: Vector<Number>, scale: Number) -> Self {
+        let spectrum = Spectrum::of(matrix, &[b]);
+        let n = &spectrum.numerators[0];
+        let excess = &dot(n, n) - &(&spectrum.seen * &spectrum.seen);
+        let excess = excess.primitive();
+        let case = Arc::new(Case { spectrum, excess, scale });
+        let roots = case.excess.real_roots();
+        let counts = [roots.len(), case.excess.count_by_sturm()];
+        let of_root = |multiplier: Root| Motion {
+            shape: Shape::Point,
+            kind: case.kind(&multiplier),
+            multiplier,
+            case: Arc::clone(&case),
+        };
+        let mut motions: Vec<Motion> = roots.into_iter().map(of_root).collect();
+        for &place in &case.spectrum.unseen {
+            motions.extend(Case::beyond(&case, place));
+        }
+        Rotations { degree: case.excess.degree().unwrap_or(0), roots: counts, motions }
+    }
+
+    /// Minima - saddles + maxima, with a family's own Euler characteristic as its factor: 2, the sphere's, by Morse's
+    /// theorem. `None` where a degenerate point hides some of them.
+    pub fn morse(&self) -> Option<i32> {
+        let each = self.motions.iter().map(|motion| match (motion.shape, motion.kind) {
+            (Shape::Circle { .. }, _) => Some(0),
+            (Shape::Sphere, _) => Some(2),
+            (_, Kind::Minimum | Kind::Maximum) => Some(1),
+            (_, Kind::Saddle) => Some(-1),
+            (_, Kind::Degenerate) => None,
+        });
+        each.sum()
+    }
+
+    /// How many isolated directions there are.
+    pub fn isolated(&self) -> usize {
+        self.motions.iter().filter(|motion| matches!(motion.shape, Shape::Point | Shape::Pair { .. })).count()
+    }
+
+    /// Boxes of directions, each no wider than 2^-bits, that lie apart from each other: one for each isolated direction,
+    /// so that each holds exactly one. For a family: the box of its centre. `None` where 16384 bits do not suffice.
+    pub fn boxes(&self, bits: usize) -> Option<Vec<Vector<Enclosure>>> {
+        let mut bits = bits;
+        while bits <= 4096 {
+            let all: Vec<_> = self.motions.iter().map(|motion| motion.direction(bits)).collect::<Option<_>>()?;
+            let apart = |a: &Vector<Enclosure>, b: &Vector<Enclosure>| (0..3).any(|i| a[i].is_apart_from(&b[i]));
+            let points = &all[..self.isolated()];
+            if points.iter().enumerate().all(|(k, a)| points[..k].iter().all(|b| apart(a, b))) {
+                return Some(all);
+            }
+            bits *= 2;
+        }
+        None
+    }
+}
+
+impl Motion {
+    /// v within 2^-bits in every component; of a circle its centre, of the sphere zero.
+    pub fn direction(&self, bits: usize) -> Option<Vector<Enclosure>> {
+        let close = |v: &Vector<Enclosure>| v.iter().all(|x| x.is_within(bits));
+        BITS.into_iter().filter(|work| *work > bits).filter_map(|work| self.at(work)).find(close)
+    }
+
+    /// The ends of the interval in which lambda, N m, was isolated: it holds no other root.
+    pub fn interval(&self) -> Option<[f64; 2]> {
+        let bits = BITS[1];
+        let scale = self.case.scale.enclosure(bits);
+        Some(self.multiplier.interval(bits).over(&scale)?.ends())
+    }
+
+    /// lambda, N m.
+    pub fn multiplier(&self, bits: usize) -> Option<Enclosure> {
+        let of = |work| self.multiplier.enclosure(work).over(&self.case.scale.enclosure(work));
+        BITS.into_iter().filter(|work| *work > bits).filter_map(of).find(|x| x.is_within(bits))
+    }
+
+    /// The radius of a family about its centre.
+    pub fn radius(&self, bits: usize) -> Option<Enclosure> {
+        let at = |work| self.case.reach(&self.multiplier.enclosure(work), work);
+        BITS.into_iter().filter(|work| *work > bits).filter_map(at).find(|r| r.is_within(bits))
+    }
+
+    /// A unit vector along the axis of a circle.
+    pub fn axis(&self, bits: usize) -> Option<Vector<Enclosure>> {
+        let Shape::Circle { place } = self.shape else { return None };
+        let close = |v: &Vector<Enclosure>| v.iter().all(|x| x.is_within(bits));
+        let at = |work| self.case.spectrum.normal(place, work);
+        BITS.into_iter().filter(|work| *work > bits).filter_map(at).find(close)
+    }
+
+    fn at(&self, bits: usize) -> Option<Vector<Enclosure>> {
+        let (at, spectrum) = (self.multiplier.enclosure(bits), &self.case.spectrum);
+        let q = spectrum.seen.enclosure(&at, bits);
+        let centre: Vec<_> = spectrum.numerators[0].iter().map(|n| Some(-&n.enclosure(&at, bits).over(&q)?)).collect();
+        let mut v: Vector<Enclosure> = centre.into_iter().collect::<Option<Vec<_>>>()?.try_into().ok()?;
+        if let Shape::Pair { place, positive } = self.shape {
+            let reach = self.case.reach(&at, bits)?;
+            let reach = if positive { reach } else { -&reach };
+            let along = spectrum.eigenvector(place, bits)?;
+            v = std::array::from_fn(|i| &v[i] + &(&reach * &along[i]));
+        }
+        Some(v)
+    }
+}
+
+impl Case {
+    /// By the signature of K - lambda on the tangent plane: that of K - lambda in space, less the sign of
+    /// v.(K - lambda)^-1 v, which is half the derivative of |v|^2 and has the sign of F'.
+    fn kind(&self, multiplier: &Root) -> Kind {
+        let slope = multiplier.sign_of(&self.excess.derivative());
+        match (self.spectrum.around(multiplier), slope) {
+            (None, _) | (_, 0) => Kind::Degenerate,
+            (Some([below, _]), slope) => Kind::of(below - usize::from(slope < 0)),
+        }
+    }
+
+    /// What an eigenvalue that b does not see adds: v = -N/q + z with z in its eigenspace and |z|^2 = -F/q^2. With z = 0
+    /// it is a root of F, and found there.
+    fn beyond(case: &Arc<Self>, place: usize) -> Vec<Motion> {
+        let (multiplier, multiplicity) = &case.spectrum.eigenvalues[place];
+        if multiplier.sign_of(&case.excess) >= 0 {
+            return Vec::new();
+        }
+        let [below, _] = case.spectrum.beside(place);
+        let (shapes, kind) = match multiplicity {
+            1 => ([true, false].map(|positive| Shape::Pair { place, positive }).to_vec(), Kind::of(below)),
+            2 => (vec![Shape::Circle { place }], if below == 0 { Kind::Minimum } else { Kind::Maximum }),
+            _ => (vec![Shape::Sphere], Kind::Degenerate),
+        };
+        let of_shape = |shape| Motion { shape, kind, multiplier: multiplier.clone(), case: Arc::clone(case) };
+        shapes.into_iter().map(of_shape).collect()
+    }
+
+    /// sqrt(-F)/|q| = sqrt(1 - |N/q|^2)
+    fn reach(&self, at: &Enclosure, bits: usize) -> Option<Enclosure> {
+        let q = self.spectrum.seen.enclosure(at, bits);
+        let n = &self.spectrum.numerators[0];
+        let shares: Vec<_> = n.iter().map(|n| n.enclosure(at, bits).over(&q)).collect::<Option<_>>()?;
+        let one = Enclosure::integer(1, bits);
+        shares.iter().fold(one, |rest, share| &rest - &(share * share)).sqrt()
+    }
+}
+
+impl Kind {
+    /// By the number of directions in which W falls.
+    pub(super) fn of(falling: usize) -> Self {
+        match falling {
+            0 => Kind::Minimum,
+            1 => Kind::Saddle,
+            _ => Kind::Maximum,
+        }
+    }
+}

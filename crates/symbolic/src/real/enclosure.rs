@@ -1,0 +1,170 @@
+//! Intervals whose ends are multiples of a power of two.
+
+use dashu_int::IBig;
+use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// [low, high] / 2^bits. Every operation rounds outwards, so that it holds every value that the operands allow. Operands
+/// of different fineness give the coarser one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Enclosure {
+    low: IBig,
+    high: IBig,
+    bits: usize,
+}
+
+impl Enclosure {
+    /// From both ends, as multiples of 2^-bits.
+    pub(super) fn new(low: IBig, high: IBig, bits: usize) -> Self {
+        Enclosure { low, high, bits }
+    }
+
+    /// An integer.
+    pub fn integer(n: impl Into<IBig>, bits: usize) -> Self {
+        let at = n.into() << bits;
+        Enclosure { low: at.clone(), high: at, bits }
+    }
+
+    /// -1 or 1 where every value has that sign, 0 where both ends are zero, `None` where the sign is open.
+    pub fn sign(&self) -> Option<i32> {
+        if self.low > IBig::ZERO {
+            Some(1)
+        } else if self.high < IBig::ZERO {
+            Some(-1)
+        } else {
+            (self.low == IBig::ZERO && self.high == IBig::ZERO).then_some(0)
+        }
+    }
+
+    /// The quotient, `None` where the divisor may be zero.
+    pub fn over(&self, divisor: &Self) -> Option<Self> {
+        let (a, b) = self.level(divisor);
+        b.sign().filter(|sign| *sign != 0)?;
+        let floor = |n: &IBig, d: &IBig| {
+            let (n, d) = if *d < IBig::ZERO { (-(n << a.bits), -d) } else { (n << a.bits, d.clone()) };
+            let quotient = &n / &d;
+            if &quotient * &d > n { quotient - IBig::ONE } else { quotient }
+        };
+        let ends = [(&a.low, &b.low), (&a.low, &b.high), (&a.high, &b.low), (&a.high, &b.high)];
+        let low = ends.iter().map(|(n, d)| floor(n, d)).min()?;
+        let high = ends.iter().map(|(n, d)| floor(n, d)).max()? + IBig::ONE;
+        Some(Enclosure { low, high, bits: a.bits })
+    }
+
+    /// The square root, `None` where the value may be negative.
+    pub fn sqrt(&self) -> Option<Self> {
+        if self.low < IBig::ZERO {
+            return None;
+        }
+        let root = |n: &IBig| IBig::from((n.unsigned_abs() << self.bits).sqrt());
+        Some(Enclosure { low: root(&self.low), high: root(&self.high) + IBig::ONE, bits: self.bits })
+    }
+
+    /// The least enclosure of both.
+    pub fn hull(&self, other: &Self) -> Self {
+        let (a, b) = self.level(other);
+        Enclosure { low: a.low.min(b.low), high: a.high.max(b.high), bits: a.bits }
+    }
+
+    /// Whether no value lies in both.
+    pub fn is_apart_from(&self, other: &Self) -> bool {
+        let (a, b) = self.level(other);
+        a.high < b.low || b.high < a.low
+    }
+
+    /// Whether it is no wider than 2^-bits.
+    pub fn is_within(&self, bits: usize) -> bool {
+        (&self.high - &self.low) << bits <= IBig::ONE << self.bits
+    }
+
+    /// Two powers of two between which the sizes of all values lie, `None` where zero may be among them.
+    pub(super) fn magnitude(&self) -> Option<(isize, isize)> {
+        self.sign().filter(|sign| *sign != 0)?;
+        let (a, b) = (self.low.bit_len(), self.high.bit_len());
+        let bits = self.bits as isize;
+        Some((a.min(b) as isize - 1 - bits, a.max(b) as isize - bits))
+    }
+
+    /// The middle, rounded to the nearest float.
+    pub fn to_f64(&self) -> f64 {
+        let sum = &self.low + &self.high;
+        dashu_ratio::RBig::from_parts_signed(sum, IBig::ONE << (self.bits + 1)).to_f64().value()
+    }
+
+    /// Both ends as floats, rounded outwards.
+    pub fn ends(&self) -> [f64; 2] {
+        let float = |n: &IBig| dashu_ratio::RBig::from_parts_signed(n.clone(), IBig::ONE << self.bits).to_f64().value();
+        let outwards = |n: &IBig, step: fn(f64) -> f64| if *n == IBig::ZERO { 0.0 } else { step(float(n)) };
+        [outwards(&self.low, f64::next_down), outwards(&self.high, f64::next_up)]
+    }
+
+    /// Half of the width, as a float that is not too small.
+    pub fn radius(&self) -> f64 {
+        let width = dashu_ratio::RBig::from_parts_signed(&self.high - &self.low, IBig::ONE << (self.bits + 1));
+        width.to_f64().value().next_up()
+    }
+
+    /// The same interval in finer multiples.
+    pub(super) fn finer(self, bits: usize) -> Self {
+        let more = bits.saturating_sub(self.bits);
+        Enclosure { low: self.low << more, high: self.high << more, bits: self.bits + more }
+    }
+
+    /// The two cells of width 2^-bits in which its middle most probably lies: with it, and next to it on the nearer side.
+    pub(super) fn cells(&self, bits: usize) -> [IBig; 2] {
+        let doubled = &self.low + &self.high;
+        let halves = match (self.bits).checked_sub(bits) {
+            Some(down) => doubled >> down,
+            None => doubled << (bits - self.bits),
+        };
+        // doubled middle / 2: the lowest bit tells the side
+        let cell = &halves >> 1;
+        let upper = &halves - (&cell << 1) == IBig::ONE;
+        let beside = if upper { &cell + IBig::ONE } else { &cell - IBig::ONE };
+        [cell, beside]
+    }
+
+    /// Both at the coarser of their finenesses.
+    fn level(&self, other: &Self) -> (Self, Self) {
+        let bits = self.bits.min(other.bits);
+        (self.coarser(bits), other.coarser(bits))
+    }
+
+    fn coarser(&self, bits: usize) -> Self {
+        let off = self.bits - bits;
+        Enclosure { low: &self.low >> off, high: -(-&self.high >> off), bits }
+    }
+}
+
+impl Add for &Enclosure {
+    type Output = Enclosure;
+    fn add(self, b: &Enclosure) -> Enclosure {
+        let (a, b) = self.level(b);
+        Enclosure { low: a.low + b.low, high: a.high + b.high, bits: a.bits }
+    }
+}
+
+impl Neg for &Enclosure {
+    type Output = Enclosure;
+    fn neg(self) -> Enclosure {
+        Enclosure { low: -&self.high, high: -&self.low, bits: self.bits }
+    }
+}
+
+impl Sub for &Enclosure {
+    type Output = Enclosure;
+    fn sub(self, b: &Enclosure) -> Enclosure {
+        self + &-b
+    }
+}
+
+impl Mul for &Enclosure {
+    type Output = Enclosure;
+    fn mul(self, b: &Enclosure) -> Enclosure {
+        let (a, b) = self.level(b);
+        let mut ends = [&a.low * &b.low, &a.low * &b.high, &a.high * &b.low, &a.high * &b.high];
+        ends.sort();
+        let [low, .., high] = ends;
+        Enclosure { low: low >> a.bits, high: -(-high >> a.bits), bits: a.bits }
+    }
+}

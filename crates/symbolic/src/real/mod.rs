@@ -1,0 +1,38 @@
+//! Real roots of polynomials, exactly: how many there are, where each is, and the sign of anything at it.
+//!
+//! # Overview
+//! * [`Number`]: an integer, or an integer polynomial in one real algebraic number ([`Field`]);
+//! * [`Polynomial`]: one unknown, such coefficients; greatest common divisors, remainders, subresultants (`resultant`);
+//! * [`Root`]: one real root, as a polynomial and an interval that holds exactly one of its roots;
+//! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number once more, by Sturm's theorem;
+//! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards.
+//!
+//! # Key results
+//! Nothing here rounds to a decision. A sign is found by an enclosure that excludes zero, or by a common divisor that
+//! proves zero. Polynomials count up to a positive factor: only their roots and signs are asked for.
+//!
+//! ```
+//! use symbolic::real::Polynomial;
+//!
+//! // (x^2 - 2) (x - 1)
+//! let roots = Polynomial::from_integers([2, -2, -1, 1]).real_roots();
+//! assert_eq!(roots.len(), 3);
+//! assert_eq!(roots[2].enclosure(60).to_f64(), 2f64.sqrt());
+//! ```
+//!
+//! # References
+//! Collins, Akritas 1976 (isolation by Descartes' rule); von zur Gathen, Gerhard 2013 (remainders, subresultants).
+
+mod enclosure;
+mod isolate;
+mod number;
+mod polynomial;
+mod resultant;
+mod root;
+mod sturm;
+
+pub use enclosure::Enclosure;
+pub use number::{Field, Number};
+pub use polynomial::Polynomial;
+pub use resultant::subresultant;
+pub use root::Root;

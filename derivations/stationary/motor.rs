@@ -1,0 +1,242 @@
+//! Every stationary state of a machine: speeds or angles at which its moment vanishes, exactly.
+
+use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine, Quantity, RotorState, Source, drive};
+use crate::scene::{MachineData, NoModel};
+use field::{Circle, Rational, Scalar};
+use symbolic::real::{Polynomial, Root};
+use symbolic::{Hypotheses, Sym, coefficients, normal};
+
+/// What a machine lets its rotor do for ever.
+#[derive(Clone, Debug)]
+pub enum Motor {
+    /// Any speed: the moment vanishes at all of them.
+    Free,
+    /// The speed that it keeps, rad/s.
+    Kept { speed: Root },
+    /// In step with the field: the angles at which the moment vanishes.
+    InStep { speed: Root, angles: Vec<Angle>, bears: Option<Bears> },
+    /// The speeds relative to the carrier at which the moment vanishes.
+    Slipping { speeds: Vec<Slip>, extremes: Vec<Extreme> },
+}
+
+/// An angle of the rotor against the field.
+#[derive(Clone, Debug)]
+pub struct Angle {
+    /// The tangent of half of the angle; `None` at half a turn.
+    pub half_tangent: Option<Root>,
+    /// The sign of dM/dg: -1 where the moment drives back to the angle; 0 where two angles merge: pull-out.
+    pub slope: i32,
+}
+
+/// A speed of the rotor relative to the carrier.
+#[derive(Clone, Debug)]
+pub struct Slip {
+    pub speed: Root,
+    /// The sign of dM/dphi': -1 where the moment drives back to the speed; 0 where two speeds merge: pull-out.
+    pub slope: i32,
+}
+
+/// The moments between which the field holds the rotor at some angle, friction at the field's speed included, N m: a further
+/// constant moment M with least <= -M <= greatest lets it stay; at either end both angles merge, beyond it none is left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bears {
+    pub least: f64,
+    pub greatest: f64,
+}
+
+/// Where the moment is greatest or least among neighbouring speeds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// rad/s
+    pub speed: f64,
+    /// N m
+    pub moment: f64,
+}
+
+/// Why the stationary states of a machine are not known.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoMotor {
+    /// The data do not make it.
+    Data(NoModel),
+    /// Its moment is no fraction of polynomials with rational coefficients.
+    NotAlgebraic(String),
+}
+
+impl std::fmt::Display for NoMotor {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Data(reason) => reason.fmt(f),
+            Self::NotAlgebraic(reason) => write!(f, "the motor's moment is not algebraic: {reason}"),
+        }
+    }
+}
+
+impl std::error::Error for NoMotor {}
+
+impl Motor {
+    /// The stationary states of a machine; its data are the decimals that were written.
+    ///
+    /// # Errors
+    /// [`NoMotor`].
+    pub fn of(machine: &AnyMachine, data: &MachineData) -> Result<Self, NoMotor> {
+        machine.clone().apply(States(data, machine.name()))
+    }
+
+    /// The constant relative speeds of the rotor; `None` where any is one.
+    pub fn speeds(&self) -> Option<Vec<&Root>> {
+        match self {
+            Motor::Free => None,
+            Motor::Kept { speed } => Some(vec![speed]),
+            Motor::InStep { speed, angles, .. } if !angles.is_empty() => Some(vec![speed]),
+            Motor::InStep { .. } => Some(Vec::new()),
+            Motor::Slipping { speeds, .. } => Some(speeds.iter().map(|slip| &slip.speed).collect()),
+        }
+    }
+}
+
+impl Angle {
+    /// In radians, from -pi to pi.
+    pub fn radians(&self) -> f64 {
+        self.half_tangent.as_ref().map_or(std::f64::consts::PI, |t| 2.0 * t.to_f64().atan())
+    }
+}
+
+struct States<'a>(&'a MachineData, &'static str);
+
+/// The data of a machine as exact constants: the decimals that were written.
+struct Decimals<'a>(&'a MachineData, &'static str);
+
+impl Source<Sym> for Decimals<'_> {
+    type Error = NoModel;
+
+    fn quantity(&mut self, quantity: &'static Quantity) -> Result<Sym, NoModel> {
+        Ok(Sym::constant(Rational::decimal(self.0.number(self.1, quantity)?)))
+    }
+
+    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
+        self.0.count(self.1, name, meaning)
+    }
+}
+
+impl ForMachine for States<'_> {
+    type Output = Result<Motor, NoMotor>;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
+        let machine = M::read::<Sym, _>(&mut Decimals(self.0, self.1)).map_err(NoMotor::Data)?;
+        let field_speed = machine.frame_speed();
+        let kept = field_speed.as_constant().and_then(Root::rational);
+        let kept = kept.ok_or_else(|| NoMotor::NotAlgebraic("the field's speed is no fraction".into()));
+        match M::ROTOR {
+            RotorState::Prescribed => Ok(Motor::Kept { speed: kept? }),
+            RotorState::AngleAndSpeed => in_step(kept?, |angle| stationary_moment(&machine, angle, Sym::ZERO)),
+            RotorState::Speed => {
+                let speed = Sym::symbol("speed");
+                let angle = Circle { cos: Sym::int(1), sin: Sym::ZERO };
+                slipping(stationary_moment(&machine, angle, speed - field_speed), speed)
+            }
+        }
+    }
+}
+
+/// M with every current at its stationary value: R_k i_k = -psi_k' g', which the windings' own equations give.
+fn stationary_moment(machine: &impl Machine<Sym>, angle: Circle<Sym>, slip: Sym) -> Sym {
+    let windings = machine.windings();
+    let mut rates = vec![Sym::ZERO; windings];
+    drive(machine, angle, slip, &vec![Sym::ZERO; windings], &mut rates);
+    let currents: Vec<Sym> = rates
+        .iter()
+        .enumerate()
+        .map(
+            |(k, &rate)| {
+                if slip == Sym::ZERO { Sym::ZERO } else { rate * machine.inductance(k) / machine.resistance(k) }
+            },
+        )
+        .collect();
+    drive(machine, angle, slip, &currents, &mut rates)
+}
+
+/// A fraction of polynomials in one unknown, as coefficients from the constant upwards.
+struct Fraction {
+    numerator: Polynomial,
+    denominator: Polynomial,
+}
+
+impl Fraction {
+    fn of(expression: Sym, unknown: Sym) -> Result<Self, NoMotor> {
+        let wrong = |reason: String| NoMotor::NotAlgebraic(reason);
+        let form = normal(expression, &Hypotheses::none()).map_err(|reason| wrong(reason.to_string()))?;
+        let dense = |part: Sym| -> Result<Vec<Rational>, NoMotor> {
+            let mut dense = Vec::new();
+            for (exponents, c) in coefficients(part, &[unknown]).map_err(|reason| wrong(reason.to_string()))? {
+                let place = exponents.first().map_or(0, |&power| power as usize);
+                let value = c.as_constant().ok_or_else(|| wrong(format!("{c} is no fraction")))?;
+                dense.resize(dense.len().max(place + 1), Rational::int(0));
+                dense[place] = value;
+            }
+            Ok(dense)
+        };
+        // both over one denominator, so that their ratio is kept
+        let (above, below) = (dense(form.numerator())?, dense(form.denominator())?);
+        let split = above.len();
+        let all: Vec<Rational> = above.into_iter().chain(below).collect();
+        let (mut whole, _) = symbolic::real::Number::over_common(&all).ok_or_else(|| wrong("a datum".into()))?;
+        let denominator = Polynomial::new(whole.split_off(split));
+        Ok(Fraction { numerator: Polynomial::new(whole), denominator })
+    }
+
+    /// The numerator of the derivative; the denominator is a square.
+    fn slope(&self) -> Polynomial {
+        &(&self.numerator.derivative() * &self.denominator) - &(&self.numerator * &self.denominator.derivative())
+    }
+
+    /// Where it vanishes and is defined.
+    fn roots(&self) -> impl Iterator<Item = Root> + '_ {
+        self.numerator.real_roots().into_iter().filter(|root| root.sign_of(&self.denominator) != 0)
+    }
+
+    fn value(&self, at: &Root) -> Option<f64> {
+        [128, 512, 2048].into_iter().find_map(|bits| {
+            let x = at.enclosure(bits);
+            let value = self.numerator.enclosure(&x, bits).over(&self.denominator.enclosure(&x, bits))?;
+            (value.radius() <= 1e-17 * value.to_f64().abs() || bits > 512).then(|| value.to_f64())
+        })
+    }
+}
+
+fn in_step(speed: Root, moment: impl Fn(Circle<Sym>) -> Sym) -> Result<Motor, NoMotor> {
+    let t = Sym::symbol("t");
+    let of_angle = Fraction::of(moment(Circle::from_half_tangent(t)), t)?;
+    // near half a turn the angle is pi - 2 u for the half tangent 1/u
+    let half_turn = Circle { cos: Sym::int(-1), sin: Sym::ZERO };
+    let turned = Fraction::of(moment(half_turn - Circle::from_half_tangent(t)), t)?;
+    let slope = of_angle.slope();
+    let mut angles: Vec<Angle> =
+        of_angle.roots().map(|root| Angle { slope: root.sign_of(&slope), half_tangent: Some(root) }).collect();
+    let zero = Root::rational(Rational::int(0));
+    let at_zero = |p: &Polynomial| zero.as_ref().map_or(0, |zero| zero.sign_of(p));
+    if at_zero(&turned.numerator) == 0 {
+        // pi - 2u falls where u rises
+        angles.push(Angle { half_tangent: None, slope: -at_zero(&turned.slope()) });
+    }
+    let extremes = slope.real_roots();
+    let values =
+        extremes.iter().filter_map(|at| of_angle.value(at)).chain(zero.as_ref().and_then(|at| turned.value(at)));
+    let bears = values.fold(None, |range: Option<Bears>, moment| {
+        let range = range.unwrap_or(Bears { least: moment, greatest: moment });
+        Some(Bears { least: range.least.min(moment), greatest: range.greatest.max(moment) })
+    });
+    Ok(Motor::InStep { speed, angles, bears })
+}
+
+fn slipping(moment: Sym, speed: Sym) -> Result<Motor, NoMotor> {
+    let of_speed = Fraction::of(moment, speed)?;
+    if of_speed.numerator.is_zero() {
+        return Ok(Motor::Free);
+    }
+    let slope = of_speed.slope();
+    let speeds = of_speed.roots().map(|root| Slip { slope: root.sign_of(&slope), speed: root }).collect();
+    let extremes = slope.real_roots();
+    let extremes =
+        extremes.iter().filter_map(|at| Some(Extreme { speed: at.to_f64(), moment: of_speed.value(at)? })).collect();
+    Ok(Motor::Slipping { speeds, extremes })
+}

@@ -1,0 +1,107 @@
+//! The stationary states of every motor, and every motion of the scenes beside the equations that run.
+
+use derivations::scene::{Family, Scene};
+use derivations::stationary::motions::Stationary;
+use derivations::stationary::motor::{Motor, Slip};
+use std::path::Path;
+
+fn scene(name: &str) -> Scene {
+    Scene::open(Path::new(&format!("scenes/{name}.toml"))).expect("the scene is sound")
+}
+
+fn with(text: &str, changes: &[(&str, &str)]) -> Scene {
+    let text = std::fs::read_to_string(format!("scenes/{text}.toml")).expect("the scene is there");
+    let text = changes.iter().fold(text, |text, (old, new)| {
+        assert!(text.contains(old), "{old} is in the scene");
+        text.replace(old, new)
+    });
+    Scene::parse("changed.toml", &text).expect("the scene is sound")
+}
+
+fn motor(scene: &Scene) -> Motor {
+    Motor::of(&scene.machine, &scene.machine_data).expect("the motor is algebraic")
+}
+
+#[test]
+fn a_synchronous_motor_has_two_angles_one_of_which_holds() {
+    let Motor::InStep { angles, bears, .. } = motor(&scene("spin_up")) else { panic!("it follows its field") };
+    // sin g = -f W / b0 = -0.1
+    let mut found: Vec<(f64, i32)> = angles.iter().map(|angle| (angle.radians(), angle.slope)).collect();
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let small = 0.1f64.asin();
+    assert!(
+        (found[0].0 + std::f64::consts::PI - small).abs() < 1e-15 && (found[1].0 + small).abs() < 1e-15,
+        "{found:?}"
+    );
+    assert_eq!((found[0].1, found[1].1), (1, -1));
+    let bears = bears.expect("the moment has bounds");
+    assert!((bears.greatest - 0.135).abs() < 1e-15 && (bears.least + 0.165).abs() < 1e-15, "{bears:?}");
+}
+
+#[test]
+fn both_angles_merge_at_pull_out_and_vanish_beyond() {
+    // f W = b0 at f = 1e-3, to the last digit of the decimals
+    let at = |f: &str| match motor(&with("spin_up", &[("f = \"1e-4 N m s\"", &format!("f = \"{f} N m s\""))])) {
+        Motor::InStep { angles, .. } => angles.iter().map(|angle| angle.slope).collect::<Vec<_>>(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(at("0.9999999999e-3").len(), 2);
+    assert_eq!(at("1e-3"), [0]);
+    assert_eq!(at("1.0000000001e-3"), []);
+    let none = with("spin_up", &[("f = \"1e-4 N m s\"", "f = \"2e-3 N m s\"")]);
+    assert!(Stationary::of(&none).unwrap().at_speed(3.0).unwrap().is_empty());
+}
+
+#[test]
+fn without_friction_the_angles_are_zero_and_half_a_turn() {
+    let Motor::InStep { angles, .. } = motor(&with("spin_up", &[("f = \"1e-4 N m s\"", "f = \"0 N m s\"")])) else {
+        panic!("it follows its field")
+    };
+    let found: Vec<(f64, i32)> = angles.iter().map(|angle| (angle.radians(), angle.slope)).collect();
+    assert_eq!(found, [(0.0, -1), (std::f64::consts::PI, 1)]);
+}
+
+#[test]
+fn kloss_motor_has_one_or_three_speeds() {
+    let slopes = |scene: &Scene| match motor(scene) {
+        Motor::Slipping { speeds, .. } => speeds.iter().map(|Slip { slope, .. }| *slope).collect::<Vec<_>>(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(slopes(&scene("asynchronous_drive")), [-1]);
+    // a load that the motor bears near synchronism and far from it
+    assert_eq!(slopes(&with("asynchronous_drive", &[("f = \"4e-4 N m s\"", "f = \"1.9e-3 N m s\"")])), [-1, 1, -1]);
+}
+
+#[test]
+fn every_motion_of_every_scene_is_one_of_the_equations_that_run() {
+    let files = [
+        "spin_up",
+        "free_rotor",
+        "asynchronous_drive",
+        "constant_speed",
+        "hanging_rest",
+        "permanent_rotation",
+        "stiff_damper",
+        "pull_out",
+    ];
+    for name in files {
+        let scene = scene(name);
+        let stationary = Stationary::of(&scene).expect("a gyrostat");
+        for w in [0.0, 3.0, -20.0, 100.0] {
+            for answer in stationary.at_speed(w).expect("finite") {
+                assert!(answer.certificate.is_complete(), "{name} {w} {:?}", answer.certificate);
+                for found in &answer.found {
+                    // rounding of accelerations of this size
+                    let size = w * w + w.abs() * found.rotor_speed.abs() + 1e3;
+                    assert!(found.residual <= 1e-11 * size, "{name}, w = {w}: {:e}", found.residual);
+                }
+            }
+        }
+        for answer in stationary.at_momentum(stationary.momentum_at_start()).expect("finite") {
+            for found in &answer.found {
+                let size = found.speed.powi(2) + found.speed.abs() * found.rotor_speed.abs() + 1e3;
+                assert!(found.residual <= 1e-10 * size, "{name}: {:e} at {found:?}", found.residual);
+            }
+        }
+    }
+}
