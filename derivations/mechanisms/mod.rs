@@ -2,6 +2,7 @@
 //!
 //! # Overview
 //! * [`mechanism`]: what a mechanism says of itself, and the law with its work that is made of it;
+//! * [`rewritten`]: other formulations of the same mechanism, for the atlas;
 //! * [`scene`]: the family of scenes: reading, the problem, what theory says of a run;
 //! * [`governors`], [`elastic`], [`drive`], [`bodies`]: the mechanisms.
 //!
@@ -12,6 +13,7 @@ pub mod drive;
 pub mod elastic;
 pub mod governors;
 pub mod mechanism;
+pub mod rewritten;
 pub mod scene;
 
 pub use mechanism::{Amiss, Balanced, Diagnosis, Ended, Mechanism};

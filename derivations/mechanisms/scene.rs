@@ -1,14 +1,15 @@
 //! Scenes of mechanisms: read by the names of data and states, run as any other problem, with what theory says beside it.
 
+use super::rewritten::{Rewritten, ready};
 use super::{Balanced, Diagnosis, Ended, LIST, Mechanism};
 use crate::machines::Quantity;
-use crate::recorded::Recorded;
+use crate::scene::atlas::{Observed, Standing, Way};
 use crate::scene::file::{Family, Opening};
 use crate::scene::problem::{Invariant, Problem};
 use crate::scene::read::{At, Table};
 use crate::scene::smooth::{Parameter, Smooth, Told};
 use crate::scene::{Axes, Choice, Issue, Run, Trajectory, run};
-use integrators::Method;
+use integrators::{Method, Reference};
 use std::convert::Infallible;
 use std::fmt::Debug;
 use std::ops::Range;
@@ -52,6 +53,7 @@ pub const fn entry<M: Mechanism>() -> Entry {
 /// A mechanism, its type forgotten once its data are known.
 trait Erased: Debug + Send + Sync {
     fn problem(&self, start: &[f64], span: f64) -> Problem;
+    fn ways(&self, start: &[f64], span: f64) -> Vec<Way>;
     fn states(&self) -> &'static [Quantity];
     fn columns(&self) -> Vec<&'static Quantity>;
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis>;
@@ -67,11 +69,11 @@ impl<M: Mechanism> Erased for M {
         let count = M::STATE.len();
         let mut state = self.state(start);
         state.push(0.0);
-        let law = Recorded::new(Arc::new(Balanced(self.clone())));
+        let law = ready(Balanced(self.clone()));
         let (energetic, showing, judging) = (self.clone(), self.clone(), self.clone());
         let balance = move |time: f64, y: &[f64]| energetic.energy(time, &y[..count]) - y[count];
         Problem {
-            law: Arc::new(law),
+            law,
             state,
             span,
             invariants: vec![Invariant { name: "energy_less_work", value: Box::new(balance) }],
@@ -79,6 +81,22 @@ impl<M: Mechanism> Erased for M {
             row: Box::new(move |time, y| [y, &showing.shown(time, &y[..count])].concat()),
             outside: Box::new(move |y| judging.outside(&y[..count])),
         }
+    }
+
+    fn ways(&self, start: &[f64], span: f64) -> Vec<Way> {
+        let own = Way::of(M::FORMULATION, "", Standing::Own, self.problem(start, span));
+        let columns: Vec<String> = M::STATE.iter().map(|quantity| quantity.name.to_owned()).collect();
+        let other = |Rewritten { formulation, law, state, whole }| Way {
+            formulation,
+            model: "",
+            standing: Standing::Exact,
+            law,
+            state,
+            sizes: Vec::new(),
+            columns: columns.clone(),
+            row: Box::new(move |_, y| whole(y)),
+        };
+        std::iter::once(own).chain(self.rewritten(start).into_iter().map(other)).collect()
     }
 
     fn states(&self) -> &'static [Quantity] {
@@ -186,6 +204,16 @@ impl Smooth for MechanismScene {
 
     fn problem(&self, _axes: Axes) -> Problem {
         MechanismScene::problem(self)
+    }
+
+    fn ways(&self) -> Vec<Way> {
+        self.mechanism.ways(&self.start, self.run.span)
+    }
+
+    /// The states; the work belongs to one law among them.
+    fn observed(&self, reference: &Reference) -> Vec<Observed> {
+        let states = self.mechanism.states().iter().zip(&reference.sizes);
+        states.map(|(quantity, size)| Observed { name: quantity.name.to_owned(), size: *size }).collect()
     }
 
     fn parameters(&self) -> Vec<Parameter> {
