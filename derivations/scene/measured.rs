@@ -14,7 +14,7 @@ pub struct Trials {
     pub tolerances: Vec<f64>,
     /// Evaluations of the rates in one run.
     pub evaluations: u64,
-    /// For the reference, and again for the measurements.
+    /// For all runs, without their times.
     pub allowed: Duration,
 }
 

@@ -3,13 +3,13 @@
 use crate::arguments::{Axis, Chart};
 use crate::csv;
 use crate::ending::{Ending, print, save};
-use crate::pictures::reason;
 use crate::report;
 use crate::run::{refuse, with_model};
 use crate::speed::{advice::advice, family, model, pictures, tables};
 use charts::Table;
 use derivations::scene::atlas::{Formulation, Way};
 use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Trials, judged};
+use integrators::Failure;
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Duration;
@@ -39,7 +39,7 @@ pub fn chart(asked: &Chart) -> Result<Ending, Ending> {
     ways.retain(|way| asked.form.is_none_or(|form| written_in(way, form)));
     match judged(smooth, &problem, ways, &trials, allowed) {
         Ok(mut atlas) => {
-            atlas.take_times(&trials);
+            atlas.take_times(&trials, allowed / 2);
             print(&text(smooth, &atlas))?;
             if let Some(path) = &asked.out {
                 drawn(smooth, &atlas, asked, path)?;
@@ -86,7 +86,7 @@ fn runs(atlas: &Atlas) -> String {
     let mut text = "formulation,model,method,tolerance,evaluations,seconds,error,failure\n".to_owned();
     for (way, point) in atlas.points() {
         let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:e}"));
-        let failure = point.error.as_ref().err().map_or("", reason);
+        let failure = point.error.as_ref().err().map_or("", Failure::name);
         let cells = [
             way.formulation.to_string(),
             way.model.to_owned(),
@@ -129,7 +129,7 @@ fn text(scene: &dyn Smooth, atlas: &Atlas) -> String {
             point.tolerance.map_or_else(String::new, |tolerance| format!("{tolerance:.0e}")),
             point.evaluations.to_string(),
             point.time.map_or_else(String::new, |time| format!("{:.3}", time.seconds * 1e3)),
-            error.map_or_else(|failure| reason(failure).to_owned(), |error| format!("{error:.1e}")),
+            error.map_or_else(|failure| failure.name().to_owned(), |error| format!("{error:.1e}")),
         ]
     };
     let with = if own.way.model.is_empty() { String::new() } else { format!(", {}", model(&own.way)) };

@@ -8,27 +8,12 @@ use derivations::scene::state::unit;
 use derivations::scene::{Smooth, Trajectory};
 use integrators as run;
 
-/// The name of a failure without its place, so that equal failures stand together.
-pub fn reason(failure: &run::Failure) -> &'static str {
-    use run::Failure as Is;
-    match failure {
-        Is::Refused(_) => "refused",
-        Is::StepCollapsed { .. } => "step collapsed",
-        Is::TooManyEvaluations { .. } => "too many evaluations",
-        Is::OutOfTime { .. } => "out of time",
-        Is::NewtonFailed { .. } => "Newton did not converge",
-        Is::LeftTheNumbers { .. } => "left the numbers",
-        Is::Stiff { .. } => "found it stiff",
-        Is::Singular { .. } => "singular matrix",
-    }
-}
-
 /// The outputs that the scene names against time; components of one vector, and all currents, share a panel.
 pub fn trajectory(scene: &dyn Smooth, run: &Trajectory) -> charts::Trajectory {
     let outputs = &scene.run().outputs;
     let shown: Vec<&String> = run.names.iter().filter(|name| outputs.is_empty() || outputs.contains(name)).collect();
     let failure = run.outcome.failure();
-    let stopped = run.left.or(failure.as_ref().map(reason)).map(str::to_owned);
+    let stopped = run.left.or(failure.as_ref().map(run::Failure::name)).map(str::to_owned);
     let mut panels: Vec<(String, Panel)> = Vec::new();
     for name in shown {
         let Some(column) = run.column(name) else { continue };

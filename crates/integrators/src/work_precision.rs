@@ -32,7 +32,7 @@ pub struct Course<'a> {
 }
 
 /// Runs every attempt at every tolerance, one with a constant step once, without times: problems may be judged at the same
-/// time. Each run may take its equal share of what the ones before have left of the time allowed.
+/// time. Each run may take its share of what the ones before have left of the time allowed: few need it.
 pub fn judge(attempts: &[Attempt<'_>], course: &Course<'_>, tolerances: &[f64], allowed: Duration) -> Vec<Point> {
     let end = Instant::now() + allowed;
     let tried: Vec<(f64, &Attempt<'_>)> = tolerances
@@ -44,7 +44,8 @@ pub fn judge(attempts: &[Attempt<'_>], course: &Course<'_>, tolerances: &[f64], 
         .collect();
     let count = tried.len();
     let judged = tried.into_iter().enumerate().map(|(index, (relative, attempt))| {
-        let share = end.saturating_duration_since(Instant::now()) / (count - index) as u32;
+        let left = end.saturating_duration_since(Instant::now());
+        let share = left / MOST_SHARES.min(count - index) as u32;
         let tolerance = Tolerance::scaled(relative, course.sizes);
         let mut record = Record::new();
         let outcome = attempt.run(&tolerance, &bare(course.span, Instant::now() + share), &mut record);
@@ -56,6 +57,9 @@ pub fn judge(attempts: &[Attempt<'_>], course: &Course<'_>, tolerances: &[f64], 
     });
     judged.collect()
 }
+
+/// No run may take more than this part of the time that is left, and none is refused as much.
+const MOST_SHARES: usize = 8;
 
 /// A run that reached its end, to be timed.
 pub struct Timed<'a> {

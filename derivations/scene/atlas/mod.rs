@@ -89,20 +89,18 @@ impl Atlas {
     /// Runs every method of every way at every tolerance without timing it: many scenes' at a time too. The first way is
     /// the reference's own.
     pub fn judged(ways: Vec<Way>, reference: Reference, goal: &Goal, span: f64, trials: &Trials) -> Self {
-        let end = Instant::now() + trials.allowed / 2;
-        let mut left = ways.len() as u32;
+        let end = Instant::now() + trials.allowed;
         let mut explored = Vec::new();
         for (place, mut way) in ways.into_iter().enumerate() {
-            let share = end.saturating_duration_since(Instant::now()) / left;
-            left -= 1;
+            let left = end.saturating_duration_since(Instant::now());
             way.measure_itself(span, (place == 0).then_some(&reference));
-            explored.push(explore(way, goal, span, trials, share));
+            explored.push(explore(way, goal, span, trials, left));
         }
         Atlas { reference, explored, span }
     }
 
     /// Takes the times of all that reached the end, while nothing else runs.
-    pub fn take_times(&mut self, trials: &Trials) {
+    pub fn take_times(&mut self, trials: &Trials, allowed: Duration) {
         let spans: Vec<_> = self.explored.iter().map(|one| one.way.span(self.span, trials.evaluations)).collect();
         let (mut runs, mut places) = (Vec::new(), Vec::new());
         for (at, (one, span)) in self.explored.iter().zip(&spans).enumerate() {
@@ -115,7 +113,7 @@ impl Atlas {
                 places.push((at, place));
             }
         }
-        let times = measure(&runs, trials.allowed / 2);
+        let times = measure(&runs, allowed);
         for ((at, place), time) in places.into_iter().zip(times) {
             self.explored[at].points[place].time = time;
         }

@@ -22,6 +22,8 @@ enum Paint {
     Hollow,
     /// Lines only.
     Lines,
+    /// The round end of a line without length: the shortest circle there is.
+    Dot,
 }
 
 impl Look {
@@ -41,6 +43,11 @@ impl Look {
         Look { shape: shape.map_or(self.shape, |kind| kind % STYLES), dashes, ..self }
     }
 
+    /// Of the grey ones, which are many and small, the full circle is a dot.
+    fn drawn(self, r: f64) -> (String, Paint) {
+        if self.style.is_none() && self.shape == 0 { ("h0".to_owned(), Paint::Dot) } else { outline(self.shape, r) }
+    }
+
     pub fn class(self) -> String {
         let colour = self.style.map_or_else(|| "quiet".to_owned(), |style| format!("s{style}"));
         self.dashes.map_or_else(|| colour.clone(), |dashes| format!("{colour} d{dashes}"))
@@ -53,8 +60,9 @@ impl Look {
 
     /// The markers about several points, as one path.
     pub fn markers(self, drawing: &mut Drawing, places: &[(f64, f64)], r: f64, tooltip: &str) {
-        let (shape, paint) = outline(self.shape, r);
+        let (shape, paint) = self.drawn(r);
         let class = match paint {
+            Paint::Dot => "mark dot",
             Paint::Full => "mark",
             Paint::Hollow => "mark hollow",
             Paint::Lines => "mark open",

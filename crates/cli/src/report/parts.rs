@@ -78,8 +78,8 @@ impl Parts {
     pub fn take_times(&mut self, mut done: impl FnMut(f64)) {
         let whole = (self.prepared.len() + 1) as f64;
         for (count, prepared) in self.prepared.iter_mut().flatten().flatten().enumerate() {
-            if let Prepared { atlas: Ok(atlas), trials, .. } = prepared {
-                atlas.take_times(trials);
+            if let Prepared { atlas: Ok(atlas), trials, timed, .. } = prepared {
+                atlas.take_times(trials, *timed);
             }
             done((count + 1) as f64 / whole);
         }

@@ -9,8 +9,12 @@ use std::time::Duration;
 
 /// For a reference; they share the processors, so that one of them has less than when it is alone.
 const PATIENCE: Duration = Duration::from_secs(15);
-/// The same for a mechanism, and what all its methods have: there are many, and `dalembert chart` gives each its own time.
-const OF_A_MECHANISM: [Duration; 2] = [Duration::from_secs(6), Duration::from_secs(2)];
+/// The same for a mechanism: there are many, and `dalembert chart` gives each its own time.
+const OF_A_MECHANISM: Duration = Duration::from_secs(8);
+/// In one run of a mechanism, whose laws are dear.
+const EVALUATIONS: u64 = 20_000;
+/// For the times of all runs of a scene with a motor, and of a mechanism.
+const TIMED: [Duration; 2] = [Duration::from_millis(2_000), Duration::from_millis(1_200)];
 
 /// A scene's section without its charts, whether it came out as it should, and the errors of its methods.
 pub struct Prepared {
@@ -18,6 +22,8 @@ pub struct Prepared {
     pub reached: bool,
     pub atlas: Result<Atlas, NoReference>,
     pub trials: Trials,
+    /// For its times.
+    pub timed: Duration,
 }
 
 /// Why methods are not compared on a scene.
@@ -35,8 +41,12 @@ pub fn prepare((id, any): &(String, AnyScene)) -> Option<Prepared> {
     let run = problem.simulate(&choice, |_| ());
     let mut section = described(id, scene, &run);
     let of_a_mechanism = matches!(any, AnyScene::Mechanism(_));
-    let [patience, allowed] = if of_a_mechanism { OF_A_MECHANISM } else { [PATIENCE, Trials::default().allowed] };
-    let trials = Trials { allowed, ..Trials::default() }.with(scene.run().method);
+    let usual = Trials::default().with(scene.run().method);
+    let [motor, mechanism] = TIMED;
+    let (patience, timed, trials) = match of_a_mechanism {
+        true => (OF_A_MECHANISM, mechanism, Trials { evaluations: EVALUATIONS, ..usual }),
+        false => (PATIENCE, motor, usual),
+    };
     // what a scene is made to show may be its end: that is no fault of the run
     let atlas = match scene.told(&choice, &run).diagnosis {
         Some(_) => Err(NoReference::Ends),
@@ -51,7 +61,7 @@ pub fn prepare((id, any): &(String, AnyScene)) -> Option<Prepared> {
         Err(NoReference::Stopped(failure)) => of_a_mechanism && matches!(failure, Failure::OutOfTime { .. }),
         Ok(_) => run.outcome.reached(),
     };
-    Some(Prepared { section, reached, atlas, trials })
+    Some(Prepared { section, reached, atlas, trials, timed })
 }
 
 /// A scene's section with its run and without its charts.
@@ -108,7 +118,7 @@ fn ladder(scene: &Scene, run: &Trajectory, atlas: Option<&Atlas>) -> Option<Tabl
         let states = smaller.names().len().to_string();
         let row = match other.outcome.failure() {
             None => significant(difference(run, &other), 2),
-            Some(failure) => pictures::reason(&failure).to_owned(),
+            Some(failure) => failure.name().to_owned(),
         };
         rows.push(vec![model.replace('_', " "), states, other.outcome.work.rates.to_string(), row, floor(model)]);
     }

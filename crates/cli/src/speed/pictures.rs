@@ -1,7 +1,6 @@
 //! Error against work: what is on the front in colour, all else grey.
 
 use super::{Counted, Series, model, series};
-use crate::pictures::reason;
 use charts::{Failure, Point, Work, WorkPrecision};
 use derivations::scene::Atlas;
 use integrators::front;
@@ -52,7 +51,7 @@ fn drawn(series: &Series<'_>, counted: Counted, unit: f64, quiet: bool) -> chart
             .map(|(point, failure)| Failure {
                 work: counted.of(point) / unit,
                 tolerance: point.tolerance.unwrap_or(f64::NAN),
-                reason: reason(&failure).to_owned(),
+                reason: failure.name().to_owned(),
             })
             .collect(),
     }

@@ -5,7 +5,10 @@ use super::super::{
     drawing::{Anchor, Drawing},
     number::tolerance,
 };
-use super::{LEFT, Method, RIGHT, Work, positive, series::Looks};
+use super::{
+    LEFT, Method, RIGHT, Work, positive,
+    series::{Looks, SMALL},
+};
 
 /// The series of one method.
 pub(super) struct Family<'a> {
@@ -33,16 +36,25 @@ pub(super) fn draw(drawing: &mut Drawing, family: &Family, looks: &Looks, work: 
     let (mut taken, mut unknown) = (vec![LEFT, RIGHT], 0);
     for (at, method) in &family.series {
         let look = looks.series[*at];
+        let mut places = Vec::new();
         drawing.open(&look.class());
         for failure in &method.failures {
             let known = positive(failure.work);
             let at = if known { x.place(failure.work) } else { LEFT + 10.0 + 12.0 * f64::from(unknown) };
             unknown += i32::from(!known);
             taken.push(at);
+            places.push((at, height));
+            if method.quiet {
+                continue;
+            }
             let spent = if known { format!("after {}", work.amount(failure.work)) } else { "work unknown".to_owned() };
             let (name, given) = (&method.name, tolerance(failure.tolerance));
             let tooltip = format!("{name} fails at tolerance {given}, {spent}: {}", failure.reason);
             look.marker(drawing, (at, height), 4.0, &tooltip);
+        }
+        if method.quiet {
+            let name = &method.name;
+            look.markers(drawing, &places, SMALL, &format!("{name} fails {} times", places.len()));
         }
         drawing.close();
     }

@@ -60,6 +60,9 @@ impl<'a> Looks<'a> {
     }
 }
 
+/// Half the width of a grey marker.
+pub(super) const SMALL: f64 = 2.6;
+
 /// Line and markers of a series; of a quiet one all markers are one path, which says its name.
 pub(super) fn draw(
     drawing: &mut Drawing,
@@ -73,7 +76,7 @@ pub(super) fn draw(
     drawing.open(&look.class());
     drawing.path(&path::polyline(&places), "line");
     if method.quiet {
-        look.markers(drawing, &places, 2.6, &method.name);
+        look.markers(drawing, &places, SMALL, &method.name);
     } else {
         for (point, place) in points.iter().zip(places) {
             let error = significant(point.error, 2);
