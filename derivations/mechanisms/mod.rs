@@ -11,6 +11,7 @@
 pub mod bodies;
 pub mod drive;
 pub mod elastic;
+mod erased;
 pub mod governors;
 pub mod mechanism;
 pub mod rewritten;
@@ -23,8 +24,8 @@ use crate::systems::crank_slider::CrankSlider;
 use crate::systems::disc::Disc;
 use crate::systems::elastic_governor::ElasticGovernor;
 use crate::systems::knife_edge::KnifeEdge;
+use erased::{Entry, entry};
 use governors::{Discs, Drum, Programme, Released};
-use scene::{Entry, entry};
 
 /// Every mechanism by the name that scene files use.
 pub const LIST: &[Entry] = &[
