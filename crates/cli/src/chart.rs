@@ -134,7 +134,7 @@ fn text(scene: &dyn Smooth, atlas: &Atlas) -> String {
     };
     let with = if own.way.model.is_empty() { String::new() } else { format!(", {}", model(&own.way)) };
     text + &set(&Table {
-        caption: format!("Every run in the {}{with}", own.way.formulation),
+        caption: format!("Every run {}{with}", own.way.formulation.said()),
         head: ["method", "tolerance", "evaluations", "time, ms", "error"].map(str::to_owned).to_vec(),
         rows: points.iter().map(row).collect(),
     })

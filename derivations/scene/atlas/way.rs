@@ -50,6 +50,24 @@ impl Formulation {
     }
 }
 
+impl Formulation {
+    /// Within a sentence, behind a method.
+    pub fn said(self) -> &'static str {
+        match self {
+            Formulation::First => "in the first form",
+            Formulation::Second => "in the second form",
+            Formulation::Momenta => "in momenta",
+            Formulation::Bench => "for the motor alone",
+            Formulation::Minimal => "in minimal coordinates",
+            Formulation::Given => "in redundant coordinates led by the scene's gains",
+            Formulation::IndexReduced => "in redundant coordinates after index reduction",
+            Formulation::Led => "in redundant coordinates, stabilised",
+            Formulation::Projected => "in redundant coordinates, projected",
+            Formulation::Held => "held after Gear, Gupta and Leimkuhler",
+        }
+    }
+}
+
 impl fmt::Display for Formulation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())

@@ -103,7 +103,7 @@ fn circle(r: f64) -> String {
 
 fn square(half: f64) -> String {
     let n = coordinate;
-    format!("m{0} {0}h{1}v{1}h{2}z", n(-half), n(2.0 * half), n(-2.0 * half))
+    format!("m{0}{0}h{1}v{1}h{2}z", n(-half), n(2.0 * half), n(-2.0 * half))
 }
 
 /// Its point is up where the sign is 1 and down where it is -1.

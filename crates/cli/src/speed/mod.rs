@@ -40,6 +40,9 @@ impl Counted {
     }
 }
 
+/// A larger error is as large as the motion: no answer, and on no front.
+pub const ANSWER: f64 = 0.1;
+
 /// The runs of a method on one way.
 pub struct Series<'a> {
     pub way: &'a Way,
@@ -57,7 +60,7 @@ impl Series<'_> {
     /// `Taylor in the second form with equivalent windings`
     pub fn said(&self) -> String {
         let with = if self.way.model.is_empty() { String::new() } else { format!(" with {}", model(self.way)) };
-        format!("{} in the {}{with}", self.family, self.way.formulation).replace("in the momenta", "in momenta")
+        format!("{} {}{with}", self.family, self.way.formulation.said())
     }
 
     /// For [`integrators::cost`].

@@ -1,6 +1,6 @@
 //! Error against work: what is on the front in colour, all else grey.
 
-use super::{Counted, Series, model, series};
+use super::{ANSWER, Counted, Series, model, series};
 use charts::{Failure, Point, Work, WorkPrecision};
 use derivations::scene::Atlas;
 use integrators::front;
@@ -16,8 +16,11 @@ pub fn work_precision(atlas: &Atlas) -> [WorkPrecision; 2] {
             Counted::Evaluations => (Work::Evaluations, "Error against evaluations"),
             Counted::Time => (Work::TimeRatio, "Error against time"),
         };
-        let places: Vec<(usize, Point)> =
-            series.iter().enumerate().flat_map(|(at, one)| ended(one, counted, unit).map(move |it| (at, it))).collect();
+        let places: Vec<(usize, Point)> = series
+            .iter()
+            .enumerate()
+            .flat_map(|(at, one)| answers(one, counted, unit).map(move |it| (at, it)))
+            .collect();
         let found = front(&places.iter().map(|(_, point)| (point.work, point.error)).collect::<Vec<_>>());
         let loud = |at: usize| found.iter().any(|&place| places[place].0 == at);
         WorkPrecision {
@@ -37,6 +40,11 @@ fn ended<'a>(series: &'a Series<'_>, counted: Counted, unit: f64) -> impl Iterat
     points
         .map(move |(point, error)| Point { work: counted.of(point) / unit, error })
         .filter(|point| point.work.is_finite())
+}
+
+/// Those whose error is small enough for an answer.
+fn answers<'a>(series: &'a Series<'_>, counted: Counted, unit: f64) -> impl Iterator<Item = Point> + 'a {
+    ended(series, counted, unit).filter(|point| point.error <= ANSWER)
 }
 
 fn drawn(series: &Series<'_>, counted: Counted, unit: f64, quiet: bool) -> charts::Method {

@@ -61,7 +61,7 @@ impl<'a> Looks<'a> {
 }
 
 /// Half the width of a grey marker.
-pub(super) const SMALL: f64 = 2.6;
+pub(super) const SMALL: f64 = 2.2;
 
 /// Line and markers of a series; of a quiet one all markers are one path, which says its name.
 pub(super) fn draw(
