@@ -98,7 +98,8 @@ impl Over<f64> for Df64 {
 impl Analytic for Df64 {
     fn circle(self) -> Circle<Self> {
         // beyond, the crate's reduction fails, by a wrong quadrant or by a panic; what comes to such an angle is lost anyway
-        if !(self.hi().abs() < MOST_ANGLE) {
+        let reducible = self.hi().abs() < MOST_ANGLE;
+        if !reducible {
             let none = Df64::from(f64::NAN);
             return Circle { cos: none, sin: none };
         }
