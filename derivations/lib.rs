@@ -13,6 +13,7 @@
 //! * [`recorded`]: a system with its laws as straight-line code;
 //! * [`separated`]: a system with the pieces of its law, for the splitting methods;
 //! * [`scene`]: a system with a machine, data and an initial state, from a file;
+//! * [`taped`]: a law as the straight-line program that it comes to;
 //! * [`alphabet`](mod@alphabet): the letters of a page, with LaTeX and dimensions;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
 //! * [`friction`]: motion with friction across its events;
@@ -40,3 +41,4 @@ pub mod separated;
 pub mod stabilisation;
 pub mod stationary;
 pub mod systems;
+pub mod taped;

@@ -3,6 +3,7 @@
 //! A charted system needs nothing but names: its law is Appell's equations, its energy T, its power that of the given
 //! forces.
 
+use super::rewritten::{Rewritten, redundant};
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::machines::Quantity;
 use crate::stabilisation::law::Stabilised;
@@ -157,6 +158,11 @@ impl Mechanism for CrankSlider<f64> {
     fn shown(&self, time: f64, y: &[f64]) -> Vec<f64> {
         let (q, dq) = Reduced(self).motion(time, [y[0]], [y[1]]);
         vec![q[1], dq[1]]
+    }
+
+    fn rewritten(&self, start: &[f64]) -> Vec<Rewritten> {
+        let (q, dq) = Reduced(self).motion(0.0, [start[0]], [start[1]]);
+        redundant::<_, 2, 1>(self, &[q, dq].concat(), |y| vec![y[0], y[2]])
     }
 
     fn amiss(&self, _start: &[f64]) -> Vec<Amiss> {

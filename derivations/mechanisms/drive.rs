@@ -1,8 +1,10 @@
 //! The electromechanical drive in its nine equations, the rod's constraint stabilised by gains of the scene.
 
 use super::bodies::rod_too_short;
+use super::rewritten::{Rewritten, ready, redundant};
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::machines::Quantity;
+use crate::scene::atlas::{Formulation, Treated};
 use crate::stabilisation::drive_law::{Nine, Seven, instant, violation};
 use crate::stabilisation::regions::decays;
 use crate::stabilisation::schemes::Scheme;
@@ -49,6 +51,8 @@ impl Mechanism for Drive {
         Quantity::any("violation", "m^2", "f = (q7 - r cos q6)^2 + (r sin q6)^2 - l^2"),
         Quantity::any("violation_rate", "m^2/s", "rate of the violation"),
     ];
+
+    const FORMULATION: Formulation = Formulation::Given;
 
     fn read<E>(source: &mut impl FnMut(&'static Quantity) -> Result<f64, E>) -> Result<Self, E> {
         let drive = CrankDrive { circuit: Circuit::read(&mut *source)?, mechanism: CrankSlider::read(&mut *source)? };
@@ -111,6 +115,18 @@ impl Mechanism for Drive {
             _ => return None,
         };
         Some(Diagnosis { what, at: None })
+    }
+
+    /// In its seven equations without the slider; and by all charges and their currents, q4 in the place of q4 - q5 = q3.
+    fn rewritten(&self, start: &[f64]) -> Vec<Rewritten> {
+        let seven = Seven { drive: self.0.drive };
+        let whole = Box::new(move |y: &[f64]| seven.whole(y).to_vec());
+        let law = Treated::Free(ready(seven));
+        let minimal = Rewritten { formulation: Formulation::Minimal, law, state: start.to_vec(), whole };
+        let [f1, f2, q3, f4, f5, q6, f6, q7, f7] = seven.whole(start);
+        let state = [0.0, 0.0, q3, 0.0, q6, q7, f1, f2, f4, f5, f6, f7];
+        let nine = |y: &[f64]| vec![y[6], y[7], y[2] - y[3], y[8], y[9], y[4], y[10], y[5], y[11]];
+        std::iter::once(minimal).chain(redundant::<_, 6, 1>(&self.0.drive, &state, nine)).collect()
     }
 
     fn theory(&self, start: &[f64], method: Method, span: f64) -> Vec<String> {

@@ -1,6 +1,8 @@
 //! What a mechanism says of itself.
 
+use super::rewritten::Rewritten;
 use crate::machines::Quantity;
+use crate::scene::atlas::Formulation;
 use field::{Analytic, Over};
 use integrators::{Method, Ode};
 use std::fmt::Debug;
@@ -17,6 +19,8 @@ pub trait Mechanism: Clone + Debug + Send + Sync + 'static {
     const START: &'static [Quantity] = Self::STATE;
     /// What a run shows beside the state.
     const SHOWN: &'static [Quantity] = &[];
+    /// How the law is written.
+    const FORMULATION: Formulation = Formulation::Minimal;
 
     /// Reads the data, each by its name.
     ///
@@ -61,6 +65,11 @@ pub trait Mechanism: Clone + Debug + Send + Sync + 'static {
     /// The first states at a time in closed form, and what that is; `None` where it is not known.
     fn exact(&self, _start: &[f64], _time: f64) -> Option<(&'static str, Vec<f64>)> {
         None
+    }
+
+    /// The same mechanism in other coordinates, or with other treatments of its constraints.
+    fn rewritten(&self, _start: &[f64]) -> Vec<Rewritten> {
+        Vec::new()
     }
 
     /// What theory says of the run without looking at it.

@@ -2,6 +2,7 @@
 //!
 //! # Overview
 //! * [`mechanism`]: what a mechanism says of itself, and the law with its work that is made of it;
+//! * [`rewritten`]: other formulations of the same mechanism, for the atlas;
 //! * [`scene`]: the family of scenes: reading, the problem, what theory says of a run;
 //! * [`governors`], [`elastic`], [`drive`], [`bodies`]: the mechanisms.
 //!
@@ -10,8 +11,10 @@
 pub mod bodies;
 pub mod drive;
 pub mod elastic;
+mod erased;
 pub mod governors;
 pub mod mechanism;
+pub mod rewritten;
 pub mod scene;
 
 pub use mechanism::{Amiss, Balanced, Diagnosis, Ended, Mechanism};
@@ -21,8 +24,8 @@ use crate::systems::crank_slider::CrankSlider;
 use crate::systems::disc::Disc;
 use crate::systems::elastic_governor::ElasticGovernor;
 use crate::systems::knife_edge::KnifeEdge;
+use erased::{Entry, entry};
 use governors::{Discs, Drum, Programme, Released};
-use scene::{Entry, entry};
 
 /// Every mechanism by the name that scene files use.
 pub const LIST: &[Entry] = &[

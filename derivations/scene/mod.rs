@@ -11,9 +11,11 @@
 //! * [`problem`], [`simulate`]: the law that any method integrates, and the run; [`smooth`]: scenes of every family that
 //!   has one;
 //! * [`code`]: the right-hand side and its Jacobian as code of other languages;
-//! * [`measured`]: every method on a scene, speed against accuracy; [`stored`]: what errors are measured by, kept in files.
+//! * [`measured`], [`atlas`]: every method on every formulation with every model, speed against accuracy; [`stored`]:
+//!   what errors are measured by, kept in files.
 
 pub mod any;
+pub mod atlas;
 pub mod bodies;
 pub mod code;
 pub mod file;
@@ -35,10 +37,11 @@ pub mod units;
 
 pub use crate::mechanisms::MechanismScene;
 pub use any::AnyScene;
+pub use atlas::Atlas;
 pub use file::Family;
 pub use issue::{Issue, SceneError, nearest};
 pub use machine::{MachineData, NoModel};
-pub use measured::{Measured, Trials};
+pub use measured::{Trials, judged};
 pub use problem::{Invariant, Problem};
 pub use run::Run;
 pub use simulate::{Choice, Trajectory};

@@ -31,7 +31,7 @@ pub trait Law: integrators::System + Send + Sync {}
 impl<L: integrators::System + Send + Sync> Law for L {}
 
 type Function = dyn Fn(f64, &[f64]) -> f64 + Send + Sync;
-type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
+pub(crate) type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
 type Outside = dyn Fn(&[f64]) -> Option<&'static str> + Send + Sync;
 
 /// A function of time and state that keeps its first value.

@@ -1,7 +1,9 @@
 //! Scenes that are one initial value problem: what every command asks of them, whatever their family.
 
+use super::atlas::{Observed, Way};
 use super::{Axes, Choice, Problem, Run, Scene, Trajectory};
 use crate::machines::Quantity;
+use integrators::Reference;
 
 /// A scene that is one initial value problem.
 pub trait Smooth: Send + Sync {
@@ -14,6 +16,10 @@ pub trait Smooth: Send + Sync {
     /// In the axes of a form, where there are forms.
     fn problem(&self, axes: Axes) -> Problem;
     fn parameters(&self) -> Vec<Parameter>;
+    /// Every formulation with every model, that of [`Self::problem`] in the first axes first.
+    fn ways(&self) -> Vec<Way>;
+    /// What is compared between them, with the sizes along the motion.
+    fn observed(&self, reference: &Reference) -> Vec<Observed>;
 
     /// What a column of a run is, where its name does not say it.
     fn column(&self, _name: &str) -> Option<&'static Quantity> {
@@ -84,6 +90,14 @@ impl Smooth for Scene {
             (known.name, off.fold(0.0, f64::max) / size)
         });
         Told { closed_form: off, ..Told::default() }
+    }
+
+    fn ways(&self) -> Vec<Way> {
+        self.all_ways()
+    }
+
+    fn observed(&self, reference: &Reference) -> Vec<Observed> {
+        self.observables(reference)
     }
 
     fn parameters(&self) -> Vec<Parameter> {

@@ -102,3 +102,10 @@ impl ForMachine for KeptSpeed {
         (M::ROTOR == RotorState::Prescribed).then(|| machine.frame_speed())
     }
 }
+
+impl super::Scene {
+    /// Whether its machine keeps the rotor's speed whatever moment that takes.
+    pub(super) fn keeps_speed(&self) -> bool {
+        self.machine.clone().apply(KeptSpeed).is_some()
+    }
+}

@@ -227,8 +227,8 @@ pub struct Chart {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// Draws the chart: one picture as .svg, or a page with both as .html
-    #[arg(long, value_name = "FILE.svg|FILE.html")]
+    /// Draws the chart: one picture as .svg, or a page with both as .html; or writes every run as a table, .csv
+    #[arg(long, value_name = "FILE.svg|FILE.html|FILE.csv")]
     pub out: Option<PathBuf>,
     /// What the work of a picture is counted in
     #[arg(long, value_enum, default_value_t)]

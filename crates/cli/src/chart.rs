@@ -1,16 +1,20 @@
-//! `dalembert chart`: speed against accuracy of one scene.
+//! `dalembert chart`: speed against accuracy of one scene, in every formulation with every model.
 
 use crate::arguments::{Axis, Chart};
+use crate::csv;
 use crate::ending::{Ending, print, save};
-use crate::pictures::{self, reason};
 use crate::report;
 use crate::run::{refuse, with_model};
-use derivations::scene::{AnyScene, Family, Measured, Smooth, Trials};
+use crate::speed::{advice::advice, family, model, pictures, tables};
+use charts::Table;
+use derivations::scene::atlas::{Formulation, Way};
+use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Trials, judged};
+use integrators::Failure;
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Duration;
 
-/// Measures every method, prints the table, draws the chart where one is asked for.
+/// Measures every method, prints the tables, draws the chart where one is asked for.
 pub fn chart(asked: &Chart) -> Result<Ending, Ending> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
@@ -31,11 +35,14 @@ pub fn chart(asked: &Chart) -> Result<Ending, Ending> {
     let allowed = Duration::from_secs(asked.seconds.into());
     let trials = Trials { allowed, ..Trials::default() }.with(smooth.run().method);
     let problem = smooth.problem(asked.form.unwrap_or_default());
-    match problem.measure(&trials) {
-        Ok(measured) => {
-            print(&table(smooth, &measured))?;
+    let mut ways = smooth.ways();
+    ways.retain(|way| asked.form.is_none_or(|form| written_in(way, form)));
+    match judged(smooth, &problem, ways, &trials, allowed) {
+        Ok(mut atlas) => {
+            atlas.take_times(&trials, allowed / 2);
+            print(&text(smooth, &atlas))?;
             if let Some(path) = &asked.out {
-                save(path, &drawn(smooth, &measured, asked, path))?;
+                drawn(smooth, &atlas, asked, path)?;
             }
             Ok(Ending::Done)
         }
@@ -49,45 +56,107 @@ pub fn chart(asked: &Chart) -> Result<Ending, Ending> {
     }
 }
 
-/// A page where the file's name asks for one, else one picture.
-fn drawn(scene: &dyn Smooth, measured: &Measured, asked: &Chart, path: &Path) -> String {
-    let [counted, timed] = pictures::work_precision(measured);
-    if path.extension().is_some_and(|extension| extension == "html" || extension == "htm") {
-        return report::of_scene(scene, vec![counted, timed], pictures::measured_by(measured));
+fn written_in(way: &Way, form: Axes) -> bool {
+    match way.formulation {
+        Formulation::First => form == Axes::First,
+        Formulation::Second => form == Axes::Second,
+        other => other == Formulation::Bench,
     }
-    let mut chart = match asked.x {
-        Axis::Evaluations => counted,
-        Axis::Time => timed,
-    };
-    chart.title = scene.title().to_owned();
-    chart.svg()
 }
 
-/// A line for each run, method by method.
-fn table(scene: &dyn Smooth, measured: &Measured) -> String {
-    let reference = &measured.reference;
+/// A page or a table of all runs where the file's name asks for one, else one picture.
+fn drawn(scene: &dyn Smooth, atlas: &Atlas, asked: &Chart, path: &Path) -> Result<(), Ending> {
+    let [counted, timed] = pictures::work_precision(atlas);
+    match path.extension().and_then(|extension| extension.to_str()) {
+        Some("html" | "htm") => save(path, &report::of_scene(scene, atlas, vec![counted, timed])),
+        Some("csv") => save(path, &runs(atlas)),
+        _ => {
+            let mut chart = match asked.x {
+                Axis::Evaluations => counted,
+                Axis::Time => timed,
+            };
+            chart.title = scene.title().to_owned();
+            save(path, &chart.svg())
+        }
+    }
+}
+
+/// Every run, a row each.
+fn runs(atlas: &Atlas) -> String {
+    let mut text = "formulation,model,method,tolerance,evaluations,seconds,error,failure\n".to_owned();
+    for (way, point) in atlas.points() {
+        let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:e}"));
+        let failure = point.error.as_ref().err().map_or("", Failure::name);
+        let cells = [
+            way.formulation.to_string(),
+            way.model.to_owned(),
+            point.means.to_string(),
+            number(point.tolerance),
+            point.evaluations.to_string(),
+            number(point.time.map(|time| time.seconds)),
+            number(point.error.ok()),
+            failure.to_owned(),
+        ];
+        text += &cells.map(|cell| csv::quoted(&cell)).join(",");
+        text.push('\n');
+    }
+    text
+}
+
+/// The fronts, the models, and of the scene's own first formulation a line for each run.
+fn text(scene: &dyn Smooth, atlas: &Atlas) -> String {
+    let reference = &atlas.reference;
     let mut text = format!(
-        "{}\n\nreference: {} and {} agree to {:.1} digits\n\n",
+        "{}\n\nreference: {} and {} agree to {:.1} digits\n{}\n",
         scene.title(),
         reference.methods[0],
         reference.methods[1],
-        reference.digits
+        reference.digits,
+        [1e-3, 1e-6, 1e-9].map(|error| advice(atlas, error)).join("\n")
     );
-    let states = reference.sizes.len() as u64;
-    let mut points: Vec<_> = measured.points.iter().collect();
+    let models = tables::models(atlas);
+    for table in tables::fronts(atlas).iter().chain((!models.rows.is_empty()).then_some(&models)) {
+        text += &set(table);
+    }
+    let Some(own) = atlas.explored.first() else { return text };
+    let mut points: Vec<_> = own.points.iter().collect();
     // stable: the tolerances of a method, and its numbers of steps, stay in their order
-    points.sort_by_key(|point| pictures::family(point.method));
-    // writing to a string cannot fail
-    let _ =
-        writeln!(text, "{:<28} {:>9} {:>12} {:>11} {:>12}", "method", "tolerance", "evaluations", "time, ms", "error");
-    for point in points {
-        let tolerance = point.tolerance.map_or_else(String::new, |tolerance| format!("{tolerance:.0e}"));
-        let time = point.time.map_or_else(String::new, |time| format!("{:.3}", time.seconds * 1e3));
-        let error =
-            point.error.as_ref().map_or_else(|failure| reason(failure).to_owned(), |error| format!("{error:.1e}"));
-        let evaluations = pictures::evaluations(point, states);
-        let method = point.method.to_string();
-        let _ = writeln!(text, "{method:<28} {tolerance:>9} {evaluations:>12} {time:>11} {error:>12}");
+    points.sort_by_key(|point| family(point.means));
+    let row = |point: &&integrators::Point| {
+        let error = point.error.as_ref();
+        vec![
+            point.means.to_string(),
+            point.tolerance.map_or_else(String::new, |tolerance| format!("{tolerance:.0e}")),
+            point.evaluations.to_string(),
+            point.time.map_or_else(String::new, |time| format!("{:.3}", time.seconds * 1e3)),
+            error.map_or_else(|failure| failure.name().to_owned(), |error| format!("{error:.1e}")),
+        ]
+    };
+    let with = if own.way.model.is_empty() { String::new() } else { format!(", {}", model(&own.way)) };
+    text + &set(&Table {
+        caption: format!("Every run {}{with}", own.way.formulation.said()),
+        head: ["method", "tolerance", "evaluations", "time, ms", "error"].map(str::to_owned).to_vec(),
+        rows: points.iter().map(row).collect(),
+    })
+}
+
+/// A table of texts in columns.
+fn set(table: &Table) -> String {
+    let widths: Vec<usize> = (0..table.head.len())
+        .map(|column| {
+            let cells = table.rows.iter().chain([&table.head]).filter_map(|row| row.get(column));
+            cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+        })
+        .collect();
+    let mut text = format!("\n{}\n", table.caption);
+    for row in std::iter::once(&table.head).chain(&table.rows) {
+        let line = row.iter().zip(&widths).fold(String::new(), |mut line, (cell, width)| {
+            // writing to a string cannot fail
+            let _ = write!(line, "{cell:<width$}  ");
+            line
+        });
+        text += line.trim_end();
+        text.push('\n');
     }
     text
 }

@@ -44,3 +44,8 @@ fn write(names: &[String], times: &[f64], rows: &[Vec<f64>], out: &mut impl Writ
     }
     out.flush()
 }
+
+/// A cell, in quotation marks where it holds a comma.
+pub fn quoted(cell: &str) -> String {
+    if cell.contains(',') { format!("\"{cell}\"") } else { cell.to_owned() }
+}

@@ -6,6 +6,7 @@
 //!   for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
+//! * [`speed`]: the atlas of a scene as pictures, tables and advice;
 //! * [`crew`]: work shared among the processors;
 //! * [`values`], [`timings`]: exact values and measured times for a reader;
 //! * [`ending`]: exit codes, and writing that survives a closed pipe.
@@ -27,6 +28,7 @@ mod report;
 mod rough;
 mod run;
 mod scenes;
+mod speed;
 mod sphere;
 mod stationary;
 mod studies;

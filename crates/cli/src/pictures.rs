@@ -1,108 +1,19 @@
 //! A scene's runs as the data of pictures.
 
-use charts::{AreaCurve, Areas, Failure, Panel, Point, Track, Work, WorkPrecision, significant};
+use charts::{AreaCurve, Areas, Panel, Track, significant};
 use derivations::governors::StabilityMap;
 use derivations::machines::Quantity;
 use derivations::regimes::maps::{Kind, Map};
 use derivations::scene::state::unit;
-use derivations::scene::{Measured, Smooth, Trajectory};
-use integrators::{self as run, Method};
-
-/// Error against work, once in evaluations and once in time.
-pub fn work_precision(measured: &Measured) -> [WorkPrecision; 2] {
-    let dimension = measured.reference.sizes.len() as u64;
-    let seconds = measured.points.iter().filter_map(|point| point.time).map(|time| time.seconds);
-    let fastest = seconds.fold(f64::INFINITY, f64::min);
-    let evaluations = |point: &run::Point| evaluations(point, dimension) as f64;
-    let ratio = |point: &run::Point| point.time.map_or(f64::NAN, |time| time.seconds / fastest);
-    let chart = |x, work: &dyn Fn(&run::Point) -> f64| WorkPrecision {
-        title: match x {
-            Work::Evaluations => "Error against evaluations".to_owned(),
-            Work::TimeRatio => "Error against time".to_owned(),
-        },
-        x,
-        error: "largest relative error".to_owned(),
-        series: series(&measured.points, work),
-        note: String::new(),
-    };
-    [chart(Work::Evaluations, &evaluations), chart(Work::TimeRatio, &ratio)]
-}
-
-/// What errors, evaluations and times of a scene are, for the line below its charts.
-pub fn measured_by(measured: &Measured) -> String {
-    let reference = &measured.reference;
-    format!(
-        "Error: the largest over eight instants and all states, each relative to its size, by the reference: {} and {} \
-         in double-double, which agree to {:.0} digits. A Jacobian counts as the {} evaluations of its columns. Times \
-         are medians within one run of the program, in which the methods take turns.",
-        reference.methods[0],
-        reference.methods[1],
-        reference.digits,
-        reference.sizes.len()
-    )
-}
-
-/// What a run costs in evaluations of the rates, its Jacobians included.
-pub fn evaluations(point: &run::Point, dimension: u64) -> u64 {
-    point.work.rates + point.work.jacobians * dimension
-}
-
-/// One for each method; runs of a constant step in all their numbers of steps are one.
-fn series(points: &[run::Point], work: &dyn Fn(&run::Point) -> f64) -> Vec<charts::Method> {
-    let mut series: Vec<charts::Method> = Vec::new();
-    for point in points {
-        let name = family(point.method);
-        let at = series.iter().position(|known| known.name == name).unwrap_or_else(|| {
-            series.push(charts::Method { name, ..Default::default() });
-            series.len() - 1
-        });
-        match &point.error {
-            Ok(_) if !work(point).is_finite() => {} // no time was left to measure it
-            Ok(error) => series[at].points.push(Point { work: work(point), error: *error }),
-            Err(failure) => series[at].failures.push(Failure {
-                work: work(point),
-                tolerance: point.tolerance.unwrap_or(f64::NAN),
-                reason: reason(failure).to_owned(),
-            }),
-        }
-    }
-    series
-}
-
-/// A method's name without its number of steps.
-pub fn family(method: Method) -> String {
-    match method {
-        Method::RungeKutta4 { .. } => "Runge-Kutta 4, constant step".to_owned(),
-        Method::Euler { .. } => "Euler, constant step".to_owned(),
-        Method::BackwardEuler { .. } => "backward Euler, constant step".to_owned(),
-        Method::ImplicitMidpoint { .. } => "implicit midpoint, constant step".to_owned(),
-        Method::Split { splitting, .. } => format!("{} splitting, constant step", splitting.name()),
-        other => other.to_string(),
-    }
-}
-
-/// The name of a failure without its place, so that equal failures stand together.
-pub fn reason(failure: &run::Failure) -> &'static str {
-    use run::Failure as Is;
-    match failure {
-        Is::Refused(_) => "refused",
-        Is::StepCollapsed { .. } => "step collapsed",
-        Is::TooManyEvaluations { .. } => "too many evaluations",
-        Is::OutOfTime { .. } => "out of time",
-        Is::NewtonFailed { .. } => "Newton did not converge",
-        Is::LeftTheNumbers { .. } => "left the numbers",
-        Is::Stiff { .. } => "found it stiff",
-        Is::Singular { .. } => "singular matrix",
-        Is::GoesBack { .. } => "goes back on what fades",
-    }
-}
+use derivations::scene::{Smooth, Trajectory};
+use integrators as run;
 
 /// The outputs that the scene names against time; components of one vector, and all currents, share a panel.
 pub fn trajectory(scene: &dyn Smooth, run: &Trajectory) -> charts::Trajectory {
     let outputs = &scene.run().outputs;
     let shown: Vec<&String> = run.names.iter().filter(|name| outputs.is_empty() || outputs.contains(name)).collect();
     let failure = run.outcome.failure();
-    let stopped = run.left.or(failure.as_ref().map(reason)).map(str::to_owned);
+    let stopped = run.left.or(failure.as_ref().map(run::Failure::name)).map(str::to_owned);
     let mut panels: Vec<(String, Panel)> = Vec::new();
     for name in shown {
         let Some(column) = run.column(name) else { continue };

@@ -105,6 +105,12 @@ impl Over<f64> for Df64 {
 
 impl Analytic for Df64 {
     fn circle(self) -> Circle<Self> {
+        // beyond, the crate's reduction fails, by a wrong quadrant or by a panic; what comes to such an angle is lost anyway
+        let reducible = self.hi().abs() < MOST_ANGLE;
+        if !reducible {
+            let none = Df64::from(f64::NAN);
+            return Circle { cos: none, sin: none };
+        }
         let (sin, cos) = num_traits::Float::sin_cos(self);
         Circle { cos, sin }
     }
@@ -114,8 +120,25 @@ impl Analytic for Df64 {
     }
 }
 
+/// Below 2^31 quarters of a turn.
+const MOST_ANGLE: f64 = 3e9;
+
 /// An `i64` has up to 63 bits: its halves are exact in `f64`, and their sum in double-double.
 fn exact_integer(n: i64) -> Df64 {
     let low = n & 0xffff_ffff;
     Df64::from((n - low) as f64) + Df64::from(low as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_beyond_reduction_is_no_number_and_no_panic() {
+        for angle in [1e10, -1e20, f64::INFINITY, f64::NAN] {
+            assert!(Df64::from(angle).circle().cos.hi().is_nan(), "{angle}");
+        }
+        let near = Df64::from(2.9e9).circle();
+        assert!((near.cos.hi() - 2.9e9_f64.cos()).abs() < 1e-15 && (near.sin.hi() - 2.9e9_f64.sin()).abs() < 1e-15);
+    }
 }

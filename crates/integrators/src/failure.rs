@@ -26,6 +26,23 @@ pub enum Failure {
     Singular { at: f64 },
 }
 
+impl Failure {
+    /// Its name without its place, so that equal failures stand together.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Failure::Refused(_) => "refused",
+            Failure::StepCollapsed { .. } => "step collapsed",
+            Failure::TooManyEvaluations { .. } => "too many evaluations",
+            Failure::OutOfTime { .. } => "out of time",
+            Failure::NewtonFailed { .. } => "Newton did not converge",
+            Failure::LeftTheNumbers { .. } => "left the numbers",
+            Failure::Stiff { .. } => "found it stiff",
+            Failure::GoesBack { .. } => "goes back on what fades",
+            Failure::Singular { .. } => "singular matrix",
+        }
+    }
+}
+
 /// Why data were refused, and what would be accepted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refusal {

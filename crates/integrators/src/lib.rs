@@ -29,6 +29,7 @@
 //! gives 26 digits at any stiffness in milliseconds.
 
 mod adaptors;
+mod attempt;
 mod bader_deuflhard;
 #[cfg(test)]
 mod bell;
@@ -40,6 +41,7 @@ mod drive;
 mod ensemble;
 mod events;
 mod failure;
+mod front;
 mod gragg;
 mod held;
 mod implicit;
@@ -68,12 +70,14 @@ mod turns;
 mod watch;
 mod work_precision;
 
+pub use attempt::{Attempt, Means};
 pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family};
 pub use composition::Splitting;
 pub use ensemble::{Ensemble, LaneSeries, Members};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use failure::{Failure, Refusal};
+pub use front::{excess, front};
 pub use held::{Held, HeldSystem, Holding, hold, integrate_projected};
 pub use integrate::{integrate, integrate_in};
 pub use jacobian::Jacobian;
@@ -82,7 +86,7 @@ pub use observer::{Observer, Progress, Record, Samples};
 pub use ode::{DIRECTIONS, Directions, Ode, Slopes, System, Working};
 pub use outcome::{Deviation, End, Outcome, Work};
 pub use real::Real;
-pub use reference::{ENOUGH_DIGITS, Reference, reference};
+pub use reference::{ENOUGH_DIGITS, Reference, reference, survey};
 pub use regret::{Regrets, Trial, cost};
 pub use side_by_side::{SideBySide, fuses};
 pub use span::{Budget, Monitor, Quantity, Span};
@@ -91,4 +95,4 @@ pub use taylor::{Taylor, TaylorSeries, taylor_order};
 pub use tolerance::{Absolute, Tolerance};
 pub use transition::{Transition, transition};
 pub use turns::{Median, taking_turns};
-pub use work_precision::{Point, judge, measure};
+pub use work_precision::{Course, Point, Timed, judge, measure};

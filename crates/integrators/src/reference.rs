@@ -83,8 +83,12 @@ pub fn reference(system: &dyn System, span: &Span<'_, f64>) -> Result<Reference,
     Ok(Reference { times: first.times, states: first.states, digits, sizes, methods, work: [one, other] })
 }
 
-/// The largest magnitudes along a coarse run, and whether an explicit method found it stiff.
-fn survey(system: &dyn System, span: &Span<'_, f64>) -> Result<(Vec<f64>, bool), Failure> {
+/// The largest magnitude of each component along a coarse run, 1 for one that stays zero, and whether an explicit method found
+/// the problem stiff.
+///
+/// # Errors
+/// Where neither an explicit nor an implicit method reached the end.
+pub fn survey(system: &dyn System, span: &Span<'_, f64>) -> Result<(Vec<f64>, bool), Failure> {
     let explicit = coarse(system, span, Method::DormandPrince8, COARSE_EVALUATIONS);
     match explicit {
         Ok(sizes) => Ok((sizes, false)),

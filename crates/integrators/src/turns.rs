@@ -21,10 +21,20 @@ pub struct Median {
 
 /// Medians of so many runs that take turns until each is settled or the time is over. A run that answers false is not
 /// called again and has no median; nor has one that was not called because the time was over.
-pub fn taking_turns(count: usize, allowed: Duration, mut run: impl FnMut(usize) -> bool) -> Vec<Option<Median>> {
+pub fn taking_turns(count: usize, allowed: Duration, run: impl FnMut(usize) -> bool) -> Vec<Option<Median>> {
+    at_most(ENOUGH, count, allowed, run)
+}
+
+/// The same with at most so many turns.
+pub(crate) fn at_most(
+    enough: usize,
+    count: usize,
+    allowed: Duration,
+    mut run: impl FnMut(usize) -> bool,
+) -> Vec<Option<Median>> {
     let end = Instant::now() + allowed;
     let mut turns = vec![Turns::default(); count];
-    for _ in 0..ENOUGH {
+    for _ in 0..enough {
         for (index, turn) in turns.iter_mut().enumerate() {
             if !turn.failed && !turn.settled() && Instant::now() + turn.longest() <= end {
                 turn.measure(|| run(index));

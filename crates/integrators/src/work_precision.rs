@@ -2,75 +2,99 @@
 
 use std::time::{Duration, Instant};
 
-use crate::{Failure, Median, Method, Record, Reference, Span, System, Tolerance, Work, integrate, taking_turns};
+use crate::front::excess;
+use crate::turns::at_most;
+use crate::{Attempt, Failure, Means, Median, Record, Span, Tolerance, Work, taking_turns};
 
 /// One run on the chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    pub method: Method,
+    pub means: Means,
     /// None for a method with a constant step.
     pub tolerance: Option<f64>,
-    /// The largest error at the reference's times relative to each component's size, or why there is none.
+    /// What the error function of the course says, or why there is no error.
     pub error: Result<f64, Failure>,
     pub work: Work,
+    /// The work in evaluations: see [`Attempt::evaluations`].
+    pub evaluations: u64,
     /// The time; none for a run that failed, or that was not measured.
     pub time: Option<Median>,
 }
 
-/// Runs every method at every tolerance, a method with a constant step once, without times: problems may be judged at the
-/// same time. Each run may take its equal share of what the ones before have left of the time allowed.
-///
-/// The reference must be one of the same span: same start, same outputs.
-pub fn judge(
-    system: &dyn System,
-    span: &Span<'_, f64>,
-    methods: &[Method],
-    tolerances: &[f64],
-    reference: &Reference,
-    allowed: Duration,
-) -> Vec<Point> {
+/// What methods are to follow, and how far they are off.
+#[derive(Clone, Copy)]
+pub struct Course<'a> {
+    pub span: &'a Span<'a, f64>,
+    /// Of the state's components.
+    pub sizes: &'a [f64],
+    /// Of the states at the span's outputs.
+    pub error: &'a dyn Fn(&Record<f64>) -> f64,
+}
+
+/// Runs every attempt at every tolerance, one with a constant step once, without times: problems may be judged at the same
+/// time. Each run may take its share of what the ones before have left of the time allowed: few need it.
+pub fn judge(attempts: &[Attempt<'_>], course: &Course<'_>, tolerances: &[f64], allowed: Duration) -> Vec<Point> {
     let end = Instant::now() + allowed;
-    let tried: Vec<(f64, Method)> = tolerances
+    let tried: Vec<(f64, &Attempt<'_>)> = tolerances
         .iter()
         .enumerate()
-        .flat_map(|(index, tolerance)| methods.iter().map(move |method| (index, *tolerance, *method)))
-        .filter(|(index, _, method)| method.traits().adaptive || *index == 0)
-        .map(|(_, tolerance, method)| (tolerance, method))
+        .flat_map(|(index, tolerance)| attempts.iter().map(move |attempt| (index, *tolerance, attempt)))
+        .filter(|(index, _, attempt)| attempt.means().steps().is_none() || *index == 0)
+        .map(|(_, tolerance, attempt)| (tolerance, attempt))
         .collect();
     let count = tried.len();
-    let judged = tried.into_iter().enumerate().map(|(index, (relative, method))| {
-        let share = end.saturating_duration_since(Instant::now()) / (count - index) as u32;
-        let tolerance = Tolerance::scaled(relative, &reference.sizes);
+    let judged = tried.into_iter().enumerate().map(|(index, (relative, attempt))| {
+        let left = end.saturating_duration_since(Instant::now());
+        let share = left / MOST_SHARES.min(count - index) as u32;
+        let tolerance = Tolerance::scaled(relative, course.sizes);
         let mut record = Record::new();
-        let outcome = integrate(system, method, &tolerance, &bare(span, Instant::now() + share), &mut record);
-        let error = outcome.failure().map_or_else(|| Ok(reference.error(&record)), Err);
-        let tolerance = method.traits().adaptive.then_some(relative);
-        Point { method, tolerance, error, work: outcome.work, time: None }
+        let outcome = attempt.run(&tolerance, &bare(course.span, Instant::now() + share), &mut record);
+        let error = outcome.failure().map_or_else(|| Ok((course.error)(&record)), Err);
+        let means = attempt.means();
+        let tolerance = means.steps().is_none().then_some(relative);
+        let evaluations = attempt.evaluations(&outcome.work);
+        Point { means, tolerance, error, work: outcome.work, evaluations, time: None }
     });
     judged.collect()
 }
 
-/// Takes the times of the points that reached the end, side by side, within the time allowed: while nothing else runs.
-pub fn measure(
-    system: &dyn System,
-    span: &Span<'_, f64>,
-    points: &mut [Point],
-    reference: &Reference,
-    allowed: Duration,
-) {
-    let reached: Vec<usize> = (0..points.len()).filter(|index| points[*index].error.is_ok()).collect();
-    let span = bare(span, Instant::now() + allowed);
-    let runs: Vec<(Method, Tolerance)> = reached
-        .iter()
-        .map(|index| &points[*index])
-        // a constant step follows no tolerance
-        .map(|point| (point.method, Tolerance::scaled(point.tolerance.unwrap_or(f64::EPSILON), &reference.sizes)))
-        .collect();
-    let times = taking_turns(runs.len(), allowed, |index| {
-        let (method, tolerance) = &runs[index];
-        integrate(system, *method, tolerance, &span, &mut ()).reached()
-    });
-    reached.into_iter().zip(times).for_each(|(index, time)| points[index].time = time);
+/// No run may take more than this part of the time that is left, and none is refused as much.
+const MOST_SHARES: usize = 8;
+
+/// A run that reached its end, to be timed.
+pub struct Timed<'a> {
+    pub attempt: Attempt<'a>,
+    pub span: &'a Span<'a, f64>,
+    pub tolerance: Tolerance,
+    pub error: f64,
+    pub evaluations: u64,
+}
+
+/// Costs over that of the front up to which times are measured until their median is settled.
+const NEAR: f64 = 2.0;
+/// Measurements of all the others.
+const FEW: usize = 3;
+
+/// The times of runs that reached their ends, side by side, while nothing else runs: of each the median of a few, of those
+/// near the front the median of more. The cheapest have the first turns, so that a lack of time meets the dearest.
+pub fn measure(runs: &[Timed<'_>], allowed: Duration) -> Vec<Option<Median>> {
+    let deadline = Instant::now() + allowed;
+    let spans: Vec<Span<'static, f64>> = runs.iter().map(|run| bare(run.span, deadline)).collect();
+    let go = |at: usize| runs[at].attempt.run(&runs[at].tolerance, &spans[at], &mut ()).reached();
+    let mut order: Vec<usize> = (0..runs.len()).collect();
+    order.sort_by_key(|&at| runs[at].evaluations);
+    let mut times: Vec<Option<Median>> = vec![None; runs.len()];
+    for (at, time) in order.iter().zip(at_most(FEW, runs.len(), allowed * 3 / 5, |turn| go(order[turn]))) {
+        times[*at] = time;
+    }
+    let measured = |(run, time): (&Timed<'_>, &Option<Median>)| (time.map_or(f64::NAN, |time| time.seconds), run.error);
+    let excess = excess(&runs.iter().zip(&times).map(measured).collect::<Vec<_>>());
+    let near: Vec<usize> = (0..runs.len()).filter(|&at| excess[at] <= NEAR).collect();
+    let left = deadline.saturating_duration_since(Instant::now());
+    for (at, time) in near.iter().zip(taking_turns(near.len(), left, |turn| go(near[turn]))) {
+        times[*at] = time.filter(|time| time.measurements >= FEW).or(times[*at]);
+    }
+    times
 }
 
 /// The same span without monitors, to be done by a moment.

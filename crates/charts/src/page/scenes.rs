@@ -4,7 +4,7 @@ use super::{
     anchor,
     cards::{facts, figure, table},
 };
-use crate::{Parameter, Report, SceneSection, Table, WorkPrecision, svg::number::tolerance, text::Typesetter};
+use crate::{Method, Parameter, Report, SceneSection, Table, WorkPrecision, svg::number::tolerance, text::Typesetter};
 use maud::{Markup, html};
 
 pub(super) fn scenes(report: &Report, set: &mut Typesetter) -> Markup {
@@ -62,20 +62,23 @@ fn parameters(parameters: &[Parameter], set: &mut Typesetter) -> Markup {
 fn failures(charts: &[WorkPrecision]) -> Table {
     let mut rows: Vec<(String, String, Vec<f64>)> = Vec::new();
     for method in charts.iter().flat_map(|chart| &chart.series) {
+        let own = family(method);
         for failure in &method.failures {
-            let known = rows.iter_mut().find(|(name, reason, _)| *name == method.name && *reason == failure.reason);
+            let known = rows.iter_mut().find(|(name, reason, _)| name == own && *reason == failure.reason);
             match known {
                 Some((_, _, tolerances)) if tolerances.iter().any(|t| t.total_cmp(&failure.tolerance).is_eq()) => {}
                 Some((_, _, tolerances)) => tolerances.push(failure.tolerance),
-                None => rows.push((method.name.clone(), failure.reason.clone(), vec![failure.tolerance])),
+                None => rows.push((own.to_owned(), failure.reason.clone(), vec![failure.tolerance])),
             }
         }
     }
-    let series = || charts.iter().flat_map(|chart| &chart.series);
-    let total =
-        |name: &str| series().filter(|method| method.name == name).map(|m| m.points.len() + m.failures.len()).max();
+    let total = |name: &str| series(charts, name).map(|m| m.points.len() + m.failures.len()).max();
     let list = |name: &str, tolerances: &[f64]| match total(name) {
-        Some(all) if all > 1 && all == tolerances.len() => "all".to_owned(),
+        Some(all)
+            if all > 1 && all == tolerances.len() && series(charts, name).all(|method| method.points.is_empty()) =>
+        {
+            "all".to_owned()
+        }
         _ => tolerances.iter().map(|t| tolerance(*t)).collect::<Vec<_>>().join(", "),
     };
     Table {
@@ -88,16 +91,30 @@ fn failures(charts: &[WorkPrecision]) -> Table {
     }
 }
 
+/// The series whose failures are told under a name.
+fn series<'a>(charts: &'a [WorkPrecision], name: &'a str) -> impl Iterator<Item = &'a Method> {
+    charts.iter().flat_map(|chart| &chart.series).filter(move |method| family(method) == name)
+}
+
+/// Under which a method's failures are told.
+fn family(method: &Method) -> &str {
+    if method.family.is_empty() { &method.name } else { &method.family }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Failure, Method, Point};
+    use crate::{Failure, Point};
 
     #[test]
     fn failures_of_two_charts_are_listed_once() {
         let failure = |tolerance| Failure { work: 1.0, tolerance, reason: "stiff".into() };
-        let method =
-            |name: &str, points| Method { name: name.into(), failures: vec![failure(1e-3), failure(1e-6)], points };
+        let method = |name: &str, points| Method {
+            name: name.into(),
+            failures: vec![failure(1e-3), failure(1e-6)],
+            points,
+            ..Default::default()
+        };
         let series = vec![method("M", vec![Point { work: 1.0, error: 1.0 }]), method("N", vec![])];
         let chart = WorkPrecision { series, ..Default::default() };
         let rows = failures(&[chart.clone(), chart]).rows;

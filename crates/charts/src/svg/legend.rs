@@ -46,7 +46,7 @@ pub(crate) fn in_a_row(drawing: &mut Drawing, entries: &[Entry], (left, y): (f64
     true
 }
 
-const LONGEST: usize = 60;
+const LONGEST: usize = 66;
 
 /// How many rows so many columns have, and how wide each column is.
 fn layout(entries: &[Entry], columns: usize) -> (usize, Vec<f64>) {

@@ -7,9 +7,11 @@ const STYLES: usize = 12;
 /// How the series at this position is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Look {
-    /// Chooses colour and dashes: class `s0` to `s11`.
-    style: usize,
+    /// Chooses colour and dashes: class `s0` to `s11`; none for grey.
+    style: Option<usize>,
     shape: usize,
+    /// Chooses other dashes: class `d0` to `d11`.
+    dashes: Option<usize>,
 }
 
 /// How a marker is painted.
@@ -20,27 +22,56 @@ enum Paint {
     Hollow,
     /// Lines only.
     Lines,
+    /// The round end of a line without length: the shortest circle there is.
+    Dot,
 }
 
 impl Look {
     /// Repeats after 144 series: each round of colours takes other shapes.
     pub fn of(position: usize) -> Self {
-        Look { style: position % STYLES, shape: (position + position / STYLES) % STYLES }
+        Look { style: Some(position % STYLES), shape: (position + position / STYLES) % STYLES, dashes: None }
+    }
+
+    /// Grey.
+    pub fn quiet() -> Self {
+        Look { style: None, shape: 0, dashes: None }
+    }
+
+    /// The same with the shape and the dashes of kinds, where it is of any.
+    pub fn of_kind(self, shape: Option<usize>, dashes: Option<usize>) -> Self {
+        let dashes = dashes.map_or(self.dashes, |kind| Some(kind % STYLES));
+        Look { shape: shape.map_or(self.shape, |kind| kind % STYLES), dashes, ..self }
+    }
+
+    /// Of the grey ones, which are many and small, the full circle is a dot.
+    fn drawn(self, r: f64) -> (String, Paint) {
+        if self.style.is_none() && self.shape == 0 { ("h0".to_owned(), Paint::Dot) } else { outline(self.shape, r) }
     }
 
     pub fn class(self) -> String {
-        format!("s{}", self.style)
+        let colour = self.style.map_or_else(|| "quiet".to_owned(), |style| format!("s{style}"));
+        self.dashes.map_or_else(|| colour.clone(), |dashes| format!("{colour} d{dashes}"))
     }
 
     /// The marker about a point; `r` is about half its width.
-    pub fn marker(self, drawing: &mut Drawing, (x, y): (f64, f64), r: f64, tooltip: &str) {
-        let (shape, paint) = outline(self.shape, r);
+    pub fn marker(self, drawing: &mut Drawing, place: (f64, f64), r: f64, tooltip: &str) {
+        self.markers(drawing, &[place], r, tooltip);
+    }
+
+    /// The markers about several points, as one path.
+    pub fn markers(self, drawing: &mut Drawing, places: &[(f64, f64)], r: f64, tooltip: &str) {
+        let (shape, paint) = self.drawn(r);
         let class = match paint {
+            Paint::Dot => "mark dot",
             Paint::Full => "mark",
             Paint::Hollow => "mark hollow",
             Paint::Lines => "mark open",
         };
-        drawing.path_with_tooltip(&format!("M{} {}{shape}", coordinate(x), coordinate(y)), class, tooltip);
+        let at = |(x, y): &(f64, f64)| format!("M{} {}{shape}", coordinate(*x), coordinate(*y));
+        let all: String = places.iter().map(at).collect();
+        if !all.is_empty() {
+            drawing.path_with_tooltip(&all, class, tooltip);
+        }
     }
 }
 
@@ -72,7 +103,7 @@ fn circle(r: f64) -> String {
 
 fn square(half: f64) -> String {
     let n = coordinate;
-    format!("m{0} {0}h{1}v{1}h{2}z", n(-half), n(2.0 * half), n(-2.0 * half))
+    format!("m{0}{0}h{1}v{1}h{2}z", n(-half), n(2.0 * half), n(-2.0 * half))
 }
 
 /// Its point is up where the sign is 1 and down where it is -1.

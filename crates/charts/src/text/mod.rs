@@ -101,7 +101,7 @@ impl Typesetter {
                 aria-label=[wide.then_some("wide formula, scrolls sideways")] style=[shrink] {
                 @for (position, piece) in pieces.iter().enumerate() {
                     @if position > 0 { wbr; }
-                    math displaystyle="true" { (PreEscaped(&piece.mathml)) }
+                    math { (PreEscaped(&piece.mathml)) }
                 }
             }
         }

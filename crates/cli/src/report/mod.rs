@@ -5,8 +5,9 @@ mod scene;
 
 use crate::ending::{Ending, save};
 use crate::progress::Progress;
+use crate::speed::{advice::advice, pictures, tables};
 use charts::{Report, SceneSection, WorkPrecision};
-use derivations::scene::{AnyScene, Family, Smooth};
+use derivations::scene::{AnyScene, Atlas, Family, Smooth};
 use parts::Parts;
 use scene::described;
 use std::path::{Path, PathBuf};
@@ -34,13 +35,22 @@ pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, En
     Ok(if whole { Ending::Done } else { Ending::Stopped })
 }
 
-/// A page with nothing but a scene and its charts.
-pub fn of_scene(scene: &dyn Smooth, work: Vec<WorkPrecision>, note: String) -> String {
+/// A page with nothing but a scene and its atlas.
+pub fn of_scene(scene: &dyn Smooth, atlas: &Atlas, work: Vec<WorkPrecision>) -> String {
     let choice = scene.run().choice();
     let run = scene.problem(choice.axes).simulate(&choice, |_| ());
-    let section = SceneSection { work, note, ..described("scene", scene, &run) };
+    let mut section = SceneSection { work, ..described("scene", scene, &run) };
+    explained(&mut section, atlas);
+    section.tables.push(tables::models(atlas));
     let report = Report { scenes: vec![section], ..titled(scene.title(), scene.description()) };
     charts::page::render(&report).html
+}
+
+/// What is said and listed below the pictures of an atlas.
+fn explained(section: &mut SceneSection, atlas: &Atlas) {
+    section.facts.extend([1e-3, 1e-6, 1e-9].map(|error| ("advice".to_owned(), advice(atlas, error))));
+    section.note = pictures::measured_by(atlas);
+    section.tables.splice(0..0, tables::fronts(atlas));
 }
 
 /// A report without content yet.

@@ -1,11 +1,12 @@
 //! The parts of the report: what is computed side by side, what is timed alone, and the page that they make.
 
 use super::scene::{NoReference, Prepared, prepare};
-use super::titled;
+use super::{explained, titled};
 use crate::crew::Crew;
 use crate::ledger;
 use crate::pictures;
 use crate::rough;
+use crate::speed;
 use crate::sphere;
 use crate::studies::{Drive, Endurance, Gains, atlas};
 use crate::timings;
@@ -53,7 +54,7 @@ impl Parts {
             crew.add(1.0, place, move || ledger::judged(paper));
         }
         for (place, scene) in self.prepared.iter_mut().zip(scenes) {
-            crew.add(1.5, place, move || prepare(scene));
+            crew.add(3.0, place, move || prepare(scene));
         }
         for (place, (id, scene)) in self.rough.iter_mut().zip(rough) {
             crew.add(0.3, place, move || rough::section(id, scene));
@@ -77,8 +78,8 @@ impl Parts {
     pub fn take_times(&mut self, mut done: impl FnMut(f64)) {
         let whole = (self.prepared.len() + 1) as f64;
         for (count, prepared) in self.prepared.iter_mut().flatten().flatten().enumerate() {
-            if let Prepared { measured: Ok(measured), problem, trials, .. } = prepared {
-                problem.take_times(measured, trials);
+            if let Prepared { atlas: Ok(atlas), trials, timed, .. } = prepared {
+                atlas.take_times(trials, *timed);
             }
             done((count + 1) as f64 / whole);
         }
@@ -101,16 +102,16 @@ impl Parts {
         let mut digits = f64::INFINITY;
         let atlas = {
             let prepared = self.prepared.iter().flatten().flatten();
-            let measured: Vec<_> =
-                prepared.filter_map(|one| Some((one.section.title.as_str(), one.measured.as_ref().ok()?))).collect();
-            atlas::study(&measured)
+            let found: Vec<_> =
+                prepared.filter_map(|one| Some((one.section.title.as_str(), one.atlas.as_ref().ok()?))).collect();
+            atlas::study(&found)
         };
-        for Prepared { mut section, measured, .. } in self.prepared.into_iter().flatten().flatten() {
-            match measured {
-                Ok(measured) => {
-                    digits = digits.min(measured.reference.digits);
-                    section.work = pictures::work_precision(&measured).into();
-                    section.note = pictures::measured_by(&measured);
+        for Prepared { mut section, atlas, .. } in self.prepared.into_iter().flatten().flatten() {
+            match atlas {
+                Ok(atlas) => {
+                    digits = digits.min(atlas.reference.digits);
+                    section.work = speed::pictures::work_precision(&atlas).into();
+                    explained(&mut section, &atlas);
                 }
                 Err(NoReference::Stopped(failure)) => {
                     section.note = format!("No chart, because the reference stopped: {failure}.");

@@ -1,23 +1,29 @@
 //! A scene in the report: its data, its run, its smaller models.
 
 use crate::pictures;
+use crate::speed::tables::floors;
 use charts::{Parameter, SceneSection, Table, significant, tolerance};
-use derivations::scene::{AnyScene, Axes, Measured, Problem, Scene, Smooth, Trajectory, Trials};
+use derivations::scene::{AnyScene, Atlas, Axes, Scene, Smooth, Trajectory, Trials, judged};
 use integrators::Failure;
 use std::time::Duration;
 
 /// For a reference; they share the processors, so that one of them has less than when it is alone.
 const PATIENCE: Duration = Duration::from_secs(15);
-/// The same for a mechanism, and what all its methods have: there are many, and `dalembert chart` gives each its own time.
-const OF_A_MECHANISM: [Duration; 2] = [Duration::from_secs(6), Duration::from_secs(2)];
+/// The same for a mechanism: there are many, and `dalembert chart` gives each its own time.
+const OF_A_MECHANISM: Duration = Duration::from_secs(8);
+/// In one run of a mechanism, whose laws are dear.
+const EVALUATIONS: u64 = 20_000;
+/// For the times of all runs of a scene with a motor, and of a mechanism.
+const TIMED: [Duration; 2] = [Duration::from_millis(2_000), Duration::from_millis(1_200)];
 
 /// A scene's section without its charts, whether it came out as it should, and the errors of its methods.
 pub struct Prepared {
     pub section: SceneSection,
     pub reached: bool,
-    pub measured: Result<Measured, NoReference>,
-    pub problem: Problem,
+    pub atlas: Result<Atlas, NoReference>,
     pub trials: Trials,
+    /// For its times.
+    pub timed: Duration,
 }
 
 /// Why methods are not compared on a scene.
@@ -34,24 +40,28 @@ pub fn prepare((id, any): &(String, AnyScene)) -> Option<Prepared> {
     let problem = scene.problem(Axes::First);
     let run = problem.simulate(&choice, |_| ());
     let mut section = described(id, scene, &run);
-    if let AnyScene::Driven(scene) = any {
-        section.tables.extend(ladder(scene, &run));
-    }
     let of_a_mechanism = matches!(any, AnyScene::Mechanism(_));
-    let [patience, allowed] = if of_a_mechanism { OF_A_MECHANISM } else { [PATIENCE, Trials::default().allowed] };
-    let trials = Trials { allowed, ..Trials::default() }.with(scene.run().method);
-    // what a scene is made to show may be its end: that is no fault of the run
-    let measured = match scene.told(&choice, &run).diagnosis {
-        Some(_) => Err(NoReference::Ends),
-        None => problem.reference(patience).map(|it| problem.judge_by(it, &trials)).map_err(NoReference::Stopped),
+    let usual = Trials::default().with(scene.run().method);
+    let [motor, mechanism] = TIMED;
+    let (patience, timed, trials) = match of_a_mechanism {
+        true => (OF_A_MECHANISM, mechanism, Trials { evaluations: EVALUATIONS, ..usual }),
+        false => (PATIENCE, motor, usual),
     };
-    let reached = match &measured {
+    // what a scene is made to show may be its end: that is no fault of the run
+    let atlas = match scene.told(&choice, &run).diagnosis {
+        Some(_) => Err(NoReference::Ends),
+        None => judged(scene, &problem, scene.ways(), &trials, patience).map_err(NoReference::Stopped),
+    };
+    if let AnyScene::Driven(scene) = any {
+        section.tables.extend(ladder(scene, &run, atlas.as_ref().ok()));
+    }
+    let reached = match &atlas {
         Err(NoReference::Ends) => true,
         // a mechanism may take longer than the report has for it, which is said
         Err(NoReference::Stopped(failure)) => of_a_mechanism && matches!(failure, Failure::OutOfTime { .. }),
         Ok(_) => run.outcome.reached(),
     };
-    Some(Prepared { section, reached, measured, problem, trials })
+    Some(Prepared { section, reached, atlas, trials, timed })
 }
 
 /// A scene's section with its run and without its charts.
@@ -94,8 +104,10 @@ fn facts(scene: &dyn Smooth, run: &Trajectory) -> Vec<(String, String)> {
 }
 
 /// What each smaller model of the same data does to the outputs, where there is one.
-fn ladder(scene: &Scene, run: &Trajectory) -> Option<Table> {
+fn ladder(scene: &Scene, run: &Trajectory, atlas: Option<&Atlas>) -> Option<Table> {
     let models = scene.machine_data.ladder();
+    let floors = atlas.map(floors).unwrap_or_default();
+    let floor = |model: &str| floors.iter().find(|(known, _)| *known == model).map_or("—", |(_, said)| said).to_owned();
     let mut rows = Vec::new();
     for model in models.into_iter().rev().filter(|model| *model != scene.machine.name()) {
         let Ok(smaller) = scene.with_model(model) else { continue };
@@ -106,11 +118,12 @@ fn ladder(scene: &Scene, run: &Trajectory) -> Option<Table> {
         let states = smaller.names().len().to_string();
         let row = match other.outcome.failure() {
             None => significant(difference(run, &other), 2),
-            Some(failure) => pictures::reason(&failure).to_owned(),
+            Some(failure) => failure.name().to_owned(),
         };
-        rows.push(vec![model.replace('_', " "), states, other.outcome.work.rates.to_string(), row]);
+        rows.push(vec![model.replace('_', " "), states, other.outcome.work.rates.to_string(), row, floor(model)]);
     }
-    let head = ["Model", "States", "Evaluations", "Largest difference of \u{3c9} or \u{3c6}\u{307}, rad/s"];
+    let head =
+        ["Model", "States", "Evaluations", "Largest difference of \u{3c9} or \u{3c6}\u{307}, rad/s", "In the charts"];
     let caption = format!("The same scene with smaller models than {}", scene.machine.name().replace('_', " "));
     (!rows.is_empty()).then(|| Table { caption, head: head.map(String::from).into(), rows })
 }

@@ -1,124 +1,196 @@
-//! The atlas: which method is the cheapest on which scene, and how much a single choice for all of them loses.
+//! The atlas: what is the cheapest on which scene, and how much a single choice for all of them loses.
+//!
+//! A choice is a method with a formulation and a model. So that a choice can be made for many scenes at once its model is
+//! the scene's own, or the smallest that has the same motion, or one by its name.
 
-use crate::pictures::{evaluations, family};
+use crate::speed::advice::advice;
+use crate::speed::{Counted, Series, series};
 use charts::{Study, Table, significant, tolerance};
-use derivations::scene::Measured;
-use integrators::{Point, Regrets, Trial, cost};
+use derivations::scene::Atlas;
+use derivations::scene::atlas::{Formulation, Standing, Way};
+use integrators::{Regrets, cost};
 
-/// Errors at which methods are compared.
+/// Errors at which choices are compared.
 const ERRORS: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
-/// A way to count what a run costs.
-struct Counted<'a> {
-    name: &'static str,
-    of: &'a dyn Fn(&Point, &Measured) -> f64,
-}
+type Scene<'a> = (&'a str, &'a Atlas);
 
-/// The table of regret at every error, in evaluations and in time, and a line of advice for each scene.
-pub fn study(scenes: &[(&str, &Measured)]) -> Study {
-    let count = |point: &Point, measured: &Measured| evaluations(point, measured.reference.sizes.len() as u64) as f64;
-    let seconds = |point: &Point, _: &Measured| point.time.map_or(f64::NAN, |time| time.seconds);
-    let (by_count, by_time) = (Counted { name: "evaluations", of: &count }, Counted { name: "time", of: &seconds });
-    let methods = methods(scenes);
-    let mut tables = vec![advice(scenes, &methods, &by_time), single(scenes, &methods, &[&by_count, &by_time])];
-    tables.extend(ERRORS.map(|error| regret(scenes, &methods, &by_time, error)));
-    tables.push(regret(scenes, &methods, &by_count, ERRORS[1]));
+/// Advice for each scene, the best single choices and what they lose, and the methods at their best.
+pub fn study(scenes: &[Scene<'_>]) -> Study {
+    let has_motor = |scene: &&Scene<'_>| scene.1.explored.first().is_some_and(|one| !one.way.model.is_empty());
+    let (driven, others): (Vec<Scene>, Vec<Scene>) = scenes.iter().partition(has_motor);
+    let groups =
+        [("scenes with a motor", driven), ("mechanisms", others)].map(|(name, scenes)| Group::of(name, scenes));
+    let mut tables = vec![advised(scenes), single(&groups)];
+    tables.extend(groups.iter().map(losses));
+    tables.extend([ERRORS[1], ERRORS[2]].map(|error| methods(scenes, error)));
     Study {
         id: "atlas".into(),
-        title: "Which method for which scene".into(),
-        lead: "The cost of a method at an error, read between its measured points, over the least cost of all methods: its \
-               regret. A method that was not seen to reach the error has none."
+        title: "Which method, formulation and model for which scene".into(),
+        lead: "The cost of a choice at an error, read between its measured points, over the least cost of all choices: its \
+               regret. A choice that was not seen to reach the error has none."
             .into(),
         tables,
         note: "Times are medians taken in turns within this run of the program; they belong to this machine, evaluations do \
-               not. A run in time includes what a method sets up. Scenes whose reference ran out of its time are left out."
+               not. A run in time includes what a method sets up. Scenes without a reference are left out."
             .into(),
         ..Study::default()
     }
 }
 
-/// The methods of all scenes, each once.
-fn methods(scenes: &[(&str, &Measured)]) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for point in scenes.iter().flat_map(|(_, measured)| &measured.points) {
-        let name = family(point.method);
-        if !names.contains(&name) {
-            names.push(name);
+/// A method, a formulation, a model.
+#[derive(Clone, Debug, PartialEq)]
+struct Choice(String, Formulation, String);
+
+impl Choice {
+    fn name(&self) -> String {
+        let Choice(method, formulation, model) = self;
+        let with = if model.is_empty() { String::new() } else { format!(", {model}") };
+        format!("{method}, {formulation}{with}")
+    }
+}
+
+const OWN: &str = "the scene's own model";
+const SMALLEST_EXACT: &str = "the smallest exact model";
+
+/// The choices that the runs of a way belong to.
+fn choices(method: &str, way: &Way, atlas: &Atlas) -> Vec<Choice> {
+    // a motor alone has one form, which is both
+    let formulations = match way.formulation {
+        Formulation::Bench => vec![Formulation::First, Formulation::Second],
+        other => vec![other],
+    };
+    let reduced = atlas.explored.iter().any(|one| one.way.standing == Standing::Exact);
+    let models = match way.standing {
+        _ if way.model.is_empty() => vec![String::new()],
+        Standing::Own if reduced => vec![OWN.to_owned()],
+        Standing::Own => vec![OWN.to_owned(), SMALLEST_EXACT.to_owned()],
+        Standing::Exact => vec![SMALLEST_EXACT.to_owned()],
+        Standing::Approximate => vec![way.model.replace('_', " ")],
+    };
+    let pairs = formulations.iter().flat_map(|form| models.iter().map(move |model| (*form, model.clone())));
+    pairs.map(|(form, model)| Choice(method.to_owned(), form, model)).collect()
+}
+
+/// Scenes among which a single choice can be made.
+struct Group<'a> {
+    name: &'static str,
+    scenes: Vec<Scene<'a>>,
+    choices: Vec<Choice>,
+    /// For each scene its series with the places of their choices.
+    series: Vec<Vec<(Series<'a>, Vec<usize>)>>,
+}
+
+impl<'a> Group<'a> {
+    fn of(name: &'static str, scenes: Vec<Scene<'a>>) -> Self {
+        let mut all: Vec<Choice> = Vec::new();
+        let mut place = |choice: Choice| {
+            all.iter().position(|known| *known == choice).unwrap_or_else(|| {
+                all.push(choice);
+                all.len() - 1
+            })
+        };
+        let mut of = |one: Series<'a>, atlas| {
+            let places = choices(&one.family, one.way, atlas).into_iter().map(&mut place).collect();
+            (one, places)
+        };
+        let of_scene = |(_, atlas): &Scene<'a>| series(atlas).into_iter().map(|one| of(one, atlas)).collect();
+        let found = scenes.iter().map(of_scene).collect();
+        Group { name, choices: all, series: found, scenes }
+    }
+
+    fn regrets(&self, counted: Counted, error: f64) -> Regrets {
+        let of = |choice: usize, series: &[(Series<'_>, Vec<usize>)]| {
+            let own = series.iter().find(|(_, places)| places.contains(&choice))?;
+            cost(&own.0.trials(counted), error)
+        };
+        let row = |choice| self.series.iter().map(|series| of(choice, series)).collect();
+        Regrets::of(&(0..self.choices.len()).map(row).collect::<Vec<_>>())
+    }
+}
+
+fn shown(regret: Option<f64>) -> String {
+    regret.map_or_else(|| "—".to_owned(), |regret| significant(regret, 2))
+}
+
+/// A sentence for each scene.
+fn advised(scenes: &[Scene<'_>]) -> Table {
+    let row = |(title, atlas): &Scene<'_>| vec![(*title).to_owned(), advice(atlas, ERRORS[1])];
+    Table {
+        caption: "Advice".to_owned(),
+        head: ["Scene", "The fastest, and the fastest by another method"].map(str::to_owned).to_vec(),
+        rows: scenes.iter().map(row).collect(),
+    }
+}
+
+/// The choice that serves most scenes, and of these the one that loses least where it loses most.
+fn single(groups: &[Group<'_>]) -> Table {
+    let mut rows = Vec::new();
+    for group in groups {
+        for error in ERRORS {
+            for counted in Counted::ALL {
+                let regrets = group.regrets(counted, error);
+                let Some(best) = regrets.best_single_choice() else { continue };
+                let served = format!("{} of {}", regrets.served(best), group.scenes.len());
+                let choice = group.choices[best].name();
+                let loss = shown(regrets.largest(best));
+                rows.push(vec![
+                    group.name.to_owned(),
+                    tolerance(error),
+                    counted.name().to_owned(),
+                    choice,
+                    served,
+                    loss,
+                ]);
+            }
         }
     }
-    names
+    let head = ["For all", "Error", "Counted in", "Choice", "Reaches it on", "Largest regret there"];
+    Table { caption: "The best single choice".to_owned(), head: head.map(str::to_owned).to_vec(), rows }
 }
 
-fn regrets(scenes: &[(&str, &Measured)], methods: &[String], counted: &Counted<'_>, error: f64) -> Regrets {
-    let trials = |method: &String, measured: &Measured| -> Vec<Trial> {
-        let own = measured.points.iter().filter(|point| family(point.method) == *method);
-        own.map(|point| Trial { cost: (counted.of)(point, measured), error: point.error.ok() }).collect()
+/// What the best single choices lose on each scene.
+fn losses(group: &Group<'_>) -> Table {
+    let mut head = vec!["Scene".to_owned()];
+    let mut rows: Vec<Vec<String>> = group.scenes.iter().map(|(title, _)| vec![(*title).to_owned()]).collect();
+    for error in ERRORS {
+        for counted in Counted::ALL {
+            let regrets = group.regrets(counted, error);
+            let Some(best) = regrets.best_single_choice() else { continue };
+            head.push(format!("{}, {}", tolerance(error), counted.name()));
+            rows.iter_mut().zip(&regrets.rows[best]).for_each(|(row, regret)| row.push(shown(*regret)));
+        }
+    }
+    Table { caption: format!("What the best single choice loses: {}", group.name), head, rows }
+}
+
+/// Each method in its best formulation with its best model: scenes down, methods across.
+fn methods(scenes: &[Scene<'_>], error: f64) -> Table {
+    let all: Vec<Vec<Series>> = scenes.iter().map(|(_, atlas)| series(atlas)).collect();
+    let mut names: Vec<String> = Vec::new();
+    for one in all.iter().flatten() {
+        if !names.contains(&one.family) {
+            names.push(one.family.clone());
+        }
+    }
+    let least = |name: &String, series: &[Series<'_>]| {
+        let own = series.iter().filter(|one| one.family == *name);
+        own.filter_map(|one| cost(&one.trials(Counted::Time), error)).reduce(f64::min)
     };
-    let costs: Vec<Vec<Option<f64>>> = methods
-        .iter()
-        .map(|method| scenes.iter().map(|(_, measured)| cost(&trials(method, measured), error)).collect())
-        .collect();
-    Regrets::of(&costs)
-}
-
-/// Scenes down, methods across.
-fn regret(scenes: &[(&str, &Measured)], methods: &[String], counted: &Counted<'_>, error: f64) -> Table {
-    let regrets = regrets(scenes, methods, counted, error);
-    let cell = |regret: Option<f64>| regret.map_or_else(|| "—".to_owned(), |regret| significant(regret, 2));
-    let row = |(column, (title, _)): (usize, &(&str, &Measured))| -> Vec<String> {
-        std::iter::once((*title).to_owned()).chain(regrets.rows.iter().map(|row| cell(row[column]))).collect()
+    let costs = names.iter().map(|name| all.iter().map(|series| least(name, series)).collect());
+    let regrets = Regrets::of(&costs.collect::<Vec<_>>());
+    let row = |(column, (title, _)): (usize, &Scene<'_>)| -> Vec<String> {
+        std::iter::once((*title).to_owned()).chain(regrets.rows.iter().map(|row| shown(row[column]))).collect()
     };
     let mut rows: Vec<Vec<String>> = scenes.iter().enumerate().map(row).collect();
-    let largest = (0..methods.len()).map(|method| cell(regrets.largest(method)));
+    let largest = (0..names.len()).map(|method| shown(regrets.largest(method)));
     rows.push(std::iter::once("largest, where it reaches the error".to_owned()).chain(largest).collect());
     Table {
-        caption: format!("Regret at an error of {}, in {}", tolerance(error), counted.name),
-        head: std::iter::once("Scene".to_owned()).chain(methods.iter().cloned()).collect(),
+        caption: format!(
+            "Regret in time at {}, each method in its best formulation with its best model",
+            tolerance(error)
+        ),
+        head: std::iter::once("Scene".to_owned()).chain(names).collect(),
         rows,
-    }
-}
-
-/// What one method for all scenes loses at most.
-fn single(scenes: &[(&str, &Measured)], methods: &[String], counted: &[&Counted<'_>]) -> Table {
-    let mut rows = Vec::new();
-    for error in ERRORS {
-        for one in counted {
-            let regrets = regrets(scenes, methods, one, error);
-            let Some(best) = regrets.best_single_choice() else { continue };
-            let served = format!("{} of {}", regrets.served(best), scenes.len());
-            let loss = regrets.largest(best).map_or_else(|| "—".to_owned(), |loss| significant(loss, 2));
-            rows.push(vec![tolerance(error), one.name.to_owned(), methods[best].clone(), served, loss]);
-        }
-    }
-    Table {
-        caption: "The best single choice for all scenes".to_owned(),
-        head: ["Error", "Counted in", "Method", "Reaches it on", "Largest regret there"].map(str::to_owned).to_vec(),
-        rows,
-    }
-}
-
-/// For each scene the cheapest method at each error, and by how much the next is dearer.
-fn advice(scenes: &[(&str, &Measured)], methods: &[String], counted: &Counted<'_>) -> Table {
-    let by_error = ERRORS.map(|error| regrets(scenes, methods, counted, error));
-    let said = |regrets: &Regrets, column: usize| -> String {
-        let Some(best) = regrets.best[column] else { return "none reaches it".to_owned() };
-        let others = (0..methods.len()).filter(|&method| method != best);
-        let next = others.filter_map(|method| Some((method, regrets.rows[method][column]?)));
-        match next.min_by(|a, b| a.1.total_cmp(&b.1)) {
-            Some((method, loss)) => {
-                format!("{}; {} takes {} times as long", methods[best], methods[method], significant(loss, 2))
-            }
-            None => format!("{}, and no other", methods[best]),
-        }
-    };
-    let row = |(column, (title, _)): (usize, &(&str, &Measured))| -> Vec<String> {
-        std::iter::once((*title).to_owned()).chain(by_error.iter().map(|regrets| said(regrets, column))).collect()
-    };
-    Table {
-        caption: "Advice: the fastest at each error, and the next".to_owned(),
-        head: std::iter::once("Scene".to_owned())
-            .chain(ERRORS.map(|error| format!("Error {}", tolerance(error))))
-            .collect(),
-        rows: scenes.iter().enumerate().map(row).collect(),
     }
 }

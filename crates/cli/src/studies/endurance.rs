@@ -4,6 +4,7 @@ use super::extent;
 use crate::crew::Crew;
 use charts::{AreaCurve, Areas, Study, Table, significant};
 use derivations::long_runs::{Course, LongRun, PACES, Sample};
+use integrators::Means;
 
 /// In the report; `cargo bench --bench long_runs` goes on to a million.
 const REVOLUTIONS: u32 = 2_000;
@@ -72,7 +73,7 @@ fn name(course: &Course) -> String {
     if course.method.traits().adaptive {
         return format!("{}, tolerance {:e}", course.method, course.tolerance);
     }
-    crate::pictures::family(course.method)
+    crate::speed::family(Means::Integrated(course.method))
 }
 
 const QUANTITIES: [fn(&Sample) -> Option<f64>; 5] =

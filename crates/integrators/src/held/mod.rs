@@ -70,7 +70,8 @@ impl Holding {
         }
     }
 
-    fn steps(self) -> u32 {
+    /// How many.
+    pub fn steps(self) -> u32 {
         match self {
             Holding::HalfExplicitEuler { steps }
             | Holding::HalfExplicitRungeKutta4 { steps }

@@ -2,7 +2,9 @@
 
 use crate::problems::{Chain, Explosion, Kaps, Kepler, Lorenz, Pendulum, distance};
 use field::DoubleDouble;
-use integrators::{Failure, Method, Record, Span, System, judge, measure, reference};
+use integrators::{
+    Attempt, Course, Failure, Means, Method, Record, Span, System, Timed, Tolerance, judge, measure, reference,
+};
 use std::time::Duration;
 
 /// The states of a reference that claims enough digits, and its second method.
@@ -102,20 +104,30 @@ fn work_against_precision_has_a_point_for_every_method_and_tolerance() {
     let known = reference(&kaps, &span).unwrap_or_else(|failure| panic!("{failure}"));
     let methods = [Method::Radau5, Method::RungeKutta4 { steps: 100 }, Method::RadauIIA { stages: 5 }];
     let allowed = Duration::from_millis(200);
-    let mut points = judge(&kaps, &span, &methods, &[1e-5, 1e-8], &known, allowed);
+    let attempts = methods.map(|method| Attempt::Integrated(&kaps, method));
+    let error = |record: &Record<f64>| known.error(record);
+    let course = Course { span: &span, sizes: &known.sizes, error: &error };
+    let mut points = judge(&attempts, &course, &[1e-5, 1e-8], allowed);
     assert!(points.iter().all(|point| point.time.is_none()));
-    measure(&kaps, &span, &mut points, &known, allowed);
+    for point in points.iter_mut().filter(|point| point.error.is_ok()) {
+        let attempt = *attempts.iter().find(|attempt| attempt.means() == point.means).expect("it was judged");
+        let tolerance = Tolerance::scaled(point.tolerance.unwrap_or(f64::EPSILON), &known.sizes);
+        let error = point.error.unwrap_or(f64::NAN);
+        let timed = Timed { attempt, span: &span, tolerance, error, evaluations: point.evaluations };
+        point.time = measure(&[timed], allowed)[0];
+        assert_eq!(point.evaluations, point.work.rates + 2 * point.work.jacobians);
+    }
     assert_eq!(points.len(), 5);
     for point in &points {
-        match point.method {
-            Method::RungeKutta4 { .. } => {
+        match point.means {
+            Means::Integrated(Method::RungeKutta4 { .. }) => {
                 assert!(point.tolerance.is_none());
                 assert!(matches!(point.error, Err(Failure::LeftTheNumbers { .. })), "{:?}", point.error);
                 assert!(point.time.is_none());
             }
-            method => {
+            means => {
                 let (error, tolerance) = (point.error.unwrap_or(f64::NAN), point.tolerance.unwrap_or(f64::NAN));
-                assert!(error < 300.0 * tolerance, "{method}: {error:.1e} at {tolerance:e}");
+                assert!(error < 300.0 * tolerance, "{means}: {error:.1e} at {tolerance:e}");
                 assert!(point.time.is_some_and(|time| time.seconds > 0.0) && point.work.rates > 0);
             }
         }

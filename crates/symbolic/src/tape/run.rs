@@ -22,6 +22,61 @@ impl Tape {
         Program { tape: Cow::Borrowed(self), registers }
     }
 
+    /// The constants over a field, for [`Tape::evaluate`].
+    pub fn constants<S: Analytic>(&self) -> Vec<S> {
+        self.constants.iter().map(|value| constant(*value)).collect()
+    }
+
+    /// How many registers an evaluation needs.
+    pub fn registers(&self) -> usize {
+        self.registers
+    }
+
+    /// The outputs at the inputs, with registers of its own on the stack: for a law that is shared between threads.
+    /// Without answer where it has not enough of them.
+    #[inline]
+    pub fn evaluate<S: Analytic, const N: usize>(
+        &self,
+        constants: &[S],
+        inputs: &[S],
+        outputs: &mut [S],
+    ) -> Option<()> {
+        let mut registers = [S::zero(); N];
+        let registers = registers.get_mut(..self.registers)?;
+        registers.get_mut(self.inputs..self.inputs + constants.len())?.copy_from_slice(constants);
+        self.follow(registers, inputs, outputs);
+        Some(())
+    }
+
+    #[inline(always)]
+    fn follow<S: Analytic>(&self, registers: &mut [S], inputs: &[S], outputs: &mut [S]) {
+        let Tape { inputs: count, constants, operations, outputs: results, .. } = self;
+        for (register, input) in registers[..*count].iter_mut().zip(inputs) {
+            *register = *input;
+        }
+        let mut next = count + constants.len();
+        for &operation in operations {
+            let [a, b] = operation.operands().map(|operand| registers[operand as usize]);
+            registers[next] = match operation {
+                Operation::Sum(..) => a + b,
+                Operation::Difference(..) => a - b,
+                Operation::Product(..) | Operation::Multiple(..) => a * b,
+                Operation::Quotient(..) | Operation::Part(..) => a / b,
+                Operation::Negation(_) => -a,
+                Operation::Root(_) => a.sqrt(),
+                Operation::Circle(_) => {
+                    let point = a.circle();
+                    registers[next + 1] = point.sin;
+                    point.cos
+                }
+            };
+            next += operation.results();
+        }
+        for (output, &register) in outputs.iter_mut().zip(results) {
+            *output = registers[register as usize];
+        }
+    }
+
     /// The program over a field that is no finer than `f64`: its constants need not be computed again.
     pub fn over_rounded<S: Analytic + Over<f64>>(&self) -> Program<'_, S> {
         let mut registers = vec![S::zero(); self.registers];
@@ -52,30 +107,6 @@ impl<S: Analytic> Program<'_, S> {
     // always inlined: whoever is compiled for wide registers evaluates with them
     #[inline(always)]
     pub fn evaluate(&mut self, inputs: &[S], outputs: &mut [S]) {
-        let Tape { inputs: count, constants, operations, outputs: results, .. } = &*self.tape;
-        for (register, input) in self.registers[..*count].iter_mut().zip(inputs) {
-            *register = *input;
-        }
-        let mut next = count + constants.len();
-        for &operation in operations {
-            let [a, b] = operation.operands().map(|operand| self.registers[operand as usize]);
-            self.registers[next] = match operation {
-                Operation::Sum(..) => a + b,
-                Operation::Difference(..) => a - b,
-                Operation::Product(..) | Operation::Multiple(..) => a * b,
-                Operation::Quotient(..) | Operation::Part(..) => a / b,
-                Operation::Negation(_) => -a,
-                Operation::Root(_) => a.sqrt(),
-                Operation::Circle(_) => {
-                    let point = a.circle();
-                    self.registers[next + 1] = point.sin;
-                    point.cos
-                }
-            };
-            next += operation.results();
-        }
-        for (output, &register) in outputs.iter_mut().zip(results) {
-            *output = self.registers[register as usize];
-        }
+        self.tape.follow(&mut self.registers, inputs, outputs);
     }
 }

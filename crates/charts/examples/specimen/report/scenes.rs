@@ -127,6 +127,7 @@ fn work(position: usize, x: Work) -> WorkPrecision {
         error: "largest error of ν and ω, relative".into(),
         series,
         note: "Reference: double-double Taylor series, confirmed by Gauss' method of 6 stages to 3·10⁻²⁹.".into(),
+        front: Vec::new(),
     }
 }
 

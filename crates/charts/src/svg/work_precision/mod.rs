@@ -1,12 +1,12 @@
 //! Error against work, method by method; a method that fails stays on the chart.
 
+mod failures;
+mod series;
+
 use super::{
     axis::{Axis, FLOOR, Tick},
     drawing::{Anchor, Drawing, WIDTH, left_out},
-    legend::{self, Entry},
-    marker::Look,
-    number::{counted, significant, tolerance},
-    path,
+    number::{counted, significant},
 };
 
 /// What the work is counted in.
@@ -45,6 +45,8 @@ pub struct WorkPrecision {
     /// What the error is, plain text with its unit: the vertical axis. Empty means `error`.
     pub error: String,
     pub series: Vec<Method>,
+    /// What nothing beats in work and error at once, from the cheapest on: drawn as a staircase behind the series.
+    pub front: Vec<Point>,
     /// Text below the chart.
     pub note: String,
 }
@@ -53,6 +55,12 @@ pub struct WorkPrecision {
 #[derive(Clone, Debug, Default)]
 pub struct Method {
     pub name: String,
+    /// Under which its failures are told, with those of others; empty for its own name.
+    pub family: String,
+    /// What the shape of its markers and the dashes of its line stand for; empty where they stand for the series itself.
+    pub kinds: [String; 2],
+    /// Grey and without an entry in the legend: one that others beat.
+    pub quiet: bool,
     /// In the order of the tolerances: a line joins them.
     pub points: Vec<Point>,
     pub failures: Vec<Failure>,
@@ -89,8 +97,7 @@ impl WorkPrecision {
     pub(crate) fn drawing(&self) -> Drawing {
         let drawn = |point: &&Point| positive(point.work) && positive(point.error);
         let points = || self.series.iter().flat_map(|method| method.points.iter().filter(drawn));
-        let failing: Vec<_> =
-            self.series.iter().enumerate().filter(|(_, method)| !method.failures.is_empty()).collect();
+        let failing = failures::families(&self.series);
         let works = self.series.iter().flat_map(|method| method.failures.iter().map(|failure| failure.work));
         let works = points().map(|point| point.work).chain(works.filter(|work| positive(*work)));
 
@@ -98,66 +105,31 @@ impl WorkPrecision {
         let (top, bottom) = (8.0 + band, 8.0 + band + PLOT);
         let x = Axis::log(works, LEFT, RIGHT, 52.0);
         let y = Axis::log(points().map(|point| point.error), bottom, top, 26.0);
+        let looks = series::Looks::of(&self.series);
 
         let mut drawing = Drawing::default();
         frame(&mut drawing, &x, &y, (top - band, top, bottom));
-        for (row, (position, method)) in failing.into_iter().enumerate() {
+        for (row, failing) in failing.iter().enumerate() {
             let height = top - band + ROW * (row as f64 + 0.5) + 3.0;
-            self.failures(&mut drawing, method, Look::of(position), &x, height);
+            failures::draw(&mut drawing, failing, &looks, self.x, &x, height);
         }
-        for (position, method) in self.series.iter().enumerate() {
-            self.method(&mut drawing, method, Look::of(position), &x, &y);
+        series::front(&mut drawing, &self.front, &x, &y);
+        let place = |point: &Point| (x.place(point.work), y.place(point.error));
+        for quiet in [true, false] {
+            for (at, method) in self.series.iter().enumerate().filter(|(_, method)| method.quiet == quiet) {
+                let points: Vec<&Point> = method.points.iter().filter(drawn).collect();
+                series::draw(&mut drawing, method, &points, looks.series[at], self.x, place);
+            }
         }
         drawing.text((0.5 * (LEFT + RIGHT), bottom + 42.0), Anchor::Middle, "", self.x.label());
         let error = if self.error.is_empty() { "error" } else { &self.error };
         drawing.upward((15.0, 0.5 * (top + bottom)), error);
         drawing.height = bottom + 54.0;
-        let entries: Vec<_> = self
-            .series
-            .iter()
-            .enumerate()
-            .map(|(at, method)| Entry { look: Look::of(at), name: &method.name })
-            .collect();
-        legend::draw(&mut drawing, &entries, true);
+        looks.legend(&mut drawing, &self.series, !self.front.is_empty());
         for sentence in self.omissions() {
             drawing.paragraph(&sentence, "small");
         }
         drawing
-    }
-
-    fn method(&self, drawing: &mut Drawing, method: &Method, look: Look, x: &Axis, y: &Axis) {
-        let drawn: Vec<_> =
-            method.points.iter().filter(|point| positive(point.work) && positive(point.error)).collect();
-        let places: Vec<_> = drawn.iter().map(|point| (x.place(point.work), y.place(point.error))).collect();
-        drawing.open(&look.class());
-        drawing.path(&path::polyline(&places), "line");
-        for (point, place) in drawn.into_iter().zip(places) {
-            let error = significant(point.error, 2);
-            look.marker(drawing, place, 4.4, &format!("{}: {}, error {error}", method.name, self.x.amount(point.work)));
-        }
-        drawing.close();
-    }
-
-    /// The markers of a method's failures, those of unknown work at the left, and beside them whose they are.
-    fn failures(&self, drawing: &mut Drawing, method: &Method, look: Look, x: &Axis, height: f64) {
-        let (mut taken, mut unknown) = (vec![LEFT, RIGHT], 0);
-        drawing.open(&look.class());
-        for failure in &method.failures {
-            let known = positive(failure.work);
-            let at = if known { x.place(failure.work) } else { LEFT + 10.0 + 12.0 * f64::from(unknown) };
-            unknown += i32::from(!known);
-            taken.push(at);
-            let spent =
-                if known { format!("after {}", self.x.amount(failure.work)) } else { "work unknown".to_owned() };
-            let (name, given) = (&method.name, tolerance(failure.tolerance));
-            let tooltip = format!("{name} fails at tolerance {given}, {spent}: {}", failure.reason);
-            look.marker(drawing, (at, height), 4.0, &tooltip);
-        }
-        drawing.close();
-        let (failed, all) = (method.failures.len(), method.failures.len() + method.points.len());
-        let label = format!("{}: {failed} of {all}", method.name);
-        let (anchor, start) = free(taken, 6.9 * label.chars().count() as f64 + 14.0);
-        drawing.text((start, height + 4.5), anchor, "small said", &label);
     }
 
     /// What is not drawn where it belongs, and why.
@@ -172,21 +144,6 @@ impl WorkPrecision {
             if tiny > 0 { format!("Errors below 10⁻³² are drawn there ({tiny}).") } else { String::new() },
         ];
         sentences.into_iter().filter(|sentence| !sentence.is_empty()).collect()
-    }
-}
-
-/// Where a label of so much width stands beside marks in a row: behind the last, before the first, or in the widest gap.
-fn free(mut marks: Vec<f64>, width: f64) -> (Anchor, f64) {
-    marks.sort_by(f64::total_cmp);
-    let gaps: Vec<(f64, f64)> = marks.windows(2).map(|pair| (pair[0], pair[1])).collect();
-    let fits = |(from, to): &(f64, f64)| to - from > width;
-    match (gaps.last(), gaps.first()) {
-        (Some(last), _) if fits(last) => (Anchor::Start, last.0 + 11.0),
-        (_, Some(first)) if fits(first) => (Anchor::End, first.1 - 11.0),
-        _ => {
-            let widest = gaps.iter().max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)));
-            (Anchor::Middle, widest.map_or(0.5 * (LEFT + RIGHT), |gap| 0.5 * (gap.0 + gap.1)))
-        }
     }
 }
 
@@ -224,7 +181,10 @@ mod tests {
     use super::*;
 
     fn chart(points: Vec<Point>, failures: Vec<Failure>) -> WorkPrecision {
-        WorkPrecision { series: vec![Method { name: "M".into(), points, failures }], ..Default::default() }
+        WorkPrecision {
+            series: vec![Method { name: "M".into(), points, failures, ..Default::default() }],
+            ..Default::default()
+        }
     }
 
     #[test]
@@ -236,13 +196,6 @@ mod tests {
     }
 
     #[test]
-    fn the_name_of_a_failing_method_covers_none_of_its_marks() {
-        assert!(matches!(free(vec![LEFT, RIGHT, 100.0], 120.0), (Anchor::Start, x) if x == 111.0));
-        assert!(matches!(free(vec![LEFT, RIGHT, 400.0], 120.0), (Anchor::End, x) if x == 389.0));
-        assert!(matches!(free(vec![LEFT, RIGHT, 100.0, 500.0], 120.0), (Anchor::Middle, x) if x == 300.0));
-    }
-
-    #[test]
     fn what_cannot_be_drawn_is_said() {
         let point = |work, error| Point { work, error };
         let points = vec![point(1.0, f64::NAN), point(10.0, 0.0), point(f64::INFINITY, 1.0), point(10.0, 1e-40)];
@@ -251,6 +204,23 @@ mod tests {
         assert!(svg.contains("2 points left out: not a positive number."));
         assert!(svg.contains("drawn there (1)"));
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    }
+
+    #[test]
+    fn what_others_beat_is_grey_and_the_front_is_drawn() {
+        let method = |name: &str, form: &str, quiet| Method {
+            name: name.into(),
+            kinds: [form.into(), "model".into()],
+            quiet,
+            points: vec![Point { work: 1.0, error: 1e-3 }, Point { work: 2.0, error: 1e-6 }],
+            ..Default::default()
+        };
+        let series = vec![method("A", "first", false), method("B", "second", true)];
+        let front = series[0].points.clone();
+        let svg = WorkPrecision { series, front, ..Default::default() }.svg();
+        assert!(svg.contains("<g class=\"s0 d0\">") && svg.contains("<g class=\"quiet d0\">"), "{svg}");
+        assert!(svg.contains("class=\"front\"") && svg.contains(">A</text>") && !svg.contains(">B</text>"), "{svg}");
+        assert!(svg.contains("<title>B</title>") && svg.contains(">second</text>"), "{svg}");
     }
 
     #[test]

@@ -1,0 +1,27 @@
+//! One sentence: what is the fastest at an error, and what the next costs.
+
+use super::{Counted, Series, series};
+use charts::{significant, tolerance};
+use derivations::scene::Atlas;
+use integrators::cost;
+
+/// The fastest at an error, and the fastest by another method.
+pub fn advice(atlas: &Atlas, error: f64) -> String {
+    let series = series(atlas);
+    let reaching = |one: &&Series<'_>| cost(&one.trials(Counted::Time), error).is_some();
+    let mut costs: Vec<(f64, &Series)> = series
+        .iter()
+        .filter(reaching)
+        .filter_map(|one| Some((cost(&one.trials(Counted::Time), error)?, one)))
+        .collect();
+    costs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let to = tolerance(error);
+    let Some((least, best)) = costs.first() else { return format!("To {to}: no method reaches it.") };
+    match costs.iter().find(|(_, other)| other.family != best.family) {
+        Some((next, other)) => {
+            let times = significant(next / least, 2);
+            format!("To {to}: {}; {} takes {times} times as long.", best.said(), other.said())
+        }
+        None => format!("To {to}: {}, and no other method.", best.said()),
+    }
+}

@@ -1,0 +1,118 @@
+//! Speed against accuracy of one scene: pictures, the front as a table, advice.
+//!
+//! # Overview
+//! * [`Series`]: the runs of a method on one formulation with one model;
+//! * [`Counted`]: what a run costs;
+//! * [`pictures`], [`tables`], [`advice`].
+
+pub mod advice;
+pub mod pictures;
+pub mod tables;
+
+use derivations::scene::Atlas;
+use derivations::scene::atlas::{Standing, Way};
+use integrators::{Holding, Means, Method, Point, Trial};
+
+/// What a run is charged with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counted {
+    Evaluations,
+    /// s
+    Time,
+}
+
+impl Counted {
+    pub const ALL: [Counted; 2] = [Counted::Evaluations, Counted::Time];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Counted::Evaluations => "evaluations",
+            Counted::Time => "time",
+        }
+    }
+
+    /// No number where it was not measured.
+    pub fn of(self, point: &Point) -> f64 {
+        match self {
+            Counted::Evaluations => point.evaluations as f64,
+            Counted::Time => point.time.map_or(f64::NAN, |time| time.seconds),
+        }
+    }
+}
+
+/// A larger error is as large as the motion: no answer, and on no front.
+pub const ANSWER: f64 = 0.1;
+
+/// The runs of a method on one way.
+pub struct Series<'a> {
+    pub way: &'a Way,
+    pub family: String,
+    pub points: Vec<&'a Point>,
+}
+
+impl Series<'_> {
+    /// `Taylor, second form, equivalent windings`
+    pub fn name(&self) -> String {
+        let parts = [self.family.clone(), self.way.formulation.name().to_owned(), model(self.way)];
+        parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+    }
+
+    /// `Taylor in the second form with equivalent windings`
+    pub fn said(&self) -> String {
+        let with = if self.way.model.is_empty() { String::new() } else { format!(" with {}", model(self.way)) };
+        format!("{} {}{with}", self.family, self.way.formulation.said())
+    }
+
+    /// For [`integrators::cost`].
+    pub fn trials(&self, counted: Counted) -> Vec<Trial> {
+        self.points.iter().map(|point| Trial { cost: counted.of(point), error: point.error.ok() }).collect()
+    }
+}
+
+/// All series of an atlas, way by way.
+pub fn series(atlas: &Atlas) -> Vec<Series<'_>> {
+    let mut all: Vec<Series> = Vec::new();
+    for explored in &atlas.explored {
+        let first = all.len();
+        for point in &explored.points {
+            let family = family(point.means);
+            match all[first..].iter_mut().find(|known| known.family == family) {
+                Some(known) => known.points.push(point),
+                None => all.push(Series { way: &explored.way, family, points: vec![point] }),
+            }
+        }
+    }
+    all
+}
+
+/// A motor's model for a reader, with what it is beside the scene's own.
+pub fn model(way: &Way) -> String {
+    let name = way.model.replace('_', " ");
+    match way.standing {
+        Standing::Approximate => format!("{name} (approximate)"),
+        Standing::Exact if !name.is_empty() => format!("{name} (exact)"),
+        _ => name,
+    }
+}
+
+/// A method's name without its number of steps.
+pub fn family(means: Means) -> String {
+    match means {
+        Means::Integrated(method) | Means::Projected(method) => of_method(method),
+        Means::Held(Holding::HalfExplicitEuler { .. }) => "half-explicit Euler".to_owned(),
+        Means::Held(Holding::HalfExplicitRungeKutta4 { .. }) => "half-explicit Runge-Kutta 4".to_owned(),
+        Means::Held(Holding::RadauIIA { stages, .. }) => format!("Radau IIA, {stages} stages, constant step"),
+        Means::Held(Holding::ProjectedGauss { stages, .. }) => format!("Gauss, {stages} stages, constant step"),
+    }
+}
+
+fn of_method(method: Method) -> String {
+    match method {
+        Method::RungeKutta4 { .. } => "Runge-Kutta 4, constant step".to_owned(),
+        Method::Euler { .. } => "Euler, constant step".to_owned(),
+        Method::BackwardEuler { .. } => "backward Euler, constant step".to_owned(),
+        Method::ImplicitMidpoint { .. } => "implicit midpoint, constant step".to_owned(),
+        Method::Split { splitting, .. } => format!("{} splitting, constant step", splitting.name()),
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,82 @@
+//! Error against work: what is on the front in colour, all else grey.
+
+use super::{ANSWER, Counted, Series, model, series};
+use charts::{Failure, Point, Work, WorkPrecision};
+use derivations::scene::Atlas;
+use integrators::front;
+
+/// Once in evaluations and once in time.
+pub fn work_precision(atlas: &Atlas) -> [WorkPrecision; 2] {
+    let series = series(atlas);
+    let seconds = series.iter().flat_map(|one| &one.points).map(|point| Counted::Time.of(point));
+    let fastest = seconds.fold(f64::INFINITY, f64::min);
+    Counted::ALL.map(|counted| {
+        let unit = if counted == Counted::Time { fastest } else { 1.0 };
+        let (x, title) = match counted {
+            Counted::Evaluations => (Work::Evaluations, "Error against evaluations"),
+            Counted::Time => (Work::TimeRatio, "Error against time"),
+        };
+        let places: Vec<(usize, Point)> = series
+            .iter()
+            .enumerate()
+            .flat_map(|(at, one)| answers(one, counted, unit).map(move |it| (at, it)))
+            .collect();
+        let found = front(&places.iter().map(|(_, point)| (point.work, point.error)).collect::<Vec<_>>());
+        let loud = |at: usize| found.iter().any(|&place| places[place].0 == at);
+        WorkPrecision {
+            title: title.to_owned(),
+            x,
+            error: "largest relative error".to_owned(),
+            series: series.iter().enumerate().map(|(at, one)| drawn(one, counted, unit, !loud(at))).collect(),
+            front: found.iter().map(|&place| places[place].1).collect(),
+            note: String::new(),
+        }
+    })
+}
+
+/// The runs that reached their end and were measured.
+fn ended<'a>(series: &'a Series<'_>, counted: Counted, unit: f64) -> impl Iterator<Item = Point> + 'a {
+    let points = series.points.iter().filter_map(|point| Some((*point, point.error.ok()?)));
+    points
+        .map(move |(point, error)| Point { work: counted.of(point) / unit, error })
+        .filter(|point| point.work.is_finite())
+}
+
+/// Those whose error is small enough for an answer.
+fn answers<'a>(series: &'a Series<'_>, counted: Counted, unit: f64) -> impl Iterator<Item = Point> + 'a {
+    ended(series, counted, unit).filter(|point| point.error <= ANSWER)
+}
+
+fn drawn(series: &Series<'_>, counted: Counted, unit: f64, quiet: bool) -> charts::Method {
+    let failed = series.points.iter().filter_map(|point| Some((point, point.error.err()?)));
+    charts::Method {
+        name: series.name(),
+        family: series.family.clone(),
+        kinds: [series.way.formulation.name().to_owned(), model(series.way)],
+        quiet,
+        points: ended(series, counted, unit).collect(),
+        failures: failed
+            .map(|(point, failure)| Failure {
+                work: counted.of(point) / unit,
+                tolerance: point.tolerance.unwrap_or(f64::NAN),
+                reason: failure.name().to_owned(),
+            })
+            .collect(),
+    }
+}
+
+/// What errors, evaluations and times of a scene are, for the line below its charts.
+pub fn measured_by(atlas: &Atlas) -> String {
+    let reference = &atlas.reference;
+    format!(
+        "Error: the largest over eight instants of what all formulations and models have (velocities and directions relative \
+         to the size of their vector, all else to its own), by the reference of the scene's own model: {} and {} in \
+         double-double, which agree to {:.0} digits. An approximate model ends at what it is off itself; an exact one has the \
+         same motion, which is proved. A Jacobian counts as the {} evaluations of its columns, a correction onto constraints \
+         as one. Times are medians within one run of the program, in which all of them take turns.",
+        reference.methods[0],
+        reference.methods[1],
+        reference.digits,
+        reference.sizes.len()
+    )
+}

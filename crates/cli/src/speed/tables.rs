@@ -1,0 +1,72 @@
+//! The front of a scene as tables, and what its models are off.
+
+use super::{Counted, family, model};
+use charts::{Table, significant, tolerance};
+use derivations::scene::Atlas;
+use derivations::scene::atlas::{Standing, Way};
+use integrators::{Point, front};
+
+/// For each decade of the error the cheapest run of all that reaches it.
+pub fn fronts(atlas: &Atlas) -> Vec<Table> {
+    Counted::ALL.into_iter().map(|counted| decades(atlas, counted)).filter(|table| !table.rows.is_empty()).collect()
+}
+
+fn decades(atlas: &Atlas, counted: Counted) -> Table {
+    let all: Vec<(&Way, &Point, f64)> =
+        atlas.points().filter_map(|(way, point)| Some((way, point, point.error.ok()?))).collect();
+    let costs: Vec<(f64, f64)> = all.iter().map(|(_, point, error)| (counted.of(point), *error)).collect();
+    let front = front(&costs);
+    let fastest = front.first().map_or(1.0, |&at| costs[at].0);
+    let mut taken: Vec<usize> = Vec::new();
+    for decade in 1..16 {
+        let reaches = front.iter().find(|&&at| costs[at].1 <= 10_f64.powi(-decade));
+        taken.extend(reaches.filter(|at| !taken.contains(at)));
+    }
+    let row = |&at: &usize| {
+        let (way, point, error) = all[at];
+        let cost = match counted {
+            Counted::Evaluations => point.evaluations.to_string(),
+            Counted::Time => significant(costs[at].0 / fastest, 3),
+        };
+        let given = point
+            .means
+            .steps()
+            .map_or_else(|| tolerance(point.tolerance.unwrap_or(f64::NAN)), |steps| format!("{steps} steps"));
+        vec![significant(error, 2), cost, family(point.means), way.formulation.to_string(), model(way), given]
+    };
+    let (caption, cost) = match counted {
+        Counted::Evaluations => ("The fewest evaluations, decade by decade", "Evaluations"),
+        Counted::Time => ("The least time, decade by decade", "Time, as a ratio"),
+    };
+    Table {
+        caption: caption.to_owned(),
+        head: ["Error", cost, "Method", "Formulation", "Model", "Tolerance"].map(str::to_owned).to_vec(),
+        rows: taken.iter().map(row).collect(),
+    }
+}
+
+/// (model, what it is beside the scene's own, its least error): each model once, where there are several.
+pub fn floors(atlas: &Atlas) -> Vec<(&'static str, String)> {
+    let mut known: Vec<(&str, String)> = Vec::new();
+    for explored in &atlas.explored {
+        let model = explored.way.model;
+        if model.is_empty() || known.iter().any(|(name, _)| *name == model) {
+            continue;
+        }
+        let said = match (explored.way.standing, explored.floor) {
+            (Standing::Own, _) => "the scene's own".to_owned(),
+            (Standing::Exact, _) => "exact: the same motion, which is proved".to_owned(),
+            (Standing::Approximate, Some(floor)) => format!("off by {}", significant(floor, 2)),
+            (Standing::Approximate, None) => "no accurate run of it reached the end".to_owned(),
+        };
+        known.push((model, said));
+    }
+    if known.len() > 1 { known } else { Vec::new() }
+}
+
+/// The same as a table.
+pub fn models(atlas: &Atlas) -> Table {
+    let rows = floors(atlas).into_iter().map(|(model, said)| vec![model.replace('_', " "), said]);
+    let head = ["Model", "Least error by the reference of the scene's own"].map(str::to_owned).to_vec();
+    Table { caption: "Models that these data allow".to_owned(), head, rows: rows.collect() }
+}

@@ -1,0 +1,114 @@
+//! Other ways to write the equations of a mechanism: redundant coordinates with each treatment of the constraints.
+
+use crate::recorded::Recorded;
+use crate::scene::atlas::{Formulation, Treated};
+use crate::scene::problem::Law;
+use crate::stabilisation::law::{BothHeld, Stabilised};
+use crate::stabilisation::treatments::MODERATE;
+use crate::taped::Taped;
+use field::{Analytic, DoubleDouble, Over};
+use integrators::{Directions, Held, HeldSystem, Ode};
+use mechanics::constrained::energies::Energies;
+use std::sync::Arc;
+use symbolic::Sym;
+
+/// A formulation with its law, and how its states are read as those of the mechanism.
+pub struct Rewritten {
+    pub formulation: Formulation,
+    pub law: Treated,
+    pub state: Vec<f64>,
+    pub whole: Box<Whole>,
+}
+
+/// From a state to the mechanism's own.
+pub type Whole = dyn Fn(&[f64]) -> Vec<f64> + Send + Sync;
+
+/// A system in its redundant coordinates, y = (q, q').
+#[derive(Clone, Debug)]
+struct Redundant<Q, const N: usize, const C: usize> {
+    system: Q,
+    /// b, 1/s
+    damping: f64,
+    /// k, 1/s^2
+    stiffness: f64,
+}
+
+impl<Q, const N: usize, const C: usize> Redundant<Q, N, C> {
+    fn led(&self) -> Stabilised<'_, Q, N, C> {
+        Stabilised { system: &self.system, damping: self.damping, stiffness: self.stiffness }
+    }
+}
+
+impl<S, Q, const N: usize, const C: usize> Ode<S> for Redundant<Q, N, C>
+where
+    S: Over<f64> + Analytic,
+    Q: Energies<N, C, Given = f64>,
+{
+    fn dimension(&self) -> usize {
+        2 * N
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        self.led().rates(t, y, dy);
+    }
+}
+
+impl<S, Q, const N: usize, const C: usize> Held<S> for Redundant<Q, N, C>
+where
+    S: Over<f64> + Analytic,
+    Q: Energies<N, C, Given = f64>,
+{
+    fn sizes(&self) -> (usize, usize) {
+        (2 * N, 2 * C)
+    }
+
+    fn rates(&self, t: S, y: &[S], z: &[S], dy: &mut [S]) {
+        BothHeld(&self.system).rates(t, y, z, dy);
+    }
+
+    fn parts(&self, t: S, y: &[S], dy: &mut [S], columns: &mut [S]) {
+        BothHeld(&self.system).parts(t, y, dy, columns);
+    }
+
+    fn constraints(&self, t: S, y: &[S], g: &mut [S]) {
+        BothHeld(&self.system).constraints(t, y, g);
+    }
+}
+
+impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> HeldSystem for Redundant<Q, N, C> {}
+
+/// A law as it is run: straight-line code with its series.
+pub fn ready<L>(law: L) -> Arc<dyn Law>
+where
+    L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Ode<Sym> + Send + Sync + 'static,
+{
+    Arc::new(Recorded::new(Arc::new(Taped::new(Arc::new(law)))))
+}
+
+/// Every treatment of the constraints of a system, from (q, q').
+pub fn redundant<Q, const N: usize, const C: usize>(
+    system: &Q,
+    state: &[f64],
+    whole: impl Fn(&[f64]) -> Vec<f64> + Clone + Send + Sync + 'static,
+) -> Vec<Rewritten>
+where
+    Q: Energies<N, C, Given = f64> + Clone + Send + Sync + 'static,
+{
+    let law = |damping, stiffness| Redundant::<Q, N, C> { system: system.clone(), damping, stiffness };
+    let reduced = ready(law(0.0, 0.0));
+    let held = Arc::new(law(0.0, 0.0));
+    let led = ready(law(2.0 * MODERATE, MODERATE * MODERATE));
+    let treated = [
+        (Formulation::IndexReduced, Treated::Free(Arc::clone(&reduced))),
+        (Formulation::Led, Treated::Free(led)),
+        (Formulation::Projected, Treated::Projected(reduced, held.clone())),
+        (Formulation::Held, Treated::Held(held)),
+    ];
+    let rewritten = treated.into_iter().map(|(formulation, law)| Rewritten {
+        formulation,
+        law,
+        state: state.to_vec(),
+        whole: Box::new(whole.clone()),
+    });
+    rewritten.collect()
+}

@@ -1,0 +1,89 @@
+//! A law as the straight-line program that it comes to: what every field but that of expressions evaluates.
+
+use field::{Analytic, DoubleDouble};
+use integrators::{Directions, Ode};
+use std::sync::Arc;
+use symbolic::{Sym, Tape};
+
+/// A law and its program. Laws made of masses and a chart build matrices and solve them at each evaluation; their program
+/// has each common part once and the data folded into constants.
+#[derive(Clone, Debug)]
+pub struct Taped<L> {
+    law: Arc<L>,
+    /// `None` where the law cannot be recorded or its program is long: then the law itself is run.
+    program: Option<Program>,
+}
+
+#[derive(Clone, Debug)]
+struct Program {
+    tape: Tape,
+    plain: Vec<f64>,
+    slopes: Vec<Directions>,
+    exact: Vec<DoubleDouble>,
+}
+
+/// Registers: of usual laws, whose clearing costs little, and of the largest.
+const FEW: usize = 256;
+const MANY: usize = 1024;
+/// States and the time.
+const INPUTS: usize = 64;
+
+impl<L: Ode<Sym>> Taped<L> {
+    /// Records a law, which may depend on time.
+    pub fn new(law: Arc<L>) -> Self {
+        let n = law.dimension();
+        let inputs: Vec<Sym> = (0..=n).map(|i| Sym::symbol(&format!("y{i}"))).collect();
+        let mut rates = vec![Sym::ZERO; n];
+        law.rates(inputs[n], &inputs[..n], &mut rates);
+        let tape = Tape::record(&inputs, &rates).ok().filter(|tape| tape.registers() <= MANY && n < INPUTS);
+        let program = tape.map(|tape| Program {
+            plain: tape.constants(),
+            slopes: tape.constants(),
+            exact: tape.constants(),
+            tape,
+        });
+        Taped { law, program }
+    }
+}
+
+impl Program {
+    #[inline]
+    fn rates<S: Analytic>(&self, constants: &[S], t: S, y: &[S], dy: &mut [S]) -> Option<()> {
+        let mut inputs = [S::zero(); INPUTS];
+        inputs.get_mut(..y.len())?.copy_from_slice(y);
+        *inputs.get_mut(y.len())? = t;
+        let few = self.tape.evaluate::<S, FEW>(constants, &inputs[..=y.len()], dy);
+        few.or_else(|| self.tape.evaluate::<S, MANY>(constants, &inputs[..=y.len()], dy))
+    }
+}
+
+macro_rules! runs {
+    ($field:ty, $constants:ident) => {
+        impl<L: Ode<$field>> Ode<$field> for Taped<L> {
+            fn dimension(&self) -> usize {
+                self.law.dimension()
+            }
+
+            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
+                let taped = self.program.as_ref().and_then(|it| it.rates(&it.$constants, t, y, dy));
+                if taped.is_none() {
+                    self.law.rates(t, y, dy);
+                }
+            }
+        }
+    };
+}
+
+runs!(f64, plain);
+runs!(Directions, slopes);
+runs!(DoubleDouble, exact);
+
+impl<L: Ode<Sym>> Ode<Sym> for Taped<L> {
+    fn dimension(&self) -> usize {
+        self.law.dimension()
+    }
+
+    fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
+        self.law.rates(t, y, dy);
+    }
+}
