@@ -1,10 +1,10 @@
 //! Motions that are known in closed form, by which runs, references and what they claim are measured.
 //!
 //! # Overview
-//! * [`volterra`]: a gyrostat without weight whose free rotor lies along a principal axis (Zhukovskii 1885, Volterra 1899);
-//! * [`lagrange`]: a heavy one with an axis of symmetry, the rotor and the weight along it;
-//! * [`unloaded`]: a synchronous motor alone on a bench, without friction or load;
-//! * each is u'^2 = f(u), a [`Quadrature`] that [`weierstrass`] solves; [`Scene::closed_form`] finds the one of a scene.
+//! * `volterra`: a gyrostat without weight whose free rotor lies along a principal axis (Zhukovskii 1885, Volterra 1899);
+//! * `lagrange`: a heavy one with an axis of symmetry, the rotor and the weight along it;
+//! * `unloaded`: a synchronous motor alone on a bench, without friction or load;
+//! * each is u'^2 = f(u), a [`Quadrature`] that [`Weierstrass`]' function solves; [`Scene::closed_form`] finds the one of a scene.
 
 mod lagrange;
 mod quadrature;

@@ -1,7 +1,7 @@
 //! Speed against accuracy: what is tried on a scene, and the reference by which it is measured.
 
 use super::atlas::{Atlas, Goal, INSTANTS, Way};
-use super::{Problem, Smooth};
+use super::{Problem, Smooth, Stored};
 use integrators::{Failure, Method, Reference, Span, Splitting, reference};
 use std::time::{Duration, Instant};
 
@@ -74,7 +74,8 @@ impl Problem {
     }
 }
 
-/// The atlas of a scene without its times: many scenes' at a time too. The first way must be that of the problem.
+/// The atlas of a scene without its times: many scenes' at a time too. The first way must be that of the problem. A
+/// reference that is kept is taken where it is the problem's own.
 ///
 /// # Errors
 /// Where there is no reference.
@@ -83,9 +84,13 @@ pub fn judged(
     problem: &Problem,
     ways: Vec<Way>,
     trials: &Trials,
+    kept: Option<&Stored>,
     patience: Duration,
 ) -> Result<Atlas, Failure> {
-    let reference = problem.reference(patience)?;
+    let reference = match kept.filter(|kept| kept.serves(problem)) {
+        Some(kept) => kept.reference.clone(),
+        None => problem.reference(patience)?,
+    };
     let goal = Goal::of(problem, &reference, scene.observed(&reference));
     Ok(Atlas::judged(ways, reference, &goal, problem.span, trials))
 }

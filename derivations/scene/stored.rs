@@ -43,6 +43,16 @@ impl Stored {
         Stored { reference, start: problem.state.clone(), rates }
     }
 
+    /// What is kept beside a scene file, if anything readable is.
+    pub fn beside(scene: &Path) -> Option<Self> {
+        Self::read(&std::fs::read_to_string(place(scene)).ok()?).ok()
+    }
+
+    /// Whether it is this problem's, to its end.
+    pub fn serves(&self, problem: &Problem) -> bool {
+        self.reference.times.last() == Some(&problem.span) && self.belongs_to(problem)
+    }
+
     /// Whether it is this problem's: its start, and its law at all instants.
     pub fn belongs_to(&self, problem: &Problem) -> bool {
         if self.start != problem.state {

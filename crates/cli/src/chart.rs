@@ -8,7 +8,7 @@ use crate::run::{refuse, with_model};
 use crate::speed::{advice::advice, family, model, pictures, tables};
 use charts::Table;
 use derivations::scene::atlas::{Formulation, Way};
-use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Trials, judged};
+use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, Trials, judged};
 use integrators::Failure;
 use std::fmt::Write;
 use std::path::Path;
@@ -37,7 +37,8 @@ pub fn chart(asked: &Chart) -> Result<Ending, Ending> {
     let problem = smooth.problem(asked.form.unwrap_or_default());
     let mut ways = smooth.ways();
     ways.retain(|way| asked.form.is_none_or(|form| written_in(way, form)));
-    match judged(smooth, &problem, ways, &trials, allowed) {
+    let kept = Stored::beside(&asked.scene);
+    match judged(smooth, &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, allowed / 2);
             print(&text(smooth, &atlas))?;

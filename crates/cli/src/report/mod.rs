@@ -7,9 +7,9 @@ use crate::ending::{Ending, save};
 use crate::progress::Progress;
 use crate::speed::{advice::advice, pictures, tables};
 use charts::{Report, SceneSection, WorkPrecision};
-use derivations::scene::{AnyScene, Atlas, Family, Smooth};
+use derivations::scene::{AnyScene, Atlas, Family, Smooth, Stored};
 use parts::Parts;
-use scene::described;
+use scene::{Read, described};
 use std::path::{Path, PathBuf};
 
 /// Judges the ledger, runs and charts the scenes, and writes the page.
@@ -19,7 +19,7 @@ pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, En
     for file in files {
         match AnyScene::open(file)? {
             AnyScene::Rough(scene) => rough.push((id(file), *scene)),
-            other => scenes.push((id(file), other)),
+            scene => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
         }
     }
     let mut parts = Parts::of(&scenes, &rough);

@@ -1,6 +1,6 @@
 //! The parts of the report: what is computed side by side, what is timed alone, and the page that they make.
 
-use super::scene::{NoReference, Prepared, prepare};
+use super::scene::{NoReference, Prepared, Read, prepare};
 use super::{explained, titled};
 use crate::crew::Crew;
 use crate::ledger;
@@ -32,7 +32,7 @@ pub struct Parts {
 
 impl Parts {
     /// None yet.
-    pub fn of(scenes: &[(String, AnyScene)], rough: &[(String, RoughScene)]) -> Self {
+    pub fn of(scenes: &[Read], rough: &[(String, RoughScene)]) -> Self {
         Parts {
             papers: papers::ALL.iter().map(|_| None).collect(),
             prepared: scenes.iter().map(|_| None).collect(),
@@ -48,7 +48,7 @@ impl Parts {
     }
 
     /// All that need not be timed.
-    pub fn compute(&mut self, scenes: &[(String, AnyScene)], rough: &[(String, RoughScene)], done: impl FnMut(f64)) {
+    pub fn compute(&mut self, scenes: &[Read], rough: &[(String, RoughScene)], done: impl FnMut(f64)) {
         let mut crew = Crew::default();
         for (place, paper) in self.papers.iter_mut().zip(papers::ALL) {
             crew.add(1.0, place, move || ledger::judged(paper));
@@ -66,7 +66,7 @@ impl Parts {
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
         crew.add(0.5, &mut self.stationary, || {
-            sphere::all(scenes.iter().filter_map(|(_, scene)| match scene {
+            sphere::all(scenes.iter().filter_map(|read| match &read.scene {
                 AnyScene::Driven(scene) => Some(&**scene),
                 _ => None,
             }))

@@ -3,7 +3,7 @@
 use crate::pictures;
 use crate::speed::tables::floors;
 use charts::{Parameter, SceneSection, Table, significant, tolerance};
-use derivations::scene::{AnyScene, Atlas, Axes, Scene, Smooth, Trajectory, Trials, judged};
+use derivations::scene::{AnyScene, Atlas, Axes, Scene, Smooth, Stored, Trajectory, Trials, judged};
 use integrators::Failure;
 use std::time::Duration;
 
@@ -26,6 +26,13 @@ pub struct Prepared {
     pub timed: Duration,
 }
 
+/// A scene with the reference that is kept beside its file.
+pub struct Read {
+    pub id: String,
+    pub scene: AnyScene,
+    pub kept: Option<Stored>,
+}
+
 /// Why methods are not compared on a scene.
 pub enum NoReference {
     Stopped(Failure),
@@ -34,7 +41,7 @@ pub enum NoReference {
 }
 
 /// Runs a scene, computes its reference, and the errors of all methods by that; nothing where it is many problems.
-pub fn prepare((id, any): &(String, AnyScene)) -> Option<Prepared> {
+pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
     let scene = any.smooth()?;
     let choice = scene.run().choice();
     let problem = scene.problem(Axes::First);
@@ -50,7 +57,7 @@ pub fn prepare((id, any): &(String, AnyScene)) -> Option<Prepared> {
     // what a scene is made to show may be its end: that is no fault of the run
     let atlas = match scene.told(&choice, &run).diagnosis {
         Some(_) => Err(NoReference::Ends),
-        None => judged(scene, &problem, scene.ways(), &trials, patience).map_err(NoReference::Stopped),
+        None => judged(scene, &problem, scene.ways(), &trials, kept.as_ref(), patience).map_err(NoReference::Stopped),
     };
     if let AnyScene::Driven(scene) = any {
         section.tables.extend(ladder(scene, &run, atlas.as_ref().ok()));
