@@ -1,5 +1,6 @@
 //! Ensembles: each member is the single run of that member, whoever runs beside it.
 
+use derivations::ensemble::draw::Draw;
 use derivations::ensemble::{EnsembleScene, Row};
 use derivations::machines::multi_current::{MultiCurrent, Windings};
 use derivations::scene::{Axes, Family, Scene};
@@ -73,6 +74,41 @@ fn every_member_is_the_single_run_of_its_scene() {
         assert!(last.changes[..2].iter().all(|change| change.is_some_and(|change| change.abs() < 1e-8)), "{last:?}");
         assert_eq!((last.changes[2], last.changes[3]), (None, None), "this motor dissipates");
     }
+}
+
+/// phi' = g' + W with the member's own W.
+#[test]
+fn the_speed_of_the_rotor_is_its_slip_and_the_speed_of_the_members_own_field() {
+    let field = "machine.field_speed = { from = \"100 rad/s\", to = \"150 rad/s\" }";
+    let scene = ensemble(&short(5).replace("machine.b0 = { mean = \"0.15 N m\", deviation = \"0.01 N m\" }", field));
+    let columns = scene.columns();
+    let of = |name: &str| columns.iter().position(|known| known == name).expect("it is a column");
+    for row in rows(&scene, 1) {
+        let last = row.last.as_ref().unwrap_or_else(|| panic!("{row:?}"));
+        let (drawn, state) = (row.drawn[of("machine.field_speed") - 1], |name| last.state[of(name) - of("steps") - 1]);
+        assert!((100.0..150.0).contains(&drawn));
+        assert!((state("rotor_speed") - state("slip") - drawn).abs() < 1e-12, "{drawn}: {row:?}");
+    }
+}
+
+#[test]
+fn numbers_have_the_moments_of_their_distribution() {
+    let count = 40_000;
+    let moments = |number: &dyn Fn(u64) -> f64| {
+        let powers = |power: i32| (0..count).map(|n| number(n).powi(power)).sum::<f64>() / count as f64;
+        [powers(1), powers(2), powers(4)]
+    };
+    let near = |found: [f64; 3], known: [f64; 3]| found.iter().zip(known).all(|(a, b)| (a - b).abs() < 0.05);
+    let [even, normal] = [moments(&|n| Draw::new(1, n, "x").even(0)), moments(&|n| Draw::new(1, n, "x").normal(2))];
+    assert!(near(even, [1.0 / 2.0, 1.0 / 3.0, 1.0 / 5.0]) && near(normal, [0.0, 1.0, 3.0]), "{even:?} {normal:?}");
+}
+
+#[test]
+fn seed_member_datum_and_place_each_change_the_number() {
+    let of = |seed, member, datum, i| Draw::new(seed, member, datum).even(i);
+    let one = of(1, 1, "a", 0);
+    assert!([of(2, 1, "a", 0), of(1, 2, "a", 0), of(1, 1, "b", 0), of(1, 1, "a", 1)].iter().all(|x| *x != one));
+    assert_eq!(of(1, 1, "a", 0), one);
 }
 
 #[test]
@@ -200,15 +236,16 @@ impl LaneSeries<4> for Growth {
     }
 }
 
-struct Rates<'a> {
-    rates: &'a [f64],
+/// (p, y) of each at the start.
+struct Starts<'a> {
+    starts: &'a [(f64, f64)],
     next: usize,
     ended: Vec<(u64, f64, f64, Option<Failure>)>,
 }
 
-impl Members for Rates<'_> {
+impl Members for Starts<'_> {
     fn next(&mut self, parameters: &mut [f64], state: &mut [f64]) -> Option<u64> {
-        (parameters[0], state[0]) = (*self.rates.get(self.next)?, 1.0);
+        (parameters[0], state[0]) = *self.starts.get(self.next)?;
         self.next += 1;
         Some(self.next as u64)
     }
@@ -220,19 +257,22 @@ impl Members for Rates<'_> {
 
 #[test]
 fn a_member_that_fails_disturbs_no_other_and_nobody_waits_for_the_slowest() {
-    let rates = [1.0, -2.0, f64::NAN, 300.0, 0.0, 5e5, -1.0, 2.0, 3.0];
+    let rates = [1.0, -2.0, f64::NAN, 300.0, 0.0, 5e5, -1.0, 2.0, 3.0, -1e6];
+    // the last one would be infinite after the one step that takes it to the end
+    let starts: Vec<(f64, f64)> = rates.iter().map(|rate| (*rate, 1.0)).chain([(1.0, 1e308)]).collect();
     let series = vec![[Lanes::all(0.0)]; integrators::taylor_order(1e-12) + 1];
-    let mut members = Rates { rates: &rates, next: 0, ended: Vec::new() };
+    let mut members = Starts { starts: &starts, next: 0, ended: Vec::new() };
     let source = Growth { rates: Lanes::all(0.0), series };
     Ensemble::new(source, 1e-12, 1.0, 1, 1).with_most_steps(10_000).run(&mut members);
-    assert_eq!(members.ended.len(), rates.len());
+    assert_eq!(members.ended.len(), starts.len());
     for (number, state, at, failure) in members.ended.iter().copied() {
-        let rate = rates[number as usize - 1];
+        let (rate, start) = starts[number as usize - 1];
         match rate {
-            _ if rate.is_nan() => {
-                assert_eq!((state, at, failure), (1.0, 0.0, Some(Failure::LeftTheNumbers { at: 0.0 })))
+            _ if rate.is_nan() || start > 1.0 => {
+                assert_eq!((state, at, failure), (start, 0.0, Some(Failure::LeftTheNumbers { at: 0.0 })));
             }
             5e5 => assert!(failure.is_some() && state.is_finite() && at < 1.0, "{failure:?}"),
+            -1e6 => assert!(matches!(failure, Some(Failure::TooManyEvaluations { .. })), "{failure:?}"),
             _ => assert!(failure.is_none() && (state / rate.exp() - 1.0).abs() < 1e-9, "{rate}: {state}"),
         }
     }

@@ -34,28 +34,3 @@ fn mixed(number: u64) -> u64 {
     let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Draw;
-
-    #[test]
-    fn numbers_have_the_moments_of_their_distribution() {
-        let count = 40_000;
-        let moments = |number: &dyn Fn(u64) -> f64| {
-            let powers = |power: i32| (0..count).map(|n| number(n).powi(power)).sum::<f64>() / count as f64;
-            [powers(1), powers(2), powers(4)]
-        };
-        let near = |found: [f64; 3], known: [f64; 3]| found.iter().zip(known).all(|(a, b)| (a - b).abs() < 0.05);
-        let [even, normal] = [moments(&|n| Draw::new(1, n, "x").even(0)), moments(&|n| Draw::new(1, n, "x").normal(2))];
-        assert!(near(even, [1.0 / 2.0, 1.0 / 3.0, 1.0 / 5.0]) && near(normal, [0.0, 1.0, 3.0]), "{even:?} {normal:?}");
-    }
-
-    #[test]
-    fn seed_member_datum_and_place_each_change_the_number() {
-        let of = |seed, member, datum, i| Draw::new(seed, member, datum).even(i);
-        let one = of(1, 1, "a", 0);
-        assert!([of(2, 1, "a", 0), of(1, 2, "a", 0), of(1, 1, "b", 0), of(1, 1, "a", 1)].iter().all(|x| *x != one));
-        assert_eq!(of(1, 1, "a", 0), one);
-    }
-}

@@ -45,7 +45,7 @@ LAWS = sorted(programs_in(ROOT / "tests") - OTHERS - {LEDGER, *RUNS})
 # the programs whose subject these files are: the others, and the ledger, are asked only where these notice nothing
 SUBJECT_OF = {
     "crates/symbolic/src/polynomials.rs": ["jacobians"],
-    "crates/integrators/src/ensemble.rs": ["ensembles", "methods"],
+    "crates/integrators/src/ensemble.rs": ["ensembles"],
     "derivations/ensemble/": ["ensembles"],
     "crates/integrators/src/transition.rs": ["transition"],
     "derivations/scene/transition.rs": ["transition"],

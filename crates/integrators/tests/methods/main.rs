@@ -1,7 +1,6 @@
 //! The methods on nonlinear problems with known solutions: one program, so that they share these.
 
 mod allocations;
-mod ensembles;
 mod events;
 mod failures;
 mod held;
