@@ -1,6 +1,9 @@
 //! Twelve colours, shapes of marker and patterns of dashes: a series is known by any one of them.
 
-use super::{drawing::Drawing, number::coordinate};
+use super::{
+    drawing::Drawing,
+    number::{Tenths, coordinate, tenths},
+};
 
 const STYLES: usize = 12;
 
@@ -67,12 +70,29 @@ impl Look {
             Paint::Hollow => "mark hollow",
             Paint::Lines => "mark open",
         };
-        let at = |(x, y): &(f64, f64)| format!("M{} {}{shape}", coordinate(*x), coordinate(*y));
-        let all: String = places.iter().map(at).collect();
+        let all = repeated(&shape, places);
         if !all.is_empty() {
             drawing.path_with_tooltip(&all, class, tooltip);
         }
     }
+}
+
+/// A shape about several centres. Where its pen comes back to where it began, the next is drawn from there.
+fn repeated(shape: &str, places: &[(f64, f64)]) -> String {
+    let begins = shape.strip_prefix('m').map_or(0, |rest| rest.find(char::is_alphabetic).map_or(0, |at| at + 1));
+    let (comes_back, mut pen) = (shape.ends_with('z') || shape == "h0", None);
+    let mut path = String::new();
+    for (x, y) in places.iter().map(|(x, y)| (tenths(*x).0, tenths(*y).0)) {
+        path += &match pen {
+            Some((from_x, from_y)) if comes_back => {
+                let [dx, dy] = [x - from_x, y - from_y].map(|way| Tenths(way).to_string_tenths());
+                format!("m{dx} {dy}{}", &shape[begins..])
+            }
+            _ => format!("M{} {}{shape}", Tenths(x).to_string_tenths(), Tenths(y).to_string_tenths()),
+        };
+        pen = Some((x, y));
+    }
+    path
 }
 
 /// A relative path from the centre.
@@ -120,6 +140,13 @@ fn diamond(half: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_shape_that_closes_is_repeated_from_its_beginning() {
+        assert_eq!(repeated("m-2-2h4v4h-4z", &[(10.0, 10.0), (13.5, 9.0)]), "M10 10m-2-2h4v4h-4zm3.5 -1h4v4h-4z");
+        assert_eq!(repeated("h0", &[(1.0, 2.0), (1.0, 4.0)]), "M1 2h0m0 2h0");
+        assert_eq!(repeated("m-1 0h2", &[(1.0, 2.0), (2.0, 2.0)]), "M1 2m-1 0h2M2 2m-1 0h2");
+    }
 
     #[test]
     fn no_two_of_144_series_look_alike() {

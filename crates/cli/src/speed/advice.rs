@@ -19,8 +19,11 @@ pub fn advice(atlas: &Atlas, error: f64) -> String {
     let Some((least, best)) = costs.first() else { return format!("To {to}: no method reaches it.") };
     match costs.iter().find(|(_, other)| other.family != best.family) {
         Some((next, other)) => {
-            let times = significant(next / least, 2);
-            format!("To {to}: {}; {} takes {times} times as long.", best.said(), other.said())
+            let longer = match significant(next / least, 2) {
+                times if times == "1" => "as long".to_owned(),
+                times => format!("{times} times as long"),
+            };
+            format!("To {to}: {}; {} takes {longer}.", best.said(), other.said())
         }
         None => format!("To {to}: {}, and no other method.", best.said()),
     }

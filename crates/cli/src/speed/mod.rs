@@ -63,6 +63,11 @@ impl Series<'_> {
         format!("{} {}{with}", self.family, self.way.formulation.said())
     }
 
+    /// Whether its model can answer at all.
+    pub fn is_near(&self) -> bool {
+        self.way.is_exact() || self.points.iter().any(|point| point.error.is_ok_and(|error| error <= ANSWER))
+    }
+
     /// For [`integrators::cost`].
     pub fn trials(&self, counted: Counted) -> Vec<Trial> {
         self.points.iter().map(|point| Trial { cost: counted.of(point), error: point.error.ok() }).collect()
