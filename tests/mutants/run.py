@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Breaks every law once and tells what notices: writes snapshots/mutants/, a page for each top folder and one for the systems.
+"""Breaks every law once and tells what notices: writes snapshots/mutants/, a page for each crate and folder.
 
 Each mutant of mutants.toml is one replacement in one file of a copy of the project, outside of it. The ledger, the laws
 and what the file's own crate tests are built there and run; what fails has caught the mutant. Whole motions run only where
@@ -222,12 +222,11 @@ def table(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> st
 
 
 def write_tables(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> None:
-    """A page for the mutants of each top folder, and one for those of the systems."""
+    """A page for the mutants of each crate, and of each folder of the derivations."""
     TABLES.mkdir(exist_ok=True)
-    page = lambda file: "systems" if file.startswith("derivations/systems/") else Path(file).parts[0]
-    for name in dict.fromkeys(page(file) for file, _ in listed):
-        of_page = [(file, mutant) for file, mutant in listed if page(file) == name]
-        (TABLES / f"{name}.md").write_text(table(of_page, rows))
+    for folder in dict.fromkeys(Path(file).parts[:2] for file, _ in listed):
+        of_folder = [(file, name) for file, name in listed if Path(file).parts[:2] == folder]
+        (TABLES / f"{folder[1]}.md").write_text(table(of_folder, rows))
 
 
 def main() -> None:
