@@ -7,7 +7,7 @@ use field::Rational;
 use std::ops::{Add, Mul, Neg, Sub};
 use std::sync::Arc;
 
-/// The ring Z[t] of a real algebraic integer t, the root of a monic polynomial.
+/// The ring `Z[t]` of a real algebraic integer t, the root of a monic polynomial.
 #[derive(Debug)]
 pub struct Field {
     /// The coefficients below the leading one.
@@ -15,7 +15,7 @@ pub struct Field {
     root: Root,
 }
 
-/// An element of Z (one part or none) or of Z[t]: coefficients of the powers of t from the constant upwards.
+/// An element of Z (one part or none) or of `Z[t]`: coefficients of the powers of t from the constant upwards.
 #[derive(Clone, Debug)]
 pub struct Number {
     parts: Vec<IBig>,
