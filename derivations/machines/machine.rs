@@ -1,6 +1,6 @@
 //! What a motor is: energies and laws of force. Everything else is derived.
 
-use field::{Analytic, Base, Circle, Over, Scalar};
+use field::{Analytic, Base, Circle, Divisor, Over, Scalar};
 use integrators::Ode;
 
 /// How much of the rotor's motion is state.
@@ -71,24 +71,25 @@ pub trait Machine<P: Base> {
 /// What of a winding is known before it moves.
 #[derive(Clone, Copy, Debug)]
 pub struct Circuit<P> {
-    /// R/L, 1/s
-    decay: P,
-    /// 1/L, 1/H
-    response: P,
+    /// R, ohm
+    resistance: P,
+    /// L, H
+    inductance: Divisor<P>,
 }
 
 impl<P: Base> Circuit<P> {
     /// Of one winding of a machine.
     #[inline(always)]
     pub fn of(machine: &impl Machine<P>, winding: usize) -> Self {
-        let response = P::one() / machine.inductance(winding);
-        Circuit { decay: machine.resistance(winding) * response, response }
+        let inductance = Divisor::new(machine.inductance(winding));
+        Circuit { resistance: machine.resistance(winding), inductance }
     }
 
-    /// di/dt = -(R i + u)/L under the voltage u that the motion induces.
+    /// di/dt = -(R i + psi'(g) g')/L.
     #[inline(always)]
-    fn rate<S: Over<P>>(self, current: S, induced: S) -> S {
-        -(S::lift(self.decay) * current).and_product(S::lift(self.response), induced)
+    fn rate<S: Over<P>>(self, current: S, coupling: S, slip: S) -> S {
+        let resisted = S::lift(self.resistance) * current;
+        -resisted.and_product(coupling, slip).divided_by(self.inductance)
     }
 }
 
@@ -121,7 +122,7 @@ pub fn drive_circuits<P: Base, S: Over<P>>(
     for (k, ((&current, rate), circuit)) in currents.iter().zip(current_rates).zip(circuits).enumerate() {
         let coupling = machine.linkage(k, varied).slope;
         moment = moment.and_product(current, coupling);
-        *rate = circuit.rate(current, coupling * slip);
+        *rate = circuit.rate(current, coupling, slip);
     }
     moment
 }

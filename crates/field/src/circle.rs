@@ -84,7 +84,7 @@ impl<S: Scalar> Add for Circle<S> {
     #[inline(always)]
     fn add(self, other: Self) -> Self {
         Circle {
-            cos: (self.cos * other.cos).and_product(-self.sin, other.sin),
+            cos: (self.cos * other.cos).less_product(self.sin, other.sin),
             sin: (self.sin * other.cos).and_product(self.cos, other.sin),
         }
     }

@@ -1,6 +1,6 @@
 //! Many numbers side by side: one law evaluated for as many systems at once as a register is wide.
 
-use crate::{Analytic, Base, Circle, Over, Scalar};
+use crate::{Analytic, Base, Circle, Divisor, Over, Scalar};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
@@ -104,6 +104,11 @@ impl<const L: usize, const FUSED: bool> Scalar for Lanes<L, FUSED> {
         }
         self
     }
+
+    #[inline(always)]
+    fn less_product(self, a: Self, b: Self) -> Self {
+        self.and_product(-a, b)
+    }
 }
 
 impl<const L: usize, const FUSED: bool> Base for Lanes<L, FUSED> {}
@@ -113,12 +118,22 @@ impl<const L: usize, const FUSED: bool> Over<Lanes<L, FUSED>> for Lanes<L, FUSED
     fn lift(parameter: Self) -> Self {
         parameter
     }
+
+    #[inline(always)]
+    fn divided_by(self, divisor: Divisor<Self>) -> Self {
+        self * divisor.reciprocal()
+    }
 }
 
 impl<const L: usize, const FUSED: bool> Over<f64> for Lanes<L, FUSED> {
     #[inline(always)]
     fn lift(parameter: f64) -> Self {
         Self::all(parameter)
+    }
+
+    #[inline(always)]
+    fn divided_by(self, divisor: Divisor<f64>) -> Self {
+        self * Self::all(divisor.reciprocal())
     }
 }
 

@@ -32,6 +32,8 @@ pub fn field_laws<S: Scalar>(a: S, b: S, c: S) -> Vec<(&'static str, S, S)> {
         ("2 = 1 + 1", S::int(2), one + one),
         ("3/7 * 7 = 3", S::ratio(3, 7) * S::int(7), S::int(3)),
         ("half + half = whole", a.half() + a.half(), a),
+        ("and_product", a.and_product(b, c), a + b * c),
+        ("less_product", a.less_product(b, c), a - b * c),
         ("square", a.squared(), a * a),
         ("a += b", assigned(|a, b| *a += b), a + b),
         ("a -= b", assigned(|a, b| *a -= b), a - b),

@@ -29,7 +29,7 @@ pub use circle::Circle;
 pub use decimal::{decimal, from_decimal};
 pub use lanes::Lanes;
 pub use rational::Rational;
-pub use scalar::{Analytic, Base, Over, Scalar};
+pub use scalar::{Analytic, Base, Divisor, Over, Scalar};
 pub use tangent::Tangent;
 
 /// Twice the precision of `f64`: an unevaluated sum of two, 106 bits, relative error about 4e-32.

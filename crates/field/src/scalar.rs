@@ -23,6 +23,12 @@ pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + Num
         self + a * b
     }
 
+    /// x - a b; a field that rounds may round it once.
+    #[inline(always)]
+    fn less_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
+
     /// x / 2.
     #[inline(always)]
     fn half(self) -> Self {
@@ -43,6 +49,39 @@ pub trait Base: Over<Self> {}
 pub trait Over<P: Scalar>: Scalar {
     /// The same number, seen in the larger field (its derivatives are zero).
     fn lift(parameter: P) -> Self;
+
+    /// x / d, as exactly as this field can; a field no finer than that of the parameters multiplies by 1/d.
+    #[inline(always)]
+    fn divided_by(self, divisor: Divisor<P>) -> Self {
+        self / Self::lift(divisor.value)
+    }
+}
+
+/// A parameter that laws divide by: its reciprocal is known before anything moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Divisor<P> {
+    value: P,
+    reciprocal: P,
+}
+
+impl<P: Base> Divisor<P> {
+    /// `value` must not be zero.
+    #[inline(always)]
+    pub fn new(value: P) -> Self {
+        Divisor { value, reciprocal: P::one() / value }
+    }
+
+    /// d
+    #[inline(always)]
+    pub fn value(self) -> P {
+        self.value
+    }
+
+    /// 1/d, rounded where P rounds.
+    #[inline(always)]
+    pub fn reciprocal(self) -> P {
+        self.reciprocal
+    }
 }
 
 /// A field with square roots and with the circle point of an angle.
@@ -65,6 +104,11 @@ impl Over<f64> for f64 {
     #[inline(always)]
     fn lift(parameter: f64) -> Self {
         parameter
+    }
+
+    #[inline(always)]
+    fn divided_by(self, divisor: Divisor<f64>) -> Self {
+        self * divisor.reciprocal
     }
 }
 

@@ -4,7 +4,7 @@
 //! asks for the field operations alone, so the same derivation runs over `f64`, exact rationals, double-double and
 //! expressions. Nested once it gives second derivatives. Over `f64` num-dual is the second route that checks it.
 
-use crate::{Analytic, Base, Circle, Over, Scalar};
+use crate::{Analytic, Base, Circle, Divisor, Over, Scalar};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
@@ -122,6 +122,11 @@ impl<P: Base, S: Over<P>> Over<P> for Tangent<S> {
     #[inline(always)]
     fn lift(parameter: P) -> Self {
         Self::fixed(S::lift(parameter))
+    }
+
+    #[inline(always)]
+    fn divided_by(self, divisor: Divisor<P>) -> Self {
+        Tangent { value: self.value.divided_by(divisor), slope: self.slope.divided_by(divisor) }
     }
 }
 

@@ -13,7 +13,7 @@ use super::Gyrostat;
 use super::momenta::Momenta;
 use super::tensors::Principal;
 use super::vectors::{by_component, dot, lift, plus, two_crosses};
-use field::{Base, Over, Scalar};
+use field::{Base, Divisor, Over, Scalar};
 use nalgebra::{Matrix3, Vector3};
 
 /// A way to write the equations of motion: data in its own axes, solved for the accelerations.
@@ -44,9 +44,7 @@ struct Data<P: Scalar> {
     /// l
     axis: Vector3<P>,
     /// A'
-    axial: P,
-    /// 1 / A'
-    lightness: P,
+    axial: Divisor<P>,
     /// Gamma e
     weight: Vector3<P>,
 }
@@ -54,7 +52,7 @@ struct Data<P: Scalar> {
 impl<P: Base> Data<P> {
     fn new(moments: Vector3<P>, axis: Vector3<P>, axial: P, weight: Vector3<P>) -> Self {
         let mobility = moments.map(|a| P::one() / a);
-        Data { moments, mobility, axis, axial, lightness: P::one() / axial, weight }
+        Data { moments, mobility, axis, axial: Divisor::new(axial), weight }
     }
 
     /// x x w + Ge x v, what the momentum of this form gains in the turning axes.
@@ -106,7 +104,7 @@ impl<P: Base> Form<P> for FirstForm<P> {
         let axis = lift(self.data.axis);
         let free = plus(self.data.gain(self.momentum(w, rotor_speed), w, v), axis, -moment);
         let w_rate = by_component(free, lift(self.data.mobility));
-        (w_rate, moment * S::lift(self.data.lightness) - dot(axis, w_rate))
+        (w_rate, moment.divided_by(self.data.axial) - dot(axis, w_rate))
     }
 
     #[inline(always)]
@@ -121,31 +119,38 @@ impl<P: Base> Form<P> for FirstForm<P> {
     fn momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> Vector3<S> {
         let axis = lift(self.data.axis);
         let absolute_spin = dot(w, axis) + rotor_speed;
-        plus(by_component(w, lift(self.data.moments)), axis, S::lift(self.data.axial) * absolute_spin)
+        plus(by_component(w, lift(self.data.moments)), axis, S::lift(self.data.axial.value()) * absolute_spin)
     }
 
     fn energy<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> S {
         let absolute_spin = w.dot(&self.data.axis.map(S::lift)) + rotor_speed;
         let own = w.dot(&w.component_mul(&self.data.moments.map(S::lift)));
-        (own + S::lift(self.data.axial) * absolute_spin * absolute_spin).half() - self.data.weight.map(S::lift).dot(&v)
+        let spin = S::lift(self.data.axial.value()) * absolute_spin * absolute_spin;
+        (own + spin).half() - self.data.weight.map(S::lift).dot(&v)
     }
 
     /// Kept: A*^-1 = A^-1 - n n^T / (1/A' + l.n) with n = A^-1 l (Sherman and Morrison).
     fn momenta(&self, kept: bool) -> Momenta<P> {
         let Data { mobility, axis, axial, weight, .. } = self.data;
         let oblique = axis.component_mul(&mobility);
-        Momenta { mobility, oblique, share: if kept { -self.reaction } else { P::zero() }, axis, axial, weight }
+        Momenta {
+            mobility,
+            oblique,
+            share: if kept { -self.reaction } else { P::zero() },
+            axis,
+            axial: axial.value(),
+            weight,
+        }
     }
 }
 
 impl<P: Base> Form<P> for SecondForm<P> {
     #[inline(always)]
     fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S) {
-        let axial = S::lift(self.data.axial);
+        let axial = S::lift(self.data.axial.value());
         let response = lift(self.response);
         let free = self.data.gain(self.momentum(w, rotor_speed), w, v);
-        let own = moment * S::lift(self.data.lightness);
-        let rotor_acceleration = (own - dot(response, free)) * S::lift(self.inverse_d);
+        let rotor_acceleration = (moment.divided_by(self.data.axial) - dot(response, free)) * S::lift(self.inverse_d);
         let w_rate = plus(by_component(free, lift(self.data.mobility)), response, -(axial * rotor_acceleration));
         (w_rate, rotor_acceleration)
     }
@@ -154,18 +159,18 @@ impl<P: Base> Form<P> for SecondForm<P> {
     fn prescribed<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> (Vector3<S>, S) {
         let free = self.data.gain(self.momentum(w, rotor_speed), w, v);
         let w_rate = by_component(free, lift(self.data.mobility));
-        (w_rate, S::lift(self.data.axial) * dot(w_rate, lift(self.data.axis)))
+        (w_rate, S::lift(self.data.axial.value()) * dot(w_rate, lift(self.data.axis)))
     }
 
     #[inline(always)]
     fn momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> Vector3<S> {
         let own = by_component(w, lift(self.data.moments));
-        plus(own, lift(self.data.axis), S::lift(self.data.axial) * rotor_speed)
+        plus(own, lift(self.data.axis), S::lift(self.data.axial.value()) * rotor_speed)
     }
 
     fn energy<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> S {
         let own = w.dot(&w.component_mul(&self.data.moments.map(S::lift)));
-        let axial = S::lift(self.data.axial);
+        let axial = S::lift(self.data.axial.value());
         let mixed = axial * rotor_speed * w.dot(&self.data.axis.map(S::lift));
         (own + axial * rotor_speed * rotor_speed).half() + mixed - self.data.weight.map(S::lift).dot(&v)
     }
@@ -173,8 +178,8 @@ impl<P: Base> Form<P> for SecondForm<P> {
     /// Free: A^-1 = A*^-1 + (A'/D) n n^T with n = A*^-1 l (Sherman and Morrison).
     fn momenta(&self, kept: bool) -> Momenta<P> {
         let Data { mobility, axis, axial, weight, .. } = self.data;
-        let share = if kept { P::zero() } else { axial * self.inverse_d };
-        Momenta { mobility, oblique: self.response, share, axis, axial, weight }
+        let share = if kept { P::zero() } else { axial.value() * self.inverse_d };
+        Momenta { mobility, oblique: self.response, share, axis, axial: axial.value(), weight }
     }
 }
 

@@ -16,7 +16,7 @@ pub(super) fn dot<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> S {
 pub(super) fn cross<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> Vector3<S> {
     each(|i| {
         let [j, k] = [(i + 1) % 3, (i + 2) % 3];
-        (a[j] * b[k]).and_product(-a[k], b[j])
+        (a[j] * b[k]).less_product(a[k], b[j])
     })
 }
 
@@ -26,7 +26,7 @@ pub(super) fn two_crosses<S: Scalar>(a: Vector3<S>, b: Vector3<S>, c: Vector3<S>
     let first = cross(a, b);
     each(|i| {
         let [j, k] = [(i + 1) % 3, (i + 2) % 3];
-        first[i].and_product(c[j], d[k]).and_product(-c[k], d[j])
+        first[i].and_product(c[j], d[k]).less_product(c[k], d[j])
     })
 }
 
