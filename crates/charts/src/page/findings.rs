@@ -1,4 +1,4 @@
-//! Every refuted claim beside what holds instead, before anything else.
+//! Every refuted claim beside what holds instead, before anything else. The ledger refers here for both.
 
 use super::{anchor, cards::chip, conditions, statement};
 use crate::{ClaimRow, PaperSection, Report, Verdict, text::Typesetter};
@@ -25,7 +25,7 @@ pub(super) fn findings(report: &Report, set: &mut Typesetter) -> Markup {
 fn finding(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     set.at(&claim.id);
     html! {
-        article.finding {
+        article.finding id=(link(claim)) {
             div.title {
                 h4 {
                     @if !claim.equation_label.is_empty() { span.label { (claim.equation_label) } " " }
@@ -53,11 +53,16 @@ fn finding(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// Beside a sentence longer formulas, in em, are left to the card of the claim.
+/// The link to what is found of a claim.
+pub(super) fn link(claim: &ClaimRow) -> String {
+    format!("finding/{}", anchor(&claim.id))
+}
+
+/// Beside a sentence longer formulas, in em, are folded.
 const LONG: f64 = 75.0;
 
 /// The sentence that holds, then its formulas: those that are not the printed ones once more. Where only the conditions
-/// differ, these are what is to be seen.
+/// differ, these are what is to be seen; elsewhere they are folded.
 fn correct(claim: &ClaimRow, correction: &ClaimRow, set: &mut Typesetter) -> Markup {
     let same = correction.latex == claim.latex;
     let (long, short): (Vec<&String>, Vec<&String>) = correction
@@ -68,8 +73,16 @@ fn correct(claim: &ClaimRow, correction: &ClaimRow, set: &mut Typesetter) -> Mar
     html! {
         @if !correction.title.is_empty() { p.holds { (set.text(&correction.title)) } }
         @for latex in short { (set.formula(latex)) }
-        @if !long.is_empty() { p.note { "The equations that were proved: " a href={ "#" (anchor(&claim.id)) } { (claim.id) } } }
         @if same { (conditions::requires(&correction.requires, set)) }
+        @if !long.is_empty() || !correction.evidence.is_empty() || !(same || correction.requires.is_empty()) {
+            details {
+                summary { "What was shown" }
+                @for latex in long { (set.formula(latex)) }
+                @if !same { (conditions::requires(&correction.requires, set)) }
+                (statement::evidence(correction, set))
+                @if !correction.note.is_empty() { p.note { (set.text(&correction.note)) } }
+            }
+        }
     }
 }
 

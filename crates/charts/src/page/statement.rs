@@ -1,41 +1,35 @@
 //! What a claim says and what is known of it.
 
-use super::{cards::chip, conditions};
-use crate::{ClaimRow, text::Typesetter};
+use super::{conditions, findings};
+use crate::{ClaimRow, Verdict, text::Typesetter};
 use maud::{Markup, html};
 
-/// All but the heading, what holds instead included.
+/// All but the heading. Where a refuted claim fails, and what holds instead, is told among the findings.
 pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
-    html! {
-        (statement(claim, set))
-        @if let Some(correction) = &claim.correction {
-            div class={ "correction " (correction.verdict.name()) } {
-                p.side { "Holds instead " (chip(correction.verdict)) }
-                @if !correction.title.is_empty() { p.holds { (set.text(&correction.title)) } }
-                (statement(correction, set))
-            }
-        }
-    }
-}
-
-fn statement(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
+    let found = claim.verdict == Verdict::Refuted;
     html! {
         @for latex in &claim.latex { (set.formula(latex)) }
         div.known {
             (conditions::requires(&claim.requires, set))
-            @if !claim.evidence.is_empty() { p.evidence { b { "Evidence " } (set.text(&claim.evidence)) } }
+            (evidence(claim, set))
         }
-        @if let Some(difference) = &claim.difference {
-            div.difference { p.side { "Left minus right" } (set.formula(difference)) }
-        }
-        @if !claim.counterexample.is_empty() {
-            div.counterexample {
-                p.side { (if claim.verdict == crate::Verdict::Refuted { "Counterexample" } else { "Exact values" }) }
-                (values(&claim.counterexample, set))
+        @if found {
+            p.note { a href={ "#" (findings::link(claim)) } { "Where it fails, and what holds instead" } }
+        } @else {
+            @if let Some(difference) = &claim.difference {
+                div.difference { p.side { "Left minus right" } (set.formula(difference)) }
             }
+            @if !claim.counterexample.is_empty() {
+                div.counterexample { p.side { "Exact values" } (values(&claim.counterexample, set)) }
+            }
+            @if !claim.note.is_empty() { p.note { (set.text(&claim.note)) } }
         }
-        @if !claim.note.is_empty() { p.note { (set.text(&claim.note)) } }
     }
+}
+
+/// How it is known.
+pub(super) fn evidence(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
+    html! { @if !claim.evidence.is_empty() { p.evidence { b { "Evidence " } (set.text(&claim.evidence)) } } }
 }
 
 /// Names with their values, side by side.
