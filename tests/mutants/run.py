@@ -30,8 +30,8 @@ TABLES = ROOT / "snapshots" / "mutants"
 COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-mutants"))
 PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches"]
 LEDGER = "ledger"
-# what else is tested: the house, its pages and the program
-OTHERS = {"allocation", "contributing", "house", "mutants", "pages", "rough_scenes", "scene_messages", "scenes", "units"}
+# what else is tested: the house, its pages, what choices cost, and the program
+OTHERS = {"allocation", "atlas", "contributing", "house", "mutants", "pages", "rough_scenes", "scene_messages", "scenes", "units"}
 
 
 def programs_in(tests: Path) -> set[str]:
@@ -40,7 +40,7 @@ def programs_in(tests: Path) -> set[str]:
 
 
 # whole motions, minutes of them unoptimised: asked only of what nothing else notices
-RUNS = ["friction", "governors", "mechanism_scenes", "stabilisation"]
+RUNS = ["friction", "governors", "mechanism_scenes", "stabilisation", "stationary"]
 LAWS = sorted(programs_in(ROOT / "tests") - OTHERS - {LEDGER, *RUNS})
 # the programs whose subject these files are: the others, and the ledger, are asked only where these notice nothing
 SUBJECT_OF = {
@@ -60,7 +60,8 @@ OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
 SETTINGS = {"CARGO_PROFILE_DEV_OPT_LEVEL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
 # that a law fails is enough: no search for its smallest failure
 RUNNING = {"CARGO_MANIFEST_DIR": str(COPY), "PROPTEST_MAX_SHRINK_ITERS": "0"}
-SECONDS = 120
+# what a program took of the project itself, in seconds: ten times as long, and it does not end
+TOOK: dict[str, float] = {}
 # told of a program that does not come to its tests, by a panic or by an endless loop
 STOPPED = ("stops", "does not end")
 
@@ -126,11 +127,13 @@ def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
 def failures(test: str, programs: dict[str, Path]) -> list[str]:
     """The names of the tests that fail, in their order; the program's where it does not come to its tests."""
     command = [programs[test], "--test-threads=2"]
-    seconds = 10 * SECONDS if test in RUNS else SECONDS
+    seconds = 10 * TOOK[test] + 30 if test in TOOK else None
+    begin = time.monotonic()
     try:
         done = subprocess.run(command, cwd=COPY, env=os.environ | RUNNING, capture_output=True, text=True, timeout=seconds)
     except subprocess.TimeoutExpired:
         return [f"{test} {STOPPED[1]}"]
+    TOOK.setdefault(test, time.monotonic() - begin)
     names = re.findall(r"^test (\S.*?)\s+\.\.\. FAILED$", done.stdout, re.MULTILINE)
     return names or ([f"{test} {STOPPED[0]}"] if done.returncode != 0 else [])
 
@@ -154,7 +157,7 @@ def examine(name: str, reason: str, crates: list[str]) -> Outcome:
         return Outcome(name, reason, [], [], compiles=False)
     claims = [claim.removeprefix("konosevich2022/") for claim in failures(LEDGER, programs)]
     outcome = Outcome(name, reason, claims, failing_laws(laws_of(crates), programs), compiles=True)
-    if not outcome.caught() and (runs := build(RUNS, [])):
+    if name and not outcome.caught() and (runs := build(RUNS, [])):
         outcome.laws = failing_laws(RUNS, runs)
     return outcome
 

@@ -26,4 +26,4 @@ pub use svg::sphere::{Curve, CurvePoint, Mark, Sphere};
 pub use svg::timings::{Contender, TimingRow, Timings};
 pub use svg::trajectory::{Panel, Track, Trajectory};
 pub use svg::work_precision::{Failure, Method, Point, Work, WorkPrecision};
-pub use text::Unset;
+pub use text::{Unset, mathml};

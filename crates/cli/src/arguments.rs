@@ -1,6 +1,7 @@
 //! What can be asked on the command line.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use derivations::machines::AnyMachine;
 use derivations::scene::{Axes, methods, run::check_tolerance};
 use integrators::Method;
@@ -19,6 +20,9 @@ pub struct Arguments {
     pub command: Option<Command>,
     #[command(flatten)]
     pub report: Report,
+    /// Results and errors only: no progress, no names of files that were written
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
 }
 
 /// The main job, where no command is given.
@@ -52,17 +56,36 @@ pub enum Command {
     /// All stationary motions of a scene's gyrostat with its motor, and why none is missing
     Stationary(Stationary),
     /// Every consistent regime of a scene with rough contacts at its start, with all margins
-    Regimes {
-        /// The scene, a TOML file; the folder `scenes/friction` holds examples
-        #[arg(value_name = "SCENE.toml")]
-        scene: PathBuf,
-    },
+    Regimes(Regimes),
     /// Lists the scenes of a folder, each with its title
-    Scenes {
-        /// Where the scene files are
-        #[arg(default_value = "scenes")]
-        folder: PathBuf,
+    Scenes(Scenes),
+    /// A script that completes commands and options in a shell: `dalembert completions bash > FILE`
+    Completions {
+        /// The shell
+        shell: Shell,
     },
+}
+
+/// Whose regimes are to be found.
+#[derive(Args, Debug)]
+pub struct Regimes {
+    /// The scene, a TOML file; the folder `scenes/friction` holds examples
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Which scenes are to be listed.
+#[derive(Args, Debug)]
+pub struct Scenes {
+    /// Where the scene files are
+    #[arg(default_value = "scenes")]
+    pub folder: PathBuf,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
 }
 
 /// Which claims are to be listed.
@@ -123,7 +146,7 @@ pub struct Derive {
     /// The principle; without it the first that applies
     #[arg(long, value_enum)]
     pub principle: Option<PrincipleName>,
-    /// How to print the equations: text and LaTeX for a system, C, Python and Rust for a scene
+    /// How to print the equations: text, LaTeX and MathML for a system; SymPy, C, Python and Rust for a system or a scene
     #[arg(long, value_enum)]
     pub format: Option<Equations>,
     /// For a scene: the equations in the axes of A (first) or of A* (second)
@@ -147,8 +170,14 @@ pub enum PrincipleName {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Equations {
+    /// For reading
     Text,
     Latex,
+    /// One element for each equation
+    Mathml,
+    /// Equations over symbols of their own; of a scene the rates and the Jacobian over the symbols of its states
+    Sympy,
+    /// Straight-line code, every common part once; of a system the left sides less the right ones
     C,
     Python,
     Rust,
@@ -179,7 +208,7 @@ pub struct Run {
     /// Writes how the end depends on the start as a table: a row for each state at the end, a column for each at the start
     #[arg(long, value_name = "FILE.csv")]
     pub transition: Option<PathBuf>,
-    /// How to print the summary
+    /// How to print the summary; JSON is one object: time, state, work, invariants, model, method
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     /// Instants of the trajectory beside its start
@@ -230,6 +259,9 @@ pub struct Chart {
     /// Draws the chart: one picture as .svg, or a page with both as .html; or writes every run as a table, .csv
     #[arg(long, value_name = "FILE.svg|FILE.html|FILE.csv")]
     pub out: Option<PathBuf>,
+    /// How to print the results: text is for reading, JSON has one object for every run
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
     /// What the work of a picture is counted in
     #[arg(long, value_enum, default_value_t)]
     pub x: Axis,
@@ -258,7 +290,7 @@ pub enum Format {
     /// For reading
     #[default]
     Text,
-    /// One object: time, state, work, invariants, model, method
+    /// For programs
     Json,
 }
 

@@ -1,6 +1,6 @@
 //! `dalembert chart`: speed against accuracy of one scene, in every formulation with every model.
 
-use crate::arguments::{Axis, Chart};
+use crate::arguments::{Axis, Chart, Format};
 use crate::csv;
 use crate::ending::{Ending, print, save};
 use crate::report;
@@ -9,7 +9,8 @@ use crate::speed::{advice::advice, family, model, pictures, tables};
 use charts::Table;
 use derivations::scene::atlas::{Formulation, Way};
 use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, Trials, judged};
-use integrators::Failure;
+use integrators::{Failure, Point};
+use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Duration;
@@ -41,7 +42,10 @@ pub fn chart(asked: &Chart) -> Result<Ending, Ending> {
     match judged(smooth, &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, allowed / 2);
-            print(&text(smooth, &atlas))?;
+            print(&match asked.format {
+                Format::Text => text(smooth, &atlas),
+                Format::Json => format!("{:#}\n", object(smooth, &atlas)),
+            })?;
             if let Some(path) = &asked.out {
                 drawn(smooth, &atlas, asked, path)?;
             }
@@ -104,6 +108,25 @@ fn runs(atlas: &Atlas) -> String {
     text
 }
 
+/// The reference, and every run.
+fn object(scene: &dyn Smooth, atlas: &Atlas) -> Value {
+    let run = |(way, point): (&Way, &Point)| {
+        json!({
+            "formulation": way.formulation.to_string(), "model": way.model, "method": point.means.to_string(),
+            "tolerance": point.tolerance, "evaluations": point.evaluations, "seconds": point.time.map(|time| time.seconds),
+            "error": point.error.as_ref().ok(), "failure": point.error.as_ref().err().map(Failure::name),
+        })
+    };
+    let reference = &atlas.reference;
+    let said = [1e-3, 1e-6, 1e-9].map(|error| json!({ "error": error, "says": advice(atlas, error) }));
+    json!({
+        "title": scene.title(),
+        "reference": { "methods": reference.methods.map(|method| method.to_string()), "digits": reference.digits },
+        "advice": said,
+        "runs": atlas.points().map(run).collect::<Vec<_>>(),
+    })
+}
+
 /// The fronts, the models, and of the scene's own first formulation a line for each run.
 fn text(scene: &dyn Smooth, atlas: &Atlas) -> String {
     let reference = &atlas.reference;
@@ -123,7 +146,7 @@ fn text(scene: &dyn Smooth, atlas: &Atlas) -> String {
     let mut points: Vec<_> = own.points.iter().collect();
     // stable: the tolerances of a method, and its numbers of steps, stay in their order
     points.sort_by_key(|point| family(point.means));
-    let row = |point: &&integrators::Point| {
+    let row = |point: &&Point| {
         let error = point.error.as_ref();
         vec![
             point.means.to_string(),

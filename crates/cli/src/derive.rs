@@ -1,37 +1,96 @@
-//! `dalembert derive`: equations of motion by a chosen principle, or a scene's right-hand side as code.
+//! `dalembert derive`: equations of motion by a chosen principle, or a scene's right-hand side, in many notations.
 
 use crate::arguments::{Derive, Equations, PrincipleName};
 use crate::ending::{Ending, print};
 use derivations::derive::{Equation, Principle, derive as equations_of};
 use derivations::scene::{Family, Scene};
 use std::path::Path;
-use symbolic::Language;
+use symbolic::{Language, Sym, Tape};
 
 /// Prints the equations.
 pub fn derive(asked: &Derive) -> Result<Ending, Ending> {
-    if asked.system.ends_with(".toml") {
-        return code(asked);
-    }
-    let equations = equations_of(&asked.system, asked.principle.map(Principle::from)).map_err(Ending::refused)?;
-    let line = |equation: &Equation| match asked.format.unwrap_or(Equations::Text) {
-        Equations::Text => Ok(format!("{} = {}\n", equation.left, equation.right)),
-        Equations::Latex => Ok(format!("{} = {}\n", equation.left.latex(), equation.right.latex())),
-        Equations::C | Equations::Python | Equations::Rust => {
-            Err(Ending::refused("code is written for a scene, which has numbers for its data: give a SCENE.toml"))
-        }
-    };
-    print(&equations.iter().map(line).collect::<Result<String, Ending>>()?)?;
+    let text = if asked.system.ends_with(".toml") { of_scene(asked)? } else { of_system(asked)? };
+    print(&text)?;
     Ok(Ending::Done)
 }
 
-/// Prints a scene's rates and Jacobian as functions.
-fn code(asked: &Derive) -> Result<Ending, Ending> {
-    let (language, comment, needs) = match asked.format.unwrap_or(Equations::C) {
-        Equations::C => (Language::C, "//", "#include <math.h>\n\n"),
-        Equations::Python => (Language::Python, "#", "from math import cos, sin, sqrt\n\n\n"),
-        Equations::Rust => (Language::Rust, "//", "\n"),
-        Equations::Text | Equations::Latex => {
-            return Err(Ending::refused("a scene is written as code: --format c, python or rust is accepted"));
+fn of_system(asked: &Derive) -> Result<String, Ending> {
+    let equations = equations_of(&asked.system, asked.principle.map(Principle::from)).map_err(Ending::refused)?;
+    let lines = |line: &dyn Fn(&Equation) -> String| equations.iter().map(|each| line(each) + "\n").collect();
+    let latex = |each: &Equation| format!("{} = {}", each.left.latex(), each.right.latex());
+    match asked.format.unwrap_or(Equations::Text) {
+        Equations::Text => Ok(lines(&|each| format!("{} = {}", each.left, each.right))),
+        Equations::Latex => Ok(lines(&latex)),
+        Equations::Mathml => {
+            let typeset = equations.iter().map(|each| charts::mathml(&latex(each)).map(|math| math + "\n"));
+            typeset.collect::<Result<_, _>>().map_err(Ending::refused)
+        }
+        Equations::Sympy => Ok(sympy(&equations)),
+        Equations::C => residuals(&equations, &C),
+        Equations::Python => residuals(&equations, &PYTHON),
+        Equations::Rust => residuals(&equations, &RUST),
+    }
+}
+
+/// The letters of all equations, in the order in which they occur.
+fn letters(equations: &[Equation]) -> Vec<Sym> {
+    let mut letters = Vec::new();
+    for letter in equations.iter().flat_map(|each| [each.left, each.right]).flat_map(Sym::symbols_of) {
+        if !letters.contains(&letter) {
+            letters.push(letter);
+        }
+    }
+    letters
+}
+
+/// A module with the letters as symbols and the list `equations`.
+fn sympy(equations: &[Equation]) -> String {
+    let names: Vec<String> = letters(equations).into_iter().filter_map(Sym::identifier).collect();
+    let mut text = format!(
+        "from sympy import Eq, Rational, cos, sin, sqrt, symbols\n\n{} = symbols(\"{}\")\nequations = [\n",
+        names.join(", "),
+        names.join(" ")
+    );
+    for Equation { left, right } in equations {
+        text += &format!("    Eq({}, {}),\n", left.sympy(), right.sympy());
+    }
+    text + "]\n"
+}
+
+/// A language of straight-line code: how it comments, and what it needs before the functions.
+struct Written {
+    language: Language,
+    comment: &'static str,
+    needs: &'static str,
+}
+
+const C: Written = Written { language: Language::C, comment: "//", needs: "#include <math.h>\n\n" };
+const PYTHON: Written =
+    Written { language: Language::Python, comment: "#", needs: "from math import cos, sin, sqrt\n\n\n" };
+const RUST: Written = Written { language: Language::Rust, comment: "//", needs: "\n" };
+
+/// A function of the letters whose values vanish where the equations hold.
+fn residuals(equations: &[Equation], written: &Written) -> Result<String, Ending> {
+    let letters = letters(equations);
+    let sides: Vec<Sym> = equations.iter().map(|each| each.left - each.right).collect();
+    let tape = Tape::record(&letters, &sides).map_err(Ending::refused)?;
+    let names: Vec<String> = letters.iter().map(Sym::to_string).collect();
+    let Written { language, comment, needs } = written;
+    let code = tape.source(*language, "residuals");
+    Ok(format!("{comment} The letters y: {}.\n{comment} Left sides less right sides.\n{needs}{code}", names.join(", ")))
+}
+
+/// A scene's rates and Jacobian as functions.
+fn of_scene(asked: &Derive) -> Result<String, Ending> {
+    let format = asked.format.unwrap_or(Equations::C);
+    let sympy = Written { needs: "from sympy import cos, sin, sqrt, symbols\n\n\n", ..PYTHON };
+    let Written { language, comment, needs } = match format {
+        Equations::C => C,
+        Equations::Python => PYTHON,
+        Equations::Sympy => sympy,
+        Equations::Rust => RUST,
+        Equations::Text | Equations::Latex | Equations::Mathml => {
+            return Err(Ending::refused("a scene is written as code: --format c, python, sympy or rust is accepted"));
         }
     };
     if asked.principle.is_some() {
@@ -41,7 +100,7 @@ fn code(asked: &Derive) -> Result<Ending, Ending> {
     let (rates, jacobian) = (scene.tape(asked.form), scene.jacobian_tape(asked.form));
     let (rates, jacobian) = (rates.map_err(Ending::refused)?, jacobian.map_err(Ending::refused)?);
     let start: Vec<String> = scene.state(asked.form).iter().map(|y| format!("{y:?}")).collect();
-    print(&format!(
+    let mut text = format!(
         "{comment} The states y: {}; in the axes of the {} form.\n{comment} At the start: {}\n{comment} `rates` is dy/dt, \
          `jacobian` its derivatives by y, row after row.\n{needs}{}\n{}",
         scene.names().join(", "),
@@ -49,8 +108,11 @@ fn code(asked: &Derive) -> Result<Ending, Ending> {
         start.join(", "),
         rates.source(language, "rates"),
         jacobian.source(language, "jacobian"),
-    ))?;
-    Ok(Ending::Done)
+    );
+    if format == Equations::Sympy {
+        text += &format!("\n\ny = symbols(\"y:{}\")\nequations = rates(y)\n", rates.inputs());
+    }
+    Ok(text)
 }
 
 impl From<PrincipleName> for Principle {

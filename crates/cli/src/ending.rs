@@ -4,8 +4,22 @@ use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use derivations::scene::SceneError;
+
+/// Whether nothing but results and errors is wanted: said once, when the program begins.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// From here on nothing is told but results and errors.
+pub fn be_quiet() {
+    QUIET.store(true, Relaxed);
+}
+
+/// Whether nothing but results and errors is wanted.
+pub fn is_quiet() -> bool {
+    QUIET.load(Relaxed)
+}
 
 /// What the caller is told.
 #[derive(Debug)]
@@ -54,7 +68,8 @@ impl Ending {
 
 impl From<SceneError> for Ending {
     fn from(error: SceneError) -> Self {
-        Ending::Refused(error.render(io::stderr().is_terminal()))
+        let colours = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+        Ending::Refused(error.render(colours))
     }
 }
 
@@ -69,12 +84,12 @@ pub fn print(text: &str) -> Result<(), Ending> {
     }
 }
 
-/// Writes a file, and the folder it is in where that is missing.
+/// Writes a file, and the folder it is in where that is missing; tells its name.
 pub fn save(path: &Path, text: &str) -> Result<(), Ending> {
     let unwritable = |error: io::Error| Ending::unwritable(path, &error);
     if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         std::fs::create_dir_all(folder).map_err(unwritable)?;
     }
     std::fs::write(path, text).map_err(unwritable)?;
-    print(&format!("{}\n", path.display()))
+    if is_quiet() { Ok(()) } else { print(&format!("{}\n", path.display())) }
 }

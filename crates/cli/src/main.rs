@@ -37,12 +37,16 @@ mod timings;
 mod values;
 
 use arguments::{Arguments, Command};
-use clap::Parser;
+use clap::{CommandFactory, Parser};
+use clap_complete::Shell;
 use ending::Ending;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
+    if arguments.quiet {
+        ending::be_quiet();
+    }
     let ending = match arguments.command {
         None => report(&arguments.report),
         Some(Command::Run(asked)) => run::run(&asked),
@@ -53,10 +57,18 @@ fn main() -> ExitCode {
         Some(Command::Derive(asked)) => derive::derive(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),
-        Some(Command::Regimes { scene }) => regimes::show(&scene),
-        Some(Command::Scenes { folder }) => scenes::list(&folder),
+        Some(Command::Regimes(asked)) => regimes::show(&asked),
+        Some(Command::Scenes(asked)) => scenes::list(&asked),
+        Some(Command::Completions { shell }) => ending::print(&completions(shell)).map(|()| Ending::Done),
     };
     ending.unwrap_or_else(|refused| refused).tell()
+}
+
+/// The script for a shell.
+fn completions(shell: Shell) -> String {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "dalembert", &mut script);
+    String::from_utf8_lossy(&script).into_owned()
 }
 
 /// The main job.

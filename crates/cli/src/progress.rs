@@ -1,5 +1,6 @@
 //! A progress bar for work that takes long.
 
+use crate::ending::is_quiet;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::time::{Duration, Instant};
 
@@ -31,7 +32,7 @@ impl Progress {
         if mark > self.shown {
             self.shown = mark;
             if self.start.elapsed() > PATIENCE {
-                if self.bar.is_hidden() {
+                if self.bar.is_hidden() && !is_quiet() {
                     // indicatif draws on terminals only
                     self.bar.set_draw_target(ProgressDrawTarget::stderr());
                 }

@@ -1,25 +1,46 @@
 //! `dalembert scenes`: what there is to run.
 
+use crate::arguments::{Format, Scenes};
 use crate::ending::{Ending, print};
 use derivations::scene::{AnyScene, Family};
+use serde_json::{Value, json};
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// Prints each scene of a folder with its machine or its system, and its title; one that is not acceptable with the number
 /// of its faults.
-pub fn list(folder: &Path) -> Result<Ending, Ending> {
-    let mut text = String::new();
-    for path in files(folder)? {
-        let said = match AnyScene::open(&path) {
-            Ok(AnyScene::Driven(scene)) => format!("{:<22} {}", scene.machine.name(), scene.title),
-            Ok(AnyScene::Rough(scene)) => format!("{:<22} {}", scene.system.name(), scene.title),
-            Ok(AnyScene::Mechanism(scene)) => format!("{:<22} {}", scene.name, scene.title),
-            Err(error) => format!("{:<22} {} faults; `dalembert run` tells them", "", error.issues.len()),
-        };
-        text += &format!("{:<46} {said}\n", path.display().to_string());
-    }
-    print(&text)?;
+pub fn list(asked: &Scenes) -> Result<Ending, Ending> {
+    let files = files(&asked.folder)?;
+    let listed = files.iter().map(|path| (path.display().to_string(), listed(path)));
+    print(&match asked.format {
+        Format::Text => listed.map(|(path, scene)| line(&path, scene)).collect(),
+        Format::Json => format!("{:#}\n", Value::from_iter(listed.map(|(path, scene)| object(path, scene)))),
+    })?;
     Ok(Ending::Done)
+}
+
+/// Its machine or its system, and its title; or the number of its faults.
+fn listed(path: &Path) -> Result<(String, String), usize> {
+    match AnyScene::open(path) {
+        Ok(AnyScene::Driven(scene)) => Ok((scene.machine.name().to_owned(), scene.title)),
+        Ok(AnyScene::Rough(scene)) => Ok((scene.system.name().to_owned(), scene.title)),
+        Ok(AnyScene::Mechanism(scene)) => Ok((scene.name.to_owned(), scene.title)),
+        Err(error) => Err(error.issues.len()),
+    }
+}
+
+fn line(path: &str, scene: Result<(String, String), usize>) -> String {
+    match scene {
+        Ok((system, title)) => format!("{path:<46} {system:<22} {title}\n"),
+        Err(faults) => format!("{path:<46} {:<22} {faults} faults; `dalembert run` tells them\n", ""),
+    }
+}
+
+fn object(path: String, scene: Result<(String, String), usize>) -> Value {
+    match scene {
+        Ok((system, title)) => json!({ "path": path, "system": system, "title": title }),
+        Err(faults) => json!({ "path": path, "faults": faults }),
+    }
 }
 
 /// The TOML files of a folder and of the folders in it, each folder's own first, by name.

@@ -124,6 +124,14 @@ impl Typesetter {
     }
 }
 
+/// A displayed formula as MathML Core.
+///
+/// # Errors
+/// Why the LaTeX cannot be typeset.
+pub fn mathml(latex: &str) -> Result<String, String> {
+    Typesetter::default().convert(latex, MathDisplay::Block)
+}
+
 /// The LaTeX of a text that is one formula and nothing else.
 pub(crate) fn sole_formula(text: &str) -> Option<&str> {
     let (before, rest) = split_at_dollar(text.trim())?;

@@ -1,7 +1,8 @@
-//! Expressions as people write them: text and LaTeX, in the order in which they were written.
+//! Expressions as people write them: text, LaTeX and SymPy, in the order in which they were written.
 
 mod latex;
 mod names;
+mod sympy;
 mod text;
 
 pub(crate) use names::natural_key;
@@ -34,6 +35,21 @@ impl Sym {
     }
 }
 
+impl Sym {
+    /// The expression in Python, over the names of SymPy: `Rational`, `sqrt`, `cos`, `sin` and [`Sym::identifier`]s.
+    pub fn sympy(self) -> String {
+        match written_size(self) {
+            size if size > LONGEST => format!("# an expression of {size} operations\n"),
+            _ => Writer(&sympy::SymPy).whole(self),
+        }
+    }
+
+    /// What a symbol is called there; nothing for other expressions.
+    pub fn identifier(self) -> Option<String> {
+        self.symbol_name().map(|name| sympy::identifier(&name))
+    }
+}
+
 /// How tightly something printed holds together.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Bond {
@@ -49,7 +65,7 @@ struct Printed {
     bond: Bond,
 }
 
-/// What text and LaTeX do differently.
+/// What the notations do differently.
 trait Notation {
     fn symbol(&self, name: Name) -> String;
     fn number(&self, size: Rational) -> Printed;

@@ -1,21 +1,18 @@
 //! Ensembles as their users meet them: killed, continued, refused.
 
+use crate::{program, root};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn program(scene: &Path, out: &Path, more: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_dalembert"));
-    command.current_dir(root()).arg("ensemble").arg(scene).arg("--out").arg(out).args(more);
+fn ensemble(scene: &Path, out: &Path, more: &[&str]) -> Command {
+    let mut command = program(&["ensemble"]);
+    command.arg(scene).arg("--out").arg(out).args(more);
     command
 }
 
 fn run(scene: &Path, out: &Path, more: &[&str]) -> Output {
-    program(scene, out, more).output().expect("the program starts")
+    ensemble(scene, out, more).output().expect("the program starts")
 }
 
 /// A folder for one test, which goes with it.
@@ -58,7 +55,7 @@ fn a_run_killed_again_and_again_ends_with_the_same_table() {
     let path = folder.0.join("killed.csv");
     let mut sizes = Vec::new();
     for pause in [30, 55, 80, 20, 130, 47, 99] {
-        let mut child = program(&scene, &path, &[]).stdout(Stdio::null()).spawn().expect("the program starts");
+        let mut child = ensemble(&scene, &path, &[]).stdout(Stdio::null()).spawn().expect("the program starts");
         std::thread::sleep(Duration::from_millis(pause));
         child.kill().and_then(|()| child.wait()).expect("it can be killed");
         let size = std::fs::metadata(&path).map_or(0, |data| data.len());

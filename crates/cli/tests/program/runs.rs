@@ -1,45 +1,9 @@
-//! The program as its users meet it: what it prints, what it writes, how it ends.
+//! Runs, charts and lists.
 
+use crate::{json, program, root, run, temporary};
 use serde_json::Value;
 use std::io::Read;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn program(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_dalembert"));
-    command.current_dir(root()).args(arguments);
-    command
-}
-
-fn run(arguments: &[&str]) -> Output {
-    program(arguments).output().expect("the program starts")
-}
-
-/// A file for one test.
-fn temporary(name: &str) -> PathBuf {
-    std::env::temp_dir().join(format!("dalembert_{}_{name}", std::process::id()))
-}
-
-fn json(output: &Output) -> Value {
-    serde_json::from_slice(&output.stdout).expect("one JSON object")
-}
-
-/// Asserts the exit code, then compares what was printed as an error.
-fn refused(name: &str, arguments: &[&str]) {
-    let output = run(arguments);
-    let message = String::from_utf8(output.stderr).expect("messages are text");
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(output.stdout.is_empty());
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(root().join("snapshots/program"));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!(name, message));
-}
+use std::process::Stdio;
 
 #[test]
 fn a_run_prints_one_object_with_what_was_promised() {
@@ -192,16 +156,6 @@ fn a_rough_scene_writes_its_table_and_its_log() {
 }
 
 #[test]
-fn a_rough_scene_has_no_machine() {
-    refused("a_rough_scene_has_no_machine", &["run", "scenes/friction/jam.toml", "--model", "synchronous"]);
-}
-
-#[test]
-fn a_rough_scene_has_one_form() {
-    refused("a_rough_scene_has_one_form", &["run", "scenes/friction/jam.toml", "--form", "first"]);
-}
-
-#[test]
 fn the_report_tells_what_happened_in_rough_scenes() {
     let folder = temporary("rough_scenes");
     std::fs::create_dir_all(folder.join("inside")).expect("a temporary folder");
@@ -245,75 +199,6 @@ fn the_list_of_scenes_names_each_with_its_machine() {
     assert!(!list.contains("faults"), "{list}");
 }
 
-#[test]
-fn a_scene_that_is_not_there() {
-    refused("a_scene_that_is_not_there", &["run", "scenes/no_such.toml"]);
-}
-
-#[test]
-fn a_folder_in_place_of_a_scene() {
-    refused("a_folder_in_place_of_a_scene", &["run", "scenes"]);
-}
-
-#[test]
-fn a_model_whose_data_the_scene_lacks() {
-    refused("a_model_whose_data_the_scene_lacks", &["run", "scenes/spin_up.toml", "--model", "asynchronous"]);
-}
-
-#[test]
-fn a_model_that_does_not_exist() {
-    refused("a_model_that_does_not_exist", &["run", "scenes/spin_up.toml", "--model", "synchronos"]);
-}
-
-#[test]
-fn a_method_that_does_not_exist() {
-    refused("a_method_that_does_not_exist", &["run", "scenes/spin_up.toml", "--method", "radau5"]);
-}
-
-#[test]
-fn a_method_with_too_many_stages() {
-    refused("a_method_with_too_many_stages", &["run", "scenes/spin_up.toml", "--method", "gauss:99"]);
-}
-
-#[test]
-fn a_tolerance_of_zero() {
-    refused("a_tolerance_of_zero", &["run", "scenes/spin_up.toml", "--tol", "0"]);
-}
-
-#[test]
-fn a_tolerance_that_is_no_number() {
-    refused("a_tolerance_that_is_no_number", &["run", "scenes/spin_up.toml", "--tol", "NaN"]);
-}
-
-#[test]
-fn a_form_that_does_not_exist() {
-    refused("a_form_that_does_not_exist", &["run", "scenes/spin_up.toml", "--form", "third"]);
-}
-
-#[test]
-fn a_table_in_a_folder_that_does_not_exist() {
-    refused(
-        "a_table_in_a_folder_that_does_not_exist",
-        &["run", "scenes/bench.toml", "--out", "no_such_folder/table.csv"],
-    );
-}
-
-#[test]
-fn a_folder_in_place_of_a_table() {
-    refused("a_folder_in_place_of_a_table", &["run", "scenes/bench.toml", "--out", "scenes"]);
-}
-
-#[test]
-fn a_folder_of_scenes_that_does_not_exist() {
-    refused("a_folder_of_scenes_that_does_not_exist", &["scenes", "no_such_folder"]);
-}
-
-#[test]
-fn a_folder_without_scenes() {
-    refused("a_folder_without_scenes", &["scenes", "derivations"]);
-}
-
-/// Absurd in size, and yet nothing breaks: the run ends with a reason.
 #[test]
 fn numbers_at_the_edge_of_the_range_end_with_a_reason() {
     let path = temporary("huge.toml");
@@ -376,16 +261,6 @@ fn a_chart_of_a_mechanism_lists_every_method_and_says_why_there_is_none() {
 }
 
 #[test]
-fn a_mechanism_has_no_machine() {
-    refused("a_mechanism_has_no_machine", &["run", "scenes/drive/stiff_diode.toml", "--model", "synchronous"]);
-}
-
-#[test]
-fn a_chart_of_a_rough_scene() {
-    refused("a_chart_of_a_rough_scene", &["chart", "scenes/friction/jam.toml"]);
-}
-
-#[test]
 fn stationary_motions_come_with_their_certificates() {
     let output = run(&["stationary", "scenes/spin_up.toml", "--omega0", "40", "--format", "json"]);
     assert_eq!(output.status.code(), Some(0));
@@ -409,12 +284,4 @@ fn stationary_motions_come_with_their_certificates() {
     }
     let cone = json(&run(&["stationary", "scenes/spin_up.toml", "--cone", "--format", "json"]));
     assert_eq!(cone["cone"][0]["complete"], true);
-}
-
-#[test]
-fn stationary_motions_of_what_has_none_are_refused() {
-    refused("stationary_bench", &["stationary", "scenes/bench.toml"]);
-    refused("stationary_ladder", &["stationary", "scenes/friction/painleve.toml"]);
-    refused("stationary_speed", &["stationary", "scenes/spin_up.toml", "--omega0", "fast"]);
-    refused("stationary_infinite", &["stationary", "scenes/spin_up.toml", "--momentum", "inf"]);
 }

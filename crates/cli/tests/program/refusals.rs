@@ -1,0 +1,113 @@
+//! What is not acceptable, and what the user is told.
+
+use crate::{root, run};
+
+/// Asserts the exit code, then compares what was printed as an error.
+fn refused(name: &str, arguments: &[&str]) {
+    let output = run(arguments);
+    let message = String::from_utf8(output.stderr).expect("messages are text");
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(output.stdout.is_empty());
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(root().join("snapshots/program"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, message));
+}
+
+#[test]
+fn a_rough_scene_has_no_machine() {
+    refused("a_rough_scene_has_no_machine", &["run", "scenes/friction/jam.toml", "--model", "synchronous"]);
+}
+
+#[test]
+fn a_rough_scene_has_one_form() {
+    refused("a_rough_scene_has_one_form", &["run", "scenes/friction/jam.toml", "--form", "first"]);
+}
+
+#[test]
+fn a_scene_that_is_not_there() {
+    refused("a_scene_that_is_not_there", &["run", "scenes/no_such.toml"]);
+}
+
+#[test]
+fn a_folder_in_place_of_a_scene() {
+    refused("a_folder_in_place_of_a_scene", &["run", "scenes"]);
+}
+
+#[test]
+fn a_model_whose_data_the_scene_lacks() {
+    refused("a_model_whose_data_the_scene_lacks", &["run", "scenes/spin_up.toml", "--model", "asynchronous"]);
+}
+
+#[test]
+fn a_model_that_does_not_exist() {
+    refused("a_model_that_does_not_exist", &["run", "scenes/spin_up.toml", "--model", "synchronos"]);
+}
+
+#[test]
+fn a_method_that_does_not_exist() {
+    refused("a_method_that_does_not_exist", &["run", "scenes/spin_up.toml", "--method", "radau5"]);
+}
+
+#[test]
+fn a_method_with_too_many_stages() {
+    refused("a_method_with_too_many_stages", &["run", "scenes/spin_up.toml", "--method", "gauss:99"]);
+}
+
+#[test]
+fn a_tolerance_of_zero() {
+    refused("a_tolerance_of_zero", &["run", "scenes/spin_up.toml", "--tol", "0"]);
+}
+
+#[test]
+fn a_tolerance_that_is_no_number() {
+    refused("a_tolerance_that_is_no_number", &["run", "scenes/spin_up.toml", "--tol", "NaN"]);
+}
+
+#[test]
+fn a_form_that_does_not_exist() {
+    refused("a_form_that_does_not_exist", &["run", "scenes/spin_up.toml", "--form", "third"]);
+}
+
+#[test]
+fn a_table_in_a_folder_that_does_not_exist() {
+    refused(
+        "a_table_in_a_folder_that_does_not_exist",
+        &["run", "scenes/bench.toml", "--out", "no_such_folder/table.csv"],
+    );
+}
+
+#[test]
+fn a_folder_in_place_of_a_table() {
+    refused("a_folder_in_place_of_a_table", &["run", "scenes/bench.toml", "--out", "scenes"]);
+}
+
+#[test]
+fn a_folder_of_scenes_that_does_not_exist() {
+    refused("a_folder_of_scenes_that_does_not_exist", &["scenes", "no_such_folder"]);
+}
+
+#[test]
+fn a_folder_without_scenes() {
+    refused("a_folder_without_scenes", &["scenes", "derivations"]);
+}
+
+/// Absurd in size, and yet nothing breaks: the run ends with a reason.
+#[test]
+fn a_mechanism_has_no_machine() {
+    refused("a_mechanism_has_no_machine", &["run", "scenes/drive/stiff_diode.toml", "--model", "synchronous"]);
+}
+
+#[test]
+fn a_chart_of_a_rough_scene() {
+    refused("a_chart_of_a_rough_scene", &["chart", "scenes/friction/jam.toml"]);
+}
+
+#[test]
+fn stationary_motions_of_what_has_none_are_refused() {
+    refused("stationary_bench", &["stationary", "scenes/bench.toml"]);
+    refused("stationary_ladder", &["stationary", "scenes/friction/painleve.toml"]);
+    refused("stationary_speed", &["stationary", "scenes/spin_up.toml", "--omega0", "fast"]);
+    refused("stationary_infinite", &["stationary", "scenes/spin_up.toml", "--momentum", "inf"]);
+}

@@ -1,0 +1,80 @@
+//! SymPy, and any Python that has its functions: `l2*omega3 - Rational(1, 2)*l3**2`.
+
+use super::{Bond, Name, Notation, Printed};
+use field::Rational;
+
+pub(super) struct SymPy;
+
+/// Greek letters by their names; `lambda` is a word of Python's.
+const GREEK: &str = "α alpha β beta γ gamma δ delta ε epsilon ζ zeta η eta θ theta ϑ vartheta ι iota κ kappa λ lamda μ mu ν nu \
+    ξ xi π pi_ ρ rho σ sigma τ tau υ upsilon φ phi ϕ varphi χ chi ψ psi ω omega Γ Gamma Δ Delta Θ Theta Λ Lambda Ξ Xi Π Pi \
+    Σ Sigma Υ Upsilon Φ Phi Ψ Psi Ω Omega";
+/// Marks on letters and behind them.
+const MARKS: [(char, &str); 6] =
+    [('\u{307}', "dot"), ('\u{308}', "ddot"), ('′', "prime"), ('\'', "prime"), ('*', "star"), ('°', "_0")];
+
+/// The name as an identifier of Python: `γ̇` is gammadot, `φ′` is phiprime, which SymPy prints with their marks.
+pub(super) fn identifier(name: &str) -> String {
+    let mut text = String::with_capacity(name.len());
+    for letter in name.chars() {
+        let mut greek = GREEK.split_whitespace();
+        let mark = MARKS.iter().find(|(mark, _)| *mark == letter);
+        if let Some((_, said)) = mark {
+            text += said;
+        } else if greek.by_ref().any(|word| word.chars().eq([letter])) {
+            text += greek.next().unwrap_or_default();
+        } else {
+            text.push(if letter.is_alphanumeric() { letter } else { '_' });
+        }
+    }
+    if text.starts_with(|first: char| first.is_ascii_digit()) { format!("_{text}") } else { text }
+}
+
+impl Notation for SymPy {
+    fn symbol(&self, name: Name) -> String {
+        identifier(&name.text())
+    }
+
+    fn number(&self, size: Rational) -> Printed {
+        let text = match size.to_string().split_once('/') {
+            Some((above, below)) => format!("Rational({above}, {below})"),
+            None => size.to_string(),
+        };
+        Printed { text, bond: Bond::Atom }
+    }
+
+    fn parentheses(&self, inside: &str) -> String {
+        format!("({inside})")
+    }
+
+    fn product(&self, factors: &[String]) -> String {
+        factors.join("*")
+    }
+
+    fn quotient(&self, above: Printed, below: Printed) -> Printed {
+        let text = format!("{}/{}", self.held(above, Bond::Product), self.held(below, Bond::Power));
+        Printed { text, bond: Bond::Product }
+    }
+
+    fn power(&self, base: Printed, exponent: u32) -> Printed {
+        Printed { text: format!("{}**{exponent}", self.held(base, Bond::Atom)), bond: Bond::Power }
+    }
+
+    fn root(&self, square: String) -> String {
+        format!("sqrt({square})")
+    }
+
+    fn circle(&self, function: &str, angle: Printed, exponent: u32) -> Printed {
+        let base = Printed { text: format!("{function}({})", angle.text), bond: Bond::Atom };
+        if exponent == 1 { base } else { self.power(base, exponent) }
+    }
+
+    fn derivative(&self, name: Name, order: u32, argument: String) -> String {
+        let function = format!("Function('{}')", identifier(&name.text()));
+        match order {
+            0 => format!("{function}({argument})"),
+            // at a value, by a letter that no name has
+            _ => format!("Subs(Derivative({function}(_x), (_x, {order})), _x, {argument})"),
+        }
+    }
+}
