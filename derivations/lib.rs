@@ -42,3 +42,14 @@ pub mod stabilisation;
 pub mod stationary;
 pub mod systems;
 pub mod taped;
+
+/// The examples of the book compile and hold.
+#[cfg(doctest)]
+mod book {
+    #[doc = include_str!("../book/src/principles.md")]
+    struct Principles;
+    #[doc = include_str!("../book/src/verdicts.md")]
+    struct Verdicts;
+    #[doc = include_str!("../book/src/bounds.md")]
+    struct Bounds;
+}
