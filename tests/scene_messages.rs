@@ -196,3 +196,12 @@ fn a_binary_file_is_no_scene() {
     error.path = "binary.toml".to_owned();
     compare("a_binary_file_is_no_scene", &error);
 }
+
+#[test]
+fn a_text_in_which_nothing_stands() {
+    refused(
+        "a_text_in_which_nothing_stands",
+        &scene(&[("\"gyrostat\"", "\" \""), ("\"dormand_prince_5\"", "\"\"")]),
+        &["\" \""],
+    );
+}

@@ -111,7 +111,13 @@ impl<'a> Table<'a> {
     pub fn optional_text(&mut self, key: &'static str, needed: &str) -> Option<At<String>> {
         let found = self.find(key)?;
         let value = match found.get_ref() {
-            DeValue::String(text) => text.to_string(),
+            DeValue::String(text) => {
+                if text.trim().is_empty() {
+                    let empty = Issue::at(found.span(), format!("`{key}` is empty"), "nothing stands here");
+                    self.report(empty.accepted(format!("`{key}` is the {needed}")));
+                }
+                text.trim().to_owned()
+            }
             other => {
                 self.wrong_kind(found.span(), key, other, &format!("{needed}, in quotes, is accepted"));
                 String::new()

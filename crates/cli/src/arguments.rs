@@ -317,3 +317,89 @@ fn run_help() -> String {
     let models: String = AnyMachine::LIST.iter().map(|(name, what)| column(name, what)).collect();
     format!("Methods:\n{methods}\nModels:\n{models}")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use proptest::test_runner::{RngSeed, TestRunner};
+
+    /// What stands on command lines, and what does not.
+    const WORDS: &[&str] = &[
+        "run",
+        "chart",
+        "reference",
+        "ensemble",
+        "ledger",
+        "derive",
+        "bodies",
+        "stationary",
+        "regimes",
+        "scenes",
+        "completions",
+        "help",
+        "--help",
+        "-h",
+        "--version",
+        "-q",
+        "--quiet",
+        "--scenes",
+        "--out",
+        "--format",
+        "--method",
+        "--tol",
+        "--model",
+        "--form",
+        "--samples",
+        "--seconds",
+        "--threads",
+        "--omega0",
+        "--momentum",
+        "--cone",
+        "--until",
+        "--x",
+        "--principle",
+        "--verdict",
+        "--transition",
+        "--",
+        "-",
+        "--out=",
+        "json",
+        "text",
+        "first",
+        "taylor",
+        "gauss:99",
+        "runge_kutta_4:0",
+        "runge_kutta_4:99999999999",
+        "0",
+        "-1",
+        "1e-9",
+        "1e999",
+        "nan",
+        "inf",
+        "-inf",
+        "4294967296",
+        "99999999999999999999",
+        "",
+        "scenes/spin_up.toml",
+        "γ̇",
+        "\u{0}",
+        "\u{202e}",
+        "--\u{e9}",
+    ];
+
+    #[test]
+    fn any_command_line_is_taken_or_refused_with_a_reason() {
+        let cases = std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(2000);
+        let seed = RngSeed::Fixed(1743);
+        let config = ProptestConfig { cases, rng_seed: seed, failure_persistence: None, ..ProptestConfig::default() };
+        let word = prop_oneof![9 => prop::sample::select(WORDS).prop_map(str::to_owned), 1 => any::<String>()];
+        let outcome = TestRunner::new(config).run(&prop::collection::vec(word, 0..7), |words| {
+            if let Err(refused) = Arguments::try_parse_from(std::iter::once("dalembert".to_owned()).chain(words)) {
+                prop_assert!(!refused.to_string().trim().is_empty());
+            }
+            Ok(())
+        });
+        outcome.unwrap_or_else(|error| panic!("{error}"));
+    }
+}
