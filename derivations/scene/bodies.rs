@@ -84,7 +84,14 @@ impl Places {
     fn issue(&self, condition: &Inadmissible) -> Issue {
         use Inadmissible as Is;
         let (span, accepted) = match condition {
-            Is::NotFinite { .. } => (&self.inertia, "finite numbers are accepted".to_owned()),
+            Is::NotFinite { quantity, .. } => {
+                let span = match *quantity {
+                    "m g c" => &self.gravity,
+                    "m0 |c0|^2" => &self.carrier_mass,
+                    _ => &self.inertia,
+                };
+                (span, "data whose products are in the range of numbers are accepted".to_owned())
+            }
             Is::NotPositive { quantity, .. } => {
                 let span = match *quantity {
                     "m0" => &self.carrier_mass,

@@ -94,8 +94,16 @@ impl Gyrostat<f64> {
             ("g", self.gravity),
         ];
         let vectors = [("c0", carrier.centre), ("h", rotor.centre), ("l", rotor.axis)];
+        // what the data come to must be in the range of numbers too
+        let sizes = [
+            ("m0 |c0|^2", carrier.mass * carrier.centre.norm_squared()),
+            ("|A0|", carrier.inertia.norm()),
+            ("|A*|", self.full_tensor().norm()),
+            ("m g c", self.weight().norm()),
+        ];
         scalars
             .into_iter()
+            .chain(sizes)
             .chain(vectors.into_iter().flat_map(|(name, v)| [v.x, v.y, v.z].map(|x| (name, x))))
             .chain(carrier.inertia.iter().map(|&x| ("A0", x)))
             .filter(|(_, value)| !value.is_finite())
