@@ -7,7 +7,8 @@
 //! Angles are circle points and roots are generators with a known square, so that expressions are fractions of
 //! polynomials modulo rewriting rules ([`Hypotheses`]). Whether one vanishes is then decidable: [`decide`] brings it
 //! over a denominator kept as a product of known factors and looks at the numerator. [`normal`] gives the normal form,
-//! [`Tape`] the straight-line program, [`Recurrence`] the Taylor series, [`dimension`] the physical dimension.
+//! [`Tape`] the straight-line program, [`Recurrence`] the Taylor series, [`dimension`] the physical dimension. [`parse`]
+//! reads what is printed.
 //!
 //! ```
 //! use field::{Analytic, Scalar};
@@ -38,6 +39,7 @@ mod evaluate;
 mod graph;
 pub mod linear;
 mod operators;
+mod parse;
 mod poly;
 mod polynomials;
 mod print;
@@ -52,6 +54,7 @@ pub use coefficients::{NotPolynomial, coefficients, degree};
 pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
 pub use graph::{Node, Sym};
+pub use parse::{NotExpression, Reason, parse};
 pub use polynomials::{Evaluation, Polynomials};
 pub use prove::{Decision, Hypotheses, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, normal};
 pub use recurrence::{Abreast, Equations, Expansion, Fused, Recurrence};

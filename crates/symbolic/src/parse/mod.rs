@@ -1,0 +1,244 @@
+//! Expressions from text, in the notation in which they are printed: `-1/2*m*(x^2 + y^2)/sqrt(1 - e^2) + b0*cos(g)`.
+//!
+//! | | |
+//! |---|---|
+//! | sums, products | `+ - * /` from the left, `^` with an integer, parentheses |
+//! | numbers | `3`, `0.25`, `1e-4`: exact decimals |
+//! | functions | `sqrt`, `cos`, `sin`, and those that the caller knows |
+//! | names | letters of any script, digits, `_`, primes, stars and marks on letters |
+//!
+//! Juxtaposition is no product: `2x` and `a b` are refused, since a name may hold digits.
+
+mod token;
+
+use crate::Sym;
+use field::Analytic;
+use std::fmt;
+use std::ops::Range;
+use token::{Token, tokens};
+
+/// So deep may parentheses and signs stand in each other: beyond, a text is not written by a person.
+const DEEPEST: usize = 100;
+/// The largest exponent of `^`.
+const LARGEST: i32 = 64;
+/// The digits of the largest power of a number.
+const DIGITS: usize = 1000;
+
+/// Why a text is no expression, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotExpression {
+    /// The bytes of the text that cannot be read.
+    pub span: Range<usize>,
+    pub reason: Reason,
+}
+
+/// What is wrong there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// The text ends, or another sign stands, where an operand must.
+    Operand,
+    /// Two operands without a sign between them.
+    Operator,
+    /// A letter that no expression has.
+    Letter(char),
+    /// Digits that are no number, or one beyond 60 digits or 1e60; a power of a number beyond 1000 digits.
+    Number,
+    /// A name that the caller does not know.
+    Name(String),
+    /// A name before parentheses that is no function.
+    Function(String),
+    /// A parenthesis without its partner.
+    Parenthesis,
+    /// An exponent that is no integer from -64 to 64.
+    Exponent,
+    /// A division by what is zero.
+    Zero,
+    /// Parentheses deeper than a hundred.
+    Depth,
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Operand => write!(f, "a number, a name, a function or a parenthesis is expected here"),
+            Self::Operator => write!(f, "one of + - * / ^ is expected here; products are written with *"),
+            Self::Letter(letter) => write!(f, "{letter:?} has no meaning here"),
+            Self::Number => write!(f, "no number of at most 60 digits and 1e60"),
+            Self::Name(name) => write!(f, "`{name}` is not known here"),
+            Self::Function(name) => write!(f, "`{name}` is no function: sqrt, cos and sin are"),
+            Self::Parenthesis => write!(f, "a parenthesis without its partner"),
+            Self::Exponent => write!(f, "an exponent is an integer from -{LARGEST} to {LARGEST}"),
+            Self::Zero => write!(f, "a division by zero"),
+            Self::Depth => write!(f, "parentheses deeper than {DEEPEST}"),
+        }
+    }
+}
+
+impl fmt::Display for NotExpression {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} (byte {})", self.reason, self.span.start)
+    }
+}
+
+impl std::error::Error for NotExpression {}
+
+/// Reads an expression; `known` gives each name its meaning.
+///
+/// # Errors
+/// [`NotExpression`]: the first place that cannot be read, and why.
+pub fn parse(text: &str, known: &dyn Fn(&str) -> Option<Sym>) -> Result<Sym, NotExpression> {
+    let mut reader = Reader { tokens: tokens(text)?, at: 0, end: text.len(), depth: 0, known };
+    let expression = reader.sum()?;
+    match reader.peek() {
+        None => Ok(expression),
+        Some(Token::Sign(')')) => Err(reader.wrong(Reason::Parenthesis)),
+        Some(_) => Err(reader.wrong(Reason::Operator)),
+    }
+}
+
+struct Reader<'a> {
+    tokens: Vec<(Range<usize>, Token<'a>)>,
+    at: usize,
+    end: usize,
+    depth: usize,
+    known: &'a dyn Fn(&str) -> Option<Sym>,
+}
+
+impl<'a> Reader<'a> {
+    fn peek(&self) -> Option<&Token<'a>> {
+        self.tokens.get(self.at).map(|(_, token)| token)
+    }
+
+    /// Where the next token stands, or the end.
+    fn span(&self) -> Range<usize> {
+        self.tokens.get(self.at).map_or(self.end..self.end, |(span, _)| span.clone())
+    }
+
+    fn wrong(&self, reason: Reason) -> NotExpression {
+        NotExpression { span: self.span(), reason }
+    }
+
+    fn takes(&mut self, sign: char) -> bool {
+        let found = self.peek() == Some(&Token::Sign(sign));
+        self.at += usize::from(found);
+        found
+    }
+
+    fn sum(&mut self) -> Result<Sym, NotExpression> {
+        let mut sum = self.product()?;
+        loop {
+            if self.takes('+') {
+                sum += self.product()?;
+            } else if self.takes('-') {
+                sum -= self.product()?;
+            } else {
+                return Ok(sum);
+            }
+        }
+    }
+
+    fn product(&mut self) -> Result<Sym, NotExpression> {
+        let mut product = self.signed()?;
+        loop {
+            if self.takes('*') {
+                product *= self.signed()?;
+            } else if self.takes('/') {
+                let span = self.span();
+                let divisor = self.signed()?;
+                if divisor == Sym::ZERO {
+                    return Err(NotExpression { span, reason: Reason::Zero });
+                }
+                product /= divisor;
+            } else {
+                return Ok(product);
+            }
+        }
+    }
+
+    /// A minus holds less tightly than a power: -x^2 is -(x^2).
+    fn signed(&mut self) -> Result<Sym, NotExpression> {
+        let mut negative = false;
+        loop {
+            if self.takes('-') {
+                negative = !negative;
+            } else if !self.takes('+') {
+                let power = self.power()?;
+                return Ok(if negative { -power } else { power });
+            }
+        }
+    }
+
+    fn power(&mut self) -> Result<Sym, NotExpression> {
+        let base = self.atom()?;
+        if !self.takes('^') {
+            return Ok(base);
+        }
+        let span = self.span();
+        let bad = NotExpression { span: span.clone(), reason: Reason::Exponent };
+        let closed = self.takes('(');
+        let negative = self.takes('-');
+        let Some(Token::Number(digits)) = self.peek() else { return Err(bad) };
+        let size: i32 = digits.parse().ok().filter(|size| *size <= LARGEST).ok_or(bad)?;
+        self.at += 1;
+        if closed && !self.takes(')') {
+            return Err(self.wrong(Reason::Parenthesis));
+        }
+        let digits = base.as_constant().map_or(0, |value| value.to_string().len());
+        if digits * size as usize > DIGITS {
+            return Err(NotExpression { span, reason: Reason::Number });
+        }
+        if negative && base == Sym::ZERO {
+            return Err(NotExpression { span, reason: Reason::Zero });
+        }
+        Ok(base.powi(if negative { -size } else { size }))
+    }
+
+    fn atom(&mut self) -> Result<Sym, NotExpression> {
+        let span = self.span();
+        let Some(token) = self.peek().cloned() else { return Err(self.wrong(Reason::Operand)) };
+        match token {
+            Token::Number(text) => {
+                let value = token::number(text).ok_or_else(|| self.wrong(Reason::Number))?;
+                self.at += 1;
+                Ok(Sym::constant(value))
+            }
+            Token::Sign('(') => self.inside(),
+            Token::Name(name) => {
+                self.at += 1;
+                if self.peek() == Some(&Token::Sign('(')) {
+                    return self.function(name, span);
+                }
+                (self.known)(name).ok_or(NotExpression { span, reason: Reason::Name(name.to_owned()) })
+            }
+            Token::Sign(_) => Err(self.wrong(Reason::Operand)),
+        }
+    }
+
+    fn function(&mut self, name: &str, span: Range<usize>) -> Result<Sym, NotExpression> {
+        let meaning: fn(Sym) -> Sym = match name {
+            "sqrt" => Sym::sqrt,
+            "cos" => |angle| angle.circle().cos,
+            "sin" => |angle| angle.circle().sin,
+            _ => return Err(NotExpression { span, reason: Reason::Function(name.to_owned()) }),
+        };
+        self.inside().map(meaning)
+    }
+
+    /// A sum in parentheses.
+    fn inside(&mut self) -> Result<Sym, NotExpression> {
+        let open = self.span();
+        if self.depth >= DEEPEST {
+            return Err(self.wrong(Reason::Depth));
+        }
+        self.depth += 1;
+        self.at += 1;
+        let sum = self.sum()?;
+        if !self.takes(')') {
+            let reason = if self.at < self.tokens.len() { Reason::Operator } else { Reason::Parenthesis };
+            let span = if self.at < self.tokens.len() { self.span() } else { open };
+            return Err(NotExpression { span, reason });
+        }
+        self.depth -= 1;
+        Ok(sum)
+    }
+}
