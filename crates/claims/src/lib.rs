@@ -12,7 +12,8 @@
 //! | definition | nothing: it makes no claim |
 //!
 //! Every claim is cross-examined without being asked ([`examine`]): its dimensions agree, its sides are not the same
-//! expression, a mutated right side is refuted, its hypotheses can be met.
+//! expression, a mutated right side is refuted, its hypotheses can be met. [`review`](mod@review) tells what a change of a
+//! page means: which term of which equation.
 
 mod claim;
 mod condition;
@@ -21,6 +22,7 @@ mod judge;
 mod ledger;
 mod page;
 mod proof;
+pub mod review;
 mod snapshot;
 mod univariate;
 mod verdict;

@@ -35,6 +35,11 @@ impl Page {
         self.paper
     }
 
+    /// The dimension of a letter of the page.
+    pub fn dimension(&self, name: &str) -> Option<Dimension> {
+        (self.dimensions)(name)
+    }
+
     /// The claims in order.
     pub fn claims(&self) -> &[Claim] {
         &self.claims

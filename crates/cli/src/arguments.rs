@@ -49,6 +49,8 @@ pub enum Command {
     Ensemble(Ensemble),
     /// Every claim of the papers with its verdict
     Ledger(Ledger),
+    /// What changed in the reviewed pages: which term of which equation, what it means, which claims and runs moved
+    Review(Review),
     /// Equations of motion by a chosen principle
     Derive(Derive),
     /// What the bodies of a scene come to: both inertia tensors, principal axes, centre of mass, weight
@@ -99,6 +101,17 @@ pub struct Ledger {
     pub verdict: Option<String>,
     /// Text is a page as the tests lock it; JSON has one object a claim: id, paper, equation, verdict, statement,
     /// requires, counterexample, correction
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// What the pages are compared with.
+#[derive(Args, Debug)]
+pub struct Review {
+    /// The commit to compare with; pages that wait for a review, `.snap.new`, are compared with those that stand
+    #[arg(long, value_name = "COMMIT", default_value = "HEAD")]
+    pub against: String,
+    /// How to print the changes
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

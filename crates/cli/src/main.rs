@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * `report`, `ledger`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `chart`, `reference`, `scenes`: one file
+//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `chart`, `reference`, `scenes`: one file
 //!   for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
@@ -25,6 +25,7 @@ mod progress;
 mod reference;
 mod regimes;
 mod report;
+mod review;
 mod rough;
 mod run;
 mod scenes;
@@ -54,6 +55,7 @@ fn main() -> ExitCode {
         Some(Command::Reference(asked)) => reference::reference(&asked),
         Some(Command::Ensemble(asked)) => ensemble::run(&asked),
         Some(Command::Ledger(asked)) => ledger::list(&asked),
+        Some(Command::Review(asked)) => review::review(&asked),
         Some(Command::Derive(asked)) => derive::derive(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),

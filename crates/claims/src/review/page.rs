@@ -1,0 +1,44 @@
+//! A page read back, as `render` writes it.
+
+use crate::Verdict;
+
+/// A claim as a page tells it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Told {
+    pub id: String,
+    pub verdict: String,
+    pub sentence: String,
+    pub equations: Vec<String>,
+    pub requires: Vec<String>,
+    /// The exact point and what is said of it.
+    pub rest: Vec<String>,
+}
+
+/// Every claim of a page, what holds instead of one included: it has an id of its own.
+pub(super) fn claims(page: &str) -> Vec<Told> {
+    let mut claims: Vec<Told> = Vec::new();
+    for line in page.lines().map(str::trim) {
+        if let Some(claim) = head(line) {
+            claims.push(claim);
+            continue;
+        }
+        let Some(claim) = claims.last_mut() else { continue };
+        if let Some(equation) = line.strip_prefix("| ") {
+            claim.equations.push(equation.to_owned());
+        } else if let Some(conditions) = line.strip_prefix("requires ") {
+            claim.requires.extend(conditions.split(", ").map(str::to_owned));
+        } else if !line.is_empty() && line != "instead:" {
+            claim.rest.push(line.to_owned());
+        }
+    }
+    claims
+}
+
+/// `proved     paper/entry/slug  sentence`.
+fn head(line: &str) -> Option<Told> {
+    let (verdict, rest) = line.split_once(' ')?;
+    Verdict::ALL.iter().find(|known| known.name() == verdict)?;
+    let (id, sentence) = rest.trim_start().split_once("  ")?;
+    let named = id.contains('/') && !id.contains(' ');
+    named.then(|| Told { id: id.into(), verdict: verdict.into(), sentence: sentence.into(), ..Told::default() })
+}
