@@ -84,7 +84,8 @@ impl Chart {
         for (rate, count) in &linear.idle {
             each.push(format!("-{rate} ({count}, windings that no motion feeds)"));
         }
-        each.extend(spectrum.modes.iter().map(eigenvalue));
+        let solved = spectrum.modes.len() - linear.idle.len();
+        each.extend(spectrum.modes[..solved].iter().map(eigenvalue));
         each.join(", ")
     }
 }
@@ -98,9 +99,19 @@ impl Row {
             Ok(Some(most)) => format!("honest up to h = {}", digits(most)),
             Err(_) => "never honest".to_owned(),
         };
-        let wrong = steps.all().filter(|(.., stretch)| stretch.judgement != Judgement::Honest);
-        let each: Vec<String> = wrong.map(|(from, to, stretch)| format!("{} {}", said(stretch), range(from, to))).collect();
+        let stretches: Vec<_> = steps.all().collect();
+        let runs = stretches.chunk_by(|a, b| a.2.judgement == b.2.judgement);
+        let wrong = runs.filter(|run| run[0].2.judgement != Judgement::Honest);
+        let each: Vec<String> =
+            wrong.map(|run| format!("{} {}", said(run[0].2), range(run[0].0, run[run.len() - 1].1))).collect();
         if each.is_empty() { honest } else { format!("{honest}; {}", each.join("; ")) }
+    }
+
+    /// The steps at which the map begins to grow, or ceases to: what a run can see.
+    pub fn edges(&self) -> Vec<&Enclosure> {
+        let Some(steps) = &self.steps else { return Vec::new() };
+        let turns = steps.stretches.windows(2).map(|pair| (pair[0].growing == 0) != (pair[1].growing == 0));
+        steps.cuts.iter().zip(turns).filter_map(|(cut, turns)| turns.then_some(cut)).collect()
     }
 
     /// The steps for which no mode grows in the map.
@@ -177,8 +188,15 @@ impl fmt::Display for Motion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Motion::Fades => write!(f, "is asymptotically stable on the surface of its integrals"),
-            Motion::Stays { staying } => write!(f, "is a centre in the first approximation: {staying} imaginary eigenvalues, no positive real part"),
-            Motion::Grows { growing } => write!(f, "is unstable: {growing} eigenvalue{} with a positive real part", if *growing == 1 { "" } else { "s" }),
+            Motion::Stays { staying } => write!(
+                f,
+                "is a centre in the first approximation: {staying} imaginary eigenvalues, no positive real part"
+            ),
+            Motion::Grows { growing } => write!(
+                f,
+                "is unstable: {growing} eigenvalue{} with a positive real part",
+                if *growing == 1 { "" } else { "s" }
+            ),
         }
     }
 }

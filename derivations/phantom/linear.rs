@@ -14,7 +14,7 @@ use crate::stationary::motor::{Decimals, Motor, NoMotor};
 use crate::systems::gyrostat::{Gyrostat, Motion};
 use field::{Analytic, Circle, Rational, Scalar};
 use mechanics::definite::solve;
-use mechanics::discrete::{Spectrum, characteristic};
+use mechanics::discrete::{Mode, Place, Spectrum, characteristic};
 use nalgebra::Vector3;
 use symbolic::real::Enclosure;
 use symbolic::{Hypotheses, Sym, coefficients, decide, normal};
@@ -100,9 +100,13 @@ impl Linearised {
         polynomial.iter().all(|c| c.sign().is_none_or(|sign| sign == 0)).then_some(rest)
     }
 
-    /// The eigenvalues that structure does not explain.
+    /// The eigenvalues but for those of the integrals; those of idle windings come last.
     pub fn spectrum(&self, at: &At, bits: usize) -> Option<Spectrum> {
-        Spectrum::of(&self.polynomial(at, bits)?, self.symmetric)
+        let mut spectrum = Spectrum::of(&self.polynomial(at, bits)?, self.symmetric)?;
+        for (rate, count) in &self.idle {
+            spectrum.modes.push(Mode { place: Place::Real(Enclosure::rational(-*rate, bits)?), count: *count });
+        }
+        Some(spectrum)
     }
 }
 
@@ -145,9 +149,7 @@ impl ForMachine for Linearise<'_> {
                 let speed = relative + machine.frame_speed();
                 carrier(&decimals(bodies), M::ROTOR, speed, moment)?
             }
-            System::Bench { axial } => {
-                (Vec::new(), Vec::new(), moment / Sym::constant(Rational::decimal(*axial)))
-            }
+            System::Bench { axial } => (Vec::new(), Vec::new(), moment / Sym::constant(Rational::decimal(*axial))),
         };
         let mut of_rotor = vec![Sym::ZERO; rotor.len()];
         M::ROTOR.write(slip, acceleration, &mut of_rotor);

@@ -96,7 +96,8 @@ impl AllStationed {
                     continue;
                 }
                 let angular_velocity = vertical.each_ref().map(|v| v * &w_exact);
-                let rotor_speed = own_speed(scene, all.kept, &case.value, &angular_velocity).ok_or(NoAnswer::TooFine)?;
+                let rotor_speed =
+                    own_speed(scene, all.kept, &case.value, &angular_velocity).ok_or(NoAnswer::TooFine)?;
                 for place in places(&all.motor, &rotor_speed) {
                     let place = place.ok_or(NoAnswer::TooFine)?;
                     motions.push(place.motion(Some(motion.kind), &vertical, &angular_velocity, &linear));

@@ -40,14 +40,19 @@ impl Steps {
     /// Of a method, for the modes of a motion.
     ///
     /// # Errors
-    /// [`UndecidedFate`] where thresholds of one mode, or of two, cannot be told apart.
+    /// [`UndecidedFate`] where thresholds of one mode cannot be told apart.
     pub fn of(modes: &[Mode], function: &StabilityFunction) -> Result<Self, UndecidedFate> {
         let fates: Vec<Fates> = modes.iter().map(|mode| Fates::of(&mode.place, function)).collect::<Result<_, _>>()?;
         let mut cuts: Vec<Enclosure> = fates.iter().flat_map(|fates| fates.cuts.iter().cloned()).collect();
         cuts.sort_by(|a, b| a.to_f64().total_cmp(&b.to_f64()));
-        if cuts.windows(2).any(|pair| !pair[0].is_apart_from(&pair[1])) {
-            return Err(UndecidedFate);
-        }
+        // thresholds of two modes may be one
+        cuts.dedup_by(|next, last| {
+            let one = !next.is_apart_from(last);
+            if one {
+                *last = last.hull(next);
+            }
+            one
+        });
         let probes = probes(&cuts).ok_or(UndecidedFate)?;
         let judged = probes.iter().map(|step| {
             let signs: Option<Vec<i32>> = fates.iter().map(|fates| fates.at(step)).collect();
