@@ -16,6 +16,7 @@ pub struct Chart {
 }
 
 /// A method on a motion.
+#[derive(Clone, Debug)]
 pub struct Row {
     pub method: OneStep,
     /// `None` where thresholds cannot be told apart.

@@ -7,7 +7,8 @@
 //! * [`motions`]: the stationary motions of a scene with their eigenvalues;
 //! * [`chart`]: every method on every such motion, every step judged;
 //! * [`measured`]: the same thresholds by runs;
-//! * [`oscillator`], [`splittings`]: compositions of flows, on one mode exactly, on a motion by their own step.
+//! * [`oscillator`], [`splittings`]: compositions of flows, on one mode exactly, on a motion by their own step;
+//! * [`survey`]: some motions with all of this, for the report.
 
 mod alphabet;
 pub mod chart;
@@ -18,6 +19,7 @@ pub mod methods;
 pub mod motions;
 pub mod oscillator;
 pub mod splittings;
+pub mod survey;
 
 use crate::papers::Paper;
 

@@ -45,11 +45,31 @@ pub struct Tested {
     pub longest: f64,
 }
 
+impl Tested {
+    /// In a line.
+    pub fn told(&self) -> String {
+        let known: Vec<(f64, bool)> = self.grows.iter().filter_map(|(step, grows)| Some((*step, (*grows)?))).collect();
+        let (Some((from, grows)), Some((to, _))) = (known.first(), known.last()) else {
+            return "no step is taken, or no stationary motion of its own is found".to_owned();
+        };
+        let does = |grows: bool| if grows { "grows" } else { "does not grow" };
+        let turns = self
+            .edges
+            .iter()
+            .enumerate()
+            .map(|(place, edge)| format!(", {} from h = {edge:.4e} on", does(*grows != (place % 2 == 0))));
+        let turns: String = turns.collect();
+        let longest =
+            if self.longest.is_finite() { format!("; no step beyond {:.4e}", self.longest) } else { String::new() };
+        format!("tested from {from:.1e} to {to:.1e}: the map {}{turns}{longest}", does(*grows))
+    }
+}
+
 /// Of a difference, relative to a component or one.
 const DIFFERENCE: f64 = 1e-9;
 /// Of Newton's iteration towards the own motion.
 const ITERATIONS: usize = 12;
-const CONVERGED: f64 = 1e-18;
+const CONVERGED: f64 = 1e-14;
 /// A radius so near to one is one.
 pub const ON_THE_CIRCLE: f64 = 1e-9;
 

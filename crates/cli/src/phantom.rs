@@ -4,7 +4,10 @@ use crate::arguments::Phantom as Asked;
 use crate::ending::{Ending, print};
 use crate::run::with_model;
 use derivations::phantom::chart::Chart;
+use derivations::phantom::splittings::SplitRuns;
+use derivations::phantom::survey::steps;
 use derivations::scene::{Family, Scene};
+use integrators::Splitting;
 
 /// Prints it.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
@@ -15,7 +18,15 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         true => String::new(),
         false => format!("angular velocity about the vertical: {} rad/s\n", asked.omega0),
     };
-    print(&format!("{}\n{turning}{}", scene.title, chart.text()))?;
+    let mut text = chart.text();
+    for (place, motion) in chart.all.motions.iter().enumerate() {
+        let near = SplitRuns::near(&scene, motion);
+        text += &format!("\n{} {motion}\n", place + 1);
+        for splitting in Splitting::ALL {
+            text += &format!("  {:<20} {}\n", splitting.name(), near.course(splitting, &steps()).told());
+        }
+    }
+    print(&format!("{}\n{turning}{text}", scene.title))?;
     let known = chart.rows.iter().all(|rows| !rows.is_empty() && rows.iter().all(|row| row.steps.is_some()));
     Ok(if known { Ending::Done } else { Ending::Stopped })
 }
