@@ -56,7 +56,7 @@ fn every_step_of_every_method_is_judged_as_reviewed() {
 }
 
 /// Every edge that runs can see: where the multiplier leaves the circle by 1e-10 a step they cannot. What grows must overtake in
-/// two thousand steps what hardly fades, which takes a growth of a few parts in ten thousand a step.
+/// sixteen hundred steps what hardly fades, which takes a growth of a few parts in ten thousand a step.
 #[test]
 fn thresholds_by_runs_are_the_exact_ones() {
     let (mut measured, mut unseen) = (0, 0);
@@ -67,7 +67,7 @@ fn thresholds_by_runs_are_the_exact_ones() {
                 let found = runs.threshold(Run::OneStep(row.method), exact);
                 println!("{name}, {motion}, {}: {exact:.7e}, by runs {found:?}", row.method);
                 match found {
-                    Some(found) => assert!((found / exact - 1.0).abs() < 1e-3, "{motion}, {}: {found}", row.method),
+                    Some(found) => assert!((found / exact - 1.0).abs() < 2e-3, "{motion}, {}: {found}", row.method),
                     None => assert!(exact < 1e-5, "{motion}, {}: not seen by runs", row.method),
                 }
                 (measured, unseen) = (measured + usize::from(found.is_some()), unseen + usize::from(found.is_none()));
@@ -157,7 +157,6 @@ fn the_tables_of_collocation_have_the_exact_stability_functions() {
         let table = Collocation::<DoubleDouble>::new(family, stages.into());
         for z in [-7, -2, 1, 3] {
             let z = DoubleDouble::ratio(z, 2);
-            // the stages of y' = z y by iteration, which converges for no z that is tried: solved instead
             let run = solved(&table, z);
             let ratio =
                 |c: &[field::Rational]| c.iter().rev().fold(DoubleDouble::int(0), |sum, c| sum * z + quotient(*c));

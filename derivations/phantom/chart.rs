@@ -114,14 +114,6 @@ impl Row {
         let turns = steps.stretches.windows(2).map(|pair| (pair[0].growing == 0) != (pair[1].growing == 0));
         steps.cuts.iter().zip(turns).filter_map(|(cut, turns)| turns.then_some(cut)).collect()
     }
-
-    /// The steps for which no mode grows in the map.
-    pub fn bounded(&self) -> Option<Vec<String>> {
-        let stretches: Vec<_> = self.steps.as_ref()?.all().collect();
-        let runs = stretches.chunk_by(|a, b| (a.2.growing == 0) == (b.2.growing == 0));
-        let bounded = runs.filter(|run| run[0].2.growing == 0);
-        Some(bounded.map(|run| range(run[0].0, run[run.len() - 1].1)).collect())
-    }
 }
 
 /// In the words of a chart.

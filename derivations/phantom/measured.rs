@@ -27,14 +27,14 @@ pub struct Runs {
 /// How far a run begins from the motion, against the size of each component or one.
 const OFF: f64 = 1e-7;
 /// Steps of a run, of the windows over which its last differences are looked at, and of its beginning.
-const STEPS: usize = 2_000;
-const WINDOW: usize = 200;
-const FIRST: usize = 10;
+const STEPS: usize = 1_600;
+const WINDOW: usize = 160;
+const FIRST: usize = 2;
 /// Less, or more, than this of the first differences, and the run has told its fate.
 const GONE: f64 = 1e-5;
 const LOST: f64 = 1e4;
 /// Halvings of an interval of steps.
-const HALVINGS: u32 = 11;
+const HALVINGS: u32 = 9;
 
 impl Runs {
     /// Near a motion of a scene.

@@ -25,7 +25,6 @@ pub struct SplitRuns {
 /// A splitting's own stationary motion, and what its step makes of it.
 #[derive(Clone, Debug)]
 pub struct Own {
-    pub state: Vec<f64>,
     /// The largest distance from the law's, by component.
     pub off: f64,
     /// The largest |multiplier|.
@@ -106,11 +105,9 @@ impl SplitRuns {
             }
             matrix = self.matrix(&mut *map, &place)?;
         }
-        let state: Vec<f64> = place.iter().map(|y| y.hi()).collect();
-        let off = state.iter().zip(&self.state).map(|(own, law)| (own - law).abs()).fold(0.0, f64::max);
-        let multipliers = matrix.complex_eigenvalues();
-        let radius = multipliers.iter().map(|lambda| lambda.norm()).fold(0.0, f64::max);
-        radius.is_finite().then_some(Own { state, off, radius })
+        let off = place.iter().zip(&self.state).map(|(own, law)| (own.hi() - law).abs()).fold(0.0, f64::max);
+        let radius = spectral_radius(matrix);
+        radius.is_finite().then_some(Own { off, radius })
     }
 
     /// The longest step, s, with which the program takes the splitting at all: what fades must not grow on the way back.
@@ -160,6 +157,22 @@ impl SplitRuns {
 
 /// Halvings of a bracket.
 const HALVINGS: usize = 16;
+
+/// By Gelfand's formula with 2^40 for the power: what multiplies it besides has no weight left, and multiple eigenvalues, at
+/// which iterations for single ones do not end, are no worse than others.
+fn spectral_radius(mut power: DMatrix<f64>) -> f64 {
+    let mut logarithm = 0.0;
+    for squaring in 0..40 {
+        let norm = power.norm();
+        if norm == 0.0 {
+            return 0.0;
+        }
+        logarithm += norm.ln() / f64::powi(2.0, squaring);
+        power /= norm;
+        power = &power * &power;
+    }
+    logarithm.exp()
+}
 
 /// One step.
 fn after(map: &mut dyn Composed<DoubleDouble>, from: &[DoubleDouble]) -> Option<Vec<DoubleDouble>> {

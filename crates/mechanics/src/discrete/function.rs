@@ -10,13 +10,7 @@ pub struct StabilityFunction {
 }
 
 impl StabilityFunction {
-    /// R over any field that has the rational numbers.
-    pub fn value<S: field::Over<Rational>>(&self, z: S) -> S {
-        let at = |c: &[Rational]| c.iter().rev().fold(S::zero(), |sum, c| sum * z + S::lift(*c));
-        at(&self.numerator) / at(&self.denominator)
-    }
-
-    /// |P(x u)|^2 - |Q(x u)|^2 for |u| = 1 as sum_k x^k sum_m c[k][m] Re u^m: the coefficients c, trimmed at both ends of k,
+    /// |P(x u)|^2 - |Q(x u)|^2 for |u| = 1 as sum x^k c_km Re u^m: the coefficients c, trimmed at both ends of k,
     /// and the power of x that was divided by.
     pub(super) fn balance(&self) -> (Vec<Vec<Rational>>, usize) {
         let degree = self.numerator.len().max(self.denominator.len()).saturating_sub(1);
