@@ -240,6 +240,6 @@ fn the_map_of_a_splitting_and_its_runs_leave_at_one_step() {
         let edge = *tested.edges.first().expect("some step is too long");
         let found = runs.threshold(Run::Splitting(splitting), edge).expect("runs see it");
         println!("{edge} {found}");
-        assert!((found / edge - 1.0).abs() < 1e-3, "{splitting:?}: {edge} and {found}");
+        assert!((found / edge - 1.0).abs() < 2e-3, "{splitting:?}: {edge} and {found}");
     }
 }

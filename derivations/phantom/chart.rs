@@ -180,7 +180,7 @@ impl Motion {
 impl fmt::Display for Motion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Motion::Fades => write!(f, "is asymptotically stable on the surface of its integrals"),
+            Motion::Fades => write!(f, "is asymptotically stable, with its integrals held"),
             Motion::Stays { staying } => write!(
                 f,
                 "is a centre in the first approximation: {staying} imaginary eigenvalues, no positive real part"

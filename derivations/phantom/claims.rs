@@ -108,6 +108,7 @@ fn axis(page: &mut Page) {
     let three = n(3600) + n(216) * square + n(9) * y.powi(4);
     say("radau-3", "Radau IIA with three stages does too", radau(3), three / (three + y.powi(6)));
     page.claim("axis", "symmetric", r"the midpoint rule and Gauss with two and three stages let stay what stays, at every step: $|R(\mathrm iy)|=1$")
+        .in_words()
         .under(&rules)
         .follows([MIDPOINT, gauss(2), gauss(3)].map(|method| Equal(size(method), n(1))));
 }
@@ -217,7 +218,7 @@ fn kick_and_drift(page: &mut Page) {
     page.claim(
         "splitting",
         "area",
-        "and its determinant is one: a splitting of what stays neither damps nor feeds, it stays or leaves",
+        "the determinant of a step of Strang's splitting is one, as that of every composition of kicks and drifts, which are shears: such a step neither damps nor feeds, it stays bounded or leaves",
     )
     .in_words()
     .follows([Equal(p * s - q * r, n(1))]);
