@@ -80,5 +80,9 @@ pub fn survey(scene: &Scene, w: f64) -> Result<Vec<Surveyed>, String> {
     Ok(each.collect())
 }
 
+/// So far beside an edge a run must see growth: so much a step, or it would take other edges for this one.
+const BESIDE: f64 = 0.02;
+const SEEN: f64 = 2e-3;
+
 /// A motion of a splitting's own that is no further from the law's is the law's.
 const RESTS: f64 = 1e-9;

@@ -164,6 +164,9 @@ pub struct Phantom {
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
+    /// How to print it; JSON is one object: scene, model, omega0, motions
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
 }
 
 /// What is to be derived, and how.
