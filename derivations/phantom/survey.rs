@@ -63,9 +63,15 @@ pub fn survey(scene: &Scene, w: f64) -> Result<Vec<Surveyed>, String> {
         let near = SplitRuns::near(scene, motion);
         let splittings = Splitting::ALL.into_iter().map(|splitting| {
             let tested = near.course(splitting, &steps());
-            let rests = |step: f64| near.own(splitting, step).is_some_and(|own| own.off < RESTS);
-            let edge =
-                |step: f64| (step, rests(step).then(|| runs.threshold(Run::Splitting(splitting), step)).flatten());
+            let visible = |step: f64| {
+                let beside = [1.0 - BESIDE, 1.0 + BESIDE].map(|side| near.own(splitting, side * step));
+                let rests = beside.iter().flatten().all(|own| own.off < RESTS);
+                rests && beside.iter().flatten().any(|own| own.radius > 1.0 + SEEN)
+            };
+            let edge = |step: f64| {
+                let runs = || runs.threshold(Run::Splitting(splitting), step);
+                (step, visible(step).then(runs).flatten())
+            };
             Split { edges: tested.edges.iter().map(|step| edge(*step)).collect(), tested }
         });
         Some(Surveyed {
