@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`Rectangle`]: a complex number between multiples of a power of two, rounded outwards;
-//! * [`zeros`]: all zeros of a polynomial whose coefficients are enclosed, with the proof that each is where it is said
+//! * [`zeros()`]: all zeros of a polynomial whose coefficients are enclosed, with the proof that each is where it is said
 //!   to be, for every polynomial in the enclosures.
 //!
 //! ```
