@@ -18,6 +18,7 @@
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
 //! * [`friction`]: motion with friction across its events;
 //! * [`governors`]: stability and series of the friction governors, for pictures;
+//! * [`phantom`]: what the steps of methods make of the stability of motions, as a page of claims and for scenes;
 //! * [`regimes`]: when motion with friction is determined, as a page of claims;
 //! * [`stabilisation`]: stabilised constraints in steps, as a page of claims;
 //! * [`stationary`]: all stationary motions of a gyrostat with any motor, exactly.
@@ -33,6 +34,7 @@ pub mod long_runs;
 pub mod machines;
 pub mod mechanisms;
 pub mod papers;
+pub mod phantom;
 pub mod principles;
 pub mod recorded;
 pub mod regimes;

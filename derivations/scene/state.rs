@@ -63,7 +63,7 @@ impl Scene {
     }
 
     /// Whether there is no carrier.
-    pub(super) fn on_bench(&self) -> bool {
+    pub fn on_bench(&self) -> bool {
         matches!(self.system, System::Bench { .. })
     }
 

@@ -104,7 +104,7 @@ impl Angle {
 struct States<'a>(&'a MachineData, &'static str);
 
 /// The data of a machine as exact constants: the decimals that were written.
-struct Decimals<'a>(&'a MachineData, &'static str);
+pub(crate) struct Decimals<'a>(pub &'a MachineData, pub &'static str);
 
 impl Source<Sym> for Decimals<'_> {
     type Error = NoModel;

@@ -57,6 +57,8 @@ pub enum Command {
     Bodies(Bodies),
     /// All stationary motions of a scene's gyrostat with its motor, and why none is missing
     Stationary(Stationary),
+    /// For which steps each method tells a scene's stationary motions stable or unstable as they are, and for which not
+    Phantom(Phantom),
     /// Every consistent regime of a scene with rough contacts at its start, with all margins
     Regimes(Regimes),
     /// Lists the scenes of a folder, each with its title
@@ -146,6 +148,23 @@ pub struct Stationary {
     #[arg(long)]
     pub model: Option<String>,
     /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Whose motions methods are to be judged on.
+#[derive(Args, Debug)]
+pub struct Phantom {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// The angular velocity of the motions about the vertical, rad/s
+    #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true, default_value_t = 0.0)]
+    pub omega0: f64,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// How to print it; JSON is one object: scene, model, omega0, motions
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

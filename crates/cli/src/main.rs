@@ -2,8 +2,8 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `chart`, `reference`, `scenes`: one file
-//!   for each command;
+//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `chart`,
+//!   `reference`, `scenes`: one file for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`speed`]: the atlas of a scene as pictures, tables and advice;
@@ -20,6 +20,7 @@ mod derive;
 mod ending;
 mod ensemble;
 mod ledger;
+mod phantom;
 mod pictures;
 mod progress;
 mod reference;
@@ -59,6 +60,7 @@ fn main() -> ExitCode {
         Some(Command::Derive(asked)) => derive::derive(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),
+        Some(Command::Phantom(asked)) => phantom::show(&asked),
         Some(Command::Regimes(asked)) => regimes::show(&asked),
         Some(Command::Scenes(asked)) => scenes::list(&asked),
         Some(Command::Completions { shell }) => ending::print(&completions(shell)).map(|()| Ending::Done),

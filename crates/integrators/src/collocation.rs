@@ -9,6 +9,7 @@
 //! (0, 1), and a_ij follows from the integrals of P_k without the cancellation of a monomial basis.
 
 use crate::Real;
+use field::Scalar;
 
 /// A family of collocation methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -65,7 +66,7 @@ impl<S: Real> Collocation<S> {
 }
 
 /// P_0 .. P_s, shifted to (0, 1): (k + 1) P_{k+1} = (2k + 1) (2c - 1) P_k - k P_{k-1}.
-fn legendre<S: Real>(s: usize, c: S) -> Vec<S> {
+fn legendre<S: Scalar>(s: usize, c: S) -> Vec<S> {
     let x = c + c - S::one();
     let mut values = vec![S::one(), x];
     for k in 1..s {
@@ -80,8 +81,17 @@ fn integral<S: Real>(values: &[S], c: S, k: usize) -> S {
     if k == 0 { c } else { (values[k + 1] - values[k - 1]) / S::int(4 * k as i64 + 2) }
 }
 
-/// The polynomial whose zeros are the nodes, and its slope: (x^2 - 1) P_s' = s (x P_s - P_{s-1}) for x = 2c - 1.
-fn nodal<S: Real>(family: Family, s: usize, c: S) -> (S, S) {
+/// The polynomial whose zeros are the nodes, over any field: P_s for Gauss, P_s - P_(s-1) for Radau IIA.
+pub fn nodal<S: Scalar>(family: Family, stages: usize, c: S) -> S {
+    let p = legendre(stages, c);
+    match family {
+        Family::Gauss => p[stages],
+        Family::RadauIIA => p[stages] - p[stages - 1],
+    }
+}
+
+/// Its slope: (x^2 - 1) P_s' = s (x P_s - P_{s-1}) for x = 2c - 1.
+fn nodal_slope<S: Real>(family: Family, s: usize, c: S) -> S {
     let p = legendre(s, c);
     let x = c + c - S::one();
     let slope = |k: usize| match k {
@@ -89,8 +99,8 @@ fn nodal<S: Real>(family: Family, s: usize, c: S) -> (S, S) {
         _ => S::int(2 * k as i64) * (x * p[k] - p[k - 1]) / (x * x - S::one()),
     };
     match family {
-        Family::Gauss => (p[s], slope(s)),
-        Family::RadauIIA => (p[s] - p[s - 1], slope(s) - slope(s - 1)),
+        Family::Gauss => slope(s),
+        Family::RadauIIA => slope(s) - slope(s - 1),
     }
 }
 
@@ -98,7 +108,7 @@ fn nodal<S: Real>(family: Family, s: usize, c: S) -> (S, S) {
 fn nodes<S: Real>(family: Family, s: usize) -> Vec<S> {
     let fine = 40 * s + 1;
     let grid = |i: usize| 0.5 - 0.5 * (std::f64::consts::PI * (i as f64 + 0.5) / fine as f64).cos();
-    let value = |c: f64| nodal(family, s, c).0;
+    let value = |c: f64| nodal(family, s, c);
     let mut found = Vec::with_capacity(s);
     for (mut low, mut high) in (1..fine).map(|i| (grid(i - 1), grid(i))) {
         if value(low) * value(high) > 0.0 {
@@ -110,8 +120,7 @@ fn nodes<S: Real>(family: Family, s: usize) -> Vec<S> {
         }
         let mut node = S::lift(0.5 * (low + high));
         for _ in 0..4 {
-            let (value, slope) = nodal(family, s, node);
-            node -= value / slope;
+            node -= nodal(family, s, node) / nodal_slope(family, s, node);
         }
         found.push(node);
     }
@@ -125,7 +134,7 @@ fn nodes<S: Real>(family: Family, s: usize) -> Vec<S> {
 fn weight<S: Real>(family: Family, s: usize, c: S) -> S {
     match family {
         Family::Gauss => {
-            let slope = nodal(family, s, c).1.half();
+            let slope = nodal_slope(family, s, c).half();
             S::one() / (S::int(4) * c * (S::one() - c) * slope * slope)
         }
         Family::RadauIIA => c / (S::int(s as i64) * legendre(s, c)[s - 1]).squared(),
@@ -153,7 +162,7 @@ fn solve_transposed<S: Real>(matrix: &[Vec<S>], right: &[S]) -> Vec<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use field::{DoubleDouble, Scalar};
+    use field::DoubleDouble;
 
     /// The largest |sum_j a_ij c_j^(k-1) - c_i^k / k| and |sum_j b_j c_j^(k-1) - 1/k|, k up to what theory promises.
     fn defect(method: &Collocation<DoubleDouble>) -> f64 {

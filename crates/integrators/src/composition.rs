@@ -106,7 +106,7 @@ impl Splitting {
     }
 
     /// The pieces in the order in which they flow in a step, each with its share of it; of so many, at least one.
-    pub(crate) fn schedule<S: Real>(self, pieces: usize) -> Vec<(usize, S)> {
+    pub fn schedule<S: Real>(self, pieces: usize) -> Vec<(usize, S)> {
         let mut schedule: Vec<(usize, S)> = Vec::new();
         for (place, share) in self.coefficients::<S>().into_iter().enumerate() {
             let forwards = (place % 2 == 0) != self.turned();

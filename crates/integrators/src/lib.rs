@@ -72,7 +72,7 @@ mod work_precision;
 
 pub use attempt::{Attempt, Means};
 pub use classical::{euler_step, runge_kutta_4_step};
-pub use collocation::{Collocation, Family};
+pub use collocation::{Collocation, Family, nodal};
 pub use composition::Splitting;
 pub use ensemble::{Ensemble, LaneSeries, Members};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};

@@ -96,6 +96,18 @@ impl<S: Real, G: Pieces<S>> Composed<S> for Composition<S, G> {
 /// wrong by this factor; from exp(4) on it grows from step to step.
 const MOST_GROWTH: f64 = 2.0;
 
+impl Splitting {
+    /// The longest step that is taken where the first piece lets something fade at this rate, 1/s; infinite where nothing
+    /// fades, or nothing goes back.
+    pub fn longest_step(self, rate: f64) -> f64 {
+        longest(self.goes_back(), rate)
+    }
+}
+
+fn longest(back: f64, rate: f64) -> f64 {
+    MOST_GROWTH / (rate * back)
+}
+
 /// The method with a constant step. It stays in the coordinates of the pieces from step to step, so that going there
 /// and back is no source of rounding.
 pub(crate) struct Split<'a, S> {
@@ -121,7 +133,7 @@ impl<'a, S: Real> Split<'a, S> {
             return None;
         }
         let rate = self.composed.fading();
-        let most = MOST_GROWTH / (rate * self.back);
+        let most = longest(self.back, rate);
         (step > most).then_some(Cause::GoesBack { back: self.back, rate, most })
     }
 }

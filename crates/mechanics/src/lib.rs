@@ -16,6 +16,7 @@
 //! [`regimes`] is not a principle: it finds which of the modes of rough contacts agree with the laws of friction.
 //!
 //! [`bellman`] does the same for optimal control: Riccati's equation from Bellman's. [`stability`] decides by Hurwitz.
+//! [`discrete`] asks what a one-step method makes of that.
 //!
 //! Each returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side that runs is
 //! one of the forms; that it makes every residual vanish is a claim, and is proved.
@@ -25,6 +26,7 @@ pub mod bellman;
 pub mod constrained;
 pub mod definite;
 pub mod differentiate;
+pub mod discrete;
 pub mod hamel;
 pub mod lagrange;
 pub mod mass;

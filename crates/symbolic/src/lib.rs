@@ -34,6 +34,7 @@
 mod analytic;
 mod calculus;
 mod coefficients;
+pub mod complex;
 mod dimension;
 mod evaluate;
 mod graph;

@@ -8,7 +8,7 @@ use crate::pictures;
 use crate::rough;
 use crate::speed;
 use crate::sphere;
-use crate::studies::{Drive, Endurance, Gains, atlas};
+use crate::studies::{Drive, Endurance, Gains, Phantom, atlas};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
 use derivations::scene::AnyScene;
@@ -28,6 +28,7 @@ pub struct Parts {
     gains: Gains,
     drive: Drive,
     endurance: Endurance,
+    phantom: Phantom,
 }
 
 impl Parts {
@@ -44,6 +45,7 @@ impl Parts {
             gains: Gains::default(),
             drive: Drive::default(),
             endurance: Endurance::default(),
+            phantom: Phantom::default(),
         }
     }
 
@@ -62,6 +64,12 @@ impl Parts {
         self.gains.enlist(&mut crew);
         self.drive.enlist(&mut crew);
         self.endurance.enlist(&mut crew);
+        self.phantom.enlist(&mut crew, |id| {
+            scenes.iter().filter(|read| read.id == id).find_map(|read| match &read.scene {
+                AnyScene::Driven(scene) => Some(&**scene),
+                _ => None,
+            })
+        });
         crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
@@ -128,7 +136,13 @@ impl Parts {
         let (spheres, stationary) = self.stationary.unwrap_or_default();
         report.spheres = spheres;
         report.studies = stationary.into_iter().collect();
-        report.studies.extend([atlas, self.gains.study(), self.drive.study(), self.endurance.study()]);
+        report.studies.extend([
+            atlas,
+            self.gains.study(),
+            self.drive.study(),
+            self.endurance.study(),
+            self.phantom.study(),
+        ]);
         match timings::read(folder) {
             Ok(timings) => report.timings = vec![timings],
             Err(reason) => report.timings_missing = reason,

@@ -1,14 +1,17 @@
-//! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs.
+//! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs,
+//! phantom stability.
 
 pub mod atlas;
 mod drive;
 mod endurance;
 mod gains;
+mod phantom;
 mod treatments;
 
 pub use drive::Drive;
 pub use endurance::Endurance;
 pub use gains::Gains;
+pub use phantom::Phantom;
 
 use charts::AreaCurve;
 use integrators::Failure;

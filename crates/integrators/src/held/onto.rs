@@ -57,8 +57,11 @@ impl<'a, S: Real> Onto<'a, S> {
         rates.iter_mut().chain(&mut self.columns).for_each(|part| *part *= meter.direction);
     }
 
-    /// Replaces y by y + B d.
+    /// Replaces y by y + B d; without a constraint y stays.
     pub fn bring(&mut self, tau: S, y: &mut [S], meter: &Meter<S>) -> Result<(), Cause> {
+        if self.m == 0 {
+            return Ok(());
+        }
         let t = meter.time(tau);
         self.moved.fill(S::zero());
         let mut newton = Newton::new();

@@ -2,6 +2,7 @@
 
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
+use field::Rational;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// [low, high] / 2^bits. Every operation rounds outwards, so that it holds every value that the operands allow. Operands
@@ -23,6 +24,23 @@ impl Enclosure {
     pub fn integer(n: impl Into<IBig>, bits: usize) -> Self {
         let at = n.into() << bits;
         Enclosure { low: at.clone(), high: at, bits }
+    }
+
+    /// A fraction, `None` where it is undefined.
+    pub fn rational(value: Rational, bits: usize) -> Option<Self> {
+        let big = value.to_big()?;
+        let denominator = Self::integer(IBig::from(big.denominator().clone()), bits);
+        Self::integer(big.numerator().clone(), bits).over(&denominator)
+    }
+
+    /// The very value of a float, rounded outwards; `None` for infinities and NaN.
+    pub fn float(value: f64, bits: usize) -> Option<Self> {
+        Self::rational(Rational::exactly(value), bits)
+    }
+
+    /// It is between multiples of 2^-bits.
+    pub fn bits(&self) -> usize {
+        self.bits
     }
 
     /// -1 or 1 where every value has that sign, 0 where both ends are zero, `None` where the sign is open.
@@ -64,6 +82,17 @@ impl Enclosure {
     pub fn hull(&self, other: &Self) -> Self {
         let (a, b) = self.level(other);
         Enclosure { low: a.low.min(b.low), high: a.high.max(b.high), bits: a.bits }
+    }
+
+    /// The number in its middle, rounded to a multiple of 2^-bits.
+    pub fn middle(&self) -> Self {
+        let middle = (&self.low + &self.high) >> 1;
+        Enclosure { low: middle.clone(), high: middle, bits: self.bits }
+    }
+
+    /// Its greatest value.
+    pub fn upper(&self) -> Self {
+        Enclosure { low: self.high.clone(), ..self.clone() }
     }
 
     /// Whether no value lies in both.

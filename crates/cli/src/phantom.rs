@@ -1,0 +1,77 @@
+//! `dalembert phantom`: for which steps a method's map says of a stationary motion what is true.
+
+use crate::arguments::{Format, Phantom as Asked};
+use crate::ending::{Ending, print};
+use crate::run::with_model;
+use derivations::phantom::chart::{Chart, Motion, Row, said};
+use derivations::phantom::motions::Stationed;
+use derivations::phantom::splittings::{SplitRuns, Tested};
+use derivations::phantom::survey::steps;
+use derivations::scene::{Family, Scene};
+use integrators::Splitting;
+use serde_json::{Value, json};
+
+/// Prints it.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
+    let chart = Chart::of(&scene, asked.omega0)
+        .map_err(|reason| Ending::refused(format!("{}: {reason}", asked.scene.display())))?;
+    let of_motion = |motion: &Stationed| {
+        let near = SplitRuns::near(&scene, motion);
+        Splitting::ALL.map(|splitting| near.course(splitting, &steps()))
+    };
+    let tested: Vec<_> = chart.all.motions.iter().map(of_motion).collect();
+    print(&match asked.format {
+        Format::Text => text(&scene, asked.omega0, &chart, &tested),
+        Format::Json => format!("{:#}\n", object(&scene, asked.omega0, &chart, &tested)),
+    })?;
+    let known = chart.rows.iter().all(|rows| !rows.is_empty() && rows.iter().all(|row| row.steps.is_some()));
+    Ok(if known { Ending::Done } else { Ending::Stopped })
+}
+
+fn text(scene: &Scene, w: f64, chart: &Chart, tested: &[[Tested; Splitting::ALL.len()]]) -> String {
+    let turning = match scene.on_bench() {
+        true => String::new(),
+        false => format!("angular velocity about the vertical: {w} rad/s\n"),
+    };
+    let mut text = format!("{}\n{turning}{}", scene.title, chart.text());
+    for (place, (motion, tested)) in chart.all.motions.iter().zip(tested).enumerate() {
+        text += &format!("\n{} {motion}\n", place + 1);
+        for one in tested {
+            text += &format!("  {:<20} {}\n", one.splitting.name(), one.told());
+        }
+    }
+    text
+}
+
+fn object(scene: &Scene, w: f64, chart: &Chart, tested: &[[Tested; Splitting::ALL.len()]]) -> Value {
+    let each = chart.all.motions.iter().zip(&chart.rows).zip(tested).map(|((motion, rows), tested)| {
+        let spectrum = motion.spectrum.as_ref();
+        json!({
+            "motion": motion.to_string(),
+            "does": spectrum.map(|spectrum| Motion::of(spectrum).to_string()),
+            "eigenvalues": spectrum.map(|spectrum| chart.eigenvalues(spectrum)),
+            "methods": rows.iter().map(method).collect::<Vec<_>>(),
+            "splittings": tested.iter().map(splitting).collect::<Vec<_>>(),
+        })
+    });
+    json!({ "scene": scene.title, "model": scene.machine.name(), "omega0": w, "motions": each.collect::<Vec<_>>() })
+}
+
+/// Every step from zero on, s; the last stretch has no end.
+fn method(row: &Row) -> Value {
+    let stretches = row.steps.as_ref().map(|steps| {
+        let each = steps.all().map(|(from, to, stretch)| {
+            json!({ "from": from.map_or(0.0, |from| from.to_f64()), "to": to.map(|to| to.to_f64()),
+                    "says": said(stretch), "growing": stretch.growing, "staying": stretch.staying })
+        });
+        each.collect::<Vec<_>>()
+    });
+    json!({ "method": row.method.to_string(), "stretches": stretches })
+}
+
+fn splitting(tested: &Tested) -> Value {
+    let grows = tested.grows.iter().map(|(step, grows)| json!({ "step": step, "grows": grows }));
+    json!({ "method": tested.splitting.name(), "tested": grows.collect::<Vec<_>>(), "edges": tested.edges,
+            "longest": tested.longest.is_finite().then_some(tested.longest) })
+}

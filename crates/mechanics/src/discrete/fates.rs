@@ -1,0 +1,114 @@
+//! What the steps of a method make of one mode.
+
+use super::{Place, StabilityFunction};
+use field::{Rational, Scalar};
+use symbolic::complex::{Rectangle, zeros};
+use symbolic::real::{Enclosure, Polynomial, Root};
+
+/// The lengths of step at which the fate of a mode changes, in ascending order, and its fate before, between and after
+/// them: -1 it fades, 0 it stays, 1 it grows.
+#[derive(Clone, Debug)]
+pub struct Fates {
+    pub cuts: Vec<Enclosure>,
+    pub signs: Vec<i32>,
+}
+
+/// The steps at which the fate changes could not be told apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UndecidedFate;
+
+impl Fates {
+    /// Of a mode under a method.
+    ///
+    /// # Errors
+    /// [`UndecidedFate`] where two thresholds coincide or nearly do.
+    pub fn of(place: &Place, function: &StabilityFunction) -> Result<Self, UndecidedFate> {
+        let (terms, _) = function.balance();
+        match place {
+            // Re u^m is 1 or (-1)^m
+            Place::Real(mu) => {
+                let size = if mu.sign() == Some(-1) { -mu } else { mu.clone() };
+                let turn = |m: usize| if mu.sign() == Some(-1) && m % 2 == 1 { -1 } else { 1 };
+                Self::exactly(&terms, turn, &size)
+            }
+            // Re i^m
+            Place::Imaginary(b) => Self::exactly(&terms, |m| [1, 0, -1, 0][m % 4], b),
+            Place::Pair(mu) => Self::enclosed(&terms, mu).ok_or(UndecidedFate),
+        }
+    }
+
+    /// The fate for steps of a length, where it is not within the enclosure of a threshold.
+    pub fn at(&self, step: &Enclosure) -> Option<i32> {
+        let mut passed = 0;
+        for cut in &self.cuts {
+            match (step - cut).sign()? {
+                1 => passed += 1,
+                _ => break,
+            }
+        }
+        self.signs.get(passed).copied()
+    }
+
+    /// Along a direction in which Re u^m is a whole number: thresholds are algebraic numbers of the method, over |mu|.
+    fn exactly(terms: &[Vec<Rational>], turn: impl Fn(usize) -> i64, size: &Enclosure) -> Result<Self, UndecidedFate> {
+        let sum = |term: &Vec<Rational>| {
+            let parts = term.iter().enumerate().map(|(m, c)| *c * Rational::int(turn(m)));
+            parts.fold(Rational::int(0), |sum, part| sum + part)
+        };
+        let coefficients: Vec<Rational> = terms.iter().map(sum).collect();
+        let polynomial = Polynomial::from_rationals(&coefficients).ok_or(UndecidedFate)?;
+        let zero = Polynomial::from_integers([0, 1]);
+        let roots: Vec<Root> = polynomial.real_roots().into_iter().filter(|root| root.sign_of(&zero) > 0).collect();
+        // a root at which the fate does not change stays: there, and there only, the mode neither fades nor grows
+        let bits = size.bits();
+        let places: Vec<Enclosure> = roots.iter().map(|root| root.enclosure(bits)).collect();
+        let value = |x: &Enclosure| polynomial.enclosure(x, bits).sign();
+        Self::between(places, size, value).ok_or(UndecidedFate)
+    }
+
+    fn enclosed(terms: &[Vec<Rational>], mu: &Rectangle) -> Option<Self> {
+        let bits = mu.re.bits();
+        let size = mu.square().sqrt()?;
+        let unit = Rectangle { re: mu.re.over(&size)?, im: mu.im.over(&size)? };
+        let most = terms.iter().map(Vec::len).max().unwrap_or(0);
+        let mut powers = vec![Rectangle::real(Enclosure::integer(1, bits), bits)];
+        while powers.len() < most {
+            powers.push(powers.last()? * &unit);
+        }
+        let coefficient = |term: &Vec<Rational>| {
+            let mut sum = Enclosure::integer(0, bits);
+            for (c, power) in term.iter().zip(&powers) {
+                sum = &sum + &(&Enclosure::rational(*c, bits)? * &power.re);
+            }
+            Some(sum)
+        };
+        let coefficients: Vec<Enclosure> = terms.iter().map(coefficient).collect::<Option<_>>()?;
+        let mut places = Vec::new();
+        for zero in zeros(&coefficients)? {
+            if zero.real && zero.at.re.sign()? > 0 {
+                places.push(zero.at.re);
+            }
+        }
+        places.sort_by(|a, b| a.to_f64().total_cmp(&b.to_f64()));
+        let value = |x: &Enclosure| {
+            coefficients.iter().rev().fold(Enclosure::integer(0, bits), |sum, c| &(&sum * x) + c).sign()
+        };
+        Self::between(places, &size, value)
+    }
+
+    /// Thresholds of x = h |mu| in ascending order, and a polynomial whose sign is asked for between them.
+    fn between(places: Vec<Enclosure>, size: &Enclosure, value: impl Fn(&Enclosure) -> Option<i32>) -> Option<Self> {
+        let bits = size.bits();
+        let number = |n: i64| Enclosure::integer(n, bits);
+        let mut probes = Vec::new();
+        let mut before = number(0);
+        for place in &places {
+            probes.push((&before + place).over(&number(2))?.middle());
+            before = place.clone();
+        }
+        probes.push((&before + &number(1)).middle());
+        let signs = probes.iter().map(value).collect::<Option<_>>()?;
+        let cuts = places.iter().map(|place| place.over(size)).collect::<Option<_>>()?;
+        Some(Fates { cuts, signs })
+    }
+}

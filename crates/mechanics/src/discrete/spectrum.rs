@@ -1,0 +1,131 @@
+//! The eigenvalues of a matrix, each in a rectangle of its own.
+
+use symbolic::complex::{Rectangle, zeros};
+use symbolic::real::Enclosure;
+
+/// Eigenvalues that a step treats alike: one, or a pair of conjugates.
+#[derive(Clone, Debug)]
+pub struct Mode {
+    pub place: Place,
+    /// How many eigenvalues: one for each member of a pair.
+    pub count: usize,
+}
+
+/// Where an eigenvalue is.
+#[derive(Clone, Debug)]
+pub enum Place {
+    /// mu, not zero.
+    Real(Enclosure),
+    /// mu = i b, b > 0, and its conjugate: by a theorem, not by a tolerance.
+    Imaginary(Enclosure),
+    /// mu = a + i b, a not zero, b > 0, and its conjugate.
+    Pair(Rectangle),
+}
+
+/// Every eigenvalue but those that structure explains.
+#[derive(Clone, Debug, Default)]
+pub struct Spectrum {
+    pub modes: Vec<Mode>,
+}
+
+impl Spectrum {
+    /// The zeros of a monic polynomial, coefficients from the constant upwards. `symmetric`: the motion keeps an energy, so that
+    /// with mu there is -mu and the polynomial is one in mu^2, whatever rounding has left of its odd coefficients.
+    ///
+    /// `None` where eigenvalues coincide, or an eigenvalue may have a vanishing real part without a reason.
+    pub fn of(polynomial: &[Enclosure], symmetric: bool) -> Option<Self> {
+        match symmetric {
+            true => Self::of_squares(polynomial),
+            false => Self::of_all(polynomial),
+        }
+    }
+
+    fn of_all(polynomial: &[Enclosure]) -> Option<Self> {
+        let mut modes = Vec::new();
+        for zero in zeros(polynomial)? {
+            let place = match (zero.real, zero.at.im.sign()?) {
+                (true, _) => Place::Real(zero.at.re),
+                (false, 1) => Place::Pair(zero.at),
+                _ => continue,
+            };
+            modes.push(place.mode()?);
+        }
+        Some(Spectrum { modes })
+    }
+
+    /// By s = mu^2.
+    fn of_squares(polynomial: &[Enclosure]) -> Option<Self> {
+        let even: Vec<Enclosure> = polynomial.iter().step_by(2).cloned().collect();
+        let mut modes = Vec::new();
+        for zero in zeros(&even)? {
+            let Rectangle { re, im } = &zero.at;
+            if zero.real {
+                match re.sign()? {
+                    1 => {
+                        let root = re.sqrt()?;
+                        modes.push(Place::Real(-&root).mode()?);
+                        modes.push(Place::Real(root).mode()?);
+                    }
+                    _ => modes.push(Place::Imaginary((-re).sqrt()?).mode()?),
+                }
+            } else if im.sign()? > 0 {
+                // (a + i b)^2 = s
+                let size = zero.at.square().sqrt()?;
+                let half = |twice: Enclosure| twice.over(&Enclosure::integer(2, twice.bits()))?.sqrt();
+                let (a, b) = (half(&size + re)?, half(&size - re)?);
+                modes.push(Place::Pair(Rectangle { re: -&a, im: b.clone() }).mode()?);
+                modes.push(Place::Pair(Rectangle { re: a, im: b }).mode()?);
+            }
+        }
+        Some(Spectrum { modes })
+    }
+
+    /// How many eigenvalues grow, and how many neither grow nor fade.
+    pub fn growing(&self) -> [usize; 2] {
+        let count = |sign: i32| self.modes.iter().filter(|mode| mode.place.sign() == sign).map(|mode| mode.count).sum();
+        [count(1), count(0)]
+    }
+}
+
+impl Place {
+    /// One, or both of a pair; `None` where the sign of its real part is open.
+    fn mode(self) -> Option<Mode> {
+        let count = match &self {
+            Place::Real(mu) => mu.sign().filter(|sign| *sign != 0).map(|_| 1)?,
+            Place::Imaginary(b) => b.sign().filter(|sign| *sign > 0).map(|_| 2)?,
+            Place::Pair(mu) => mu.re.sign().filter(|sign| *sign != 0).map(|_| 2)?,
+        };
+        Some(Mode { place: self, count })
+    }
+
+    /// Of the real part: -1 where the motion lets it fade, 0 where it stays, 1 where it grows.
+    pub fn sign(&self) -> i32 {
+        match self {
+            Place::Real(mu) => mu.sign().unwrap_or(0),
+            Place::Imaginary(_) => 0,
+            Place::Pair(mu) => mu.re.sign().unwrap_or(0),
+        }
+    }
+}
+
+/// det(mu - A), coefficients from the constant upwards, by Faddeev and Leverrier: it divides by 1, ..., n only, so that
+/// it does not need to know of any entry whether it is zero. `None` for a matrix that is not square.
+pub fn characteristic(matrix: &[Vec<Enclosure>], bits: usize) -> Option<Vec<Enclosure>> {
+    let n = matrix.len();
+    if matrix.iter().any(|row| row.len() != n) {
+        return None;
+    }
+    let zero = || Enclosure::integer(0, bits);
+    let mut power = vec![vec![zero(); n]; n];
+    let mut falling = vec![Enclosure::integer(1, bits)];
+    for k in 1..=n {
+        let last = falling.last()?.clone();
+        power.iter_mut().enumerate().for_each(|(i, row)| row[i] = &row[i] + &last);
+        let entry = |i: usize, j: usize| (0..n).fold(zero(), |sum, l| &sum + &(&matrix[i][l] * &power[l][j]));
+        power = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+        let trace = (0..n).fold(zero(), |sum, i| &sum + &power[i][i]);
+        falling.push((-&trace).over(&Enclosure::integer(k as i64, bits))?);
+    }
+    falling.reverse();
+    Some(falling)
+}

@@ -1,0 +1,215 @@
+//! Every method on every stationary motion of a scene: for which steps the map says of the motion what is true.
+
+use super::methods::OneStep;
+use super::motions::{AllStationed, NoMotions, Rotor, Stationed};
+use crate::scene::Scene;
+use mechanics::discrete::{Judgement, Mode, Place, Spectrum, Steps, Stretch};
+use mechanics::uniform::Kind;
+use std::fmt::{self, Write};
+use symbolic::real::Enclosure;
+
+/// All of it for one angular velocity.
+pub struct Chart {
+    pub all: AllStationed,
+    /// In the order of the motions.
+    pub rows: Vec<Vec<Row>>,
+}
+
+/// A method on a motion.
+#[derive(Clone, Debug)]
+pub struct Row {
+    pub method: OneStep,
+    /// `None` where thresholds cannot be told apart.
+    pub steps: Option<Steps>,
+}
+
+/// What is known of a motion near it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// Every eigenvalue but those of the integrals has a negative real part.
+    Fades,
+    /// None has a positive one, some are imaginary.
+    Stays { staying: usize },
+    /// So many have a positive one.
+    Grows { growing: usize },
+}
+
+impl Chart {
+    /// Of a scene with the angular velocity w, rad/s, about the vertical.
+    ///
+    /// # Errors
+    /// [`NoMotions`].
+    pub fn of(scene: &Scene, w: f64) -> Result<Self, NoMotions> {
+        let all = AllStationed::of(scene, w)?;
+        let functions: Vec<_> = OneStep::ALL.iter().map(|method| (*method, method.function())).collect();
+        let row = |spectrum: &Spectrum| {
+            let of_method = |(method, function): &(OneStep, Option<_>)| {
+                let steps = function.as_ref().and_then(|function| Steps::of(&spectrum.modes, function).ok());
+                Row { method: *method, steps }
+            };
+            functions.iter().map(of_method).collect()
+        };
+        let rows = all.motions.iter().map(|one| one.spectrum.as_ref().map_or_else(Vec::new, row)).collect();
+        Ok(Chart { all, rows })
+    }
+
+    /// For reading.
+    pub fn text(&self) -> String {
+        let mut out = String::new();
+        for (place, (motion, rows)) in self.all.motions.iter().zip(&self.rows).enumerate() {
+            // writing to a String cannot fail
+            let _ = writeln!(out, "\n{} {}", place + 1, motion);
+            let Some(spectrum) = &motion.spectrum else {
+                out += "  not known: eigenvalues coincide, or a real part vanishes for no known reason\n";
+                continue;
+            };
+            let _ = writeln!(out, "  the motion {}", Motion::of(spectrum));
+            let _ = writeln!(out, "  eigenvalues, 1/s: {}", self.eigenvalues(spectrum));
+            for row in rows {
+                let _ = writeln!(out, "  {:<20} {}", row.method.to_string(), row.told());
+            }
+        }
+        if self.all.families > 0 {
+            let _ = writeln!(out, "\n{} families of motions are left out", self.all.families);
+        }
+        out
+    }
+
+    /// All eigenvalues, those that structure explains first.
+    pub fn eigenvalues(&self, spectrum: &Spectrum) -> String {
+        let linear = &self.all.linear;
+        let mut each = Vec::new();
+        if linear.integrals > 0 {
+            each.push(format!("0 ({}, integrals)", linear.integrals));
+        }
+        for (rate, count) in &linear.idle {
+            each.push(format!("-{rate} ({count}, windings that no motion feeds)"));
+        }
+        let solved = spectrum.modes.len() - linear.idle.len();
+        each.extend(spectrum.modes[..solved].iter().map(eigenvalue));
+        each.join(", ")
+    }
+}
+
+impl Row {
+    /// The steps and what is said of them, in a line.
+    pub fn told(&self) -> String {
+        let Some(steps) = &self.steps else { return "not known: thresholds lie too close together".to_owned() };
+        let honest = match steps.honest() {
+            Ok(None) => "honest at every step".to_owned(),
+            Ok(Some(most)) => format!("honest up to h = {}", digits(most)),
+            Err(_) => "never honest".to_owned(),
+        };
+        let stretches: Vec<_> = steps.all().collect();
+        let runs = stretches.chunk_by(|a, b| a.2.judgement == b.2.judgement);
+        let wrong = runs.filter(|run| run[0].2.judgement != Judgement::Honest);
+        let each: Vec<String> =
+            wrong.map(|run| format!("{} {}", said(run[0].2), range(run[0].0, run[run.len() - 1].1))).collect();
+        if each.is_empty() { honest } else { format!("{honest}; {}", each.join("; ")) }
+    }
+
+    /// The steps at which the map begins to grow, or ceases to: what a run can see.
+    pub fn edges(&self) -> Vec<&Enclosure> {
+        let Some(steps) = &self.steps else { return Vec::new() };
+        let turns = steps.stretches.windows(2).map(|pair| (pair[0].growing == 0) != (pair[1].growing == 0));
+        steps.cuts.iter().zip(turns).filter_map(|(cut, turns)| turns.then_some(cut)).collect()
+    }
+}
+
+/// In the words of a chart.
+pub fn said(stretch: Stretch) -> &'static str {
+    match stretch.judgement {
+        Judgement::Honest => "honest",
+        Judgement::Hides => "PHANTOM STABILITY",
+        Judgement::Invents => "phantom instability",
+        Judgement::Damps => "damps what stays",
+        Judgement::Confuses => "wrong in some mode",
+    }
+}
+
+/// `0.5 < h < 2`
+fn range(from: Option<&Enclosure>, to: Option<&Enclosure>) -> String {
+    match (from, to) {
+        (None, None) => "at every step".to_owned(),
+        (Some(from), None) => format!("for h > {}", digits(from)),
+        (None, Some(to)) => format!("for h < {}", digits(to)),
+        (Some(from), Some(to)) => format!("for {} < h < {}", digits(from), digits(to)),
+    }
+}
+
+fn eigenvalue(mode: &Mode) -> String {
+    match &mode.place {
+        Place::Real(mu) => digits(mu),
+        Place::Imaginary(b) => format!("\u{b1}{}i", digits(b)),
+        Place::Pair(mu) => format!("{} \u{b1} {}i", digits(&mu.re), digits(&mu.im)),
+    }
+}
+
+/// Digits of a number that all values of its enclosure share.
+const DIGITS: usize = 10;
+
+/// The number rounded to ten digits, fewer where its enclosure leaves them open.
+pub fn digits(value: &Enclosure) -> String {
+    let [low, high] = value.ends();
+    let written = |x: f64, digits: usize| format!("{x:.*e}", digits - 1);
+    let shared = (1..=DIGITS).rev().map(|digits| (written(low, digits), written(high, digits)));
+    let text = shared.into_iter().find_map(|(low, high)| (low == high).then_some(low));
+    // a float has so few digits that it reads back as itself
+    text.and_then(|text| text.parse::<f64>().ok()).map_or_else(|| format!("{low:e} to {high:e}"), plain)
+}
+
+/// Without an exponent where that is short.
+fn plain(value: f64) -> String {
+    match value.abs() {
+        size if size == 0.0 || (1e-4..1e7).contains(&size) => format!("{value}"),
+        _ => format!("{value:e}"),
+    }
+}
+
+impl Motion {
+    /// By its eigenvalues.
+    pub fn of(spectrum: &Spectrum) -> Self {
+        match spectrum.growing() {
+            [0, 0] => Motion::Fades,
+            [0, staying] => Motion::Stays { staying },
+            [growing, _] => Motion::Grows { growing },
+        }
+    }
+}
+
+impl fmt::Display for Motion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Motion::Fades => write!(f, "is asymptotically stable, with its integrals held"),
+            Motion::Stays { staying } => write!(
+                f,
+                "is a centre in the first approximation: {staying} imaginary eigenvalues, no positive real part"
+            ),
+            Motion::Grows { growing } => write!(
+                f,
+                "is unstable: {growing} eigenvalue{} with a positive real part",
+                if *growing == 1 { "" } else { "s" }
+            ),
+        }
+    }
+}
+
+impl fmt::Display for Stationed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = match self.kind {
+            Some(Kind::Minimum) => "W least, ",
+            Some(Kind::Saddle) => "W a saddle, ",
+            Some(Kind::Maximum) => "W greatest, ",
+            Some(Kind::Degenerate) => "merging, ",
+            None => "",
+        };
+        write!(f, "{kind}")?;
+        match &self.rotor {
+            Rotor::InStep { angle, held } => {
+                let held = if *held { "the field drives back to it" } else { "the field drives away from it" };
+                write!(f, "rotor in step at {angle:.6} rad, {held}")
+            }
+            Rotor::At { speed } => write!(f, "rotor at {speed:.6} rad/s"),
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! The one-step map of a splitting near a stationary motion of its own, by differentiation of the very step that runs.
+//!
+//! The pieces of a law do not rest where their sum does, so that a splitting has a stationary motion of its own near the
+//! true one, with the error of its order; where all pieces rest (the carrier at rest, a motor on its bench) it is the
+//! same. There the map is differentiated by central differences in double-double, which leave 18 digits. A splitting keeps |v|
+//! and x.v, so that its matrix is looked at on the surface of these alone. Tested at each step that is asked for, not proved
+//! between them.
+
+use super::motions::Stationed;
+use crate::scene::problem::Law;
+use crate::scene::{Axes, Invariant, Scene};
+use field::DoubleDouble;
+use integrators::{Composed, Real, Splitting};
+use nalgebra::{DMatrix, DVector};
+use std::sync::Arc;
+
+/// A scene's law at a stationary motion.
+pub struct SplitRuns {
+    law: Arc<dyn Law>,
+    state: Vec<f64>,
+    /// Columns that span the surface of the integrals.
+    surface: DMatrix<f64>,
+}
+
+/// A splitting's own stationary motion, and what its step makes of it.
+#[derive(Clone, Debug)]
+pub struct Own {
+    /// The largest distance from the law's, by component.
+    pub off: f64,
+    /// The largest |multiplier|.
+    pub radius: f64,
+}
+
+/// What a splitting was seen to do near a motion.
+#[derive(Clone, Debug)]
+pub struct Tested {
+    pub splitting: Splitting,
+    /// Whether anything grows, at each step, s, that was asked for; `None` where no step is taken, or no motion of the
+    /// splitting's own is found.
+    pub grows: Vec<(f64, Option<bool>)>,
+    /// Between them, where that changes, s.
+    pub edges: Vec<f64>,
+    /// The longest step that the program takes, s.
+    pub longest: f64,
+}
+
+impl Tested {
+    /// In a line.
+    pub fn told(&self) -> String {
+        let known: Vec<(f64, bool)> = self.grows.iter().filter_map(|(step, grows)| Some((*step, (*grows)?))).collect();
+        let (Some((from, grows)), Some((to, _))) = (known.first(), known.last()) else {
+            return "no step is taken, or no stationary motion of its own is found".to_owned();
+        };
+        let does = |grows: bool| if grows { "grows" } else { "does not grow" };
+        let turns = self
+            .edges
+            .iter()
+            .enumerate()
+            .map(|(place, edge)| format!(", {} from h = {edge:.4e} on", does(*grows != (place % 2 == 0))));
+        let turns: String = turns.collect();
+        let longest =
+            if self.longest.is_finite() { format!("; no step beyond {:.4e}", self.longest) } else { String::new() };
+        format!("tested from {from:.1e} to {to:.1e}: the map {}{turns}{longest}", does(*grows))
+    }
+}
+
+/// Of a difference, relative to a component or one.
+const DIFFERENCE: f64 = 1e-9;
+/// Of Newton's iteration towards the own motion.
+const ITERATIONS: usize = 12;
+const CONVERGED: f64 = 1e-14;
+/// A radius so near to one is one.
+pub const ON_THE_CIRCLE: f64 = 1e-9;
+
+impl SplitRuns {
+    /// Near a motion of a scene.
+    pub fn near(scene: &Scene, motion: &Stationed) -> Self {
+        let scene = Scene { start: motion.start.clone(), ..scene.clone() };
+        let problem = scene.problem(Axes::Second);
+        // the energy is an integral of the law, not of a splitting
+        let kept = problem.invariants.iter().filter(|invariant| invariant.name != "jacobi");
+        let gradients: Vec<DVector<f64>> = kept.map(|invariant| gradient(invariant, &problem.state)).collect();
+        let surface = complement(&gradients, problem.state.len());
+        SplitRuns { law: problem.law, state: problem.state, surface }
+    }
+
+    /// With steps of a length, s. `None` where the law has no pieces, the step leads nowhere, or no stationary motion is
+    /// found near the law's.
+    pub fn own(&self, splitting: Splitting, step: f64) -> Option<Own> {
+        let mut map = self.law.composed_exact(splitting)?;
+        map.prepare(DoubleDouble::from(step));
+        let mut place: Vec<DoubleDouble> = self.state.iter().map(|y| DoubleDouble::from(*y)).collect();
+        let mut matrix = self.matrix(&mut *map, &place)?;
+        for _ in 0..ITERATIONS {
+            let end = after(&mut *map, &place)?;
+            let missing = DVector::from_iterator(end.len(), end.iter().zip(&place).map(|(end, y)| (*end - *y).hi()));
+            if missing.amax() < CONVERGED {
+                break;
+            }
+            let within = self.surface.transpose() * &missing;
+            let identity = DMatrix::<f64>::identity(within.len(), within.len());
+            let correction = &self.surface * (identity - &matrix).lu().solve(&within)?;
+            for (y, by) in place.iter_mut().zip(correction.iter()) {
+                *y += DoubleDouble::from(*by);
+            }
+            matrix = self.matrix(&mut *map, &place)?;
+        }
+        let off = place.iter().zip(&self.state).map(|(own, law)| (own.hi() - law).abs()).fold(0.0, f64::max);
+        let radius = spectral_radius(matrix);
+        radius.is_finite().then_some(Own { off, radius })
+    }
+
+    /// The longest step, s, with which the program takes the splitting at all: what fades must not grow on the way back.
+    pub fn longest(&self, splitting: Splitting) -> f64 {
+        let Some(mut map) = self.law.composed(splitting) else { return 0.0 };
+        map.enter(&self.state);
+        splitting.longest_step(map.fading())
+    }
+
+    /// What the map does with steps up to the longest of these, s, in ascending order.
+    pub fn course(&self, splitting: Splitting, steps: &[f64]) -> Tested {
+        let longest = self.longest(splitting);
+        let grows = |step: f64| self.own(splitting, step).map(|own| own.radius > 1.0 + ON_THE_CIRCLE);
+        let each: Vec<(f64, Option<bool>)> =
+            steps.iter().map(|step| (*step, if *step <= longest { grows(*step) } else { None })).collect();
+        let known: Vec<(f64, bool)> = each.iter().filter_map(|(step, grows)| Some((*step, (*grows)?))).collect();
+        let turns = known.windows(2).filter(|pair| pair[0].1 != pair[1].1);
+        let edge = |pair: &[(f64, bool)]| {
+            let (mut low, mut high) = (pair[0].0, pair[1].0);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if grows(middle).unwrap_or(pair[1].1) == pair[0].1 { low = middle } else { high = middle }
+            }
+            0.5 * (low + high)
+        };
+        Tested { splitting, edges: turns.map(edge).collect(), longest, grows: each }
+    }
+
+    /// The derivative of a step on the surface of the integrals.
+    fn matrix(&self, map: &mut dyn Composed<DoubleDouble>, place: &[DoubleDouble]) -> Option<DMatrix<f64>> {
+        let n = place.len();
+        let mut whole = DMatrix::zeros(n, n);
+        for column in 0..n {
+            let by = DoubleDouble::from(DIFFERENCE * place[column].hi().abs().max(1.0));
+            let mut moved = place.to_vec();
+            moved[column] = place[column] + by;
+            let above = after(map, &moved)?;
+            moved[column] = place[column] - by;
+            let below = after(map, &moved)?;
+            for row in 0..n {
+                whole[(row, column)] = ((above[row] - below[row]) / (by + by)).hi();
+            }
+        }
+        Some(self.surface.transpose() * whole * &self.surface)
+    }
+}
+
+/// Halvings of a bracket.
+const HALVINGS: usize = 16;
+
+/// By Gelfand's formula with 2^40 for the power: what multiplies it besides has no weight left, and multiple eigenvalues, at
+/// which iterations for single ones do not end, are no worse than others.
+fn spectral_radius(mut power: DMatrix<f64>) -> f64 {
+    let mut logarithm = 0.0;
+    for squaring in 0..40 {
+        let norm = power.norm();
+        if norm == 0.0 {
+            return 0.0;
+        }
+        logarithm += norm.ln() / f64::powi(2.0, squaring);
+        power /= norm;
+        power = &power * &power;
+    }
+    logarithm.exp()
+}
+
+/// One step.
+fn after(map: &mut dyn Composed<DoubleDouble>, from: &[DoubleDouble]) -> Option<Vec<DoubleDouble>> {
+    map.enter(from);
+    let mut end = from.to_vec();
+    map.advance().then(|| map.leave(&mut end))?;
+    end.iter().all(|y| y.finite()).then_some(end)
+}
+
+/// By central differences, which are exact for the squares that these integrals are.
+fn gradient(invariant: &Invariant, state: &[f64]) -> DVector<f64> {
+    let slope = |k: usize| {
+        let at = |by: f64| {
+            let mut moved = state.to_vec();
+            moved[k] += by;
+            (invariant.value)(0.0, &moved)
+        };
+        0.5 * (at(1.0) - at(-1.0))
+    };
+    DVector::from_iterator(state.len(), (0..state.len()).map(slope))
+}
+
+/// An orthonormal basis of what is orthogonal to all of them.
+fn complement(gradients: &[DVector<f64>], n: usize) -> DMatrix<f64> {
+    let filler = |row: usize, column: usize| (1.0 + (row * n + column) as f64).sin();
+    let whole = DMatrix::from_fn(n, n, |row, column| match gradients.get(column) {
+        Some(gradient) => gradient[row] / gradient.norm(),
+        None => filler(row, column),
+    });
+    let orthonormal = whole.qr().q();
+    orthonormal.columns(gradients.len(), n - gradients.len()).into_owned()
+}

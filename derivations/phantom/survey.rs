@@ -1,0 +1,94 @@
+//! For the report: some scenes' motions, every method on each, with the thresholds by runs.
+
+use super::chart::{Chart, Row};
+use super::measured::{Run, Runs};
+use super::motions::Rotor;
+use super::splittings::{SplitRuns, Tested};
+use crate::scene::Scene;
+use integrators::Splitting;
+
+/// Scenes by the names of their files, with the angular velocity of their motions about the vertical, rad/s.
+pub const SCENES: [(&str, f64); 3] = [("permanent_rotation", 6.0), ("hanging_rest", 0.0), ("bench", 0.0)];
+
+/// One motion.
+#[derive(Clone, Debug)]
+pub struct Surveyed {
+    pub scene: String,
+    /// Which motion, what it does near it, and its eigenvalues.
+    pub motion: String,
+    pub does: String,
+    pub eigenvalues: String,
+    pub methods: Vec<Method>,
+    pub splittings: Vec<Split>,
+}
+
+/// A Runge-Kutta method, with its edges exactly and by runs, s; `None` where a run cannot see them.
+#[derive(Clone, Debug)]
+pub struct Method {
+    pub row: Row,
+    pub edges: Vec<(f64, Option<f64>)>,
+}
+
+/// A splitting, with its edges by the derivative of its step and, where it rests with the law, by runs, s.
+#[derive(Clone, Debug)]
+pub struct Split {
+    pub tested: Tested,
+    pub edges: Vec<(f64, Option<f64>)>,
+}
+
+/// Steps at which splittings are tested, s: eight a decade.
+pub fn steps() -> Vec<f64> {
+    (-24..=0).map(|k| 10f64.powf(f64::from(k) / 8.0)).collect()
+}
+
+/// The motions of a scene: on a bench all, otherwise those whose rotor is driven back to its place.
+///
+/// # Errors
+/// Why there are none, for a reader.
+pub fn survey(scene: &Scene, w: f64) -> Result<Vec<Surveyed>, String> {
+    let chart = Chart::of(scene, w).map_err(|reason| reason.to_string())?;
+    let shown = chart
+        .all
+        .motions
+        .iter()
+        .zip(&chart.rows)
+        .filter(|(motion, _)| motion.kind.is_none() || !matches!(motion.rotor, Rotor::InStep { held: false, .. }));
+    let each = shown.filter_map(|(motion, rows)| {
+        let spectrum = motion.spectrum.as_ref()?;
+        let runs = Runs::near(scene, motion);
+        let methods = rows.iter().map(|row| {
+            let edge = |exact: f64| (exact, runs.threshold(Run::OneStep(row.method), exact));
+            Method { row: row.clone(), edges: row.edges().into_iter().map(|cut| edge(cut.to_f64())).collect() }
+        });
+        let near = SplitRuns::near(scene, motion);
+        let splittings = Splitting::ALL.into_iter().map(|splitting| {
+            let tested = near.course(splitting, &steps());
+            let visible = |step: f64| {
+                let beside = [1.0 - BESIDE, 1.0 + BESIDE].map(|side| near.own(splitting, side * step));
+                let rests = beside.iter().flatten().all(|own| own.off < RESTS);
+                rests && beside.iter().flatten().any(|own| own.radius > 1.0 + SEEN)
+            };
+            let edge = |step: f64| {
+                let runs = || runs.threshold(Run::Splitting(splitting), step);
+                (step, visible(step).then(runs).flatten())
+            };
+            Split { edges: tested.edges.iter().map(|step| edge(*step)).collect(), tested }
+        });
+        Some(Surveyed {
+            scene: scene.title.clone(),
+            motion: motion.to_string(),
+            does: super::chart::Motion::of(spectrum).to_string(),
+            eigenvalues: chart.eigenvalues(spectrum),
+            methods: methods.collect(),
+            splittings: splittings.collect(),
+        })
+    });
+    Ok(each.collect())
+}
+
+/// So far beside an edge a run must see growth: so much a step, or it would take other edges for this one.
+const BESIDE: f64 = 0.02;
+const SEEN: f64 = 2e-3;
+
+/// A motion of a splitting's own that is no further from the law's is the law's.
+const RESTS: f64 = 1e-9;

@@ -1,0 +1,245 @@
+//! What the steps of methods make of stationary motions: exact thresholds beside runs, and the matrix beside the law that runs.
+
+use derivations::machines::{Bench, synchronous::Synchronous};
+use derivations::phantom::chart::{Chart, Motion, Row};
+use derivations::phantom::linear::Linearised;
+use derivations::phantom::measured::{Run, Runs};
+use derivations::phantom::methods::OneStep;
+use derivations::phantom::motions::Stationed;
+use derivations::phantom::oscillator::bounds;
+use derivations::phantom::splittings::SplitRuns;
+use derivations::scene::{Axes, Family as _, Scene};
+use derivations::separated::Separable;
+use derivations::stationary::motions::Stationary;
+use field::{DoubleDouble, Scalar};
+use integrators::{Collocation, Family, Jacobian, Real, Splitting, compose};
+use mechanics::discrete::{Judgement, Place};
+use nalgebra::DMatrix;
+use std::path::Path;
+
+fn scene(name: &str) -> Scene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
+    Scene::open(&path).unwrap_or_else(|_| panic!("{name} is a scene"))
+}
+
+fn with_model(name: &str, model: &str) -> Scene {
+    scene(name).with_model(model).unwrap_or_else(|reason| panic!("{name}: {reason}"))
+}
+
+/// Scenes with the angular velocity of their stationary motions.
+fn cases() -> Vec<(&'static str, Scene, f64)> {
+    vec![
+        ("bench", scene("bench"), 0.0),
+        ("permanent_rotation", scene("permanent_rotation"), 6.0),
+        ("hanging_rest", scene("hanging_rest"), 0.0),
+        ("permanent_rotation-constant_speed", with_model("permanent_rotation", "constant_speed"), 6.0),
+        ("hanging_rest-free_rotor", with_model("hanging_rest", "free_rotor"), 0.0),
+    ]
+}
+
+fn chart(scene: &Scene, w: f64) -> Chart {
+    Chart::of(scene, w).expect("it has stationary motions")
+}
+
+fn each(chart: &Chart) -> impl Iterator<Item = (&Stationed, &Row)> {
+    let rows = chart.all.motions.iter().zip(&chart.rows);
+    rows.flat_map(|(motion, rows)| rows.iter().map(move |row| (motion, row)))
+}
+
+#[test]
+fn every_step_of_every_method_is_judged_as_reviewed() {
+    for (name, scene, w) in cases() {
+        insta::with_settings!({
+            snapshot_path => "../snapshots/phantom", prepend_module_to_snapshot => false, omit_expression => true,
+        }, { insta::assert_snapshot!(name, chart(&scene, w).text()) });
+    }
+}
+
+/// Every edge that runs can see: where the multiplier leaves the circle by 1e-10 a step they cannot. What grows must overtake in
+/// sixteen hundred steps what hardly fades, which takes a growth of a few parts in ten thousand a step.
+#[test]
+fn thresholds_by_runs_are_the_exact_ones() {
+    let (mut measured, mut unseen) = (0, 0);
+    for (name, scene, w) in &cases()[..2] {
+        for (motion, row) in each(&chart(scene, *w)) {
+            let runs = Runs::near(scene, motion);
+            for exact in row.edges().into_iter().map(|edge| edge.to_f64()) {
+                let found = runs.threshold(Run::OneStep(row.method), exact);
+                println!("{name}, {motion}, {}: {exact:.7e}, by runs {found:?}", row.method);
+                match found {
+                    Some(found) => assert!((found / exact - 1.0).abs() < 2e-3, "{motion}, {}: {found}", row.method),
+                    None => assert!(exact < 1e-5, "{motion}, {}: not seen by runs", row.method),
+                }
+                (measured, unseen) = (measured + usize::from(found.is_some()), unseen + usize::from(found.is_none()));
+            }
+        }
+    }
+    assert_eq!((measured, unseen), (15, 1));
+}
+
+#[test]
+fn the_midpoint_rule_and_gauss_are_honest_at_every_step_and_backward_euler_hides_every_motion_that_grows() {
+    for (_, scene, w) in cases() {
+        for (motion, row) in each(&chart(&scene, w)) {
+            let steps = row.steps.as_ref().expect("thresholds are apart");
+            let spectrum = motion.spectrum.as_ref().expect("eigenvalues are apart");
+            let grows = matches!(Motion::of(spectrum), Motion::Grows { .. });
+            let last = steps.stretches.last().map(|stretch| stretch.judgement);
+            match row.method.to_string().as_str() {
+                "implicit midpoint" | "Gauss, 2 stages" | "Gauss, 3 stages" => assert_eq!(steps.honest(), Ok(None)),
+                "backward Euler" if grows => assert_eq!(last, Some(Judgement::Hides), "{motion}"),
+                "Euler" if !grows => assert_eq!(last, Some(Judgement::Invents), "{motion}"),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// The second route: the law that runs, in other axes and in floats, differentiated by dual numbers.
+#[test]
+fn the_exact_eigenvalues_are_those_of_the_law_that_runs() {
+    for (name, scene, w) in cases() {
+        let chart = chart(&scene, w);
+        for motion in &chart.all.motions {
+            let spectrum = motion.spectrum.as_ref().expect("eigenvalues are apart");
+            let problem = Scene { start: motion.start.clone(), ..scene.clone() }.problem(Axes::First);
+            let n = problem.state.len();
+            let mut matrix = vec![0.0; n * n];
+            Jacobian::new(&*problem.law).matrix(0.0, &problem.state, &mut matrix);
+            let mut left: Vec<_> =
+                DMatrix::from_row_slice(n, n, &matrix).complex_eigenvalues().iter().copied().collect();
+            let integrals = chart.all.linear.integrals;
+            let exact = spectrum.modes.iter().flat_map(|mode| {
+                let (re, im) = match &mode.place {
+                    Place::Real(mu) => (mu.to_f64(), 0.0),
+                    Place::Imaginary(b) => (0.0, b.to_f64()),
+                    Place::Pair(mu) => (mu.re.to_f64(), mu.im.to_f64()),
+                };
+                (0..mode.count).map(move |k| (re, if k % 2 == 1 && im != 0.0 { -im } else { im }))
+            });
+            for (re, im) in exact.chain(std::iter::repeat_n((0.0, 0.0), integrals)) {
+                let off = |k: &usize| (left[*k].re - re).hypot(left[*k].im - im);
+                let nearest = (0..left.len()).min_by(|a, b| off(a).total_cmp(&off(b))).expect("as many as states");
+                // a multiple eigenvalue is found to a part of the digits
+                assert!(off(&nearest) < 2e-6, "{name}, {motion}: {re} + {im} i is off by {:.1e}", off(&nearest));
+                left.remove(nearest);
+            }
+            assert!(left.is_empty(), "{name}, {motion}: {} eigenvalues are left", left.len());
+        }
+    }
+}
+
+/// By Hamilton's equations; the matrix is computed without them.
+#[test]
+fn where_energy_is_kept_the_odd_coefficients_vanish_to_a_hundred_digits() {
+    for (name, model, w) in [("permanent_rotation", "constant_speed", 6.0), ("hanging_rest", "free_rotor", 0.0)] {
+        let scene = with_model(name, model);
+        let stationary = Stationary::of(&scene).expect("a gyrostat");
+        let linear = Linearised::of(&scene, &stationary.motor).expect("its law is algebraic");
+        assert!(linear.symmetric);
+        for motion in &chart(&scene, w).all.motions {
+            let polynomial = linear.polynomial(&motion.at, 384).expect("integrals are kept");
+            for odd in polynomial.iter().skip(1).step_by(2) {
+                assert!(odd.sign().is_none_or(|sign| sign == 0) && odd.radius() < 1e-95, "{odd:?}");
+            }
+        }
+    }
+    let scene = scene("permanent_rotation");
+    let stationary = Stationary::of(&scene).expect("a gyrostat");
+    assert!(!Linearised::of(&scene, &stationary.motor).expect("its law is algebraic").symmetric);
+}
+
+/// The tables that run: 1 + z b (I - z A)^-1 1 in double-double.
+#[test]
+fn the_tables_of_collocation_have_the_exact_stability_functions() {
+    for (family, stages) in [(Family::Gauss, 2), (Family::Gauss, 3), (Family::RadauIIA, 2), (Family::RadauIIA, 3)] {
+        let function = OneStep::Collocation(family, stages).function().expect("it is a method");
+        let table = Collocation::<DoubleDouble>::new(family, stages.into());
+        for z in [-7, -2, 1, 3] {
+            let z = DoubleDouble::ratio(z, 2);
+            let run = solved(&table, z);
+            let ratio =
+                |c: &[field::Rational]| c.iter().rev().fold(DoubleDouble::int(0), |sum, c| sum * z + quotient(*c));
+            let exact = ratio(&function.numerator) / ratio(&function.denominator);
+            assert!((run - exact).approx().abs() < 1e-27, "{family:?}, {stages}: {:e}", (run - exact).approx());
+        }
+    }
+}
+
+fn quotient(c: field::Rational) -> DoubleDouble {
+    let big = c.to_big().expect("coefficients are defined");
+    let whole = |text: String| text.parse::<i64>().expect("coefficients are short");
+    DoubleDouble::ratio(whole(big.numerator().to_string()), whole(big.denominator().to_string()))
+}
+
+fn solved(table: &Collocation<DoubleDouble>, z: DoubleDouble) -> DoubleDouble {
+    let s = table.stages();
+    let one = DoubleDouble::int(1);
+    let unit = |i: usize, j: usize| if i == j { one } else { DoubleDouble::int(0) };
+    let mut rows: Vec<Vec<DoubleDouble>> = (0..s)
+        .map(|i| (0..s).map(|j| unit(i, j) - z * table.matrix[i][j]).chain(std::iter::once(one)).collect())
+        .collect();
+    for k in 0..s {
+        let pivot = rows[k].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+            let factor = row[k] / pivot[k];
+            row.iter_mut().zip(&pivot).for_each(|(entry, above)| *entry -= factor * *above);
+        }
+    }
+    let stages = (0..s).map(|k| rows[k][s] / rows[k][k]);
+    table.weights.iter().zip(stages).fold(one, |sum, (b, y)| sum + z * *b * y)
+}
+
+/// A synchronous motor without friction, whose swing is kick and drift alone.
+#[test]
+fn splittings_stay_bounded_where_their_traces_say() {
+    let machine = Synchronous { field_speed: 0.0, b0: 0.25, f: 0.0 };
+    let bench = Bench { machine, axial: 1.0 };
+    let bounded = |splitting: Splitting, step: f64| {
+        let pieces = bench.pieces::<f64>().expect("it has pieces");
+        let mut map = compose(pieces, splitting);
+        map.prepare(step);
+        map.enter(&[1e-9, 1e-9]);
+        let mut state = [0.0; 2];
+        (0..4000).all(|_| {
+            let moved = map.advance();
+            map.leave(&mut state);
+            moved && state[0].hypot(state[1]) < 1e-6
+        })
+    };
+    for splitting in Splitting::ALL {
+        let (cuts, inside) = bounds(splitting).expect("its coefficients are numbers");
+        // h = sqrt(kappa / k)
+        let steps: Vec<f64> = cuts.iter().map(|cut| (cut.to_f64() / 0.25).sqrt()).collect();
+        println!("{splitting:?}: {:?} {inside:?}", cuts.iter().map(|cut| cut.to_f64().sqrt()).collect::<Vec<_>>());
+        assert!(inside[0] && !inside[inside.len() - 1]);
+        for (place, step) in steps.iter().enumerate() {
+            let below = place.checked_sub(1).map_or(0.0, |last| steps[last] / step);
+            let above = steps.get(place + 1).map_or(f64::INFINITY, |next| next / step);
+            // a narrower window grows too slowly to be seen
+            for (side, within, seen) in
+                [(0.999, inside[place], below < 0.998), (1.001, inside[place + 1], above > 1.002)]
+            {
+                assert!(!seen || bounded(splitting, side * step) == within, "{splitting:?} at {side} of {step}");
+            }
+        }
+    }
+}
+
+/// Where all pieces rest, by the derivative of the very step and by runs.
+#[test]
+fn the_map_of_a_splitting_and_its_runs_leave_at_one_step() {
+    let scene = scene("bench");
+    let chart = chart(&scene, 0.0);
+    let steps: Vec<f64> = (0..8).map(|k| 0.02 * 1.5f64.powi(k)).collect();
+    let held = &chart.all.motions[1];
+    let (near, runs) = (SplitRuns::near(&scene, held), Runs::near(&scene, held));
+    for splitting in [Splitting::Strang, Splitting::BlanesMoan4] {
+        let tested = near.course(splitting, &steps);
+        println!("{splitting:?}: {}", tested.told());
+        let edge = *tested.edges.first().expect("some step is too long");
+        let found = runs.threshold(Run::Splitting(splitting), edge).expect("runs see it");
+        println!("{edge} {found}");
+        assert!((found / edge - 1.0).abs() < 2e-3, "{splitting:?}: {edge} and {found}");
+    }
+}
