@@ -20,7 +20,8 @@
 //! * [`governors`]: stability and series of the friction governors, for pictures;
 //! * [`regimes`]: when motion with friction is determined, as a page of claims;
 //! * [`stabilisation`]: stabilised constraints in steps, as a page of claims;
-//! * [`stationary`]: all stationary motions of a gyrostat with any motor, exactly.
+//! * [`stationary`]: all stationary motions of a gyrostat with any motor, exactly;
+//! * [`synchronism`]: a synchronous motor under load, in step and out of it.
 
 pub mod alphabet;
 pub mod closed_forms;
@@ -40,6 +41,7 @@ pub mod scene;
 pub mod separated;
 pub mod stabilisation;
 pub mod stationary;
+pub mod synchronism;
 pub mod systems;
 pub mod taped;
 

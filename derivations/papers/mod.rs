@@ -32,6 +32,7 @@ pub const ALL: &[Paper] = &[
     crate::regimes::PAPER,
     crate::stabilisation::PAPER,
     crate::stationary::PAPER,
+    crate::synchronism::PAPER,
 ];
 
 /// Every paper's page, made in the calling thread.
