@@ -3,7 +3,8 @@
 use super::energy::Wells;
 use super::loaded::{Loaded, NoField};
 use crate::ensemble::kind::{Kind, form_parameters};
-use crate::scene::{Axes, Scene, Start, System};
+use crate::machines::{AnyMachine, Quantity, Source};
+use crate::scene::{Axes, MachineData, NoModel, Scene, Start, System};
 use crate::stationary::motor::NoMotor;
 use integrators::{Ensemble, Failure, Members};
 use std::f64::consts::{PI, TAU};
@@ -81,7 +82,9 @@ struct Runner {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Fate {
     UnderWay,
-    InStep { window: usize },
+    InStep {
+        window: usize,
+    },
     Slipping,
     /// Its law ended, or its steps did.
     Lost,
@@ -106,13 +109,16 @@ pub fn shares(scene: &Scene, loads: &[f64], starts: Starts, span: f64) -> Result
     };
     let wells = wells.map_err(NoShares::Motor)?;
     let (_, mut parameters) = form_parameters(&scene.system, axes);
-    parameters.extend(scene.machine_data.numbers.iter().map(|(_, value)| *value));
+    parameters.extend(numbers(scene).map_err(|reason| NoShares::Motor(NoMotor::Data(reason)))?);
     let place = scene.names().iter().position(|name| name == "angle").unwrap_or(0);
     let window = span / WINDOWS as f64;
-    let mut ensemble = Ensemble::new(series, TOLERANCE, window, kind.states(), kind.parameters()).with_most_steps(MOST_STEPS);
+    let mut ensemble =
+        Ensemble::new(series, TOLERANCE, window, kind.states(), kind.parameters()).with_most_steps(MOST_STEPS);
     let grid = grid(scene, motor.facts.field_speed, starts, axes);
-    let runner = |load: usize, state: &Vec<f64>| Runner { load, state: state.clone(), angles: Vec::new(), fate: Fate::UnderWay };
-    let mut runners: Vec<Runner> = (0..loads.len()).flat_map(|load| grid.iter().map(move |state| runner(load, state))).collect();
+    let runner =
+        |load: usize, state: &Vec<f64>| Runner { load, state: state.clone(), angles: Vec::new(), fate: Fate::UnderWay };
+    let mut runners: Vec<Runner> =
+        (0..loads.len()).flat_map(|load| grid.iter().map(move |state| runner(load, state))).collect();
     for number in 0..WINDOWS {
         ensemble.run(&mut Window { runners: &mut runners, next: 0, parameters: &parameters, loads });
         for runner in runners.iter_mut().filter(|runner| runner.fate == Fate::UnderWay) {
@@ -141,6 +147,34 @@ pub fn shares(scene: &Scene, loads: &[f64], starts: Starts, span: f64) -> Result
         }
     };
     Ok(loads.iter().enumerate().map(of_load).collect())
+}
+
+/// The data of a scene's machine, in its own order.
+fn numbers(scene: &Scene) -> Result<Vec<f64>, NoModel> {
+    let name = scene.machine.name();
+    let mut source = InOrder { name, data: &scene.machine_data, found: Vec::new() };
+    AnyMachine::read(name, &mut source).transpose()?;
+    Ok(source.found)
+}
+
+struct InOrder<'a> {
+    name: &'static str,
+    data: &'a MachineData,
+    found: Vec<f64>,
+}
+
+impl Source for InOrder<'_> {
+    type Error = NoModel;
+
+    fn quantity(&mut self, quantity: &'static Quantity) -> Result<f64, NoModel> {
+        let value = self.data.number(self.name, quantity)?;
+        self.found.push(value);
+        Ok(value)
+    }
+
+    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
+        self.data.count(self.name, name, meaning)
+    }
 }
 
 /// The states at which rotors start, everything else as in the scene.

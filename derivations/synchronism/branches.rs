@@ -2,6 +2,8 @@
 
 use super::loaded::Loaded;
 use integrators::{Branch, Equilibria, Failure, Last, Place, Repeating, Walk, follow, spectrum};
+use nalgebra::{Matrix3, RowVector3, Vector3};
+use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
 /// In step: an angle that the rotor keeps.
@@ -55,13 +57,25 @@ pub struct OutOfStep {
 
 /// Steps of the walks, in units of the motor.
 const STEP: f64 = 0.15;
-const LONGER_STEP: f64 = 0.6;
+const LONGER_STEP: f64 = 1.5;
+/// Of a multiplier where two motions merge, which is one there.
+const ROUNDING: f64 = 1e-6;
+/// Points of a walk.
+const MOST: usize = 400;
 /// Of the integration of a turn.
 const TOLERANCE: f64 = 1e-13;
-/// The longest turn, in units of 1/frequency: of a motion that rests near the balance, exp(22) times nearer at its end.
-const LONGEST: f64 = 22.0;
+/// The longest turn, in units of 1/frequency.
+const LONGEST: f64 = 120.0;
+/// A load that changes by less, as a share of what the field holds, while turns become longer by 1/frequency, is near its
+/// limit. Much nearer a turn cannot be shot: what it is at its end grows as fast as the load settles.
+const SETTLED: f64 = 1e-8;
+/// Turns that may be near it, and how far apart those are that tell it, in units of 1/frequency.
+const LONG: f64 = 8.0;
+const APART: f64 = 1.5;
 /// The least number of swings' speeds with which the slipping begins.
 const FAST: f64 = 6.0;
+/// And in units of the field's speed: beyond 1 the rotor turns against it.
+const BACKWARDS: f64 = 1.5;
 /// The most that a load is looked at, in units of what the field holds.
 const MOST_LOAD: f64 = 50.0;
 
@@ -74,7 +88,7 @@ impl Loaded {
         let mut start = vec![0.0; sizes.len()];
         (start[0], start[last]) = (bottom, self.own.moment(bottom, 0.0));
         let within = |x: &[f64]| (x[0] - bottom).abs() <= PI + STEP;
-        let walk = Walk { sizes, parameter: last, step: STEP, most: 400, within: &within };
+        let walk = Walk { sizes, parameter: last, step: STEP, most: MOST, within: &within };
         let mut rest = Equilibria::new(&*self.law);
         let mut towards = vec![0.0; sizes.len()];
         towards[0] = 1.0;
@@ -92,75 +106,166 @@ impl Loaded {
         places.filter_map(standing).collect()
     }
 
-    /// Every slipping motion from one as fast as the field on a rotor at rest, or faster, down to turns so long that they
-    /// nearly rest.
+    /// The greatest load under which the rotor can stand in step, N m.
+    pub fn pull_out(in_step: &[Standing]) -> Option<&Standing> {
+        in_step.iter().filter(|standing| standing.fold).max_by(|a, b| a.load.total_cmp(&b.load))
+    }
+
+    /// Every slipping motion from a rotor that turns against the field at half of its speed, or a faster slip, down to turns so
+    /// long that they nearly rest.
     ///
     /// # Errors
     /// [`Failure`] where the first of them is not found, or one of them cannot be followed for a turn.
     pub fn out_of_step(&self) -> Result<OutOfStep, Failure> {
         let facts = &self.facts;
         let count = facts.sizes.len();
-        let fast = facts.field_speed.abs().max(FAST * facts.frequency);
-        let mut sizes = facts.sizes.clone();
-        // the period has the angle's place
-        sizes[0] = 1.0 / facts.frequency;
+        let fast = (BACKWARDS * facts.field_speed.abs()).max(FAST * facts.frequency);
         let (shortest, longest) = (TAU / fast, LONGEST / facts.frequency);
         let mut start = vec![0.0; count];
         (start[0], start[1], start[count - 1]) = (shortest, -fast, self.own.moment(facts.bottom, -fast));
-        let mut shift = vec![0.0; count - 1];
-        shift[0] = -TAU;
-        let mut turns = Repeating::new(&*self.law, TOLERANCE, &shift, (0, facts.bottom));
+        let before = Cell::new((0.0, f64::INFINITY));
         let within = |x: &[f64]| {
-            let load = x[count - 1];
-            (0.999 * shortest..longest).contains(&x[0]) && load.abs() < MOST_LOAD * facts.hold
+            let (period, load) = (x[0], x[count - 1]);
+            let (earlier, other) = before.replace((period, load));
+            let longer = (period - earlier).abs() * facts.frequency;
+            let settled = period > LONG / facts.frequency && (load - other).abs() < SETTLED * facts.hold * longer;
+            (0.999 * shortest..longest).contains(&period) && load.abs() < MOST_LOAD * facts.hold && !settled
         };
-        let walk = Walk { sizes: &sizes, parameter: count - 1, step: LONGER_STEP, most: 400, within: &within };
         let mut towards = vec![0.0; count];
         towards[0] = 1.0;
-        let lost = Failure::NewtonFailed { at: shortest, step: shortest };
-        let Branch { places, last } = follow(&mut turns, &start, &towards, &walk).ok_or(lost)?;
-        let slipping = |Place { x, fold }: Place| -> Result<Slipping, Failure> {
-            let (n, matrix) = turns.monodromy(&x)?;
-            let (mut state, period) = turns.motion(&x);
-            state.pop();
-            let multiplier = largest_but_one(n, &matrix).ok_or(Failure::LeftTheNumbers { at: period })?;
-            Ok(Slipping { period, load: x[count - 1], multiplier, fold, state })
-        };
-        let motions = places.into_iter().map(slipping).collect::<Result<Vec<_>, _>>()?;
+        let (motions, last) = self.turns(&start, &towards, MOST, &within)?;
         let limit = if last == Last::Outside { self.limit(&motions) } else { None };
         Ok(OutOfStep { motions, limit })
     }
 
-    /// The load of ever longer turns: as the rotor rests near the balance it leaves it as exp(r t), r the eigenvalue there,
-    /// so that what is left of the load falls as exp(-r T).
+    /// The load of ever longer turns. The rotor comes to a balance as exp(-a t) and leaves it as exp(r t), with the eigenvalues
+    /// there, so that what is left of the load is a sum of exp(-r T) and exp(-a T) (Shilnikov 1963), and three long motions tell
+    /// the limit. Beyond every balance there is nothing near which it could rest.
     fn limit(&self, motions: &[Slipping]) -> Option<f64> {
-        let [.., before, last] = motions else { return None };
-        let growth = self.in_step().into_iter().filter(|standing| standing.growth > 0.0);
-        let nearest = growth.min_by(|a, b| (a.load - last.load).abs().total_cmp(&(b.load - last.load).abs()))?;
-        if (nearest.load - last.load).abs() > 0.2 * self.facts.hold {
-            // beyond every balance: there is nothing near which it could rest
-            return None;
-        }
-        let left = (-nearest.growth * (last.period - before.period)).exp();
-        Some((last.load - left * before.load) / (1.0 - left))
+        let c = motions.last()?;
+        let earlier =
+            |apart: f64| motions.iter().rev().find(|one| one.period <= c.period - apart / self.facts.frequency);
+        let (a, b) = (earlier(2.0 * APART)?, earlier(APART)?);
+        let rates = self.rates_at_balance(c.load)?;
+        let fade = |rate: f64, one: &Slipping| (-rate * (one.period - c.period)).exp();
+        let row = |one: &Slipping| [1.0, fade(rates[0], one), fade(rates[1], one)];
+        let matrix = Matrix3::from_rows(&[row(a), row(b), row(c)].map(RowVector3::from));
+        let found = matrix.lu().solve(&Vector3::new(a.load, b.load, c.load))?;
+        Some(found.x).filter(|load| load.is_finite())
     }
-}
 
-/// The largest size of an eigenvalue of the matrix of a turn; the one nearest to 1 is the motion's own.
-fn largest_but_one(n: usize, matrix: &[f64]) -> Option<f64> {
-    let mut all = spectrum(n, matrix)?;
-    let off = |z: &nalgebra::Complex<f64>| (z.re - 1.0).hypot(z.im);
-    let own = (0..all.len()).min_by(|&a, &b| off(&all[a]).total_cmp(&off(&all[b])))?;
-    all.swap_remove(own);
-    Some(all.iter().map(|z| z.re.hypot(z.im)).fold(0.0, f64::max))
+    /// Turns along their curve, from near a start; the period has the angle's place among the unknowns.
+    fn turns(
+        &self,
+        start: &[f64],
+        towards: &[f64],
+        most: usize,
+        within: &dyn Fn(&[f64]) -> bool,
+    ) -> Result<(Vec<Slipping>, Last), Failure> {
+        let (facts, count) = (&self.facts, start.len());
+        let mut sizes = facts.sizes.clone();
+        sizes[0] = 1.0 / facts.frequency;
+        let mut shift = vec![0.0; count - 1];
+        shift[0] = -TAU;
+        let mut turns = Repeating::new(&*self.law, TOLERANCE, &shift, (0, facts.bottom));
+        let walk = Walk { sizes: &sizes, parameter: count - 1, step: LONGER_STEP, most, within };
+        let lost = Failure::NewtonFailed { at: start[0], step: start[0] };
+        let Branch { places, last } = follow(&mut turns, start, towards, &walk).ok_or(lost)?;
+        let slipping = |Place { x, fold }: Place| -> Result<Slipping, Failure> {
+            let (n, matrix) = turns.returning(&x)?;
+            let (mut state, period) = turns.motion(&x);
+            state.pop();
+            let multipliers = spectrum(n, &matrix).ok_or(Failure::LeftTheNumbers { at: period })?;
+            let multiplier = multipliers.iter().map(|z| z.re.hypot(z.im)).fold(0.0, f64::max);
+            Ok(Slipping { period, load: x[count - 1], multiplier, fold, state })
+        };
+        Ok((places.into_iter().map(slipping).collect::<Result<_, _>>()?, last))
+    }
+
+    /// The slipping motions under one load, from fast to slow.
+    ///
+    /// # Errors
+    /// [`Failure`] where one of them cannot be followed for a turn.
+    pub fn slipping_under(&self, load: f64, all: &OutOfStep) -> Result<Vec<Slipping>, Failure> {
+        let mut found = Vec::new();
+        for pair in all.motions.windows(2) {
+            let (from, to) = (pair[0].load - load, pair[1].load - load);
+            if from * to > 0.0 || to == 0.0 {
+                continue;
+            }
+            let share = from / (from - to);
+            let mut start = pair[0].state.clone();
+            start.iter_mut().zip(&pair[1].state).for_each(|(a, b)| *a += share * (b - *a));
+            start[0] = pair[0].period + share * (pair[1].period - pair[0].period);
+            start.push(load);
+            let mut towards = vec![0.0; start.len()];
+            towards[start.len() - 1] = 1.0;
+            // the first point alone: under this load
+            found.extend(self.turns(&start, &towards, 1, &|_| true)?.0);
+        }
+        Ok(found)
+    }
+
+    /// How fast the rotor leaves the balance under a load, and how fast it comes to it, 1/s; currents that swing count by
+    /// how fast they fade.
+    fn rates_at_balance(&self, load: f64) -> Option<[f64; 2]> {
+        let all = self.in_step();
+        let between = |pair: &&[Standing]| {
+            (pair[0].load - load) * (pair[1].load - load) <= 0.0 && pair.iter().all(|one| one.growth > 0.0)
+        };
+        let near = all.windows(2).find(between)?;
+        let sizes = &self.facts.sizes;
+        let mut start = vec![0.0; sizes.len()];
+        let mut towards = start.clone();
+        (start[0], start[sizes.len() - 1], towards[sizes.len() - 1]) = (near[0].angle, load, 1.0);
+        let mut rest = Equilibria::new(&*self.law);
+        // the first point alone: on the branch, at this load
+        let walk = Walk { sizes, parameter: sizes.len() - 1, step: STEP, most: 1, within: &|_| true };
+        let at = follow(&mut rest, &start, &towards, &walk)?;
+        let (n, matrix) = rest.linearised(&at.places.first()?.x);
+        match spectrum(n, &matrix)?[..] {
+            [out, back, ..] if out.re > 0.0 && back.re < 0.0 => Some([out.re, -back.re]),
+            _ => None,
+        }
+    }
 }
 
 impl OutOfStep {
-    /// The least load under which a rotor can slip for ever, N m: below it every motion is pulled in. `None` where it
-    /// slips under no load.
-    pub fn least(&self) -> Option<f64> {
-        let stable = self.motions.iter().filter(|one| one.stable() || one.fold).map(|one| one.load);
-        let ends = self.limit.filter(|_| self.motions.last().is_some_and(Slipping::stable));
-        stable.chain(ends).min_by(f64::total_cmp)
+    /// The least load under which a rotor can slip for ever: below it every motion is pulled in. `None` where no motion is
+    /// stable. Slips beyond those that were followed are not known.
+    pub fn pull_in(&self, pull_out: f64) -> Option<PullIn> {
+        let at = |one: &Slipping| match one.fold {
+            true => PullIn { load: one.load, by: Onset::Fold { slip: one.slip() } },
+            false => PullIn { load: one.load, by: Onset::End { slip: one.slip() } },
+        };
+        let lasting = |one: &&Slipping| one.stable() || one.fold && one.multiplier < 1.0 + ROUNDING;
+        let stable = self.motions.iter().filter(lasting).map(at);
+        let last = self.motions.last().filter(|one| one.stable());
+        let limit = self.limit.filter(|_| last.is_some()).map(|load| PullIn { load, by: Onset::Balance });
+        let least = stable.chain(limit).min_by(|a, b| a.load.total_cmp(&b.load))?;
+        // turns grow without bound towards the pull-out too, and slowly
+        let towards = last.is_some_and(|last| last.load == least.load && least.load >= pull_out);
+        Some(if towards { PullIn { load: pull_out, by: Onset::PullOut } } else { least })
     }
+}
+
+/// Where slipping begins: the least load under which a rotor can slip for ever.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PullIn {
+    /// N m
+    pub load: f64,
+    pub by: Onset,
+}
+
+/// How the slipping begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Onset {
+    /// With turns of any length, from a balance to the next.
+    Balance,
+    /// With a motion that splits in two, at this mean slip, rad/s: one of them is stable.
+    Fold { slip: f64 },
+    /// Where standing ends: with turns of any length as well, and without hysteresis.
+    PullOut,
+    /// At the end of what was followed, at this mean slip, rad/s.
+    End { slip: f64 },
 }

@@ -54,8 +54,7 @@ fn rates<M: Machine<Sym>>(bench: &Bench<Sym, M>, s: &Letters, state: &[Sym]) -> 
 /// The determinant of the linearised equations at rest.
 fn determinant(state: &[Sym], rates: &[Sym]) -> Sym {
     let at_rest: Vec<(Sym, Sym)> = state.iter().skip(1).map(|&y| (y, Sym::ZERO)).collect();
-    let matrix =
-        DMatrix::from_fn(state.len(), state.len(), |i, j| rates[i].diff(state[j]).substitute(&at_rest));
+    let matrix = DMatrix::from_fn(state.len(), state.len(), |i, j| rates[i].diff(state[j]).substitute(&at_rest));
     laplace(&matrix)
 }
 

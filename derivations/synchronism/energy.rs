@@ -45,8 +45,11 @@ impl Wells {
             (state[0], *state.last_mut().unwrap_or(&mut 0.0)) = (angle, load);
             motor.own.height(&state)
         };
-        let mut tops: Vec<(f64, f64)> =
-            angles.iter().filter(|angle| angle.slope >= 0).map(|angle| (angle.radians(), at(angle.radians()))).collect();
+        let mut tops: Vec<(f64, f64)> = angles
+            .iter()
+            .filter(|angle| angle.slope >= 0)
+            .map(|angle| (angle.radians(), at(angle.radians())))
+            .collect();
         tops.sort_by(|a, b| a.0.total_cmp(&b.0));
         Ok(Wells { tops, rise: at(TAU) - at(0.0) })
     }

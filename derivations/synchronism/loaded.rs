@@ -3,7 +3,7 @@
 use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, RotorState};
 use crate::recorded::Recorded;
 use crate::scene::problem::Law;
-use crate::scene::{MachineData, Scene, System};
+use crate::scene::{MachineData, Scene, Start, System};
 use crate::systems::gyrostat::Gyrostat;
 use field::{Analytic, Circle, Over};
 use integrators::Ode;
@@ -124,16 +124,26 @@ impl Loaded {
     pub fn new(machine: &AnyMachine, data: &MachineData, axial: f64) -> Result<Self, NoField> {
         machine.clone().apply(Made { named: machine, data, axial })
     }
+}
 
-    /// The same with another number of bars: as many as `bars` counts; the equivalent windings do exactly what the bars do.
-    /// `None` where the machine has none.
-    pub fn with_bars(&self, bars: usize) -> Option<Result<Self, NoField>> {
-        let mut data = self.data.clone();
-        let count = data.counts.iter_mut().find(|(name, ..)| *name == "bars")?;
-        count.2 = bars;
-        let machine = data.machine("equivalent_windings").ok()?;
-        Some(Loaded::new(&machine, &data, self.axial))
-    }
+/// The scene's motor with another number of bars, as their equivalent windings, which do exactly what the bars do; `None`
+/// where it has none.
+pub fn with_bars(scene: &Scene, bars: usize) -> Option<Scene> {
+    let mut data = scene.machine_data.clone();
+    data.counts.iter_mut().find(|(name, ..)| *name == "bars")?.2 = bars;
+    let machine = data.machine("equivalent_windings").ok()?;
+    let start = Start { currents: Vec::new(), ..scene.start.clone() };
+    Some(Scene { machine, machine_data: data, start, ..scene.clone() })
+}
+
+/// The scene's motor without currents, with this damping f / sqrt(A' b); `None` where it cannot be made of the data.
+pub fn with_damping(scene: &Scene, damping: f64) -> Option<Scene> {
+    let plain = scene.with_model("synchronous").ok()?;
+    let motor = Loaded::of(&plain).ok()?;
+    let mut data = plain.machine_data.clone();
+    data.numbers.iter_mut().find(|(quantity, _)| quantity.name == "f")?.1 =
+        damping * motor.axial * motor.facts.frequency;
+    Some(Scene { machine: data.machine("synchronous").ok()?, machine_data: data, ..plain })
 }
 
 /// The carrier gives way: the moment of inertia that the rotor has against a moment between them, kg m^2. It is

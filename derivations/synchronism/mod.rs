@@ -6,6 +6,7 @@
 //!   slipping turn after turn down to the pull-in;
 //! * [`energy`]: what holds a rotor that is in step;
 //! * [`basin`]: which starts come into step, on the bench and in a gyrostat;
+//! * [`maps`]: the share of them over load and damping, over load and bars;
 //! * `claims`: what of this is proved, as a page of the workbench's own.
 //!
 //! Pull-out is the load at which the angles in step end. Pull-in is the least load under which the rotor can slip for ever:
@@ -16,6 +17,7 @@ pub mod branches;
 mod claims;
 pub mod energy;
 pub mod loaded;
+pub mod maps;
 
 use crate::papers::Paper;
 

@@ -57,6 +57,8 @@ pub enum Command {
     Bodies(Bodies),
     /// All stationary motions of a scene's gyrostat with its motor, and why none is missing
     Stationary(Stationary),
+    /// A synchronous motor under load: pull-out, pull-in, what lies between, and which starts come into step
+    Motor(Motor),
     /// Every consistent regime of a scene with rough contacts at its start, with all margins
     Regimes(Regimes),
     /// Lists the scenes of a folder, each with its title
@@ -146,6 +148,20 @@ pub struct Stationary {
     #[arg(long)]
     pub model: Option<String>,
     /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Whose motor is to be loaded.
+#[derive(Args, Debug)]
+pub struct Motor {
+    /// The scene, a TOML file with a synchronous motor, on a bench or in a gyrostat
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// How to print it
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

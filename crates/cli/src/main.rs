@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `chart`, `reference`, `scenes`: one file
+//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `motor`, `chart`, `reference`, `scenes`: one file
 //!   for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
@@ -20,6 +20,7 @@ mod derive;
 mod ending;
 mod ensemble;
 mod ledger;
+mod motor;
 mod pictures;
 mod progress;
 mod reference;
@@ -59,6 +60,7 @@ fn main() -> ExitCode {
         Some(Command::Derive(asked)) => derive::derive(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),
+        Some(Command::Motor(asked)) => motor::show(&asked),
         Some(Command::Regimes(asked)) => regimes::show(&asked),
         Some(Command::Scenes(asked)) => scenes::list(&asked),
         Some(Command::Completions { shell }) => ending::print(&completions(shell)).map(|()| Ending::Done),

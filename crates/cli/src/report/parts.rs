@@ -8,10 +8,10 @@ use crate::pictures;
 use crate::rough;
 use crate::speed;
 use crate::sphere;
-use crate::studies::{Drive, Endurance, Gains, atlas};
+use crate::studies::{Drive, Endurance, Gains, Synchronism, atlas};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
-use derivations::scene::AnyScene;
+use derivations::scene::{AnyScene, Scene};
 use derivations::{friction::RoughScene, governors, papers, regimes};
 use std::path::Path;
 
@@ -28,6 +28,7 @@ pub struct Parts {
     gains: Gains,
     drive: Drive,
     endurance: Endurance,
+    synchronism: Synchronism,
 }
 
 impl Parts {
@@ -44,6 +45,7 @@ impl Parts {
             gains: Gains::default(),
             drive: Drive::default(),
             endurance: Endurance::default(),
+            synchronism: Synchronism::default(),
         }
     }
 
@@ -62,15 +64,11 @@ impl Parts {
         self.gains.enlist(&mut crew);
         self.drive.enlist(&mut crew);
         self.endurance.enlist(&mut crew);
+        self.synchronism.enlist(driven(scenes), &mut crew);
         crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
-        crew.add(0.5, &mut self.stationary, || {
-            sphere::all(scenes.iter().filter_map(|read| match &read.scene {
-                AnyScene::Driven(scene) => Some(&**scene),
-                _ => None,
-            }))
-        });
+        crew.add(0.5, &mut self.stationary, || sphere::all(driven(scenes)));
         crew.work(done);
     }
 
@@ -128,6 +126,7 @@ impl Parts {
         let (spheres, stationary) = self.stationary.unwrap_or_default();
         report.spheres = spheres;
         report.studies = stationary.into_iter().collect();
+        report.studies.extend(self.synchronism.study());
         report.studies.extend([atlas, self.gains.study(), self.drive.study(), self.endurance.study()]);
         match timings::read(folder) {
             Ok(timings) => report.timings = vec![timings],
@@ -136,6 +135,14 @@ impl Parts {
         report.summary = format!("{} {}", report.summary, found(&report, digits));
         report
     }
+}
+
+/// Those with a motor.
+fn driven(scenes: &[Read]) -> impl Iterator<Item = &Scene> {
+    scenes.iter().filter_map(|read| match &read.scene {
+        AnyScene::Driven(scene) => Some(&**scene),
+        _ => None,
+    })
 }
 
 const SUMMARY: &str = "Equations of motion derived from bodies and energies; every statement of a paper judged by exact \

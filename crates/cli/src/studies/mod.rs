@@ -1,14 +1,16 @@
-//! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs.
+//! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs, a motor under load.
 
 pub mod atlas;
 mod drive;
 mod endurance;
 mod gains;
+pub mod synchronism;
 mod treatments;
 
 pub use drive::Drive;
 pub use endurance::Endurance;
 pub use gains::Gains;
+pub use synchronism::Synchronism;
 
 use charts::AreaCurve;
 use integrators::Failure;

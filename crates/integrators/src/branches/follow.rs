@@ -58,7 +58,7 @@ const SHORTEST: f64 = 1e-9;
 /// The least cosine between the directions at both ends of a step.
 const STRAIGHT: f64 = 0.95;
 /// Corrections within which a step counts as easy.
-const EASY: u32 = 3;
+const EASY: u32 = 6;
 /// Trials for a fold: a bracketed secant takes about ten.
 const MOST_TRIALS: u32 = 60;
 
@@ -99,7 +99,8 @@ pub fn follow(curve: &mut dyn Curve, start: &[f64], towards: &[f64], walk: &Walk
         let back = &first.0 - &x;
         let passed = direction.dot(&back);
         let beside = (&back - &direction * passed).norm();
-        let closed = places.len() > 3 && passed > 0.0 && passed <= step && beside < 0.1 * step && ahead.dot(&first.1) > 0.0;
+        let closed =
+            places.len() > 3 && passed > 0.0 && passed <= step && beside < 0.1 * step && ahead.dot(&first.1) > 0.0;
         if closed {
             places.push(place(&first.0, false));
             return Some(Branch { places, last: Last::Closed });

@@ -2,7 +2,8 @@
 //!
 //! With a shift of zero these are periodic orbits; with a whole turn in an angle, rotations. One state is the section: it
 //! has a given value at time zero, and its place among the unknowns is taken by T. The derivatives come from the
-//! transition matrix, whose eigenvalues are the multipliers (Floquet); one of them is 1, along the motion.
+//! transition matrix. One of its eigenvalues (Floquet's multipliers) is 1, along the motion; it is taken out exactly where
+//! the section is: what is left is the map of the section onto itself (Poincare), whose eigenvalues are the others.
 
 use super::Curve;
 use crate::{Failure, Ode, System, Tolerance, transition};
@@ -44,14 +45,19 @@ impl<'a> Repeating<'a> {
         (start, lasts)
     }
 
-    /// dy(T)/dy(0) without the parameter: (n, n x n).
+    /// The derivatives of the return to the section, by the states but that of the section and the parameter: (m, m x m).
     ///
     /// # Errors
     /// [`Failure`] where the motion does not last as long.
-    pub fn monodromy(&mut self, x: &[f64]) -> Result<(usize, Vec<f64>), Failure> {
-        self.run(x)?;
-        let n = x.len().saturating_sub(1);
-        Ok((n, self.transition.chunks(x.len().max(1)).take(n).flat_map(|row| row[..n].iter().copied()).collect()))
+    pub fn returning(&mut self, x: &[f64]) -> Result<(usize, Vec<f64>), Failure> {
+        let end = self.run(x)?;
+        Ode::<f64>::rates(self.law, 0.0, &end, &mut self.rates);
+        let (count, section) = (x.len(), self.section);
+        let across: Vec<usize> = (0..count.saturating_sub(1)).filter(|&i| i != section).collect();
+        let entry = |i: usize, j: usize| self.transition[i * count + j];
+        let pace = |i: usize| self.rates[i] / self.rates[section];
+        let returning = |i: usize| across.iter().map(move |&j| entry(i, j) - pace(i) * entry(section, j));
+        Ok((across.len(), across.iter().flat_map(|&i| returning(i)).collect()))
     }
 
     /// The state at time T; its derivatives are kept.

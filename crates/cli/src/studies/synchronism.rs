@@ -1,0 +1,265 @@
+//! A synchronous motor under load: what it can do for ever, and which starts come into step.
+
+use super::extent;
+use crate::crew::Crew;
+use charts::{AreaCurve, Areas, Study, Table, significant};
+use derivations::scene::{Scene, System};
+use derivations::synchronism::basin::Share;
+use derivations::synchronism::branches::{Onset, OutOfStep, PullIn, Slipping, Standing};
+use derivations::synchronism::loaded::{Loaded, with_bars};
+use derivations::synchronism::maps::{Row, over_damping, over_starts};
+use std::f64::consts::PI;
+
+/// Bars in the map; those of the curves.
+const BARS: [usize; 9] = [0, 1, 2, 3, 4, 5, 6, 7, 8];
+const DRAWN: [usize; 5] = [0, 1, 2, 3, 8];
+/// f / sqrt(A' b0) of the rows of the map of the motor without currents.
+const DAMPINGS: [f64; 14] = [0.05, 0.15, 0.25, 0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95, 1.05, 1.15, 1.25, 1.35];
+/// Columns of a map: from nothing to a little beyond the pull-out.
+const COLUMNS: usize = 24;
+const MOST: f64 = 1.08;
+/// Angles and slips of the starts of a cell.
+const STARTS: (usize, usize) = (5, 5);
+/// Swings for which each start with bars is followed.
+const SWINGS: f64 = 120.0;
+
+/// A number of bars: what slips, and what becomes of the starts.
+struct OfBars {
+    bars: usize,
+    slipping: Option<OutOfStep>,
+    pull_in: Option<PullIn>,
+    shares: Vec<Share>,
+}
+
+/// What the study is made of, each part computed by itself.
+#[derive(Default)]
+pub struct Synchronism {
+    title: String,
+    motor: Option<Loaded>,
+    in_step: Vec<Standing>,
+    pull_out: f64,
+    bars: [Option<Option<OfBars>>; BARS.len()],
+    rows: [Option<Option<Row>>; DAMPINGS.len()],
+}
+
+impl Synchronism {
+    /// Of the first scene of a motor with bars on a bench.
+    pub fn enlist<'s>(&'s mut self, scenes: impl Iterator<Item = &'s Scene>, crew: &mut Crew<'s>) {
+        let with = |scene: &&Scene| matches!(scene.system, System::Bench { .. }) && with_bars(scene, 0).is_some();
+        let Some(scene) = scenes.into_iter().find(with) else { return };
+        let Ok(motor) = Loaded::of(scene) else { return };
+        self.title.clone_from(&scene.title);
+        self.in_step = motor.in_step();
+        let Some(pull_out) = Loaded::pull_out(&self.in_step).map(|standing| standing.load) else { return };
+        self.pull_out = pull_out;
+        let span = SWINGS / motor.facts.frequency;
+        self.motor = Some(motor);
+        for (place, bars) in self.bars.iter_mut().zip(BARS) {
+            crew.add(1.0, place, move || of_bars(scene, bars, pull_out, span));
+        }
+        for (place, damping) in self.rows.iter_mut().zip(DAMPINGS) {
+            crew.add(0.4, place, move || over_damping(scene, damping, &columns(1.0), STARTS).ok());
+        }
+    }
+
+    /// All of it, for the page.
+    pub fn study(self) -> Option<Study> {
+        let motor = self.motor?;
+        let all: Vec<OfBars> = self.bars.into_iter().flatten().flatten().collect();
+        let rows: Vec<Row> = self.rows.into_iter().flatten().flatten().collect();
+        let pictures = vec![
+            standing(&self.in_step, self.pull_out),
+            slipping(&all, self.pull_out, motor.facts.field_speed),
+            plain(&rows),
+            by_bars(&all, self.pull_out),
+        ];
+        Some(Study {
+            id: "synchronism".into(),
+            title: "A synchronous motor under load".into(),
+            lead: format!(
+                r"{}, with a further constant moment $M$ against the rotor's turning. It can stand in step up to the pull-out, $M+f\Omega=b_0$, whatever its damper; from the pull-in on it can slip for ever, and between the two the start decides. Both are found by continuation: the angles over the load, and the slipping motions as those that repeat after a turn, with the multipliers of the turn. What becomes of a grid of starts is run beside that; a start counts as in step when its energy $V$, which never grows, is below both balances about it, and that is for ever.",
+                self.title
+            ),
+            pictures,
+            tables: vec![table(&all, self.pull_out)],
+            note: r"Pull-in by a balance: with ever longer turns the slipping comes from one angle that does not hold to the next. By a fold: a stable and an unstable slipping motion merge; the moment of a damper with three bars or more has a hump over the slip as Kloss' has, beyond which a load that asks for more is left to friction. Without currents the pull-in is Tricomi's curve, which begins as $\frac4\pi$ of the damping and meets the pull-out at the damping 1.19. One scene: dalembert motor scenes/bench.toml.".into(),
+            ..Study::default()
+        })
+    }
+}
+
+/// From zero to a little beyond `whole`: the middles of the cells.
+fn columns(whole: f64) -> Vec<f64> {
+    (0..COLUMNS).map(|i| whole * MOST * (i as f64 + 0.5) / COLUMNS as f64).collect()
+}
+
+fn of_bars(scene: &Scene, bars: usize, pull_out: f64, span: f64) -> Option<OfBars> {
+    let scene = with_bars(scene, bars)?;
+    let slipping = Loaded::of(&scene).ok()?.out_of_step().ok();
+    let pull_in = slipping.as_ref().and_then(|all| all.pull_in(pull_out));
+    let shares = over_starts(&scene, &columns(pull_out), STARTS, span).ok()?;
+    Some(OfBars { bars, slipping, pull_in, shares })
+}
+
+/// The places in `points` where `keep` holds; a gap wherever it does not.
+fn gapped<T>(all: &[T], keep: impl Fn(&T) -> bool, point: impl Fn(&T) -> (f64, f64)) -> Vec<(f64, f64)> {
+    all.iter().map(|one| if keep(one) { point(one) } else { (point(one).0, f64::NAN) }).collect()
+}
+
+fn standing(all: &[Standing], pull_out: f64) -> Areas {
+    let point = |one: &Standing| (one.load, one.angle.to_degrees());
+    let curve = |name: &str, keep: &dyn Fn(&Standing) -> bool| AreaCurve {
+        name: name.into(),
+        points: gapped(all, keep, point),
+    };
+    let curves = vec![
+        curve("stable", &|one| one.growth <= 0.0 || one.fold),
+        curve("unstable", &|one| one.growth > 0.0 || one.fold),
+    ];
+    let folds = all.iter().filter(|one| one.fold);
+    Areas {
+        title: "In step: the angle over the load".into(),
+        x: ("load M, N m".into(), extent(&curves, |point| point.0)),
+        y: ("angle γ, degrees".into(), [-190.0, 190.0]),
+        marks: folds
+            .map(|one| {
+                (
+                    one.load,
+                    one.angle.to_degrees(),
+                    if one.load == pull_out { "pull-out" } else { "as a generator" }.into(),
+                )
+            })
+            .collect(),
+        curves,
+        note: "The same for any number of bars.".into(),
+        ..Areas::default()
+    }
+}
+
+fn slipping(all: &[OfBars], pull_out: f64, field_speed: f64) -> Areas {
+    let drawn = || all.iter().filter(|one| DRAWN.contains(&one.bars));
+    let point = |one: &Slipping| (one.load, one.slip());
+    let motions = |one: &OfBars| one.slipping.as_ref().map_or_else(Vec::new, |all| all.motions.clone());
+    let mut curves: Vec<AreaCurve> = drawn()
+        .map(|one| {
+            let mut points = gapped(&motions(one), |motion| motion.stable() || motion.fold, point);
+            // as turns become ever longer the mean slip tends to zero, as one over a logarithm
+            points.extend(one.slipping.as_ref().and_then(|all| all.limit).map(|load| (load, 0.0)));
+            AreaCurve { name: named(one.bars), points }
+        })
+        .collect();
+    let unstable = drawn().flat_map(|one| {
+        let mut points = gapped(&motions(one), |motion| !motion.stable() || motion.fold, point);
+        points.push((0.0, f64::NAN));
+        points
+    });
+    curves.push(AreaCurve { name: "unstable".into(), points: unstable.collect() });
+    curves.push(AreaCurve { name: "in step".into(), points: vec![(0.0, 0.0), (pull_out, 0.0)] });
+    let within = |points: Vec<(f64, f64)>| {
+        points.into_iter().map(|(x, y)| (x, if (0.0..=MOST * pull_out).contains(&x) { y } else { f64::NAN }))
+    };
+    for curve in &mut curves {
+        curve.points = within(std::mem::take(&mut curve.points)).collect();
+    }
+    Areas {
+        title: "Out of step: the mean slip over the load".into(),
+        x: ("load M, N m".into(), [0.0, MOST * pull_out]),
+        y: ("mean slip, rad/s".into(), [-1.05 * field_speed.abs(), 0.05 * field_speed.abs()]),
+        curves,
+        note: "Where a curve of slipping stands above the line in step the start decides. At the foot the rotor is at rest.".into(),
+        ..Areas::default()
+    }
+}
+
+/// The kinds of a cell.
+const KINDS: [&str; 4] = ["every start comes into step", "half of the starts or more", "none", "fewer than half"];
+
+fn kind(share: &Share) -> usize {
+    match share.in_step {
+        0 => 2,
+        all if all == share.starts => 0,
+        some if 2 * some >= share.starts => 1,
+        _ => 3,
+    }
+}
+
+fn map(title: &str, rows: Vec<Vec<usize>>, x: (String, [f64; 2]), y: (String, [f64; 2])) -> Areas {
+    Areas { title: title.into(), x, y, kinds: KINDS.map(String::from).into(), rows, ..Areas::default() }
+}
+
+fn plain(rows: &[Row]) -> Areas {
+    let step = DAMPINGS[1] - DAMPINGS[0];
+    let bounds = [DAMPINGS[0] - 0.5 * step, DAMPINGS[DAMPINGS.len() - 1] + 0.5 * step];
+    let cells = rows.iter().map(|row| row.shares.iter().map(kind).collect()).collect();
+    let curve = |row: &Row| {
+        // the load beside the drag: in the columns' own unit
+        let (first, last) = (row.shares.first()?, row.shares.last()?);
+        let all = columns(1.0);
+        let unit = (all.last()? - all.first()?) / (last.load - first.load);
+        Some((all.first()? + (row.pull_in? - first.load) * unit, row.damping))
+    };
+    let line = |damping: f64| (4.0 / PI * damping, damping);
+    let mut areas = map(
+        "Without currents: load and damping",
+        cells,
+        ("(M + f Ω) / b₀".into(), [0.0, MOST]),
+        ("damping f / √(A′ b₀)".into(), bounds),
+    );
+    areas.curves = vec![
+        AreaCurve {
+            name: "pull-in, by continuation (Tricomi's curve)".into(),
+            points: rows.iter().filter_map(curve).collect(),
+        },
+        AreaCurve { name: "4/π of the damping".into(), points: vec![line(bounds[0]), line(PI / 4.0 * MOST)] },
+    ];
+    areas
+}
+
+fn by_bars(all: &[OfBars], pull_out: f64) -> Areas {
+    let cells = all.iter().map(|one| one.shares.iter().map(kind).collect()).collect();
+    let most = all.last().map_or(0.5, |one| one.bars as f64 + 0.5);
+    let mut areas = map(
+        "With currents: load and bars",
+        cells,
+        ("load M, N m".into(), [0.0, MOST * pull_out]),
+        ("bars of the damper".into(), [-0.5, most]),
+    );
+    let point = |one: &OfBars| Some((one.pull_in?.load.max(0.0), one.bars as f64));
+    areas.curves = vec![
+        AreaCurve { name: "pull-in, by continuation".into(), points: all.iter().filter_map(point).collect() },
+        AreaCurve { name: "pull-out".into(), points: vec![(pull_out, -0.5), (pull_out, most)] },
+    ];
+    areas.note =
+        "Starts from standstill to synchronism. One and two bars are one winding and brake in two places of a turn; \
+                  three or more are two windings and brake evenly."
+            .into();
+    areas
+}
+
+fn named(bars: usize) -> String {
+    if bars == 1 { "1 bar".into() } else { format!("{bars} bars") }
+}
+
+fn table(all: &[OfBars], pull_out: f64) -> Table {
+    let head = ["Bars", "Pull-in, N m", "of the pull-out", "Slipping begins", "Starts in step", "of", "undecided"];
+    let row = |one: &OfBars| {
+        let (load, share, by) = match one.pull_in {
+            None => ("—".into(), "—".into(), "not followed".into()),
+            Some(PullIn { load, by }) => (significant(load, 6), significant(load / pull_out, 4), onset(by)),
+        };
+        let sum = |of: fn(&Share) -> usize| one.shares.iter().map(of).sum::<usize>().to_string();
+        vec![one.bars.to_string(), load, share, by, sum(|s| s.in_step), sum(|s| s.starts), sum(Share::undecided)]
+    };
+    let caption = format!("Pull-out at {} N m; starts of all loads of the map", significant(pull_out, 6));
+    Table { caption, head: head.map(String::from).into(), rows: all.iter().map(row).collect() }
+}
+
+/// Where slipping begins, for a reader.
+pub fn onset(by: Onset) -> String {
+    match by {
+        Onset::Balance => "with ever longer turns, from a balance to the next".into(),
+        Onset::Fold { slip } => format!("with a fold at a mean slip of {} rad/s", significant(slip, 4)),
+        Onset::PullOut => "at the pull-out: no hysteresis".into(),
+        Onset::End { slip } => format!("at the fastest slip that was followed, {} rad/s", significant(slip, 4)),
+    }
+}
