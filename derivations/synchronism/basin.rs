@@ -64,7 +64,7 @@ impl std::error::Error for NoShares {}
 /// As many as a register of today holds.
 const LANES: usize = 8;
 /// Looks at each motion; a time is known to one of them.
-const WINDOWS: usize = 48;
+const WINDOWS: usize = 120;
 /// Of the integration.
 const TOLERANCE: f64 = 1e-8;
 /// In a window, for what is given up.

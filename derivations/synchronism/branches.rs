@@ -74,8 +74,8 @@ const LONG: f64 = 8.0;
 const APART: f64 = 1.5;
 /// The least number of swings' speeds with which the slipping begins.
 const FAST: f64 = 6.0;
-/// And in units of the field's speed: beyond 1 the rotor turns against it.
-const BACKWARDS: f64 = 1.5;
+/// Of that speed, where friction is small.
+const MOST_DOUBLINGS: u32 = 8;
 /// The most that a load is looked at, in units of what the field holds.
 const MOST_LOAD: f64 = 50.0;
 
@@ -111,15 +111,19 @@ impl Loaded {
         in_step.iter().filter(|standing| standing.fold).max_by(|a, b| a.load.total_cmp(&b.load))
     }
 
-    /// Every slipping motion from a rotor that turns against the field at half of its speed, or a faster slip, down to turns so
-    /// long that they nearly rest.
+    /// Every slipping motion from one that the load drives backwards so fast that friction bears it, down to turns so long that
+    /// they nearly rest.
     ///
     /// # Errors
     /// [`Failure`] where the first of them is not found, or one of them cannot be followed for a turn.
     pub fn out_of_step(&self) -> Result<OutOfStep, Failure> {
         let facts = &self.facts;
         let count = facts.sizes.len();
-        let fast = (BACKWARDS * facts.field_speed.abs()).max(FAST * facts.frequency);
+        // so fast that friction alone asks for more than the field could hold: beyond, nothing turns back
+        let asks = |slip: f64| self.own.moment(facts.bottom, -slip) + facts.friction;
+        let slow = facts.field_speed.abs().max(FAST * facts.frequency);
+        let faster = (1..MOST_DOUBLINGS).map(|k| slow * f64::from(1u32 << k));
+        let fast = faster.clone().find(|slip| asks(*slip) > 2.0 * facts.hold).or(faster.last()).unwrap_or(slow);
         let (shortest, longest) = (TAU / fast, LONGEST / facts.frequency);
         let mut start = vec![0.0; count];
         (start[0], start[1], start[count - 1]) = (shortest, -fast, self.own.moment(facts.bottom, -fast));
@@ -231,8 +235,7 @@ impl Loaded {
 }
 
 impl OutOfStep {
-    /// The least load under which a rotor can slip for ever: below it every motion is pulled in. `None` where no motion is
-    /// stable. Slips beyond those that were followed are not known.
+    /// The least load under which a rotor can slip for ever, turn after turn alike. `None` where no such motion is stable.
     pub fn pull_in(&self, pull_out: f64) -> Option<PullIn> {
         let at = |one: &Slipping| match one.fold {
             true => PullIn { load: one.load, by: Onset::Fold { slip: one.slip() } },

@@ -9,8 +9,8 @@
 //! * [`maps`]: the share of them over load and damping, over load and bars;
 //! * `claims`: what of this is proved, as a page of the workbench's own.
 //!
-//! Pull-out is the load at which the angles in step end. Pull-in is the least load under which the rotor can slip for ever:
-//! below it every motion comes into step. Between the two both are stable, and it is the start that decides.
+//! Pull-out is the load at which the angles in step end. Pull-in is the least load under which the rotor can slip for ever,
+//! turn after turn alike. Between the two both are stable, and it is the start that decides.
 
 pub mod basin;
 pub mod branches;

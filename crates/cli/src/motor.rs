@@ -28,6 +28,8 @@ struct Case {
     axial: f64,
     in_gyrostat: bool,
     pull_in: Result<Option<PullIn>, String>,
+    /// To which the slipping tends with ever longer turns, N m.
+    limit: Option<f64>,
     /// Under no further load.
     unloaded: Vec<Slipping>,
     shares: Result<Vec<Share>, String>,
@@ -93,9 +95,10 @@ fn case(bars: Option<usize>, scene: &Scene, common: &Common) -> Option<Case> {
     let motor = motor.ok()?;
     let found = motor.out_of_step();
     let unloaded = found.as_ref().ok().and_then(|all| motor.slipping_under(0.0, all).ok()).unwrap_or_default();
+    let limit = found.as_ref().ok().and_then(|all| all.limit);
     let pull_in = found.map(|all| all.pull_in(common.pull_out.load)).map_err(|failure| failure.to_string());
     let shares = over_starts(scene, &common.loads, STARTS, common.span).map_err(|reason| reason.to_string());
-    Some(Case { bars, axial: motor.axial, in_gyrostat, pull_in, unloaded, shares })
+    Some(Case { bars, axial: motor.axial, in_gyrostat, pull_in, limit, unloaded, shares })
 }
 
 /// Degrees.
@@ -149,15 +152,20 @@ fn text(scene: &Scene, common: &Common, cases: &[Case]) -> String {
         out,
         "\nout of step: the rotor slips for ever from the pull-in on; between pull-in and pull-out the start decides"
     );
-    let _ = writeln!(out, "  {:<30}{:>14}{:>12}   {}", "", "pull-in, N m", "of pull-out", "where");
+    let _ = writeln!(
+        out,
+        "  {:<30}{:>14}{:>12}{:>14}   {}",
+        "", "pull-in, N m", "of pull-out", "long turns", "slipping begins"
+    );
     for case in cases {
         let _ = match &case.pull_in {
             Ok(Some(found)) => writeln!(
                 out,
-                "  {:<30}{:>14.9}{:>12.4}   {}",
+                "  {:<30}{:>14.9}{:>12.4}{:>14}   {}",
                 name(case),
                 found.load,
                 found.load / pull_out.load,
+                case.limit.map_or_else(|| "-".to_owned(), |load| format!("{load:.9}")),
                 onset(found.by)
             ),
             Ok(None) => writeln!(out, "  {:<30}{:>14}", name(case), "never"),
@@ -225,6 +233,7 @@ fn object(scene: &Scene, common: &Common, cases: &[Case]) -> Value {
         json!({
             "place": if case.in_gyrostat { "gyrostat" } else { "bench" }, "bars": case.bars, "axial": case.axial,
             "pull_in": pull_in.map(|found| found.load), "onset": pull_in.map(|found| onset(found.by)),
+            "long_turns": case.limit,
             "unloaded": case.unloaded.iter().map(slipping).collect::<Vec<_>>(), "shares": shares,
         })
     });

@@ -164,9 +164,12 @@ fn slipping(all: &[OfBars], pull_out: f64, field_speed: f64) -> Areas {
     Areas {
         title: "Out of step: the mean slip over the load".into(),
         x: ("load M, N m".into(), [0.0, MOST * pull_out]),
-        y: ("mean slip, rad/s".into(), [-1.05 * field_speed.abs(), 0.05 * field_speed.abs()]),
+        y: ("mean slip, rad/s".into(), [-3.0 * field_speed.abs(), 0.15 * field_speed.abs()]),
         curves,
-        note: "Where a curve of slipping stands above the line in step the start decides. At the foot the rotor is at rest.".into(),
+        note: format!(
+            "Where a curve of slipping stands above the line in step the start decides. Beyond the field's speed, {} rad/s, the load turns the rotor backwards.",
+            field_speed.abs()
+        ),
         ..Areas::default()
     }
 }
@@ -241,14 +244,33 @@ fn named(bars: usize) -> String {
 }
 
 fn table(all: &[OfBars], pull_out: f64) -> Table {
-    let head = ["Bars", "Pull-in, N m", "of the pull-out", "Slipping begins", "Starts in step", "of", "undecided"];
+    let head = [
+        "Bars",
+        "Pull-in, N m",
+        "of the pull-out",
+        "Slipping begins",
+        "Long turns at, N m",
+        "Starts in step",
+        "of",
+        "undecided",
+        "Median time under the least load, s",
+    ];
     let row = |one: &OfBars| {
         let (load, share, by) = match one.pull_in {
             None => ("—".into(), "—".into(), "not followed".into()),
             Some(PullIn { load, by }) => (significant(load, 6), significant(load / pull_out, 4), onset(by)),
         };
         let sum = |of: fn(&Share) -> usize| one.shares.iter().map(of).sum::<usize>().to_string();
-        vec![one.bars.to_string(), load, share, by, sum(|s| s.in_step), sum(|s| s.starts), sum(Share::undecided)]
+        let limit = one.slipping.as_ref().and_then(|all| all.limit);
+        let time = one.shares.first().and_then(|share| share.time);
+        let shown =
+            |value: Option<f64>, digits| value.map_or_else(|| "—".to_owned(), |value| significant(value, digits));
+        let counts = [sum(|s| s.in_step), sum(|s| s.starts), sum(Share::undecided)];
+        [one.bars.to_string(), load, share, by, shown(limit, 6)]
+            .into_iter()
+            .chain(counts)
+            .chain([shown(time, 2)])
+            .collect()
     };
     let caption = format!("Pull-out at {} N m; starts of all loads of the map", significant(pull_out, 6));
     Table { caption, head: head.map(String::from).into(), rows: all.iter().map(row).collect() }

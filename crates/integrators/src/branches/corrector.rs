@@ -1,11 +1,12 @@
 //! One point of a curve: Newton's iteration across it, and its direction there.
 
 use super::Curve;
-use crate::newton::Newton;
 use nalgebra::{DMatrix, DVector};
 
 /// Corrections after which a trial point counts as too far off.
 const MOST_CORRECTIONS: u32 = 12;
+/// A correction below this share of the unknowns, that becomes no smaller, is rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// Finds points of a curve in unknowns divided by their sizes.
 pub(super) struct Corrector<'a> {
@@ -49,19 +50,23 @@ impl<'a> Corrector<'a> {
     /// The point of the curve in the plane through a trial point across a direction; `None` where Newton's iteration
     /// does not find it within `reach`.
     pub fn onto(&mut self, trial: &DVector<f64>, across: &DVector<f64>, reach: f64) -> Option<DVector<f64>> {
-        let (mut x, mut newton) = (trial.clone(), Newton::new());
+        let (mut x, mut last) = (trial.clone(), f64::INFINITY);
         for corrections in 1..=MOST_CORRECTIONS {
             let (matrix, mut right) = self.bordered(&x, across)?;
             right[x.len() - 1] = across.dot(&(&x - trial));
             let correction = matrix.lu().solve(&right)?;
             x -= &correction;
             self.corrections = corrections;
-            if (&x - trial).norm() > reach {
+            let (size, scale) = (correction.norm(), 1.0 + x.amax());
+            if !(size.is_finite() && (&x - trial).norm() <= reach) {
                 return None;
             }
-            if newton.corrected::<f64>(correction.norm(), 1.0 + x.amax()).ok()? {
+            // what is left shrinks at least as the correction did
+            let left = if last.is_finite() { size * (size / last).min(1.0) } else { size };
+            if left <= f64::EPSILON * scale || (size >= 0.5 * last && last <= ROUNDING * scale) {
                 return Some(x);
             }
+            last = size;
         }
         None
     }
