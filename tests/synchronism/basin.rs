@@ -62,7 +62,6 @@ fn in_an_upright_gyrostat_the_same_starts_come_into_step_as_with_a_lighter_rotor
     let loads = [0.04, 0.06, 0.08, 0.1, 0.14].map(|drag| drag - 0.225);
     let counts = |scene: &Scene| told(&shares(scene, &loads, starts, 4.0).expect("a motor"));
     let (found, light, heavy) = (counts(&upright), counts(&bench(axial)), counts(&bench(2.4e-4)));
-    println!("{found:?} {light:?} {heavy:?}");
     assert_eq!(found, light);
     assert_ne!(found, heavy);
 }

@@ -102,6 +102,5 @@ fn damper_bars_raise_the_pull_in_and_leave_the_pull_out() {
         (least.load, found.limit.expect("long turns"))
     };
     let loads = [0, 1, 2, 3, 8].map(with);
-    println!("{loads:?}");
     assert!(loads.windows(2).all(|pair| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1), "{loads:?}");
 }

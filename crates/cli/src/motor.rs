@@ -5,6 +5,7 @@ use crate::ending::{Ending, print};
 use crate::run::with_model;
 use crate::studies::synchronism::onset;
 use derivations::scene::{Family, Scene, System};
+use derivations::stationary::motor::{Angle, Motor as MotorStates};
 use derivations::synchronism::basin::Share;
 use derivations::synchronism::branches::{PullIn, Slipping, Standing};
 use derivations::synchronism::loaded::{Loaded, giving_way, with_bars};
@@ -39,6 +40,8 @@ struct Case {
 struct Common {
     motor: Loaded,
     in_step: Vec<Standing>,
+    /// Without a further load, exactly.
+    angles: Vec<Angle>,
     pull_out: Standing,
     loads: Vec<f64>,
     span: f64,
@@ -53,9 +56,14 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let pull_out = Loaded::pull_out(&in_step).cloned();
     let pull_out =
         pull_out.ok_or_else(|| refused("its angles in step could not be followed to the pull-out".into()))?;
+    let angles =
+        match MotorStates::of(&scene.machine, &scene.machine_data).map_err(|reason| refused(reason.to_string()))? {
+            MotorStates::InStep { angles, .. } => angles,
+            _ => Vec::new(),
+        };
     let room = pull_out.load.max(0.0);
     let loads = LOADS.iter().map(|share| share * room).collect();
-    let common = Common { span: SWINGS / motor.facts.frequency, motor, in_step, pull_out, loads };
+    let common = Common { span: SWINGS / motor.facts.frequency, motor, in_step, angles, pull_out, loads };
     let bench = alone(&scene);
     let mut motors: Vec<(Option<usize>, Scene)> =
         match scene.machine_data.counts.iter().find(|(name, ..)| *name == "bars") {
@@ -106,20 +114,8 @@ fn degrees(angle: f64) -> f64 {
     angle.to_degrees()
 }
 
-/// Where the rotor stands without a further load: the angles on the branch beside it, by the secant between its points.
-fn standing(all: &[Standing], load: f64) -> Vec<(f64, bool)> {
-    let between =
-        all.windows(2).filter(|pair| (pair[0].load - load) * (pair[1].load - load) <= 0.0 && pair[0].load != load);
-    between
-        .map(|pair| {
-            let share = (load - pair[0].load) / (pair[1].load - pair[0].load);
-            (pair[0].angle + share * (pair[1].angle - pair[0].angle), pair[0].growth.min(pair[1].growth) < 0.0)
-        })
-        .collect()
-}
-
 fn text(scene: &Scene, common: &Common, cases: &[Case]) -> String {
-    let Common { motor, in_step, pull_out, .. } = common;
+    let Common { motor, pull_out, .. } = common;
     let facts = &motor.facts;
     let mut out = format!("{}\n", scene.title);
     // writing to a String cannot fail
@@ -134,13 +130,9 @@ fn text(scene: &Scene, common: &Common, cases: &[Case]) -> String {
         facts.frequency
     );
     let _ = writeln!(out, "\nin step, the same on the bench and in a gyrostat, with any number of bars");
-    for (angle, stable) in standing(in_step, 0.0) {
-        let _ = writeln!(
-            out,
-            "  without load at about {:>9.3} deg   {}",
-            degrees(angle),
-            if stable { "stable" } else { "unstable" }
-        );
+    for angle in &common.angles {
+        let held = if angle.slope < 0 { "holds" } else { "does not hold" };
+        let _ = writeln!(out, "  without load at {:>14.9} deg   {held}", degrees(angle.radians()));
     }
     let _ = writeln!(
         out,
@@ -150,7 +142,7 @@ fn text(scene: &Scene, common: &Common, cases: &[Case]) -> String {
     );
     let _ = writeln!(
         out,
-        "\nout of step: the rotor slips for ever from the pull-in on; between pull-in and pull-out the start decides"
+        "\nout of step: from the pull-in on the rotor can slip for ever; up to the pull-out the start decides, below zero even without load"
     );
     let _ = writeln!(
         out,

@@ -58,7 +58,8 @@ impl<'a> Corrector<'a> {
             x -= &correction;
             self.corrections = corrections;
             let (size, scale) = (correction.norm(), 1.0 + x.amax());
-            if !(size.is_finite() && (&x - trial).norm() <= reach) {
+            let astray = corrections > 2 && size > last && last > ROUNDING * scale;
+            if astray || !(size.is_finite() && (&x - trial).norm() <= reach) {
                 return None;
             }
             // what is left shrinks at least as the correction did
