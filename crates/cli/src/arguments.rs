@@ -363,6 +363,7 @@ mod tests {
         "derive",
         "bodies",
         "stationary",
+        "motor",
         "regimes",
         "scenes",
         "completions",

@@ -82,7 +82,7 @@ impl Synchronism {
             ),
             pictures,
             tables: vec![table(&all, self.pull_out)],
-            note: r"Pull-in by a balance: with ever longer turns the slipping comes from one angle that does not hold to the next. By a fold: a stable and an unstable slipping motion merge; the moment of a damper with three bars or more has a hump over the slip as Kloss' has, beyond which a load that asks for more is left to friction. Without currents the pull-in is Tricomi's curve, which begins as $\frac4\pi$ of the damping and meets the pull-out at the damping 1.19. One scene: dalembert motor scenes/bench.toml.".into(),
+            note: r"Pull-in by a balance: with ever longer turns the slipping comes from one angle that does not hold to the next. By a fold: a stable and an unstable slipping motion merge; the moment of a damper with three bars or more has a hump over the slip as Kloss' has, beyond which a load that asks for more is left to friction. Without currents the pull-in is Tricomi's curve, which begins as $\frac4\pi$ of the damping and meets the pull-out at the damping 1.19. One scene: dalembert motor scenes/bench.toml; in a gyrostat, where the carrier gives way: scenes/spin_up.toml.".into(),
             ..Study::default()
         })
     }
@@ -117,9 +117,12 @@ fn standing(all: &[Standing], pull_out: f64) -> Areas {
         curve("unstable", &|one| one.growth > 0.0 || one.fold),
     ];
     let folds = all.iter().filter(|one| one.fold);
+    // room for the name at the right
+    let [least, most] = extent(&curves, |point| point.0);
+    let most = most + 0.2 * (most - least);
     Areas {
         title: "In step: the angle over the load".into(),
-        x: ("load M, N m".into(), extent(&curves, |point| point.0)),
+        x: ("load M, N m".into(), [least, most]),
         y: ("angle γ, degrees".into(), [-190.0, 190.0]),
         marks: folds
             .map(|one| {
@@ -138,7 +141,7 @@ fn standing(all: &[Standing], pull_out: f64) -> Areas {
 
 fn slipping(all: &[OfBars], pull_out: f64, field_speed: f64) -> Areas {
     let drawn = || all.iter().filter(|one| DRAWN.contains(&one.bars));
-    let point = |one: &Slipping| (one.load, one.slip());
+    let point = |one: &Slipping| (one.load, one.slip() / field_speed.abs());
     let motions = |one: &OfBars| one.slipping.as_ref().map_or_else(Vec::new, |all| all.motions.clone());
     let mut curves: Vec<AreaCurve> = drawn()
         .map(|one| {
@@ -164,12 +167,11 @@ fn slipping(all: &[OfBars], pull_out: f64, field_speed: f64) -> Areas {
     Areas {
         title: "Out of step: the mean slip over the load".into(),
         x: ("load M, N m".into(), [0.0, MOST * pull_out]),
-        y: ("mean slip, rad/s".into(), [-3.0 * field_speed.abs(), 0.15 * field_speed.abs()]),
+        y: ("mean slip / Ω".into(), [-3.0, 0.15]),
         curves,
-        note: format!(
-            "Where a curve of slipping stands above the line in step the start decides. Beyond the field's speed, {} rad/s, the load turns the rotor backwards.",
-            field_speed.abs()
-        ),
+        note: "Under a load with a slip beside the line in step both are stable, and the start decides. Beyond -1 the load turns \
+               the rotor backwards."
+            .into(),
         ..Areas::default()
     }
 }
@@ -228,12 +230,14 @@ fn by_bars(all: &[OfBars], pull_out: f64) -> Areas {
         ("bars of the damper".into(), [-0.5, most]),
     );
     let point = |one: &OfBars| Some((one.pull_in?.load.max(0.0), one.bars as f64));
+    let long = |one: &OfBars| Some((one.slipping.as_ref()?.limit?.max(0.0), one.bars as f64));
     areas.curves = vec![
         AreaCurve { name: "pull-in, by continuation".into(), points: all.iter().filter_map(point).collect() },
         AreaCurve { name: "pull-out".into(), points: vec![(pull_out, -0.5), (pull_out, most)] },
+        AreaCurve { name: "slipping with ever longer turns".into(), points: all.iter().filter_map(long).collect() },
     ];
     areas.note =
-        "Starts from standstill to synchronism. One and two bars are one winding and brake in two places of a turn; \
+        "Starts from standstill to synchronism: some of what slips at the pull-in is faster than these. One and two bars are one winding and brake in two places of a turn; \
                   three or more are two windings and brake evenly."
             .into();
     areas
