@@ -3,7 +3,8 @@
 //! # Overview
 //! * [`loaded`]: the motor alone, its load a state that rests;
 //! * [`branches`]: all that it can do for ever under every load, with stability: angles in step up to the pull-out, and
-//!   slipping turn after turn down to the pull-in;
+//!   slipping turn after turn;
+//! * [`pull_in`]: where the slipping begins;
 //! * [`energy`]: what holds a rotor that is in step;
 //! * [`basin`]: which starts come into step, on the bench and in a gyrostat;
 //! * [`maps`]: the share of them over load and damping, over load and bars;
@@ -18,6 +19,7 @@ mod claims;
 pub mod energy;
 pub mod loaded;
 pub mod maps;
+pub mod pull_in;
 
 use crate::papers::Paper;
 

@@ -1,8 +1,9 @@
 //! Pull-in: motions that slip turn after turn, and the load below which there is none.
 
 use super::{loaded, pendulum, scene};
-use derivations::synchronism::branches::{Onset, Slipping};
+use derivations::synchronism::branches::Slipping;
 use derivations::synchronism::loaded::{Loaded, with_bars};
+use derivations::synchronism::pull_in::Onset;
 use integrators::{Method, Span, Tolerance, integrate};
 use std::f64::consts::PI;
 

@@ -7,9 +7,10 @@ use crate::studies::synchronism::onset;
 use derivations::scene::{Family, Scene, System};
 use derivations::stationary::motor::{Angle, Motor as MotorStates};
 use derivations::synchronism::basin::Share;
-use derivations::synchronism::branches::{PullIn, Slipping, Standing};
+use derivations::synchronism::branches::{Slipping, Standing};
 use derivations::synchronism::loaded::{Loaded, giving_way, with_bars};
 use derivations::synchronism::maps::{alone, over_starts};
+use derivations::synchronism::pull_in::PullIn;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
