@@ -61,7 +61,7 @@ const LONGER_STEP: f64 = 1.5;
 /// Points of a walk.
 const MOST: usize = 400;
 /// Of the integration of a turn.
-const TOLERANCE: f64 = 1e-12;
+const TOLERANCE: f64 = 1e-13;
 /// The longest turn, in units of 1/frequency.
 const LONGEST: f64 = 120.0;
 /// A load that changes by less, as a share of what the field holds, while turns become longer by 1/frequency, is near its
