@@ -120,8 +120,9 @@ impl Loaded {
         // so fast that friction alone asks for more than the field could hold: beyond, nothing turns back
         let asks = |slip: f64| self.own.moment(facts.bottom, -slip) + facts.friction;
         let slow = facts.field_speed.abs().max(FAST * facts.frequency);
-        let faster = (1..MOST_DOUBLINGS).map(|k| slow * f64::from(1u32 << k));
-        let fast = faster.clone().find(|slip| asks(*slip) > 2.0 * facts.hold).or(faster.last()).unwrap_or(slow);
+        let faster = |doublings: u32| slow * f64::from(1u32 << doublings);
+        let fast = (1..MOST_DOUBLINGS).map(faster).find(|slip| asks(*slip) > 2.0 * facts.hold);
+        let fast = fast.unwrap_or(faster(MOST_DOUBLINGS));
         let (shortest, longest) = (TAU / fast, LONGEST / facts.frequency);
         let mut start = vec![0.0; count];
         (start[0], start[1], start[count - 1]) = (shortest, -fast, self.own.moment(facts.bottom, -fast));

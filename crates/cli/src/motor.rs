@@ -145,11 +145,8 @@ fn text(scene: &Scene, common: &Common, cases: &[Case]) -> String {
         out,
         "\nout of step: from the pull-in on the rotor can slip for ever; up to the pull-out the start decides, below zero even without load"
     );
-    let _ = writeln!(
-        out,
-        "  {:<30}{:>14}{:>12}{:>14}   {}",
-        "", "pull-in, N m", "of pull-out", "long turns", "slipping begins"
-    );
+    let _ =
+        writeln!(out, "  {:<30}{:>14}{:>12}{:>14}   slipping begins", "", "pull-in, N m", "of pull-out", "long turns");
     for case in cases {
         let _ = match &case.pull_in {
             Ok(Some(found)) => writeln!(
