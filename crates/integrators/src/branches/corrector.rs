@@ -1,11 +1,12 @@
 //! One point of a curve: Newton's iteration across it, and its direction there.
 
 use super::Curve;
+use crate::newton::Newton;
 use nalgebra::{DMatrix, DVector};
 
 /// Corrections after which a trial point counts as too far off.
 const MOST_CORRECTIONS: u32 = 12;
-/// A correction below this share of the unknowns, that becomes no smaller, is rounding.
+/// Corrections below this share of the unknowns may become larger: they are rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Finds points of a curve in unknowns divided by their sizes.
@@ -50,7 +51,7 @@ impl<'a> Corrector<'a> {
     /// The point of the curve in the plane through a trial point across a direction; `None` where Newton's iteration
     /// does not find it within `reach`.
     pub fn onto(&mut self, trial: &DVector<f64>, across: &DVector<f64>, reach: f64) -> Option<DVector<f64>> {
-        let (mut x, mut last) = (trial.clone(), f64::INFINITY);
+        let (mut x, mut newton, mut last) = (trial.clone(), Newton::new(), f64::INFINITY);
         for corrections in 1..=MOST_CORRECTIONS {
             let (matrix, mut right) = self.bordered(&x, across)?;
             right[x.len() - 1] = across.dot(&(&x - trial));
@@ -59,12 +60,10 @@ impl<'a> Corrector<'a> {
             self.corrections = corrections;
             let (size, scale) = (correction.norm(), 1.0 + x.amax());
             let astray = corrections > 2 && size > last && last > ROUNDING * scale;
-            if astray || !(size.is_finite() && (&x - trial).norm() <= reach) {
+            if astray || (&x - trial).norm() > reach {
                 return None;
             }
-            // what is left shrinks at least as the correction did
-            let left = if last.is_finite() { size * (size / last).min(1.0) } else { size };
-            if left <= f64::EPSILON * scale || (size >= 0.5 * last && last <= ROUNDING * scale) {
+            if newton.corrected::<f64>(size, scale).ok()? {
                 return Some(x);
             }
             last = size;
