@@ -162,6 +162,14 @@ fn text(scene: &Scene, common: &Common, cases: &[Case]) -> String {
             Err(reason) => writeln!(out, "  {:<30}  not known: {reason}", name(case)),
         };
     }
+    if let Some(case) = cases.iter().find(|case| case.in_gyrostat) {
+        let _ = writeln!(
+            out,
+            "  in the gyrostat the pull-in is that of a rotor as light as the carrier lets it be, {:.6e} kg m^2: exact where it stands\n  \
+             upright, elsewhere without what the carrier's own motion does; the starts below are run with all of it",
+            case.axial
+        );
+    }
     for case in cases.iter().filter(|case| !case.unloaded.is_empty()) {
         let _ = writeln!(out, "  without load, {}:", name(case));
         for one in &case.unloaded {
