@@ -21,7 +21,8 @@
 //! * [`phantom`]: what the steps of methods make of the stability of motions, as a page of claims and for scenes;
 //! * [`regimes`]: when motion with friction is determined, as a page of claims;
 //! * [`stabilisation`]: stabilised constraints in steps, as a page of claims;
-//! * [`stationary`]: all stationary motions of a gyrostat with any motor, exactly.
+//! * [`stationary`]: all stationary motions of a gyrostat with any motor, exactly;
+//! * [`synchronism`]: a synchronous motor under load, in step and out of it.
 
 pub mod alphabet;
 pub mod closed_forms;
@@ -42,6 +43,7 @@ pub mod scene;
 pub mod separated;
 pub mod stabilisation;
 pub mod stationary;
+pub mod synchronism;
 pub mod systems;
 pub mod taped;
 

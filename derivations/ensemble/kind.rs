@@ -31,7 +31,20 @@ impl Kind {
     /// # Errors
     /// [`Untapeable`] where the law is none that can be written down.
     pub fn record(system: &System, machine: &AnyMachine, counts: &MachineData, axes: Axes) -> Result<Self, Untapeable> {
-        machine.clone().apply(Recording { system, counts, axes })
+        machine.clone().apply(Recording { system, counts, axes, loaded: false })
+    }
+
+    /// The same under a load, which is the last parameter: a moment against the rotor's turning, N m.
+    ///
+    /// # Errors
+    /// [`Untapeable`] where the law is none that can be written down.
+    pub fn under_load(
+        system: &System,
+        machine: &AnyMachine,
+        counts: &MachineData,
+        axes: Axes,
+    ) -> Result<Self, Untapeable> {
+        machine.clone().apply(Recording { system, counts, axes, loaded: true })
     }
 
     /// How many parameters a member has.
@@ -75,6 +88,7 @@ struct Recording<'a> {
     system: &'a System,
     counts: &'a MachineData,
     axes: Axes,
+    loaded: bool,
 }
 
 impl ForMachine for Recording<'_> {
@@ -87,30 +101,37 @@ impl ForMachine for Recording<'_> {
                 let [moments, axis] = [names.three(), names.three()];
                 let (axial, weight) = (names.one(), names.three());
                 let Ok(machine) = M::read::<Sym, _>(&mut names);
+                let load = names.load(self.loaded);
                 match self.axes {
-                    Axes::First => gyrostat(FirstForm::new(moments, axis, axial, weight), machine, &names.made),
-                    Axes::Second => gyrostat(SecondForm::new(moments, axis, axial, weight), machine, &names.made),
+                    Axes::First => gyrostat(FirstForm::new(moments, axis, axial, weight), machine, load, &names.made),
+                    Axes::Second => gyrostat(SecondForm::new(moments, axis, axial, weight), machine, load, &names.made),
                 }
             }
             System::Bench { .. } => {
                 let axial = names.one();
                 let Ok(machine) = M::read::<Sym, _>(&mut names);
+                let load = names.load(self.loaded);
                 let bench = Bench { machine, axial };
                 let state = states(bench.dimension());
                 let none = [Sym::ZERO; 2];
                 let kept = [none[0], none[1], bench.jacobi(&state), bench.rotor_momentum(&state)];
-                kind(&state, &names.made, kept, |dy| bench.rates(&state, dy))
+                kind(&state, &names.made, kept, |dy| bench.rates_under(load, &state, dy))
             }
         }
     }
 }
 
-fn gyrostat(form: impl Form<Sym>, machine: impl Machine<Sym>, parameters: &[Sym]) -> Result<Kind, Untapeable> {
+fn gyrostat(
+    form: impl Form<Sym>,
+    machine: impl Machine<Sym>,
+    load: Sym,
+    parameters: &[Sym],
+) -> Result<Kind, Untapeable> {
     let law = Driven::new(form, machine);
     let state = states(law.dimension());
     let kept =
         [law.vertical_length(&state), law.vertical_momentum(&state), law.jacobi(&state), law.rotor_momentum(&state)];
-    kind(&state, parameters, kept, |dy| law.rates(&state, dy))
+    kind(&state, parameters, kept, |dy| law.rates_under(load, &state, dy))
 }
 
 fn kind(state: &[Sym], parameters: &[Sym], kept: [Sym; 4], law: impl Fn(&mut [Sym])) -> Result<Kind, Untapeable> {
@@ -138,6 +159,10 @@ impl Names<'_> {
         let next = Sym::symbol(&format!("p{}", self.made.len()));
         self.made.push(next);
         next
+    }
+
+    fn load(&mut self, loaded: bool) -> Sym {
+        if loaded { self.one() } else { Sym::ZERO }
     }
 
     fn three(&mut self) -> Vector3<Sym> {

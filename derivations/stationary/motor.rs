@@ -79,7 +79,15 @@ impl Motor {
     /// # Errors
     /// [`NoMotor`].
     pub fn of(machine: &AnyMachine, data: &MachineData) -> Result<Self, NoMotor> {
-        machine.clone().apply(States(data, machine.name()))
+        Self::under(machine, data, 0.0)
+    }
+
+    /// The same under a load: a constant moment against the rotor's turning, N m, as the decimal that was written.
+    ///
+    /// # Errors
+    /// [`NoMotor`].
+    pub fn under(machine: &AnyMachine, data: &MachineData, load: f64) -> Result<Self, NoMotor> {
+        machine.clone().apply(States { data, name: machine.name(), load })
     }
 
     /// The constant relative speeds of the rotor; `None` where any is one.
@@ -101,7 +109,11 @@ impl Angle {
     }
 }
 
-struct States<'a>(&'a MachineData, &'static str);
+struct States<'a> {
+    data: &'a MachineData,
+    name: &'static str,
+    load: f64,
+}
 
 /// The data of a machine as exact constants: the decimals that were written.
 pub(crate) struct Decimals<'a>(pub &'a MachineData, pub &'static str);
@@ -122,17 +134,17 @@ impl ForMachine for States<'_> {
     type Output = Result<Motor, NoMotor>;
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
-        let machine = M::read::<Sym, _>(&mut Decimals(self.0, self.1)).map_err(NoMotor::Data)?;
-        let field_speed = machine.frame_speed();
+        let machine = M::read::<Sym, _>(&mut Decimals(self.data, self.name)).map_err(NoMotor::Data)?;
+        let (field_speed, load) = (machine.frame_speed(), Sym::constant(Rational::decimal(self.load)));
         let kept = field_speed.as_constant().and_then(Root::rational);
         let kept = kept.ok_or_else(|| NoMotor::NotAlgebraic("the field's speed is no fraction".into()));
         match M::ROTOR {
             RotorState::Prescribed => Ok(Motor::Kept { speed: kept? }),
-            RotorState::AngleAndSpeed => in_step(kept?, |angle| stationary_moment(&machine, angle, Sym::ZERO)),
+            RotorState::AngleAndSpeed => in_step(kept?, |angle| stationary_moment(&machine, angle, Sym::ZERO) - load),
             RotorState::Speed => {
                 let speed = Sym::symbol("speed");
                 let angle = Circle { cos: Sym::int(1), sin: Sym::ZERO };
-                slipping(stationary_moment(&machine, angle, speed - field_speed), speed)
+                slipping(stationary_moment(&machine, angle, speed - field_speed) - load, speed)
             }
         }
     }

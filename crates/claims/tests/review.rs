@@ -54,7 +54,7 @@ fn a_turned_sign_and_a_factor_are_told_apart() {
     assert_eq!(term("- M", "+ M"), (Edit::Sign, "-M".into(), "a given moment or force: weight, load, field"));
     let (edit, _, meaning) = term("K*w2", "2*K*w2");
     assert_eq!(
-        (edit.clone(), meaning),
+        (edit, meaning),
         (Edit::Factor(field::Rational::new(2, 1)), "viscous friction, or a spin's gyroscopic moment")
     );
     assert_eq!(term("a*sin(g)*w1", "-a*sin(g)*w1").2, "voltage induced by the motion");

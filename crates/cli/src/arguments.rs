@@ -59,6 +59,8 @@ pub enum Command {
     Stationary(Stationary),
     /// For which steps each method tells a scene's stationary motions stable or unstable as they are, and for which not
     Phantom(Phantom),
+    /// A synchronous motor under load: pull-out, pull-in, what lies between, and which starts come into step
+    Motor(Motor),
     /// Every consistent regime of a scene with rough contacts at its start, with all margins
     Regimes(Regimes),
     /// Lists the scenes of a folder, each with its title
@@ -165,6 +167,20 @@ pub struct Phantom {
     #[arg(long)]
     pub model: Option<String>,
     /// How to print it; JSON is one object: scene, model, omega0, motions
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Whose motor is to be loaded.
+#[derive(Args, Debug)]
+pub struct Motor {
+    /// The scene, a TOML file with a synchronous motor, on a bench or in a gyrostat
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// How to print it
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
@@ -366,6 +382,7 @@ mod tests {
         "derive",
         "bodies",
         "stationary",
+        "motor",
         "regimes",
         "scenes",
         "completions",

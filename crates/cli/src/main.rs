@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `chart`,
+//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `chart`,
 //!   `reference`, `scenes`: one file for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
@@ -20,6 +20,7 @@ mod derive;
 mod ending;
 mod ensemble;
 mod ledger;
+mod motor;
 mod phantom;
 mod pictures;
 mod progress;
@@ -61,6 +62,7 @@ fn main() -> ExitCode {
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),
         Some(Command::Phantom(asked)) => phantom::show(&asked),
+        Some(Command::Motor(asked)) => motor::show(&asked),
         Some(Command::Regimes(asked)) => regimes::show(&asked),
         Some(Command::Scenes(asked)) => scenes::list(&asked),
         Some(Command::Completions { shell }) => ending::print(&completions(shell)).map(|()| Ending::Done),

@@ -24,6 +24,8 @@
 //! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
 //! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
 //!
+//! [`follow`] goes along curves of equilibria and of motions that repeat, over a parameter.
+//!
 //! Key results: every method has its order on nonlinear laws (`tests/methods/orders.rs`), its outputs are as accurate as its end,
 //! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double
 //! gives 26 digits at any stiffness in milliseconds.
@@ -33,6 +35,7 @@ mod attempt;
 mod bader_deuflhard;
 #[cfg(test)]
 mod bell;
+mod branches;
 mod classical;
 mod collocation;
 mod columns;
@@ -71,6 +74,7 @@ mod watch;
 mod work_precision;
 
 pub use attempt::{Attempt, Means};
+pub use branches::{Branch, Curve, Equilibria, Last, Place, Repeating, Walk, follow, spectrum};
 pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family, nodal};
 pub use composition::Splitting;

@@ -40,13 +40,19 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
     /// The right-hand side. Allocates nothing.
     #[inline(always)]
     pub fn rates<S: Over<P> + Analytic>(&self, y: &[S], dy: &mut [S]) {
+        self.rates_under(S::zero(), y, dy);
+    }
+
+    /// The same with a further moment of the load between carrier and rotor, against the rotor's turning, N m.
+    #[inline(always)]
+    pub fn rates_under<S: Over<P> + Analytic>(&self, load: S, y: &[S], dy: &mut [S]) {
         let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
         let rotor_end = 6 + M::ROTOR.dimension();
         let (angle, slip) = M::ROTOR.angle_and_slip(&y[6..rotor_end]);
         let rotor_speed = slip + S::lift(self.machine.frame_speed());
         let (mechanical, current_rates) = dy.split_at_mut(rotor_end);
         let circuits = self.circuits.iter().copied();
-        let moment = drive_circuits(&self.machine, circuits, angle, slip, &y[rotor_end..], current_rates);
+        let moment = drive_circuits(&self.machine, circuits, angle, slip, &y[rotor_end..], current_rates) - load;
         let w_rate = if M::ROTOR == RotorState::Prescribed {
             self.form.prescribed(w, v, rotor_speed).0
         } else {

@@ -49,7 +49,7 @@ pub fn meaning(monomial: Sym, dimension: &dyn Fn(&str) -> Option<Dimension>) -> 
 }
 
 fn same(dimension: Dimension, exponents: [i64; 4]) -> bool {
-    dimension.exponents() == exponents.map(|exponent| Rational::int(exponent))
+    dimension.exponents() == exponents.map(Rational::int)
 }
 
 /// Letters with their powers; of an angle or a root the letters inside.

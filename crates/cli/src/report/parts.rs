@@ -8,10 +8,10 @@ use crate::pictures;
 use crate::rough;
 use crate::speed;
 use crate::sphere;
-use crate::studies::{Drive, Endurance, Gains, Phantom, atlas};
+use crate::studies::{Drive, Endurance, Gains, Phantom, Synchronism, atlas};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
-use derivations::scene::AnyScene;
+use derivations::scene::{AnyScene, Scene};
 use derivations::{friction::RoughScene, governors, papers, regimes};
 use std::path::Path;
 
@@ -29,6 +29,7 @@ pub struct Parts {
     drive: Drive,
     endurance: Endurance,
     phantom: Phantom,
+    synchronism: Synchronism,
 }
 
 impl Parts {
@@ -46,6 +47,7 @@ impl Parts {
             drive: Drive::default(),
             endurance: Endurance::default(),
             phantom: Phantom::default(),
+            synchronism: Synchronism::default(),
         }
     }
 
@@ -70,15 +72,11 @@ impl Parts {
                 _ => None,
             })
         });
+        self.synchronism.enlist(driven(scenes), &mut crew);
         crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
-        crew.add(0.5, &mut self.stationary, || {
-            sphere::all(scenes.iter().filter_map(|read| match &read.scene {
-                AnyScene::Driven(scene) => Some(&**scene),
-                _ => None,
-            }))
-        });
+        crew.add(0.5, &mut self.stationary, || sphere::all(driven(scenes)));
         crew.work(done);
     }
 
@@ -136,6 +134,7 @@ impl Parts {
         let (spheres, stationary) = self.stationary.unwrap_or_default();
         report.spheres = spheres;
         report.studies = stationary.into_iter().collect();
+        report.studies.extend(self.synchronism.study());
         report.studies.extend([
             atlas,
             self.gains.study(),
@@ -150,6 +149,14 @@ impl Parts {
         report.summary = format!("{} {}", report.summary, found(&report, digits));
         report
     }
+}
+
+/// Those with a motor.
+fn driven(scenes: &[Read]) -> impl Iterator<Item = &Scene> {
+    scenes.iter().filter_map(|read| match &read.scene {
+        AnyScene::Driven(scene) => Some(&**scene),
+        _ => None,
+    })
 }
 
 const SUMMARY: &str = "Equations of motion derived from bodies and energies; every statement of a paper judged by exact \

@@ -1,17 +1,19 @@
 //! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs,
-//! phantom stability.
+//! phantom stability, a motor under load.
 
 pub mod atlas;
 mod drive;
 mod endurance;
 mod gains;
 mod phantom;
+pub mod synchronism;
 mod treatments;
 
 pub use drive::Drive;
 pub use endurance::Endurance;
 pub use gains::Gains;
 pub use phantom::Phantom;
+pub use synchronism::Synchronism;
 
 use charts::AreaCurve;
 use integrators::Failure;

@@ -111,3 +111,10 @@ fn stationary_motions_of_what_has_none_are_refused() {
     refused("stationary_speed", &["stationary", "scenes/spin_up.toml", "--omega0", "fast"]);
     refused("stationary_infinite", &["stationary", "scenes/spin_up.toml", "--momentum", "inf"]);
 }
+
+#[test]
+fn motors_that_follow_no_field_are_refused() {
+    refused("motor_asynchronous", &["motor", "scenes/asynchronous_drive.toml"]);
+    refused("motor_ladder", &["motor", "scenes/friction/painleve.toml"]);
+    refused("motor_without_data", &["motor", "scenes/bench.toml", "--model", "kloss"]);
+}

@@ -285,3 +285,25 @@ fn stationary_motions_come_with_their_certificates() {
     let cone = json(&run(&["stationary", "scenes/spin_up.toml", "--cone", "--format", "json"]));
     assert_eq!(cone["cone"][0]["complete"], true);
 }
+
+#[test]
+fn a_motor_under_load_has_a_pull_in_below_its_pull_out() {
+    let output = run(&["motor", "scenes/bench.toml", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let all = json(&output);
+    let pull_out = all["pull_out"]["load"].as_f64().expect("a load");
+    assert!((pull_out - 0.135).abs() < 1e-13, "{pull_out}");
+    let motors = all["motors"].as_array().expect("a list");
+    assert_eq!(motors.len(), 5, "with 0, 1, 2, 3 and its own 8 bars");
+    for motor in motors {
+        let pull_in = motor["pull_in"].as_f64().expect("a load");
+        assert!(pull_in < pull_out);
+        let shares = motor["shares"].as_array().expect("a list");
+        assert_eq!(shares.last().expect("a load beyond the pull-out")["in_step"], 0);
+        for share in shares {
+            // below the pull-in every start comes into step, if there is time
+            let (load, slipping) = (share["load"].as_f64().expect("a load"), share["slipping"].as_u64());
+            assert!(load >= pull_in || slipping == Some(0) || motor["bars"] == 0, "{motor}");
+        }
+    }
+}

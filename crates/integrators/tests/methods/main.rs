@@ -1,6 +1,7 @@
 //! The methods on nonlinear problems with known solutions: one program, so that they share these.
 
 mod allocations;
+mod branches;
 mod events;
 mod failures;
 mod held;

@@ -1,0 +1,83 @@
+//! One point of a curve: Newton's iteration across it, and its direction there.
+
+use super::Curve;
+use crate::newton::Newton;
+use nalgebra::{DMatrix, DVector};
+
+/// Corrections after which a trial point counts as too far off.
+const MOST_CORRECTIONS: u32 = 12;
+/// Corrections below this share of the unknowns may become larger: they are rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Finds points of a curve in unknowns divided by their sizes.
+pub(super) struct Corrector<'a> {
+    curve: &'a mut dyn Curve,
+    sizes: &'a [f64],
+    residual: Vec<f64>,
+    matrix: Vec<f64>,
+    /// Of the last point, in steps of Newton's iteration.
+    pub corrections: u32,
+}
+
+impl<'a> Corrector<'a> {
+    pub fn new(curve: &'a mut dyn Curve, sizes: &'a [f64]) -> Self {
+        let unknowns = curve.unknowns();
+        let residual = vec![0.0; unknowns.saturating_sub(1)];
+        let matrix = vec![0.0; residual.len() * unknowns];
+        Corrector { curve, sizes, residual, matrix, corrections: 0 }
+    }
+
+    /// The derivatives with one more row, each row divided by its largest entry; and the residuals divided likewise.
+    fn bordered(&mut self, x: &DVector<f64>, border: &DVector<f64>) -> Option<(DMatrix<f64>, DVector<f64>)> {
+        let n = self.residual.len();
+        let given: Vec<f64> = x.iter().zip(self.sizes).map(|(x, size)| x * size).collect();
+        self.curve.evaluate(&given, &mut self.residual, &mut self.matrix).ok()?;
+        let mut matrix = DMatrix::from_fn(n + 1, n + 1, |i, j| match i == n {
+            true => border[j],
+            false => self.matrix[i * (n + 1) + j] * self.sizes[j],
+        });
+        let mut right = DVector::zeros(n + 1);
+        for i in 0..n {
+            let largest = matrix.row(i).amax();
+            if !(largest > 0.0 && largest.is_finite() && self.residual[i].is_finite()) {
+                return None;
+            }
+            matrix.row_mut(i).iter_mut().for_each(|entry| *entry /= largest);
+            right[i] = self.residual[i] / largest;
+        }
+        Some((matrix, right))
+    }
+
+    /// The point of the curve in the plane through a trial point across a direction; `None` where Newton's iteration
+    /// does not find it within `reach`.
+    pub fn onto(&mut self, trial: &DVector<f64>, across: &DVector<f64>, reach: f64) -> Option<DVector<f64>> {
+        let (mut x, mut newton, mut last) = (trial.clone(), Newton::new(), f64::INFINITY);
+        for corrections in 1..=MOST_CORRECTIONS {
+            let (matrix, mut right) = self.bordered(&x, across)?;
+            right[x.len() - 1] = across.dot(&(&x - trial));
+            let correction = matrix.lu().solve(&right)?;
+            x -= &correction;
+            self.corrections = corrections;
+            let (size, scale) = (correction.norm(), 1.0 + x.amax());
+            let astray = corrections > 2 && size > last && last > ROUNDING * scale;
+            if astray || (&x - trial).norm() > reach {
+                return None;
+            }
+            if newton.corrected::<f64>(size, scale).ok()? {
+                return Some(x);
+            }
+            last = size;
+        }
+        None
+    }
+
+    /// The unit vector along the curve that has a positive part along another.
+    pub fn direction(&mut self, x: &DVector<f64>, along: &DVector<f64>) -> Option<DVector<f64>> {
+        let (matrix, mut right) = self.bordered(x, along)?;
+        right.fill(0.0);
+        right[x.len() - 1] = 1.0;
+        let direction = matrix.lu().solve(&right)?;
+        let length = direction.norm();
+        (length > 0.0 && length.is_finite()).then(|| direction / length)
+    }
+}

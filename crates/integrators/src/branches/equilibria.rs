@@ -1,0 +1,42 @@
+//! States at which a law rests, over a parameter that is its last state.
+
+use super::Curve;
+use crate::{Failure, Jacobian, System};
+
+/// f(y, p) = 0 for a law whose last state p rests.
+pub struct Equilibria<'a> {
+    law: &'a dyn System,
+    jacobian: Jacobian<'a>,
+    rates: Vec<f64>,
+    square: Vec<f64>,
+}
+
+impl<'a> Equilibria<'a> {
+    /// Of an autonomous law.
+    pub fn new(law: &'a dyn System) -> Self {
+        let jacobian = Jacobian::of(law);
+        let count = crate::Ode::<f64>::dimension(law);
+        Equilibria { law, jacobian, rates: vec![0.0; count], square: vec![0.0; count * count] }
+    }
+
+    /// The derivatives of the rates by the states, without the parameter: (n, n x n).
+    pub fn linearised(&mut self, x: &[f64]) -> (usize, Vec<f64>) {
+        self.jacobian.matrix(0.0, x, &mut self.square);
+        let n = x.len().saturating_sub(1);
+        (n, self.square.chunks(x.len().max(1)).take(n).flat_map(|row| row[..n].iter().copied()).collect())
+    }
+}
+
+impl Curve for Equilibria<'_> {
+    fn unknowns(&self) -> usize {
+        self.rates.len()
+    }
+
+    fn evaluate(&mut self, x: &[f64], residual: &mut [f64], matrix: &mut [f64]) -> Result<(), Failure> {
+        crate::Ode::<f64>::rates(self.law, 0.0, x, &mut self.rates);
+        self.jacobian.matrix(0.0, x, &mut self.square);
+        residual.copy_from_slice(&self.rates[..residual.len()]);
+        matrix.copy_from_slice(&self.square[..matrix.len()]);
+        Ok(())
+    }
+}

@@ -1,0 +1,90 @@
+//! Motions that come again but for a shift: y(T) = y(0) + shift.
+//!
+//! With a shift of zero these are periodic orbits; with a whole turn in an angle, rotations. One state is the section: it
+//! has a given value at time zero, and its place among the unknowns is taken by T. The derivatives come from the
+//! transition matrix. One of its eigenvalues (Floquet's multipliers) is 1, along the motion; it is taken out exactly where
+//! the section is: what is left is the map of the section onto itself (Poincare), whose eigenvalues are the others.
+
+use super::Curve;
+use crate::{Failure, Ode, System, Tolerance, transition};
+
+/// The motions of an autonomous law, whose last state is a parameter that rests.
+pub struct Repeating<'a> {
+    law: &'a dyn System,
+    tolerance: Tolerance,
+    /// One for each state but the parameter.
+    shift: Vec<f64>,
+    section: usize,
+    value: f64,
+    start: Vec<f64>,
+    rates: Vec<f64>,
+    /// Of the last evaluation, with the parameter.
+    transition: Vec<f64>,
+}
+
+impl<'a> Repeating<'a> {
+    /// State number `section` is `value` at time zero, and T takes its place among the unknowns.
+    pub fn new(law: &'a dyn System, tolerance: f64, shift: &[f64], (section, value): (usize, f64)) -> Self {
+        let count = Ode::<f64>::dimension(law);
+        Repeating {
+            law,
+            tolerance: Tolerance::both(tolerance),
+            shift: shift.to_vec(),
+            section,
+            value,
+            start: vec![0.0; count],
+            rates: vec![0.0; count],
+            transition: Vec::new(),
+        }
+    }
+
+    /// The state at time zero, parameter included, and T.
+    pub fn motion(&self, x: &[f64]) -> (Vec<f64>, f64) {
+        let mut start = x.to_vec();
+        let lasts = std::mem::replace(&mut start[self.section], self.value);
+        (start, lasts)
+    }
+
+    /// The derivatives of the return to the section, by the states but that of the section and the parameter: (m, m x m).
+    ///
+    /// # Errors
+    /// [`Failure`] where the motion does not last as long.
+    pub fn returning(&mut self, x: &[f64]) -> Result<(usize, Vec<f64>), Failure> {
+        let end = self.run(x)?;
+        Ode::<f64>::rates(self.law, 0.0, &end, &mut self.rates);
+        let (count, section) = (x.len(), self.section);
+        let across: Vec<usize> = (0..count.saturating_sub(1)).filter(|&i| i != section).collect();
+        let entry = |i: usize, j: usize| self.transition[i * count + j];
+        let pace = |i: usize| self.rates[i] / self.rates[section];
+        let returning = |i: usize| across.iter().map(move |&j| entry(i, j) - pace(i) * entry(section, j));
+        Ok((across.len(), across.iter().flat_map(|&i| returning(i)).collect()))
+    }
+
+    /// The state at time T; its derivatives are kept.
+    fn run(&mut self, x: &[f64]) -> Result<Vec<f64>, Failure> {
+        self.start.copy_from_slice(x);
+        self.start[self.section] = self.value;
+        let found = transition(self.law, &self.tolerance, (0.0, x[self.section]), &self.start)?;
+        self.transition = found.matrix;
+        Ok(found.state)
+    }
+}
+
+impl Curve for Repeating<'_> {
+    fn unknowns(&self) -> usize {
+        self.start.len()
+    }
+
+    fn evaluate(&mut self, x: &[f64], residual: &mut [f64], matrix: &mut [f64]) -> Result<(), Failure> {
+        let end = self.run(x)?;
+        Ode::<f64>::rates(self.law, 0.0, &end, &mut self.rates);
+        let count = x.len();
+        matrix.copy_from_slice(&self.transition[..matrix.len()]);
+        for (i, residual) in residual.iter_mut().enumerate() {
+            *residual = end[i] - self.start[i] - self.shift[i];
+            matrix[i * count + i] -= 1.0;
+            matrix[i * count + self.section] = self.rates[i];
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,22 @@
+//! All eigenvalues of a small matrix.
+
+use nalgebra::linalg::Schur;
+use nalgebra::{Complex, DMatrix};
+
+/// Steps for each eigenvalue, beyond which the iteration counts as lost; it takes two or three.
+const MOST_STEPS: usize = 200;
+
+/// The eigenvalues of an n x n matrix, row after row, the largest real part first; `None` where the iteration is lost, or
+/// an entry is not finite.
+pub fn spectrum(n: usize, matrix: &[f64]) -> Option<Vec<Complex<f64>>> {
+    if matrix.len() != n * n || !matrix.iter().all(|entry| entry.is_finite()) {
+        return None;
+    }
+    if n == 0 {
+        return Some(Vec::new());
+    }
+    let schur = Schur::try_new(DMatrix::from_row_slice(n, n, matrix), f64::EPSILON, MOST_STEPS * n)?;
+    let mut found: Vec<Complex<f64>> = schur.complex_eigenvalues().iter().copied().collect();
+    found.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
+    Some(found)
+}

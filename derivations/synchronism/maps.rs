@@ -1,0 +1,55 @@
+//! Maps of synchronism: the share of starts that come into step, over the load and over what damps.
+
+use super::basin::{NoShares, Share, Starts, shares};
+use super::loaded::{Loaded, with_damping};
+use crate::scene::{Scene, System};
+
+/// One row of the map of the motor without currents: what becomes of the starts under each load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// f / sqrt(A' b)
+    pub damping: f64,
+    pub shares: Vec<Share>,
+    /// The least load under which the rotor can slip for ever, N m, where it is known.
+    pub pull_in: Option<f64>,
+}
+
+/// Swings in which a motor without currents is followed; what is left of a disturbance then, as damping times this, decides.
+const SWINGS: f64 = 200.0;
+
+/// Alone on its bench, whatever carries it in the scene.
+pub fn alone(scene: &Scene) -> Scene {
+    let axial = match &scene.system {
+        System::Bench { axial } => *axial,
+        System::Gyrostat(bodies) => bodies.rotor.axial,
+    };
+    Scene { system: System::Bench { axial }, ..scene.clone() }
+}
+
+/// The motor without currents under these drags M + f W, in units of what the field holds.
+///
+/// # Errors
+/// [`NoShares`].
+pub fn over_damping(scene: &Scene, damping: f64, drags: &[f64], starts: (usize, usize)) -> Result<Row, NoShares> {
+    let none = || NoShares::Law("the scene's data make no motor without currents".into());
+    let scene = alone(&with_damping(scene, damping).ok_or_else(none)?);
+    let motor = Loaded::of(&scene).map_err(NoShares::Field)?;
+    let facts = &motor.facts;
+    let loads: Vec<f64> = drags.iter().map(|drag| drag * facts.hold - facts.friction).collect();
+    let starts = Starts { angles: starts.0, slips: starts.1, slip: [-5.0 * facts.frequency, 0.0] };
+    let shares = shares(&scene, &loads, starts, SWINGS / facts.frequency)?;
+    let all = motor.in_step();
+    let pull_out = Loaded::pull_out(&all).map(|standing| standing.load);
+    let pull_in = pull_out.zip(motor.out_of_step().ok()).and_then(|(load, found)| Some(found.pull_in(load)?.load));
+    Ok(Row { damping, shares, pull_in })
+}
+
+/// A scene's motor where it is, from standstill to synchronism, under these loads, N m, for a time, s.
+///
+/// # Errors
+/// [`NoShares`].
+pub fn over_starts(scene: &Scene, loads: &[f64], starts: (usize, usize), span: f64) -> Result<Vec<Share>, NoShares> {
+    let motor = Loaded::of(scene).map_err(NoShares::Field)?;
+    let starts = Starts { angles: starts.0, slips: starts.1, slip: [-motor.facts.field_speed, 0.0] };
+    shares(scene, loads, starts, span)
+}

@@ -1,0 +1,68 @@
+//! Motions that repeat, found by shooting: against closed forms.
+
+use derivations::recorded::Recorded;
+use field::{Analytic, Over};
+use integrators::{Ode, Repeating, System, Walk, follow};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// x' = x (p - r^2) - y, y' = y (p - r^2) + x: the circle r^2 = p in the time 2 pi, with the multiplier exp(-4 pi p).
+struct Circular;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Circular {
+    fn dimension(&self) -> usize {
+        3
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        let room = y[2] - y[0] * y[0] - y[1] * y[1];
+        (dy[0], dy[1], dy[2]) = (y[0] * room - y[1], y[1] * room + y[0], S::zero());
+    }
+}
+
+/// g'' = -p - d g' with d = 0.5: without a field the slip is -p/d, and the multiplier of a turn exp(-d T).
+struct Uniform;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Uniform {
+    fn dimension(&self) -> usize {
+        3
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        (dy[0], dy[1], dy[2]) = (y[1], -y[2] - y[1].half(), S::zero());
+    }
+}
+
+#[test]
+fn a_limit_cycle_is_followed_with_its_period_and_multiplier() {
+    let law = Recorded::new(Arc::new(Circular));
+    let law: &dyn System = &law;
+    let mut turns = Repeating::new(law, 1e-14, &[0.0, 0.0], (1, 0.0));
+    let within = |x: &[f64]| x[2] < 0.3;
+    let walk = Walk { sizes: &[0.1, 1.0, 0.1], parameter: 2, step: 0.5, most: 50, within: &within };
+    let found = follow(&mut turns, &[0.2, 6.0, 0.04], &[0.0, 0.0, 1.0], &walk).expect("a cycle");
+    assert!(found.places.len() > 3 && found.folds().count() == 0);
+    for place in &found.places {
+        let (start, period) = turns.motion(&place.x);
+        let p = start[2];
+        assert!((start[0] - p.sqrt()).abs() < 1e-12 && (period - TAU).abs() < 1e-11, "{start:?} {period}");
+        let (n, matrix) = turns.returning(&place.x).expect("a turn");
+        assert!(n == 1 && (matrix[0] - (-2.0 * TAU * p).exp()).abs() < 1e-12, "{matrix:?}");
+    }
+}
+
+#[test]
+fn a_rotation_is_a_motion_that_repeats_but_for_a_turn() {
+    let law = Recorded::new(Arc::new(Uniform));
+    let law: &dyn System = &law;
+    let mut turns = Repeating::new(law, 1e-14, &[-TAU, 0.0], (0, 0.3));
+    let walk = Walk { sizes: &[1.0; 3], parameter: 2, step: 0.5, most: 12, within: &|_| true };
+    let found = follow(&mut turns, &[3.0, -2.0, 1.2], &[1.0, 0.0, 0.0], &walk).expect("rotations");
+    assert_eq!(found.places.len(), 12);
+    for place in &found.places {
+        let (start, period) = turns.motion(&place.x);
+        assert!((start[1] + 2.0 * start[2]).abs() < 1e-12 && (start[1] * period + TAU).abs() < 1e-11, "{start:?}");
+        let (n, matrix) = turns.returning(&place.x).expect("a turn");
+        assert!(n == 1 && (matrix[0] - (-0.5 * period).exp()).abs() < 1e-12, "{matrix:?}");
+    }
+}

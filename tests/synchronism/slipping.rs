@@ -1,0 +1,107 @@
+//! Pull-in: motions that slip turn after turn, and the load below which there is none.
+
+use super::{loaded, pendulum, scene};
+use derivations::synchronism::branches::Slipping;
+use derivations::synchronism::loaded::{Loaded, with_bars};
+use derivations::synchronism::pull_in::Onset;
+use integrators::{Method, Span, Tolerance, integrate};
+use std::f64::consts::PI;
+
+/// The drag M + f W from which on the pendulum can slip, in units of what holds.
+fn pull_in(damping: f64) -> (f64, Onset) {
+    let motor = loaded(&pendulum(damping));
+    let found = motor.out_of_step().expect("it slips");
+    let least = found.pull_in(1.0 - motor.facts.friction).expect("under some load");
+    (least.load + motor.facts.friction, least.by)
+}
+
+/// Tricomi's load for small damping is 4/pi of it, with an error of the third order: the equation is odd in both.
+#[test]
+fn for_small_damping_the_pull_in_is_that_of_the_work_along_the_separatrix_to_third_order() {
+    let dampings = [0.05, 0.1, 0.2];
+    let off = dampings.map(|damping| pull_in(damping).0 - 4.0 / PI * damping);
+    for pair in off.windows(2) {
+        let order = (pair[1] / pair[0]).log2();
+        assert!((order - 3.0).abs() < 0.1, "order {order}: {off:?}");
+    }
+}
+
+/// The second route: the motion that leaves the balance, run until it falls back into the next well or passes it.
+fn by_the_unstable_motion(damping: f64) -> f64 {
+    let motor = loaded(&pendulum(damping));
+    let passes = |drag: f64| {
+        let top = PI - drag.asin();
+        let growth = -0.5 * damping + (0.25 * damping * damping + drag.asin().cos()).sqrt();
+        // along the eigenvector, so far that the next term of the motion is below 1e-10
+        let start = [-PI + drag.asin() - 1e-5, -1e-5 * growth, drag - motor.facts.friction];
+        let outcome = integrate(
+            &*motor.law,
+            Method::DormandPrince8,
+            &Tolerance::both(1e-13),
+            &Span::new(0.0, 80.0, &start),
+            &mut (),
+        );
+        assert!(outcome.reached());
+        outcome.state[0] < -2.0 * PI - top
+    };
+    let (mut low, mut high) = (damping, 1.0);
+    for _ in 0..34 {
+        let middle = 0.5 * (low + high);
+        if passes(middle) { high = middle } else { low = middle }
+    }
+    0.5 * (low + high)
+}
+
+#[test]
+fn the_limit_of_ever_longer_turns_is_the_load_at_which_the_motion_from_one_balance_comes_to_the_next() {
+    for damping in [0.1, 0.4, 0.8] {
+        let (turns, motion) = (pull_in(damping).0, by_the_unstable_motion(damping));
+        assert!((turns - motion).abs() < 2e-10, "{damping}: {turns:.12} and {motion:.12}");
+    }
+}
+
+/// By Liouville the one multiplier of a turn of the motor without currents is exp(-damping T).
+#[test]
+fn multipliers_are_what_friction_leaves_of_a_turn() {
+    for damping in [0.05, 0.4] {
+        let found = loaded(&pendulum(damping)).out_of_step().expect("it slips");
+        for one in &found.motions {
+            // a turn that rests long near the balance is known to what its growth there leaves of rounding
+            let known = (-damping * one.period).exp();
+            assert!((one.multiplier - known).abs() < 1e-10 + 1e-14 * one.period.exp(), "{one:?} {known}");
+        }
+        assert!(found.motions.iter().all(Slipping::stable));
+    }
+}
+
+/// Beyond the damping 1.19 (Tricomi's curve meets the pull-out) slipping begins where standing ends.
+#[test]
+fn strong_damping_leaves_no_hysteresis() {
+    assert_eq!(pull_in(1.25), (1.0, Onset::PullOut));
+    let (below, by) = pull_in(1.1);
+    assert!(below < 0.999 && below > 0.98 && by == Onset::Balance, "{below} {by:?}");
+    let motor = loaded(&pendulum(1.25));
+    assert!(motor.out_of_step().expect("it slips").motions.iter().all(Slipping::stable));
+}
+
+/// What the bars add, and where: the torque of three bars or more is Kloss', so that slipping has folds like its humps.
+#[test]
+fn damper_bars_raise_the_pull_in_and_leave_the_pull_out() {
+    let scene = scene("bench");
+    let with = |bars: usize| {
+        let motor = loaded(&with_bars(&scene, bars).expect("it has bars"));
+        let all = motor.in_step();
+        let pull_out = Loaded::pull_out(&all).expect("it holds").load;
+        assert!((pull_out - 0.135).abs() < 1e-13, "{bars} bars: {pull_out}");
+        let found = motor.out_of_step().expect("it slips");
+        let least = found.pull_in(pull_out).expect("it slips under some load");
+        // between the two some slipping motion is stable
+        let between = motor.slipping_under(0.5 * (least.load + pull_out), &found).expect("they are followed");
+        assert!(between.iter().any(Slipping::stable), "{between:?}");
+        let below = motor.slipping_under(least.load - 1e-3, &found).expect("they are followed");
+        assert!(!below.iter().any(Slipping::stable), "{below:?}");
+        (least.load, found.limit.expect("long turns"))
+    };
+    let loads = [0, 1, 2, 3, 8].map(with);
+    assert!(loads.windows(2).all(|pair| pair[0].0 < pair[1].0 && pair[0].1 < pair[1].1), "{loads:?}");
+}
