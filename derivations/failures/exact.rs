@@ -1,0 +1,123 @@
+//! A threshold as theory has it.
+
+use field::Rational;
+use std::fmt;
+use symbolic::real::Root;
+
+/// An exact number.
+#[derive(Clone, Debug)]
+pub enum Exact {
+    Number(Rational),
+    /// A real root of a polynomial with integer coefficients.
+    Root(Root),
+    /// Where functions are transcendental: the formula with its data, and its value.
+    Formula(String, f64),
+}
+
+impl Exact {
+    /// The nearest float, or one of its neighbours.
+    pub fn value(&self) -> f64 {
+        match self {
+            Exact::Number(number) => number.to_f64(),
+            Exact::Root(root) => root.to_f64(),
+            Exact::Formula(_, value) => *value,
+        }
+    }
+
+    /// A number that was found: `None` stays `None`.
+    pub(super) fn root(found: Option<Root>) -> Option<Self> {
+        found.map(|root| root.as_rational().map_or(Exact::Root(root), Exact::Number))
+    }
+}
+
+impl fmt::Display for Exact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Exact::Number(number) => number.fmt(f),
+            Exact::Formula(text, _) => f.write_str(text),
+            Exact::Root(root) => match small(root).as_deref() {
+                Some(&[c, b, a]) => surd(f, [a, b, c], root.to_f64()),
+                _ => polynomial(f, root),
+            },
+        }
+    }
+}
+
+/// The coefficients, where all fit.
+fn small(root: &Root) -> Option<Vec<i128>> {
+    let integers = root.polynomial().integers()?;
+    // halved, so that the discriminant fits too
+    let fits = |n: &i128| n.unsigned_abs() < 1 << 60;
+    integers.iter().map(|n| n.to_string().parse().ok().filter(fits)).collect()
+}
+
+/// (p + q sqrt(n)) / d of a quadratic equation.
+fn surd(f: &mut fmt::Formatter<'_>, [a, b, c]: [i128; 3], value: f64) -> fmt::Result {
+    let (mut inside, mut outside) = (b * b - 4 * a * c, 1);
+    for square in (2..1000).rev() {
+        while inside % (square * square) == 0 {
+            (inside, outside) = (inside / (square * square), outside * square);
+        }
+    }
+    let common = gcd(gcd(b, outside), 2 * a);
+    let (p, q, d) = (-b / common, outside / common, 2 * a / common);
+    let (p, d) = (p * d.signum(), d.abs());
+    // of the two roots the one that it is
+    let sign = if (value * d as f64) < p as f64 { "-" } else { "+" };
+    let root = if q == 1 { format!("sqrt({inside})") } else { format!("{q} sqrt({inside})") };
+    let above = match (p, sign) {
+        (0, "-") => format!("-{root}"),
+        (0, _) => root,
+        _ => format!("({p} {sign} {root})"),
+    };
+    if d == 1 { f.write_str(&above) } else { write!(f, "{above}/{d}") }
+}
+
+fn gcd(a: i128, b: i128) -> i128 {
+    if b == 0 { a.abs().max(1) } else { gcd(b, a % b) }
+}
+
+/// The polynomial, and which of its real roots it is.
+fn polynomial(f: &mut fmt::Formatter<'_>, root: &Root) -> fmt::Result {
+    let all = root.polynomial().real_roots();
+    let place = all.iter().filter(|other| other.compare(root).is_lt()).count() + 1;
+    write!(f, "root {place} of {} of", all.len())?;
+    let integers = root.polynomial().integers().unwrap_or_default();
+    for (power, n) in integers.iter().enumerate().rev() {
+        let text = n.to_string();
+        let (sign, size) = text.strip_prefix('-').map_or(("+", text.as_str()), |size| ("-", size));
+        if size == "0" {
+            continue;
+        }
+        let sign = if power + 1 == integers.len() && sign == "+" { String::new() } else { format!("{sign} ") };
+        let power = match power {
+            0 => String::new(),
+            1 => "x".to_owned(),
+            _ => format!("x^{power}"),
+        };
+        let factor = if size == "1" && !power.is_empty() { "" } else { size };
+        let space = if factor.is_empty() || power.is_empty() { "" } else { " " };
+        write!(f, " {sign}{factor}{space}{power}")?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Exact;
+    use symbolic::real::Polynomial;
+
+    #[test]
+    fn quadratic_numbers_are_written_as_roots_and_others_by_their_polynomial() {
+        let written = |coefficients: &[i64]| {
+            let roots = Polynomial::from_integers(coefficients.iter().copied()).real_roots();
+            roots.into_iter().map(|root| Exact::root(Some(root)).map_or(String::new(), |it| it.to_string())).collect()
+        };
+        let none: Vec<String> = written(&[4, -6, 1]);
+        assert_eq!(none, ["(3 - sqrt(5))", "(3 + sqrt(5))"]);
+        let none: Vec<String> = written(&[-2, 0, 25]);
+        assert_eq!(none, ["-sqrt(2)/5", "sqrt(2)/5"]);
+        let none: Vec<String> = written(&[-24, 12, -4, 1]);
+        assert_eq!(none, ["root 1 of 1 of x^3 - 4 x^2 + 12 x - 24"]);
+    }
+}

@@ -1,0 +1,114 @@
+//! Every method on a scene under a budget, and what became of each.
+
+use crate::scene::{Problem, methods};
+use integrators::{End, Method, Observer, Outcome, Record, Span, System, Tolerance, integrate};
+use std::fmt;
+
+/// What became of a method.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// It comes out as it should.
+    Holds,
+    /// It reaches its end with a result that is wrong, and says nothing.
+    Wrong,
+    /// It stops, and gives this reason.
+    Stops(String),
+    /// A number that is none came out: never.
+    Undefined,
+}
+
+/// Something that was tried.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Trial {
+    /// A method as the command line reads it, or a formulation.
+    pub by: String,
+    pub fate: Fate,
+}
+
+/// The evaluations that a method may spend.
+pub const BUDGET: u64 = 200_000;
+
+/// A problem that every method is to try.
+pub struct Tried<'a> {
+    pub law: &'a dyn System,
+    pub state: &'a [f64],
+    /// s
+    pub span: f64,
+    pub tolerance: f64,
+    /// Of the methods with a constant step.
+    pub steps: u32,
+    /// Instants at which the result is looked at.
+    pub outputs: usize,
+}
+
+/// Every method by the name that the command line reads, those of constant step with so many.
+pub fn every_method(steps: u32) -> impl Iterator<Item = (String, Method)> {
+    methods::list().filter_map(move |(written, _)| {
+        let name = written.replace("STEPS", &steps.to_string());
+        methods::method(&name).ok().map(|method| (name, method))
+    })
+}
+
+impl<'a> Tried<'a> {
+    /// A problem, seen at four instants, with a thousand steps where they are constant.
+    pub fn of(problem: &'a Problem, tolerance: f64) -> Self {
+        let Problem { law, state, span, .. } = problem;
+        Tried { law: &**law, state, span: *span, tolerance, steps: 1_000, outputs: 4 }
+    }
+
+    /// One method.
+    pub fn run(&self, method: Method, observer: &mut dyn Observer<f64>) -> (Outcome<f64>, Record<f64>) {
+        let span = Span::new(0.0, self.span, self.state).with_even_outputs(self.outputs).with_evaluations(BUDGET);
+        let mut record = Record::new();
+        let outcome =
+            integrate(self.law, method, &Tolerance::both(self.tolerance), &span, &mut (&mut record, observer));
+        (outcome, record)
+    }
+
+    /// All methods; of one that reached its end `holds` says whether it came out as it should.
+    pub fn all(&self, holds: impl Fn(&Record<f64>) -> bool) -> Vec<Trial> {
+        let one = |(by, method): (String, Method)| {
+            let (outcome, record) = self.run(method, &mut ());
+            Trial { by, fate: fate(&outcome, &record, &holds) }
+        };
+        every_method(self.steps).map(one).collect()
+    }
+}
+
+/// What became of a run.
+pub fn fate(outcome: &Outcome<f64>, record: &Record<f64>, holds: impl Fn(&Record<f64>) -> bool) -> Fate {
+    let numbers = record.states.iter().flatten().chain(&outcome.state);
+    if !outcome.time.is_finite() || numbers.into_iter().any(|y| !y.is_finite()) {
+        return Fate::Undefined;
+    }
+    match outcome.end {
+        End::Stopped(failure) => Fate::Stops(failure.name().to_owned()),
+        End::Reached | End::Halted if holds(record) => Fate::Holds,
+        End::Reached | End::Halted => Fate::Wrong,
+    }
+}
+
+impl fmt::Display for Fate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Fate::Holds => f.write_str("holds"),
+            Fate::Wrong => f.write_str("wrong, and says nothing"),
+            Fate::Stops(why) => write!(f, "stops: {why}"),
+            Fate::Undefined => f.write_str("no number"),
+        }
+    }
+}
+
+/// Whether a run is near another in every component, relative to its size there.
+pub fn near(record: &Record<f64>, right: &Record<f64>, share: f64) -> bool {
+    let count = right.states.first().map_or(0, Vec::len);
+    let size = |i: usize| right.states.iter().map(|state| state[i].abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let sizes: Vec<f64> = (0..count).map(size).collect();
+    let close = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).zip(&sizes).all(|((a, b), s)| (a - b).abs() <= share * s);
+    record.times == right.times && record.states.iter().zip(&right.states).all(close)
+}
+
+/// Whether the law holds at every instant of a run.
+pub fn within(problem: &Problem, record: &Record<f64>) -> bool {
+    record.states.iter().all(|state| (problem.outside)(state).is_none())
+}
