@@ -64,15 +64,11 @@ fn page(failing: &Failing, found: &Found) -> String {
         let unit = if it.unit.is_empty() { String::new() } else { format!(" {}", it.unit) };
         text += &format!("\n{}: {} = {}{unit}; {judged} {}", it.of, it.formula, it.exact, it.within);
     }
-    text += &format!("\n\nsays: {}\n", without_numbers(&found.diagnosis));
-    let mut fates: Vec<String> = Vec::new();
-    for fate in found.trials.iter().map(|trial| trial.fate.to_string()) {
-        if !fates.contains(&fate) {
-            fates.push(fate);
-        }
-    }
-    fates.sort_by_key(|fate| (fate != "holds", fate.clone()));
-    for fate in fates {
+    text += &format!("\n\nsays: {}\nasked: {}\n", without_numbers(&found.diagnosis), failing.asked);
+    let mut fates: Vec<(u8, String)> = found.trials.iter().map(|it| (it.fate.rank(), it.fate.to_string())).collect();
+    fates.sort();
+    fates.dedup();
+    for (_, fate) in fates {
         let by = found.trials.iter().filter(|trial| trial.fate.to_string() == fate).map(|trial| trial.by.as_str());
         text += &format!("\n{fate}: {}", by.collect::<Vec<_>>().join(", "));
     }

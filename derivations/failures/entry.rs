@@ -18,6 +18,8 @@ pub struct Failing {
     pub why: &'static str,
     /// What to do, in a sentence.
     pub advice: &'static str,
+    /// What is asked of what is tried.
+    pub asked: &'static str,
     pub(super) measure: fn(&Path) -> Result<Found, NotFound>,
 }
 

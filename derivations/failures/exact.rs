@@ -10,6 +10,8 @@ pub enum Exact {
     Number(Rational),
     /// A real root of a polynomial with integer coefficients.
     Root(Root),
+    /// A number times such a root.
+    Times(Rational, Root),
     /// Where functions are transcendental: the formula with its data, and its value.
     Formula(String, f64),
 }
@@ -20,13 +22,19 @@ impl Exact {
         match self {
             Exact::Number(number) => number.to_f64(),
             Exact::Root(root) => root.to_f64(),
+            Exact::Times(factor, root) => factor.to_f64() * root.to_f64(),
             Exact::Formula(_, value) => *value,
         }
     }
 
-    /// A number that was found: `None` stays `None`.
+    /// A root that was found: `None` stays `None`.
     pub(super) fn root(found: Option<Root>) -> Option<Self> {
         found.map(|root| root.as_rational().map_or(Exact::Root(root), Exact::Number))
+    }
+
+    /// A number times a root that was found.
+    pub(super) fn times(factor: Rational, found: Option<Root>) -> Option<Self> {
+        found.map(|root| root.as_rational().map_or(Exact::Times(factor, root), |root| Exact::Number(factor * root)))
     }
 }
 
@@ -35,6 +43,7 @@ impl fmt::Display for Exact {
         match self {
             Exact::Number(number) => number.fmt(f),
             Exact::Formula(text, _) => f.write_str(text),
+            Exact::Times(factor, root) => write!(f, "{factor} ({})", Exact::Root(root.clone())),
             Exact::Root(root) => match small(root).as_deref() {
                 Some(&[c, b, a]) => surd(f, [a, b, c], root.to_f64()),
                 _ => polynomial(f, root),
@@ -81,7 +90,10 @@ fn gcd(a: i128, b: i128) -> i128 {
 fn polynomial(f: &mut fmt::Formatter<'_>, root: &Root) -> fmt::Result {
     let all = root.polynomial().real_roots();
     let place = all.iter().filter(|other| other.compare(root).is_lt()).count() + 1;
-    write!(f, "root {place} of {} of", all.len())?;
+    match all.len() {
+        1 => f.write_str("the real root of")?,
+        count => write!(f, "real root {place} of {count} of")?,
+    }
     let integers = root.polynomial().integers().unwrap_or_default();
     for (power, n) in integers.iter().enumerate().rev() {
         let text = n.to_string();
@@ -113,11 +125,9 @@ mod tests {
             let roots = Polynomial::from_integers(coefficients.iter().copied()).real_roots();
             roots.into_iter().map(|root| Exact::root(Some(root)).map_or(String::new(), |it| it.to_string())).collect()
         };
-        let none: Vec<String> = written(&[4, -6, 1]);
-        assert_eq!(none, ["(3 - sqrt(5))", "(3 + sqrt(5))"]);
-        let none: Vec<String> = written(&[-2, 0, 25]);
-        assert_eq!(none, ["-sqrt(2)/5", "sqrt(2)/5"]);
-        let none: Vec<String> = written(&[-24, 12, -4, 1]);
-        assert_eq!(none, ["root 1 of 1 of x^3 - 4 x^2 + 12 x - 24"]);
+        let found: [Vec<String>; 3] = [&[4, -6, 1][..], &[-2, 0, 25], &[-24, 12, -4, 1]].map(written);
+        assert_eq!(found[0], ["(3 - sqrt(5))", "(3 + sqrt(5))"]);
+        assert_eq!(found[1], ["-sqrt(2)/5", "sqrt(2)/5"]);
+        assert_eq!(found[2], ["the real root of x^3 - 4 x^2 + 12 x - 24"]);
     }
 }

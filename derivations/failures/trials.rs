@@ -9,7 +9,7 @@ use std::fmt;
 pub enum Fate {
     /// It comes out as it should.
     Holds,
-    /// It reaches its end with a result that is wrong, and says nothing.
+    /// It reaches its end off by more than was asked, and says nothing.
     Wrong,
     /// It stops, and gives this reason.
     Stops(String),
@@ -25,7 +25,7 @@ pub struct Trial {
     pub fate: Fate,
 }
 
-/// The evaluations that a method may spend.
+/// The evaluations that a method may usually spend.
 pub const BUDGET: u64 = 200_000;
 
 /// A problem that every method is to try.
@@ -39,6 +39,26 @@ pub struct Tried<'a> {
     pub steps: u32,
     /// Instants at which the result is looked at.
     pub outputs: usize,
+    /// Evaluations that a method may spend.
+    pub budget: u64,
+    /// Why the law does not hold at a state, where it does not.
+    pub outside: &'a dyn Fn(&[f64]) -> Option<&'static str>,
+}
+
+/// Ends a run where its law does.
+struct Leaves<'a> {
+    outside: &'a dyn Fn(&[f64]) -> Option<&'static str>,
+    left: Option<&'static str>,
+}
+
+impl Observer<f64> for Leaves<'_> {
+    fn step(&mut self, _time: f64, state: &[f64]) {
+        self.left = (self.outside)(state);
+    }
+
+    fn enough(&self) -> bool {
+        self.left.is_some()
+    }
 }
 
 /// Every method by the name that the command line reads, those of constant step with so many.
@@ -52,39 +72,62 @@ pub fn every_method(steps: u32) -> impl Iterator<Item = (String, Method)> {
 impl<'a> Tried<'a> {
     /// A problem, seen at four instants, with a thousand steps where they are constant.
     pub fn of(problem: &'a Problem, tolerance: f64) -> Self {
-        let Problem { law, state, span, .. } = problem;
-        Tried { law: &**law, state, span: *span, tolerance, steps: 1_000, outputs: 4 }
+        let Problem { law, state, span, outside, .. } = problem;
+        Tried { law: &**law, state, span: *span, tolerance, steps: 1_000, outputs: 4, budget: BUDGET, outside }
     }
 
-    /// One method.
-    pub fn run(&self, method: Method, observer: &mut dyn Observer<f64>) -> (Outcome<f64>, Record<f64>) {
-        let span = Span::new(0.0, self.span, self.state).with_even_outputs(self.outputs).with_evaluations(BUDGET);
-        let mut record = Record::new();
-        let outcome =
-            integrate(self.law, method, &Tolerance::both(self.tolerance), &span, &mut (&mut record, observer));
-        (outcome, record)
+    /// One method: how it ended, what it showed, and why the law ended where it did.
+    pub fn run(&self, method: Method) -> (Outcome<f64>, Record<f64>, Option<&'static str>) {
+        let span = Span::new(0.0, self.span, self.state).with_even_outputs(self.outputs).with_evaluations(self.budget);
+        let (mut record, mut leaves) = (Record::new(), Leaves { outside: self.outside, left: None });
+        let mut watch = (&mut record, &mut leaves);
+        let outcome = integrate(self.law, method, &Tolerance::both(self.tolerance), &span, &mut watch);
+        (outcome, record, leaves.left)
+    }
+
+    /// What is right, by a collocation of high order.
+    pub fn right(&self) -> Record<f64> {
+        self.run(Method::RadauIIA { stages: 7 }).1
     }
 
     /// All methods; of one that reached its end `holds` says whether it came out as it should.
     pub fn all(&self, holds: impl Fn(&Record<f64>) -> bool) -> Vec<Trial> {
         let one = |(by, method): (String, Method)| {
-            let (outcome, record) = self.run(method, &mut ());
-            Trial { by, fate: fate(&outcome, &record, &holds) }
+            let (outcome, record, left) = self.run(method);
+            Trial { by, fate: fate(&outcome, &record, left, &holds) }
         };
         every_method(self.steps).map(one).collect()
     }
 }
 
 /// What became of a run.
-pub fn fate(outcome: &Outcome<f64>, record: &Record<f64>, holds: impl Fn(&Record<f64>) -> bool) -> Fate {
+pub fn fate(
+    outcome: &Outcome<f64>,
+    record: &Record<f64>,
+    left: Option<&'static str>,
+    holds: impl Fn(&Record<f64>) -> bool,
+) -> Fate {
     let numbers = record.states.iter().flatten().chain(&outcome.state);
     if !outcome.time.is_finite() || numbers.into_iter().any(|y| !y.is_finite()) {
         return Fate::Undefined;
     }
     match outcome.end {
+        _ if left.is_some() => Fate::Stops(left.unwrap_or_default().to_owned()),
         End::Stopped(failure) => Fate::Stops(failure.name().to_owned()),
         End::Reached | End::Halted if holds(record) => Fate::Holds,
         End::Reached | End::Halted => Fate::Wrong,
+    }
+}
+
+impl Fate {
+    /// In tables: what holds first, then what errs silently.
+    pub fn rank(&self) -> u8 {
+        match self {
+            Fate::Holds => 0,
+            Fate::Wrong => 1,
+            Fate::Stops(_) => 2,
+            Fate::Undefined => 3,
+        }
     }
 }
 
@@ -92,7 +135,7 @@ impl fmt::Display for Fate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Fate::Holds => f.write_str("holds"),
-            Fate::Wrong => f.write_str("wrong, and says nothing"),
+            Fate::Wrong => f.write_str("off, and says nothing"),
             Fate::Stops(why) => write!(f, "stops: {why}"),
             Fate::Undefined => f.write_str("no number"),
         }
@@ -106,9 +149,4 @@ pub fn near(record: &Record<f64>, right: &Record<f64>, share: f64) -> bool {
     let sizes: Vec<f64> = (0..count).map(size).collect();
     let close = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).zip(&sizes).all(|((a, b), s)| (a - b).abs() <= share * s);
     record.times == right.times && record.states.iter().zip(&right.states).all(close)
-}
-
-/// Whether the law holds at every instant of a run.
-pub fn within(problem: &Problem, record: &Record<f64>) -> bool {
-    record.states.iter().all(|state| (problem.outside)(state).is_none())
 }

@@ -16,7 +16,8 @@ pub const FAILING: Failing = Failing {
     title: "drift of the vertical's length over long times",
     scene: "failures/turning_frame.toml",
     why: r"In a body that turns evenly $\dot\nu=\nu\times\omega$ has the eigenvalues $\pm i|\omega|$. A step multiplies $|\nu|^2$ by the determinant of the method's map: $1+\kappa$ for Euler, $1-\kappa^3(8-\kappa)/576$ for Runge and Kutta with $\kappa=h^2\omega^2$, exactly 1 for the midpoint rule, Gauss' methods and rotations. What is not 1 is lost in every step, for ever.",
-    advice: "For long runs take a splitting, which turns $\\nu$ by exact rotations, or Gauss' methods; otherwise a tolerance that the whole length of the run can bear.",
+    advice: "For long runs take a splitting, which turns the vertical by exact rotations, or Gauss' methods; otherwise a tolerance that the whole length of the run can bear.",
+    asked: "the square of the length within 1/10000",
     measure,
 };
 

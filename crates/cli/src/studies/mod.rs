@@ -1,13 +1,15 @@
-//! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs.
+//! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs, how methods fail.
 
 pub mod atlas;
 mod drive;
 mod endurance;
+mod failures;
 mod gains;
 mod treatments;
 
 pub use drive::Drive;
 pub use endurance::Endurance;
+pub use failures::Failures;
 pub use gains::Gains;
 
 use charts::AreaCurve;
