@@ -23,7 +23,7 @@ pub const FAILING: Failing = Failing {
 };
 
 /// Evaluations that a method may spend in the angles, whose law is dear.
-const FEW: u64 = 10_000;
+const FEW: u64 = 3_000;
 /// Rates and angles at which the digits are looked at, but for the nutation.
 const ANGLES: [f64; 2] = [0.3, 0.4];
 const RATES: [f64; 4] = [0.5, -0.7, 0.9, 1.1];
@@ -44,7 +44,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         within: Within::Factor(32),
     };
     let problem = scene.problem(Axes::First);
-    let tried = Tried { steps: 500, outputs: 10, ..Tried::of(&problem, scene.run.tolerance) };
+    let tried = Tried { steps: 250, outputs: 10, ..Tried::of(&problem, scene.run.tolerance) };
     let right = tried.right();
     let back = scene.back(Axes::First);
     let seen = |record: &Record<f64>, vertical: &dyn Fn(&[f64]) -> Vec<f64>| Record {

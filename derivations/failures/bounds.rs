@@ -29,6 +29,13 @@ pub fn first_positive(expression: Sym, unknown: Sym) -> Option<Root> {
     roots.into_iter().find(|root| root.compare(&zero).is_gt())
 }
 
+/// The root itself where it is rational: as it was found, or as the float next to it.
+pub fn rational(root: &Root) -> Option<Rational> {
+    let near = || Some(Rational::exactly(root.to_f64()));
+    let is_root = |value: &Rational| Root::rational(*value).is_some_and(|other| root.compare(&other).is_eq());
+    root.as_rational().or_else(near).filter(is_root)
+}
+
 /// The largest h a with which a method lets y' = -a y fade, a > 0: where the factor of a step is 1 or -1 again. `None` where
 /// it never is.
 pub fn fading(scheme: Scheme) -> Option<Root> {

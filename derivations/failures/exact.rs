@@ -95,9 +95,11 @@ fn polynomial(f: &mut fmt::Formatter<'_>, root: &Root) -> fmt::Result {
         count => write!(f, "real root {place} of {count} of")?,
     }
     let integers = root.polynomial().integers().unwrap_or_default();
+    let down = integers.last().is_some_and(|lead| lead.to_string().starts_with('-'));
     for (power, n) in integers.iter().enumerate().rev() {
         let text = n.to_string();
-        let (sign, size) = text.strip_prefix('-').map_or(("+", text.as_str()), |size| ("-", size));
+        let (negative, size) = text.strip_prefix('-').map_or((false, text.as_str()), |size| (true, size));
+        let sign = if negative == down { "+" } else { "-" };
         if size == "0" {
             continue;
         }

@@ -2,7 +2,7 @@
 
 use super::bounds::first_positive;
 use super::edge::edge;
-use super::trials::{BUDGET, Fate, every_method};
+use super::trials::{ALLOWED, BUDGET, Fate, every_method, fate_of};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::friction::log::Names;
 use crate::friction::stretch::{Stretch, parts};
@@ -15,7 +15,6 @@ use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::{Direction, Dry, Face, Mode, Sizes, Verdict, touches, verdict};
 use std::path::Path;
-use std::time::Duration;
 use symbolic::Sym;
 
 pub const FAILING: Failing = Failing {
@@ -28,8 +27,6 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// For a run whose method does not come to an end.
-const ALLOWED: Duration = Duration::from_secs(20);
 /// As close as an angle can be told.
 const SHARP: f64 = 1e-13;
 
@@ -64,22 +61,13 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         threshold("angle from which on no regime is consistent", edge(0.9 * at, 1.1 * at, SHARP, determined), 1_000_000_000),
         threshold("angle at which a rod that turns towards it jams", last, 1_000_000_000),
     ];
-    let mut trials: Vec<Trial> = every_method(1_000)
-        .map(|(by, method)| {
-            let mut plan = scene.plan.clone();
-            (plan.method, plan.tolerance) = (method, Tolerance::both(1e-9));
-            plan.allowed = Some(ALLOWED);
-            let course = scene.follow(&plan, &mut |_| ());
-            let undefined = course.rows.iter().flatten().any(|x| !x.is_finite());
-            let told = course.ending.split([':', ',']).next().unwrap_or_default().to_owned();
-            let fate = match (undefined, course.reached) {
-                (true, _) => Fate::Undefined,
-                (_, true) => Fate::Wrong,
-                _ => Fate::Stops(told),
-            };
-            Trial { by, fate }
-        })
-        .collect();
+    let one = |(by, method): (String, Method)| {
+        let mut plan = scene.plan.clone();
+        (plan.method, plan.tolerance, plan.allowed) = (method, Tolerance::both(1e-9), Some(ALLOWED));
+        let fate = fate_of(&scene.follow(&plan, &mut |_| ()), |_| false)?;
+        Some(Trial { by, fate })
+    };
+    let mut trials: Vec<Trial> = every_method(1_000).filter_map(one).collect();
     let beyond = RoughScene { angle: 1.2 * at, spin: 0.0, ..scene.clone() };
     trials.push(Trial { by: "slip taken for granted beyond it".to_owned(), fate: beyond.apply(Granted) });
     Ok(Found { thresholds, diagnosis: course.ending, trials })

@@ -1,7 +1,7 @@
 //! Pull-out as a saddle-node: two angles of the rotor merge and are gone.
 
 use super::arclength::{Curve, newton, round_the_fold};
-use super::bounds::numerator;
+use super::bounds::{numerator, rational};
 use super::edge::edge;
 use super::trials::{Fate, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
@@ -88,7 +88,7 @@ fn critical(motor: Synchronous<Rational>) -> Option<(Rational, Rational)> {
         let (free, rubbed) = (with(Rational::int(0)), with(Rational::int(1)));
         -free / (rubbed - free)
     };
-    let loads = folds.iter().filter_map(|root| root.as_rational()).map(|half| (of(half), half));
+    let loads = folds.iter().filter_map(rational).map(|half| (of(half), half));
     loads.into_iter().find(|(load, _)| load.sign() == Some(1))
 }
 

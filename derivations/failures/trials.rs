@@ -1,8 +1,10 @@
 //! Every method on a scene under a budget, and what became of each.
 
+use crate::friction::Course;
 use crate::scene::{Problem, methods};
-use integrators::{End, Method, Observer, Outcome, Record, Span, System, Tolerance, integrate};
+use integrators::{End, Failure, Method, Observer, Outcome, Record, Span, System, Tolerance, integrate};
 use std::fmt;
+use std::time::Duration;
 
 /// What became of a method.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,6 +29,9 @@ pub struct Trial {
 
 /// The evaluations that a method may usually spend.
 pub const BUDGET: u64 = 200_000;
+
+/// For a run across events whose method does not come to an end.
+pub const ALLOWED: Duration = Duration::from_secs(20);
 
 /// A problem that every method is to try.
 pub struct Tried<'a> {
@@ -90,13 +95,14 @@ impl<'a> Tried<'a> {
         self.run(Method::RadauIIA { stages: 7 }).1
     }
 
-    /// All methods; of one that reached its end `holds` says whether it came out as it should.
+    /// All methods that accept the law; of one that reached its end `holds` says whether it came out as it should.
     pub fn all(&self, holds: impl Fn(&Record<f64>) -> bool) -> Vec<Trial> {
         let one = |(by, method): (String, Method)| {
             let (outcome, record, left) = self.run(method);
-            Trial { by, fate: fate(&outcome, &record, left, &holds) }
+            let accepted = !matches!(outcome.failure(), Some(Failure::Refused(_)));
+            accepted.then(|| Trial { by, fate: fate(&outcome, &record, left, &holds) })
         };
-        every_method(self.steps).map(one).collect()
+        every_method(self.steps).filter_map(one).collect()
     }
 }
 
@@ -142,11 +148,30 @@ impl fmt::Display for Fate {
     }
 }
 
+/// The share of the largest component below which one is nothing.
+const ROUNDING: f64 = 1e-9;
+
 /// Whether a run is near another in every component, relative to its size there.
 pub fn near(record: &Record<f64>, right: &Record<f64>, share: f64) -> bool {
     let count = right.states.first().map_or(0, Vec::len);
     let size = |i: usize| right.states.iter().map(|state| state[i].abs()).fold(f64::MIN_POSITIVE, f64::max);
     let sizes: Vec<f64> = (0..count).map(size).collect();
+    // what stays zero is rounding
+    let least = ROUNDING * sizes.iter().copied().fold(0.0, f64::max);
+    let sizes: Vec<f64> = sizes.into_iter().map(|size| size.max(least)).collect();
     let close = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).zip(&sizes).all(|((a, b), s)| (a - b).abs() <= share * s);
     record.times == right.times && record.states.iter().zip(&right.states).all(close)
+}
+
+/// A run across events in words: `None` where the method does not accept the law.
+pub fn fate_of(course: &Course, holds: impl Fn(&Course) -> bool) -> Option<Fate> {
+    if course.rows.iter().flatten().any(|x| !x.is_finite()) {
+        return Some(Fate::Undefined);
+    }
+    if course.reached {
+        return Some(if holds(course) { Fate::Holds } else { Fate::Wrong });
+    }
+    let told = course.ending.split([':', ',']).next().unwrap_or_default();
+    let told = told.split(" at t =").next().unwrap_or_default();
+    (told != "refused").then(|| Fate::Stops(told.to_owned()))
 }

@@ -52,7 +52,7 @@ pub fn grouped(found: &Found) -> Vec<(String, String)> {
         }
     }
     groups.sort_by(|a, b| (a.0, &a.1).cmp(&(b.0, &b.1)));
-    groups.into_iter().map(|(_, fate, by)| (fate, by.join(", "))).collect()
+    groups.into_iter().map(|(_, fate, by)| (fate, by.join("; "))).collect()
 }
 
 /// `4.000·10⁻⁶ s`, or why there is no number.

@@ -111,3 +111,8 @@ fn stationary_motions_of_what_has_none_are_refused() {
     refused("stationary_speed", &["stationary", "scenes/spin_up.toml", "--omega0", "fast"]);
     refused("stationary_infinite", &["stationary", "scenes/spin_up.toml", "--momentum", "inf"]);
 }
+
+#[test]
+fn a_way_to_fail_that_is_not_known() {
+    refused("a_way_to_fail_that_is_not_known", &["failures", "sunspots"]);
+}
