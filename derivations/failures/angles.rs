@@ -1,12 +1,13 @@
 //! A singular parametrisation of SO(3): Euler's angles, the chart of Lagrange's route.
 
+use super::slopes::ByTangents;
 use super::trials::{Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::machines::AnyMachine;
 use crate::scene::{Axes, Family, Scene, System};
 use crate::systems::gyrostat::Gyrostat;
 use field::{Analytic, DoubleDouble, Over, Rational, Tangent};
-use integrators::{Method, Ode, Record, Span, Tolerance, integrate};
+use integrators::{Method, Ode, Record, Slopes, Span, Tolerance, integrate};
 use mechanics::definite::root;
 use mechanics::rotation::{euler, euler_forms, inverse, vertical};
 use nalgebra::Vector3;
@@ -93,7 +94,11 @@ impl<S: Over<f64> + Analytic> Ode<S> for InAngles {
     }
 }
 
-impl integrators::System for InAngles {}
+impl integrators::System for InAngles {
+    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+        Some(Box::new(ByTangents::of(self)))
+    }
+}
 
 impl InAngles {
     /// A scene's start: precession zero, the others from the vertical.

@@ -29,7 +29,10 @@ pub struct NotConverged {
 impl fmt::Display for NotConverged {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { iterations, last, missing } = self;
-        write!(f, "Newton did not converge in {iterations} iterations: at {last:.3} there is still {missing:.1e} left over")
+        write!(
+            f,
+            "Newton did not converge in {iterations} iterations: at {last:.3} there is still {missing:.1e} left over"
+        )
     }
 }
 

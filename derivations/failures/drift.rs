@@ -54,7 +54,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let span = LONGER * scene.run.span;
     let trials: Vec<Trial> = scene.ways().iter().flat_map(|way| tried(&mechanism, way, span)).collect();
-    let diagnosis = format!("nothing: index-reduced, by Runge-Kutta 4, it ends with f = {:.1e} m^2", drifted(&mechanism, &scene.start, span));
+    let diagnosis = format!(
+        "nothing: index-reduced, by Runge-Kutta 4, it ends with f = {:.1e} m^2",
+        drifted(&mechanism, &scene.start, span)
+    );
     Ok(Found { thresholds: vec![passed_on], diagnosis, trials })
 }
 

@@ -62,7 +62,11 @@ pub enum Within {
 pub enum NotFound {
     Scene(SceneError),
     /// The scene is not of the kind that fails in this way.
-    Unsuitable { scene: PathBuf, what: String, accepted: &'static str },
+    Unsuitable {
+        scene: PathBuf,
+        what: String,
+        accepted: &'static str,
+    },
 }
 
 impl Failing {

@@ -39,7 +39,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let problem = scene.problem();
     let mut trials = Tried { steps: 1_000, ..Tried::of(&problem, 1e-9) }.all(|_| false);
     let seen = |fate: bool| if fate { Fate::Holds } else { Fate::Wrong };
-    trials.push(Trial { by: "81 stationary inclinations refused, by decimals".into(), fate: seen(all_refused(Rational::decimal)) });
+    trials.push(Trial {
+        by: "81 stationary inclinations refused, by decimals".into(),
+        fate: seen(all_refused(Rational::decimal)),
+    });
     trials.push(Trial { by: "81 stationary inclinations refused, in doubles".into(), fate: seen(all_refused(|x| x)) });
     let diagnosis = scene.told(&choice, &run).diagnosis.unwrap_or_default();
     Ok(Found { thresholds: vec![threshold], diagnosis, trials })

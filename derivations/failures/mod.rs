@@ -5,7 +5,7 @@
 //! * `exact`: a threshold as theory has it, rational, algebraic or a formula;
 //! * `bounds`: the longest steps that a method bears, as roots of its own one-step map;
 //! * `edge`: where a run ceases to hold, by halving; `arclength`: a curve followed round its folds;
-//! * `trials`: every method on a scene under a budget, and what became of each;
+//! * `trials`: every method on a scene under a budget, and what became of each; `slopes`: Jacobians of dear laws;
 //! * one file for each way, in the order of the list below.
 //!
 //! A threshold by theory is computed from the scene's decimals, exactly; the measured one comes from runs, which know
@@ -16,6 +16,7 @@ mod bounds;
 mod edge;
 mod entry;
 mod exact;
+mod slopes;
 mod trials;
 
 mod angles;

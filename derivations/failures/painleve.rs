@@ -58,7 +58,11 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let course = scene.follow(&scene.plan, &mut |_| ());
     let last = course.column("angle").and_then(|angle| course.last().get(angle).copied());
     let thresholds = vec![
-        threshold("angle from which on no regime is consistent", edge(0.9 * at, 1.1 * at, SHARP, determined), 1_000_000_000),
+        threshold(
+            "angle from which on no regime is consistent",
+            edge(0.9 * at, 1.1 * at, SHARP, determined),
+            1_000_000_000,
+        ),
         threshold("angle at which a rod that turns towards it jams", last, 1_000_000_000),
     ];
     let one = |(by, method): (String, Method)| {

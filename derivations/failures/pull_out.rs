@@ -35,7 +35,11 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let still = Synchronous { field_speed, b0, f: 0.0 };
     let exact = critical(still.map(Rational::decimal));
     let Some((exact, _)) = exact.filter(|(exact, _)| exact.to_f64() > 0.0) else {
-        return Err(NotFound::unsuitable(path, "no load takes this motor out of step", "b0 and field_speed above zero"));
+        return Err(NotFound::unsuitable(
+            path,
+            "no load takes this motor out of step",
+            "b0 and field_speed above zero",
+        ));
     };
     let at = exact.to_f64();
     // moments in units of b0, the friction in units of b0 over 1 rad/s
@@ -49,7 +53,11 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let thresholds = vec![
         threshold("greatest friction in step: the fold, by arc length", followed, Within::Share(1_000_000_000)),
-        threshold("the same by runs of the motor alone, 2 s each", edge(0.97 * at, 1.1 * at, 1e-5, holds), Within::Share(50)),
+        threshold(
+            "the same by runs of the motor alone, 2 s each",
+            edge(0.97 * at, 1.1 * at, 1e-5, holds),
+            Within::Share(50),
+        ),
     ];
     let at_load = |share: f64| newton(&curve, 0.0, share * at / b0);
     let answer = |by: &str, found: bool| {
@@ -112,7 +120,12 @@ fn stays(scene: &Scene, axial: f64, motor: &MultiCurrent<f64>, f: f64) -> bool {
     let windings = Windings { f, ..motor.windings };
     let machine = AnyMachine::MultiCurrent(MultiCurrent { windings, bars: motor.bars.clone() });
     let held = (f * windings.field_speed / windings.b0).min(1.0);
-    let start = Start { rotor_angle: -held.asin(), rotor_speed: windings.field_speed, currents: Vec::new(), ..scene.start.clone() };
+    let start = Start {
+        rotor_angle: -held.asin(),
+        rotor_speed: windings.field_speed,
+        currents: Vec::new(),
+        ..scene.start.clone()
+    };
     let alone = Scene { system: System::Bench { axial }, machine, start, ..scene.clone() };
     let choice = Choice { method: Method::DormandPrince8, tolerance: 1e-8, ..scene.choice() };
     let run = alone.simulate(&choice, |_| ());

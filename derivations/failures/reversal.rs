@@ -1,6 +1,7 @@
 //! Sliding reversals and chatter.
 
 use super::edge::edge;
+use super::slopes::ByTangents;
 use super::trials::{ALLOWED, Fate, Tried, every_method, fate_of};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::friction::stretch::{motion_of_contacts, parts};
@@ -8,7 +9,7 @@ use crate::friction::{Course, Rough, RoughScene};
 use crate::scene::Family;
 use crate::systems::steered_rod::SteeredRod;
 use field::{Analytic, Over, Rational, Scalar};
-use integrators::{Method, Observer, Ode, Tolerance, integrate};
+use integrators::{Method, Observer, Ode, Slopes, Tolerance, integrate};
 use mechanics::constrained::{State, System};
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Direction, Face, Mode, Seen};
@@ -28,7 +29,7 @@ pub const FAILING: Failing = Failing {
 /// Steps over the scene's span.
 const STEPS: u32 = 5_000;
 /// Evaluations that a method may spend on a law that jumps.
-const FEW: u64 = 30_000;
+const FEW: u64 = 21_000;
 /// A speed that is none, m/s.
 const REST: f64 = 1e-9;
 /// Within which a sign is smoothed, m/s.
@@ -43,7 +44,11 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         return Err(NotFound::unsuitable(path, format!("this is a {}", scene.system.name()), accepted));
     };
     if scene.angle != 0.0 || scene.slide <= 0.0 {
-        return Err(NotFound::unsuitable(path, "it does not slide along its guide", "angle = \"0 deg\" and a positive sliding"));
+        return Err(NotFound::unsuitable(
+            path,
+            "it does not slide along its guide",
+            "angle = \"0 deg\" and a positive sliding",
+        ));
     }
     let exact = decimals(rod);
     let speed = Rational::decimal(scene.slide);
@@ -81,9 +86,11 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         measured: chatter(&law, &start, span, stop.to_f64()),
         within: Within::Share(100),
     };
-    let mut trials: Vec<Trial> = every_method(STEPS).filter_map(|(by, method)| by_events(&scene, &by, method)).collect();
+    let mut trials: Vec<Trial> =
+        every_method(STEPS).filter_map(|(by, method)| by_events(&scene, &by, method)).collect();
     let free: &dyn Fn(&[f64]) -> Option<&'static str> = &|_| None;
-    let tried = Tried { law: &law, state: &start, span, tolerance: 1e-9, steps: STEPS, outputs: 1, budget: FEW, outside: free };
+    let tried =
+        Tried { law: &law, state: &start, span, tolerance: 1e-9, steps: STEPS, outputs: 1, budget: FEW, outside: free };
     let resting = |y: &[f64]| y.get(4).is_some_and(|speed| speed.abs() < REST);
     let signed = tried.all(|record| record.states.last().is_some_and(|y| resting(y)));
     trials.extend(signed.into_iter().map(|trial| Trial { by: format!("as a sign, {}", trial.by), ..trial }));
@@ -171,7 +178,11 @@ impl<S: Over<f64> + Analytic> Ode<S> for Sign {
     }
 }
 
-impl integrators::System for Sign {}
+impl integrators::System for Sign {
+    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+        Some(Box::new(ByTangents::of(self)))
+    }
+}
 
 /// The greatest speed after the instant at which the rod should rest.
 fn chatter(law: &Sign, start: &[f64], end: f64, rest: f64) -> Option<f64> {

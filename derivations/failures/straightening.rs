@@ -22,8 +22,8 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// Instants at which place and angle are compared.
-const INSTANTS: usize = 2_000;
+/// Instants at which place and angle are compared: few, for each step on the way adds its rounding of the angle.
+const INSTANTS: usize = 60;
 /// What the angle still tells of the place: a factor of two of its distance from the guide.
 const TOLD: f64 = LN_2;
 
@@ -50,11 +50,20 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         exact: Exact::Formula(formula, value),
         unit: "m",
         measured: told_until(&by_place, &start, span),
-        within: Within::Share(20),
+        within: Within::Share(10),
     };
     let tolerance = 1e-9;
     let free: &dyn Fn(&[f64]) -> Option<&'static str> = &|_| None;
-    let tried = Tried { law: &by_place, state: &start, span, tolerance, steps: 2_000, outputs: 10, budget: BUDGET, outside: free };
+    let tried = Tried {
+        law: &by_place,
+        state: &start,
+        span,
+        tolerance,
+        steps: 2_000,
+        outputs: 10,
+        budget: BUDGET,
+        outside: free,
+    };
     let speeds = |record: &Record<f64>, of: &dyn Fn(&[f64]) -> f64| Record {
         times: record.times.clone(),
         states: record.states.iter().map(|y| vec![of(y)]).collect(),

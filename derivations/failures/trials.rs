@@ -159,7 +159,8 @@ pub fn near(record: &Record<f64>, right: &Record<f64>, share: f64) -> bool {
     // what stays zero is rounding
     let least = ROUNDING * sizes.iter().copied().fold(0.0, f64::max);
     let sizes: Vec<f64> = sizes.into_iter().map(|size| size.max(least)).collect();
-    let close = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).zip(&sizes).all(|((a, b), s)| (a - b).abs() <= share * s);
+    let close =
+        |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).zip(&sizes).all(|((a, b), s)| (a - b).abs() <= share * s);
     record.times == right.times && record.states.iter().zip(&right.states).all(close)
 }
 

@@ -55,7 +55,8 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let tried = Tried { steps: CONSTANT, outputs: 10, ..Tried::of(&problem, scene.run.tolerance) };
     let trials = tried.all(|record| record.states.iter().all(|y| (length(y) - 1.0).abs() < KEPT));
-    let run = problem.simulate(&crate::scene::Choice { method: Method::RungeKutta4 { steps: CONSTANT }, ..scene.choice() }, |_| ());
+    let run = problem
+        .simulate(&crate::scene::Choice { method: Method::RungeKutta4 { steps: CONSTANT }, ..scene.choice() }, |_| ());
     let deviation = run.outcome.deviations.iter().find(|it| it.name == "vertical_length");
     let diagnosis = deviation.map_or_else(String::new, |it| format!("{}, kept to {:.1e}", it.name, it.largest));
     Ok(Found { thresholds: step.into_iter().chain([lost]).collect(), diagnosis, trials })

@@ -35,7 +35,9 @@ pub fn list(asked: &Failures) -> Result<Ending, Ending> {
     }
     let agree = told.iter().flat_map(|(_, found)| &found.thresholds).all(Threshold::agrees);
     print(&match asked.format {
-        Format::Text => told.iter().map(|(failing, found)| text(failing, found, &asked.scenes)).collect::<Vec<_>>().join("\n"),
+        Format::Text => {
+            told.iter().map(|(failing, found)| text(failing, found, &asked.scenes)).collect::<Vec<_>>().join("\n")
+        }
         Format::Json => format!("{:#}\n", Value::from_iter(told.iter().map(|(failing, found)| object(failing, found)))),
     })?;
     Ok(if agree { Ending::Done } else { Ending::Stopped })

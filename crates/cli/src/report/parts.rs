@@ -50,13 +50,7 @@ impl Parts {
     }
 
     /// All that need not be timed.
-    pub fn compute(
-        &mut self,
-        scenes: &[Read],
-        rough: &[(String, RoughScene)],
-        folder: &Path,
-        done: impl FnMut(f64),
-    ) {
+    pub fn compute(&mut self, scenes: &[Read], rough: &[(String, RoughScene)], folder: &Path, done: impl FnMut(f64)) {
         let mut crew = Crew::default();
         for (place, paper) in self.papers.iter_mut().zip(papers::ALL) {
             crew.add(1.0, place, move || ledger::judged(paper));

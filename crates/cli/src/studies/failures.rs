@@ -58,7 +58,9 @@ fn thresholds(found: &[(&Failing, Found)]) -> Table {
     });
     Table {
         caption: "Thresholds by theory and by runs".into(),
-        head: ["Way to fail", "What", "By theory, exactly", "That is", "Measured", "Judgement"].map(String::from).into(),
+        head: ["Way to fail", "What", "By theory, exactly", "That is", "Measured", "Judgement"]
+            .map(String::from)
+            .into(),
         rows: rows.collect(),
     }
 }
@@ -70,7 +72,14 @@ fn fates(found: &[(&Failing, Found)]) -> Table {
             if fate == "holds" { holds = by } else { others.push(format!("{fate}: {by}")) }
         }
         let why = failing.why.to_owned();
-        vec![failing.title.to_owned(), why, found.diagnosis.clone(), holds, others.join(". "), failing.advice.to_owned()]
+        vec![
+            failing.title.to_owned(),
+            why,
+            found.diagnosis.clone(),
+            holds,
+            others.join(". "),
+            failing.advice.to_owned(),
+        ]
     });
     Table {
         caption: "Why, what is said, what survives, what to do".into(),
