@@ -70,7 +70,7 @@ fn page(failing: &Failing, found: &Found) -> String {
     fates.dedup();
     for (_, fate) in fates {
         let by = found.trials.iter().filter(|trial| trial.fate.to_string() == fate).map(|trial| trial.by.as_str());
-        text += &format!("\n{fate}: {}", by.collect::<Vec<_>>().join(", "));
+        text += &format!("\n{fate}: {}", by.collect::<Vec<_>>().join("; "));
     }
     text + &format!("\n\n{advice}\n")
 }

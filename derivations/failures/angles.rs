@@ -18,8 +18,8 @@ pub const FAILING: Failing = Failing {
     title: "Euler's angles near their pole",
     scene: "failures/near_the_pole.toml",
     why: r"$\omega=W\dot q$ with $\det W=\pm\sin\theta$: at the pole precession and spin turn about one axis, and the matrix of Lagrange's equations, of determinant proportional to $\sin^2\theta$, is singular. Elimination loses the digits of $1/\sin^2\theta$, all of them at $\sin^2\theta=2^{-53}$; a motion that passes the pole at a distance $\delta$ has angles that jump by half a turn within $\delta/|\dot\theta|$, and a constant step passes over that. A pendulum that hangs is at the pole.",
-    advice: "Use the angles for derivation and run in angular velocity and vertical, which has no pole; there every method holds.",
-    asked: "the vertical within 1/1000",
+    advice: "Use the angles for derivation and run in angular velocity and vertical, which has no pole; there every method of order two and more holds.",
+    asked: "the vertical within 1/1000, in the angles with 3000 evaluations",
     measure,
 };
 
@@ -124,8 +124,7 @@ fn blind(law: &InAngles) -> Option<f64> {
         let (found, exact): (Vec<f64>, Vec<DoubleDouble>) = (law.at(*nutation), law.at(*nutation));
         let off = found.iter().zip(&exact).map(|(a, b)| (a - b.hi()).abs()).fold(0.0, f64::max);
         let size = exact.iter().map(|b| b.hi().abs()).fold(0.0, f64::max);
-        // the negation also takes what is no number
-        !(off < size)
+        off.is_nan() || off >= size
     };
     (1..60).map(|k| 0.5_f64.powi(k)).find(lost).map(|nutation| nutation.sin().powi(2))
 }

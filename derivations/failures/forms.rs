@@ -131,7 +131,7 @@ fn swings(problem: &Problem, h: f64) -> bool {
 /// What is said of the same carrier without inertia about the axis.
 fn refused(scene: &Scene) -> String {
     let System::Gyrostat(bodies) = &scene.system else { return String::new() };
-    let mut flat = (**bodies).clone();
+    let mut flat = **bodies;
     flat.carrier.inertia[(2, 2)] = 0.0;
     flat.carrier.inertia[(1, 1)] = flat.carrier.inertia[(0, 0)];
     let broken = flat.admissible().err().unwrap_or_default();

@@ -69,7 +69,7 @@ fn kept(scene: &MechanismScene, damping: f64, step: f64) -> bool {
     state.push(0.0);
     let span = Span::new(0.0, step * f64::from(STEPS), &state);
     let mut lost = Lost { drive: &drive, lost: false };
-    let law = Balanced(drive.clone());
+    let law = Balanced(drive);
     let outcome = integrate(&law, Method::Euler { steps: STEPS }, &Tolerance::both(1e-9), &span, &mut lost);
     outcome.reached() && !lost.lost
 }
