@@ -18,13 +18,15 @@ static FOUND: LazyLock<Vec<(&Failing, Found)>> = LazyLock::new(|| {
 
 #[test]
 fn every_measured_threshold_is_the_exact_one() {
+    let mut off = Vec::new();
     for (failing, found) in FOUND.iter() {
         assert!(!found.thresholds.is_empty(), "{}", failing.name);
-        for it in &found.thresholds {
+        for it in found.thresholds.iter().filter(|it| !it.agrees()) {
             let (exact, value) = (&it.exact, it.exact.value());
-            assert!(it.agrees(), "{}, {}: {exact} = {value:e}, measured {:?}", failing.name, it.of, it.measured);
+            off.push(format!("{}, {}: {exact} = {value:e}, measured {:?}", failing.name, it.of, it.measured));
         }
     }
+    assert!(off.is_empty(), "{off:#?}");
 }
 
 #[test]

@@ -8,8 +8,9 @@
 //! * `trials`: every method on a scene under a budget, and what became of each; `slopes`: Jacobians of dear laws;
 //! * one file for each way, in the order of the list below.
 //!
-//! A threshold by theory is computed from the scene's decimals, exactly; the measured one comes from runs, which know
-//! nothing of it. What survives is not written down either: it is what held in the trials.
+//! A threshold by theory is computed from the scene's decimals, exactly; the measured one comes from runs alone: by halving
+//! between one that holds and one that does not, begun on both sides of theory's. What survives is not written down either: it
+//! is what held in the trials.
 
 mod arclength;
 mod bounds;
