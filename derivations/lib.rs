@@ -16,6 +16,7 @@
 //! * [`taped`]: a law as the straight-line program that it comes to;
 //! * [`alphabet`](mod@alphabet): the letters of a page, with LaTeX and dimensions;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
+//! * [`failures`]: every way in which methods fail, with its threshold by theory and by runs;
 //! * [`friction`]: motion with friction across its events;
 //! * [`governors`]: stability and series of the friction governors, for pictures;
 //! * [`phantom`]: what the steps of methods make of the stability of motions, as a page of claims and for scenes;
@@ -29,6 +30,7 @@ pub mod closed_forms;
 pub mod derive;
 pub mod differentiated;
 pub mod ensemble;
+pub mod failures;
 pub mod friction;
 pub mod governors;
 pub mod long_runs;

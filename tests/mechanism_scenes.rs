@@ -25,7 +25,7 @@ fn run(name: &str) -> (MechanismScene, Trajectory, Told) {
 }
 
 /// (scene, what its diagnosis begins with, if it ends early).
-const SCENES: [(&str, Option<&str>); 15] = [
+const SCENES: [(&str, Option<&str>); 16] = [
     ("governors/drum_programme", None),
     ("governors/blow_up", Some("blow-up in finite time: the wheel comes to the axis of the second disc")),
     ("governors/between_discs", None),
@@ -41,6 +41,7 @@ const SCENES: [(&str, Option<&str>); 15] = [
     ("bodies/falling_disc", Some("the disc lies flat")),
     ("bodies/sleigh", None),
     ("bodies/crank_slider", None),
+    ("failures/nodding_top", Some("p g2 = q g1")),
 ];
 
 #[test]
@@ -63,7 +64,8 @@ fn every_scene_of_the_project_is_looked_at_here() {
         .flat_map(|folder| std::fs::read_dir(Path::new("scenes").join(folder)).expect("it is there"))
         .filter(|entry| entry.as_ref().is_ok_and(|entry| entry.path().extension().is_some_and(|end| end == "toml")))
         .count();
-    assert_eq!(files, SCENES.len());
+    // those that are made to fail are counted by their catalogue
+    assert_eq!(files, SCENES.iter().filter(|(name, _)| !name.starts_with("failures")).count());
     let shown: Vec<&str> = SCENES.iter().map(|(name, _)| open(name).name).collect();
     let missing: Vec<&str> =
         MechanismScene::systems().into_iter().map(|(name, _)| name).filter(|name| !shown.contains(name)).collect();

@@ -4,7 +4,7 @@
 //! * [`mechanism`]: what a mechanism says of itself, and the law with its work that is made of it;
 //! * [`rewritten`]: other formulations of the same mechanism, for the atlas;
 //! * [`scene`]: the family of scenes: reading, the problem, what theory says of a run;
-//! * [`governors`], [`elastic`], [`drive`], [`bodies`]: the mechanisms.
+//! * [`governors`], [`elastic`], [`prescribed_top`], [`drive`], [`bodies`]: the mechanisms.
 //!
 //! To add one: [`Mechanism`] for the system's data, and one line in the list below.
 
@@ -14,6 +14,7 @@ pub mod elastic;
 mod erased;
 pub mod governors;
 pub mod mechanism;
+pub mod prescribed_top;
 pub mod rewritten;
 pub mod scene;
 
@@ -34,6 +35,7 @@ pub const LIST: &[Entry] = &[
     entry::<Released<Drum>>(),
     entry::<Released<Discs>>(),
     entry::<ElasticGovernor<f64>>(),
+    entry::<prescribed_top::PrescribedTop<f64>>(),
     entry::<drive::Drive>(),
     entry::<CrankSlider<f64>>(),
     entry::<Disc<f64>>(),

@@ -63,6 +63,8 @@ pub enum Command {
     Motor(Motor),
     /// Every consistent regime of a scene with rough contacts at its start, with all margins
     Regimes(Regimes),
+    /// Every way in which methods fail: theory's threshold beside the measured one, what survives, advice
+    Failures(Failures),
     /// Lists the scenes of a folder, each with its title
     Scenes(Scenes),
     /// A script that completes commands and options in a shell: `dalembert completions bash > FILE`
@@ -181,6 +183,20 @@ pub struct Motor {
     #[arg(long)]
     pub model: Option<String>,
     /// How to print it
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Which ways to fail are to be measured.
+#[derive(Args, Debug)]
+pub struct Failures {
+    /// Those whose name contains this, such as windings or pull-out
+    #[arg(default_value = "")]
+    pub name: String,
+    /// Where the scene files are
+    #[arg(long, value_name = "FOLDER", default_value = "scenes")]
+    pub scenes: PathBuf,
+    /// How to print them
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

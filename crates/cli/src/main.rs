@@ -2,8 +2,8 @@
 //!
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
-//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `chart`,
-//!   `reference`, `scenes`: one file for each command;
+//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`,
+//!   `failures`, `chart`, `reference`, `scenes`: one file for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`speed`]: the atlas of a scene as pictures, tables and advice;
@@ -19,6 +19,7 @@ mod csv;
 mod derive;
 mod ending;
 mod ensemble;
+mod failures;
 mod ledger;
 mod motor;
 mod phantom;
@@ -64,6 +65,7 @@ fn main() -> ExitCode {
         Some(Command::Phantom(asked)) => phantom::show(&asked),
         Some(Command::Motor(asked)) => motor::show(&asked),
         Some(Command::Regimes(asked)) => regimes::show(&asked),
+        Some(Command::Failures(asked)) => failures::list(&asked),
         Some(Command::Scenes(asked)) => scenes::list(&asked),
         Some(Command::Completions { shell }) => ending::print(&completions(shell)).map(|()| Ending::Done),
     };

@@ -60,7 +60,8 @@ pub fn integrate_to_event(
     let mut guard = Guard {
         again: Again {
             system,
-            method,
+            // a constant step again is one step
+            method: method.once(),
             tolerance,
             switches,
             evaluations: span.budget.evaluations,

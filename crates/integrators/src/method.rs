@@ -104,6 +104,18 @@ impl Method {
         }
     }
 
+    /// The same with one step over the span, where steps are constant.
+    pub(crate) fn once(self) -> Self {
+        match self {
+            Method::Euler { .. } => Method::Euler { steps: 1 },
+            Method::RungeKutta4 { .. } => Method::RungeKutta4 { steps: 1 },
+            Method::BackwardEuler { .. } => Method::BackwardEuler { steps: 1 },
+            Method::ImplicitMidpoint { .. } => Method::ImplicitMidpoint { steps: 1 },
+            Method::Split { splitting, .. } => Method::Split { splitting, steps: 1 },
+            _ => self,
+        }
+    }
+
     /// What no run of this method could work with.
     pub(crate) fn check(self, dimension: usize) -> Result<(), Refusal> {
         match self {

@@ -7,6 +7,7 @@ use crate::ending::{Ending, save};
 use crate::progress::Progress;
 use crate::speed::{advice::advice, pictures, tables};
 use charts::{Report, SceneSection, WorkPrecision};
+use derivations::failures;
 use derivations::scene::{AnyScene, Atlas, Family, Smooth, Stored};
 use parts::Parts;
 use scene::{Read, described};
@@ -16,15 +17,16 @@ use std::path::{Path, PathBuf};
 pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, Ending> {
     // all are read before the first is run: what is wrong is told at once
     let (mut scenes, mut rough) = (Vec::new(), Vec::new());
-    for file in files {
+    // those that are made to fail are told by the catalogue
+    for file in files.iter().filter(|file| !failures::is_own(file)) {
         match AnyScene::open(file)? {
             AnyScene::Rough(scene) => rough.push((id(file), *scene)),
             scene => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
         }
     }
-    let mut parts = Parts::of(&scenes, &rough);
+    let mut parts = Parts::of(&scenes, &rough, folder);
     let mut progress = Progress::new("ledger, runs, references, maps");
-    parts.compute(&scenes, &rough, |done| progress.set(done));
+    parts.compute(&scenes, &rough, folder, |done| progress.set(done));
     drop(progress);
     let mut progress = Progress::new("methods timed");
     parts.take_times(|done| progress.set(done));

@@ -8,7 +8,7 @@ use crate::pictures;
 use crate::rough;
 use crate::speed;
 use crate::sphere;
-use crate::studies::{Drive, Endurance, Gains, Phantom, Synchronism, atlas};
+use crate::studies::{Drive, Endurance, Failures, Gains, Phantom, Synchronism, atlas};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
 use derivations::scene::{AnyScene, Scene};
@@ -30,11 +30,12 @@ pub struct Parts {
     endurance: Endurance,
     phantom: Phantom,
     synchronism: Synchronism,
+    failures: Failures,
 }
 
 impl Parts {
     /// None yet.
-    pub fn of(scenes: &[Read], rough: &[(String, RoughScene)]) -> Self {
+    pub fn of(scenes: &[Read], rough: &[(String, RoughScene)], folder: &Path) -> Self {
         Parts {
             papers: papers::ALL.iter().map(|_| None).collect(),
             prepared: scenes.iter().map(|_| None).collect(),
@@ -48,11 +49,12 @@ impl Parts {
             endurance: Endurance::default(),
             phantom: Phantom::default(),
             synchronism: Synchronism::default(),
+            failures: Failures::of(folder),
         }
     }
 
     /// All that need not be timed.
-    pub fn compute(&mut self, scenes: &[Read], rough: &[(String, RoughScene)], done: impl FnMut(f64)) {
+    pub fn compute(&mut self, scenes: &[Read], rough: &[(String, RoughScene)], folder: &Path, done: impl FnMut(f64)) {
         let mut crew = Crew::default();
         for (place, paper) in self.papers.iter_mut().zip(papers::ALL) {
             crew.add(1.0, place, move || ledger::judged(paper));
@@ -73,6 +75,7 @@ impl Parts {
             })
         });
         self.synchronism.enlist(driven(scenes), &mut crew);
+        self.failures.enlist(&mut crew, folder);
         crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
@@ -142,6 +145,7 @@ impl Parts {
             self.endurance.study(),
             self.phantom.study(),
         ]);
+        report.studies.extend(self.failures.study());
         match timings::read(folder) {
             Ok(timings) => report.timings = vec![timings],
             Err(reason) => report.timings_missing = reason,

@@ -1,9 +1,10 @@
 //! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs,
-//! phantom stability, a motor under load.
+//! phantom stability, a motor under load, how methods fail.
 
 pub mod atlas;
 mod drive;
 mod endurance;
+mod failures;
 mod gains;
 mod phantom;
 pub mod synchronism;
@@ -11,6 +12,7 @@ mod treatments;
 
 pub use drive::Drive;
 pub use endurance::Endurance;
+pub use failures::Failures;
 pub use gains::Gains;
 pub use phantom::Phantom;
 pub use synchronism::Synchronism;

@@ -118,3 +118,8 @@ fn motors_that_follow_no_field_are_refused() {
     refused("motor_ladder", &["motor", "scenes/friction/painleve.toml"]);
     refused("motor_without_data", &["motor", "scenes/bench.toml", "--model", "kloss"]);
 }
+
+#[test]
+fn a_way_to_fail_that_is_not_known() {
+    refused("a_way_to_fail_that_is_not_known", &["failures", "sunspots"]);
+}

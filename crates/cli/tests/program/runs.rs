@@ -307,3 +307,15 @@ fn a_motor_under_load_has_a_pull_in_below_its_pull_out() {
         }
     }
 }
+
+#[test]
+fn a_way_to_fail_is_told_with_thresholds_that_agree() {
+    let output = run(&["failures", "gains", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let ways = json(&output);
+    let [way] = &ways.as_array().expect("a list")[..] else { panic!("one way: {ways}") };
+    assert_eq!((&way["name"], &way["scene"]), (&Value::from("gains"), &Value::from("drive/euler_overdamped.toml")));
+    let thresholds = way["thresholds"].as_array().expect("a list");
+    assert!(thresholds.len() == 2 && thresholds.iter().all(|it| it["agrees"] == true), "{way}");
+    assert!(way["trials"].as_array().is_some_and(|all| all.iter().any(|it| it["fate"] == "holds")), "{way}");
+}

@@ -168,3 +168,14 @@ fn of_several_falls_within_one_long_polynomial_step_the_first_is_found() {
     let exact = std::f64::consts::PI / 10.0;
     assert!(event.is_some_and(|event| (event.time - exact).abs() < 1e-12), "{event:?}");
 }
+
+/// The step in which a signal falls is made again to each trial time as one step, not as all the steps of the span.
+#[test]
+fn a_constant_step_is_computed_again_as_one_step() {
+    let span = Span::new(0.0, 2.0, &[1.0, 0.0]);
+    let method = Method::RungeKutta4 { steps: 2_000 };
+    let (outcome, event) = integrate_to_event(&Oscillator, method, &Tolerance::both(1e-9), &span, &Above(0.5), &mut ());
+    let time = event.expect("cos t falls below 1/2").time;
+    assert!((time - std::f64::consts::FRAC_PI_3).abs() < 1e-12, "{time}");
+    assert!(outcome.work.rates < 5_000, "{}", outcome.work);
+}

@@ -1,0 +1,117 @@
+//! `dalembert failures`: the catalogue of failure, measured.
+
+use crate::arguments::{Failures, Format};
+use crate::crew::Crew;
+use crate::ending::{Ending, print};
+use charts::significant;
+use derivations::failures::{ALL, Failing, Found, NotFound, Threshold};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::Path;
+
+/// A way with what was found.
+pub type Measured = (&'static Failing, Result<Found, NotFound>);
+
+/// Measures the ways whose name contains what was asked for, and prints them.
+pub fn list(asked: &Failures) -> Result<Ending, Ending> {
+    let chosen: Vec<&Failing> = ALL.iter().filter(|failing| failing.name.contains(&asked.name)).collect();
+    if chosen.is_empty() {
+        let names: Vec<&str> = ALL.iter().map(|failing| failing.name).collect();
+        return Err(Ending::refused(format!("no way to fail is called `{}`; known: {}", asked.name, names.join(", "))));
+    }
+    let mut measured: Vec<Option<Measured>> = chosen.iter().map(|_| None).collect();
+    let mut crew = Crew::default();
+    for (place, failing) in measured.iter_mut().zip(chosen) {
+        crew.add(1.0, place, || (failing, failing.measure(&asked.scenes)));
+    }
+    crew.work(|_| ());
+    let mut told = Vec::new();
+    for (failing, found) in measured.into_iter().flatten() {
+        let found = found.map_err(|why| match why {
+            NotFound::Scene(error) => Ending::from(error),
+            NotFound::Unsuitable { .. } => Ending::refused(why),
+        })?;
+        told.push((failing, found));
+    }
+    let agree = told.iter().flat_map(|(_, found)| &found.thresholds).all(Threshold::agrees);
+    print(&match asked.format {
+        Format::Text => {
+            told.iter().map(|(failing, found)| text(failing, found, &asked.scenes)).collect::<Vec<_>>().join("\n")
+        }
+        Format::Json => format!("{:#}\n", Value::from_iter(told.iter().map(|(failing, found)| object(failing, found)))),
+    })?;
+    Ok(if agree { Ending::Done } else { Ending::Stopped })
+}
+
+/// The trials of one fate together: those that hold first, then those that err silently.
+pub fn grouped(found: &Found) -> Vec<(String, String)> {
+    let mut groups: Vec<(u8, String, Vec<&str>)> = Vec::new();
+    for trial in &found.trials {
+        let (rank, fate) = (trial.fate.rank(), trial.fate.to_string());
+        match groups.iter_mut().find(|(_, known, _)| *known == fate) {
+            Some((.., by)) => by.push(&trial.by),
+            None => groups.push((rank, fate, vec![&trial.by])),
+        }
+    }
+    groups.sort_by(|a, b| (a.0, &a.1).cmp(&(b.0, &b.1)));
+    groups.into_iter().map(|(_, fate, by)| (fate, by.join("; "))).collect()
+}
+
+/// `4.000·10⁻⁶ s`, or why there is no number.
+pub fn quantity(value: Option<f64>, unit: &str) -> String {
+    let number = value.map_or_else(|| "no edge was found".to_owned(), |value| significant(value, 6));
+    if unit.is_empty() || value.is_none() { number } else { format!("{number} {unit}") }
+}
+
+/// Whether theory and measurement are one, and how well that was told.
+pub fn judged(threshold: &Threshold) -> String {
+    format!("{} {}", if threshold.agrees() { "agrees" } else { "DISAGREES" }, threshold.within)
+}
+
+fn text(failing: &Failing, found: &Found, folder: &Path) -> String {
+    let mut text = format!("{}: {}\n", failing.name, failing.title);
+    let mut line = |name: &str, value: &str| {
+        // writing to a string cannot fail
+        let _ = writeln!(text, "  {name:<22} {value}");
+    };
+    line("scene", &folder.join(failing.scene).display().to_string());
+    for it in &found.thresholds {
+        line("threshold", it.of);
+        line("  theory", &format!("{} = {}", it.exact, quantity(Some(it.exact.value()), it.unit)));
+        line("  measured", &format!("{}, {}", quantity(it.measured, it.unit), judged(it)));
+    }
+    line("says", &found.diagnosis);
+    line("asked", failing.asked);
+    for (fate, by) in grouped(found) {
+        line(&fate, &by);
+    }
+    line("advice", failing.advice);
+    text
+}
+
+fn object(failing: &Failing, found: &Found) -> Value {
+    let threshold = |it: &Threshold| {
+        json!({
+            "of": it.of,
+            "formula": it.formula,
+            "exact": it.exact.to_string(),
+            "theory": it.exact.value(),
+            "measured": it.measured,
+            "unit": it.unit,
+            "agrees": it.agrees(),
+            "within": it.within.to_string(),
+        })
+    };
+    let trial = |by: &str, fate: String| json!({ "by": by, "fate": fate });
+    json!({
+        "name": failing.name,
+        "title": failing.title,
+        "scene": failing.scene,
+        "why": failing.why,
+        "thresholds": found.thresholds.iter().map(threshold).collect::<Vec<_>>(),
+        "diagnosis": found.diagnosis,
+        "asked": failing.asked,
+        "trials": found.trials.iter().map(|it| trial(&it.by, it.fate.to_string())).collect::<Vec<_>>(),
+        "advice": failing.advice,
+    })
+}

@@ -1,0 +1,145 @@
+//! Pull-out as a saddle-node: two angles of the rotor merge and are gone.
+
+use super::arclength::{Curve, newton, round_the_fold};
+use super::bounds::{numerator, rational};
+use super::edge::edge;
+use super::trials::{Fate, Tried, near};
+use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
+use crate::machines::multi_current::{MultiCurrent, Windings};
+use crate::machines::synchronous::Synchronous;
+use crate::machines::{AnyMachine, drive};
+use crate::scene::{Axes, Choice, Family, Scene, Start, System};
+use crate::stationary::motor::Motor;
+use field::{Analytic, Base, Circle, Over, Rational, Scalar, Tangent};
+use integrators::Method;
+use std::path::Path;
+use symbolic::Sym;
+
+pub const FAILING: Failing = Failing {
+    name: "pull-out",
+    title: "pull-out as a saddle-node: root finders near it",
+    scene: "pull_out.toml",
+    why: r"In step no current flows, and the rotor stands where $-b_0\sin\gamma=f\Omega$: at two angles, which merge at $\gamma=-\pi/2$ where $f\Omega=b_0$. There the derivative by the angle vanishes; Newton's method converges by halves at the fold, and beyond it never. Along the curve of $(\gamma,f)$ nothing is singular.",
+    advice: "Follow the curve by its arc length, which goes round the fold, or isolate the real roots, which also says that there is none; do not take a root finder's silence for an answer.",
+    asked: "an answer that is right; the motion within 1/1000",
+    measure,
+};
+
+fn measure(path: &Path) -> Result<Found, NotFound> {
+    let scene = Scene::open(path)?;
+    let (System::Gyrostat(bodies), AnyMachine::MultiCurrent(motor)) = (&scene.system, &scene.machine) else {
+        let accepted = "a gyrostat with model = \"multi_current\"";
+        return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
+    };
+    let Windings { field_speed, b0, .. } = motor.windings;
+    let still = Synchronous { field_speed, b0, f: 0.0 };
+    let exact = critical(still.map(Rational::decimal));
+    let Some((exact, _)) = exact.filter(|(exact, _)| exact.to_f64() > 0.0) else {
+        return Err(NotFound::unsuitable(
+            path,
+            "no load takes this motor out of step",
+            "b0 and field_speed above zero",
+        ));
+    };
+    let at = exact.to_f64();
+    // moments in units of b0, the friction in units of b0 over 1 rad/s
+    let curve = Standing { motor: still, unit: b0 };
+    let round = round_the_fold(&curve, [0.0, 0.0], 0.05, 200);
+    let followed = round.map(|(fold, _)| fold[1] * b0);
+    let holds = |f: f64| stays(&scene, bodies.rotor.axial, motor, f);
+    let threshold = |of, measured, within| {
+        let formula = r"$b_0/\Omega$";
+        Threshold { of, formula, exact: Exact::Number(exact), unit: "N m s", measured, within }
+    };
+    let thresholds = vec![
+        threshold("greatest friction in step: the fold, by arc length", followed, Within::Share(1_000_000_000)),
+        threshold(
+            "the same by runs of the motor alone, 2 s each",
+            edge(0.97 * at, 1.1 * at, 1e-5, holds),
+            Within::Share(50),
+        ),
+    ];
+    let at_load = |share: f64| newton(&curve, 0.0, share * at / b0);
+    let answer = |by: &str, found: bool| {
+        let fate = if found { Fate::Holds } else { Fate::Stops("Newton did not converge".to_owned()) };
+        Trial { by: by.to_owned(), fate }
+    };
+    let roots = |share: f64| standing_angles(&scene, share * at);
+    let mut trials = vec![
+        answer("Newton at 0.9 of the load", at_load(0.9).is_ok()),
+        answer("Newton at 1.001 of the load", at_load(1.001).is_ok()),
+        answer("arc length round the fold", round.is_some_and(|(_, behind)| behind[0] < -std::f64::consts::FRAC_PI_2)),
+        answer("real roots isolated", roots(0.9) == Some(2) && roots(1.001) == Some(0)),
+    ];
+    let problem = scene.problem(Axes::First);
+    let tried = Tried { steps: 4_000, ..Tried::of(&problem, scene.run.tolerance) };
+    let right = tried.right();
+    trials.extend(tried.all(|record| near(record, &right, 1e-3)));
+    let diagnosis = at_load(1.001).err().map_or_else(String::new, |error| error.to_string());
+    Ok(Found { thresholds, diagnosis, trials })
+}
+
+/// The moment on a rotor that stands in the field: no current flows, so that it is the currentless motor's.
+fn moment<P: Base, S: Over<P>>(motor: &Synchronous<P>, angle: Circle<S>) -> S {
+    drive(motor, angle, S::zero(), &[], &mut [])
+}
+
+/// The friction at which the greatest moment of the field is spent, and the half tangent of the angle: where the moment's
+/// slope by the angle vanishes and the moment of friction is opposite.
+fn critical(motor: Synchronous<Rational>) -> Option<(Rational, Rational)> {
+    let t = Sym::symbol("t");
+    let slope = moment(&motor.map(Sym::constant), Circle::from_half_tangent(t).moving(Sym::int(1))).slope;
+    let folds = numerator(slope, t)?.real_roots();
+    let of = |half: Rational| {
+        let angle = Circle::from_half_tangent(half);
+        let with = |f: Rational| moment::<Rational, Rational>(&Synchronous { f, ..motor }, angle);
+        let (free, rubbed) = (with(Rational::int(0)), with(Rational::int(1)));
+        -free / (rubbed - free)
+    };
+    let loads = folds.iter().filter_map(rational).map(|half| (of(half), half));
+    loads.into_iter().find(|(load, _)| load.sign() == Some(1))
+}
+
+/// The moment of a rotor that stands, over b0, by its angle and the friction over b0.
+struct Standing {
+    motor: Synchronous<f64>,
+    unit: f64,
+}
+
+impl Curve for Standing {
+    /// The moment of friction is linear in the friction.
+    fn value(&self, x: Tangent<f64>, p: Tangent<f64>) -> Tangent<f64> {
+        let with = |f: f64| moment(&Synchronous { f, ..self.motor }, x.circle());
+        let (free, rubbed, unit) = (with(0.0), with(1.0), Tangent::fixed(self.unit));
+        free / unit + p * (rubbed - free)
+    }
+}
+
+/// Whether the motor alone stays in step under a friction, from the angle at which it stood under a little less.
+fn stays(scene: &Scene, axial: f64, motor: &MultiCurrent<f64>, f: f64) -> bool {
+    let windings = Windings { f, ..motor.windings };
+    let machine = AnyMachine::MultiCurrent(MultiCurrent { windings, bars: motor.bars.clone() });
+    let held = (f * windings.field_speed / windings.b0).min(1.0);
+    let start = Start {
+        rotor_angle: -held.asin(),
+        rotor_speed: windings.field_speed,
+        currents: Vec::new(),
+        ..scene.start.clone()
+    };
+    let alone = Scene { system: System::Bench { axial }, machine, start, ..scene.clone() };
+    let choice = Choice { method: Method::DormandPrince8, tolerance: 1e-8, ..scene.choice() };
+    let run = alone.simulate(&choice, |_| ());
+    let angle = run.column("angle").and_then(|angle| run.last.get(angle));
+    run.outcome.reached() && angle.is_some_and(|angle| angle.abs() < std::f64::consts::PI)
+}
+
+/// How many angles the motor has under a friction, by the isolation of real roots.
+fn standing_angles(scene: &Scene, friction: f64) -> Option<usize> {
+    let mut data = scene.machine_data.clone();
+    let given = data.numbers.iter_mut().find(|(quantity, _)| quantity.name == "f")?;
+    given.1 = friction;
+    match Motor::of(&data.machine("synchronous").ok()?, &data).ok()? {
+        Motor::InStep { angles, .. } => Some(angles.len()),
+        _ => None,
+    }
+}

@@ -1,0 +1,149 @@
+//! The integrable constraint of task 1 where sin(theta) goes to zero.
+
+use super::trials::{BUDGET, Tried, near};
+use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
+use crate::friction::{Rough, RoughScene};
+use crate::mechanisms::bodies::charted;
+use crate::scene::Family;
+use crate::systems::steered_rod::SteeredRod;
+use field::{Analytic, Over};
+use integrators::{Method, Ode, Record, Span, Tolerance, integrate};
+use mechanics::constrained::{Charted, State, System};
+use std::f64::consts::LN_2;
+use std::path::Path;
+
+pub const FAILING: Failing = Failing {
+    name: "straightening",
+    title: "the integrable constraint of the steered rod where sin(theta) goes to zero",
+    scene: "failures/straightening_rod.toml",
+    why: r"$\dot\theta=2\dot x\sin\theta/l$ has the integral $x-\frac l2\ln\tan\frac\theta2$, so that the angle alone would be a coordinate, with $\dot x=l\dot\theta/(2\sin\theta)$. But $\tan\frac\theta2$ grows as $\exp(2x/l)$, and an angle next to $\pi$ has a spacing of $2^{-51}$: after $\frac l2(53\ln2-\ln\tan\frac{\theta_0}2)$ it says nothing of the place any more. At $\sin\theta=0$ the chart has no rates.",
+    advice: "Take the place along the guide as the coordinate and its rate as the quasi-velocity: their equations have no singular angle.",
+    asked: "the speed along the guide within 1/1000",
+    measure,
+};
+
+/// Instants at which place and angle are compared: few, for each step on the way adds its rounding of the angle.
+const INSTANTS: usize = 60;
+/// What the angle still tells of the place: a factor of two of its distance from the guide.
+const TOLD: f64 = LN_2;
+
+fn measure(path: &Path) -> Result<Found, NotFound> {
+    let scene = RoughScene::open(path)?;
+    let Rough::SteeredRod(rod) = scene.system else {
+        let accepted = "system = \"steered_rod\"";
+        return Err(NotFound::unsuitable(path, format!("this is a {}", scene.system.name()), accepted));
+    };
+    if rod.friction != 0.0 || scene.slide <= 0.0 || scene.angle.sin() <= 0.0 {
+        let accepted = "friction = \"0\", a positive sliding, an angle between 0 and 180 degrees";
+        return Err(NotFound::unsuitable(path, "this rod does not straighten", accepted));
+    }
+    let (theta, speed, span) = (scene.angle, scene.slide, scene.plan.end);
+    let first = (0.5 * theta).tan().ln();
+    let value = 0.5 * rod.length * (53.0 * LN_2 - first);
+    let degrees = (theta.to_degrees() * 1e9).round() / 1e9;
+    let formula = format!("{}/2 (53 ln 2 - ln tan({degrees} deg/2))", rod.length);
+    let by_place = ByPlace(rod);
+    let start = [0.0, theta, speed];
+    let far = Threshold {
+        of: "way after which the angle says nothing of the place",
+        formula: r"$\frac l2(53\ln2-\ln\tan\frac{\theta_0}2)$",
+        exact: Exact::Formula(formula, value),
+        unit: "m",
+        measured: told_until(&by_place, &start, span),
+        within: Within::Share(10),
+    };
+    let tolerance = 1e-9;
+    let free: &dyn Fn(&[f64]) -> Option<&'static str> = &|_| None;
+    let tried = Tried {
+        law: &by_place,
+        state: &start,
+        span,
+        tolerance,
+        steps: 2_000,
+        outputs: 10,
+        budget: BUDGET,
+        outside: free,
+    };
+    let speeds = |record: &Record<f64>, of: &dyn Fn(&[f64]) -> f64| Record {
+        times: record.times.clone(),
+        states: record.states.iter().map(|y| vec![of(y)]).collect(),
+    };
+    let right = speeds(&tried.right(), &|y| y[2]);
+    let by_angle = ByAngle(rod);
+    let turning = [0.0, theta, 2.0 * speed * theta.sin() / rod.length];
+    let in_angle = Tried { law: &by_angle, state: &turning, ..tried };
+    let of_angle = |y: &[f64]| rod.length * y[2] / (2.0 * y[1].sin());
+    let named = |name: &str, trials: Vec<Trial>| -> Vec<Trial> {
+        trials.into_iter().map(|trial| Trial { by: format!("{name}, {}", trial.by), ..trial }).collect()
+    };
+    let mut trials = named("place", tried.all(|record| near(&speeds(record, &|y| y[2]), &right, 1e-3)));
+    trials.extend(named("angle", in_angle.all(|record| near(&speeds(record, &of_angle), &right, 1e-3))));
+    let along = Span::new(0.0, 1.0, &[0.0, 0.0, 0.0]);
+    let refused = integrate(&by_angle, Method::DormandPrince8, &Tolerance::both(1e-9), &along, &mut ()).failure();
+    let diagnosis = refused.map_or_else(String::new, |failure| failure.to_string());
+    Ok(Found { thresholds: vec![far], diagnosis, trials })
+}
+
+/// y = (x, theta, x').
+struct ByPlace(SteeredRod<f64>);
+
+/// y = (x, theta, theta').
+struct ByAngle(SteeredRod<f64>);
+
+impl System<4> for ByAngle {
+    type Given = f64;
+
+    fn masses<S: Over<f64>>(&self) -> [S; 4] {
+        self.0.masses()
+    }
+
+    fn force<S: Over<f64>>(&self, at: &State<S, 4>) -> [S; 4] {
+        self.0.force(at)
+    }
+}
+
+/// x' = l theta'/(2 sin theta).
+impl Charted<4, 2, 1> for ByAngle {
+    fn place<S: Over<f64> + Analytic>(&self, time: S, q: [S; 2]) -> [S; 4] {
+        self.0.place(time, q)
+    }
+
+    fn rates<S: Over<f64> + Analytic>(&self, time: S, q: [S; 2], [turning]: [S; 1]) -> [S; 2] {
+        // what a unit of x' turns
+        let [_, turned] = Charted::rates(&self.0, time, q, [S::one()]);
+        [turning / turned, turning]
+    }
+}
+
+impl<S: Over<f64> + Analytic> Ode<S> for ByPlace {
+    fn dimension(&self) -> usize {
+        3
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        charted::<_, S, 4, 2, 1>(&self.0, t, y, dy);
+    }
+}
+
+impl<S: Over<f64> + Analytic> Ode<S> for ByAngle {
+    fn dimension(&self) -> usize {
+        3
+    }
+
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        charted::<_, S, 4, 2, 1>(self, t, y, dy);
+    }
+}
+
+impl integrators::System for ByPlace {}
+impl integrators::System for ByAngle {}
+
+/// The way at whose end the angle has lost the place.
+fn told_until(law: &ByPlace, start: &[f64], end: f64) -> Option<f64> {
+    let span = Span::new(0.0, end, start).with_even_outputs(INSTANTS);
+    let mut record = Record::new();
+    integrate(law, Method::DormandPrince8, &Tolerance::both(1e-13), &span, &mut record).reached().then_some(())?;
+    let first = (0.5 * start[1]).tan().ln();
+    let off = |y: &[f64]| ((0.5 * y[1]).tan().abs().ln() - first - 2.0 * y[0] / law.0.length).abs();
+    record.states.iter().find(|y| off(y) > TOLD).map(|y| y[0])
+}

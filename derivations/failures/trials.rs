@@ -1,0 +1,178 @@
+//! Every method on a scene under a budget, and what became of each.
+
+use crate::friction::Course;
+use crate::scene::{Problem, methods};
+use integrators::{End, Failure, Method, Observer, Outcome, Record, Span, System, Tolerance, integrate};
+use std::fmt;
+use std::time::Duration;
+
+/// What became of a method.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// It comes out as it should.
+    Holds,
+    /// It reaches its end off by more than was asked, and says nothing.
+    Wrong,
+    /// It stops, and gives this reason.
+    Stops(String),
+    /// A number that is none came out: never.
+    Undefined,
+}
+
+/// Something that was tried.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Trial {
+    /// A method as the command line reads it, or a formulation.
+    pub by: String,
+    pub fate: Fate,
+}
+
+/// The evaluations that a method may usually spend.
+pub const BUDGET: u64 = 200_000;
+
+/// For a run across events whose method does not come to an end.
+pub const ALLOWED: Duration = Duration::from_secs(20);
+
+/// A problem that every method is to try.
+pub struct Tried<'a> {
+    pub law: &'a dyn System,
+    pub state: &'a [f64],
+    /// s
+    pub span: f64,
+    pub tolerance: f64,
+    /// Of the methods with a constant step.
+    pub steps: u32,
+    /// Instants at which the result is looked at.
+    pub outputs: usize,
+    /// Evaluations that a method may spend.
+    pub budget: u64,
+    /// Why the law does not hold at a state, where it does not.
+    pub outside: &'a dyn Fn(&[f64]) -> Option<&'static str>,
+}
+
+/// Ends a run where its law does.
+struct Leaves<'a> {
+    outside: &'a dyn Fn(&[f64]) -> Option<&'static str>,
+    left: Option<&'static str>,
+}
+
+impl Observer<f64> for Leaves<'_> {
+    fn step(&mut self, _time: f64, state: &[f64]) {
+        self.left = (self.outside)(state);
+    }
+
+    fn enough(&self) -> bool {
+        self.left.is_some()
+    }
+}
+
+/// Every method by the name that the command line reads, those of constant step with so many.
+pub fn every_method(steps: u32) -> impl Iterator<Item = (String, Method)> {
+    methods::list().filter_map(move |(written, _)| {
+        let name = written.replace("STEPS", &steps.to_string());
+        methods::method(&name).ok().map(|method| (name, method))
+    })
+}
+
+impl<'a> Tried<'a> {
+    /// A problem, seen at four instants, with a thousand steps where they are constant.
+    pub fn of(problem: &'a Problem, tolerance: f64) -> Self {
+        let Problem { law, state, span, outside, .. } = problem;
+        Tried { law: &**law, state, span: *span, tolerance, steps: 1_000, outputs: 4, budget: BUDGET, outside }
+    }
+
+    /// One method: how it ended, what it showed, and why the law ended where it did.
+    pub fn run(&self, method: Method) -> (Outcome<f64>, Record<f64>, Option<&'static str>) {
+        let span = Span::new(0.0, self.span, self.state).with_even_outputs(self.outputs).with_evaluations(self.budget);
+        let (mut record, mut leaves) = (Record::new(), Leaves { outside: self.outside, left: None });
+        let mut watch = (&mut record, &mut leaves);
+        let outcome = integrate(self.law, method, &Tolerance::both(self.tolerance), &span, &mut watch);
+        (outcome, record, leaves.left)
+    }
+
+    /// What is right, by a collocation of high order.
+    pub fn right(&self) -> Record<f64> {
+        self.run(Method::RadauIIA { stages: 7 }).1
+    }
+
+    /// All methods that accept the law; of one that reached its end `holds` says whether it came out as it should.
+    pub fn all(&self, holds: impl Fn(&Record<f64>) -> bool) -> Vec<Trial> {
+        let one = |(by, method): (String, Method)| {
+            let (outcome, record, left) = self.run(method);
+            let accepted = !matches!(outcome.failure(), Some(Failure::Refused(_)));
+            accepted.then(|| Trial { by, fate: fate(&outcome, &record, left, &holds) })
+        };
+        every_method(self.steps).filter_map(one).collect()
+    }
+}
+
+/// What became of a run.
+pub fn fate(
+    outcome: &Outcome<f64>,
+    record: &Record<f64>,
+    left: Option<&'static str>,
+    holds: impl Fn(&Record<f64>) -> bool,
+) -> Fate {
+    let numbers = record.states.iter().flatten().chain(&outcome.state);
+    if !outcome.time.is_finite() || numbers.into_iter().any(|y| !y.is_finite()) {
+        return Fate::Undefined;
+    }
+    match outcome.end {
+        _ if left.is_some() => Fate::Stops(left.unwrap_or_default().to_owned()),
+        End::Stopped(failure) => Fate::Stops(failure.name().to_owned()),
+        End::Reached | End::Halted if holds(record) => Fate::Holds,
+        End::Reached | End::Halted => Fate::Wrong,
+    }
+}
+
+impl Fate {
+    /// In tables: what holds first, then what errs silently.
+    pub fn rank(&self) -> u8 {
+        match self {
+            Fate::Holds => 0,
+            Fate::Wrong => 1,
+            Fate::Stops(_) => 2,
+            Fate::Undefined => 3,
+        }
+    }
+}
+
+impl fmt::Display for Fate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Fate::Holds => f.write_str("holds"),
+            Fate::Wrong => f.write_str("off, and says nothing"),
+            Fate::Stops(why) => write!(f, "stops: {why}"),
+            Fate::Undefined => f.write_str("no number"),
+        }
+    }
+}
+
+/// The share of the largest component below which one is nothing.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether a run is near another in every component, relative to its size there.
+pub fn near(record: &Record<f64>, right: &Record<f64>, share: f64) -> bool {
+    let count = right.states.first().map_or(0, Vec::len);
+    let size = |i: usize| right.states.iter().map(|state| state[i].abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let sizes: Vec<f64> = (0..count).map(size).collect();
+    // what stays zero is rounding
+    let least = ROUNDING * sizes.iter().copied().fold(0.0, f64::max);
+    let sizes: Vec<f64> = sizes.into_iter().map(|size| size.max(least)).collect();
+    let close =
+        |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).zip(&sizes).all(|((a, b), s)| (a - b).abs() <= share * s);
+    record.times == right.times && record.states.iter().zip(&right.states).all(close)
+}
+
+/// A run across events in words: `None` where the method does not accept the law.
+pub fn fate_of(course: &Course, holds: impl Fn(&Course) -> bool) -> Option<Fate> {
+    if course.rows.iter().flatten().any(|x| !x.is_finite()) {
+        return Some(Fate::Undefined);
+    }
+    if course.reached {
+        return Some(if holds(course) { Fate::Holds } else { Fate::Wrong });
+    }
+    let told = course.ending.split([':', ',']).next().unwrap_or_default();
+    let told = told.split(" at t =").next().unwrap_or_default();
+    (told != "refused").then(|| Fate::Stops(told.to_owned()))
+}
