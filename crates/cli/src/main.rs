@@ -32,6 +32,7 @@ mod run;
 mod scenes;
 mod speed;
 mod sphere;
+mod stability;
 mod stationary;
 mod studies;
 mod summary;
