@@ -33,6 +33,7 @@ pub const ALL: &[Paper] = &[
     crate::stabilisation::PAPER,
     crate::stationary::PAPER,
     crate::phantom::PAPER,
+    crate::stationary::stability::PAPER,
 ];
 
 /// Every paper's page, made in the calling thread.

@@ -81,13 +81,13 @@ impl Layout {
 }
 
 /// A state as the laws want it.
-struct State<S> {
-    w: Vector3<S>,
-    v: Vector3<S>,
-    rotor_speed: S,
-    slip: S,
-    angle: Circle<S>,
-    currents: Vec<S>,
+pub(super) struct State<S> {
+    pub w: Vector3<S>,
+    pub v: Vector3<S>,
+    pub rotor_speed: S,
+    pub slip: S,
+    pub angle: Circle<S>,
+    pub currents: Vec<S>,
 }
 
 impl<S: Scalar> Place<S> {
@@ -134,7 +134,7 @@ impl<P: Base> Energies<P> {
 }
 
 /// What is missing for rates to be those of a motion: vanishes along every motion.
-fn missing<P: Base, S: Over<P>, M: Machine<P>>(
+pub(super) fn missing<P: Base, S: Over<P>, M: Machine<P>>(
     energies: &Energies<P>,
     machine: &M,
     state: &State<S>,
@@ -159,6 +159,19 @@ fn missing<P: Base, S: Over<P>, M: Machine<P>>(
         missing.extend(own.iter().zip(currents).map(|(rate, law)| *rate - law));
     }
     missing
+}
+
+/// The first variation of what is missing, for deviations from a stationary motion and their rates.
+pub(super) fn variation<P: Base, S: Over<P>, M: Machine<P>>(
+    energies: &Energies<P>,
+    machine: &M,
+    place: &Place<S>,
+    deviations: &[S],
+    rates: &[S],
+) -> Vec<S> {
+    let rates: Vec<Tangent<S>> = rates.iter().map(|&slope| Tangent::moving(S::zero(), slope)).collect();
+    let state = place.state(Layout::of(machine), machine.frame_speed(), deviations);
+    missing(energies, machine, &state, &rates).into_iter().map(|one| one.slope).collect()
 }
 
 /// E - W p' - w0 x.v + 1/2 lambda v.v, J.
@@ -188,14 +201,9 @@ impl<S: Scalar> Linear<S> {
         let (size, frame) = (layout.size(), machine.frame_speed());
         let unit = |j: usize| -> Vec<S> { (0..size).map(|i| if i == j { S::one() } else { S::zero() }).collect() };
         let rest = vec![S::zero(); size];
-        let fixed: Vec<Tangent<S>> = rest.iter().map(|&zero| Tangent::fixed(zero)).collect();
-        let slopes = |missing: Vec<Tangent<S>>| -> Vec<S> { missing.into_iter().map(|one| one.slope).collect() };
-        // missing = mass * rates - force * deviations
-        let of_rates = |j: usize| {
-            let rates: Vec<Tangent<S>> = unit(j).into_iter().map(|slope| Tangent::moving(S::zero(), slope)).collect();
-            slopes(missing(energies, machine, &place.state(layout, frame, &rest), &rates))
-        };
-        let of_state = |j: usize| slopes(missing(energies, machine, &place.state(layout, frame, &unit(j)), &fixed));
+        // variation = mass * rates - force * deviations
+        let of_rates = |j: usize| variation(energies, machine, place, &rest, &unit(j));
+        let of_state = |j: usize| variation(energies, machine, place, &unit(j), &rest);
         let mass = transposed((0..size).map(of_rates).collect());
         let force = transposed((0..size).map(|j| of_state(j).into_iter().map(|slope| -slope).collect()).collect());
         let (all, _) = energies.momenta(place.vertical * place.speed, place.rotor_speed);
