@@ -33,6 +33,7 @@ mod scenes;
 mod speed;
 mod sphere;
 mod stability;
+mod stability_map;
 mod stationary;
 mod studies;
 mod summary;

@@ -20,8 +20,9 @@ pub struct Approximation {
     pub conservative: bool,
     /// Whether the motor's own moment does not depend on the slip: then this neither damps nor drives.
     pub steady: bool,
+    /// Whether no weight acts, so that the angular momentum stays in space: roots at +-i w0.
+    pub balanced: bool,
     formulas: Formulas,
-    damping: usize,
 }
 
 impl Approximation {
@@ -31,6 +32,37 @@ impl Approximation {
     /// [`NoMotor`] where the data do not make the machine, or its laws are not algebraic.
     pub fn of(energies: &Energies<Rational>, machine: &AnyMachine, data: &MachineData) -> Result<Self, NoMotor> {
         machine.clone().apply(Written { energies, data, name: machine.name() })
+    }
+
+    /// The same with a machine whose data are constants.
+    ///
+    /// # Errors
+    /// [`NoMotor::NotAlgebraic`].
+    pub fn with(energies: &Energies<Rational>, machine: &impl Machine<Sym>) -> Result<Self, NoMotor> {
+        let constant = Sym::constant;
+        let energies = Energies {
+            tensor: energies.tensor.map(constant),
+            mixed: energies.mixed.map(constant),
+            axial: constant(energies.axial),
+            weight: energies.weight.map(constant),
+        };
+        let unknowns = symbols(["w0", "v1", "v2", "v3", "W", "c", "s"]);
+        let [speed, v1, v2, v3, rotor_speed, cos, sin] = unknowns;
+        let place = Place { speed, vertical: Vector3::new(v1, v2, v3), rotor_speed, angle: Circle { cos, sin } };
+        let linear = Linear::at(&energies, machine, &place, is_free(machine));
+        let all = linear.rates.iter().chain(&linear.energy).chain(&linear.integrals).flatten();
+        let all: Vec<Sym> = all.chain(&linear.missing).chain(&linear.damping).copied().collect();
+        let formulas = Formulas::of(&all, &unknowns).map_err(|reason| NoMotor::NotAlgebraic(reason.to_string()))?;
+        let integrals = [Integral::Vertical, Integral::Momentum, Integral::RotorMomentum];
+        let steady = is_steady(machine);
+        Ok(Approximation {
+            layout: Layout::of(machine),
+            integrals: integrals[..linear.integrals.len()].to_vec(),
+            conservative: steady && linear.damping.iter().all(|&one| vanishes(one)),
+            steady,
+            formulas,
+            balanced: energies.weight.iter().all(|&one| vanishes(one)),
+        })
     }
 
     /// The matrices at a place; `None` where a number may be undefined, or is not in the field.
@@ -46,7 +78,8 @@ impl Approximation {
             rates: rows(0, size),
             energy: rows(square, size),
             integrals: rows(2 * square, integrals),
-            damping: values[2 * square + integrals * size..][..self.damping].to_vec(),
+            missing: rows(2 * square + integrals * size, 1).concat(),
+            damping: values[2 * square + (integrals + 1) * size..].to_vec(),
         })
     }
 }
@@ -62,32 +95,7 @@ impl ForMachine for Written<'_> {
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
         let machine = M::read::<Sym, _>(&mut Decimals(self.data, self.name)).map_err(NoMotor::Data)?;
-        let Energies { tensor, mixed, axial, weight } = self.energies;
-        let constant = Sym::constant;
-        let energies = Energies {
-            tensor: tensor.map(constant),
-            mixed: mixed.map(constant),
-            axial: constant(*axial),
-            weight: weight.map(constant),
-        };
-        let unknowns = symbols(["w0", "v1", "v2", "v3", "W", "c", "s"]);
-        let [speed, v1, v2, v3, rotor_speed, cos, sin] = unknowns;
-        let place = Place { speed, vertical: Vector3::new(v1, v2, v3), rotor_speed, angle: Circle { cos, sin } };
-        let free = is_free(&machine);
-        let linear = Linear::at(&energies, &machine, &place, free);
-        let all = linear.rates.iter().chain(&linear.energy).chain(&linear.integrals).flatten();
-        let all: Vec<Sym> = all.chain(&linear.damping).copied().collect();
-        let formulas = Formulas::of(&all, &unknowns).map_err(|reason| NoMotor::NotAlgebraic(reason.to_string()))?;
-        let integrals = [Integral::Vertical, Integral::Momentum, Integral::RotorMomentum];
-        let steady = is_steady(&machine);
-        Ok(Approximation {
-            layout: Layout::of(&machine),
-            integrals: integrals[..linear.integrals.len()].to_vec(),
-            conservative: steady && linear.damping.iter().all(|&one| vanishes(one)),
-            steady,
-            formulas,
-            damping: linear.damping.len(),
-        })
+        Approximation::with(self.energies, &machine)
     }
 }
 

@@ -43,6 +43,8 @@ pub struct Linear<S> {
     pub rates: Vec<Vec<S>>,
     /// The second derivatives of G.
     pub energy: Vec<Vec<S>>,
+    /// What is missing for it to be a motion: zero at a stationary motion.
+    pub missing: Vec<S>,
     /// The differentials of what is conserved, as [`Integral`] lists it.
     pub integrals: Vec<Vec<S>>,
     /// What dG/dt takes from the slip: -dm/dg', N m s, and from each current: R, ohm.
@@ -206,6 +208,8 @@ impl<S: Scalar> Linear<S> {
         let of_state = |j: usize| variation(energies, machine, place, &unit(j), &rest);
         let mass = transposed((0..size).map(of_rates).collect());
         let force = transposed((0..size).map(|j| of_state(j).into_iter().map(|slope| -slope).collect()).collect());
+        let still: Vec<Tangent<S>> = rest.iter().map(|&zero| Tangent::fixed(zero)).collect();
+        let missing = missing(energies, machine, &place.state(layout, frame, &rest), &still);
         let (all, _) = energies.momenta(place.vertical * place.speed, place.rotor_speed);
         let multiplier = place.speed * all.dot(&place.vertical) + energies.weight.map(S::lift).dot(&place.vertical);
         let second = |i: usize, j: usize| {
@@ -228,6 +232,7 @@ impl<S: Scalar> Linear<S> {
         Linear {
             rates: resolved(mass, force),
             energy: (0..size).map(|i| (0..size).map(|j| second(i, j)).collect()).collect(),
+            missing: missing.into_iter().map(|one| one.value).collect(),
             integrals,
             damping,
         }

@@ -77,9 +77,12 @@ impl Judged {
 
     /// At a place (w0, v, W, cos g, sin g). A verdict [`Reason::TooFine`] asks for finer numbers.
     pub fn at<R: Ordered>(approximation: &Approximation, place: &[R; 7], one: &R, rounded: impl Fn(&R) -> f64) -> Self {
-        let Approximation { integrals, conservative, steady, .. } = approximation;
+        let Approximation { integrals, conservative, steady, balanced, .. } = approximation;
         let undecided = |reason| Judged::cannot_tell(approximation, reason);
         let Some(linear) = approximation.at(place, one) else { return undecided(Reason::TooFine) };
+        if linear.missing.iter().any(|m| m.sign().is_some_and(|sign| sign != 0)) {
+            return undecided(Reason::NotStationary);
+        }
         let mut polynomial = characteristic(&linear.rates, one);
         // a structural zero that is excluded is a contradiction
         let structural = polynomial.split_off(polynomial.len() - integrals.len());
@@ -95,7 +98,8 @@ impl Judged {
                 *c = one.integer(0);
             }
         }
-        let roots = HalfPlanes::of(&polynomial);
+        let known = if *balanced { HalfPlanes::without_pair(&polynomial, &place[0].times(&place[0])) } else { None };
+        let roots = known.or_else(|| HalfPlanes::of(&polynomial));
         let energy = Inertia::on_subspace(&linear.energy, &linear.integrals, one);
         // where the moment depends on the slip, a slope that damps here damps near by too
         let (of_slip, of_currents) = linear.damping.split_at(linear.damping.len().min(1));

@@ -16,7 +16,7 @@ pub struct HalfPlanes {
     /// On the imaginary axis, zero included.
     pub axis: usize,
     pub right: usize,
-    /// How many different numbers the ones on the axis are.
+    /// How many different numbers the ones on the axis are; a pair that was known before is counted as different.
     pub distinct: usize,
 }
 
@@ -50,6 +50,25 @@ impl HalfPlanes {
         let left = usize::try_from((apart + index) / 2).ok()?;
         let right = usize::try_from((apart - index) / 2).ok()?;
         Some(HalfPlanes { left: left + beside, axis, right: right + beside, distinct })
+    }
+
+    /// Of a polynomial that z^2 + `square` is known to divide: what only rounding leaves of the remainder is dropped. `None`
+    /// too where the remainder does not vanish.
+    pub fn without_pair<R: Ordered>(coefficients: &[R], square: &R) -> Option<Self> {
+        if square.sign()? <= 0 || coefficients.len() < 3 {
+            return None;
+        }
+        let mut rest = coefficients.to_vec();
+        for k in 0..rest.len() - 2 {
+            rest[k + 2] = rest[k + 2].minus(&rest[k].times(square));
+        }
+        let remainder = rest.split_off(rest.len() - 2);
+        if remainder.iter().any(|c| c.sign().is_some_and(|sign| sign != 0)) {
+            return None;
+        }
+        let HalfPlanes { left, axis, right, distinct } = HalfPlanes::of(&rest)?;
+        // whether the pair is among the others is not asked
+        Some(HalfPlanes { left, axis: axis + 2, right, distinct: distinct + 2 })
     }
 
     /// The number of all roots.
@@ -191,6 +210,21 @@ mod tests {
         let pair = vec![1, 0, 4];
         assert_eq!(counted(&[pair.clone(), pair.clone(), vec![1, 0, 9]]), [0, 6, 0, 4]);
         assert_eq!(counted(&[vec![1, 0], vec![1, 0], pair.clone(), pair, vec![1, 1]]), [1, 6, 0, 3]);
+    }
+
+    #[test]
+    fn a_known_pair_is_divided_out_though_enclosures_cannot_see_it() {
+        use symbolic::real::Enclosure;
+        let whole = |n: i64| Enclosure::integer(n, 64);
+        // (z^2 + 1/9)(z + 2)
+        let ninth = whole(1).over(&whole(9)).unwrap();
+        let third = whole(1).over(&whole(3)).unwrap();
+        let square = &third * &third;
+        let all = [whole(1), whole(2), ninth.clone(), &ninth * &whole(2)];
+        assert_eq!(HalfPlanes::of(&all), None);
+        let found = HalfPlanes::without_pair(&all, &square).unwrap();
+        assert_eq!((found.left, found.axis, found.right), (1, 2, 0));
+        assert_eq!(HalfPlanes::without_pair(&all, &whole(1)), None);
     }
 
     #[test]

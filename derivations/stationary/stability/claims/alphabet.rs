@@ -27,6 +27,7 @@ const LETTERS: &[Letter<4>] = &[
     ("v#", "v_#", [0, 0, -1, 0]),
     ("w#", "w_#", [0, 0, -1, 0]),
     ("H", "h", [1, 2, -1, 0]),
+    ("λ", r"\lambda", [1, 2, -2, 0]),
 ];
 
 /// The dimension of a letter; `None` for a name that the page does not have.

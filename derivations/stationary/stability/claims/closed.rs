@@ -1,8 +1,9 @@
 //! Closed forms: rotation about a principal axis that carries the rotor and the centre of mass, and rest.
 
 use super::alphabet::letter;
-use super::pencil::Carrier;
+use super::letters::kept;
 use crate::papers::konosevich2022::Letters;
+use crate::stationary::stability::reduced::Reduced;
 use claims::{Condition, Page};
 use field::Scalar;
 use mechanics::rotation::determinant;
@@ -17,7 +18,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     let z = letter("z");
     let h = letter("H");
     let [a1, a2, a3] = [s.a_star.x, s.a_star.y, s.a_star.z];
-    let upright = Carrier { vertical: axis(2), spin: axis(2) * h, ..Carrier::kept(s) };
+    let upright = Reduced { vertical: axis(2), spin: axis(2) * h, ..kept(s) };
     let lambda = upright.multiplier;
     let [h1, h2] = [a1, a2].map(|a| lambda - s.omega0.powi(2) * a);
     let n = h + s.omega0 * (a3 - a1 - a2);
@@ -37,29 +38,43 @@ pub fn claims(page: &mut Page, s: &Letters) {
             .dot(&upright.vertical),
         s.omega0.powi(2) * a3 + s.omega0 * h + gamma,
     )]);
-    let reduced = Carrier {
+    let reduced = Reduced {
         tensor: upright.tensor - axis(2) * axis(2).transpose() * s.axial,
         spin: axis(2) * (h + s.axial * s.omega0),
         ..upright
     };
     page.claim("axis", "free-rotor", r"of a free rotor the polynomial is the same, with $A_3^*-A'$ for $A_3^*$ in front: $p_f=p_c$, so that with every motor $A'z^2\det K_f+Z\det K=z^2(A'(A_3^*-A')z^2+ZA_3^*)A_1^*A_2^*\,p_c$: the motor swings by itself, and neither holds nor disturbs the axis")
         .follows([Equal(determinant(&reduced.pencil(z)) * a3, determinant(&upright.pencil(z)) * (a3 - s.axial))]);
+    balanced(page, s, z);
     rest(page, s, z, h, axis);
+}
+
+/// No weight: x along the vertical.
+fn balanced(page: &mut Page, s: &Letters, z: Sym) {
+    let any = kept(s);
+    let spin = s.nu * (any.multiplier / s.omega0) - any.tensor * s.nu * s.omega0;
+    let [det, a, b] = Reduced { spin, ..any }.polynomial();
+    page.claim("balanced", "precession", r"without weight, $\Gamma=0$, $x=\lambda\nu/\omega^0$ stays in space: $p_c$, and with other tensors $p_f$, is divisible by $z^2+\omega^{0\,2}$. So every motor has the roots $\pm i\omega^0$, a constant tilt in space, and damps the others alone")
+        .under(&s.unit_vertical)
+        .follows([Equal(
+            det * z.powi(4) + a * z.powi(2) + b,
+            (z.powi(2) + s.omega0.powi(2)) * (det * z.powi(2) + b / s.omega0.powi(2)),
+        )]);
 }
 
 fn rest(page: &mut Page, s: &Letters, z: Sym, h: Sym, axis: impl Fn(usize) -> Vector3<Sym>) {
     let [a1, a2, a3] = [s.a_star.x, s.a_star.y, s.a_star.z];
     let gamma = s.big_gamma;
-    let still = |multiplier: Sym, spin: Vector3<Sym>| Carrier {
+    let still = |multiplier: Sym, spin: Vector3<Sym>| Reduced {
         speed: Sym::ZERO,
         vertical: axis(2),
         multiplier,
         spin,
-        ..Carrier::kept(s)
+        ..kept(s)
     };
-    let any = Carrier { vertical: s.nu, spin: s.l * h, speed: Sym::ZERO, multiplier: gamma, ..Carrier::kept(s) };
+    let any = Reduced { vertical: s.nu, spin: s.l * h, speed: Sym::ZERO, multiplier: gamma, ..kept(s) };
     let y = super::alphabet::vector("δν");
-    let weight = (any.tensor * s.nu).dot(&s.nu);
+    let weight = any.weight();
     page.claim("rest", "hanging", r"hanging at rest, $\omega^0=0$, $\nu=e$, the axes of $A^*$ anywhere: $Q=\Gamma|\delta\nu|^2+(A'\Omega\,l\cdot\delta\nu)^2/\nu\cdot A^*\nu$ is positive: stable with every motor that holds its angle or damps its slip, at every speed of the rotor. At $\nu=-e$ the first term is negative, and of the two squares one at least")
         .follows([Equal(
             (any.stiffness() * y).dot(&y) + any.coupling().dot(&y).powi(2) / weight,

@@ -1,17 +1,18 @@
 //! The law and its variation, what gives zero roots, the energy, the polynomial of the rotor of constant speed.
 
 use super::alphabet::{letter, vector};
-use super::pencil::{Carrier, stationary};
+use super::letters::{free, kept, stationary, unit_vectors};
 use crate::machines::constant_speed::ConstantSpeed;
 use crate::machines::synchronous::Synchronous;
 use crate::papers::konosevich2022::{self as paper, Letters};
 use crate::stationary::energies::Energies;
 use crate::stationary::stability::linear::{Linear, Place, State, missing, variation};
+use crate::stationary::stability::reduced::Reduced;
 use claims::{Condition, Page};
 use field::{Circle, Scalar, Tangent};
 use mechanics::rotation::{adjugate, determinant};
 use nalgebra::Vector3;
-use symbolic::{Hypotheses, Sym};
+use symbolic::Sym;
 
 use Condition::Equal;
 
@@ -23,11 +24,6 @@ pub fn claims(page: &mut Page, s: &Letters) {
     reduced(page, s);
     energy(page, s);
     polynomial(page, s);
-}
-
-/// Both are used: |nu| = 1 and |l| = 1.
-pub fn unit_vectors(s: &Letters) -> Hypotheses {
-    s.unit_vertical.clone().unit_vector(s.l.into())
 }
 
 fn law(page: &mut Page, s: &Letters) {
@@ -106,7 +102,7 @@ fn reduced(page: &mut Page, s: &Letters) {
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f: paper::letter("f") };
     let (y, dy) = (Deviation::letters(""), Deviation::letters("dot"));
     let found = variation(&stationary(s), &machine, &place(s), &y.state(s.omega0), &dy.state(s.omega0));
-    let carrier = Carrier::kept(s);
+    let carrier = kept(s);
     let turning = s.nu.cross(&y.turning);
     let expected = carrier.tensor * (dy.turning + (dy.vertical - turning) * s.omega0)
         - s.nu.cross(&(carrier.stiffness() * y.vertical))
@@ -136,7 +132,7 @@ fn energy(page: &mut Page, s: &Letters) {
         });
         rows.fold(Sym::ZERO, |sum, row| sum + row)
     };
-    let carrier = Carrier::kept(s);
+    let carrier = kept(s);
     let kinetic =
         (carrier.tensor * y.turning).dot(&y.turning) + s.axial * y.slip * (Sym::int(2) * s.l.dot(&y.turning) + y.slip);
     let potential = (carrier.stiffness() * y.vertical).dot(&y.vertical) + s.b0 * s.angle().cos * y.angle.powi(2);
@@ -150,24 +146,23 @@ fn energy(page: &mut Page, s: &Letters) {
             along,
             s.nu.dot(&(carrier.tensor * y.turning + s.l * (s.axial * y.slip))) + carrier.coupling().dot(&y.vertical),
         )]);
-    let (kept, free) = (Carrier::kept(s), Carrier::free(s));
-    let weight = |carrier: &Carrier| (carrier.tensor * s.nu).dot(&s.nu);
-    let quadratic = |carrier: &Carrier| {
+    let (kept, free) = (kept(s), free(s));
+    let quadratic = |carrier: &Reduced<Sym>| {
         (carrier.stiffness() * y.vertical).dot(&y.vertical)
-            + carrier.coupling().dot(&y.vertical).powi(2) / weight(carrier)
+            + carrier.coupling().dot(&y.vertical).powi(2) / carrier.weight()
     };
-    let lead = s.l.dot(&y.vertical) * s.omega0 * weight(&kept) - s.l.dot(&s.nu) * kept.coupling().dot(&y.vertical);
+    let lead = s.l.dot(&y.vertical) * s.omega0 * kept.weight() - s.l.dot(&s.nu) * kept.coupling().dot(&y.vertical);
     page.claim("energy", "free-rotor", r"of a free rotor ($A$ in the place of $A^*$, $p'$ in that of $A'\Omega$) the form exceeds that at constant speed by $A'\,(\omega^0l\cdot\delta\nu\;\nu\cdot A^*\nu-l\cdot\nu\;\kappa\cdot\delta\nu)^2/(\nu\cdot A\nu\;\nu\cdot A^*\nu)\ge0$: what is stable by energy with a motor is so with a free rotor, and not the other way round")
         .under(&unit_vectors(s))
         .follows([Equal(
             quadratic(&free) - quadratic(&kept),
-            s.axial * lead.powi(2) / (weight(&kept) * weight(&free)),
+            s.axial * lead.powi(2) / (kept.weight() * free.weight()),
         )]);
 }
 
 fn polynomial(page: &mut Page, s: &Letters) {
     let z = letter("z");
-    let carrier = Carrier::kept(s);
+    let carrier = kept(s);
     let machine = ConstantSpeed { speed: s.omega_field };
     let circle = Circle { cos: Sym::int(1), sin: Sym::ZERO };
     let place = Place { angle: circle, ..place(s) };
@@ -180,20 +175,15 @@ fn polynomial(page: &mut Page, s: &Letters) {
     let reduced = carrier.pencil(z) * eta;
     page.claim("constant-speed", "pencil", r"with $\delta\nu=\nu\times\eta/z$ the variation of a rotor of constant speed is $K(z)\eta=0$, $K=z^2A^*-z[n]-[\nu]H[\nu]$, $[a]b=a\times b$")
         .follows((0..3).map(|i| Equal(z * found[i], reduced[i])));
-    let pulled = carrier.pulled_back();
-    let (n, kappa, h) = (carrier.gyroscopic(), carrier.coupling(), carrier.stiffness());
-    let a = (adjugate(&carrier.tensor) * pulled).trace() + (carrier.tensor * n).dot(&n);
-    let across = s.nu.cross(&kappa);
-    let weight = (carrier.tensor * s.nu).dot(&s.nu);
-    let b = weight * (adjugate(&h) * s.nu).dot(&s.nu) + (h * across).dot(&across);
+    let [det, a, b] = carrier.polynomial();
     page.claim("constant-speed", "polynomial", r"$\det K=z^2\det A^*\,p_c(z)$, $p_c=z^4+a_cz^2+b_c$: $\det A^*a_c=-\operatorname{tr}(\operatorname{adj}A^*[\nu]H[\nu])+n\cdot A^*n$, $\det A^*b_c=(\nu\cdot A^*\nu)(\nu\cdot\operatorname{adj}H\,\nu)+(\nu\times\kappa)\cdot H(\nu\times\kappa)$. Only even powers: roots come in pairs $z,-z$, and the first approximation alone never shows stability")
         .under(&s.unit_vertical)
         .follows([Equal(
             determinant(&carrier.pencil(z)),
-            z.powi(2) * (determinant(&carrier.tensor) * z.powi(4) + a * z.powi(2) + b),
+            z.powi(2) * (det * z.powi(4) + a * z.powi(2) + b),
         )]);
-    let form = h + kappa * kappa.transpose() / weight;
+    let form = carrier.energy();
     page.claim("constant-speed", "energy", r"$\det A^*b_c=(\nu\cdot A^*\nu)\det Q$ with the determinant on the plane across $\nu$: $b_c<0$ where $G$ has one negative square; where it has two, $b_c>0$ and the motion may be held by gyroscopic forces")
         .under(&s.unit_vertical)
-        .follows([Equal(weight * (adjugate(&form) * s.nu).dot(&s.nu), b)]);
+        .follows([Equal(carrier.weight() * (adjugate(&form) * s.nu).dot(&s.nu), b)]);
 }

@@ -3,8 +3,8 @@
 mod alphabet;
 mod closed;
 mod foundations;
+mod letters;
 mod motors;
-mod pencil;
 
 use super::PAPER;
 use crate::papers::konosevich2022::Letters;

@@ -1,8 +1,7 @@
 //! How a motor enters: through one function of z, between the two classical gyrostats.
 
 use super::alphabet::{letter, vector};
-use super::foundations::unit_vectors;
-use super::pencil::{Carrier, stationary};
+use super::letters::{free, kept, stationary, unit_vectors};
 use crate::machines::asynchronous::Asynchronous;
 use crate::machines::equivalent_windings::EquivalentWindings;
 use crate::machines::synchronous::Synchronous;
@@ -34,12 +33,16 @@ fn stiffness(machine: &impl Machine<Sym>, angle: Circle<Sym>, z: Sym) -> Sym {
         (moment.slope, rates)
     };
     let (_, induced) = rates(&vec![Tangent::fixed(Sym::ZERO); windings]);
-    let (_, with_units) = rates(&vec![Tangent::moving(Sym::ZERO, Sym::int(1)); windings]);
-    // z i = induced + own i, where own = with_units - induced
-    let current = |(zero, one): (&Tangent<Sym>, &Tangent<Sym>)| {
-        Tangent::moving(Sym::ZERO, zero.slope / (z - (one.slope - zero.slope)))
+    // at rest each current fades by itself
+    let some = paper::letter("x");
+    let mut fading = vec![Tangent::fixed(Sym::ZERO); windings];
+    let moving = vec![Tangent::moving(Sym::ZERO, some); windings];
+    drive(machine, angle.map(Tangent::fixed), Tangent::fixed(Sym::ZERO), &moving, &mut fading);
+    // z i = induced + own i
+    let current = |(induced, own): (&Tangent<Sym>, &Tangent<Sym>)| {
+        Tangent::moving(Sym::ZERO, induced.slope / (z - own.slope / some))
     };
-    let currents: Vec<Tangent<Sym>> = induced.iter().zip(&with_units).map(current).collect();
+    let currents: Vec<Tangent<Sym>> = induced.iter().zip(&fading).map(current).collect();
     -rates(&currents).0
 }
 
@@ -56,7 +59,7 @@ fn motor(page: &mut Page, s: &Letters) {
     let found = variation(&stationary(s), &machine, &place, &y, &dy);
     let lever = s.l.cross(&s.nu) * s.omega0;
     let (above, below) = (s.l * z - lever, s.l * z + lever);
-    let (kept, free) = (Carrier::kept(s), Carrier::free(s));
+    let (kept, free) = (kept(s), free(s));
     let carrier = kept.pencil(z) * eta + above * (s.axial * z.powi(2) * gamma);
     let of_motor = stiffness(&machine, s.angle(), z);
     let rotor = s.axial * (below.dot(&eta) + z.powi(2) * gamma) + of_motor * gamma;
