@@ -2,7 +2,7 @@
 
 use super::energies::{Energies, Kept};
 use super::motor::{Motor, NoMotor};
-use super::stability::judge::Judge;
+use super::stability::judge::{Given, Judge};
 use super::stability::{Approximation, Judged, Reason};
 use crate::scene::{Axes, Scene, Start, System};
 use crate::systems::gyrostat::Gyrostat;
@@ -145,7 +145,7 @@ impl<'a> Stationary<'a> {
             let multiplier = Some(motion.interval().ok_or(NoAnswer::TooFine)?);
             let speed = |bits| Enclosure::integer(1, bits).fraction(Rational::decimal(w));
             let at = |bits| Some((motion.direction(bits)?, speed(bits)?));
-            let stability = self.verdicts(case, motion.shape, &at);
+            let stability = self.verdicts(case, Given::Speed(Rational::decimal(w)), motion.shape, &at);
             found.push(self.found(motion.shape, motion.kind, multiplier, enclosed, w, circle, value, stability));
         }
         let certificate = Certificate {
@@ -181,7 +181,8 @@ impl<'a> Stationary<'a> {
                 }
                 _ => None,
             };
-            let stability = self.verdicts(case, motion.shape, &|bits| motion.direction_and_speed(bits));
+            let given = Given::Momentum(Rational::decimal(p));
+            let stability = self.verdicts(case, given, motion.shape, &|bits| motion.direction_and_speed(bits));
             found.push(self.found(motion.shape, motion.kind, None, enclosed, w.to_f64(), circle, value, stability));
         }
         let certificate = Certificate {
@@ -197,6 +198,7 @@ impl<'a> Stationary<'a> {
     fn verdicts(
         &self,
         case: &Case,
+        given: Given,
         shape: Shape,
         at: &dyn Fn(usize) -> Option<([Enclosure; 3], Enclosure)>,
     ) -> Vec<Judged> {
@@ -204,7 +206,7 @@ impl<'a> Stationary<'a> {
             return vec![Judged::cannot_tell(&self.approximation, Reason::Family)];
         }
         let Stationary { approximation, energies, motor, kept, .. } = self;
-        Judge { approximation, energies, motor, kept: *kept, value: &case.value }.verdicts(at)
+        Judge { approximation, energies, motor, kept: *kept, value: &case.value, given }.verdicts(at)
     }
 
     /// How many there are for every angular velocity, case by case.

@@ -3,12 +3,15 @@
 use derivations::machines::Machine;
 use derivations::machines::asynchronous::Asynchronous;
 use derivations::machines::constant_speed::ConstantSpeed;
+use derivations::scene::{Family, Scene};
 use derivations::stationary::energies::Energies;
+use derivations::stationary::motions::{Found, Stationary};
 use derivations::stationary::stability::map::OneAxis;
 use derivations::stationary::stability::reduced::{Fate, Reduced};
 use derivations::stationary::stability::{Approximation, Judged, Reason, Verdict};
 use field::{Rational, Scalar};
 use nalgebra::{Matrix3, Vector3};
+use std::path::Path;
 use symbolic::Sym;
 
 fn r(n: i64, d: i64) -> Rational {
@@ -125,6 +128,20 @@ fn the_reduced_signs_are_those_of_the_whole() {
             _ => Fate::Edge,
         };
         assert_eq!(fate, expected, "{w} {h}");
+    }
+}
+
+#[test]
+fn a_scene_with_an_irrational_angle_is_judged_exactly_where_motors_feel_nothing() {
+    let scene = Scene::open(Path::new("scenes/closed_forms/upright_rotation.toml")).unwrap();
+    let all = Stationary::of(&scene).unwrap().at_speed(2.0).unwrap();
+    let upright: Vec<&Found> = all[0].found.iter().filter(|found| found.direction.z.abs() == 1.0).collect();
+    assert_eq!(upright.len(), 2);
+    for found in upright {
+        for judged in &found.stability {
+            assert_ne!(judged.verdict, Verdict::CannotTell(Reason::TooFine), "{judged:?}");
+            assert!(judged.roots.is_some());
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use derivations::machines::synchronous::Synchronous;
 use derivations::machines::{Datum, Machine};
 use derivations::stationary::energies::{Energies, Kept};
 use derivations::stationary::motor::{Angle, Motor, Slip};
-use derivations::stationary::stability::judge::Judge;
+use derivations::stationary::stability::judge::{Given, Judge};
 use derivations::stationary::stability::{Approximation, Judged, Reason, Verdict};
 use derivations::systems::gyrostat::Gyrostat;
 use field::{Circle, Rational, Scalar};
@@ -25,8 +25,9 @@ use symbolic::real::{Enclosure, Ordered, Root};
 
 const GYROSTATS: usize = 200;
 
-/// An eigenvalue this near to the imaginary axis, as a share of the largest, is on it for all that floats tell.
-const NEAR: f64 = 1e-6;
+/// An eigenvalue this near to the imaginary axis, as a share of the largest, is on it for all that floats tell: of a
+/// conservative system, where pairs may be close, and of a damped one.
+const NEAR: [f64; 2] = [1e-6, 1e-10];
 
 /// What the five motors of a gyrostat share: tan(g/2) = -1/10 where the motor follows its field.
 #[derive(Clone, Copy)]
@@ -116,7 +117,14 @@ impl Turning<'_> {
         let value = Root::rational(self.value).unwrap();
         let body = Body::new(&tensor, &share, &value, &energies.weight).unwrap();
         let approximation = Approximation::with(&energies, exact).unwrap();
-        let judge = Judge { approximation: &approximation, energies: &energies, motor, kept: self.kept, value: &value };
+        let judge = Judge {
+            approximation: &approximation,
+            energies: &energies,
+            motor,
+            kept: self.kept,
+            value: &value,
+            given: Given::Speed(self.w),
+        };
         let all = body.rotations(self.w).unwrap();
         let floats = rounded(self.bodies);
         let (form, axes) = floats.second_form();
@@ -154,8 +162,9 @@ fn compare(judged: &Judged, eigenvalues: &[(f64, f64)], counts: &mut Counts) {
     *counts.verdicts.entry(named(judged.verdict)).or_default() += 1;
     let Some(roots) = judged.roots else { return };
     let size = eigenvalues.iter().map(|(re, im)| re.hypot(*im)).fold(0.0, f64::max);
-    let right = eigenvalues.iter().filter(|(re, _)| *re > NEAR * size).count();
-    let left = eigenvalues.iter().filter(|(re, _)| *re < -NEAR * size).count();
+    let near = size * if judged.conservative { NEAR[0] } else { NEAR[1] };
+    let right = eigenvalues.iter().filter(|(re, _)| *re > near).count();
+    let left = eigenvalues.iter().filter(|(re, _)| *re < -near).count();
     let sure = if judged.conservative {
         right == roots.right
     } else {

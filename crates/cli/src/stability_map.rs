@@ -24,12 +24,9 @@ pub fn all(scenes: &[&Scene]) -> Vec<Areas> {
         }
         let energies = Energies::of(&decimals(bodies));
         let both = [false, true].map(|hanging| OneAxis::of(&energies, hanging));
-        for (axis, place) in both.into_iter().zip(["upright", "hanging"]) {
-            if let Some(axis) = axis {
-                known.push(bodies);
-                maps.push(map(&axis, place, bodies, &scene.title));
-            }
-        }
+        known.push(bodies);
+        let places = both.into_iter().zip(["upright", "hanging"]);
+        maps.extend(places.filter_map(|(axis, place)| Some(map(&axis?, place, bodies, &scene.title))));
     }
     maps
 }
@@ -45,7 +42,7 @@ fn reach(bodies: &Gyrostat<f64>) -> [f64; 2] {
 
 fn map(axis: &OneAxis, place: &str, bodies: &Gyrostat<f64>, title: &str) -> Areas {
     let [w, rotor] = reach(bodies);
-    let columns: Vec<Column> = (0..CELLS.0).map(|k| axis.column(Rational::exactly(centre(k, CELLS.0, w)))).collect();
+    let columns = axis.columns(w, CELLS.0);
     let place_of = |fate: Fate| Fate::ALL.iter().position(|known| *known == fate).unwrap_or(0);
     let row = |k: usize| {
         let speed = rotor * ((2 * k + 1) as f64 / CELLS.1 as f64 - 1.0);

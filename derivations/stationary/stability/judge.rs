@@ -6,7 +6,7 @@ use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motor::{Angle, Motor};
 use field::Rational;
 use nalgebra::Vector3;
-use symbolic::real::{Enclosure, Ordered, Root};
+use symbolic::real::{Enclosure, Ordered, Polynomial, Root, Surd};
 
 /// What decides for one constant value of what the rotor keeps.
 pub struct Judge<'a> {
@@ -16,6 +16,16 @@ pub struct Judge<'a> {
     pub kept: Kept,
     /// W, or the rotor's own momentum.
     pub value: &'a Root,
+    pub given: Given,
+}
+
+/// What all motions that are judged have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Given {
+    /// w0, rad/s
+    Speed(Rational),
+    /// x.v, N m s
+    Momentum(Rational),
 }
 
 /// (v, w0) within 2^-bits, where so many bits are to be had.
@@ -38,19 +48,23 @@ impl Judge<'_> {
         if merging {
             return Judged::cannot_tell(self.approximation, Reason::PullOut);
         }
-        if let Some(place) = self.exact(enclosed, angle) {
-            let judged = Judged::at(self.approximation, &place, &Rational::new(1, 1), |x| x.to_f64());
-            if judged.verdict != Verdict::CannotTell(Reason::TooFine) {
-                return judged;
-            }
-        }
+        let too_fine = Verdict::CannotTell(Reason::TooFine);
         let mut last = Judged::cannot_tell(self.approximation, Reason::TooFine);
         for bits in BITS {
             let one = Enclosure::integer(1, bits);
             let Some(place) = self.place(enclosed, angle, &one, bits) else { continue };
             last = Judged::at(self.approximation, &place, &one, Enclosure::to_f64);
-            if last.verdict != Verdict::CannotTell(Reason::TooFine) {
+            if last.verdict != too_fine {
                 break;
+            }
+            // what no enclosure sees may vanish
+            if bits == BITS[0]
+                && let Some(place) = self.exact(enclosed, angle)
+            {
+                let exact = Judged::at(self.approximation, &place, &Rational::new(1, 1).into(), Surd::to_f64);
+                if exact.verdict != too_fine {
+                    return exact;
+                }
             }
         }
         last
@@ -76,28 +90,45 @@ impl Judge<'_> {
     }
 
     /// The same as fractions, where they are fractions: the simplest in an enclosure are tried, and are it if they satisfy
-    /// the conditions, which have only one solution there.
-    fn exact(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>) -> Option<[Rational; 7]> {
+    /// the conditions, which have only one solution there. The cosine may be the root of one.
+    fn exact(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>) -> Option<[Surd; 7]> {
         let (v, speed) = enclosed(BITS[0])?;
         let (v, speed) = (v.each_ref().map(Enclosure::simplest), speed.simplest());
-        let equal = |root: &Root| -> Option<Rational> {
-            let value = root.enclosure(BITS[0]).simplest();
-            Root::rational(value)?.compare(root).is_eq().then_some(value)
-        };
-        let value = equal(self.value)?;
-        let half_tangent = match angle {
-            Some(Angle { half_tangent: Some(t), .. }) => Some(Some(equal(t)?)),
-            Some(_) => Some(None),
-            None => None,
-        };
-        let place = self.filled(v, speed, value, half_tangent, &Rational::new(1, 1))?;
-        let [speed, v1, v2, v3, rotor_speed, ..] = place;
+        let value = self.value.enclosure(BITS[0]).simplest();
+        if !Root::rational(value)?.compare(self.value).is_eq() {
+            return None;
+        }
+        let [speed, v1, v2, v3, rotor_speed, ..] = self.filled(v, speed, value, None, &Rational::new(1, 1))?;
         let vertical = Vector3::new(v1, v2, v3);
         let (all, _) = self.energies.momenta::<Rational>(vertical * speed, rotor_speed);
         let missing = (all * speed + self.energies.weight).cross(&vertical);
-        let zero = Rational::new(0, 1);
-        let holds = vertical.dot(&vertical) == Rational::new(1, 1) && missing.iter().all(|m| *m == zero);
-        holds.then_some(place)
+        let (zero, one) = (Rational::new(0, 1), Rational::new(1, 1));
+        let as_given = match self.given {
+            Given::Speed(w) => speed == w,
+            Given::Momentum(p) => all.dot(&vertical) == p,
+        };
+        if !as_given || vertical.dot(&vertical) != one || missing.iter().any(|m| *m != zero) {
+            return None;
+        }
+        let (cos, sin) = match angle.map(|angle| &angle.half_tangent) {
+            None => (one.into(), zero.into()),
+            Some(None) => ((-one).into(), zero.into()),
+            Some(Some(t)) => {
+                let at = t.enclosure(BITS[0]);
+                let unit = Enclosure::integer(1, BITS[0]);
+                let norm = unit.plus(&at.times(&at));
+                let sine = Enclosure::over(&at.plus(&at), &norm)?.simplest();
+                // sin g = 2 t / (1 + t^2)
+                if t.sign_of(&Polynomial::from_rationals(&[sine, Rational::new(-2, 1), sine])?) != 0 {
+                    return None;
+                }
+                let size = Surd::root_of(one - sine * sine)?;
+                let acute = unit.minus(&at.times(&at)).sign()? >= 0;
+                (if acute { size } else { size.integer(0).minus(&size) }, sine.into())
+            }
+        };
+        let [speed, v1, v2, v3, rotor_speed] = [speed, v1, v2, v3, rotor_speed].map(Surd::from);
+        Some([speed, v1, v2, v3, rotor_speed, cos, sin])
     }
 
     /// `half_tangent`: none without an angle, an empty one at half a turn.

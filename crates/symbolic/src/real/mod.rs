@@ -6,6 +6,7 @@
 //! * [`Root`]: one real root, as a polynomial and an interval that holds exactly one of its roots;
 //! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number once more, by Sturm's theorem;
 //! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards;
+//! * [`Surd`]: a fraction and a multiple of one square root;
 //! * [`Ordered`]: what enclosures and fractions have in common: operations, and a sign that may be unknown.
 //!
 //! # Key results
@@ -32,6 +33,7 @@ mod polynomial;
 mod resultant;
 mod root;
 mod sturm;
+mod surd;
 
 pub use enclosure::Enclosure;
 pub use number::{Field, Number};
@@ -39,3 +41,4 @@ pub use ordered::Ordered;
 pub use polynomial::Polynomial;
 pub use resultant::subresultant;
 pub use root::Root;
+pub use surd::Surd;
