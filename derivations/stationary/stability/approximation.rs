@@ -1,6 +1,7 @@
 //! The first approximation of a scene's gyrostat with its motor: written down once, run over fractions and enclosures.
 
-use super::linear::{Integral, Layout, Linear, Place};
+use super::linear::{Integral, Linear};
+use super::state::{Layout, Place};
 use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine};
 use crate::scene::MachineData;
 use crate::stationary::energies::Energies;

@@ -1,6 +1,7 @@
 //! Stability of stationary motions, exactly.
 //!
 //! # Overview
+//! * [`state`]: stationary motions and deviations from them;
 //! * [`linear`]: the first approximation and the second variation of the energy, by differentiation, over any field;
 //! * [`approximation`]: both for a scene's gyrostat and motor, written down once and run over fractions and enclosures;
 //! * [`verdict`]: what they say, as a closed set of answers with what each rests on;
@@ -15,10 +16,12 @@ pub mod judge;
 pub mod linear;
 pub mod map;
 pub mod reduced;
+pub mod state;
 pub mod verdict;
 
 pub use approximation::Approximation;
-pub use linear::{Integral, Linear, Place};
+pub use linear::{Integral, Linear};
+pub use state::Place;
 pub use verdict::{Judged, Reason, Verdict};
 
 use crate::papers::Paper;
