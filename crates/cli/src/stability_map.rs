@@ -54,10 +54,10 @@ fn map(axis: &OneAxis, place: &str, bodies: &Gyrostat<f64>, title: &str) -> Area
         y: ("rotor's relative speed, rad/s".into(), [-rotor, rotor]),
         kinds: Fate::ALL.iter().map(|fate| fate.name().into()).collect(),
         rows: (0..CELLS.1).map(row).collect(),
-        curves: [(true, "a tilt costs no energy"), (false, "two pairs of roots meet")]
-            .into_iter()
-            .flat_map(|(neutral, name)| curves(&columns, neutral, name, rotor))
-            .collect(),
+        curves: vec![
+            curve(&columns, true, "a tilt costs no energy"),
+            curve(&columns, false, "two pairs of roots meet"),
+        ],
         marks: Vec::new(),
         note: format!(
             "The gyrostat of: {title}. In each column the edges are the real roots, isolated exactly, of two polynomials in \
@@ -67,23 +67,24 @@ fn map(axis: &OneAxis, place: &str, bodies: &Gyrostat<f64>, title: &str) -> Area
     }
 }
 
-/// The k-th edge of a kind from column to column, as long as their number is the same.
-fn curves(columns: &[Column], neutral: bool, name: &str, most: f64) -> Vec<AreaCurve> {
-    let mut all: Vec<AreaCurve> = Vec::new();
-    let mut open: Vec<usize> = Vec::new();
+/// The k-th edge of a kind from column to column, as long as their number is the same. What lies beyond the picture parts one
+/// piece from the next.
+fn curve(columns: &[Column], neutral: bool, name: &str) -> AreaCurve {
+    let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
+    let mut open = 0;
     for column in columns {
-        let here: Vec<f64> =
-            column.edges.iter().filter(|edge| edge.neutral == neutral).map(|edge| edge.rotor_speed).collect();
-        if here.len() != open.len() {
-            open = (all.len()..all.len() + here.len()).collect();
-            all.extend(here.iter().map(|_| AreaCurve { name: name.into(), points: Vec::new() }));
+        let edges = column.edges.iter().filter(|edge| edge.neutral == neutral);
+        let here: Vec<f64> = edges.map(|edge| edge.rotor_speed).collect();
+        if here.len() != open {
+            open = here.len();
+            pieces.extend(here.iter().map(|_| Vec::new()));
         }
-        for (curve, speed) in open.iter().zip(here) {
-            if speed.abs() <= most {
-                all[*curve].points.push((column.speed.to_f64(), speed));
-            }
-        }
+        let first = pieces.len() - open;
+        pieces[first..].iter_mut().zip(here).for_each(|(piece, speed)| piece.push((column.speed.to_f64(), speed)));
     }
-    all.retain(|curve| curve.points.len() > 1);
-    all
+    let part = |mut piece: Vec<(f64, f64)>| {
+        piece.push((0.0, f64::INFINITY));
+        piece
+    };
+    AreaCurve { name: name.into(), points: pieces.into_iter().flat_map(part).collect() }
 }
