@@ -8,6 +8,8 @@ use derivations::stationary::stability::map::{Column, OneAxis};
 use derivations::stationary::stability::reduced::Fate;
 use derivations::systems::gyrostat::Gyrostat;
 
+/// Of the rotor's speed in the picture, lest its numbers be long.
+const THOUSANDTH: f64 = 1e-3;
 /// Columns and rows.
 const CELLS: (usize, usize) = (96, 72);
 
@@ -51,7 +53,7 @@ fn map(axis: &OneAxis, place: &str, bodies: &Gyrostat<f64>, title: &str) -> Area
     Areas {
         title: format!("Where the {place} rotation is stable"),
         x: ("angular velocity, rad/s".into(), [-w, w]),
-        y: ("rotor's relative speed, rad/s".into(), [-rotor, rotor]),
+        y: ("rotor's relative speed, 1000 rad/s".into(), [-rotor * THOUSANDTH, rotor * THOUSANDTH]),
         kinds: Fate::ALL.iter().map(|fate| fate.name().into()).collect(),
         rows: (0..CELLS.1).map(row).collect(),
         curves: vec![
@@ -61,7 +63,8 @@ fn map(axis: &OneAxis, place: &str, bodies: &Gyrostat<f64>, title: &str) -> Area
         marks: Vec::new(),
         note: format!(
             "The gyrostat of: {title}. In each column the edges are the real roots, isolated exactly, of two polynomials in \
-             the rotor's speed, and between two of them the verdict is computed once, exactly. A motor along the vertical does \
+             the rotor's speed, and between two of them the verdict is computed once, exactly; where it is unstable on both sides, roots become \
+             complex there. A motor along the vertical does \
              not feel the tilt: the map is the same with every motor that is stable by itself."
         ),
     }
@@ -80,7 +83,10 @@ fn curve(columns: &[Column], neutral: bool, name: &str) -> AreaCurve {
             pieces.extend(here.iter().map(|_| Vec::new()));
         }
         let first = pieces.len() - open;
-        pieces[first..].iter_mut().zip(here).for_each(|(piece, speed)| piece.push((column.speed.to_f64(), speed)));
+        pieces[first..]
+            .iter_mut()
+            .zip(here)
+            .for_each(|(piece, speed)| piece.push((column.speed.to_f64(), speed * THOUSANDTH)));
     }
     let part = |mut piece: Vec<(f64, f64)>| {
         piece.push((0.0, f64::INFINITY));
