@@ -65,9 +65,7 @@ impl Ordered for Rational {
 
 impl Ordered for Enclosure {
     fn fraction(&self, value: Rational) -> Option<Self> {
-        let big = value.to_big()?;
-        let numerator = Enclosure::integer(big.numerator().clone(), self.bits());
-        Enclosure::over(&numerator, &Enclosure::integer(IBig::from(big.denominator().clone()), self.bits()))
+        Enclosure::rational(value, self.bits())
     }
 
     fn integer(&self, n: i64) -> Self {
