@@ -34,6 +34,7 @@ pub const ALL: &[Paper] = &[
     crate::stationary::PAPER,
     crate::phantom::PAPER,
     crate::synchronism::PAPER,
+    crate::stationary::stability::PAPER,
 ];
 
 /// Every paper's page, made in the calling thread.

@@ -4,6 +4,7 @@
 //! * [`energies`]: the quadratic form and the vectors that decide, from the bodies' energies;
 //! * [`motor`]: every stationary speed, angle and current of any machine, and what it can bear;
 //! * [`motions`]: both together, for a scene: every stationary motion for a given angular velocity or momentum;
+//! * [`stability`]: what becomes of small deviations from each;
 //! * [`branches`]: the cone of all of them, for pictures;
 //! * `claims`: the theorems on which this rests.
 //!
@@ -16,6 +17,7 @@ mod claims;
 pub mod energies;
 pub mod motions;
 pub mod motor;
+pub mod stability;
 
 use crate::papers::Paper;
 

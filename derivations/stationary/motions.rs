@@ -2,18 +2,22 @@
 
 use super::energies::{Energies, Kept};
 use super::motor::{Motor, NoMotor};
+use super::stability::judge::{Given, Judge};
+use super::stability::{Approximation, Judged, Reason};
 use crate::scene::{Axes, Scene, Start, System};
 use crate::systems::gyrostat::Gyrostat;
 use field::Rational;
 use mechanics::uniform::{Body, Census, Kind, Shape, Undecided};
 use nalgebra::{Matrix3, Vector3};
 use std::fmt;
-use symbolic::real::{Enclosure, Root};
+use symbolic::real::{Enclosure, Ordered, Root};
 
 /// A scene's gyrostat and motor, ready to be asked.
 pub struct Stationary<'a> {
     scene: &'a Scene,
     bodies: &'a Gyrostat<f64>,
+    energies: Energies<Rational>,
+    approximation: Approximation,
     pub motor: Motor,
     pub kept: Kept,
     pub cases: Vec<Case>,
@@ -67,6 +71,8 @@ pub struct Found {
     pub momentum: f64,
     /// of a circle: its radius, and the axis about which it lies
     pub circle: Option<(f64, Vector3<f64>)>,
+    /// what becomes of small deviations: for each angle of a motor in step, else once
+    pub stability: Vec<Judged>,
     /// the largest rate of the equations that run, at this state and every angle of the rotor, rad/s^2, A/s
     pub residual: f64,
 }
@@ -95,6 +101,8 @@ impl<'a> Stationary<'a> {
         let System::Gyrostat(bodies) = &scene.system else { return Err(NoAnswer::Bench) };
         let motor = Motor::of(&scene.machine, &scene.machine_data).map_err(NoAnswer::Motor)?;
         let energies = Energies::of(&decimals(bodies));
+        let approximation =
+            Approximation::of(&energies, &scene.machine, &scene.machine_data).map_err(NoAnswer::Motor)?;
         let (kept, values) = match motor.speeds() {
             Some(speeds) => (Kept::RelativeSpeed, speeds.into_iter().cloned().collect()),
             None => {
@@ -109,7 +117,7 @@ impl<'a> Stationary<'a> {
             Ok(Case { value, body })
         };
         let cases = values.into_iter().map(case).collect::<Result<_, _>>()?;
-        Ok(Stationary { scene, bodies, motor, kept, cases })
+        Ok(Stationary { scene, bodies, energies, approximation, motor, kept, cases })
     }
 
     /// All with the angular velocity w, rad/s, about the vertical.
@@ -135,7 +143,10 @@ impl<'a> Stationary<'a> {
                 _ => None,
             };
             let multiplier = Some(motion.interval().ok_or(NoAnswer::TooFine)?);
-            found.push(self.found(motion.shape, motion.kind, multiplier, enclosed, w, circle, value));
+            let speed = |bits| Enclosure::integer(1, bits).fraction(Rational::decimal(w));
+            let at = |bits| Some((motion.direction(bits)?, speed(bits)?));
+            let stability = self.verdicts(case, Given::Speed(Rational::decimal(w)), motion.shape, &at);
+            found.push(self.found(motion.shape, motion.kind, multiplier, enclosed, w, circle, value, stability));
         }
         let certificate = Certificate {
             degree: all.degree,
@@ -170,7 +181,9 @@ impl<'a> Stationary<'a> {
                 }
                 _ => None,
             };
-            found.push(self.found(motion.shape, motion.kind, None, enclosed, w.to_f64(), circle, value));
+            let given = Given::Momentum(Rational::decimal(p));
+            let stability = self.verdicts(case, given, motion.shape, &|bits| motion.direction_and_speed(bits));
+            found.push(self.found(motion.shape, motion.kind, None, enclosed, w.to_f64(), circle, value, stability));
         }
         let certificate = Certificate {
             degree: all.degree,
@@ -180,6 +193,20 @@ impl<'a> Stationary<'a> {
             undecided: all.undecided.clone(),
         };
         Ok(Answer { value, found, certificate })
+    }
+
+    fn verdicts(
+        &self,
+        case: &Case,
+        given: Given,
+        shape: Shape,
+        at: &dyn Fn(usize) -> Option<([Enclosure; 3], Enclosure)>,
+    ) -> Vec<Judged> {
+        if matches!(shape, Shape::Circle { .. } | Shape::Sphere) {
+            return vec![Judged::cannot_tell(&self.approximation, Reason::Family)];
+        }
+        let Stationary { approximation, energies, motor, kept, .. } = self;
+        Judge { approximation, energies, motor, kept: *kept, value: &case.value, given }.verdicts(at)
     }
 
     /// How many there are for every angular velocity, case by case.
@@ -207,6 +234,7 @@ impl<'a> Stationary<'a> {
         speed: f64,
         circle: Option<(f64, Vector3<f64>)>,
         value: f64,
+        stability: Vec<Judged>,
     ) -> Found {
         let centre = Vector3::from(enclosed.each_ref().map(Enclosure::to_f64));
         let direction = match (shape, circle) {
@@ -227,7 +255,19 @@ impl<'a> Stationary<'a> {
         };
         let momentum = self.momentum(w, rotor_speed, direction);
         let residual = self.residual(w, direction, rotor_speed);
-        Found { shape, kind, multiplier, enclosed, direction, speed, rotor_speed, momentum, circle, residual }
+        Found {
+            shape,
+            kind,
+            multiplier,
+            enclosed,
+            direction,
+            speed,
+            rotor_speed,
+            momentum,
+            circle,
+            stability,
+            residual,
+        }
     }
 
     /// The second route: the equations that run, at the state that was found.

@@ -34,6 +34,8 @@ mod run;
 mod scenes;
 mod speed;
 mod sphere;
+mod stability;
+mod stability_map;
 mod stationary;
 mod studies;
 mod summary;

@@ -1,14 +1,16 @@
 //! The pictures of all stationary motions: the cone on the unit sphere, the directrix in space, the angular velocity along
 //! both.
 
+use crate::stability_map;
 use charts::{Curve, CurvePoint, Mark, Panel, Sphere, Study, Table, Track, significant};
 use derivations::scene::{Scene, System};
 use derivations::stationary::branches::{Branch, Form};
 use derivations::stationary::energies::Kept;
 use derivations::stationary::motions::Stationary as All;
+use derivations::stationary::stability::reduced::{Fate, Reduced};
 use derivations::systems::gyrostat::stationary::Stationary;
-use mechanics::uniform::{Census, Kind};
-use nalgebra::Vector3;
+use mechanics::uniform::Census;
+use nalgebra::{Matrix3, Vector3};
 
 /// Moments below this share of the larger one are rounding.
 const ROUNDING: f64 = 1e-9;
@@ -19,8 +21,9 @@ const VIEW: (f64, f64) = (35.0, 25.0);
 
 /// Gyrostats with a speed of their rotor: scenes that share these share the pictures.
 pub fn all<'a>(scenes: impl Iterator<Item = &'a Scene>) -> (Vec<Sphere>, Option<Study>) {
+    let scenes: Vec<&Scene> = scenes.collect();
     let mut found: Vec<(Case, Vec<&str>)> = Vec::new();
-    for scene in scenes {
+    for &scene in &scenes {
         for case in cases(scene) {
             match found.iter_mut().find(|(known, _)| known.conditions == case.conditions) {
                 Some((_, titles)) => titles.push(&scene.title),
@@ -29,7 +32,7 @@ pub fn all<'a>(scenes: impl Iterator<Item = &'a Scene>) -> (Vec<Sphere>, Option<
         }
     }
     let spheres = found.iter().flat_map(|(case, titles)| [cone(case, titles), directrix(case)]).collect();
-    let study = (!found.is_empty()).then(|| study(&found));
+    let study = (!found.is_empty()).then(|| Study { pictures: stability_map::all(&scenes), ..study(&found) });
     (spheres, study)
 }
 
@@ -40,8 +43,40 @@ struct Case {
     speed: f64,
     /// D = det A / det A*
     singularity: f64,
-    branches: Vec<Branch>,
+    pieces: Vec<Piece>,
     census: Option<Census>,
+}
+
+/// A connected run of directions with one fate.
+struct Piece {
+    /// `None` where no real angular velocity goes with the directions.
+    fate: Option<Fate>,
+    /// (v, w) in the order of w.
+    points: Vec<(Vector3<f64>, f64)>,
+}
+
+/// A branch of the cone, cut where its stability changes; neighbouring pieces share a point.
+fn pieces(form: &Form, branch: Branch) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    for (v, w) in branch.points {
+        let fate = branch.kind.map(|_| fate(form, v, w));
+        match pieces.last_mut() {
+            Some(piece) if piece.fate == fate => piece.points.push((v, w)),
+            last => {
+                let shared = last.and_then(|piece| piece.points.last().copied());
+                pieces.push(Piece { fate, points: shared.into_iter().chain([(v, w)]).collect() });
+            }
+        }
+    }
+    pieces
+}
+
+/// What becomes of a tilt there: in doubles, as the picture is.
+fn fate(form: &Form, v: Vector3<f64>, w: f64) -> Fate {
+    let tensor = Matrix3::from_diagonal(&form.moments);
+    let multiplier = ((tensor * v * w + form.spin) * w + form.weight).dot(&v);
+    let motion = Reduced { tensor, spin: form.spin, speed: w, vertical: v, multiplier };
+    Fate::of(&motion, |x: f64| if x > 0.0 { 1 } else { -1 })
 }
 
 /// One for each stationary relative speed of the rotor; none for a free rotor, which has one for each of its momenta, and
@@ -62,32 +97,28 @@ fn cases(scene: &Scene) -> Vec<Case> {
         let form = Form { moments: conditions.moments, spin: conditions.axis * spin, weight };
         let folds: Vec<f64> = census.iter().flat_map(|census| &census.stretches).map(|stretch| stretch.to).collect();
         let folds: Vec<f64> = folds.into_iter().filter(|w| w.is_finite()).collect();
-        let branches = form.branches(&folds);
-        Case { conditions, speed, singularity: derived.singularity, branches, census }
+        let pieces = form.branches(&folds).into_iter().flat_map(|branch| pieces(&form, branch)).collect();
+        Case { conditions, speed, singularity: derived.singularity, pieces, census }
     };
     let censuses = census.into_iter().map(Result::ok);
     let cases = all.cases.iter().zip(censuses).map(of_case);
     cases.filter(|case| case.conditions.weight.norm() > 0.0).collect()
 }
 
-/// How branches are told apart: by the kind of the critical point of W. What tells them apart by another property, such as
-/// stability, is a function of this shape.
-fn class(branch: &Branch) -> (usize, &'static str) {
-    match branch.kind {
-        Some(Kind::Minimum) => (0, "minima of W"),
-        Some(Kind::Saddle) => (1, "saddles of W"),
-        Some(Kind::Maximum) => (2, "maxima of W"),
-        Some(Kind::Degenerate) => (3, "merging"),
-        None => (4, "no rotation: its square would be negative"),
+/// How pieces are told apart: by their stability.
+fn class(piece: &Piece) -> (usize, &'static str) {
+    match piece.fate {
+        Some(fate) => (Fate::ALL.iter().position(|known| *known == fate).unwrap_or(0), fate.name()),
+        None => (Fate::ALL.len(), "no rotation: its square would be negative"),
     }
 }
 
-/// A branch as a curve of points in space with the angular velocity as value, thinned.
-fn curve(branch: &Branch, size: f64, place: impl Fn(&Vector3<f64>, f64) -> Vector3<f64>) -> Curve {
-    let (class, name) = class(branch);
+/// A piece as a curve of points in space with the angular velocity as value, thinned.
+fn curve(piece: &Piece, size: f64, place: impl Fn(&Vector3<f64>, f64) -> Vector3<f64>) -> Curve {
+    let (class, name) = class(piece);
     let mut points: Vec<CurvePoint> = Vec::new();
-    let last = branch.points.len().saturating_sub(1);
-    for (k, (v, w)) in branch.points.iter().enumerate() {
+    let last = piece.points.len().saturating_sub(1);
+    for (k, (v, w)) in piece.points.iter().enumerate() {
         let at = place(v, *w);
         let near = |known: &CurvePoint| (Vector3::from(known.at) - at).norm() < NEAR * size;
         if k == last || !points.last().is_some_and(near) {
@@ -105,15 +136,15 @@ fn cone(case: &Case, titles: &[&str]) -> Sphere {
         description: "Each point of the lines is a direction in the carrier, in the principal axes of $A^*$, that can \
                       point straight down while the carrier turns about it for ever and the rotor keeps its relative \
                       speed: (7.11), branch by branch over the angular velocity, so that none is missed. Point at a line \
-                      to read $\\omega^0$. The colour is the kind of the critical point of \
-                      $W=\\frac12\\omega^{0\\,2}\\nu\\cdot A^*\\nu+A'\\Omega\\omega^0l\\cdot\\nu+\\Gamma e\\cdot\\nu$; \
-                      kinds meet where two motions merge. At $e$ and $-e$ the carrier rests; to the principal directions \
+                      to read $\\omega^0$. The colour is stability. Where the energy is definite at fixed integrals, deviations \
+                      stay small at constant speed, and with a motor they fade, if it feels them; what gyroscopic forces alone \
+                      hold at constant speed, a motor that feels it makes unstable. At $e$ and $-e$ the carrier rests; to the principal directions \
                       the lines tend as $\\omega^0\\to\\pm\\infty$."
             .to_owned(),
         facts: facts(case),
         value: "angular velocity of the carrier, rad/s".to_owned(),
         axes: ["\u{3be}₁".into(), "\u{3be}₂".into(), "\u{3be}₃".into()],
-        curves: case.branches.iter().map(|branch| curve(branch, 1.0, |v, _| *v)).collect(),
+        curves: case.pieces.iter().map(|piece| curve(piece, 1.0, |v, _| *v)).collect(),
         marks,
         view: VIEW,
         note: format!("The gyrostat of: {}.", titles.join("; ")),
@@ -123,7 +154,7 @@ fn cone(case: &Case, titles: &[&str]) -> Sphere {
 
 fn directrix(case: &Case) -> Sphere {
     let length = reach(case);
-    let real = case.branches.iter().filter(|branch| branch.kind.is_some());
+    let real = case.pieces.iter().filter(|piece| piece.fate.is_some());
     Sphere {
         title: format!("The directrix, the rotor at {} rad/s", significant(case.speed, 4)),
         description: format!(
@@ -135,7 +166,7 @@ fn directrix(case: &Case) -> Sphere {
         value: "angular velocity of the carrier, rad/s".to_owned(),
         axes: ["\u{3be}₁".into(), "\u{3be}₂".into(), "\u{3be}₃".into()],
         length: Some(length),
-        curves: real.map(|branch| curve(branch, length, |v, w| v * w)).collect(),
+        curves: real.map(|piece| curve(piece, length, |v, w| v * w)).collect(),
         view: VIEW,
         ..Sphere::default()
     }
@@ -178,14 +209,14 @@ fn along(case: &Case) -> charts::Trajectory {
     };
     let panel = |y: &str, value: &dyn Fn(&Vector3<f64>, f64) -> f64| {
         // in the order of the classes, so that they look as on the sphere
-        let mut branches: Vec<&Branch> = case.branches.iter().filter(|branch| branch.kind.is_some()).collect();
-        branches.sort_by_key(|branch| class(branch).0);
-        let track = |branch: &&Branch| Track {
-            name: class(branch).1.to_owned(),
-            points: branch.points.iter().filter(|(_, w)| w.abs() <= reach).map(|(v, w)| (*w, value(v, *w))).collect(),
+        let mut pieces: Vec<&Piece> = case.pieces.iter().filter(|piece| piece.fate.is_some()).collect();
+        pieces.sort_by_key(|piece| class(piece).0);
+        let track = |piece: &&Piece| Track {
+            name: class(piece).1.to_owned(),
+            points: piece.points.iter().filter(|(_, w)| w.abs() <= reach).map(|(v, w)| (*w, value(v, *w))).collect(),
             stopped: None,
         };
-        let series = branches.iter().map(track).filter(|track| !track.points.is_empty()).collect();
+        let series = pieces.iter().map(track).filter(|track| !track.points.is_empty()).collect();
         Panel { y: y.to_owned(), series }
     };
     charts::Trajectory {

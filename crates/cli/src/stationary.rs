@@ -1,8 +1,10 @@
-//! `dalembert stationary`: all stationary motions of a scene, with the certificate that none is missing.
+//! `dalembert stationary`: all stationary motions of a scene, with the certificate that none is missing, and whether each is
+//! stable.
 
 use crate::arguments::{Format, Stationary as Asked};
 use crate::ending::{Ending, print};
 use crate::run::with_model;
+use crate::stability;
 use derivations::scene::{Family, Scene};
 use derivations::stationary::energies::Kept;
 use derivations::stationary::motions::{Answer, Certificate, Found, NoAnswer, Stationary};
@@ -62,6 +64,7 @@ fn text(scene: &Scene, all: &Stationary<'_>, given: Given, answers: &[Answer]) -
         }
         for (place, found) in answer.found.iter().enumerate() {
             out += &line(place + 1, found);
+            out += &stability::text(&all.motor, &found.stability);
         }
     }
     out
@@ -259,7 +262,7 @@ fn object(scene: &Scene, all: &Stationary<'_>, given: Given, answers: &[Answer])
             "complete": answer.certificate.is_complete(),
             "certificate": { "degree": degree, "real_roots": roots, "by_sturm": again, "morse": morse,
                              "undecided": undecided.iter().map(why).collect::<Vec<_>>() },
-            "motions": answer.found.iter().map(motion).collect::<Vec<_>>(),
+            "motions": answer.found.iter().map(|found| motion(&all.motor, found)).collect::<Vec<_>>(),
         })
     });
     json!({ "scene": scene.title, "model": scene.machine.name(), "motor": motor_object(&all.motor), name: value,
@@ -273,13 +276,14 @@ fn kept_name(kept: Kept) -> &'static str {
     }
 }
 
-fn motion(found: &Found) -> Value {
+fn motion(motor: &Motor, found: &Found) -> Value {
     let boxed: Vec<[f64; 2]> = found.enclosed.iter().map(|x| x.ends()).collect();
     let circle = found.circle.map(|(radius, axis)| json!({ "radius": radius, "axis": axis.as_slice() }));
     json!({
         "shape": shape(found.shape), "kind": kind(found.kind), "multiplier": found.multiplier,
         "direction": found.enclosed.each_ref().map(|x| x.to_f64()), "box": boxed, "circle": circle,
         "omega0": found.speed, "rotor_speed": found.rotor_speed, "momentum": found.momentum, "residual": found.residual,
+        "stability": stability::objects(motor, &found.stability),
     })
 }
 

@@ -15,7 +15,8 @@
 //! the same and more from that one description: multipliers, reactions, Gauss' minimum, redundant coordinates.
 //! [`regimes`] is not a principle: it finds which of the modes of rough contacts agree with the laws of friction.
 //!
-//! [`bellman`] does the same for optimal control: Riccati's equation from Bellman's. [`stability`] decides by Hurwitz.
+//! [`bellman`] does the same for optimal control: Riccati's equation from Bellman's. [`stability`] decides by Hurwitz;
+//! [`first_approximation`] counts roots and signs exactly, singular cases included.
 //! [`discrete`] asks what a one-step method makes of that.
 //!
 //! Each returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side that runs is
@@ -27,6 +28,7 @@ pub mod constrained;
 pub mod definite;
 pub mod differentiate;
 pub mod discrete;
+pub mod first_approximation;
 pub mod hamel;
 pub mod lagrange;
 pub mod mass;

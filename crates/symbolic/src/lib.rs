@@ -7,8 +7,8 @@
 //! Angles are circle points and roots are generators with a known square, so that expressions are fractions of
 //! polynomials modulo rewriting rules ([`Hypotheses`]). Whether one vanishes is then decidable: [`decide`] brings it
 //! over a denominator kept as a product of known factors and looks at the numerator. [`normal`] gives the normal form,
-//! [`Tape`] the straight-line program, [`Recurrence`] the Taylor series, [`dimension`] the physical dimension. [`parse`]
-//! reads what is printed.
+//! [`Tape`] the straight-line program, [`Recurrence`] the Taylor series, [`Formulas`] the steps for enclosures,
+//! [`dimension`] the physical dimension. [`parse`] reads what is printed.
 //!
 //! ```
 //! use field::{Analytic, Scalar};
@@ -37,6 +37,7 @@ mod coefficients;
 pub mod complex;
 mod dimension;
 mod evaluate;
+mod formulas;
 mod graph;
 pub mod linear;
 mod operators;
@@ -54,6 +55,7 @@ pub use calculus::substitute_all;
 pub use coefficients::{NotPolynomial, coefficients, degree};
 pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
+pub use formulas::Formulas;
 pub use graph::{Node, Sym};
 pub use parse::{NotExpression, Reason, parse};
 pub use polynomials::{Evaluation, Polynomials};

@@ -319,3 +319,29 @@ fn a_way_to_fail_is_told_with_thresholds_that_agree() {
     assert!(thresholds.len() == 2 && thresholds.iter().all(|it| it["agrees"] == true), "{way}");
     assert!(way["trials"].as_array().is_some_and(|all| all.iter().any(|it| it["fate"] == "holds")), "{way}");
 }
+
+#[test]
+fn each_stationary_motion_has_a_verdict_for_each_angle_of_the_rotor() {
+    let all = json(&run(&["stationary", "scenes/spin_up.toml", "--omega0", "20", "--format", "json"]));
+    let motions = all["cases"][0]["motions"].as_array().expect("a list");
+    let mut asymptotically = 0;
+    for motion in motions {
+        let [driven_away, held] = &motion["stability"].as_array().expect("a list")[..] else { panic!("two angles") };
+        assert_eq!(driven_away["verdict"], "unstable");
+        assert_eq!(held["structural_zeros"], serde_json::json!(["|v|", "x.v"]));
+        // with a motor no root is on the axis, and the energy's negative squares are the roots to the right
+        let (roots, energy) = (&held["roots"], &held["energy"]);
+        assert_eq!((roots["axis"].as_u64(), &roots["right"]), (Some(0), &energy["negative"]));
+        asymptotically += usize::from(held["verdict"] == "asymptotically stable modulo the integrals");
+    }
+    assert_eq!((motions.len(), asymptotically), (4, 1));
+    let text = run(&["stationary", "scenes/constant_speed.toml", "--omega0", "20"]);
+    let text = String::from_utf8_lossy(&text.stdout).into_owned();
+    for words in [
+        "stable: E - W p' at fixed integrals is definite",
+        "not decided: no root to the right",
+        "unstable: 2 of 4 roots",
+    ] {
+        assert!(text.contains(words), "{words} in {text}");
+    }
+}

@@ -127,6 +127,17 @@ impl Enclosure {
         [outwards(&self.low, f64::next_down), outwards(&self.high, f64::next_up)]
     }
 
+    /// The fraction with the smallest denominator in it.
+    pub fn simplest(&self) -> field::Rational {
+        let end = |n: &IBig| dashu_ratio::RBig::from_parts_signed(n.clone(), IBig::ONE << self.bits);
+        if self.low == self.high {
+            return end(&self.low).into();
+        }
+        // both ends belong to it, but not to the open interval in which is looked
+        let (low, high) = (end(&(&self.low - IBig::ONE)), end(&(&self.high + IBig::ONE)));
+        dashu_ratio::RBig::simplest_in(low, high).into()
+    }
+
     /// Half of the width, as a float that is not too small.
     pub fn radius(&self) -> f64 {
         let width = dashu_ratio::RBig::from_parts_signed(&self.high - &self.low, IBig::ONE << (self.bits + 1));

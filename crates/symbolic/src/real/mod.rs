@@ -5,7 +5,9 @@
 //! * [`Polynomial`]: one unknown, such coefficients; greatest common divisors, remainders, subresultants (`resultant`);
 //! * [`Root`]: one real root, as a polynomial and an interval that holds exactly one of its roots;
 //! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number once more, by Sturm's theorem;
-//! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards.
+//! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards;
+//! * [`Surd`]: a fraction and a multiple of one square root;
+//! * [`Ordered`]: what enclosures and fractions have in common: operations, and a sign that may be unknown.
 //!
 //! # Key results
 //! Nothing here rounds to a decision. A sign is found by an enclosure that excludes zero, or by a common divisor that
@@ -26,13 +28,17 @@
 mod enclosure;
 mod isolate;
 mod number;
+mod ordered;
 mod polynomial;
 mod resultant;
 mod root;
 mod sturm;
+mod surd;
 
 pub use enclosure::Enclosure;
 pub use number::{Field, Number};
+pub use ordered::Ordered;
 pub use polynomial::Polynomial;
 pub use resultant::subresultant;
 pub use root::Root;
+pub use surd::Surd;

@@ -1,0 +1,22 @@
+//! The first approximation y' = A y, exactly: characteristic polynomial, roots in either half-plane, signs of a quadratic form.
+//!
+//! # Overview
+//! * [`characteristic`]: det(mu - A) without a division, for any size;
+//! * [`HalfPlanes`]: how many roots lie to the left of the imaginary axis, on it and to the right of it, by Routh's array as
+//!   the remainders of Euclid's algorithm, so that rows that vanish or begin with zero are no exception;
+//! * [`Inertia`]: the signs of a quadratic form, also on the subspace where given linear forms vanish.
+//!
+//! # Key results
+//! Numbers are [`Ordered`](symbolic::real::Ordered): fractions know their signs, enclosures know them unless zero lies among their values. A count is given only where every sign that it rests on is known. With enclosures this is a proof for all numbers in
+//! them; where it fails, finer ones may succeed, and where a quantity is zero none will: `None`, never a guess.
+//!
+//! # References
+//! Berkowitz 1984 (the polynomial); Routh 1877, Gantmacher 1959 chapter XV (the count, singular cases included).
+
+mod characteristic;
+mod half_planes;
+mod inertia;
+
+pub use characteristic::characteristic;
+pub use half_planes::HalfPlanes;
+pub use inertia::Inertia;

@@ -1,0 +1,119 @@
+//! The first approximation of a scene's gyrostat with its motor: written down once, run over fractions and enclosures.
+
+use super::linear::{Integral, Linear};
+use super::state::{Layout, Place};
+use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine};
+use crate::scene::MachineData;
+use crate::stationary::energies::Energies;
+use crate::stationary::motor::{Decimals, NoMotor};
+use field::{Circle, Rational, Tangent};
+use nalgebra::Vector3;
+use symbolic::real::Ordered;
+use symbolic::{Formulas, Hypotheses, Sym, decide, symbols};
+
+/// The matrices of [`Linear`] as formulas of the place, their data the decimals that were written.
+#[derive(Clone, Debug)]
+pub struct Approximation {
+    pub layout: Layout,
+    /// What gives the structural zero roots.
+    pub integrals: Vec<Integral>,
+    /// Whether G is conserved: nothing damps, whatever the slip.
+    pub conservative: bool,
+    /// Whether the motor's own moment does not depend on the slip: then this neither damps nor drives.
+    pub steady: bool,
+    /// Whether no weight acts, so that the angular momentum stays in space: roots at +-i w0.
+    pub balanced: bool,
+    formulas: Formulas,
+}
+
+impl Approximation {
+    /// Of bodies, by their energies, with a machine.
+    ///
+    /// # Errors
+    /// [`NoMotor`] where the data do not make the machine, or its laws are not algebraic.
+    pub fn of(energies: &Energies<Rational>, machine: &AnyMachine, data: &MachineData) -> Result<Self, NoMotor> {
+        machine.clone().apply(Written { energies, data, name: machine.name() })
+    }
+
+    /// The same with a machine whose data are constants.
+    ///
+    /// # Errors
+    /// [`NoMotor::NotAlgebraic`].
+    pub fn with(energies: &Energies<Rational>, machine: &impl Machine<Sym>) -> Result<Self, NoMotor> {
+        let constant = Sym::constant;
+        let energies = Energies {
+            tensor: energies.tensor.map(constant),
+            mixed: energies.mixed.map(constant),
+            axial: constant(energies.axial),
+            weight: energies.weight.map(constant),
+        };
+        let unknowns = symbols(["w0", "v1", "v2", "v3", "W", "c", "s"]);
+        let [speed, v1, v2, v3, rotor_speed, cos, sin] = unknowns;
+        let place = Place { speed, vertical: Vector3::new(v1, v2, v3), rotor_speed, angle: Circle { cos, sin } };
+        let linear = Linear::at(&energies, machine, &place, is_free(machine));
+        let all = linear.rates.iter().chain(&linear.energy).chain(&linear.integrals).flatten();
+        let all: Vec<Sym> = all.chain(&linear.missing).chain(&linear.damping).copied().collect();
+        let formulas = Formulas::of(&all, &unknowns).map_err(|reason| NoMotor::NotAlgebraic(reason.to_string()))?;
+        let integrals = [Integral::Vertical, Integral::Momentum, Integral::RotorMomentum];
+        let steady = is_steady(machine);
+        Ok(Approximation {
+            layout: Layout::of(machine),
+            integrals: integrals[..linear.integrals.len()].to_vec(),
+            conservative: steady && linear.damping.iter().all(|&one| vanishes(one)),
+            steady,
+            formulas,
+            balanced: energies.weight.iter().all(|&one| vanishes(one)),
+        })
+    }
+
+    /// The matrices at a place; `None` where a number may be undefined, or is not in the field.
+    pub fn at<R: Ordered>(&self, place: &[R; 7], one: &R) -> Option<Linear<R>> {
+        let values = self.formulas.values(place, one)?;
+        let size = self.layout.size();
+        let square = size * size;
+        let rows = |from: usize, count: usize| -> Vec<Vec<R>> {
+            values[from..from + count * size].chunks(size).map(<[R]>::to_vec).collect()
+        };
+        let integrals = self.integrals.len();
+        Some(Linear {
+            rates: rows(0, size),
+            energy: rows(square, size),
+            integrals: rows(2 * square, integrals),
+            missing: rows(2 * square + integrals * size, 1).concat(),
+            damping: values[2 * square + (integrals + 1) * size..].to_vec(),
+        })
+    }
+}
+
+struct Written<'a> {
+    energies: &'a Energies<Rational>,
+    data: &'a MachineData,
+    name: &'static str,
+}
+
+impl ForMachine for Written<'_> {
+    type Output = Result<Approximation, NoMotor>;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
+        let machine = M::read::<Sym, _>(&mut Decimals(self.data, self.name)).map_err(NoMotor::Data)?;
+        Approximation::with(self.energies, &machine)
+    }
+}
+
+fn vanishes(expression: Sym) -> bool {
+    decide(expression, &Hypotheses::none()).is_zero()
+}
+
+/// Whether the moment never depends on the slip.
+fn is_steady(machine: &impl Machine<Sym>) -> bool {
+    let [slip, speed] = symbols(["slip", "speed"]);
+    vanishes(machine.moment_law(Tangent::variable(slip), Tangent::variable(speed)).slope)
+}
+
+/// Whether no moment ever acts: without windings and without an angle, the law alone.
+fn is_free<M: Machine<Sym>>(machine: &M) -> bool {
+    let [slip, speed] = symbols(["slip", "speed"]);
+    M::ROTOR == crate::machines::RotorState::Speed
+        && machine.windings() == 0
+        && vanishes(machine.moment_law(slip, speed))
+}

@@ -1,0 +1,49 @@
+//! The letters of the page: those of the paper, and deviations, the unknown of polynomials, their coefficients.
+
+use crate::alphabet::{self, Letter};
+use crate::papers::konosevich2022;
+use nalgebra::Vector3;
+use symbolic::{Dimension, Sym};
+
+/// (name, LaTeX, exponents of kg, m, s, A)
+const LETTERS: &[Letter<4>] = &[
+    ("z", "z", [0, 0, -1, 0]),
+    ("δν#", r"\delta\nu_#", [0, 0, 0, 0]),
+    ("η#", r"\eta_#", [0, 0, -1, 0]),
+    ("δγ", r"\delta\gamma", [0, 0, 0, 0]),
+    ("δγ̇", r"\delta\dot\gamma", [0, 0, -1, 0]),
+    ("δν̇#", r"\delta\dot\nu_#", [0, 0, -1, 0]),
+    ("η̇#", r"\dot\eta_#", [0, 0, -2, 0]),
+    ("δγ̈", r"\delta\ddot\gamma", [0, 0, -2, 0]),
+    ("ac", "a_c", [0, 0, -2, 0]),
+    ("bc", "b_c", [0, 0, -4, 0]),
+    ("af", "a_f", [0, 0, -2, 0]),
+    ("bf", "b_f", [0, 0, -4, 0]),
+    ("J", "A'D", [1, 2, 0, 0]),
+    ("K", "K", [1, 2, -2, 0]),
+    ("d", "d", [1, 2, -1, 0]),
+    ("Z", "Z", [1, 2, -2, 0]),
+    ("k##", "K_{##}", [1, 2, -2, 0]),
+    ("v#", "v_#", [0, 0, -1, 0]),
+    ("w#", "w_#", [0, 0, -1, 0]),
+    ("H", "h", [1, 2, -1, 0]),
+    ("λ", r"\lambda", [1, 2, -2, 0]),
+];
+
+/// The dimension of a letter; `None` for a name that the page does not have.
+pub fn dimension(name: &str) -> Option<Dimension> {
+    if let Some(root) = name.strip_prefix('√') {
+        return konosevich2022::dimension(root).map(|square| square.power(field::Rational::new(1, 2)));
+    }
+    alphabet::dimension(LETTERS, name).or_else(|| konosevich2022::dimension(name))
+}
+
+/// The symbol of a letter of this page.
+pub fn letter(name: &str) -> Sym {
+    alphabet::letter(LETTERS, name)
+}
+
+/// The three components of a vector.
+pub fn vector(stem: &str) -> Vector3<Sym> {
+    Vector3::from_fn(|i, _| letter(&format!("{stem}{}", i + 1)))
+}

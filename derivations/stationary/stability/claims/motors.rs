@@ -1,0 +1,175 @@
+//! How a motor enters: through one function of z, between the two classical gyrostats.
+
+use super::alphabet::{letter, vector};
+use super::letters::{free, kept, stationary, unit_vectors};
+use crate::machines::asynchronous::Asynchronous;
+use crate::machines::equivalent_windings::EquivalentWindings;
+use crate::machines::synchronous::Synchronous;
+use crate::machines::{Machine, drive};
+use crate::papers::konosevich2022::{self as paper, Letters};
+use crate::stationary::stability::linear::variation;
+use crate::stationary::stability::state::Place;
+use claims::{Condition, Page};
+use field::{Circle, Scalar, Tangent};
+use mechanics::rotation::determinant;
+use nalgebra::{Matrix3, Matrix4};
+use symbolic::Sym;
+
+use Condition::{Equal, Zero};
+
+pub fn claims(page: &mut Page, s: &Letters) {
+    page.section("Stability: motors");
+    motor(page, s);
+    currents(page, s);
+    damping(page);
+}
+
+/// Z(z): the moment against a deviation of the rotor's angle that grows as exp(z t), the currents following.
+fn stiffness(machine: &impl Machine<Sym>, angle: Circle<Sym>, z: Sym) -> Sym {
+    let windings = machine.windings();
+    let (moved, slip) = (angle.moving(Sym::int(1)), Tangent::moving(Sym::ZERO, z));
+    let rates = |currents: &[Tangent<Sym>]| {
+        let mut rates = vec![Tangent::fixed(Sym::ZERO); windings];
+        let moment = drive(machine, moved, slip, currents, &mut rates);
+        (moment.slope, rates)
+    };
+    let (_, induced) = rates(&vec![Tangent::fixed(Sym::ZERO); windings]);
+    // at rest each current fades by itself
+    let some = paper::letter("x");
+    let mut fading = vec![Tangent::fixed(Sym::ZERO); windings];
+    let moving = vec![Tangent::moving(Sym::ZERO, some); windings];
+    drive(machine, angle.map(Tangent::fixed), Tangent::fixed(Sym::ZERO), &moving, &mut fading);
+    // z i = induced + own i
+    let current = |(induced, own): (&Tangent<Sym>, &Tangent<Sym>)| {
+        Tangent::moving(Sym::ZERO, induced.slope / (z - own.slope / some))
+    };
+    let currents: Vec<Tangent<Sym>> = induced.iter().zip(&fading).map(current).collect();
+    -rates(&currents).0
+}
+
+fn motor(page: &mut Page, s: &Letters) {
+    let z = letter("z");
+    let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f: paper::letter("f") };
+    let eta = vector("η");
+    let gamma = letter("δγ");
+    let tilt = s.nu.cross(&eta) / z;
+    let w = tilt * s.omega0 + eta;
+    let y: Vec<Sym> = w.iter().chain(tilt.iter()).copied().chain([gamma, z * gamma]).collect();
+    let dy: Vec<Sym> = y.iter().map(|&one| z * one).collect();
+    let place = Place { speed: s.omega0, vertical: s.nu, rotor_speed: s.omega_field, angle: s.angle() };
+    let found = variation(&stationary(s), &machine, &place, &y, &dy);
+    let lever = s.l.cross(&s.nu) * s.omega0;
+    let (above, below) = (s.l * z - lever, s.l * z + lever);
+    let (kept, free) = (kept(s), free(s));
+    let carrier = kept.pencil(z) * eta + above * (s.axial * z.powi(2) * gamma);
+    let of_motor = stiffness(&machine, s.angle(), z);
+    let rotor = s.axial * (below.dot(&eta) + z.powi(2) * gamma) + of_motor * gamma;
+    page.claim("motor", "pencil", r"with a motor the variation is $K\eta+A'z^2(zl-\omega^0l\times\nu)\delta\gamma=0$, $A'(zl+\omega^0l\times\nu)\cdot\eta+(A'z^2+Z)\delta\gamma=0$, where $Z(z)=-\delta M/\delta\gamma$ is all that the motor adds: its operational stiffness")
+        .under(&unit_vectors(s))
+        .follows((0..3).map(|i| Equal(z * found[i], carrier[i])).chain([Equal(found[7], rotor)]));
+    let generic = Matrix3::from_fn(|i, j| letter(&format!("k{}{}", i + 1, j + 1)));
+    let (u, v) = (vector("v"), vector("w"));
+    let (axial, stiff) = (s.axial, letter("Z"));
+    let bordered = Matrix4::from_fn(|i, j| match (i, j) {
+        (3, 3) => axial * z.powi(2) + stiff,
+        (3, _) => axial * v[j],
+        (_, 3) => axial * z.powi(2) * u[i],
+        _ => generic[(i, j)],
+    });
+    page.claim("motor", "lemma", r"for any matrix $K$ and vectors $v$, $w$: $\det\begin{pmatrix}K&A'z^2v\\A'w^T&A'z^2+Z\end{pmatrix}=A'z^2\det(K-A'vw^T)+Z\det K$")
+        .in_words()
+        .follows([Equal(
+            expanded(&bordered),
+            axial * z.powi(2) * determinant(&(generic - u * v.transpose() * axial)) + stiff * determinant(&generic),
+        )]);
+    let left = kept.pencil(z) - above * below.transpose() * s.axial;
+    let right = free.pencil(z);
+    page.claim("motor", "between", r"and $K-A'(zl-\omega^0l\times\nu)(zl+\omega^0l\times\nu)^T=K_f$, that of the free rotor ($A$ and $A'(\Omega+\omega^0l\cdot\nu)$ for $A^*$ and $A'\Omega$). So the characteristic equation of every motor is $A'z^2\det K_f+Z\det K=0$, that is $A'\det A\,z^2p_f(z)+Z(z)\det A^*p_c(z)=0$: the free rotor is $Z=0$, the constant speed $Z=\infty$")
+        .under(&unit_vectors(s))
+        .follows((0..9).map(|k| Equal(left[(k / 3, k % 3)], right[(k / 3, k % 3)])));
+    let difference = free.pulled_back() - kept.pulled_back();
+    page.claim("motor", "unfelt", r"what a motor does not feel has $\delta\gamma=0$: roots that $p_c$ and $p_f$ have in common are roots with every motor, and no motor damps them. A rotor along the vertical ($l=\nu$) does not change $[\nu]H[\nu]$: it feels no tilt at all")
+        .given((0..3).map(|i| Zero(s.l[i] - s.nu[i])))
+        .by_combination((0..3).map(|i| {
+            // the difference is w0^2 A' (l x nu)(l x nu)^T
+            let m = s.l.cross(&s.nu);
+            let factor = s.omega0.powi(2) * s.axial * m[i];
+            let [j, k] = [(i + 1) % 3, (i + 2) % 3];
+            (Zero(difference[(i, i)]), vec![], vec![(j, factor * s.nu[k]), (k, -(factor * s.nu[j]))])
+        }));
+}
+
+/// Along the last row.
+fn expanded(m: &Matrix4<Sym>) -> Sym {
+    (0..4).fold(Sym::ZERO, |sum, column| {
+        let others: Vec<usize> = (0..4).filter(|j| *j != column).collect();
+        let minor = determinant(&Matrix3::from_fn(|i, j| m[(i, others[j])]));
+        let term = m[(3, column)] * minor;
+        if column % 2 == 1 { sum + term } else { sum - term }
+    })
+}
+
+fn currents(page: &mut Page, s: &Letters) {
+    let z = letter("z");
+    let (k, f) = (paper::letter("k"), paper::letter("f"));
+    let slipping = Asynchronous { field_speed: s.omega_field, k, f };
+    page.claim(
+        "currents",
+        "asynchronous",
+        r"the asynchronous motor without currents has $Z=(k+f)z$: a free rotor with friction",
+    )
+    .follows([Equal(stiffness(&slipping, s.angle(), z), (k + f) * z)]);
+    let in_step = Synchronous { field_speed: s.omega_field, b0: s.b0, f };
+    page.claim("currents", "synchronous", r"the synchronous motor without currents has $Z=b_0\cos\gamma^0+fz$")
+        .follows([Equal(stiffness(&in_step, s.angle(), z), s.b0 * s.angle().cos + f * z)]);
+    let w = s.windings();
+    let relaxing = |bars: i64| {
+        s.b0 * s.angle().cos
+            + w.mu * z
+            + (w.a1 * s.angle().sin).powi(2) * z / (w.r1 + w.l1 * z)
+            + w.a2.powi(2) * Sym::ratio(bars, 2) * z / (w.r2 + w.l2 * z)
+    };
+    for (bars, slug) in [(3, "three-bars"), (4, "four-bars"), (6, "six-bars")] {
+        page.claim("currents", slug, format!(r"with the currents of the excitation and of {bars} bars: $Z=b_0\cos\gamma^0+\mu z+a_1^2\sin^2\gamma^0\,z/(R_1+L_1z)+\frac{{{bars}}}2a_2^2\,z/(R_2+L_2z)$. Each winding is a damping that relaxes; the bars are one, whatever the angle, and their further roots are $-R_2/L_2$"))
+            .in_words()
+            .follows([Equal(stiffness(&s.evenly_spaced(bars), s.angle(), z), relaxing(bars.into()))]);
+        let bar = -Circle::exact_turn(1, 8).unwrap_or(Circle::zero());
+        let lumped = EquivalentWindings::new(s.windings(), bars as usize, bar);
+        let slug =
+            ["three-lumped", "four-lumped", "six-lumped"][[3, 4, 6].iter().position(|n| *n == bars).unwrap_or(0)];
+        page.claim("currents", slug, format!(r"the two windings that are worth {bars} bars have the same $Z$: their polynomial is that of all bars without the factor $(R_2+L_2z)^{{{}}}$", bars - 2))
+            .in_words()
+            .follows([Equal(stiffness(&lumped, s.angle(), z), relaxing(bars.into()))]);
+    }
+    let still = relaxing(3);
+    let without = [(w.l1, Sym::ZERO), (w.l2, Sym::ZERO)];
+    let limit = symbolic::substitute_all(&[still], &without).first().copied().unwrap_or(Sym::UNDEFINED);
+    let damping = w.mu + (w.a1 * s.angle().sin).powi(2) / w.r1 + w.a2.powi(2) * Sym::ratio(3, 2) / w.r2;
+    page.claim("currents", "without-inductance", r"without inductance $Z=K+dz$ with $d=\mu+a_1^2\sin^2\gamma^0/R_1+\frac N2a_2^2/R_2$: the model without currents, with the damping that the currents are worth")
+        .follows([Equal(limit, s.b0 * s.angle().cos + damping * z)]);
+}
+
+/// A'D z^2 p_f + (K + d z) p_c: the minors of Hurwitz.
+fn damping(page: &mut Page) {
+    let [ac, bc, af, bf, axial, k, d] = ["ac", "bc", "af", "bf", "J", "K", "d"].map(letter);
+    let minors = mechanics::stability::hurwitz([
+        d / axial,
+        af + k / axial,
+        d * ac / axial,
+        bf + k * ac / axial,
+        d * bc / axial,
+        k * bc / axial,
+    ]);
+    let between = ac * af - ac.powi(2) + bc - bf;
+    let resultant = (bf - bc).powi(2) + (af - ac) * (af * bc - ac * bf);
+    page.claim("damping", "minors", r"without currents, $A'Dz^2p_f+(K+dz)p_c$ with $D=\det A/\det A^*$, the first, third and fifth minor of Hurwitz are $d/A'D$, $(d/A'D)^2(a_ca_f-a_c^2+b_c-b_f)$ and $-(d/A'D)^3b_cR$ with the resultant $R=(b_f-b_c)^2+(a_f-a_c)(a_fb_c-a_cb_f)$ of $p_c$ and $p_f$ in $z^2$: the stiffness $K$ stands in none, and $d$ only as a factor")
+        .follows([
+            Equal(minors[0], d / axial),
+            Equal(minors[2], (d / axial).powi(2) * between),
+            Equal(minors[4], -(d / axial).powi(3) * bc * resultant),
+            Equal(minors[5], minors[4] * k * bc / axial),
+        ]);
+    let by_slip = mechanics::stability::hurwitz([d / axial, af, d * ac / axial, bf, d * bc / axial]);
+    page.claim("damping", "asynchronous", r"and for a motor by slip, $A'Dzp_f+dp_c$, they are the same: by Lienard and Chipart a synchronous motor without currents is asymptotically stable if and only if $K>0$ and one by slip would be, however strong either is")
+        .follows([0, 2, 4].map(|place| Equal(by_slip[place], minors[place])));
+}

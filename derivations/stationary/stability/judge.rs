@@ -1,0 +1,165 @@
+//! The verdicts on a scene's stationary motions, one for each angle of the rotor.
+
+use super::approximation::Approximation;
+use super::verdict::{Judged, Reason, Verdict};
+use crate::stationary::energies::{Energies, Kept};
+use crate::stationary::motor::{Angle, Motor};
+use field::Rational;
+use nalgebra::Vector3;
+use symbolic::real::{Enclosure, Ordered, Polynomial, Root, Surd};
+
+/// What decides for one constant value of what the rotor keeps.
+pub struct Judge<'a> {
+    pub approximation: &'a Approximation,
+    pub energies: &'a Energies<Rational>,
+    pub motor: &'a Motor,
+    pub kept: Kept,
+    /// W, or the rotor's own momentum.
+    pub value: &'a Root,
+    pub given: Given,
+}
+
+/// What all motions that are judged have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Given {
+    /// w0, rad/s
+    Speed(Rational),
+    /// x.v, N m s
+    Momentum(Rational),
+}
+
+/// (v, w0) within 2^-bits, where so many bits are to be had.
+type Enclosed<'a> = dyn Fn(usize) -> Option<([Enclosure; 3], Enclosure)> + 'a;
+
+/// Bits that are tried.
+const BITS: [usize; 4] = [256, 512, 1024, 2048];
+
+impl Judge<'_> {
+    /// One verdict for each angle of a motor in step, else one.
+    pub fn verdicts(&self, enclosed: &Enclosed<'_>) -> Vec<Judged> {
+        match self.motor {
+            Motor::InStep { angles, .. } => angles.iter().map(|angle| self.verdict(enclosed, Some(angle))).collect(),
+            _ => vec![self.verdict(enclosed, None)],
+        }
+    }
+
+    fn verdict(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>) -> Judged {
+        let merging = angle.is_some_and(|angle| angle.slope == 0) || self.speeds_merge();
+        if merging {
+            return Judged::cannot_tell(self.approximation, Reason::PullOut);
+        }
+        let too_fine = Verdict::CannotTell(Reason::TooFine);
+        let mut last = Judged::cannot_tell(self.approximation, Reason::TooFine);
+        for bits in BITS {
+            let one = Enclosure::integer(1, bits);
+            let Some(place) = self.place(enclosed, angle, &one, bits) else { continue };
+            last = Judged::at(self.approximation, &place, &one, Enclosure::to_f64);
+            if last.verdict != too_fine {
+                break;
+            }
+            // what no enclosure sees may vanish
+            if bits == BITS[0]
+                && let Some(place) = self.exact(enclosed, angle)
+            {
+                let exact = Judged::at(self.approximation, &place, &Rational::new(1, 1).into(), Surd::to_f64);
+                if exact.verdict != too_fine {
+                    return exact;
+                }
+            }
+        }
+        last
+    }
+
+    /// Two speeds of the rotor in one: no slope of the moment damps.
+    fn speeds_merge(&self) -> bool {
+        let Motor::Slipping { speeds, .. } = self.motor else { return false };
+        speeds.iter().any(|slip| slip.slope == 0 && slip.speed.compare(self.value).is_eq())
+    }
+
+    /// (w0, v, W, cos g, sin g), enclosed.
+    fn place(
+        &self,
+        enclosed: &Enclosed<'_>,
+        angle: Option<&Angle>,
+        one: &Enclosure,
+        bits: usize,
+    ) -> Option<[Enclosure; 7]> {
+        let (v, speed) = enclosed(bits)?;
+        let value = self.value.enclosure(bits);
+        self.filled(v, speed, value, angle.map(|angle| angle.half_tangent.as_ref().map(|t| t.enclosure(bits))), one)
+    }
+
+    /// The same as fractions, where they are fractions: the simplest in an enclosure are tried, and are it if they satisfy
+    /// the conditions, which have only one solution there. The cosine may be the root of one.
+    fn exact(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>) -> Option<[Surd; 7]> {
+        let (v, speed) = enclosed(BITS[0])?;
+        let (v, speed) = (v.each_ref().map(Enclosure::simplest), speed.simplest());
+        let value = self.value.enclosure(BITS[0]).simplest();
+        if !Root::rational(value)?.compare(self.value).is_eq() {
+            return None;
+        }
+        let [speed, v1, v2, v3, rotor_speed, ..] = self.filled(v, speed, value, None, &Rational::new(1, 1))?;
+        let vertical = Vector3::new(v1, v2, v3);
+        let (all, _) = self.energies.momenta::<Rational>(vertical * speed, rotor_speed);
+        let missing = (all * speed + self.energies.weight).cross(&vertical);
+        let (zero, one) = (Rational::new(0, 1), Rational::new(1, 1));
+        let as_given = match self.given {
+            Given::Speed(w) => speed == w,
+            Given::Momentum(p) => all.dot(&vertical) == p,
+        };
+        if !as_given || vertical.dot(&vertical) != one || missing.iter().any(|m| *m != zero) {
+            return None;
+        }
+        let (cos, sin) = match angle.map(|angle| &angle.half_tangent) {
+            None => (one.into(), zero.into()),
+            Some(None) => ((-one).into(), zero.into()),
+            Some(Some(t)) => {
+                let at = t.enclosure(BITS[0]);
+                let unit = Enclosure::integer(1, BITS[0]);
+                let norm = unit.plus(&at.times(&at));
+                let sine = Enclosure::over(&at.plus(&at), &norm)?.simplest();
+                // sin g = 2 t / (1 + t^2)
+                if t.sign_of(&Polynomial::from_rationals(&[sine, Rational::new(-2, 1), sine])?) != 0 {
+                    return None;
+                }
+                let size = Surd::root_of(one - sine * sine)?;
+                let acute = unit.minus(&at.times(&at)).sign()? >= 0;
+                (if acute { size } else { size.integer(0).minus(&size) }, sine.into())
+            }
+        };
+        let [speed, v1, v2, v3, rotor_speed] = [speed, v1, v2, v3, rotor_speed].map(Surd::from);
+        Some([speed, v1, v2, v3, rotor_speed, cos, sin])
+    }
+
+    /// `half_tangent`: none without an angle, an empty one at half a turn.
+    fn filled<R: Ordered>(
+        &self,
+        v: [R; 3],
+        speed: R,
+        value: R,
+        half_tangent: Option<Option<R>>,
+        one: &R,
+    ) -> Option<[R; 7]> {
+        let rotor_speed = match self.kept {
+            Kept::RelativeSpeed => value,
+            Kept::Momentum => {
+                // p' = mixed.w + axial phi'
+                let shares = (0..3).map(|i| Some(one.fraction(self.energies.mixed[i])?.times(&v[i]).times(&speed)));
+                let carried = shares.collect::<Option<Vec<R>>>()?;
+                let own = carried.iter().fold(value, |rest, share| rest.minus(share));
+                own.over(&one.fraction(self.energies.axial)?)?
+            }
+        };
+        let (cos, sin) = match half_tangent {
+            Some(Some(t)) => {
+                let square = t.times(&t);
+                let norm = one.plus(&square);
+                (one.minus(&square).over(&norm)?, t.plus(&t).over(&norm)?)
+            }
+            Some(None) => (one.integer(-1), one.integer(0)),
+            None => (one.integer(1), one.integer(0)),
+        };
+        let [v1, v2, v3] = v;
+        Some([speed, v1, v2, v3, rotor_speed, cos, sin])
+    }
+}

@@ -1,0 +1,9 @@
+//! The stability of stationary motions: beside eigenvalues of the equations that run, in closed cases, beside runs.
+
+mod closed;
+mod drawn;
+mod identities;
+#[path = "../physical/mod.rs"]
+mod physical;
+mod running;
+mod runs;

@@ -1,0 +1,61 @@
+//! The equations that run: their Jacobian by tangents, and runs by Runge and Kutta's method.
+
+use derivations::machines::{Machine, RotorState};
+use derivations::systems::gyrostat::driven::Driven;
+use derivations::systems::gyrostat::forms::{Form, SecondForm};
+use field::Tangent;
+use nalgebra::{DMatrix, Vector3};
+
+pub type Law<M> = Driven<f64, SecondForm<f64>, M>;
+
+/// A stationary motion as a state: v in the axes of the form, no current.
+pub fn state<M: Machine<f64>>(law: &Law<M>, v: Vector3<f64>, w0: f64, rotor_speed: f64, angle: f64) -> Vec<f64> {
+    let mut state: Vec<f64> = (v * w0).iter().chain(v.iter()).copied().collect();
+    let slip = rotor_speed - law.machine.frame_speed();
+    match M::ROTOR {
+        RotorState::AngleAndSpeed => state.extend([angle, 0.0]),
+        RotorState::Speed => state.push(slip),
+        RotorState::Prescribed => {}
+    }
+    state.resize(law.dimension(), 0.0);
+    state
+}
+
+/// The eigenvalues of the law's Jacobian, (real, imaginary).
+pub fn eigenvalues<M: Machine<f64>>(law: &Law<M>, state: &[f64]) -> Vec<(f64, f64)> {
+    let size = state.len();
+    let mut jacobian = DMatrix::zeros(size, size);
+    for j in 0..size {
+        let slope = |i: usize| if i == j { 1.0 } else { 0.0 };
+        let moving: Vec<_> = state.iter().enumerate().map(|(i, &y)| Tangent::moving(y, slope(i))).collect();
+        let mut rates = vec![Tangent::fixed(0.0); size];
+        law.rates(&moving, &mut rates);
+        rates.iter().enumerate().for_each(|(i, rate)| jacobian[(i, j)] = rate.slope);
+    }
+    jacobian.complex_eigenvalues().iter().map(|z| (z.re, z.im)).collect()
+}
+
+/// The classical Runge-Kutta method: the state after so many steps.
+pub fn run<F: Form<f64>, M: Machine<f64>>(
+    law: &Driven<f64, F, M>,
+    mut y: Vec<f64>,
+    step: f64,
+    steps: usize,
+) -> Vec<f64> {
+    let rates = |y: &[f64]| {
+        let mut dy = vec![0.0; y.len()];
+        law.rates(y, &mut dy);
+        dy
+    };
+    let moved = |y: &[f64], dy: &[f64], h: f64| -> Vec<f64> { y.iter().zip(dy).map(|(y, dy)| y + h * dy).collect() };
+    for _ in 0..steps {
+        let k1 = rates(&y);
+        let k2 = rates(&moved(&y, &k1, 0.5 * step));
+        let k3 = rates(&moved(&y, &k2, 0.5 * step));
+        let k4 = rates(&moved(&y, &k3, step));
+        for i in 0..y.len() {
+            y[i] += step / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
+        }
+    }
+    y
+}

@@ -1,0 +1,95 @@
+//! Runs beside eigenvalues: what grows does so at the largest real part, what is stable stays.
+
+use crate::running::{Law, eigenvalues, run, state};
+use derivations::machines::Machine;
+use derivations::machines::asynchronous::Asynchronous;
+use derivations::machines::constant_speed::ConstantSpeed;
+use derivations::scene::{Family, Scene, System};
+use derivations::stationary::motions::Stationary;
+use derivations::stationary::stability::{Reason, Verdict};
+use derivations::systems::gyrostat::forms::SecondForm;
+use nalgebra::Vector3;
+use std::path::Path;
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+}
+
+/// A small tilt.
+fn disturbed(state: &[f64], size: f64) -> Vec<f64> {
+    let mut disturbed = state.to_vec();
+    disturbed[0] += 0.8 * size;
+    disturbed[1] -= 0.5 * size;
+    disturbed
+}
+
+/// The rate at which a disturbance grows between two times, in so many steps each.
+fn growth<M: Machine<f64>>(law: &Law<M>, at: &[f64], step: f64, steps: usize) -> f64 {
+    let first = run(law, disturbed(at, 1e-12), step, steps);
+    let second = run(law, first.clone(), step, steps);
+    (distance(&second, at) / distance(&first, at)).ln() / (step * steps as f64)
+}
+
+/// The eigenvalue with the largest real part.
+fn fastest<M: Machine<f64>>(law: &Law<M>, at: &[f64]) -> (f64, f64) {
+    let all = eigenvalues(law, at);
+    all.into_iter().fold((f64::NEG_INFINITY, 0.0), |best, one| if one.0 > best.0 { (one.0, one.1.abs()) } else { best })
+}
+
+fn upright(axis: Vector3<f64>, speed: f64) -> Law<ConstantSpeed<f64>> {
+    // A* = (4, 9, 6), A' = 1/2, Gamma = 1
+    let form = SecondForm::new(Vector3::new(4.0, 9.0, 6.0), axis, 0.5, Vector3::z());
+    Law::new(form, ConstantSpeed { speed })
+}
+
+#[test]
+fn upright_with_the_rotor_across_it_falls_at_the_proved_rate() {
+    let law = upright(Vector3::x(), 3.0);
+    let at = state(&law, -Vector3::z(), 0.0, 3.0, 0.0);
+    // z^2 = Gamma / A1
+    let rate = growth(&law, &at, 0.01, 2000);
+    assert!((rate - 0.5).abs() < 1e-4, "{rate}");
+}
+
+#[test]
+fn upright_with_the_rotor_along_it_falls_when_slow_and_stays_when_fast() {
+    let fast = upright(Vector3::z(), 10.2);
+    let at = state(&fast, -Vector3::z(), 0.0, 10.2, 0.0);
+    let after = run(&fast, disturbed(&at, 1e-6), 0.02, 20_000);
+    assert!(distance(&after, &at) < 1e-4, "{:e}", distance(&after, &at));
+    let slow = upright(Vector3::z(), 6.0);
+    let at = state(&slow, -Vector3::z(), 0.0, 6.0, 0.0);
+    let (rate, swing) = fastest(&slow, &at);
+    // after a whole swing the distance has the same phase
+    let step = std::f64::consts::TAU / swing / 4000.0;
+    let measured = growth(&slow, &at, step, 4000);
+    assert!((measured / rate - 1.0).abs() < 1e-3 && rate > 0.1, "{measured} beside {rate}");
+}
+
+/// At constant speed it stays, by gyroscopic forces; the same motion with a motor that has the same speed leaves.
+#[test]
+fn what_gyroscopic_forces_hold_at_constant_speed_leaves_with_a_motor() {
+    let scene = Scene::open(Path::new("scenes/constant_speed.toml")).unwrap();
+    let System::Gyrostat(bodies) = &scene.system else { panic!("a gyrostat") };
+    let all = Stationary::of(&scene).unwrap().at_speed(20.0).unwrap();
+    let held = |found: &&derivations::stationary::motions::Found| {
+        found.stability[0].verdict == Verdict::CannotTell(Reason::Gyroscopic { negative: 2 })
+    };
+    let found = all[0].found.iter().find(held).unwrap();
+    let (form, axes) = bodies.second_form();
+    let v = axes.transpose() * found.direction;
+    let kept = Law::new(form, ConstantSpeed { speed: 150.0 });
+    let at = state(&kept, v, 20.0, 150.0, 0.0);
+    let after = run(&kept, disturbed(&at, 1e-6), 5e-4, 100_000);
+    assert!(distance(&after, &at) < 1e-4, "{:e}", distance(&after, &at));
+    let motor = Asynchronous { field_speed: 150.0, k: 6e-4, f: 0.0 };
+    let law = Law::new(form, motor);
+    let at = state(&law, v, 20.0, 150.0, 0.0);
+    let (rate, swing) = fastest(&law, &at);
+    assert!(rate > 0.1, "{rate}");
+    // whole swings, in steps of about a thousandth of a second
+    let span = 20.0 * std::f64::consts::TAU / swing;
+    let steps = (span / 1e-3) as usize;
+    let measured = growth(&law, &at, span / steps as f64, steps);
+    assert!((measured / rate - 1.0).abs() < 1e-2, "{measured} beside {rate}");
+}
