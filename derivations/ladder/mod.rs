@@ -8,7 +8,7 @@
 //! * [`carried`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
 //! * [`dual`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
 //! * [`switching`]: a smaller model on those stretches only;
-//! * [`plan`]: the cheapest method and form for a rung; [`choose`]: the cheapest rung, with its receipt.
+//! * [`plan`]: the cheapest method and form for a rung; [`choose`](mod@choose): the cheapest rung, with its receipt.
 //!
 //! Key results: a step with a vanishing defect is exact, which is decided over expressions; of every other the error is
 //! estimated to first order, with the second order beside it. Neither is a bound; [`lumping::merged_at_most`] is one.
