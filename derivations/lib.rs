@@ -7,6 +7,7 @@
 //! * [`closed_forms`]: motions that are known, by which runs and references are measured;
 //! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
 //! * [`ensemble`]: many systems of one kind with data of their own, run side by side;
+//! * [`ladder`]: smaller models under the one of a scene, what each step loses, the cheapest that suffices;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
 //! * [`mechanisms`]: governors, drives, bodies that roll, by the names that scene files use;
 //! * [`principles`]: the principles of mechanics, equal on every system: a page of claims of the workbench's own;
@@ -33,6 +34,7 @@ pub mod ensemble;
 pub mod failures;
 pub mod friction;
 pub mod governors;
+pub mod ladder;
 pub mod long_runs;
 pub mod machines;
 pub mod mechanisms;

@@ -14,8 +14,9 @@ pub struct Taped<L> {
     program: Option<Program>,
 }
 
+/// A function of a state and the time as straight-line code over every field that runs.
 #[derive(Clone, Debug)]
-struct Program {
+pub struct Program {
     tape: Tape,
     plain: Vec<f64>,
     slopes: Vec<Directions>,
@@ -32,21 +33,30 @@ impl<L: Ode<Sym>> Taped<L> {
     /// Records a law, which may depend on time.
     pub fn new(law: Arc<L>) -> Self {
         let n = law.dimension();
-        let inputs: Vec<Sym> = (0..=n).map(|i| Sym::symbol(&format!("y{i}"))).collect();
-        let mut rates = vec![Sym::ZERO; n];
-        law.rates(inputs[n], &inputs[..n], &mut rates);
-        let tape = Tape::record(&inputs, &rates).ok().filter(|tape| tape.registers() <= MANY && n < INPUTS);
-        let program = tape.map(|tape| Program {
-            plain: tape.constants(),
-            slopes: tape.constants(),
-            exact: tape.constants(),
-            tape,
+        let program = Program::of(n, |time, state| {
+            let mut rates = vec![Sym::ZERO; n];
+            law.rates(time, state, &mut rates);
+            rates
         });
         Taped { law, program }
     }
 }
 
 impl Program {
+    /// Of a state of `n` components; `None` where it cannot be recorded or is long.
+    pub fn of(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym>) -> Option<Self> {
+        let inputs: Vec<Sym> = (0..=n).map(|i| Sym::symbol(&format!("y{i}"))).collect();
+        let outputs = function(inputs[n], &inputs[..n]);
+        let tape = Tape::record(&inputs, &outputs).ok().filter(|tape| tape.registers() <= MANY && n < INPUTS)?;
+        Some(Program { plain: tape.constants(), slopes: tape.constants(), exact: tape.constants(), tape })
+    }
+
+    /// The values at a time and a state; none where the state is longer than what was recorded.
+    #[inline]
+    pub fn run<S: Running>(&self, t: S, y: &[S], values: &mut [S]) -> Option<()> {
+        self.rates(S::constants(self), t, y, values)
+    }
+
     #[inline]
     fn rates<S: Analytic>(&self, constants: &[S], t: S, y: &[S], dy: &mut [S]) -> Option<()> {
         let mut inputs = [S::zero(); INPUTS];
@@ -57,15 +67,27 @@ impl Program {
     }
 }
 
+/// A field in which programs run.
+pub trait Running: Analytic {
+    /// The constants of a program in this field.
+    fn constants(program: &Program) -> &[Self];
+}
+
 macro_rules! runs {
     ($field:ty, $constants:ident) => {
+        impl Running for $field {
+            fn constants(program: &Program) -> &[$field] {
+                &program.$constants
+            }
+        }
+
         impl<L: Ode<$field>> Ode<$field> for Taped<L> {
             fn dimension(&self) -> usize {
                 self.law.dimension()
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                let taped = self.program.as_ref().and_then(|it| it.rates(&it.$constants, t, y, dy));
+                let taped = self.program.as_ref().and_then(|it| it.run(t, y, dy));
                 if taped.is_none() {
                     self.law.rates(t, y, dy);
                 }

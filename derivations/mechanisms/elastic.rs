@@ -2,10 +2,12 @@
 
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::governors::{growth, has_positive_minors};
+use crate::ladder::{Rung, Written, governors};
 use crate::machines::Quantity;
 use crate::systems::elastic_governor::ElasticGovernor;
 use field::{Analytic, Over};
 use integrators::Method;
+use std::sync::Arc;
 
 /// The state as the system has it.
 fn state<S: Copy>(y: &[S]) -> [S; 5] {
@@ -79,6 +81,10 @@ impl Mechanism for ElasticGovernor<f64> {
             _ => return None,
         };
         Some(Diagnosis { what, at: None })
+    }
+
+    fn smaller(&self, start: &[f64], written: &Arc<dyn Written>) -> Vec<Rung> {
+        governors::elastic(self, start, written)
     }
 
     fn theory(&self, _start: &[f64], _method: Method, _span: f64) -> Vec<String> {

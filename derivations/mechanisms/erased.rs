@@ -2,6 +2,7 @@
 
 use super::rewritten::{Rewritten, ready};
 use super::{Balanced, Diagnosis, Ended, Mechanism};
+use crate::ladder::Ladder;
 use crate::machines::Quantity;
 use crate::scene::Issue;
 use crate::scene::atlas::{Standing, Way};
@@ -36,6 +37,7 @@ pub const fn entry<M: Mechanism>() -> Entry {
 pub(super) trait Erased: Debug + Send + Sync {
     fn problem(&self, start: &[f64], span: f64) -> Problem;
     fn ways(&self, start: &[f64], span: f64) -> Vec<Way>;
+    fn ladder(&self, start: &[f64], span: f64) -> Ladder;
     fn states(&self) -> &'static [Quantity];
     fn columns(&self) -> Vec<&'static Quantity>;
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis>;
@@ -79,6 +81,10 @@ impl<M: Mechanism> Erased for M {
             row: Box::new(move |_, y| whole(y)),
         };
         std::iter::once(own).chain(self.rewritten(start).into_iter().map(other)).collect()
+    }
+
+    fn ladder(&self, start: &[f64], span: f64) -> Ladder {
+        Ladder::of_mechanism(self, start, self.problem(start, span))
     }
 
     fn states(&self) -> &'static [Quantity] {

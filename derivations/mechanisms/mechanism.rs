@@ -1,11 +1,13 @@
 //! What a mechanism says of itself.
 
 use super::rewritten::Rewritten;
+use crate::ladder::{Rung, Written};
 use crate::machines::Quantity;
 use crate::scene::atlas::Formulation;
 use field::{Analytic, Over};
 use integrators::{Method, Ode};
 use std::fmt::Debug;
+use std::sync::Arc;
 
 /// A mechanism with its data: y' = f(t, y), its energy, and the power of what is not in that energy.
 pub trait Mechanism: Clone + Debug + Send + Sync + 'static {
@@ -69,6 +71,11 @@ pub trait Mechanism: Clone + Debug + Send + Sync + 'static {
 
     /// The same mechanism in other coordinates, or with other treatments of its constraints.
     fn rewritten(&self, _start: &[f64]) -> Vec<Rewritten> {
+        Vec::new()
+    }
+
+    /// Smaller models under this one, which is also given as its law over expressions.
+    fn smaller(&self, _start: &[f64], _written: &Arc<dyn Written>) -> Vec<Rung> {
         Vec::new()
     }
 

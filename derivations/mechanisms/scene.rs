@@ -2,6 +2,7 @@
 
 use super::erased::{Erased, Read};
 use super::{Diagnosis, Ended, LIST};
+use crate::ladder::Ladder;
 use crate::machines::Quantity;
 use crate::scene::atlas::{Observed, Way};
 use crate::scene::file::{Family, Opening};
@@ -117,6 +118,11 @@ impl MechanismScene {
     /// The initial value problem.
     pub fn problem(&self) -> Problem {
         self.mechanism.problem(&self.start, self.run.span)
+    }
+
+    /// The models under this one.
+    pub fn ladder(&self) -> Ladder {
+        self.mechanism.ladder(&self.start, self.run.span)
     }
 
     /// Runs. `progress` is told the fraction done after every step.

@@ -43,6 +43,8 @@ pub enum Command {
     Run(Run),
     /// Measures every method on a scene: speed against accuracy
     Chart(Chart),
+    /// The smallest model, and the cheapest method for it, that meet a tolerance in the outputs that matter
+    Choose(Choose),
     /// A scene's solution to the digits that two methods share, and the file that keeps it
     Reference(Reference),
     /// Runs many members of a scene whose table `ensemble` says what varies; a run that was killed is continued
@@ -311,6 +313,32 @@ pub struct Reference {
     pub until: Option<f64>,
     /// Time allowed
     #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    pub seconds: u32,
+}
+
+/// What is to be met, and in what.
+#[derive(Args, Debug)]
+pub struct Choose {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Largest error allowed, relative to the size of each output
+    #[arg(long = "tol", value_name = "T", value_parser = tolerance, default_value = "1e-6")]
+    pub tolerance: f64,
+    /// What matters, by the names of a run's columns; without it the outputs of the scene
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    pub outputs: Vec<String>,
+    /// The model that is taken for exact: another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// Draws error against the cost of every model
+    #[arg(long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+    /// How to print the receipt
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    /// Time allowed for taking times, and again for where to switch between models
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=3600))]
     pub seconds: u32,
 }
 

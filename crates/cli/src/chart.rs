@@ -7,12 +7,14 @@ use crate::report;
 use crate::run::{refuse, with_model};
 use crate::speed::{advice::advice, family, model, pictures, tables};
 use charts::Table;
+use derivations::ladder::Ladder;
 use derivations::scene::atlas::{Formulation, Way};
-use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, Trials, judged};
+use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, System, Trials, judged};
 use integrators::{Failure, Point};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Measures every method, prints the tables, draws the chart where one is asked for.
@@ -37,6 +39,7 @@ pub fn chart(asked: &Chart) -> Result<Ending, Ending> {
     let trials = Trials { allowed, ..Trials::default() }.with(smooth.run().method);
     let problem = smooth.problem(asked.form.unwrap_or_default());
     let mut ways = smooth.ways();
+    ways.extend(smaller(&scene, &ways));
     ways.retain(|way| asked.form.is_none_or(|form| written_in(way, form)));
     let kept = Stored::beside(&asked.scene);
     match judged(smooth, &problem, ways, &trials, kept.as_ref(), allowed) {
@@ -59,6 +62,21 @@ pub fn chart(asked: &Chart) -> Result<Ending, Ending> {
             Ok(Ending::Stopped)
         }
     }
+}
+
+/// The models of the ladder that are no machines of their own: windings lumped, currents that are not followed.
+fn smaller(scene: &AnyScene, known: &[Way]) -> Vec<Way> {
+    let (ladder, formulation) = match scene {
+        AnyScene::Driven(scene) if matches!(scene.system, System::Bench { .. }) => {
+            (Ladder::of_scene(scene, Axes::First), Formulation::Bench)
+        }
+        AnyScene::Driven(scene) => (Ladder::of_scene(scene, Axes::First), Formulation::First),
+        AnyScene::Mechanism(scene) => (scene.ladder(), Formulation::Minimal),
+        AnyScene::Rough(_) => return Vec::new(),
+    };
+    let mut ways = Arc::new(ladder).ways(formulation);
+    ways.retain(|way| known.iter().all(|known| known.model != way.model));
+    ways
 }
 
 fn written_in(way: &Way, form: Axes) -> bool {

@@ -3,7 +3,7 @@
 //! # Overview
 //! * [`arguments`]: what can be asked on the command line;
 //! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`,
-//!   `failures`, `chart`, `reference`, `scenes`: one file for each command;
+//!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`speed`]: the atlas of a scene as pictures, tables and advice;
@@ -14,6 +14,7 @@
 mod arguments;
 mod bodies;
 mod chart;
+mod choose;
 mod crew;
 mod csv;
 mod derive;
@@ -57,6 +58,7 @@ fn main() -> ExitCode {
         None => report(&arguments.report),
         Some(Command::Run(asked)) => run::run(&asked),
         Some(Command::Chart(asked)) => chart::chart(&asked),
+        Some(Command::Choose(asked)) => choose::show(&asked),
         Some(Command::Reference(asked)) => reference::reference(&asked),
         Some(Command::Ensemble(asked)) => ensemble::run(&asked),
         Some(Command::Ledger(asked)) => ledger::list(&asked),

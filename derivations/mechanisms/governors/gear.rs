@@ -1,9 +1,12 @@
 //! What every friction governor has, what its wheel rolls on, and where that ends.
 
-use super::super::Amiss;
+use super::super::{Amiss, Mechanism};
+use crate::ladder::governors::with_data;
+use crate::ladder::{Rung, Written};
 use crate::machines::Quantity;
 use crate::systems::governor::{Gearing, Governor, Moment};
 use std::fmt::Debug;
+use std::sync::Arc;
 
 crate::quantities! {
     /// What every governor has.
@@ -87,6 +90,12 @@ pub(super) fn governor<G: Gear, E>(
     let gearing = G::gearing(source(G::LENGTH)?);
     let moments = [Moment { start: m1, growth: m1_growth }, Moment { start: m2, growth: m2_growth }];
     Ok(Governor { inertia: [j1, j2, j], mass, radius: wheel, gearing, moments, push: 0.0, lateral })
+}
+
+/// The governor whose wheel slides along its axle without friction.
+pub(super) fn without_friction<M: Mechanism>(smooth: M, start: &[f64], written: &Arc<dyn Written>) -> Option<Rung> {
+    let dropped = "the friction across the wheel at both contacts";
+    with_data("frictionless across", dropped, "F11 + F22 over the force along the axle", smooth, start, written)
 }
 
 /// Where the levers are positive; for the released governor only the first need be.

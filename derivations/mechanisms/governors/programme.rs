@@ -3,7 +3,8 @@
 use super::super::bodies::power;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism};
 use super::NEAR;
-use super::gear::{Gear, amiss, governor, left};
+use super::gear::{Gear, amiss, governor, left, without_friction};
+use crate::ladder::{Rung, Written, governors as ladder};
 use crate::machines::Quantity;
 use crate::systems::governor::constant::{ConstantMoments, Course};
 use crate::systems::governor::{Governor, Moment};
@@ -12,6 +13,7 @@ use integrators::Method;
 use mechanics::constrained::motion::velocity;
 use mechanics::constrained::{Charted, State, System, kinetic_energy};
 use std::marker::PhantomData;
+use std::sync::Arc;
 
 const BLOWN_UP: &str =
     "blow-up in finite time: the wheel comes to the axis of the second disc with infinite speed, and no motion goes on";
@@ -124,6 +126,13 @@ impl<G: Gear> Mechanism for Programme<G> {
     fn exact(&self, start: &[f64], time: f64) -> Option<(&'static str, Vec<f64>)> {
         let closed = self.closed(start[0])?;
         (closed.distance)(time).map(|rho| (closed.what, vec![rho]))
+    }
+
+    fn smaller(&self, start: &[f64], written: &Arc<dyn Written>) -> Vec<Rung> {
+        let series = self.governor.small_parameter(self.speed).map(|law| ladder::series(&law, start[0]));
+        let smooth = Programme { governor: Governor { lateral: 0.0, ..self.governor }, ..*self };
+        let smooth = (self.governor.lateral != 0.0).then(|| without_friction(smooth, start, written));
+        smooth.flatten().into_iter().chain(series.into_iter().flatten()).collect()
     }
 
     fn theory(&self, start: &[f64], _method: Method, _span: f64) -> Vec<String> {

@@ -3,11 +3,13 @@
 use super::super::bodies::balance;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism};
 use super::NEAR;
-use super::gear::{Gear, amiss, governor, left};
+use super::gear::{Gear, amiss, governor, left, without_friction};
+use crate::ladder::{Rung, Written};
 use crate::machines::Quantity;
 use crate::systems::governor::{Gearing, Governor};
 use field::{Analytic, Over};
 use std::marker::PhantomData;
+use std::sync::Arc;
 
 /// The wheel pushed along its axle by a constant force.
 #[derive(Clone, Copy, Debug)]
@@ -63,6 +65,12 @@ impl<G: Gear> Mechanism for Released<G> {
 
     fn outside(&self, y: &[f64]) -> Option<&'static str> {
         left(self.governor.gearing, false, y[1])
+    }
+
+    fn smaller(&self, start: &[f64], written: &Arc<dyn Written>) -> Vec<Rung> {
+        let smooth = Released { governor: Governor { lateral: 0.0, ..self.governor }, ..*self };
+        let smooth = (self.governor.lateral != 0.0).then(|| without_friction(smooth, start, written));
+        smooth.flatten().into_iter().collect()
     }
 
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {

@@ -123,3 +123,10 @@ fn motors_that_follow_no_field_are_refused() {
 fn a_way_to_fail_that_is_not_known() {
     refused("a_way_to_fail_that_is_not_known", &["failures", "sunspots"]);
 }
+
+#[test]
+fn what_cannot_be_chosen_from_is_refused() {
+    refused("choose_rough", &["choose", "scenes/friction/jam.toml"]);
+    refused("choose_output", &["choose", "scenes/bench.toml", "--outputs", "slip,speed"]);
+    refused("choose_model", &["choose", "scenes/governors/released.toml", "--model", "synchronous"]);
+}

@@ -345,3 +345,19 @@ fn each_stationary_motion_has_a_verdict_for_each_angle_of_the_rotor() {
         assert!(text.contains(words), "{words} in {text}");
     }
 }
+
+#[test]
+fn a_receipt_names_what_was_taken_and_what_it_promises() {
+    let output = run(&["choose", "scenes/stiff_damper.toml", "--tol", "1e-3", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let receipt = json(&output);
+    let models = receipt["models"].as_array().expect("a list");
+    assert_eq!((&models[0]["model"], &models[0]["loss"]), (&Value::from("multi_current"), &Value::from("own")));
+    assert_eq!(models[1]["loss"]["exact"], true);
+    let taken = models.iter().find(|model| model["model"] == receipt["taken"]).expect("it is one of them");
+    for number in ["promised", "measured"] {
+        assert!(taken["run"][number].as_f64().is_some_and(|error| error <= 1e-3), "{number}: {taken}");
+    }
+    let far = models.iter().find(|model| model["model"] == "synchronous").expect("it is on the ladder");
+    assert!(far["run"].is_null() && far["verdict"] == "too far", "{far}");
+}

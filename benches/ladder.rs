@@ -1,0 +1,89 @@
+//! What estimates of lower models are worth: estimate over true error on the scenes with a motor and on 1,000 random motors:
+//! `cargo bench --bench ladder`, or with another number behind it.
+
+#[path = "../tests/ladder/drawn.rs"]
+mod drawn;
+
+use derivations::ladder::estimate::followed;
+use derivations::ladder::{Ladder, Loss};
+use derivations::scene::{Axes, Family, Scene};
+use integrators::Tolerance;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+const SCENES: [&str; 7] =
+    ["bench", "spin_up", "pull_out", "hanging_rest", "permanent_rotation", "stiff_damper", "asynchronous_drive"];
+/// Runs tight enough for errors down to here.
+const TIGHT: f64 = 1e-11;
+const LEAST: f64 = 1e-8;
+/// Shares of the second order up to which estimates are sorted.
+const DOUBTS: [f64; 3] = [0.1, 0.5, f64::INFINITY];
+
+/// A rung of a scene: (its name, true error, first order, second order).
+type Seen = (&'static str, f64, f64, f64);
+
+fn main() {
+    println!("scene               model                             true error  estimate  effectivity  2nd/1st");
+    for name in SCENES {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
+        let Ok(scene) = Scene::open(&path) else { continue };
+        for (model, error, first, second) in seen(&scene).0 {
+            let (effectivity, doubt) = (first / error, second / first);
+            println!("{name:<19} {model:<33} {error:>10.2e} {first:>9.2e} {effectivity:>12.4} {doubt:>8.1e}");
+        }
+    }
+    let count = std::env::args().find_map(|word| word.parse().ok()).unwrap_or(1_000);
+    let mut by_doubt: [Vec<f64>; DOUBTS.len()] = Default::default();
+    let mut by_model: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
+    let mut lost = 0;
+    for seed in 0..count {
+        let Ok(scene) = Scene::parse("drawn", &drawn::scene(seed)) else { continue };
+        let (all, without) = seen(&scene);
+        lost += without;
+        for (model, error, first, second) in all {
+            let place = DOUBTS.iter().position(|most| second / first <= *most).unwrap_or(DOUBTS.len() - 1);
+            by_doubt[place].push(first / error);
+            if place < 2 {
+                by_model.entry(model).or_default().push(first / error);
+            }
+        }
+    }
+    println!("\n{count} random motors: quantiles of the effectivity index\n");
+    println!("                                    number       1 %       5 %      50 %      95 %      99 %");
+    for (most, found) in DOUBTS.iter().zip(&mut by_doubt) {
+        row(&format!("second order up to {most} of the first"), found);
+    }
+    for (model, found) in &mut by_model {
+        row(model, found);
+    }
+    println!("without a run or an estimate: {lost}");
+}
+
+fn row(name: &str, found: &mut [f64]) {
+    found.sort_by(f64::total_cmp);
+    let quantile = |q: f64| found.get(((found.len() as f64 - 1.0) * q).round() as usize).copied().unwrap_or(f64::NAN);
+    let cells = [0.01, 0.05, 0.5, 0.95, 0.99].map(|q| format!("{:>10.4}", quantile(q))).concat();
+    println!("{name:<36}{:>6}{cells}", found.len());
+}
+
+/// Of every rung that loses something, and how many have no number.
+fn seen(scene: &Scene) -> (Vec<Seen>, usize) {
+    let ladder = Ladder::of_scene(scene, Axes::First);
+    let span = ladder.own.span;
+    let (mut all, mut lost) = (Vec::new(), 0);
+    let exact = followed(&*ladder.law, &Tolerance::both(TIGHT), span, &ladder.start);
+    let (Ok((exact, _)), Ok((watched, _))) = (exact, ladder.watched(&scene.run.outputs)) else { return (all, 1) };
+    for rung in ladder.rungs.iter().filter(|rung| matches!(rung.loss, Loss::Small { .. })) {
+        let low = followed(&*rung.law, &Tolerance::both(TIGHT), span, &rung.start);
+        match (low, ladder.estimate(rung, &watched, 1e-6)) {
+            (Ok((low, _)), Ok(found)) => {
+                let error = ladder.difference(rung, &low, &exact, &watched);
+                if error > LEAST {
+                    all.push((rung.name, error, found.first, found.second));
+                }
+            }
+            _ => lost += 1,
+        }
+    }
+    (all, lost)
+}

@@ -1,0 +1,237 @@
+//! `dalembert choose`: the smallest model that meets a tolerance in the outputs that matter, with its receipt.
+
+use crate::arguments::{Choose as Asked, Format};
+use crate::ending::{Ending, print, save};
+use crate::run::{refuse, with_model};
+use charts::{Method, Point, Work, WorkPrecision};
+use derivations::ladder::{Ladder, Line, Loss, Receipt, Wish, choose};
+use derivations::scene::{AnyScene, Axes, Family, Smooth, Stored, System, methods};
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::time::Duration;
+
+/// Chooses, prints the receipt, draws what is asked for.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let scene = match AnyScene::open(&asked.scene)? {
+        AnyScene::Driven(scene) => {
+            AnyScene::Driven(Box::new(with_model(*scene, asked.model.as_deref(), &asked.scene)?))
+        }
+        other => other,
+    };
+    let ladders = match &scene {
+        AnyScene::Driven(scene) => {
+            let axes = if matches!(scene.system, System::Bench { .. }) { &AXES[..1] } else { &AXES[..] };
+            axes.iter().map(|axes| Ladder::of_scene(scene, *axes)).collect()
+        }
+        AnyScene::Mechanism(scene) => {
+            refuse("a mechanism", asked.model.is_some(), false, &asked.scene)?;
+            vec![scene.ladder()]
+        }
+        AnyScene::Rough(_) => {
+            return Err(Ending::refused(format!(
+                "{} has rough contacts, and no smaller models; a scene of a system with a motor or of a mechanism is accepted",
+                asked.scene.display()
+            )));
+        }
+    };
+    let Some(smooth) = scene.smooth() else { return Ok(Ending::Stopped) };
+    let outputs = outputs(asked, smooth, &ladders[0])?;
+    let wish = Wish { tolerance: asked.tolerance, outputs, allowed: Duration::from_secs(asked.seconds.into()) };
+    let kept = Stored::beside(&asked.scene);
+    let receipt = match choose(&ladders, kept.as_ref(), &wish) {
+        Ok(receipt) => receipt,
+        Err(failure) => {
+            print(&format!("{}\n\nnothing can be chosen: the scene's own model stops: {failure}\n", smooth.title()))?;
+            return Ok(Ending::Stopped);
+        }
+    };
+    print(&match asked.format {
+        Format::Text => text(smooth.title(), &receipt),
+        Format::Json => format!("{:#}\n", object(smooth, &receipt)),
+    })?;
+    if let Some(path) = &asked.out {
+        save(path, &picture(smooth.title(), &ladders, kept.as_ref(), &wish, receipt.clone()).svg())?;
+    }
+    Ok(if receipt.taken.is_some() { Ending::Done } else { Ending::Stopped })
+}
+
+const AXES: [Axes; 2] = [Axes::First, Axes::Second];
+
+/// Those that are asked for, or those of the scene, or all that its own model shows.
+fn outputs(asked: &Asked, scene: &dyn Smooth, ladder: &Ladder) -> Result<Vec<String>, Ending> {
+    let known = &ladder.own.columns;
+    if let Some(wrong) = asked.outputs.iter().find(|name| !known.contains(name) || *name == "work") {
+        let known: Vec<&str> = known.iter().map(String::as_str).filter(|name| *name != "work").collect();
+        return Err(Ending::refused(format!(
+            "{}: unknown output `{wrong}`; known: {}",
+            asked.scene.display(),
+            known.join(", ")
+        )));
+    }
+    let given = [&asked.outputs, &scene.run().outputs, known].into_iter().find(|names| !names.is_empty());
+    Ok(given.into_iter().flatten().filter(|name| *name != "work").cloned().collect())
+}
+
+fn text(title: &str, receipt: &Receipt) -> String {
+    let mut out = format!("{title}\n\nto {:.0e} in {}\n\n", receipt.tolerance, receipt.watched.names.join(", "));
+    let head = ["model", "states", "its error", "2nd order", "small", "evaluations", "time", "promised", "measured"];
+    let widths = [37, 8, 11, 11, 11, 13, 8, 11, 10];
+    let row = |cells: [String; 9]| {
+        let cells = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}"));
+        format!("{}\n", cells.collect::<String>().trim_end())
+    };
+    out += &row(head.map(str::to_owned));
+    let unit = receipt.lines.first().and_then(|line| line.choice.as_ref()?.seconds);
+    for (at, line) in receipt.lines.iter().enumerate() {
+        let choice = line.choice.as_ref();
+        let mark = if receipt.taken == Some(at) { " <-" } else { "" };
+        let model = line.model.as_ref().ok();
+        let exact = !matches!(line.loss, Loss::Small { .. });
+        out += &row([
+            format!("{}{mark}", line.name.replace('_', " ")),
+            line.states.to_string(),
+            if exact { "none".to_owned() } else { told(model.map(|model| model.first)) },
+            if exact { String::new() } else { told(model.map(|model| model.second)) },
+            told(line.small),
+            choice.map_or_else(|| said(line), |choice| choice.evaluations.to_string()),
+            choice.and_then(|choice| Some(format!("{:.2}", choice.seconds? / unit?))).unwrap_or_default(),
+            choice.map_or_else(String::new, |choice| format!("{:.1e}", choice.promised)),
+            choice.and_then(|choice| choice.measured).map_or_else(String::new, |error| format!("{error:.1e}")),
+        ]);
+    }
+    // writing to a String cannot fail
+    let _ = writeln!(out, "\nwhat each drops, and why it may");
+    for line in receipt.lines.iter().skip(1) {
+        let why = match line.loss {
+            Loss::Own => String::new(),
+            Loss::Nothing { claim: Some(claim) } => format!("exact, proved for these data; for all: {claim}"),
+            Loss::Nothing { claim: None } => "exact: the laws do not differ, which is decided".to_owned(),
+            Loss::Small { parameter } => format!("small: {parameter}"),
+        };
+        let _ = writeln!(out, "  {}: {} ({why})", line.name.replace('_', " "), line.dropped);
+    }
+    if let Some((line, choice)) =
+        receipt.taken.and_then(|at| Some((&receipt.lines[at], receipt.lines[at].choice.as_ref()?)))
+    {
+        let _ = writeln!(
+            out,
+            "\ntaken: {} by {} in the axes of the {} form at {:.1e}",
+            line.name.replace('_', " "),
+            choice.plan.method,
+            choice.plan.axes,
+            choice.plan.tolerance
+        );
+    } else {
+        let _ = writeln!(out, "\nno model meets the tolerance");
+    }
+    if let Some(saved) = receipt.saved() {
+        let _ = writeln!(out, "saved: the scene's own model by its best method takes {saved:.2} times as long");
+    }
+    let _ = writeln!(
+        out,
+        "deciding took {} evaluations: it pays where the scene is run again, or longer\n\
+         promised errors are estimates of first and second order with the distance from a finer run, and no bounds",
+        receipt.deciding
+    );
+    out
+}
+
+fn told(value: Option<f64>) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.1e}"))
+}
+
+/// Why a line has no run.
+fn said(line: &Line) -> String {
+    use derivations::ladder::choose::Verdict;
+    match line.verdict {
+        Verdict::Suffices => "too inexact",
+        Verdict::TooFar => "too far",
+        Verdict::NotBelieved => "no estimate",
+        Verdict::NotCarried => "not carried",
+        Verdict::NotRun => "not run",
+    }
+    .to_owned()
+}
+
+fn object(scene: &dyn Smooth, receipt: &Receipt) -> Value {
+    let line = |line: &Line| {
+        let model = line.model.as_ref().ok();
+        let loss = match line.loss {
+            Loss::Own => json!("own"),
+            Loss::Nothing { claim } => json!({ "exact": true, "claim": claim }),
+            Loss::Small { parameter } => json!({ "exact": false, "parameter": parameter, "value": line.small }),
+        };
+        json!({
+            "model": line.name,
+            "dropped": line.dropped,
+            "loss": loss,
+            "states": line.states,
+            "estimate": model.map(|model| json!({
+                "first": model.first,
+                "second": model.second,
+                "outputs": receipt.watched.names.iter().cloned().zip(model.each.iter().map(|each| json!(each))).collect::<serde_json::Map<_, _>>(),
+            })),
+            "verdict": line.choice.as_ref().map_or_else(|| said(line), |_| "suffices".to_owned()),
+            "run": line.choice.as_ref().map(|choice| json!({
+                "method": methods::written(choice.plan.method),
+                "form": choice.plan.axes.to_string(),
+                "tolerance": choice.plan.tolerance,
+                "evaluations": choice.evaluations,
+                "seconds": choice.seconds,
+                "promised": choice.promised,
+                "measured": choice.measured,
+            })),
+        })
+    };
+    json!({
+        "title": scene.title(),
+        "tolerance": receipt.tolerance,
+        "outputs": receipt.watched.names,
+        "taken": receipt.taken.map(|at| receipt.lines[at].name),
+        "saved": receipt.saved(),
+        "deciding": receipt.deciding,
+        "models": receipt.lines.iter().map(line).collect::<Vec<_>>(),
+    })
+}
+
+/// Error against evaluations of every model, each by the cheapest method for a tolerance: by the reference where one is kept,
+/// else as promised.
+fn picture(title: &str, ladders: &[Ladder], kept: Option<&Stored>, wish: &Wish, first: Receipt) -> WorkPrecision {
+    let mut receipts = vec![first];
+    for tolerance in [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8] {
+        let allowed = Duration::ZERO;
+        receipts.extend(choose(ladders, kept, &Wish { tolerance, allowed, outputs: wish.outputs.clone() }).ok());
+    }
+    let mut series: Vec<Method> = Vec::new();
+    for receipt in &receipts {
+        for line in &receipt.lines {
+            let Some(choice) = &line.choice else { continue };
+            let point = Point { work: choice.evaluations as f64, error: choice.measured.unwrap_or(choice.promised) };
+            let name = line.name.replace('_', " ");
+            match series.iter_mut().find(|known| known.name == name) {
+                Some(known) => known.points.push(point),
+                None => series.push(Method {
+                    name: name.clone(),
+                    family: name,
+                    kinds: [format!("{} states", line.states), String::new()],
+                    quiet: false,
+                    points: vec![point],
+                    failures: Vec::new(),
+                }),
+            }
+        }
+    }
+    for one in &mut series {
+        one.points.sort_by(|a, b| a.work.total_cmp(&b.work));
+    }
+    let all: Vec<Point> = series.iter().flat_map(|one| one.points.iter().copied()).collect();
+    let places: Vec<(f64, f64)> = all.iter().map(|point| (point.work, point.error)).collect();
+    WorkPrecision {
+        title: format!("{title}: error against the cost of models"),
+        x: Work::Evaluations,
+        error: "error in the outputs".to_owned(),
+        front: integrators::front(&places).into_iter().map(|at| all[at]).collect(),
+        series,
+        note: String::new(),
+    }
+}

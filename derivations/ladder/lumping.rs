@@ -1,0 +1,246 @@
+//! Windings that act through the same few fluxes, lumped without any loss: found from the machine's own laws.
+//!
+//! Windings with one ratio r = R_k/L_k act on the rotor through sum_k psi_k'(g) i_k alone. Let chi_j be fluxes among theirs
+//! that span all of them, psi_k' = sum_j B_kj chi_j'. The combinations u = B^T i close,
+//!
+//!   u' = -r u - G chi' g' ,    G = B^T diag(1/L) B ,
+//!
+//! an invariant subspace of the currents; what is orthogonal to it feels no field, does no work and dies out as exp(-r t): it
+//! cannot be observed. With G = K D K^T, K unit lower triangular, j = K^-1 u are the currents of windings with the fluxes
+//! K^T chi, the inductances 1/D and the resistances r/D. All of that is rational in the data; that moment and currents are
+//! the same is then decided over expressions, for all angles, slips and currents.
+
+use super::currents::has_one_harmonic;
+use super::elimination::{factored, inverse_of_unit, pivots, shares};
+use crate::machines::{Machine, RotorState, drive};
+use field::{Base, Circle, Over, Rational, Scalar};
+use symbolic::{Hypotheses, Sym, decide};
+
+/// Harmonics of the fluxes that the angles tell apart. More of them make a proof fail, and never a wrong model.
+const HARMONICS: i64 = 4;
+
+/// The windings in the place of a machine's, and how currents go from one to the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lumping {
+    pub windings: Vec<Lump>,
+    /// T of j = T i: a row for each winding.
+    pub down: Vec<Vec<Rational>>,
+    /// U of i = U j + what dies out: a row for each winding of the machine.
+    pub up: Vec<Vec<Rational>>,
+    /// r of each winding of the machine, 1/s.
+    pub rates: Vec<Rational>,
+}
+
+/// A winding in the place of others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lump {
+    pub inductance: Rational,
+    pub resistance: Rational,
+    /// Its flux as a sum of the machine's: (winding, factor).
+    pub shares: Vec<(usize, Rational)>,
+}
+
+impl Lumping {
+    /// Of a machine with exact data; none where nothing is won, or where the data are none that can be computed with
+    /// exactly, or where the proof did not succeed.
+    pub fn of(machine: &impl Machine<Sym>) -> Option<Self> {
+        let count = machine.windings();
+        let constant = |value: Sym| value.as_constant().filter(|value| value.is_defined());
+        let inductances = (0..count).map(|k| constant(machine.inductance(k))).collect::<Option<Vec<_>>>()?;
+        let resistances = (0..count).map(|k| constant(machine.resistance(k))).collect::<Option<Vec<_>>>()?;
+        let zero = Rational::int(0);
+        if inductances.contains(&zero) {
+            return None;
+        }
+        let rates: Vec<Rational> = resistances.iter().zip(&inductances).map(|(&r, &l)| r / l).collect();
+        // values at enough angles stand for functions of the angle
+        let angle = |n: i64| Circle::from_half_tangent(Sym::constant(Rational::new(n, 3)));
+        let slopes = |k: usize| -> Option<Vec<Rational>> {
+            let values = (-HARMONICS..=HARMONICS).map(|n| machine.linkage(k, angle(n).moving(Sym::int(1))).slope);
+            values.map(constant).collect()
+        };
+        let slopes = (0..count).map(slopes).collect::<Option<Vec<_>>>()?;
+        let mut found =
+            Lumping { windings: Vec::new(), down: Vec::new(), up: vec![Vec::new(); count], rates: rates.clone() };
+        for (place, &rate) in rates.iter().enumerate() {
+            if rates[..place].contains(&rate) {
+                continue;
+            }
+            let members: Vec<usize> = (0..count).filter(|&k| rates[k] == rate).collect();
+            found.lump(&members, rate, &members.iter().map(|&k| slopes[k].clone()).collect::<Vec<_>>(), &inductances);
+        }
+        (found.windings.len() < count && found.is_exact(machine)).then_some(found)
+    }
+
+    /// Adds the windings of one ratio.
+    fn lump(&mut self, members: &[usize], rate: Rational, slopes: &[Vec<Rational>], inductances: &[Rational]) {
+        let zero = Rational::int(0);
+        let pivots = pivots(slopes);
+        let b = shares(slopes, &pivots);
+        let m = pivots.len();
+        let sum = |i: usize, j: usize| {
+            let terms = members.iter().zip(&b).map(|(&k, row)| row[i] * row[j] / inductances[k]);
+            terms.fold(zero, |sum, term| sum + term)
+        };
+        let g: Vec<Vec<Rational>> = (0..m).map(|i| (0..m).map(|j| sum(i, j)).collect()).collect();
+        let (k, d) = factored(&g);
+        let inverse = inverse_of_unit(&k);
+        let count = self.up.len();
+        for j in 0..m {
+            // j = K^-1 B^T i
+            let mut down = vec![zero; count];
+            // i = diag(1/L) B K^-T D^-1 j
+            for (place, &member) in members.iter().enumerate() {
+                let along = (0..m).fold(zero, |sum, i| sum + inverse[j][i] * b[place][i]);
+                down[member] = along;
+            }
+            for (row, up) in self.up.iter_mut().enumerate() {
+                up.push(down[row] / (inductances[row] * d[j]));
+            }
+            self.down.push(down);
+            let fluxes = (0..m).map(|i| (members[pivots[i]], k[i][j])).filter(|(_, share)| *share != zero);
+            let (inductance, resistance) = (Rational::int(1) / d[j], rate / d[j]);
+            self.windings.push(Lump { inductance, resistance, shares: fluxes.collect() });
+        }
+    }
+
+    /// Whether the moment is the same and the lumped currents obey their own equations, for all angles, slips, currents.
+    fn is_exact(&self, machine: &impl Machine<Sym>) -> bool {
+        let lumped = Lumped { machine: Borrowed(machine), windings: self.over(Sym::constant) };
+        let angle = Circle { cos: Sym::symbol("c"), sin: Sym::symbol("s") };
+        let slip = Sym::symbol("slip");
+        let currents: Vec<Sym> = (0..self.up.len()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
+        let down = |values: &[Sym]| -> Vec<Sym> {
+            let row = |row: &Vec<Rational>| {
+                row.iter().zip(values).fold(Sym::ZERO, |sum, (&share, &value)| sum + Sym::constant(share) * value)
+            };
+            self.down.iter().map(row).collect()
+        };
+        let mut rates = vec![Sym::ZERO; currents.len()];
+        let moment = drive(machine, angle, slip, &currents, &mut rates);
+        let mut lumped_rates = vec![Sym::ZERO; self.windings.len()];
+        let same = drive(&lumped, angle, slip, &down(&currents), &mut lumped_rates);
+        let hypotheses = Hypotheses::none().on_circle(angle);
+        let equal = |a: Sym, b: Sym| decide(a - b, &hypotheses).is_zero();
+        equal(moment, same) && down(&rates).iter().zip(&lumped_rates).all(|(&a, &b)| equal(a, b))
+    }
+
+    /// The windings with their data in another field.
+    pub fn over<P: Copy>(&self, number: impl Fn(Rational) -> P) -> Vec<Winding<P>> {
+        let winding = |lump: &Lump| Winding {
+            inductance: number(lump.inductance),
+            resistance: number(lump.resistance),
+            shares: lump.shares.iter().map(|&(k, share)| (k, number(share))).collect(),
+        };
+        self.windings.iter().map(winding).collect()
+    }
+
+    /// j = T i.
+    pub fn lumped(&self, currents: &[f64]) -> Vec<f64> {
+        product(&self.down, currents)
+    }
+
+    /// i at a time, from j then and from what i and j were at time zero: the rest has died out by exp(-r t).
+    pub fn currents(&self, time: f64, lumped: &[f64], start: &[f64]) -> Vec<f64> {
+        let (now, then) = (product(&self.up, lumped), product(&self.up, &self.lumped(start)));
+        let rest = start.iter().zip(then).zip(&self.rates);
+        now.iter().zip(rest).map(|(now, ((i, u), r))| now + (i - u) * (-r.to_f64() * time).exp()).collect()
+    }
+}
+
+fn product(matrix: &[Vec<Rational>], vector: &[f64]) -> Vec<f64> {
+    matrix.iter().map(|row| row.iter().zip(vector).map(|(share, value)| share.to_f64() * value).sum()).collect()
+}
+
+/// A machine with other windings, whose fluxes are sums of its own.
+#[derive(Clone, Debug)]
+pub struct Lumped<P, M> {
+    pub machine: M,
+    pub windings: Vec<Winding<P>>,
+}
+
+/// A lump with its data in the machine's field.
+#[derive(Clone, Debug)]
+pub struct Winding<P> {
+    inductance: P,
+    resistance: P,
+    shares: Vec<(usize, P)>,
+}
+
+impl<P: Base, M: Machine<P>> Machine<P> for Lumped<P, M> {
+    const ROTOR: RotorState = M::ROTOR;
+
+    fn frame_speed(&self) -> P {
+        self.machine.frame_speed()
+    }
+
+    fn windings(&self) -> usize {
+        self.windings.len()
+    }
+
+    fn inductance(&self, winding: usize) -> P {
+        self.windings[winding].inductance
+    }
+
+    fn resistance(&self, winding: usize) -> P {
+        self.windings[winding].resistance
+    }
+
+    fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
+        let shares = self.windings[winding].shares.iter();
+        shares.fold(S::zero(), |sum, &(k, share)| sum + S::lift(share) * self.machine.linkage(k, angle))
+    }
+
+    fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
+        self.machine.field_energy(angle)
+    }
+
+    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        self.machine.moment_law(slip, speed)
+    }
+}
+
+/// A machine that is looked at.
+struct Borrowed<'a, M>(&'a M);
+
+impl<P: Base, M: Machine<P>> Machine<P> for Borrowed<'_, M> {
+    const ROTOR: RotorState = M::ROTOR;
+
+    fn frame_speed(&self) -> P {
+        self.0.frame_speed()
+    }
+
+    fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
+        self.0.linkage(winding, angle)
+    }
+
+    fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
+        self.0.field_energy(angle)
+    }
+
+    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        self.0.moment_law(slip, speed)
+    }
+}
+
+/// How far the moment can be off, N m, on one motion with slips of at most so much, where windings of nearly one ratio are
+/// lumped at the ratio r: |i_k - i_k at r| <= |1/r_k - 1/r| max|psi_k'| max|g'| / L_k, because exp(-r_k t) - exp(-r t) has
+/// one sign, and each acts with psi_k'. A bound for currents that start at zero, not an estimate. `steepest` is max |psi_k'|.
+pub fn merged_at_most(windings: &[(f64, f64, f64)], rate: f64, slip: f64) -> f64 {
+    let off = |&(inductance, resistance, steepest): &(f64, f64, f64)| {
+        (inductance / resistance - 1.0 / rate).abs() * steepest * steepest * slip / inductance
+    };
+    windings.iter().map(off).sum()
+}
+
+/// L_k, R_k and max |psi_k'| of each winding: what [`merged_at_most`] asks for. None where a flux has more than one harmonic.
+pub fn seen_windings<M: Machine<f64>>(machine: &M) -> Option<Vec<(f64, f64, f64)>> {
+    let slope = |k: usize, angle: Circle<f64>| machine.linkage(k, angle.moving(1.0)).slope;
+    let quarter = Circle { cos: 0.0, sin: 1.0 };
+    let seen = |k: usize| {
+        // psi' = A cos g + B sin g
+        let steepest = slope(k, Circle::zero()).hypot(slope(k, quarter));
+        has_one_harmonic(machine, k).then(|| (machine.inductance(k), machine.resistance(k), steepest))
+    };
+    (0..machine.windings()).map(seen).collect()
+}

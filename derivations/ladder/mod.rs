@@ -1,0 +1,138 @@
+//! The smallest sufficient model: a ladder of models under a scene's own, what each step loses, and the choice.
+//!
+//! # Overview
+//! * [`rung`]: a smaller model within a richer one, as a lift and a law; its defect, exact where that vanishes;
+//! * [`lumping`]: windings lumped without any loss, found and proved from the machine's laws; [`elimination`];
+//! * [`currents`]: what stands for currents that are not followed;
+//! * [`motors`], [`governors`]: the ladders of scenes;
+//! * [`carried`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
+//! * [`dual`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
+//! * [`switching`]: a smaller model on those stretches only;
+//! * [`plan`]: the cheapest method and form for a rung; [`choose`](mod@choose): the cheapest rung, with its receipt.
+//!
+//! Key results: a step with a vanishing defect is exact, which is decided over expressions; of every other the error is
+//! estimated to first order, with the second order beside it. Neither is a bound; [`lumping::merged_at_most`] is one.
+
+pub mod carried;
+pub mod choose;
+pub mod currents;
+pub mod dual;
+pub mod elimination;
+pub mod estimate;
+pub mod governors;
+pub mod lumping;
+pub mod motors;
+pub mod plan;
+pub mod rung;
+pub mod switching;
+
+pub use choose::{Choice, Line, Receipt, Wish, choose};
+pub use estimate::Estimate;
+pub use lumping::{Lumped, Lumping};
+pub use plan::Plan;
+pub use rung::{Lower, Written};
+
+use crate::recorded::Recorded;
+use crate::scene::Problem;
+use crate::scene::atlas::{Formulation, Standing, Treated, Way};
+use crate::scene::problem::Law;
+use crate::taped::Program;
+use rung::Straight;
+use std::sync::Arc;
+
+/// What a step down loses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loss {
+    /// It is the scene's own model.
+    Own,
+    /// Nothing: proved here for these data, and for all of them by this claim of the ledger, where there is one.
+    Nothing { claim: Option<&'static str> },
+    /// Something, that is small where this is.
+    Small { parameter: &'static str },
+}
+
+/// A model under the scene's own.
+pub struct Rung {
+    pub name: &'static str,
+    /// In words, against the rung above.
+    pub dropped: String,
+    pub loss: Loss,
+    pub lower: Lower,
+    pub law: Arc<dyn Law>,
+    pub start: Vec<f64>,
+    /// The value of the small parameter at a state with its rates, where it has one there.
+    pub small: Option<Box<Small>>,
+    lift: Program,
+}
+
+/// A value at (z, z').
+pub type Small = dyn Fn(&[f64], &[f64]) -> Option<f64> + Send + Sync;
+/// The scene's own state at a time, from that of the law that the rungs are derived from.
+pub type Whole = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
+
+/// The models of a scene, from the largest.
+pub struct Ladder {
+    /// The name of the scene's own model.
+    pub model: &'static str,
+    /// The scene's own.
+    pub own: Problem,
+    /// What the rungs are derived from: the scene's own law, or the exact one next to it.
+    pub written: Arc<dyn Written>,
+    /// The same as it runs.
+    pub law: Arc<dyn Law>,
+    pub start: Vec<f64>,
+    pub whole: Box<Whole>,
+    pub rungs: Vec<Rung>,
+    /// How windings were lumped, where they were.
+    pub lumping: Option<Lumping>,
+}
+
+impl Rung {
+    /// With its law as straight-line code; `None` where it cannot be recorded.
+    pub fn new(name: &'static str, dropped: &str, loss: Loss, lower: Lower, start: Vec<f64>) -> Option<Self> {
+        let lift = Program::of(lower.dimension, |time, z| (lower.lift)(time, z))?;
+        let straight = Straight::new(lower.dimension, Arc::clone(&lower.rates))?.with_plain(lower.plain.clone());
+        let law: Arc<dyn Law> = Arc::new(Recorded::new(Arc::new(straight)));
+        Some(Rung { name, dropped: dropped.to_owned(), loss, lower, law, start, small: None, lift })
+    }
+
+    /// The state of the richer law: Y(t, z).
+    pub fn lifted(&self, time: f64, z: &[f64], states: usize) -> Vec<f64> {
+        let mut y = vec![f64::NAN; states];
+        // where it was recorded it runs, and what it does not write is no number
+        let _ = self.lift.run(time, z, &mut y);
+        y
+    }
+
+    /// Whether it loses nothing.
+    pub fn is_exact(&self) -> bool {
+        !matches!(self.loss, Loss::Small { .. })
+    }
+}
+
+impl Ladder {
+    /// What a run shows, from a state of the law that the rungs are derived from.
+    pub fn row(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        (self.own.row)(time, &(self.whole)(time, state))
+    }
+
+    /// The rungs as ways of an atlas, each with a law of its own.
+    pub fn ways(self: &Arc<Self>, formulation: Formulation) -> Vec<Way> {
+        let way = |(at, rung): (usize, &Rung)| {
+            let ladder = Arc::clone(self);
+            let states = self.start.len();
+            let row = move |time: f64, z: &[f64]| ladder.row(time, &ladder.rungs[at].lifted(time, z, states));
+            Way {
+                formulation,
+                model: rung.name,
+                standing: if rung.is_exact() { Standing::Exact } else { Standing::Approximate },
+                law: Treated::Free(Arc::clone(&rung.law)),
+                state: rung.start.clone(),
+                sizes: Vec::new(),
+                columns: self.own.columns.clone(),
+                row: Box::new(row),
+            }
+        };
+        self.rungs.iter().enumerate().map(way).collect()
+    }
+}

@@ -1,0 +1,189 @@
+//! A smaller model within a richer one: the states that it follows, and what stands for the others.
+//!
+//! With y' = F(t, y) the richer law, a rung is a lift y = Y(t, z) and a law z' = f(t, z). The defect
+//!
+//!   d = dY/dt + Y_z f - F(t, Y)
+//!
+//! is what the richer law says against the lifted motion. Where d vanishes identically the step down is exact. Most rungs
+//! need no law of their own: f are the richer rates of what is followed, at the lifted state.
+
+use crate::taped::Program;
+use field::{Analytic, DoubleDouble, Over, Tangent};
+use integrators::{Directions, Ode, System};
+use std::sync::Arc;
+use symbolic::{Hypotheses, Sym, decide};
+
+/// A law over numbers, expressions and their derivatives up to the second: what lower models and their errors are derived
+/// from.
+pub trait Written: Ode<f64> + Ode<Sym> + Ode<Tangent<Tangent<Sym>>> + Send + Sync {}
+impl<L: Ode<f64> + Ode<Sym> + Ode<Tangent<Tangent<Sym>>> + Send + Sync> Written for L {}
+
+/// A function of time and state, over expressions.
+pub type Expressed = dyn Fn(Sym, &[Sym]) -> Vec<Sym> + Send + Sync;
+
+/// The same in numbers, which must not allocate: dz = f(t, z).
+pub type Plain = dyn Fn(f64, &[f64], &mut [f64]) + Send + Sync;
+
+/// A lift with the law of what is followed.
+#[derive(Clone)]
+pub struct Lower {
+    /// The number of states that are followed.
+    pub dimension: usize,
+    /// Y(t, z)
+    pub lift: Arc<Expressed>,
+    /// f(t, z)
+    pub rates: Arc<Expressed>,
+    /// f as the compiled law has it, where there is one; else it runs as straight-line code.
+    pub plain: Option<Arc<Plain>>,
+    /// Where the states that are followed stand in the richer one, if they are some of its own: how a state is mapped down.
+    pub kept: Option<Vec<usize>>,
+}
+
+/// What stands for the states that are not followed, over every field.
+pub trait Fill: Send + Sync + 'static {
+    /// Completes y, in which what is followed has its place already.
+    fn fill<S: Over<f64> + Analytic>(&self, y: &mut [S]);
+}
+
+/// States of a richer law that are held on the stack.
+const MANY: usize = 64;
+
+impl Lower {
+    /// The states at these places are followed by the richer law itself; `fill` completes the whole state.
+    pub fn keeping(written: &Arc<dyn Written>, kept: Vec<usize>, fill: impl Fill) -> Self {
+        let n = Ode::<Sym>::dimension(&**written);
+        let fill = Arc::new(fill);
+        let places = kept.clone();
+        let (filling, expressed, running) = (Arc::clone(&fill), Arc::clone(written), Arc::clone(written));
+        let whole = move |z: &[Sym]| {
+            let mut y = vec![Sym::ZERO; n];
+            places.iter().zip(z).for_each(|(&place, &z)| y[place] = z);
+            filling.fill(&mut y);
+            y
+        };
+        let whole = Arc::new(whole);
+        let (lift, followed) = (Arc::clone(&whole), kept.clone());
+        let rates = move |time: Sym, z: &[Sym]| {
+            let mut dy = vec![Sym::ZERO; n];
+            expressed.rates(time, &whole(z), &mut dy);
+            followed.iter().map(|&place| dy[place]).collect()
+        };
+        let places = kept.clone();
+        let plain = move |time: f64, z: &[f64], dz: &mut [f64]| {
+            let (mut y, mut dy) = ([0.0; MANY], [0.0; MANY]);
+            places.iter().zip(z).for_each(|(&place, &z)| y[place] = z);
+            fill.fill(&mut y[..n]);
+            running.rates(time, &y[..n], &mut dy[..n]);
+            places.iter().zip(dz).for_each(|(&place, dz)| *dz = dy[place]);
+        };
+        Lower {
+            dimension: kept.len(),
+            lift: Arc::new(move |_, z: &[Sym]| lift(z)),
+            rates: Arc::new(rates),
+            plain: (n <= MANY).then(|| Arc::new(plain) as Arc<Plain>),
+            kept: Some(kept),
+        }
+    }
+
+    /// Another law of the same states.
+    pub fn other(law: &Arc<dyn Written>) -> Self {
+        let n = Ode::<Sym>::dimension(&**law);
+        let (expressed, running) = (Arc::clone(law), Arc::clone(law));
+        let rates = move |time: Sym, z: &[Sym]| {
+            let mut dz = vec![Sym::ZERO; n];
+            expressed.rates(time, z, &mut dz);
+            dz
+        };
+        Lower {
+            dimension: n,
+            lift: Arc::new(|_, z: &[Sym]| z.to_vec()),
+            rates: Arc::new(rates),
+            plain: Some(Arc::new(move |time: f64, z: &[f64], dz: &mut [f64]| running.rates(time, z, dz))),
+            kept: Some((0..n).collect()),
+        }
+    }
+
+    /// d, component by component, over symbols for time and state.
+    pub fn defect(&self, written: &dyn Written, time: Sym, z: &[Sym]) -> Vec<Sym> {
+        let (y, f) = ((self.lift)(time, z), (self.rates)(time, z));
+        let mut rates = vec![Sym::ZERO; y.len()];
+        written.rates(time, &y, &mut rates);
+        let along = |y: Sym| z.iter().zip(&f).fold(y.diff(time), |sum, (&z, &f)| sum + y.diff(z) * f);
+        y.iter().zip(rates).map(|(&y, rate)| along(y) - rate).collect()
+    }
+
+    /// Whether the defect vanishes identically: then the step down loses nothing, which this proves.
+    pub fn is_exact(&self, written: &dyn Written) -> bool {
+        let (time, z) = (Sym::symbol("t"), symbols("z", self.dimension));
+        let defect = self.defect(written, time, &z);
+        defect.into_iter().all(|part| decide(part, &Hypotheses::none()).is_zero())
+    }
+}
+
+/// Symbols that are counted.
+pub fn symbols(letter: &str, count: usize) -> Vec<Sym> {
+    (0..count).map(|i| Sym::symbol(&format!("{letter}{i}"))).collect()
+}
+
+/// A law of expressions, run as the straight-line code that they come to.
+pub struct Straight {
+    program: Program,
+    dimension: usize,
+    rates: Arc<Expressed>,
+    plain: Option<Arc<Plain>>,
+}
+
+impl Straight {
+    /// `None` where it cannot be recorded.
+    pub fn new(dimension: usize, rates: Arc<Expressed>) -> Option<Self> {
+        let program = Program::of(dimension, |time, state| rates(time, state))?;
+        Some(Straight { program, dimension, rates, plain: None })
+    }
+
+    /// The same that runs in numbers as its law was compiled.
+    pub fn with_plain(self, plain: Option<Arc<Plain>>) -> Self {
+        Straight { plain, ..self }
+    }
+}
+
+impl Ode<f64> for Straight {
+    fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    fn rates(&self, t: f64, y: &[f64], dy: &mut [f64]) {
+        match &self.plain {
+            Some(plain) => plain(t, y, dy),
+            // a program that was recorded has registers enough
+            None => self.program.run(t, y, dy).unwrap_or(()),
+        }
+    }
+}
+
+macro_rules! runs {
+    ($($field:ty),*) => {$(
+        impl Ode<$field> for Straight {
+            fn dimension(&self) -> usize {
+                self.dimension
+            }
+
+            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
+                // a program that was recorded has registers enough
+                self.program.run(t, y, dy).unwrap_or(());
+            }
+        }
+    )*};
+}
+runs!(Directions, DoubleDouble);
+
+impl Ode<Sym> for Straight {
+    fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
+        dy.copy_from_slice(&(self.rates)(t, y));
+    }
+}
+
+impl System for Straight {}

@@ -1,0 +1,73 @@
+//! What is chosen keeps its tolerance, by references that two methods share to 24 digits.
+
+use super::{ladder, path, scene};
+use derivations::ladder::Ladder;
+use derivations::ladder::{Receipt, Wish, choose};
+use derivations::scene::{Axes, Stored};
+use std::time::Duration;
+
+fn receipt(name: &str, tolerance: f64) -> Receipt {
+    let scene = scene(name);
+    let ladders = [Axes::First, Axes::Second].map(|axes| Ladder::of_scene(&scene, axes));
+    let kept = Stored::beside(&path(name)).expect("a reference is kept");
+    let wish = Wish { tolerance, outputs: scene.run.outputs.clone(), allowed: Duration::ZERO };
+    choose(&ladders, Some(&kept), &wish).expect("it runs")
+}
+
+#[test]
+fn every_run_of_a_receipt_keeps_the_tolerance() {
+    for (name, tolerance) in
+        [("stiff_damper", 1e-3), ("permanent_rotation", 1e-4), ("hanging_rest", 1e-2), ("spin_up", 1e-5)]
+    {
+        let receipt = receipt(name, tolerance);
+        assert!(receipt.taken.is_some(), "{name}");
+        for line in &receipt.lines {
+            let Some(choice) = &line.choice else { continue };
+            let measured = choice.measured.expect("a reference is kept");
+            assert!(measured <= tolerance, "{name}, {}: {measured:e}, promised {:e}", line.name, choice.promised);
+        }
+    }
+}
+
+#[test]
+fn a_tighter_tolerance_leaves_fewer_models() {
+    let served =
+        |tolerance| receipt("stiff_damper", tolerance).lines.iter().filter(|line| line.choice.is_some()).count();
+    let [loose, tight] = [1e-1, 1e-6].map(served);
+    assert!(loose > tight && tight >= 2, "{loose} {tight}");
+}
+
+/// Near the end of the run the rotor is in step, and its currents are those of the present slip.
+#[test]
+fn a_run_that_switches_is_as_good_as_it_promises() {
+    let scene = scene("spin_up");
+    let ladder = ladder(&scene);
+    let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+    let rung = ladder.rungs.iter().find(|rung| rung.name == "currents at the present slip").expect("on the ladder");
+    let course = ladder.course(&watched, None).expect("it runs");
+    let schedule = ladder.schedule(rung, &course, 1e-2).expect("somewhere");
+    assert!(schedule.share() > 0.1 && schedule.share() < 1.0, "{:?}", schedule.spans());
+    let sides = [(integrators::Method::DormandPrince8, 1e-10); 2];
+    let run = ladder.run_switching(rung, &schedule, sides, 1_000_000).expect("it reaches its end");
+    let exact = super::exactly(&ladder);
+    let off = run.rows.iter().zip(exact.times.iter().zip(&exact.states));
+    let off = off.map(|((_, row), (time, y))| watched.off(row, &ladder.row(*time, y))).fold(0.0, f64::max);
+    assert!(off > 0.0 && off <= 1.5 * schedule.promised, "{off:e}, promised {:e}", schedule.promised);
+}
+
+/// No stretch is weighed less than the dual weighs it at the end, nor much more, where the error is small enough for both courses to be one.
+#[test]
+fn what_a_stretch_loses_is_its_share_of_the_error() {
+    let scene = scene("hanging_rest");
+    let ladder = ladder(&scene);
+    let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+    let rung = ladder.rungs.iter().find(|rung| rung.name == "currents at the present slip").expect("on the ladder");
+    let course = ladder.course(&watched, None).expect("it runs");
+    let all = ladder.schedule(rung, &course, f64::INFINITY).expect("everywhere");
+    assert_eq!(all.share(), 1.0);
+    let shares = ladder.shares(rung, &watched, &*ladder.law, 64, 1e-10).expect("a series");
+    let largest = |k: usize| shares.parts.iter().map(|parts| parts[k].abs()).fold(0.0, f64::max);
+    let dual: f64 = (0..64).map(largest).sum();
+    // of all instants the worst, where the dual looks at the end
+    assert!((1.0..20.0).contains(&(all.promised / dual)), "{:e} {dual:e}", all.promised);
+}

@@ -1,0 +1,122 @@
+//! What an estimate is worth: beside the true error, and by a second route.
+
+use super::{drawn, exactly, ladder, scene, truly};
+use derivations::ladder::Loss;
+use derivations::scene::{Family, Scene};
+
+/// Where the second order is small beside the first, the estimate is the error up to that.
+#[test]
+fn an_estimate_is_the_error_up_to_its_second_order_on_every_scene_with_a_motor() {
+    let mut believed = 0;
+    for name in
+        ["spin_up", "bench", "hanging_rest", "permanent_rotation", "pull_out", "stiff_damper", "asynchronous_drive"]
+    {
+        let scene = scene(name);
+        let ladder = ladder(&scene);
+        let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+        let exact = exactly(&ladder);
+        for rung in ladder.rungs.iter().filter(|rung| !rung.is_exact()) {
+            let (Ok(found), Some(error)) =
+                (ladder.estimate(rung, &watched, 1e-6), truly(&ladder, rung, &exact, &watched))
+            else {
+                continue;
+            };
+            let doubt = found.second / found.first;
+            if doubt > 0.1 {
+                continue;
+            }
+            believed += 1;
+            let effectivity = found.first / error;
+            assert!((effectivity - 1.0).abs() < 0.01 + 2.0 * doubt, "{name}, {}: {effectivity} {found:?}", rung.name);
+        }
+    }
+    assert!(believed >= 14, "{believed}");
+}
+
+/// Which a wrong sign, or a term that is missing, would not do.
+#[test]
+fn an_estimate_that_is_added_leaves_an_error_of_the_second_order() {
+    let scene = scene("hanging_rest");
+    let ladder = ladder(&scene);
+    let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+    let exact = exactly(&ladder);
+    for name in ["currents at the present slip", "no currents", "constant_speed"] {
+        let rung = ladder.rungs.iter().find(|rung| rung.name == name).expect("it is on the ladder");
+        let found = ladder.estimate(rung, &watched, 1e-6).expect("it is carried");
+        let rows = found.corrected.iter().zip(exact.times.iter().zip(&exact.states));
+        let off = rows.map(|(row, (time, y))| watched.off(row, &ladder.row(*time, y))).fold(0.0, f64::max);
+        assert!(off < 0.01 * found.first, "{name}: {off:e} {found:?}");
+    }
+}
+
+#[test]
+fn what_the_first_order_leaves_is_the_second() {
+    let scene = scene("stiff_damper");
+    let ladder = ladder(&scene);
+    let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+    let exact = exactly(&ladder);
+    let name = "currents at the present slip";
+    let rung = ladder.rungs.iter().find(|rung| rung.name == name).expect("it is on the ladder");
+    let found = ladder.estimate(rung, &watched, 1e-6).expect("it is carried");
+    let rows = found.corrected.iter().zip(exact.times.iter().zip(&exact.states));
+    let off = rows.map(|(row, (time, y))| watched.off(row, &ladder.row(*time, y))).fold(0.0, f64::max);
+    assert!((off / found.second - 1.0).abs() < 0.1, "{off:e} {:e}", found.second);
+}
+
+#[test]
+fn an_error_that_cannot_be_estimated_is_not_believed() {
+    for (name, model) in [("spin_up", "no currents"), ("bench", "resistive currents"), ("pull_out", "free_rotor")] {
+        let scene = scene(name);
+        let ladder = ladder(&scene);
+        let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+        let rung = ladder.rungs.iter().find(|rung| rung.name == model).expect("it is on the ladder");
+        let found = ladder.estimate(rung, &watched, 1e-6).expect("it is carried");
+        assert!(found.second > 0.5 * found.first, "{name}, {model}: {found:?}");
+    }
+}
+
+/// Weighed backwards by transition matrices of the richer law, and carried forwards by its derivatives.
+#[test]
+fn two_routes_to_an_error_agree() {
+    for (name, model) in [
+        ("hanging_rest", "currents at the present slip"),
+        ("hanging_rest", "constant_speed"),
+        ("permanent_rotation", "no currents"),
+    ] {
+        let scene = scene(name);
+        let ladder = ladder(&scene);
+        let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+        let rung = ladder.rungs.iter().find(|rung| rung.name == model).expect("it is on the ladder");
+        let carried = ladder.estimate(rung, &watched, 1e-6).expect("it is carried");
+        let shares = ladder.shares(rung, &watched, &*ladder.law, 256, 1e-11).expect("a series");
+        for (output, errors) in shares.errors.iter().enumerate() {
+            let weighed = errors.iter().map(|error| error.abs()).fold(0.0, f64::max);
+            let apart = (weighed - carried.each[output]).abs() / carried.first;
+            assert!(apart < 0.03, "{name}, {model}, {}: {weighed} {:?}", watched.names[output], carried.each);
+        }
+        let sum: f64 = shares.parts[0].iter().sum::<f64>() + shares.start[0];
+        assert!((sum - shares.errors[0][7]).abs() <= 1e-12 + 1e-9 * sum.abs());
+    }
+}
+
+#[test]
+fn on_thirty_random_motors_what_is_believed_is_right() {
+    let mut found = 0;
+    for seed in 0..30 {
+        let scene = Scene::parse("drawn", &drawn::scene(seed)).unwrap_or_else(|error| panic!("{error}"));
+        let ladder = ladder(&scene);
+        let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+        let exact = exactly(&ladder);
+        for rung in &ladder.rungs {
+            let Loss::Small { .. } = rung.loss else { continue };
+            let Ok(estimate) = ladder.estimate(rung, &watched, 1e-6) else { continue };
+            let Some(error) = truly(&ladder, rung, &exact, &watched).filter(|error| *error > 1e-8) else { continue };
+            if estimate.second < 0.1 * estimate.first {
+                found += 1;
+                let effectivity = estimate.first / error;
+                assert!((0.8..1.25).contains(&effectivity), "seed {seed}, {}: {effectivity} {estimate:?}", rung.name);
+            }
+        }
+    }
+    assert!(found > 60, "{found}");
+}
