@@ -40,7 +40,7 @@ def programs_in(tests: Path) -> set[str]:
 
 
 # whole motions, minutes of them unoptimised: asked only of what nothing else notices
-RUNS = ["friction", "governors", "mechanism_scenes", "stabilisation", "stationary"]
+RUNS = ["failures", "friction", "governors", "ladder", "mechanism_scenes", "phantom", "stabilisation", "stability", "stationary", "synchronism"]
 LAWS = sorted(programs_in(ROOT / "tests") - OTHERS - {LEDGER, *RUNS})
 # the programs whose subject these files are: the others, and the ledger, are asked only where these notice nothing
 SUBJECT_OF = {

@@ -75,6 +75,9 @@ impl Gyrostat<f64> {
     pub fn admissible(&self) -> Result<(), Vec<Inadmissible>> {
         let mut broken = self.not_finite();
         if broken.is_empty() {
+            broken = self.too_large();
+        }
+        if broken.is_empty() {
             self.check_scalars(&mut broken);
             self.check_carrier(&mut broken);
         }
@@ -94,21 +97,26 @@ impl Gyrostat<f64> {
             ("g", self.gravity),
         ];
         let vectors = [("c0", carrier.centre), ("h", rotor.centre), ("l", rotor.axis)];
-        // what the data come to must be in the range of numbers too
+        scalars
+            .into_iter()
+            .chain(vectors.into_iter().flat_map(|(name, v)| [v.x, v.y, v.z].map(|x| (name, x))))
+            .chain(carrier.inertia.iter().map(|&x| ("A0", x)))
+            .filter(|(_, value)| !value.is_finite())
+            .map(|(quantity, value)| Inadmissible::NotFinite { quantity, value })
+            .collect()
+    }
+
+    /// What the data come to must be in the range of numbers too.
+    fn too_large(&self) -> Vec<Inadmissible> {
+        let carrier = &self.carrier;
         let sizes = [
             ("m0 |c0|^2", carrier.mass * carrier.centre.norm_squared()),
             ("|A0|", carrier.inertia.norm()),
             ("|A*|", self.full_tensor().norm()),
             ("m g c", self.weight().norm()),
         ];
-        scalars
-            .into_iter()
-            .chain(sizes)
-            .chain(vectors.into_iter().flat_map(|(name, v)| [v.x, v.y, v.z].map(|x| (name, x))))
-            .chain(carrier.inertia.iter().map(|&x| ("A0", x)))
-            .filter(|(_, value)| !value.is_finite())
-            .map(|(quantity, value)| Inadmissible::NotFinite { quantity, value })
-            .collect()
+        let beyond = sizes.into_iter().filter(|(_, value)| !value.is_finite());
+        beyond.map(|(quantity, value)| Inadmissible::NotFinite { quantity, value }).collect()
     }
 
     fn check_scalars(&self, broken: &mut Vec<Inadmissible>) {
