@@ -3,7 +3,7 @@
 //! With deviations d nu of the vertical and eta = d omega - w0 d nu: d nu' = nu x eta, and with a tensor T, the rotor's
 //! momentum sigma, H = lambda - w0^2 T, kappa = 2 w0 T nu + sigma and n = kappa - w0 tr(T) nu
 //!
-//!   T eta' = nu x H d nu + n x eta ,    K(z) eta = 0 ,    K(z) = z^2 T - z [n] - [nu] H [nu] ,
+//!   T eta' = nu x H d nu + n x eta ,    K(z) eta = 0 ,    K(z) = z^2 T - z \[n\] - \[nu\] H \[nu\] ,
 //!
 //!   det K = z^2 det T (z^4 + a z^2 + b) .
 //!
@@ -44,7 +44,7 @@ impl<S: Scalar> Reduced<S> {
         self.coupling() - self.vertical * (self.speed * self.tensor.trace())
     }
 
-    /// -[nu] H [nu]
+    /// -\[nu\] H \[nu\]
     pub fn pulled_back(&self) -> Matrix3<S> {
         let turn = cross(self.vertical);
         -(turn * self.stiffness() * turn)
