@@ -3,13 +3,18 @@
 use crate::{Table, Verdict, text::Typesetter};
 use maud::{Markup, PreEscaped, html};
 
-/// A verdict as a word with its sign.
+/// A verdict as a word; its sign comes by [`signs`].
 pub(super) fn chip(verdict: Verdict) -> Markup {
-    html! {
-        span class={ "chip " (verdict.name()) } title=(verdict.meaning()) {
-            span.sign aria-hidden="true" { (verdict.sign()) } " " (verdict.name())
-        }
-    }
+    html! { span class={ "chip " (verdict.name()) } { (verdict.name()) } }
+}
+
+/// The style that sets its sign before each verdict, not to be read aloud: once for the page, not once for each claim.
+pub(super) fn signs() -> String {
+    let rule = |verdict: Verdict| {
+        let (name, sign) = (verdict.name(), verdict.sign());
+        format!(".chip.{name}::before{{content:\"{sign}\";content:\"{sign}\"/\"\"}}")
+    };
+    Verdict::ALL.map(rule).concat()
 }
 
 /// A picture with its title above and its note below.

@@ -50,8 +50,9 @@ fn filter(paper: &PaperSection) -> Markup {
     html! {
         div.filter role="group" aria-label={ "Show claims of " (paper.id) } hidden {
             @for verdict in present {
-                button type="button" data-verdict=(verdict.name()) aria-pressed="false" class={ "chip " (verdict.name()) } {
-                    span.sign aria-hidden="true" { (verdict.sign()) } " " (verdict.name()) " "
+                button type="button" data-verdict=(verdict.name()) aria-pressed="false" class={ "chip " (verdict.name()) }
+                    title=(verdict.meaning()) {
+                    (verdict.name()) " "
                     span.count { (paper.count(verdict)) }
                 }
             }

@@ -37,7 +37,7 @@ fn card(sphere: &Sphere, set: &mut Typesetter) -> Markup {
 pub(super) fn stability(report: &Report, set: &mut Typesetter) -> Markup {
     html! {
         @if !report.stability.is_empty() || !report.approximations.is_empty() {
-            section #stability {
+            section #governors {
                 h2 { "Stability and series" }
                 @for two in report.stability.chunks(2) {
                     div.pair {

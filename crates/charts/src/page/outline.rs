@@ -75,7 +75,7 @@ pub(super) fn contents(report: &Report, set: &mut Typesetter) -> Markup {
                 }
                 @if !report.spheres.is_empty() { li { a href="#spheres" { "Directions on the sphere" } } }
                 @if !report.stability.is_empty() || !report.approximations.is_empty() {
-                    li { a href="#stability" { "Stability and series" } }
+                    li { a href="#governors" { "Stability and series" } }
                 }
                 @if !report.friction.is_empty() || !report.rough.is_empty() {
                     li { a href="#friction" { "Friction" }

@@ -62,7 +62,7 @@ fn parameters(parameters: &[Parameter], set: &mut Typesetter) -> Markup {
 fn failures(charts: &[WorkPrecision]) -> Table {
     let mut rows: Vec<(String, String, Vec<f64>)> = Vec::new();
     for method in charts.iter().flat_map(|chart| &chart.series) {
-        let own = family(method);
+        let own = method.family();
         for failure in &method.failures {
             let known = rows.iter_mut().find(|(name, reason, _)| name == own && *reason == failure.reason);
             match known {
@@ -93,12 +93,7 @@ fn failures(charts: &[WorkPrecision]) -> Table {
 
 /// The series whose failures are told under a name.
 fn series<'a>(charts: &'a [WorkPrecision], name: &'a str) -> impl Iterator<Item = &'a Method> {
-    charts.iter().flat_map(|chart| &chart.series).filter(move |method| family(method) == name)
-}
-
-/// Under which a method's failures are told.
-fn family(method: &Method) -> &str {
-    if method.family.is_empty() { &method.name } else { &method.family }
+    charts.iter().flat_map(|chart| &chart.series).filter(move |method| method.family() == name)
 }
 
 #[cfg(test)]

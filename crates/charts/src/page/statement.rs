@@ -29,7 +29,7 @@ pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
 
 /// How it is known.
 pub(super) fn evidence(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
-    html! { @if !claim.evidence.is_empty() { p.evidence { b { "Evidence " } (set.text(&claim.evidence)) } } }
+    html! { @if !claim.evidence.is_empty() { p.evidence { (set.text(&claim.evidence)) } } }
 }
 
 /// Names with their values, side by side.

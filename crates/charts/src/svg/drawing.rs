@@ -72,7 +72,8 @@ impl Drawing {
         };
         let (x, y) = (coordinate(x), coordinate(y));
         let text = html!((text)).0;
-        let _ = write!(self.body, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{anchor}>{text}</text>");
+        let class = if class.is_empty() { String::new() } else { format!(" class=\"{class}\"") };
+        let _ = write!(self.body, "<text{class} x=\"{x}\" y=\"{y}\"{anchor}>{text}</text>");
     }
 
     /// A text read from below, centred on the point.

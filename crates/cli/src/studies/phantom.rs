@@ -31,7 +31,7 @@ impl Phantom {
     /// All of it, for the page.
     pub fn study(self) -> Study {
         let mut study = Study {
-            id: "phantom".into(),
+            id: "steps-and-stability".into(),
             title: "Phantom stability".into(),
             lead: r"Near a stationary motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$. A mode $\mu$ fades, stays or grows in the map as $|R(h\mu)|$ is below, at or above one, which need not be what it does in the motion. Every step $h$ is judged: thresholds are roots of one polynomial for each mode, all of them isolated. What integrals and idle windings explain is split off exactly.".into(),
             note: r"Splittings have a stationary motion of their own near the law's, where their step is differentiated in double-double: tested at eight steps a decade, not proved between them. Dark lines: thresholds by runs of the program near the motion. A run cannot see a multiplier that leaves the unit circle by less than about $10^{-10}$ a step, as Euler's does near lightly damped motions. Honest means the right sign, not the right rate: what the classical Runge-Kutta method and backward Euler damp may still be far more than what the motion does.".into(),

@@ -136,6 +136,12 @@ fn the_report_is_one_page_with_the_scene_and_its_charts() {
     let html = std::fs::read_to_string(&page).expect("it was written");
     std::fs::remove_dir_all(&folder).expect("it is there");
     assert!(html.contains("a fall from the unstable top") && html.matches("<svg").count() >= 3);
+    let mut ids: Vec<&str> =
+        html.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).filter(|id| !id.is_empty()).collect();
+    let all = ids.len();
+    ids.sort_unstable();
+    ids.dedup();
+    assert_eq!(ids.len(), all, "each place of the page has a name of its own");
 }
 
 #[test]

@@ -21,7 +21,7 @@ pub(super) struct Family<'a> {
 pub(super) fn families(series: &[Method]) -> Vec<Family<'_>> {
     let mut families: Vec<Family> = Vec::new();
     for (at, method) in series.iter().enumerate() {
-        let name = if method.family.is_empty() { &method.name } else { &method.family };
+        let name = method.family();
         match families.iter_mut().find(|family| family.name == name) {
             Some(family) => family.series.push((at, method)),
             None => families.push(Family { name, series: vec![(at, method)] }),
@@ -53,7 +53,7 @@ pub(super) fn draw(drawing: &mut Drawing, family: &Family, looks: &Looks, work: 
             look.marker(drawing, (at, height), 4.0, &tooltip);
         }
         if method.quiet {
-            let name = &method.name;
+            let name = method.family();
             look.markers(drawing, &places, SMALL, &format!("{name} fails {} times", places.len()));
         }
         drawing.close();

@@ -83,6 +83,13 @@ pub struct Failure {
     pub reason: String,
 }
 
+impl Method {
+    /// Under which its failures are told: the method without its kinds.
+    pub(crate) fn family(&self) -> &str {
+        if self.family.is_empty() { &self.name } else { &self.family }
+    }
+}
+
 const LEFT: f64 = 66.0;
 const RIGHT: f64 = WIDTH - 12.0;
 const PLOT: f64 = 300.0;

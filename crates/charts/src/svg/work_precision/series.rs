@@ -74,13 +74,23 @@ pub(super) fn draw(
 ) {
     let places: Vec<_> = points.iter().map(|point| place(point)).collect();
     drawing.open(&look.class());
-    drawing.path(&path::polyline(&places), "line");
+    let line = path::polyline(&places);
+    // the line says whose it is, once for all its points
+    match method.quiet || line.is_empty() {
+        true => drawing.path(&line, "line"),
+        false => drawing.path_with_tooltip(&line, "line", &method.name),
+    }
     if method.quiet {
-        look.markers(drawing, &places, SMALL, &method.name);
+        look.markers(drawing, &places, SMALL, method.family());
     } else {
         for (point, place) in points.iter().zip(places) {
             let error = significant(point.error, 2);
-            look.marker(drawing, place, 4.4, &format!("{}: {}, error {error}", method.name, work.amount(point.work)));
+            look.marker(
+                drawing,
+                place,
+                4.4,
+                &format!("{}: {}, error {error}", method.family(), work.amount(point.work)),
+            );
         }
     }
     drawing.close();

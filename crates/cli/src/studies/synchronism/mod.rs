@@ -76,7 +76,7 @@ impl Synchronism {
             by_bars(&all, self.pull_out),
         ];
         Some(Study {
-            id: "synchronism".into(),
+            id: "motor-under-load".into(),
             title: "A synchronous motor under load".into(),
             lead: format!(
                 r"{}, with a further constant moment $M$ against the rotor's turning. It can stand in step up to the pull-out, $M+f\Omega=b_0$, whatever its damper; from the pull-in on it can slip for ever, and between the two the start decides. Both are found by continuation: the angles over the load, and the slipping motions as those that repeat after a turn, with the multipliers of the turn. What becomes of a grid of starts is run beside that; a start counts as in step when its energy $V$, which never grows, is below both balances about it, and that is for ever.",
