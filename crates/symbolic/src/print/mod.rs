@@ -65,18 +65,35 @@ struct Printed {
     bond: Bond,
 }
 
-/// What the notations do differently.
+/// What the notations do differently; on one line unless they say otherwise.
 trait Notation {
     fn symbol(&self, name: Name) -> String;
     fn number(&self, size: Rational) -> Printed;
-    fn parentheses(&self, inside: &str) -> String;
-    fn product(&self, factors: &[String]) -> String;
-    fn quotient(&self, above: Printed, below: Printed) -> Printed;
     fn power(&self, base: Printed, exponent: u32) -> Printed;
-    fn root(&self, square: String) -> String;
-    /// `cos` or `sin` of an argument, and its power.
-    fn circle(&self, function: &str, angle: Printed, exponent: u32) -> Printed;
     fn derivative(&self, name: Name, order: u32, argument: String) -> String;
+
+    fn parentheses(&self, inside: &str) -> String {
+        format!("({inside})")
+    }
+
+    fn product(&self, factors: &[String]) -> String {
+        factors.join("*")
+    }
+
+    fn quotient(&self, above: Printed, below: Printed) -> Printed {
+        let text = format!("{}/{}", self.held(above, Bond::Product), self.held(below, Bond::Power));
+        Printed { text, bond: Bond::Product }
+    }
+
+    fn root(&self, square: String) -> String {
+        format!("sqrt({square})")
+    }
+
+    /// `cos` or `sin` of an argument, and its power.
+    fn circle(&self, function: &str, angle: Printed, exponent: u32) -> Printed {
+        let base = Printed { text: format!("{function}({})", angle.text), bond: Bond::Atom };
+        if exponent == 1 { base } else { self.power(base, exponent) }
+    }
 
     fn held(&self, printed: Printed, bond: Bond) -> String {
         if printed.bond < bond { self.parentheses(&printed.text) } else { printed.text }
