@@ -1,15 +1,28 @@
 //! `dalembert bodies`: what the physical data of a scene's gyrostat come to.
 
-use crate::arguments::{Bodies, Format};
+use crate::arguments::Format;
 use crate::ending::{Ending, print};
+use clap::Args;
 use derivations::scene::{Family, Scene, System};
 use derivations::systems::gyrostat::Gyrostat;
 use nalgebra::{Matrix3, Vector3};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Whose bodies are to be looked at.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
 
 /// Prints both inertia tensors, their principal moments and axes, the rotation between them, and the weight.
-pub fn show(asked: &Bodies) -> Result<Ending, Ending> {
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let scene = Scene::open(&asked.scene)?;
     let System::Gyrostat(bodies) = &scene.system else {
         return Err(Ending::refused(format!(

@@ -1,24 +1,60 @@
 //! `dalembert chart`: speed against accuracy of one scene, in every formulation with every model.
 
-use crate::arguments::{Axis, Chart, Format};
+use crate::arguments::Format;
 use crate::csv;
 use crate::ending::{Ending, print, save};
 use crate::report;
 use crate::run::{refuse, with_model};
 use crate::speed::{advice::advice, family, model, pictures, tables};
 use charts::Table;
+use clap::{Args, ValueEnum};
 use derivations::ladder::Ladder;
 use derivations::scene::atlas::{Formulation, Way};
 use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, System, Trials, judged};
 use integrators::{Failure, Point};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
+/// What is to be measured and drawn.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Draws the chart: one picture as .svg, or a page with both as .html; or writes every run as a table, .csv
+    #[arg(long, value_name = "FILE.svg|FILE.html|FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// How to print the results: text is for reading, JSON has one object for every run
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    /// What the work of a picture is counted in
+    #[arg(long, value_enum, default_value_t)]
+    pub x: Axis,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// The equations in the axes of A (first) or of A* (second)
+    #[arg(long)]
+    pub form: Option<Axes>,
+    /// Time allowed for the reference, and again for the measurements
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=3600))]
+    pub seconds: u32,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Axis {
+    /// An integer, the same on every computer
+    #[default]
+    Evaluations,
+    /// A ratio to the fastest run
+    Time,
+}
+
 /// Measures every method, prints the tables, draws the chart where one is asked for.
-pub fn chart(asked: &Chart) -> Result<Ending, Ending> {
+pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
             AnyScene::Driven(Box::new(with_model(*scene, asked.model.as_deref(), &asked.scene)?))
@@ -88,7 +124,7 @@ fn written_in(way: &Way, form: Axes) -> bool {
 }
 
 /// A page or a table of all runs where the file's name asks for one, else one picture.
-fn drawn(scene: &dyn Smooth, atlas: &Atlas, asked: &Chart, path: &Path) -> Result<(), Ending> {
+fn drawn(scene: &dyn Smooth, atlas: &Atlas, asked: &Asked, path: &Path) -> Result<(), Ending> {
     let [counted, timed] = pictures::work_precision(atlas);
     match path.extension().and_then(|extension| extension.to_str()) {
         Some("html" | "htm") => save(path, &report::of_scene(scene, atlas, vec![counted, timed])),

@@ -1,14 +1,42 @@
 //! `dalembert choose`: the smallest model that meets a tolerance in the outputs that matter, with its receipt.
 
-use crate::arguments::{Choose as Asked, Format};
+use crate::arguments::{Format, tolerance};
 use crate::ending::{Ending, print, save};
 use crate::run::{refuse, with_model};
 use charts::{Method, Point, Work, WorkPrecision};
+use clap::Args;
 use derivations::ladder::{Ladder, Line, Loss, Receipt, Wish, choose};
 use derivations::scene::{AnyScene, Axes, Family, Smooth, Stored, System, methods};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::path::PathBuf;
 use std::time::Duration;
+
+/// What is to be met, and in what.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Largest error allowed, relative to the size of each output
+    #[arg(long = "tol", value_name = "T", value_parser = tolerance, default_value = "1e-6")]
+    pub tolerance: f64,
+    /// What matters, by the names of a run's columns; without it the outputs of the scene
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    pub outputs: Vec<String>,
+    /// The model that is taken for exact: another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// Draws error against the cost of every model
+    #[arg(long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+    /// How to print the receipt
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    /// Time allowed for taking times, and again for where to switch between models
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=3600))]
+    pub seconds: u32,
+}
 
 /// Chooses, prints the receipt, draws what is asked for.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {

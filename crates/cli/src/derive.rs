@@ -1,20 +1,66 @@
 //! `dalembert derive`: equations of motion by a chosen principle, or a scene's right-hand side, in many notations.
 
-use crate::arguments::{Derive, Equations, PrincipleName};
 use crate::ending::{Ending, print};
+use clap::{Args, ValueEnum};
 use derivations::derive::{Equation, Principle, derive as equations_of};
-use derivations::scene::{Family, Scene};
+use derivations::scene::{Axes, Family, Scene};
 use std::path::Path;
 use symbolic::{Language, Sym, Tape};
 
+/// What is to be derived, and how.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The system: gyrostat, motor; or a scene, SCENE.toml, whose right-hand side and Jacobian are written as code
+    #[arg(value_name = "SYSTEM|SCENE.toml")]
+    pub system: String,
+    /// The principle; without it the first that applies
+    #[arg(long, value_enum)]
+    pub principle: Option<PrincipleName>,
+    /// How to print the equations: text, LaTeX and MathML for a system; SymPy, C, Python and Rust for a system or a scene
+    #[arg(long, value_enum)]
+    pub format: Option<Equations>,
+    /// For a scene: the equations in the axes of A (first) or of A* (second)
+    #[arg(long, default_value_t)]
+    pub form: Axes,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum PrincipleName {
+    /// Angular momentum of the mass points
+    Momentum,
+    /// Appell, from the acceleration energy
+    Appell,
+    /// Boltzmann and Hamel, in quasi-velocities
+    Hamel,
+    /// Lagrange of the second kind, in Euler's angles
+    Lagrange,
+    /// Lagrange and Maxwell, for motors
+    Maxwell,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Equations {
+    /// For reading
+    Text,
+    Latex,
+    /// One element for each equation
+    Mathml,
+    /// Equations over symbols of their own; of a scene the rates and the Jacobian over the symbols of its states
+    Sympy,
+    /// Straight-line code, every common part once; of a system the left sides less the right ones
+    C,
+    Python,
+    Rust,
+}
+
 /// Prints the equations.
-pub fn derive(asked: &Derive) -> Result<Ending, Ending> {
+pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
     let text = if asked.system.ends_with(".toml") { of_scene(asked)? } else { of_system(asked)? };
     print(&text)?;
     Ok(Ending::Done)
 }
 
-fn of_system(asked: &Derive) -> Result<String, Ending> {
+fn of_system(asked: &Asked) -> Result<String, Ending> {
     let equations = equations_of(&asked.system, asked.principle.map(Principle::from)).map_err(Ending::refused)?;
     let lines = |line: &dyn Fn(&Equation) -> String| equations.iter().map(|each| line(each) + "\n").collect();
     let latex = |each: &Equation| format!("{} = {}", each.left.latex(), each.right.latex());
@@ -81,7 +127,7 @@ fn residuals(equations: &[Equation], written: &Written) -> Result<String, Ending
 }
 
 /// A scene's rates and Jacobian as functions.
-fn of_scene(asked: &Derive) -> Result<String, Ending> {
+fn of_scene(asked: &Asked) -> Result<String, Ending> {
     let format = asked.format.unwrap_or(Equations::C);
     let sympy = Written { needs: "from sympy import cos, sin, sqrt, symbols\n\n\n", ..PYTHON };
     let Written { language, comment, needs } = match format {

@@ -3,17 +3,31 @@
 //! The table holds whole rows in the order of the members, so what there is says where to go on. A line that was cut is
 //! taken away, and the last whole row is computed again: it must come out the same.
 
-use crate::arguments::Ensemble;
 use crate::ending::{Ending, print};
 use crate::progress::Progress;
+use clap::Args;
 use derivations::ensemble::{EnsembleScene, Row};
 use derivations::scene::Family;
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Read, Write};
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+
+/// Which members are to be run, and where the results go.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene with a table `ensemble`; the folder `scenes/ensembles` holds an example
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// The table of results, a row for each member; one that is there is continued. Without it: the scene's name, here
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Threads; without it as many as there are processors. The results do not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
 
 /// Rows are written when there are so many bytes of them.
 const BLOCK: usize = 1 << 14;
@@ -22,7 +36,7 @@ const BLOCK: usize = 1 << 14;
 const CHUNK: Duration = Duration::from_millis(500);
 
 /// Runs what is not done yet, and says what became of all.
-pub fn run(asked: &Ensemble) -> Result<Ending, Ending> {
+pub fn run(asked: &Asked) -> Result<Ending, Ending> {
     let scene = EnsembleScene::open(&asked.scene)?;
     let usual = asked.scene.with_extension("csv");
     let path = asked.out.as_deref().unwrap_or_else(|| Path::new(usual.file_name().unwrap_or(usual.as_os_str())));

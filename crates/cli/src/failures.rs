@@ -1,19 +1,34 @@
 //! `dalembert failures`: the catalogue of failure, measured.
 
-use crate::arguments::{Failures, Format};
+use crate::arguments::Format;
 use crate::crew::Crew;
 use crate::ending::{Ending, print};
 use charts::significant;
+use clap::Args;
 use derivations::failures::{ALL, Failing, Found, NotFound, Threshold};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// Which ways to fail are to be measured.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// Those whose name contains this, such as windings or pull-out
+    #[arg(default_value = "")]
+    pub name: String,
+    /// Where the scene files are
+    #[arg(long, value_name = "FOLDER", default_value = "scenes")]
+    pub scenes: PathBuf,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
 
 /// A way with what was found.
 pub type Measured = (&'static Failing, Result<Found, NotFound>);
 
 /// Measures the ways whose name contains what was asked for, and prints them.
-pub fn list(asked: &Failures) -> Result<Ending, Ending> {
+pub fn list(asked: &Asked) -> Result<Ending, Ending> {
     let chosen: Vec<&Failing> = ALL.iter().filter(|failing| failing.name.contains(&asked.name)).collect();
     if chosen.is_empty() {
         let names: Vec<&str> = ALL.iter().map(|failing| failing.name).collect();

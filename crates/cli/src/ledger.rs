@@ -1,15 +1,31 @@
 //! `dalembert ledger`: every claim with its verdict.
 
-use crate::arguments::{Format, Ledger};
+use crate::arguments::Format;
 use crate::crew::Crew;
 use crate::ending::{Ending, print};
 use crate::values;
 use charts::{ClaimRow, PaperSection};
 use claims::{Judged, Verdict, entries};
+use clap::Args;
 use derivations::papers::{self, Paper};
 
+/// Which claims are to be listed.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// Claims whose id contains this, such as konosevich2022/eq5.3 or statement3
+    #[arg(default_value = "")]
+    pub filter: String,
+    /// Claims with this verdict only: refuted, undefined, undecided, proved, enclosed, tested, definition, open
+    #[arg(long)]
+    pub verdict: Option<String>,
+    /// Text is a page as the tests lock it; JSON has one object a claim: id, paper, equation, verdict, statement,
+    /// requires, counterexample, correction
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
 /// Prints the claims whose id contains the filter, of one verdict where one is asked for.
-pub fn list(asked: &Ledger) -> Result<Ending, Ending> {
+pub fn list(asked: &Asked) -> Result<Ending, Ending> {
     let verdict = asked.verdict.as_deref().map(verdict).transpose()?;
     let judged: Vec<Judged> = all().into_iter().flat_map(|(_, judged)| judged).collect();
     let known: Vec<Judged> = judged.into_iter().filter(|claim| claim.id.contains(&asked.filter)).collect();

@@ -1,7 +1,7 @@
 //! The program `dalembert`.
 //!
 //! # Overview
-//! * [`arguments`]: what can be asked on the command line;
+//! * [`arguments`]: the command line; what can be asked of a command stands beside it;
 //! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
@@ -84,7 +84,7 @@ fn completions(shell: Shell) -> String {
 }
 
 /// The main job.
-fn report(asked: &arguments::Report) -> Result<Ending, Ending> {
+fn report(asked: &report::Asked) -> Result<Ending, Ending> {
     let files = scenes::files(&asked.scenes)?;
     report::write(&asked.out, &asked.scenes, &files)
 }

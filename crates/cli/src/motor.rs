@@ -1,9 +1,10 @@
 //! `dalembert motor`: in step and out of it under load, and from which starts the motor comes into step.
 
-use crate::arguments::{Format, Motor as Asked};
+use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use crate::run::with_model;
 use crate::studies::synchronism::onset;
+use clap::Args;
 use derivations::scene::{Family, Scene, System};
 use derivations::stationary::motor::{Angle, Motor as MotorStates};
 use derivations::synchronism::basin::Share;
@@ -13,6 +14,21 @@ use derivations::synchronism::maps::{alone, over_starts};
 use derivations::synchronism::pull_in::PullIn;
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Whose motor is to be loaded.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file with a synchronous motor, on a bench or in a gyrostat
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// How to print it
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
 
 /// The numbers of bars that are compared, beside the scene's own.
 const BARS: [usize; 5] = [0, 1, 2, 3, 8];

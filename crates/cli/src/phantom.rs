@@ -1,8 +1,9 @@
 //! `dalembert phantom`: for which steps a method's map says of a stationary motion what is true.
 
-use crate::arguments::{Format, Phantom as Asked};
+use crate::arguments::{Format, finite};
 use crate::ending::{Ending, print};
 use crate::run::with_model;
+use clap::Args;
 use derivations::phantom::chart::{Chart, Motion, Row, said};
 use derivations::phantom::motions::Stationed;
 use derivations::phantom::splittings::{SplitRuns, Tested};
@@ -10,6 +11,24 @@ use derivations::phantom::survey::steps;
 use derivations::scene::{Family, Scene};
 use integrators::Splitting;
 use serde_json::{Value, json};
+use std::path::PathBuf;
+
+/// Whose motions methods are to be judged on.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// The angular velocity of the motions about the vertical, rad/s
+    #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true, default_value_t = 0.0)]
+    pub omega0: f64,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// How to print it; JSON is one object: scene, model, omega0, motions
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
 
 /// Prints it.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {

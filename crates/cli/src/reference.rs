@@ -1,12 +1,30 @@
 //! `dalembert reference`: a scene's solution to all digits that two methods share, kept in a file.
 
-use crate::arguments::Reference;
 use crate::ending::{Ending, print, save};
+use clap::Args;
 use derivations::scene::{AnyScene, Axes, Family, Stored, stored};
+use std::path::PathBuf;
 use std::time::Duration;
 
+/// Whose solution is to be known to all digits.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Where it is kept; without it where charts look for it: `references/SCENE.reference` in the scene's folder
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Ends sooner than the scene, s: for one whose motion ends
+    #[arg(long, value_name = "T")]
+    pub until: Option<f64>,
+    /// Time allowed
+    #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    pub seconds: u32,
+}
+
 /// Computes it, says what it is, and writes it where charts and the report look for it.
-pub fn reference(asked: &Reference) -> Result<Ending, Ending> {
+pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     let scene = AnyScene::open(&asked.scene)?;
     let Some(smooth) = scene.smooth() else {
         return Err(Ending::refused(format!(

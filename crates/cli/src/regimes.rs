@@ -1,7 +1,8 @@
 //! `dalembert regimes`: every consistent regime of a scene with rough contacts at its start.
 
-use crate::arguments::{Format, Regimes as Asked};
+use crate::arguments::Format;
 use crate::ending::{Ending, print};
+use clap::Args;
 use derivations::friction::log::{Names, describe};
 use derivations::friction::{ForRough, RoughScene};
 use derivations::scene::Family;
@@ -10,6 +11,18 @@ use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::{Dry, Found, Sizes, Touch, Verdict, conditions, consistent, touches, verdict};
 use serde_json::{Value, json};
 use std::fmt::{Display, Write};
+use std::path::PathBuf;
+
+/// Whose regimes are to be found.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file; the folder `scenes/friction` holds examples
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
 
 /// Prints the consistent regimes at the start of a scene.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {

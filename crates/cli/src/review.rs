@@ -1,13 +1,25 @@
 //! `dalembert review`: what changed in the reviewed pages, as mechanics.
 
-use crate::arguments::{Format, Review};
+use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use claims::review::review as changes;
+use clap::Args;
 use derivations::papers;
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
+
+/// What the pages are compared with.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The commit to compare with; pages that wait for a review, `.snap.new`, are compared with those that stand
+    #[arg(long, value_name = "COMMIT", default_value = "HEAD")]
+    pub against: String,
+    /// How to print the changes
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
 
 const FOLDER: &str = "snapshots";
 /// Of pages that are no claims so many lines are shown.
@@ -20,7 +32,7 @@ struct Changed {
 }
 
 /// Prints every change of every page.
-pub fn review(asked: &Review) -> Result<Ending, Ending> {
+pub fn review(asked: &Asked) -> Result<Ending, Ending> {
     if !Path::new(FOLDER).is_dir() {
         return Err(Ending::refused("there is no folder `snapshots` here: the project's own folder is accepted"));
     }

@@ -1,9 +1,10 @@
 //! `dalembert run` of a scene with rough contacts: its log, its table, its section of the report.
 
-use crate::arguments::{Format, Run as Asked};
+use crate::arguments::Format;
 use crate::csv;
 use crate::ending::{Ending, print};
 use crate::progress::Progress;
+use crate::run::Asked;
 use crate::run::refuse;
 use charts::{Panel, Parameter, SceneSection, Table, Track, significant, tolerance};
 use derivations::friction::run::Plan;

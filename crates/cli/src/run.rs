@@ -1,17 +1,68 @@
 //! `dalembert run`: one scene, one method.
 
-use crate::arguments::{Format, Run};
+use crate::arguments::{Format, tolerance};
 use crate::csv;
 use crate::ending::{Ending, print};
 use crate::progress::Progress;
 use crate::rough;
 use crate::summary::Summary;
-use derivations::scene::{AnyScene, Axes, Choice, Family, NoModel, Scene, Smooth};
-use std::path::Path;
+use clap::Args;
+use derivations::machines::AnyMachine;
+use derivations::scene::{AnyScene, Axes, Choice, Family, NoModel, Scene, Smooth, methods};
+use integrators::Method;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+/// How a scene is to be run; what is left out, the scene says.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file; the folder `scenes` holds examples
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Method of integration, such as dormand_prince_8 or runge_kutta_4:20000
+    #[arg(long, value_parser = method)]
+    pub method: Option<Method>,
+    /// Error allowed in a step, relative, and absolute in SI units
+    #[arg(long = "tol", value_name = "T", value_parser = tolerance)]
+    pub tolerance: Option<f64>,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way
+    #[arg(long)]
+    pub form: Option<Axes>,
+    /// Writes the trajectory as a table: time, states, rotor's speed; of a mechanism time, states, work and what follows
+    /// from them; with rough contacts time, coordinates, velocities, works
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Writes how the end depends on the start as a table: a row for each state at the end, a column for each at the start
+    #[arg(long, value_name = "FILE.csv")]
+    pub transition: Option<PathBuf>,
+    /// How to print the summary; JSON is one object: time, state, work, invariants, model, method
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    /// Instants of the trajectory beside its start
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub samples: Option<u32>,
+    /// Stops a run that takes longer, and keeps what there is
+    #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    pub seconds: u32,
+}
+
+/// What the long help adds: names of methods and models.
+pub fn help() -> String {
+    let column = |name: &str, what: &str| format!("  {name:<22} {what}\n");
+    let methods: String = methods::list().map(|(name, what)| column(&name, what)).collect();
+    let models: String = AnyMachine::LIST.iter().map(|(name, what)| column(name, what)).collect();
+    format!("Methods:\n{methods}\nModels:\n{models}")
+}
+
+fn method(text: &str) -> Result<Method, String> {
+    methods::method(text).map_err(|(_, accepted)| accepted)
+}
+
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
-pub fn run(asked: &Run) -> Result<Ending, Ending> {
+pub fn run(asked: &Asked) -> Result<Ending, Ending> {
     match AnyScene::open(&asked.scene)? {
         AnyScene::Rough(_) if asked.transition.is_some() => Err(Ending::refused(format!(
             "--transition does not apply to {}: across stick and slip the end has no derivative by the start",
@@ -42,7 +93,7 @@ pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), En
 }
 
 /// Runs one initial value problem.
-fn follow(scene: &dyn Smooth, asked: &Run, form: Option<Axes>) -> Result<Ending, Ending> {
+fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Ending, Ending> {
     let choice = choice(scene.run(), asked);
     let table = csv::Table::open(asked.out.as_deref())?;
     let matrix = csv::Table::open(asked.transition.as_deref())?;
@@ -82,7 +133,7 @@ pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scen
 }
 
 /// The scene's own choices, but for those that are made on the command line.
-fn choice(own: &derivations::scene::Run, asked: &Run) -> Choice {
+fn choice(own: &derivations::scene::Run, asked: &Asked) -> Choice {
     let own = own.choice();
     Choice {
         method: asked.method.unwrap_or(own.method),

@@ -1,15 +1,27 @@
 //! `dalembert scenes`: what there is to run.
 
-use crate::arguments::{Format, Scenes};
+use crate::arguments::Format;
 use crate::ending::{Ending, print};
+use clap::Args;
 use derivations::scene::{AnyScene, Family};
 use serde_json::{Value, json};
 use std::io;
 use std::path::{Path, PathBuf};
 
+/// Which scenes are to be listed.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// Where the scene files are
+    #[arg(default_value = "scenes")]
+    pub folder: PathBuf,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
 /// Prints each scene of a folder with its machine or its system, and its title; one that is not acceptable with the number
 /// of its faults.
-pub fn list(asked: &Scenes) -> Result<Ending, Ending> {
+pub fn list(asked: &Asked) -> Result<Ending, Ending> {
     let files = files(&asked.folder)?;
     let listed = files.iter().map(|path| (path.display().to_string(), listed(path)));
     print(&match asked.format {

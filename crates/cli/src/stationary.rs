@@ -1,10 +1,11 @@
 //! `dalembert stationary`: all stationary motions of a scene, with the certificate that none is missing, and whether each is
 //! stable.
 
-use crate::arguments::{Format, Stationary as Asked};
+use crate::arguments::{Format, finite};
 use crate::ending::{Ending, print};
 use crate::run::with_model;
 use crate::stability;
+use clap::Args;
 use derivations::scene::{Family, Scene};
 use derivations::stationary::energies::Kept;
 use derivations::stationary::motions::{Answer, Certificate, Found, NoAnswer, Stationary};
@@ -12,6 +13,30 @@ use derivations::stationary::motor::{Angle, Motor};
 use mechanics::uniform::{Census, Kind, Shape, Undecided};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Which stationary motions are to be found.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Those with this angular velocity about the vertical, rad/s
+    #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true, conflicts_with_all = ["momentum", "cone"])]
+    pub omega0: Option<f64>,
+    /// Those with this angular momentum about the vertical, N m s; without any of the three, that of the scene's start
+    #[arg(long, value_name = "P", value_parser = finite, allow_negative_numbers = true, conflicts_with = "cone")]
+    pub momentum: Option<f64>,
+    /// How many there are for every angular velocity, and where two merge
+    #[arg(long)]
+    pub cone: bool,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
 
 /// Prints them.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {

@@ -7,11 +7,23 @@ use crate::ending::{Ending, save};
 use crate::progress::Progress;
 use crate::speed::{advice::advice, pictures, tables};
 use charts::{Report, SceneSection, WorkPrecision};
+use clap::Args;
 use derivations::failures;
 use derivations::scene::{AnyScene, Atlas, Family, Smooth, Stored};
 use parts::Parts;
 use scene::{Read, described};
 use std::path::{Path, PathBuf};
+
+/// The main job, where no command is given.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// Where the scene files are
+    #[arg(long, value_name = "FOLDER", default_value = "scenes")]
+    pub scenes: PathBuf,
+    /// The page
+    #[arg(long, value_name = "FILE.html", default_value = "report/index.html")]
+    pub out: PathBuf,
+}
 
 /// Judges the ledger, runs and charts the scenes, and writes the page.
 pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, Ending> {
