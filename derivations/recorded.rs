@@ -77,7 +77,7 @@ impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Re
 }
 
 /// The series of a recurrence, with room made for the order that is asked for.
-struct Series<'a, S, const N: usize> {
+struct Series<'a, S: Fused, const N: usize> {
     recurrence: &'a Recurrence,
     expansion: Option<Expansion<S, WIDTH, N>>,
 }

@@ -118,3 +118,49 @@ fn what_cancels_is_no_coefficient() {
     // the cosine
     assert_eq!([0, 1, 2, 3].map(|k| series.coefficients(k)[0]), [1.0, 0.0, -0.5, 0.0]);
 }
+
+/// y_i' = c_i + l_i y_(i+1) + sum of w y_a y_b, with so many different products, one of them with a sum for a factor.
+fn second_degree(states: usize, products: usize) -> (Vec<Sym>, Vec<Sym>) {
+    let state: Vec<Sym> = (0..states).map(|i| Sym::symbol(&format!("z{i}"))).collect();
+    let number = |i: usize, j: usize| Sym::ratio((7 * i + 5 * j) as i64 % 11 - 5, 13);
+    let mut rates: Vec<Sym> = (0..states).map(|i| number(i, 2) + number(i, 3) * state[(i + 1) % states]).collect();
+    let pairs = (0..states).flat_map(|a| (a..states).map(move |b| (a, b)));
+    for (place, (a, b)) in pairs.take(products - 1).enumerate() {
+        for row in [place % states, (place + 1) % states] {
+            rates[row] += number(place, row + 1) * (state[a] * state[b]);
+        }
+    }
+    let [first, second, third] = [state[0], state[1], state[2]];
+    let sum = first + second * Sym::ratio(3, 2) - third + Sym::ratio(1, 4);
+    rates[0] += sum * (first - second * Sym::ratio(1, 2) + third * Sym::int(2));
+    (state, rates)
+}
+
+#[test]
+fn small_systems_of_second_degree_have_the_series_of_their_stages_in_every_size() {
+    for (states, products) in [(3, 5), (5, 13), (6, 20), (9, 6), (10, 14), (12, 21)] {
+        let (state, rates) = second_degree(states, products);
+        let recurrence = record(&state, None, &[], &rates).unwrap();
+        for order in [2, 3, 7, 30] {
+            let mut small = recurrence.expansion::<f64, 8, 256>(&[], order).unwrap();
+            let mut stages = recurrence.expansion::<f64, 4, 256>(&[], order).unwrap();
+            for start in [f64::NAN, 0.3, -0.4] {
+                let start: Vec<f64> = (0..states).map(|i| start / (1.0 + i as f64)).collect();
+                small.expand(&start, 0.0);
+                stages.expand(&start, 0.0);
+                for k in (0..=order).filter(|_| !start[0].is_nan()) {
+                    for (a, b) in small.coefficients(k).iter().zip(stages.coefficients(k)) {
+                        assert!((a - b).abs() <= 1e-12 * b.abs().max(1e-3), "{states} {products}: order {k}: {a} {b}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn time_moves_in_a_small_system_too() {
+    // y' = t y: exp(t^2/2)
+    let found = solution(|y, t| y * t, 1.0, 0.0, 6);
+    assert_eq!(found, [1.0, 0.0, 0.5, 0.0, 0.125, 0.0, 1.0 / 48.0]);
+}

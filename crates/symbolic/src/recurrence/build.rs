@@ -1,9 +1,10 @@
 //! From the expression graph to sums and products.
 
 use super::collect::{Uses, common_factor, whole_sums};
+use super::degree::SecondDegree;
 use super::form::{Atom, Form};
 use super::plan::Plan;
-use super::{Equations, Recurrence};
+use super::{Equations, Recurrence, Small};
 use crate::graph::Node;
 use crate::{Sym, Tape, Untapeable};
 use rustc_hash::FxHashMap;
@@ -242,12 +243,17 @@ impl<'a> Builder<'a> {
     /// With the tapes for its coefficients and its circle points.
     pub fn finish(self) -> Result<Recurrence, Untapeable> {
         let (plan, coefficients) = Plan::new(&self);
-        let inputs: Vec<Sym> =
-            self.equations.state.iter().chain(&self.equations.time).chain(self.equations.parameters).copied().collect();
+        let Equations { state, time, parameters, .. } = *self.equations;
+        let inputs: Vec<Sym> = state.iter().chain(&time).chain(parameters).copied().collect();
+        let small = SecondDegree::of(&self).map(|(degree, coefficients, points)| -> Result<Small, Untapeable> {
+            let coefficients = Tape::record(parameters, &coefficients)?;
+            Ok(Small { degree, coefficients, points: Tape::record(&inputs, &points)? })
+        });
         Ok(Recurrence {
             plan,
-            coefficients: Tape::record(self.equations.parameters, &coefficients)?,
+            coefficients: Tape::record(parameters, &coefficients)?,
             points: Tape::record(&inputs, &self.points)?,
+            small: small.transpose()?,
         })
     }
 

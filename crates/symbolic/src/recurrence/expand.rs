@@ -1,10 +1,12 @@
 //! All coefficients of a solution's series, order by order.
 
-use super::Recurrence;
+use super::compact::{MOST_ORDER, SmallSeries};
 use super::fused::{Fused, Task};
 use super::layout::{CHAINS, Lanes, Layout, MOST, Rows, width};
 use super::order::add;
 use super::pick::{Columns, Pick};
+use super::plan::Plan;
+use super::{Recurrence, Small};
 use crate::tape::{Program, Tape};
 
 /// A recurrence over a field, with room for the series of all its quantities: expanding allocates nothing.
@@ -13,15 +15,11 @@ use crate::tape::{Program, Tape};
 /// itself, 1. `N` is a power of two above the number of columns, so that no index needs a check. To lay one out takes as
 /// long as a few steps, so an expansion is to be kept from run to run.
 #[derive(Clone, Debug)]
-pub struct Expansion<S, const W: usize, const N: usize = 256> {
+pub struct Expansion<S: Fused, const W: usize, const N: usize = 256> {
     order: usize,
     states: usize,
     time: bool,
-    layout: Layout<S, W>,
-    /// The coefficients of the order at hand of all quantities, by column.
-    now: Box<Columns<S, N>>,
-    /// Room for the next order: so the rates of this one need not wait for each other.
-    then: Box<Columns<S, N>>,
+    way: Way<S, W, N>,
     /// The coefficients of all orders of what has a rate; so long is one order.
     series: Vec<S>,
     width: usize,
@@ -29,6 +27,25 @@ pub struct Expansion<S, const W: usize, const N: usize = 256> {
     reciprocals: Vec<S>,
     points: Program<'static, S>,
     coefficients: Program<'static, S>,
+    /// Room for the values of the coefficients.
+    values: Vec<S>,
+}
+
+/// How the orders are found.
+#[derive(Clone, Debug)]
+enum Way<S: Fused, const W: usize, const N: usize> {
+    Stages(Stages<S, W, N>),
+    Small(S::Small),
+}
+
+/// By stages of sums and products.
+#[derive(Clone, Debug)]
+struct Stages<S, const W: usize, const N: usize> {
+    layout: Layout<S, W>,
+    /// The coefficients of the order at hand of all quantities, by column.
+    now: Box<Columns<S, N>>,
+    /// Room for the next order: so the rates of this one need not wait for each other.
+    then: Box<Columns<S, N>>,
 }
 
 impl Recurrence {
@@ -43,20 +60,32 @@ impl Recurrence {
         if width(&self.plan, W) > N {
             return None;
         }
-        let layout = Layout::new(&self.plan, order);
-        let width = self.plan.moving.next_multiple_of(W);
+        let small = self.small.as_ref().filter(|_| W == GROUP && (2..=MOST_ORDER).contains(&order));
+        let small = small.and_then(|small| Some((small, S::Small::new(&small.degree)?)));
+        let (way, moving, points, coefficients, count) = match small {
+            Some((small, series)) => {
+                let Small { degree, coefficients, points } = small;
+                (Way::Small(series), degree.moving, points, coefficients, degree.coefficients)
+            }
+            None => {
+                let [now, then] = [(); 2].map(|()| Box::new(Columns([S::zero(); N])));
+                let stages = Stages { layout: Layout::new(&self.plan, order), now, then };
+                let Plan { moving, coefficients, .. } = self.plan;
+                (Way::Stages(stages), moving, &self.points, &self.coefficients, coefficients)
+            }
+        };
+        let width = moving.next_multiple_of(W);
         let mut expansion = Expansion {
             order,
             states: self.plan.states,
             time: self.plan.time,
-            layout,
-            now: Box::new(Columns([S::zero(); N])),
-            then: Box::new(Columns([S::zero(); N])),
+            way,
             series: vec![S::zero(); width * (order + 1)],
             width,
             reciprocals: std::iter::once(S::zero()).chain((1..=order as i64 + 1).map(|k| S::ratio(1, k))).collect(),
-            points: program(&self.points),
-            coefficients: program(&self.coefficients),
+            points: program(points),
+            coefficients: program(coefficients),
+            values: vec![S::zero(); count],
         };
         expansion.set_parameters(parameters);
         Some(expansion)
@@ -79,9 +108,11 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
         let moving = self.states + usize::from(self.time);
         let inputs: Vec<S> = std::iter::repeat_n(S::zero(), moving).chain(parameters.iter().copied()).collect();
         self.points.evaluate(&inputs, &mut []);
-        let mut values = vec![S::zero(); self.layout.coefficients];
-        self.coefficients.evaluate(parameters, &mut values);
-        self.layout.set(&values);
+        self.coefficients.evaluate(parameters, &mut self.values);
+        match &mut self.way {
+            Way::Stages(stages) => stages.layout.set(&self.values),
+            Way::Small(small) => small.set(&self.values),
+        }
     }
 
     /// Expands the solution through `state` at `time`.
@@ -95,7 +126,11 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
         }
         let (known, points) = self.series.split_at_mut(moving);
         self.points.evaluate(known, points);
-        S::run(Expand(self), W);
+        let Expansion { order, series, width, reciprocals, .. } = self;
+        match &mut self.way {
+            Way::Stages(stages) => S::run(Expand { stages, order: *order, series, width: *width, reciprocals }, W),
+            Way::Small(small) => small.expand(series),
+        }
     }
 
     /// The coefficients a_k of the states.
@@ -111,17 +146,26 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
     }
 }
 
-struct Expand<'a, S, const W: usize, const N: usize>(&'a mut Expansion<S, W, N>);
+/// So wide is a group in the small series.
+const GROUP: usize = 8;
+
+struct Expand<'a, S, const W: usize, const N: usize> {
+    stages: &'a mut Stages<S, W, N>,
+    order: usize,
+    series: &'a mut [S],
+    width: usize,
+    reciprocals: &'a [S],
+}
 
 impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, S, W, N> {
     #[inline(always)]
     fn run<P: Pick<S>>(self, pick: P) {
-        let Expansion { order, layout, now, then, series, width, reciprocals, .. } = self.0;
-        let (order, mut now, mut then) = (*order, &mut **now, &mut **then);
+        let Expand { stages: Stages { layout, now, then }, order, series, width, reciprocals } = self;
+        let (mut now, mut then) = (&mut **now, &mut **then);
         for group in layout.stages.iter_mut().flat_map(|stage| &mut stage.groups) {
             group.left[..CHAINS].fill(Lanes::zero());
         }
-        for (now, first) in now.0.chunks_exact_mut(W).zip(series[..*width].chunks_exact(W)) {
+        for (now, first) in now.0.chunks_exact_mut(W).zip(series[..width].chunks_exact(W)) {
             now.copy_from_slice(first);
         }
         for k in 0..order {
@@ -140,7 +184,7 @@ impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, S, W, N> {
                 }
             }
             // x_(k+1) = (x')_k / (k + 1)
-            let (next, reciprocal) = (&mut series[(k + 1) * *width..][..*width], reciprocals[k + 1]);
+            let (next, reciprocal) = (&mut series[(k + 1) * width..][..width], reciprocals[k + 1]);
             let rows = then.0.chunks_exact_mut(W).zip(next.chunks_exact_mut(W));
             for (block, (then, next)) in layout.rates.blocks.iter().zip(rows) {
                 let mut sum = block.sums::<P, N>(k, now);
@@ -155,7 +199,7 @@ impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, S, W, N> {
     }
 }
 
-struct Sum<'a, S, const W: usize, const N: usize> {
+struct Sum<'a, S: Fused, const W: usize, const N: usize> {
     expansion: &'a Expansion<S, W, N>,
     h: S,
     out: &'a mut [S],

@@ -1,5 +1,6 @@
 //! With the widest instructions that the processor has, chosen when the program runs.
 
+use super::compact::{Compact, Never, SmallSeries};
 #[cfg(target_arch = "x86_64")]
 use super::permuting::Permuting;
 use super::pick::{OneByOne, Pick};
@@ -9,6 +10,11 @@ use field::{Analytic, DoubleDouble, Over};
 pub trait Fused: Analytic + Over<f64> {
     /// Whether it holds more digits than `f64`.
     const FINER: bool = false;
+
+    /// How small right-hand sides of second degree are expanded.
+    #[doc(hidden)]
+    #[allow(private_bounds)]
+    type Small: SmallSeries<Self>;
 
     /// self + a b, rounded once or twice.
     #[inline(always)]
@@ -32,12 +38,17 @@ pub(super) trait Task<S> {
 
 impl Fused for DoubleDouble {
     const FINER: bool = true;
+    type Small = Never;
 }
 
 /// A number with its derivatives in D directions: the series of a solution and of how it depends on its beginning.
-impl<const D: usize> Fused for num_dual::DualSVec64<D> {}
+impl<const D: usize> Fused for num_dual::DualSVec64<D> {
+    type Small = Never;
+}
 
 impl Fused for f64 {
+    type Small = Compact;
+
     #[inline(always)]
     fn plus_product(self, a: Self, b: Self, fused: bool) -> Self {
         if fused { a.mul_add(b, self) } else { self + a * b }

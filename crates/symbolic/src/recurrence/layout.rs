@@ -24,7 +24,6 @@ pub(super) const MOST: usize = 1 << 16;
 /// Columns of quantities, and the sums and products over them.
 #[derive(Clone, Debug)]
 pub(super) struct Layout<S, const W: usize> {
-    pub coefficients: usize,
     pub stages: Vec<Laid<S, W>>,
     pub rates: Rows<S, W>,
 }
@@ -116,7 +115,7 @@ impl<S: Scalar, const W: usize> Layout<S, W> {
             stages.push(Laid { sums, groups, reciprocals, roots, has_implicit });
             columns.next = columns.next.next_multiple_of(W);
         }
-        Layout { coefficients: plan.coefficients, stages, rates: Rows::new(&plan.rates, 0, &columns) }
+        Layout { stages, rates: Rows::new(&plan.rates, 0, &columns) }
     }
 
     /// Takes the values of the coefficients.

@@ -12,6 +12,8 @@
 mod abreast;
 mod build;
 mod collect;
+mod compact;
+mod degree;
 mod expand;
 mod form;
 mod fused;
@@ -29,6 +31,7 @@ pub use fused::Fused;
 
 use crate::{Sym, Tape, Untapeable};
 use build::Builder;
+use degree::SecondDegree;
 use plan::Plan;
 
 /// y' = f(t, y; parameters), written down over expressions.
@@ -51,6 +54,18 @@ pub struct Recurrence {
     /// From the parameters to the coefficients of the sums.
     coefficients: Tape,
     /// From state, time and parameters to the circle points, which are states of their own.
+    points: Tape,
+    /// Where it is of second degree and small.
+    small: Option<Small>,
+}
+
+/// A small right-hand side of second degree.
+#[derive(Clone, Debug)]
+struct Small {
+    degree: SecondDegree,
+    /// From the parameters to its coefficients.
+    coefficients: Tape,
+    /// From state, time and parameters to what moves beside them.
     points: Tape,
 }
 

@@ -15,7 +15,7 @@ pub(super) fn add<P: Pick<S>, S: Fused, const W: usize>(mut sum: [S; W], a: [S; 
 }
 
 #[inline(always)]
-fn together<S: Fused, const W: usize>([mut a, b, mut c, d]: [[S; W]; CHAINS]) -> [S; W] {
+pub(super) fn together<S: Fused, const W: usize>([mut a, b, mut c, d]: [[S; W]; CHAINS]) -> [S; W] {
     for lane in 0..W {
         a[lane] += b[lane];
         c[lane] += d[lane];

@@ -1,6 +1,6 @@
 //! Taking numbers by permutations of registers of eight, where the processor has them.
 
-use super::pick::{Columns, Pick, Selection};
+use super::pick::{Columns, Pick, Selection, Shuffle};
 
 /// Columns to be taken, as permutations of blocks of eight.
 #[derive(Clone, Debug)]
@@ -61,6 +61,12 @@ impl Pick<f64> for Permuting {
             *lane = number;
         }
         lanes
+    }
+
+    #[inline(always)]
+    fn shuffle(self, from: [&[f64; 8]; 2], shuffle: &Shuffle) -> [f64; 8] {
+        let [low, high] = from.map(|&eight| pulp::cast(eight));
+        pulp::cast(self.0.avx512f._mm512_permutex2var_pd(low, pulp::cast(*shuffle), high))
     }
 }
 

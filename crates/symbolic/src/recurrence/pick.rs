@@ -34,7 +34,13 @@ pub(super) trait Pick<S>: Copy {
     const FUSED: bool;
 
     fn pick<const W: usize, const N: usize>(self, from: &Columns<S, N>, selection: &Selection<W>) -> [S; W];
+
+    /// Of two groups of eight.
+    fn shuffle(self, from: [&[S; 8]; 2], shuffle: &Shuffle) -> [S; 8];
 }
+
+/// For each of eight places a number from 0 to 15 in two groups of eight.
+pub(super) type Shuffle = [u64; 8];
 
 /// One by one.
 #[derive(Clone, Copy)]
@@ -50,5 +56,10 @@ impl<S: Scalar, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
             *lane = from.0[usize::from(*column) % N];
         }
         picked
+    }
+
+    #[inline(always)]
+    fn shuffle(self, from: [&[S; 8]; 2], shuffle: &Shuffle) -> [S; 8] {
+        shuffle.map(|number| from[number as usize / 8 % 2][number as usize % 8])
     }
 }

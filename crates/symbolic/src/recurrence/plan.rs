@@ -53,13 +53,13 @@ pub(super) struct Sums {
 
 /// The coefficients, each once.
 #[derive(Default)]
-struct Coefficients {
-    all: Vec<Sym>,
+pub(super) struct Coefficients {
+    pub all: Vec<Sym>,
     known: FxHashMap<Sym, u32>,
 }
 
 impl Coefficients {
-    fn number(&mut self, coefficient: Sym) -> u32 {
+    pub fn number(&mut self, coefficient: Sym) -> u32 {
         let next = self.all.len() as u32;
         let number = *self.known.entry(coefficient).or_insert(next);
         if number == next {
