@@ -1,10 +1,10 @@
 //! From the expression graph to sums and products.
 
 use super::collect::{Uses, common_factor, whole_sums};
-use super::degree::SecondDegree;
 use super::form::{Atom, Form};
 use super::plan::Plan;
-use super::{Equations, Recurrence, Small};
+use super::small::SecondDegree;
+use super::{Equations, Recurrence, Reduced};
 use crate::graph::Node;
 use crate::{Sym, Tape, Untapeable};
 use rustc_hash::FxHashMap;
@@ -245,9 +245,9 @@ impl<'a> Builder<'a> {
         let (plan, coefficients) = Plan::new(&self);
         let Equations { state, time, parameters, .. } = *self.equations;
         let inputs: Vec<Sym> = state.iter().chain(&time).chain(parameters).copied().collect();
-        let small = SecondDegree::of(&self).map(|(degree, coefficients, points)| -> Result<Small, Untapeable> {
+        let small = SecondDegree::of(&self).map(|(degree, coefficients, points)| -> Result<Reduced, Untapeable> {
             let coefficients = Tape::record(parameters, &coefficients)?;
-            Ok(Small { degree, coefficients, points: Tape::record(&inputs, &points)? })
+            Ok(Reduced { degree, coefficients, points: Tape::record(&inputs, &points)? })
         });
         Ok(Recurrence {
             plan,

@@ -1,12 +1,12 @@
 //! All coefficients of a solution's series, order by order.
 
-use super::compact::{MOST_ORDER, SmallSeries};
 use super::fused::{Fused, Task};
 use super::layout::{CHAINS, Lanes, Layout, MOST, Rows, width};
 use super::order::add;
 use super::pick::{Columns, Pick};
 use super::plan::Plan;
-use super::{Recurrence, Small};
+use super::small::{MOST_ORDER, SmallSeries};
+use super::{Recurrence, Reduced};
 use crate::tape::{Program, Tape};
 
 /// A recurrence over a field, with room for the series of all its quantities: expanding allocates nothing.
@@ -64,7 +64,7 @@ impl Recurrence {
         let small = small.and_then(|small| Some((small, S::Small::new(&small.degree)?)));
         let (way, moving, points, coefficients, count) = match small {
             Some((small, series)) => {
-                let Small { degree, coefficients, points } = small;
+                let Reduced { degree, coefficients, points } = small;
                 (Way::Small(series), degree.moving, points, coefficients, degree.coefficients)
             }
             None => {

@@ -1,9 +1,9 @@
 //! With the widest instructions that the processor has, chosen when the program runs.
 
-use super::compact::{Compact, Never, SmallSeries};
 #[cfg(target_arch = "x86_64")]
 use super::permuting::Permuting;
 use super::pick::{OneByOne, Pick};
+use super::small::{Never, Small, SmallSeries};
 use field::{Analytic, DoubleDouble, Over};
 
 /// A field with a product added to a sum as fast as the processor can.
@@ -47,7 +47,7 @@ impl<const D: usize> Fused for num_dual::DualSVec64<D> {
 }
 
 impl Fused for f64 {
-    type Small = Compact;
+    type Small = Small;
 
     #[inline(always)]
     fn plus_product(self, a: Self, b: Self, fused: bool) -> Self {

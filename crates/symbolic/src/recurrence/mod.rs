@@ -12,8 +12,6 @@
 mod abreast;
 mod build;
 mod collect;
-mod compact;
-mod degree;
 mod expand;
 mod form;
 mod fused;
@@ -24,6 +22,7 @@ mod permuting;
 mod pick;
 mod plan;
 mod points;
+mod small;
 
 pub use abreast::Abreast;
 pub use expand::Expansion;
@@ -31,8 +30,8 @@ pub use fused::Fused;
 
 use crate::{Sym, Tape, Untapeable};
 use build::Builder;
-use degree::SecondDegree;
 use plan::Plan;
+use small::SecondDegree;
 
 /// y' = f(t, y; parameters), written down over expressions.
 #[derive(Clone, Copy, Debug)]
@@ -56,12 +55,12 @@ pub struct Recurrence {
     /// From state, time and parameters to the circle points, which are states of their own.
     points: Tape,
     /// Where it is of second degree and small.
-    small: Option<Small>,
+    small: Option<Reduced>,
 }
 
 /// A small right-hand side of second degree.
 #[derive(Clone, Debug)]
-struct Small {
+struct Reduced {
     degree: SecondDegree,
     /// From the parameters to its coefficients.
     coefficients: Tape,

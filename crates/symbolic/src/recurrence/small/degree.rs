@@ -1,18 +1,18 @@
 //! Right-hand sides of second degree: y' = c + L y + sum_p w_p a_p b_p, where every factor is one of few moving quantities.
 
-use super::build::{Builder, Definition};
-use super::form::Form;
-use super::plan::Coefficients;
 use crate::Sym;
+use crate::recurrence::build::{Builder, Definition};
+use crate::recurrence::form::Form;
+use crate::recurrence::plan::Coefficients;
 
 /// So many quantities, and so many products of them, still count as few.
-pub(super) const MOST_MOVING: usize = 16;
-pub(super) const MOST_PRODUCTS: usize = 24;
+const MOST_MOVING: usize = 16;
+const MOST_PRODUCTS: usize = 24;
 
 /// A right-hand side of second degree. The moving quantities are the states, time, circle points, and the sums of these that
 /// are factors: a sum moves as its parts do, and then no order waits for it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct SecondDegree {
+pub(in crate::recurrence) struct SecondDegree {
     pub moving: usize,
     /// The factors of each product.
     pub products: Vec<[usize; 2]>,

@@ -1,0 +1,90 @@
+//! Small right-hand sides of second degree, y' = c + L y + sum_p w_p a_p b_p: what most scenes come to, and where an order of
+//! the series is so little work that waiting is most of it.
+
+mod degree;
+mod kernel;
+mod orders;
+
+pub(super) use degree::SecondDegree;
+pub(super) use kernel::MOST_ORDER;
+
+use super::fused::Fused;
+use kernel::Kernel;
+use orders::Expand;
+
+/// Groups of eight quantities, and of eight products.
+#[derive(Clone, Debug)]
+pub enum Small {
+    OneOne(Box<Kernel<1, 1>>),
+    OneTwo(Box<Kernel<1, 2>>),
+    OneThree(Box<Kernel<1, 3>>),
+    TwoOne(Box<Kernel<2, 1>>),
+    TwoTwo(Box<Kernel<2, 2>>),
+    TwoThree(Box<Kernel<2, 3>>),
+}
+
+/// The same for each size.
+macro_rules! for_kernel {
+    ($small:expr, $kernel:ident => $what:expr) => {
+        match $small {
+            Small::OneOne($kernel) => $what,
+            Small::OneTwo($kernel) => $what,
+            Small::OneThree($kernel) => $what,
+            Small::TwoOne($kernel) => $what,
+            Small::TwoTwo($kernel) => $what,
+            Small::TwoThree($kernel) => $what,
+        }
+    };
+}
+
+/// A way of expanding small right-hand sides of second degree.
+pub(super) trait SmallSeries<S>: Clone + std::fmt::Debug {
+    /// Room for one, without its coefficients; `None` where there is no such way.
+    fn new(degree: &SecondDegree) -> Option<Self>;
+
+    /// Takes the values of the coefficients.
+    fn set(&mut self, values: &[S]);
+
+    /// Expands the solution whose first coefficients stand at the head of the series, which has a row of whole groups of
+    /// eight for each order.
+    fn expand(&mut self, series: &mut [S]);
+}
+
+impl SmallSeries<f64> for Small {
+    fn new(degree: &SecondDegree) -> Option<Self> {
+        Some(match (degree.moving > 8, degree.products.len().div_ceil(8)) {
+            (false, 0 | 1) => Small::OneOne(Kernel::new(degree)),
+            (false, 2) => Small::OneTwo(Kernel::new(degree)),
+            (false, _) => Small::OneThree(Kernel::new(degree)),
+            (true, 0 | 1) => Small::TwoOne(Kernel::new(degree)),
+            (true, 2) => Small::TwoTwo(Kernel::new(degree)),
+            (true, _) => Small::TwoThree(Kernel::new(degree)),
+        })
+    }
+
+    fn set(&mut self, values: &[f64]) {
+        for_kernel!(self, kernel => kernel.set(values));
+    }
+
+    fn expand(&mut self, series: &mut [f64]) {
+        for_kernel!(self, kernel => f64::run(Expand { kernel, series }, 8));
+    }
+}
+
+/// Of fields that have no way of their own.
+#[derive(Clone, Debug)]
+pub enum Never {}
+
+impl<S> SmallSeries<S> for Never {
+    fn new(_: &SecondDegree) -> Option<Self> {
+        None
+    }
+
+    fn set(&mut self, _: &[S]) {
+        match *self {}
+    }
+
+    fn expand(&mut self, _: &mut [S]) {
+        match *self {}
+    }
+}
