@@ -1,6 +1,9 @@
-//! The Taylor method on the gyrostat with 8 states (synchronous motor) and 15 (six damper bars), in both forms: how long
+//! The Taylor method on the gyrostat with 6 states (constant speed), 7 (free rotor), 8 (synchronous motor) and 15 (six damper
+//! bars), in both forms: how long
 //! one takes to write the laws down, and a run of two seconds by tolerance. `cargo bench --bench taylor`.
 
+use derivations::machines::constant_speed::ConstantSpeed;
+use derivations::machines::free_rotor::FreeRotor;
 use derivations::machines::multi_current::MultiCurrent;
 use derivations::machines::synchronous::Synchronous;
 use derivations::recorded::Recorded;
@@ -23,6 +26,8 @@ fn main() {
     let bars = MultiCurrent::evenly(windings, 6);
     let (first, second) = (gyrostat.first_form().0, gyrostat.second_form().0);
     println!("states form    recorded [ms]   tolerance order steps   run [us]  step [ns]   error");
+    rows("second", Driven::new(second, ConstantSpeed { speed: windings.field_speed }));
+    rows("second", Driven::new(second, FreeRotor::default()));
     rows("first", Driven::new(first, single));
     rows("second", Driven::new(second, single));
     rows("first", Driven::new(first, bars.clone()));
