@@ -8,16 +8,23 @@
 //!
 //! To add a motor: one file here, and one line in the list below.
 
+mod bench;
 mod bench_pieces;
 mod conserved;
 mod kick;
 mod machine;
 mod quantity;
+mod resting;
 
+pub use bench::Bench;
 pub use conserved::{Conserved, ConservedBy};
-pub use kick::{Kick, Law, Point, Rule, decay_quotient, fading_slip, fastest_current, kick, solved};
-pub use machine::{Bench, Circuit, Machine, RotorState, drive, drive_circuits, heat, state_names, stored_energy};
+pub use kick::{Kick, Law, Point, Rule, decay_quotient, fading_slip, fastest_current, has_known_flow, kick, solved};
+pub use machine::{
+    Circuit, Machine, RotorState, drive, drive_circuits, heat, is_fed, motional_moment, state_names, stored_energy,
+    supplied,
+};
 pub use quantity::Quantity;
+pub use resting::resting_currents;
 
 use field::{Analytic, Base, Over};
 

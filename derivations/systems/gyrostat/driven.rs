@@ -94,7 +94,7 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
         self.form.energy(w.map(Tangent::fixed), v.map(Tangent::fixed), speed).slope
     }
 
-    /// E - W p, the energy as seen from the stator's field: what it loses is heat.
+    /// E - W p, the energy as seen from the stator's field: without supply and sliding windings what it loses is heat.
     pub fn jacobi<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
         self.energy(y) - S::lift(self.machine.frame_speed()) * self.rotor_momentum(y)
     }
