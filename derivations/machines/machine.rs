@@ -46,6 +46,11 @@ pub trait Machine<P: Base> {
         0
     }
 
+    /// What its current is called among the states: x of the excitation, i1, i2, ... of bars.
+    fn current_name(&self, winding: usize) -> String {
+        if winding == 0 { "x".into() } else { format!("i{winding}") }
+    }
+
     /// L_k, H.
     #[inline(always)]
     fn inductance(&self, _winding: usize) -> P {
@@ -193,14 +198,14 @@ pub fn is_fed<P: Base>(machine: &impl Machine<P>) -> bool {
     (0..none.len()).any(|k| machine.supply(k, Circle::<P>::zero()).is_some() || machine.motional(k, &none).is_some())
 }
 
-/// The names of the states of a machine: of its rotor, then its currents (x for the excitation, i1, i2, ... the bars).
+/// The names of the states of a machine: of its rotor, then its currents.
 pub fn state_names<P: Base, M: Machine<P>>(machine: &M) -> Vec<String> {
     let rotor: &[&str] = match M::ROTOR {
         RotorState::Prescribed => &[],
         RotorState::Speed => &["slip"],
         RotorState::AngleAndSpeed => &["angle", "slip"],
     };
-    let currents = (0..machine.windings()).map(|k| if k == 0 { "x".into() } else { format!("i{k}") });
+    let currents = (0..machine.windings()).map(|k| machine.current_name(k));
     rotor.iter().map(|&name| name.into()).chain(currents).collect()
 }
 

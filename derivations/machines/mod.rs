@@ -4,6 +4,8 @@
 //! The models form a ladder, from a rotor that simply turns to one with every bar of its damper:
 //! [`constant_speed`], [`free_rotor`], [`asynchronous`] and [`kloss`] (moment a function of slip), [`synchronous`]
 //! (moment a function of the angle), [`equivalent_windings`] (damper as two currents), [`multi_current`] (all bars).
+//! Beside it stand [`crossed_windings`] (asynchronous with two currents), [`permanent_magnet`] and [`brushed`] (fed by a
+//! voltage).
 //! [`Machine`] is what each implements; moment, currents, energies and power balance are derived from it.
 //!
 //! To add a motor: one file here, and one line in the list below.
@@ -100,4 +102,7 @@ machines! {
     mod synchronous: Synchronous;
     mod equivalent_windings: EquivalentWindings;
     mod multi_current: MultiCurrent;
+    mod crossed_windings: CrossedWindings;
+    mod permanent_magnet: PermanentMagnet;
+    mod brushed: Brushed;
 }

@@ -140,7 +140,8 @@ impl ForMachine for Sound<'_> {
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
         if !has_known_flow(&machine) {
             let driven = Driven::new(self.0.first_form().0, machine.clone());
-            prop_assert!(driven.pieces::<f64>().is_none() && Bench { machine, axial: 0.7 }.pieces::<f64>().is_none());
+            let none = driven.pieces::<f64>().is_none() && Bench { machine, axial: 0.7 }.pieces::<f64>().is_none();
+            prop_assert!(none, "pieces without a known flow");
             return Ok(());
         }
         in_form(Driven::new(self.0.first_form().0, machine.clone()), self.1)?;
