@@ -9,7 +9,7 @@
 //! that takes.
 
 use super::{Catalogued, ForMachine, Machine, RotorState, drive, motional_moment, supplied};
-use field::Circle;
+use field::{Base, Circle, Over};
 
 /// The integrals that a machine leaves, beside those that no machine touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,7 +32,9 @@ impl Conserved {
         let moment = |(slip, speed): (f64, f64)| machine.moment_law(slip, speed);
         let lossless = (0..machine.windings()).all(|k| machine.resistance(k) == 0.0);
         let frictionless = POINTS.into_iter().all(|point| moment(point) == 0.0);
-        let unfed = POINTS.into_iter().all(|(_, angle)| feed(machine, angle) == 0.0);
+        let currents = unrelated(machine);
+        let fed = |(_, angle): (f64, f64)| feed(machine, Circle::from_half_tangent(angle), &currents);
+        let unfed = POINTS.into_iter().all(|point| fed(point) == 0.0);
         Conserved {
             jacobi: lossless && frictionless && unfed,
             spin: POINTS.into_iter().all(|point| idle(machine, point)),
@@ -41,10 +43,8 @@ impl Conserved {
 }
 
 /// sum v_k i_k - W sum c_k i_k, W: what supply and sliding windings put into E - W p.
-fn feed(machine: &impl Machine<f64>, angle: f64) -> f64 {
-    let currents = unrelated(machine);
-    let angle = Circle::from_half_tangent(angle);
-    supplied(machine, angle, &currents) - machine.frame_speed() * motional_moment(machine, &currents)
+pub(super) fn feed<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
+    supplied(machine, angle, currents) - S::lift(machine.frame_speed()) * motional_moment(machine, currents)
 }
 
 fn unrelated(machine: &impl Machine<f64>) -> Vec<f64> {

@@ -15,6 +15,7 @@ mod bench_pieces;
 mod conserved;
 mod kick;
 mod machine;
+mod metered;
 mod quantity;
 mod resting;
 
@@ -25,6 +26,7 @@ pub use machine::{
     Circuit, Machine, RotorState, drive, drive_circuits, heat, is_fed, motional_moment, state_names, stored_energy,
     supplied,
 };
+pub use metered::{Metered, Powered, feeding};
 pub use quantity::Quantity;
 pub use resting::resting_currents;
 

@@ -15,6 +15,10 @@ pub trait Smooth: Send + Sync {
     fn run(&self) -> &Run;
     /// In the axes of a form, where there are forms.
     fn problem(&self, axes: Axes) -> Problem;
+    /// The same with the work metered that no law of the problem keeps, where there is such work.
+    fn metered(&self, axes: Axes) -> Problem {
+        self.problem(axes)
+    }
     fn parameters(&self) -> Vec<Parameter>;
     /// Every formulation with every model, that of [`Self::problem`] in the first axes first.
     fn ways(&self) -> Vec<Way>;
@@ -80,6 +84,10 @@ impl Smooth for Scene {
 
     fn problem(&self, axes: Axes) -> Problem {
         Scene::problem(self, axes)
+    }
+
+    fn metered(&self, axes: Axes) -> Problem {
+        Scene::metered(self, axes)
     }
 
     fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {

@@ -68,6 +68,8 @@ pub enum NoMotor {
     NotAlgebraic(String),
     /// No currents rest, or many do.
     NoRest,
+    /// At the field's speed every angle is stationary.
+    AnyAngle,
 }
 
 impl std::fmt::Display for NoMotor {
@@ -75,6 +77,12 @@ impl std::fmt::Display for NoMotor {
         match self {
             Self::Data(reason) => reason.fmt(f),
             Self::NotAlgebraic(reason) => write!(f, "the motor's moment is not algebraic: {reason}"),
+            Self::AnyAngle => {
+                write!(
+                    f,
+                    "at the field's speed every angle of the rotor is stationary: nothing holds it at one of them"
+                )
+            }
             Self::NoRest => write!(f, "a winding with a supply has no resistance: no current in it is stationary"),
         }
     }
@@ -234,6 +242,9 @@ fn in_step(speed: Root, resting: impl Fn(Circle<Sym>) -> Result<Resting, NoMotor
     // near half a turn the angle is pi - 2 u for the half tangent 1/u
     let half_turn = Circle { cos: Sym::int(-1), sin: Sym::ZERO };
     let (turned, turned_currents) = resting(half_turn - Circle::from_half_tangent(t))?.fractions(t)?;
+    if of_angle.numerator.is_zero() {
+        return Err(NoMotor::AnyAngle);
+    }
     let slope = of_angle.slope();
     let angle = |root: Root| Angle {
         slope: root.sign_of(&slope),

@@ -192,6 +192,10 @@ fn motor(motor: &Motor) -> String {
         Motor::InStep { speed, angles, bears } => {
             let fed = if angles.iter().all(|angle| angle.currents.is_empty()) { ", without currents" } else { "" };
             let _ = writeln!(out, "motor: in step with its field at {} rad/s{fed}", speed.to_f64());
+            if bears.is_some_and(|bears| bears.least == bears.greatest) {
+                let _ = writeln!(out, "  no angle: in step nothing holds the rotor, it can only slip");
+                return out;
+            }
             if angles.is_empty() {
                 let _ = writeln!(
                     out,
