@@ -4,11 +4,13 @@ use crate::running::{Law, eigenvalues, run, state};
 use derivations::machines::Machine;
 use derivations::machines::asynchronous::Asynchronous;
 use derivations::machines::constant_speed::ConstantSpeed;
-use derivations::scene::{Family, Scene, System};
+use derivations::scene::{Axes, Family, Scene, Start, System};
 use derivations::stationary::motions::Stationary;
+use derivations::stationary::motor::Motor;
 use derivations::stationary::stability::{Reason, Verdict};
 use derivations::systems::gyrostat::forms::SecondForm;
-use nalgebra::Vector3;
+use integrators::Jacobian;
+use nalgebra::{DMatrix, Vector3};
 use std::path::Path;
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
@@ -92,4 +94,39 @@ fn what_gyroscopic_forces_hold_at_constant_speed_leaves_with_a_motor() {
     let steps = (span / 1e-3) as usize;
     let measured = growth(&law, &at, span / steps as f64, steps);
     assert!((measured / rate - 1.0).abs() < 1e-2, "{measured} beside {rate}");
+}
+
+/// A motor with magnets on a stiff supply hunts: nothing in its energy says so, and the verdict is Routh's alone. The count of
+/// roots to the right is that of the running law's Jacobian, at every angle and direction, for both resistances.
+#[test]
+fn a_motor_on_a_supply_is_judged_by_its_roots_and_not_by_an_energy_that_is_fed() {
+    let text = std::fs::read_to_string("scenes/machines/permanent_magnet.toml").unwrap();
+    for (resistance, hunts) in [("0.25 ohm", true), ("0.6 ohm", false)] {
+        let scene = Scene::parse("magnets", &text.replace("0.25 ohm", resistance)).unwrap();
+        let stationary = Stationary::of(&scene).unwrap();
+        let Motor::InStep { angles, .. } = &stationary.motor else { panic!("in step") };
+        let mut held = Vec::new();
+        for found in stationary.at_speed(0.0).unwrap().iter().flat_map(|answer| &answer.found) {
+            for (angle, judged) in angles.iter().zip(&found.stability) {
+                assert!(judged.energy.is_none() && !judged.conservative);
+                let start = Start {
+                    angular_velocity: Vector3::zeros(),
+                    vertical: found.direction,
+                    rotor_angle: angle.radians(),
+                    rotor_speed: found.rotor_speed,
+                    currents: angle.currents.clone(),
+                };
+                let problem = Scene { start, ..scene.clone() }.problem(Axes::Second);
+                let n = problem.state.len();
+                let mut matrix = vec![0.0; n * n];
+                Jacobian::new(&*problem.law).matrix(0.0, &problem.state, &mut matrix);
+                let roots = DMatrix::from_row_slice(n, n, &matrix).complex_eigenvalues();
+                // the carrier swings are pumped at a few 1e-9 per second, the zeros of the integrals are rounded at 1e-13
+                let right = roots.iter().filter(|root| root.re > 1e-10).count();
+                assert_eq!(judged.roots.map(|roots| roots.right), Some(right), "{roots}");
+                held.push(judged.verdict == Verdict::AsymptoticallyStableModuloIntegrals);
+            }
+        }
+        assert_eq!(held.iter().any(|held| *held), !hunts, "{resistance}: {held:?}");
+    }
 }
