@@ -4,16 +4,16 @@ use super::{Catalogued, Datum, Machine, RotorState, Source};
 use field::{Base, Circle, Over};
 
 crate::quantities! {
-    /// L i' = u - R i - k phi', M = k i - f phi': the commutator keeps the armature's current across the magnets' field while
+    /// L i' = v - R i - k phi', M = k i - f phi', k the flux: the commutator keeps the armature's current across the magnets' field while
     /// the conductors turn through it, so that nothing depends on the angle.
     pub struct Brushed {
-        /// u: voltage at the brushes
+        /// voltage at the brushes
         voltage: "V",
-        /// k: voltage per speed of the rotor, and moment per current
+        /// flux of the magnets: voltage per speed of the rotor, and moment per current
         flux: "Wb",
-        /// L: inductance of the armature
+        /// inductance of the armature
         inductance: "H",
-        /// R: resistance of armature and brushes
+        /// resistance of armature and brushes
         resistance: "ohm",
         /// viscous friction in the bearings
         f: "N m s",

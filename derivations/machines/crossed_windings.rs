@@ -4,12 +4,12 @@ use super::{Catalogued, Datum, Machine, RotorState, Source};
 use field::{Base, Circle, Over};
 
 crate::quantities! {
-    /// psi_1 = a cos g, psi_2 = a sin g: closed windings without magnet and excitation, which feel the field by its slip
+    /// psi_1 = a cos g, psi_2 = a sin g, a the flux: closed windings without magnet and excitation, which feel the field by its slip
     /// alone; m = -f phi'.
     pub struct CrossedWindings {
         /// speed of the stator's field
         field_speed: "rad/s",
-        /// a: greatest flux of the field through a winding
+        /// greatest flux of the field through a winding
         flux: "Wb",
         /// inductance of a winding
         inductance: "H",

@@ -4,19 +4,19 @@ use super::{Catalogued, Datum, Machine, RotorState, Source};
 use field::{Base, Circle, Over};
 
 crate::quantities! {
-    /// The electric and mechanical constants.
+    /// The electric and mechanical constants: V, Psi, L_d, L_q, R and f below.
     pub struct Magnets {
         /// speed of the stator's field, that of the supply over the pairs of poles
         field_speed: "rad/s",
-        /// V: amplitude of the voltage, Park's transformation keeping the power
+        /// amplitude of the voltage, Park's transformation keeping the power
         voltage: "V",
-        /// Psi: flux of the magnets through the windings, scaled likewise
+        /// flux of the magnets through the windings, scaled likewise
         flux: "Wb",
-        /// L_d: inductance along the magnets
+        /// inductance along the magnets
         along: "H",
-        /// L_q: inductance across them
+        /// inductance across them
         across: "H",
-        /// R: resistance of a phase
+        /// resistance of a phase
         resistance: "ohm",
         /// viscous friction in the bearings
         f: "N m s",

@@ -103,7 +103,10 @@ impl fmt::Display for NoField {
                  step; a machine without a supply is accepted: synchronous, equivalent_windings, multi_current"
             ),
             Self::Flat { model } => {
-                write!(f, "the field of `{model}` does not hold its rotor: every angle is as good; b0 > 0 is accepted")
+                write!(
+                    f,
+                    "the field of `{model}` does not hold its rotor: every angle is as good; b0 > 0 of a synchronous machine is accepted"
+                )
             }
         }
     }
