@@ -3,7 +3,9 @@
 use crate::physical::machines::{Sample, every_machine, numbers};
 use crate::physical::rate::{Rate, rate};
 use crate::physical::{fixed, gyrostat, rounded};
+use derivations::machines::brushed::Brushed;
 use derivations::machines::multi_current::{MultiCurrent, Windings};
+use derivations::machines::permanent_magnet::{Magnets, PermanentMagnet};
 use derivations::machines::{
     AnyMachine, Catalogued, Conserved, ForMachine, RotorState, drive, heat, is_fed, motional_moment, supplied,
 };
@@ -165,6 +167,20 @@ proptest! {
         let windings = Windings { field_speed: 3.0, b0: 0.8, a1: 0.5, l1: 0.3, r1: r, a2: 0.4, l2: 0.2, r2: r, mu: f, f };
         let machine = AnyMachine::MultiCurrent(MultiCurrent::evenly(windings, 3));
         in_both_forms(&g, &sample, machine, conserves_what_it_is_said_to)?;
+    }
+
+    /// What slides takes from E - W p unless its frame rests, and a supply feeds it.
+    #[test]
+    fn a_motor_without_losses_keeps_its_energy_only_without_supply_and_turning_axes(
+        g in gyrostat(), sample in numbers(), voltage in 0..2u8, field_speed in 0..2u8
+    ) {
+        let (voltage, field_speed) = (f64::from(voltage), 3.0 * f64::from(field_speed));
+        let (flux, inductance, resistance, f) = (0.5, 0.3, 0.0, 0.0);
+        let brushed = AnyMachine::Brushed(Brushed { voltage, flux, inductance, resistance, f });
+        let magnets = Magnets { field_speed, voltage, flux, along: 0.3, across: 0.4, resistance, f };
+        let magnets = AnyMachine::PermanentMagnet(PermanentMagnet { magnets, pole_pairs: 2 });
+        in_both_forms(&g, &sample, brushed, conserves_what_it_is_said_to)?;
+        in_both_forms(&g, &sample, magnets, conserves_what_it_is_said_to)?;
     }
 
     /// E - W p + c0 g with c0 = -m(0, W).

@@ -2,6 +2,7 @@
 
 mod brushed;
 mod crossed_windings;
+mod metered;
 mod permanent_magnet;
 
 use field::Rational;
