@@ -4,14 +4,14 @@
 use super::currents::Current;
 use super::lumping::{Lumped, Lumping};
 use super::rung::{Fill, Lower, Written};
-use super::{Ladder, Loss, Rung, Whole};
-use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, RotorState, is_fed, resting_currents};
+use super::{Ladder, Loss, Rung, Whole, resting};
+use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, RotorState, is_fed};
 use crate::scene::{Axes, Scene, System};
 use crate::stationary::motor::Decimals;
 use crate::systems::gyrostat::driven::Driven;
 use field::{Analytic, Over, Rational};
 use std::sync::Arc;
-use symbolic::{Sym, symbols};
+use symbolic::Sym;
 
 /// That bars at any angles close in the sums of their currents.
 const CLOSURE: &str = "konosevich2022/beyond-damper/closure";
@@ -112,7 +112,7 @@ where
 {
     let windings = machine.windings();
     if is_fed(machine) {
-        return resting(machine, written, start).into_iter().collect();
+        return resting::rung(machine, written, start).into_iter().collect();
     }
     if windings == 0 || M::ROTOR != RotorState::AngleAndSpeed {
         return Vec::new();
@@ -137,52 +137,6 @@ where
         rungs.extend(suitable.filter_map(|&kind| without(machine, written, start, &slaved, kind)));
     }
     rungs
-}
-
-/// The rung on which fed windings, all of them, have the currents that would rest at the present angle and speed.
-fn resting<M>(machine: &M, written: &Arc<dyn Written>, start: &[f64]) -> Option<Rung>
-where
-    M: Machine<f64> + Clone + Send + Sync + 'static,
-{
-    let windings = machine.windings();
-    let mechanical = start.len() - windings;
-    let rotor = mechanical - M::ROTOR.dimension();
-    let [angle, slip] = symbols(["g", "s"]);
-    resting_currents(machine, angle.circle(), slip)?;
-    let fill = Resting { machine: machine.clone(), rotor, currents: mechanical };
-    // what solves for them allocates: as straight-line code it is solved once
-    let lower = Lower { plain: None, ..Lower::keeping(written, (0..mechanical).collect(), fill) };
-    let slowest = (0..windings).map(|k| machine.inductance(k) / machine.resistance(k)).fold(0.0, f64::max);
-    let (angled, frame_speed) = (M::ROTOR == RotorState::AngleAndSpeed, machine.frame_speed());
-    let parameter = if angled { "(L/R) |slip|" } else { "(L/R) |slip'|/|phi'|" };
-    let dropped = format!(
-        "of {}: their transients; all are those that would rest at the present angle and speed",
-        counted(windings, "current")
-    );
-    let z0 = start[..mechanical].to_vec();
-    let mut rung = Rung::new("currents at rest", &dropped, Loss::Small { parameter }, lower, z0)?;
-    rung.small = Some(Box::new(move |z, dz| match angled {
-        true => Some(slowest * z[rotor + 1].abs()),
-        false => Some(slowest * (dz[rotor] / (z[rotor] + frame_speed)).abs()).filter(|small| small.is_finite()),
-    }));
-    Some(rung)
-}
-
-/// The currents that rest, as functions of angle and speed.
-struct Resting<M> {
-    machine: M,
-    /// Where the rotor's state and the currents begin.
-    rotor: usize,
-    currents: usize,
-}
-
-impl<M: Machine<f64> + Send + Sync + 'static> Fill for Resting<M> {
-    fn fill<S: Over<f64> + Analytic>(&self, y: &mut [S]) {
-        let (angle, slip) = M::ROTOR.angle_and_slip(&y[self.rotor..self.currents]);
-        if let Some(resting) = resting_currents(&self.machine, angle, slip) {
-            y[self.currents..].copy_from_slice(&resting);
-        }
-    }
 }
 
 /// The rung on which these windings have currents of a kind.
@@ -230,7 +184,7 @@ impl<M: Machine<f64> + Send + Sync + 'static> Fill for Slaved<M> {
     }
 }
 
-fn counted(count: usize, what: &str) -> String {
+pub(super) fn counted(count: usize, what: &str) -> String {
     match count {
         1 => format!("1 {what}"),
         _ => format!("{count} {what}s"),
