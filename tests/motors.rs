@@ -5,7 +5,7 @@ use derivations::machines::equivalent_windings::EquivalentWindings;
 use derivations::machines::kloss::Kloss;
 use derivations::machines::multi_current::{MultiCurrent, Windings};
 use derivations::machines::synchronous::Synchronous;
-use derivations::machines::{Bench, Catalogued, ForMachine, Machine, drive, heat};
+use derivations::machines::{Bench, Catalogued, ForMachine, Machine, drive, heat, motional_moment, supplied};
 use derivations::recorded::Recorded;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;
@@ -127,10 +127,11 @@ impl ForMachine for BenchPower<'_> {
         let frame_speed = bench.machine.frame_speed();
         let moment = drive(&bench.machine, angle, slip, currents, &mut vec![0.0; currents.len()]);
         let (law, lost) = (bench.machine.moment_law(slip, slip + frame_speed), heat(&bench.machine, currents));
-        let (supply, friction) = (frame_speed * (moment - law), (slip + frame_speed) * law);
+        let (given, slides) = (supplied(&bench.machine, angle, currents), motional_moment(&bench.machine, currents));
+        let (field, friction) = (frame_speed * (moment - law - slides), (slip + frame_speed) * law);
         rate(|y| bench.rotor_momentum(y), &y, &dy).is(&[moment])
-            && rate(|y| bench.energy(y), &y, &dy).is(&[supply, friction, -lost])
-            && rate(|y| bench.jacobi(y), &y, &dy).is(&[law * slip, -lost])
+            && rate(|y| bench.energy(y), &y, &dy).is(&[field, friction, given, -lost])
+            && rate(|y| bench.jacobi(y), &y, &dy).is(&[law * slip, -lost, given, -frame_speed * slides])
     }
 }
 

@@ -98,7 +98,10 @@ fn the_midpoint_rule_and_gauss_are_honest_at_every_step_and_backward_euler_hides
 /// The second route: the law that runs, in other axes and in floats, differentiated by dual numbers.
 #[test]
 fn the_exact_eigenvalues_are_those_of_the_law_that_runs() {
-    for (name, scene, w) in cases() {
+    // those with currents that a supply feeds
+    let fed = ["brushed_bench", "brushed", "permanent_magnet_bench", "permanent_magnet"];
+    let fed = fed.map(|name| (name, scene(&format!("machines/{name}")), 0.0));
+    for (name, scene, w) in cases().into_iter().chain(fed) {
         let chart = chart(&scene, w);
         for motion in &chart.all.motions {
             let spectrum = motion.spectrum.as_ref().expect("eigenvalues are apart");

@@ -8,7 +8,9 @@
 //! | the resistive current, -psi' s/R | nothing induces: L = 0 | (L/R) \|s\| |
 //! | none, 0 | the rotor is in step | psi'^2 \|s\|/R beside the other moments |
 //!
-//! The first is a solution for fluxes with one harmonic, psi'' + psi constant, and is offered for these only.
+//! The first is a solution for fluxes with one harmonic, psi'' + psi constant, and is offered for these only. Windings with
+//! a supply, or in which conductors slide, have currents in step too: for them all currents that would rest at the present
+//! angle and speed stand at once ([`crate::machines::resting_currents`]).
 
 use crate::machines::Machine;
 use field::{Circle, Over, Tangent};

@@ -12,7 +12,7 @@
 
 use super::currents::has_one_harmonic;
 use super::elimination::{factored, inverse_of_unit, pivots, shares};
-use crate::machines::{Machine, RotorState, drive};
+use crate::machines::{Machine, RotorState, drive, is_fed};
 use field::{Base, Circle, Over, Rational, Scalar};
 use symbolic::{Hypotheses, Sym, decide};
 
@@ -42,8 +42,11 @@ pub struct Lump {
 
 impl Lumping {
     /// Of a machine with exact data; none where nothing is won, or where the data are none that can be computed with
-    /// exactly, or where the proof did not succeed.
+    /// exactly, or where the proof did not succeed, or where a supply or conductors that slide tell windings apart.
     pub fn of(machine: &impl Machine<Sym>) -> Option<Self> {
+        if is_fed(machine) {
+            return None;
+        }
         let count = machine.windings();
         let constant = |value: Sym| value.as_constant().filter(|value| value.is_defined());
         let inductances = (0..count).map(|k| constant(machine.inductance(k))).collect::<Option<Vec<_>>>()?;

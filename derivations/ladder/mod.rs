@@ -3,7 +3,7 @@
 //! # Overview
 //! * [`rung`]: a smaller model within a richer one, as a lift and a law; its defect, exact where that vanishes;
 //! * [`lumping`]: windings lumped without any loss, found and proved from the machine's laws; [`elimination`];
-//! * [`currents`]: what stands for currents that are not followed;
+//! * [`currents`]: what stands for currents that are not followed; `resting`: for those that a supply feeds;
 //! * [`motors`], [`governors`]: the ladders of scenes;
 //! * [`carried`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
 //! * [`dual`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
@@ -23,6 +23,7 @@ pub mod governors;
 pub mod lumping;
 pub mod motors;
 pub mod plan;
+mod resting;
 pub mod rung;
 pub mod switching;
 

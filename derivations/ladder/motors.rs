@@ -4,8 +4,8 @@
 use super::currents::Current;
 use super::lumping::{Lumped, Lumping};
 use super::rung::{Fill, Lower, Written};
-use super::{Ladder, Loss, Rung, Whole};
-use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, RotorState};
+use super::{Ladder, Loss, Rung, Whole, resting};
+use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, RotorState, is_fed};
 use crate::scene::{Axes, Scene, System};
 use crate::stationary::motor::Decimals;
 use crate::systems::gyrostat::driven::Driven;
@@ -111,6 +111,9 @@ where
     M: Machine<f64> + Clone + Send + Sync + 'static,
 {
     let windings = machine.windings();
+    if is_fed(machine) {
+        return resting::rung(machine, written, start).into_iter().collect();
+    }
     if windings == 0 || M::ROTOR != RotorState::AngleAndSpeed {
         return Vec::new();
     }
@@ -181,7 +184,7 @@ impl<M: Machine<f64> + Send + Sync + 'static> Fill for Slaved<M> {
     }
 }
 
-fn counted(count: usize, what: &str) -> String {
+pub(super) fn counted(count: usize, what: &str) -> String {
     match count {
         1 => format!("1 {what}"),
         _ => format!("{count} {what}s"),

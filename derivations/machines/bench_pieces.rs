@@ -1,7 +1,7 @@
 //! A motor on its bench in pieces: the kick at a resting angle, and the drift at a constant spin.
 
 use super::{
-    Bench, Kick, Law, Machine, Point, RotorState, Rule, decay_quotient, fading_slip, fastest_current, kick, solved,
+    Bench, Kick, Law, Machine, Point, Rule, decay_quotient, fading_slip, fastest_current, has_known_flow, kick, solved,
 };
 use crate::separated::Separable;
 use field::Scalar;
@@ -65,7 +65,7 @@ impl<S: Real, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
 impl<M: Machine<f64>> Separable for Bench<f64, M> {
     fn pieces<S: Real>(&self) -> Option<impl Pieces<S>> {
         let machine = &self.machine;
-        let known = M::ROTOR == RotorState::AngleAndSpeed || machine.windings() == 0;
+        let known = has_known_flow(machine);
         known.then(|| BenchPieces {
             machine,
             axial: S::lift(self.axial),

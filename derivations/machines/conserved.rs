@@ -3,13 +3,13 @@
 //! With E the energy of bodies, weight and circuits and p = A' (w.l + phi') the rotor's angular momentum about its axis,
 //! every machine gives
 //!
-//!   d/dt (E - W p) = m(g', phi') g' - sum R_k i_k^2 ,    dp/dt = M :
+//!   d/dt (E - W p) = m(g', phi') g' - sum R_k i_k^2 + sum v_k i_k - W sum c_k i_k ,    dp/dt = M :
 //!
 //! seen from the turning field the field does no work. A rotor of prescribed speed keeps E - W p too, whatever moment
 //! that takes.
 
-use super::{Catalogued, ForMachine, Machine, RotorState, drive};
-use field::Circle;
+use super::{Catalogued, ForMachine, Machine, RotorState, drive, motional_moment, supplied};
+use field::{Base, Circle, Over};
 
 /// The integrals that a machine leaves, beside those that no machine touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,13 +32,28 @@ impl Conserved {
         let moment = |(slip, speed): (f64, f64)| machine.moment_law(slip, speed);
         let lossless = (0..machine.windings()).all(|k| machine.resistance(k) == 0.0);
         let frictionless = POINTS.into_iter().all(|point| moment(point) == 0.0);
-        Conserved { jacobi: lossless && frictionless, spin: POINTS.into_iter().all(|point| idle(machine, point)) }
+        let currents = unrelated(machine);
+        let fed = |(_, angle): (f64, f64)| feed(machine, Circle::from_half_tangent(angle), &currents);
+        let unfed = POINTS.into_iter().all(|point| fed(point) == 0.0);
+        Conserved {
+            jacobi: lossless && frictionless && unfed,
+            spin: POINTS.into_iter().all(|point| idle(machine, point)),
+        }
     }
+}
+
+/// sum v_k i_k - W sum c_k i_k, W: what supply and sliding windings put into E - W p.
+pub(super) fn feed<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
+    supplied(machine, angle, currents) - S::lift(machine.frame_speed()) * motional_moment(machine, currents)
+}
+
+fn unrelated(machine: &impl Machine<f64>) -> Vec<f64> {
+    (0..machine.windings()).map(|k| 1.3 + k as f64).collect()
 }
 
 /// Whether the machine leaves its rotor alone, whatever the angle and the currents.
 fn idle(machine: &impl Machine<f64>, (slip, angle): (f64, f64)) -> bool {
-    let currents: Vec<f64> = (0..machine.windings()).map(|k| 1.3 + k as f64).collect();
+    let currents = unrelated(machine);
     let mut rates = vec![0.0; currents.len()];
     let angle = Circle::from_half_tangent(angle);
     drive(machine, angle, slip - machine.frame_speed(), &currents, &mut rates) == 0.0

@@ -7,8 +7,11 @@
 //!
 //! K the slip that a unit of impulse gives and `pull` what else moves it. Where m is linear, m(s) = m(0) - b s, the rest is
 //! exponentials; elsewhere Gauss' collocation of order 8 solves it. When the angle moves, the fluxes rest.
+//!
+//! A supply or conductors that slide break this: c_k phi' ties the currents to the slip at a resting angle too, and the
+//! flow is none of these. Such machines are refused ([`has_known_flow`]).
 
-use super::{Machine, RotorState};
+use super::{Machine, RotorState, is_fed};
 use field::{Analytic, Base, Circle, Over, Scalar, Tangent};
 use integrators::{Collocation, Family, Real};
 use symbolic::{Hypotheses, Sym, decide};
@@ -118,6 +121,11 @@ impl<S: Scalar> Kick<S> {
         };
         Kick { length, compliance, losses: windings.map(|k| loss(ratio(k) * length)).collect(), moment }
     }
+}
+
+/// Whether the flow is known: of windings with an angle that the laws know, without supply, without sliding.
+pub fn has_known_flow<P: Base, M: Machine<P>>(machine: &M) -> bool {
+    machine.windings() == 0 || M::ROTOR == RotorState::AngleAndSpeed && !is_fed(machine)
 }
 
 /// The flow: moves the rotor's momentum and the fluxes. Gives what is left of the equation that is solved by iteration.

@@ -1,7 +1,6 @@
 //! What a motor is: energies and laws of force. Everything else is derived.
 
 use field::{Analytic, Base, Circle, Divisor, Over, Scalar};
-use integrators::Ode;
 
 /// How much of the rotor's motion is state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,14 +16,21 @@ pub enum RotorState {
 /// An electric motor between the carrier (stator) and the rotor, friction included.
 ///
 /// The rotor's angle g is measured from the stator's field, which turns with the speed W ([`frame_speed`]):
-/// g = phi' - W t. The windings of the rotor carry the currents i_k. With the fluxes that the stator's field sends
-/// through them, psi_k(g), the coenergy of the rotor's circuits is
+/// g = phi - W t. The windings carry the currents i_k. With the fluxes that the stator's field sends through them,
+/// psi_k(g), the coenergy of the circuits is
 ///
-///   K = sum_k (1/2 L_k i_k^2 + i_k psi_k(g)) - U(g) ,
+///   K = sum_k (1/2 L_k i_k^2 + i_k psi_k(g)) - U(g) .
 ///
-/// and Lagrange's equations with charges as coordinates (Maxwell) give moment and currents:
+/// On windings that move with the rotor charges are coordinates, and Lagrange's equations (Maxwell) hold. A commutator
+/// keeps a current in its place while the conductors turn through it, and Park's axes turn while the conductors rest: such
+/// currents are quasi-velocities, no charges belong to them, and the equations are Hamel's (Kron). Their further terms are
+/// the voltages c_k(i) phi', with c_k affine in the currents, and the moment that makes up for their power:
 ///
-///   M = dK/dg + m(g', phi') ,    d/dt (dK/di_k) = -R_k i_k .
+///   d/dt (dK/di_k) = v_k(g) - R_k i_k - c_k(i) phi' ,    M = dK/dg + sum_k i_k c_k(i) + m(g', phi') .
+///
+/// So the rotor takes phi' sum i_k c_k from the circuits and the field gives W dK/dg:
+///
+///   M phi' + d/dt (U + sum_k 1/2 L_k i_k^2) = W dK/dg + phi' m + sum_k v_k i_k - sum_k R_k i_k^2 .
 ///
 /// [`frame_speed`]: Machine::frame_speed
 pub trait Machine<P: Base> {
@@ -38,6 +44,11 @@ pub trait Machine<P: Base> {
     #[inline(always)]
     fn windings(&self) -> usize {
         0
+    }
+
+    /// What its current is called among the states: x of the excitation, i1, i2, ... of bars.
+    fn current_name(&self, winding: usize) -> String {
+        if winding == 0 { "x".into() } else { format!("i{winding}") }
     }
 
     /// L_k, H.
@@ -56,6 +67,19 @@ pub trait Machine<P: Base> {
     #[inline(always)]
     fn linkage<S: Over<P>>(&self, _winding: usize, _angle: Circle<S>) -> S {
         S::zero()
+    }
+
+    /// v_k(g), V: what a supply puts on a winding; none where it is closed in itself.
+    #[inline(always)]
+    fn supply<S: Over<P>>(&self, _winding: usize, _angle: Circle<S>) -> Option<S> {
+        None
+    }
+
+    /// c_k(i), V s or N m/A: the voltage against the current per speed phi' of the rotor through which brushes or axes see the
+    /// conductors slide; affine in the currents, none where they see no sliding.
+    #[inline(always)]
+    fn motional<S: Over<P>>(&self, _winding: usize, _currents: &[S]) -> Option<S> {
+        None
     }
 
     /// U(g), J: the energy of a rotor magnetised for ever in the stator's field.
@@ -85,11 +109,17 @@ impl<P: Base> Circuit<P> {
         Circuit { resistance: machine.resistance(winding), inductance }
     }
 
-    /// di/dt = -(R i + psi'(g) g')/L.
+    /// u = R i + psi'(g) g', V.
     #[inline(always)]
-    fn rate<S: Over<P>>(self, current: S, coupling: S, slip: S) -> S {
+    fn opposing<S: Over<P>>(self, current: S, coupling: S, slip: S) -> S {
         let resisted = S::lift(self.resistance) * current;
-        -resisted.and_product(coupling, slip).divided_by(self.inductance)
+        resisted.and_product(coupling, slip)
+    }
+
+    /// di/dt = -u/L for all voltages against the current together.
+    #[inline(always)]
+    fn rate<S: Over<P>>(self, opposing: S) -> S {
+        -opposing.divided_by(self.inductance)
     }
 }
 
@@ -122,7 +152,15 @@ pub fn drive_circuits<P: Base, S: Over<P>>(
     for (k, ((&current, rate), circuit)) in currents.iter().zip(current_rates).zip(circuits).enumerate() {
         let coupling = machine.linkage(k, varied).slope;
         moment = moment.and_product(current, coupling);
-        *rate = circuit.rate(current, coupling, slip);
+        let mut opposing = circuit.opposing(current, coupling, slip);
+        if let Some(motional) = machine.motional(k, currents) {
+            moment = moment.and_product(current, motional);
+            opposing = opposing.and_product(motional, speed);
+        }
+        if let Some(supply) = machine.supply(k, angle) {
+            opposing -= supply;
+        }
+        *rate = circuit.rate(opposing);
     }
     moment
 }
@@ -138,75 +176,37 @@ pub fn heat<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| sum + S::lift(machine.resistance(k)) * i * i)
 }
 
-/// The names of the states of a machine: of its rotor, then its currents (x for the excitation, i1, i2, ... the bars).
+/// sum v_k i_k, W: what supplies put into the windings.
+pub fn supplied<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
+    currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| match machine.supply(k, angle) {
+        Some(voltage) => sum + voltage * i,
+        None => sum,
+    })
+}
+
+/// sum c_k i_k, N m: the moment of the windings in which the conductors slide.
+pub fn motional_moment<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S {
+    currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| match machine.motional(k, currents) {
+        Some(motional) => sum + motional * i,
+        None => sum,
+    })
+}
+
+/// Whether a winding has a supply or slides: then currents need not rest at zero, and E - W p is fed.
+pub fn is_fed<P: Base>(machine: &impl Machine<P>) -> bool {
+    let none = vec![P::zero(); machine.windings()];
+    (0..none.len()).any(|k| machine.supply(k, Circle::<P>::zero()).is_some() || machine.motional(k, &none).is_some())
+}
+
+/// The names of the states of a machine: of its rotor, then its currents.
 pub fn state_names<P: Base, M: Machine<P>>(machine: &M) -> Vec<String> {
     let rotor: &[&str] = match M::ROTOR {
         RotorState::Prescribed => &[],
         RotorState::Speed => &["slip"],
         RotorState::AngleAndSpeed => &["angle", "slip"],
     };
-    let currents = (0..machine.windings()).map(|k| if k == 0 { "x".into() } else { format!("i{k}") });
+    let currents = (0..machine.windings()).map(|k| machine.current_name(k));
     rotor.iter().map(|&name| name.into()).chain(currents).collect()
-}
-
-/// A motor alone on a bench: its rotor with moment of inertia A' and a housing at rest.
-#[derive(Clone, Copy, Debug)]
-pub struct Bench<P, M> {
-    pub machine: M,
-    /// A', kg m^2
-    pub axial: P,
-}
-
-impl<P: Base, M: Machine<P>> Bench<P, M> {
-    /// The number of states: of the rotor, then the currents.
-    pub fn dimension(&self) -> usize {
-        M::ROTOR.dimension() + self.machine.windings()
-    }
-
-    /// A' g'' = M and the currents.
-    #[inline(always)]
-    pub fn rates<S: Over<P> + Analytic>(&self, y: &[S], dy: &mut [S]) {
-        self.rates_under(S::zero(), y, dy);
-    }
-
-    /// A' g'' = M - load and the currents, with a further moment of the load against the rotor's turning, N m.
-    #[inline(always)]
-    pub fn rates_under<S: Over<P> + Analytic>(&self, load: S, y: &[S], dy: &mut [S]) {
-        let (rotor, currents) = y.split_at(M::ROTOR.dimension());
-        let (rotor_rates, current_rates) = dy.split_at_mut(M::ROTOR.dimension());
-        let (angle, slip) = M::ROTOR.angle_and_slip(rotor);
-        let moment = drive(&self.machine, angle, slip, currents, current_rates) - load;
-        M::ROTOR.write(slip, moment / S::lift(self.axial), rotor_rates);
-    }
-
-    /// A' phi', the rotor's angular momentum.
-    pub fn rotor_momentum<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
-        let (_, slip) = M::ROTOR.angle_and_slip(&y[..M::ROTOR.dimension()]);
-        S::lift(self.axial) * (slip + S::lift(self.machine.frame_speed()))
-    }
-
-    /// 1/2 A' phi'^2 and the energy of the circuits.
-    pub fn energy<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
-        let (rotor, currents) = y.split_at(M::ROTOR.dimension());
-        let (angle, _) = M::ROTOR.angle_and_slip(rotor);
-        let momentum = self.rotor_momentum(y);
-        (momentum * momentum / S::lift(self.axial)).half() + stored_energy(&self.machine, angle, currents)
-    }
-
-    /// E - W p, the energy as seen from the stator's field: what it loses is heat.
-    pub fn jacobi<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
-        self.energy(y) - S::lift(self.machine.frame_speed()) * self.rotor_momentum(y)
-    }
-}
-
-impl<S: Over<f64> + Analytic, M: Machine<f64>> Ode<S> for Bench<f64, M> {
-    fn dimension(&self) -> usize {
-        Bench::dimension(self)
-    }
-
-    fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
-        Bench::rates(self, y, dy);
-    }
 }
 
 impl RotorState {

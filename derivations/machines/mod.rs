@@ -4,20 +4,31 @@
 //! The models form a ladder, from a rotor that simply turns to one with every bar of its damper:
 //! [`constant_speed`], [`free_rotor`], [`asynchronous`] and [`kloss`] (moment a function of slip), [`synchronous`]
 //! (moment a function of the angle), [`equivalent_windings`] (damper as two currents), [`multi_current`] (all bars).
+//! Beside it stand [`crossed_windings`] (asynchronous with two currents), [`permanent_magnet`] and [`brushed`] (fed by a
+//! voltage).
 //! [`Machine`] is what each implements; moment, currents, energies and power balance are derived from it.
 //!
 //! To add a motor: one file here, and one line in the list below.
 
+mod bench;
 mod bench_pieces;
 mod conserved;
 mod kick;
 mod machine;
+mod metered;
 mod quantity;
+mod resting;
 
+pub use bench::Bench;
 pub use conserved::{Conserved, ConservedBy};
-pub use kick::{Kick, Law, Point, Rule, decay_quotient, fading_slip, fastest_current, kick, solved};
-pub use machine::{Bench, Circuit, Machine, RotorState, drive, drive_circuits, heat, state_names, stored_energy};
+pub use kick::{Kick, Law, Point, Rule, decay_quotient, fading_slip, fastest_current, has_known_flow, kick, solved};
+pub use machine::{
+    Circuit, Machine, RotorState, drive, drive_circuits, heat, is_fed, motional_moment, state_names, stored_energy,
+    supplied,
+};
+pub use metered::{Metered, Powered, feeding};
 pub use quantity::Quantity;
+pub use resting::resting_currents;
 
 use field::{Analytic, Base, Over};
 
@@ -93,4 +104,7 @@ machines! {
     mod synchronous: Synchronous;
     mod equivalent_windings: EquivalentWindings;
     mod multi_current: MultiCurrent;
+    mod crossed_windings: CrossedWindings;
+    mod permanent_magnet: PermanentMagnet;
+    mod brushed: Brushed;
 }

@@ -5,9 +5,10 @@
 //!   v.v and x.v of every gyrostat, and the own momentum of a rotor that is left alone;
 //! * without slip and currents, a winding k only enters through its share psi_k' i_k of the moment, and shares that fade at
 //!   one rate R/L add up to one unknown: of n such windings n - 1 eigenvalues are exactly -R/L;
+//!   Where a supply feeds them, currents are states of their own;
 //! * where energy is kept the motion is Hamilton's on the surface of the integrals: with mu there is -mu.
 
-use crate::machines::{Catalogued, ForMachine, Machine, RotorState, drive};
+use crate::machines::{Catalogued, ForMachine, Machine, RotorState, drive, is_fed, resting_currents};
 use crate::scene::{MachineData, Scene, System};
 use crate::stationary::motions::decimals;
 use crate::stationary::motor::{Decimals, Motor, NoMotor};
@@ -17,12 +18,14 @@ use mechanics::definite::solve;
 use mechanics::discrete::{Mode, Place, Spectrum, characteristic};
 use nalgebra::Vector3;
 use symbolic::real::Enclosure;
-use symbolic::{Hypotheses, Sym, coefficients, decide, normal};
+use symbolic::{Hypotheses, Sym, coefficients, decide, normal, substitute_all};
 
 /// The matrix of a scene's linear motion near any stationary one, over the symbols of its place.
 #[derive(Debug)]
 pub struct Linearised {
     matrix: Vec<Vec<Sym>>,
+    /// The currents that a supply feeds there.
+    resting: Vec<Sym>,
     /// w, v, cos g, sin g, g'
     symbols: Vec<Sym>,
     /// W, rad/s
@@ -91,13 +94,24 @@ impl Linearised {
     /// `None` where an entry is not defined there, or where an integral is none: then the law is not the one it was
     /// thought to be.
     pub fn polynomial(&self, at: &At, bits: usize) -> Option<Vec<Enclosure>> {
-        let slip = &at.rotor_speed - &Enclosure::rational(self.field_speed, bits)?;
-        let places = [&at.angular_velocity[..], &at.vertical, &at.angle, &[slip]].concat();
+        let places = self.places(at, bits)?;
         let row = |row: &Vec<Sym>| row.iter().map(|entry| value(*entry, &self.symbols, &places, bits)).collect();
         let matrix: Vec<Vec<Enclosure>> = self.matrix.iter().map(row).collect::<Option<_>>()?;
         let mut polynomial = characteristic(&matrix, bits)?;
         let rest = polynomial.split_off(self.integrals);
         polynomial.iter().all(|c| c.sign().is_none_or(|sign| sign == 0)).then_some(rest)
+    }
+
+    /// The values of the symbols at a motion.
+    fn places(&self, at: &At, bits: usize) -> Option<Vec<Enclosure>> {
+        let slip = &at.rotor_speed - &Enclosure::rational(self.field_speed, bits)?;
+        Some([&at.angular_velocity[..], &at.vertical, &at.angle, &[slip]].concat())
+    }
+
+    /// The currents at a motion, A; empty where none flow.
+    pub fn currents(&self, at: &At, bits: usize) -> Option<Vec<f64>> {
+        let places = self.places(at, bits)?;
+        self.resting.iter().map(|&i| value(i, &self.symbols, &places, bits).map(|i| i.to_f64())).collect()
     }
 
     /// The eigenvalues but for those of the integrals; those of idle windings come last.
@@ -135,9 +149,15 @@ impl ForMachine for Linearise<'_> {
         let field_speed = field_speed.as_constant().ok_or(NoLinear::NotAlgebraic(field_speed))?;
         let (g, slip, share) = (Sym::symbol("g"), Sym::symbol("s"), Sym::symbol("q"));
         let angle = if M::ROTOR == RotorState::AngleAndSpeed { g.circle() } else { Circle::zero() };
-        let groups = windings(&machine, M::ROTOR, angle, slip)?;
-        let zeros = vec![Sym::ZERO; machine.windings()];
-        let moment = drive(&machine, angle, slip, &zeros, &mut zeros.clone()) + share;
+        let fed = is_fed(&machine);
+        let groups = if fed { Vec::new() } else { windings(&machine, M::ROTOR, angle, slip)? };
+        // currents that a supply feeds are states, which rest at the motion; the others are zero there
+        let resting = if fed { resting_currents(&machine, angle, slip) } else { Some(Vec::new()) };
+        let resting = resting.ok_or(NoLinear::Motor(NoMotor::NoRest))?;
+        let own: Vec<Sym> = (0..resting.len()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
+        let currents = if fed { own.clone() } else { vec![Sym::ZERO; machine.windings()] };
+        let mut of_currents = vec![Sym::ZERO; currents.len()];
+        let moment = drive(&machine, angle, slip, &currents, &mut of_currents) + share;
         let rotor: &[Sym] = match M::ROTOR {
             RotorState::Prescribed => &[],
             RotorState::Speed => &[slip],
@@ -153,12 +173,15 @@ impl ForMachine for Linearise<'_> {
         };
         let mut of_rotor = vec![Sym::ZERO; rotor.len()];
         M::ROTOR.write(slip, acceleration, &mut of_rotor);
-        states.extend(rotor);
-        rates.extend(of_rotor);
+        states.extend(rotor.iter().chain(&own));
+        rates.extend(of_rotor.into_iter().chain(of_currents.into_iter().take(own.len())));
+        let at_rest: Vec<(Sym, Sym)> = own.into_iter().zip(resting.iter().copied()).collect();
+        let matrix = matrix(&states, &rates, share, slip, &groups);
         let [w, v] = vectors();
         let point = g.circle();
         Ok(Linearised {
-            matrix: matrix(&states, &rates, share, slip, &groups),
+            matrix: matrix.iter().map(|row| substitute_all(row, &at_rest)).collect(),
+            resting,
             symbols: [w.as_slice(), v.as_slice(), &[point.cos, point.sin, slip]].concat(),
             field_speed,
             idle: groups.iter().filter(|group| group.count > 1).map(|group| (group.decay, group.count - 1)).collect(),

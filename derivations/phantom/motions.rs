@@ -182,15 +182,16 @@ impl Place {
     ) -> Stationed {
         let plain = |v: &[Enclosure; 3]| Vector3::from(v.each_ref().map(Enclosure::to_f64));
         let angle = if let Rotor::InStep { angle, .. } = self.rotor { angle } else { 0.0 };
-        let start = Start {
-            angular_velocity: plain(angular_velocity),
-            vertical: plain(vertical),
-            rotor_angle: angle,
-            rotor_speed: self.speed.to_f64(),
-            currents: Vec::new(),
-        };
+        let (turning, down) = (plain(angular_velocity), plain(vertical));
         let (angular_velocity, vertical) = (angular_velocity.clone(), vertical.clone());
         let at = At { angular_velocity, vertical, angle: self.angle, rotor_speed: self.speed };
+        let start = Start {
+            angular_velocity: turning,
+            vertical: down,
+            rotor_angle: angle,
+            rotor_speed: at.rotor_speed.to_f64(),
+            currents: linear.currents(&at, BITS).unwrap_or_default(),
+        };
         let spectrum = linear.spectrum(&at, BITS);
         Stationed { kind, rotor: self.rotor, at, start, spectrum }
     }

@@ -22,6 +22,7 @@ pub mod file;
 pub mod issue;
 pub mod machine;
 pub mod measured;
+mod metered;
 pub mod methods;
 pub mod problem;
 pub mod quantity;

@@ -2,8 +2,8 @@
 
 use super::atlas::{Observed, Way};
 use super::{Axes, Choice, Problem, Run, Scene, Trajectory};
-use crate::machines::Quantity;
-use integrators::Reference;
+use crate::machines::{Catalogued, ForMachine, Quantity, has_known_flow};
+use integrators::{Method, Reference};
 
 /// A scene that is one initial value problem.
 pub trait Smooth: Send + Sync {
@@ -15,6 +15,10 @@ pub trait Smooth: Send + Sync {
     fn run(&self) -> &Run;
     /// In the axes of a form, where there are forms.
     fn problem(&self, axes: Axes) -> Problem;
+    /// The same with the work metered that no law of the problem keeps, where there is such work.
+    fn metered(&self, axes: Axes) -> Problem {
+        self.problem(axes)
+    }
     fn parameters(&self) -> Vec<Parameter>;
     /// Every formulation with every model, that of [`Self::problem`] in the first axes first.
     fn ways(&self) -> Vec<Way>;
@@ -61,6 +65,17 @@ pub struct Told {
     pub closed_form: Option<(&'static str, f64)>,
 }
 
+/// Whether splittings can take a machine apart.
+struct KnownFlow;
+
+impl ForMachine for KnownFlow {
+    type Output = bool;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> bool {
+        has_known_flow(&machine)
+    }
+}
+
 impl Smooth for Scene {
     fn title(&self) -> &str {
         &self.title
@@ -82,14 +97,26 @@ impl Smooth for Scene {
         Scene::problem(self, axes)
     }
 
-    fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
+    fn metered(&self, axes: Axes) -> Problem {
+        Scene::metered(self, axes)
+    }
+
+    fn told(&self, choice: &Choice, trajectory: &Trajectory) -> Told {
+        let known = self.machine.clone().apply(KnownFlow);
+        let refused = matches!(choice.method, Method::Split { .. }) && !known;
+        let theory = refused.then(|| {
+            let model = self.machine.name();
+            format!(
+                "`{model}` has no pieces: a supply, brushes or turning axes tie its currents to the speed at any angle"
+            )
+        });
         let off = self.closed_form::<f64>().map(|known| {
             let samples = || trajectory.times.iter().zip(&trajectory.rows);
             let size = samples().map(|(_, row)| known.shown_in_row(row).abs()).fold(f64::MIN_POSITIVE, f64::max);
             let off = samples().map(|(time, row)| (known.shown_in_row(row) - known.at(*time)).abs());
             (known.name, off.fold(0.0, f64::max) / size)
         });
-        Told { closed_form: off, ..Told::default() }
+        Told { theory: theory.into_iter().collect(), closed_form: off, ..Told::default() }
     }
 
     fn ways(&self) -> Vec<Way> {

@@ -60,7 +60,8 @@ pub fn read(
 
 /// One for each winding, where they are not all zero.
 fn currents(table: &mut Table<'_>, machine: Option<&AnyMachine>) -> Vec<f64> {
-    let meaning = "row of currents, one for each winding: the excitation less its constant part, then the bars";
+    let meaning =
+        "row of currents, one for each winding, in the order of the states; of an excitation less its constant part";
     // without a machine nobody knows how many there must be
     let Some(windings) = machine.map(windings) else {
         table.known(&["currents"]);

@@ -128,6 +128,7 @@ pub fn outputs(on_bench: bool, machine: &AnyMachine) -> Vec<String> {
 /// The unit of a state or of the rotor's speed, by its name.
 pub fn unit(name: &str) -> &'static str {
     match name.as_bytes() {
+        b"work" => "J",
         [b'v', ..] => "1",
         [b'w', ..] | b"slip" | b"rotor_speed" => "rad/s",
         b"angle" => "rad",

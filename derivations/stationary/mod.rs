@@ -10,7 +10,8 @@
 //!
 //! A stationary motion: the carrier turns with a constant w about the vertical v, fixed in it, and the rotor keeps its
 //! relative speed. The carrier's equations ask that v be a critical point of W (`mechanics::uniform`); the rotor's that
-//! the motor's moment vanish, friction included; the windings' that no current flow.
+//! the motor's moment vanish, friction included; the windings' that every current rest: at zero, unless a supply
+//! feeds it.
 
 pub mod branches;
 mod claims;

@@ -1,7 +1,7 @@
 //! Every stationary motion of a scene, for a given angular velocity or a given angular momentum about the vertical.
 
 use super::energies::{Energies, Kept};
-use super::motor::{Motor, NoMotor};
+use super::motor::{Motor, NoMotor, Slip};
 use super::stability::judge::{Given, Judge};
 use super::stability::{Approximation, Judged, Reason};
 use crate::scene::{Axes, Scene, Start, System};
@@ -272,19 +272,25 @@ impl<'a> Stationary<'a> {
 
     /// The second route: the equations that run, at the state that was found.
     fn residual(&self, w: Vector3<f64>, v: Vector3<f64>, rotor_speed: f64) -> f64 {
-        let angles = match &self.motor {
-            Motor::InStep { angles, .. } => angles.iter().map(|angle| angle.radians()).collect(),
-            _ => vec![0.0],
+        let places: Vec<(f64, &[f64])> = match &self.motor {
+            Motor::InStep { angles, .. } => angles.iter().map(|angle| (angle.radians(), &angle.currents[..])).collect(),
+            Motor::Slipping { speeds, .. } => {
+                let off = |slip: &&Slip| (slip.speed.to_f64() - rotor_speed).abs();
+                let own = speeds.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+                vec![(0.0, own.map_or(&[], |slip| &slip.currents[..]))]
+            }
+            _ => vec![(0.0, &[])],
         };
-        let of_angle = |rotor_angle: f64| {
-            let start = Start { angular_velocity: w, vertical: v, rotor_angle, rotor_speed, currents: Vec::new() };
+        let of_place = |(rotor_angle, currents): (f64, &[f64])| {
+            let start =
+                Start { angular_velocity: w, vertical: v, rotor_angle, rotor_speed, currents: currents.to_vec() };
             let scene = Scene { start, ..self.scene.clone() };
             let problem = scene.problem(Axes::Second);
             let mut rates = vec![0.0; problem.state.len()];
             problem.law.rates(0.0, &problem.state, &mut rates);
             rates.iter().fold(0.0f64, |largest, rate| largest.max(rate.abs()))
         };
-        angles.into_iter().map(of_angle).fold(0.0, f64::max)
+        places.into_iter().map(of_place).fold(0.0, f64::max)
     }
 }
 

@@ -1,6 +1,8 @@
 //! Every stationary state of a machine: speeds or angles at which its moment vanishes, exactly.
 
-use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine, Quantity, RotorState, Source, drive};
+use crate::machines::{
+    AnyMachine, Catalogued, ForMachine, Machine, Quantity, RotorState, Source, drive, is_fed, resting_currents,
+};
 use crate::scene::{MachineData, NoModel};
 use field::{Circle, Rational, Scalar};
 use symbolic::real::{Polynomial, Root};
@@ -26,6 +28,8 @@ pub struct Angle {
     pub half_tangent: Option<Root>,
     /// The sign of dM/dg: -1 where the moment drives back to the angle; 0 where two angles merge: pull-out.
     pub slope: i32,
+    /// Of a machine that a supply feeds, A; none flow in another.
+    pub currents: Vec<f64>,
 }
 
 /// A speed of the rotor relative to the carrier.
@@ -34,6 +38,8 @@ pub struct Slip {
     pub speed: Root,
     /// The sign of dM/dphi': -1 where the moment drives back to the speed; 0 where two speeds merge: pull-out.
     pub slope: i32,
+    /// Of a machine that a supply feeds, A.
+    pub currents: Vec<f64>,
 }
 
 /// The moments between which the field holds the rotor at some angle, friction at the field's speed included, N m: a further
@@ -60,6 +66,10 @@ pub enum NoMotor {
     Data(NoModel),
     /// Its moment is no fraction of polynomials with rational coefficients.
     NotAlgebraic(String),
+    /// No currents rest, or many do.
+    NoRest,
+    /// At the field's speed every angle is stationary.
+    AnyAngle,
 }
 
 impl std::fmt::Display for NoMotor {
@@ -67,6 +77,13 @@ impl std::fmt::Display for NoMotor {
         match self {
             Self::Data(reason) => reason.fmt(f),
             Self::NotAlgebraic(reason) => write!(f, "the motor's moment is not algebraic: {reason}"),
+            Self::AnyAngle => {
+                write!(
+                    f,
+                    "at the field's speed every angle of the rotor is stationary: nothing holds it at one of them"
+                )
+            }
+            Self::NoRest => write!(f, "a winding with a supply has no resistance: no current in it is stationary"),
         }
     }
 }
@@ -140,31 +157,35 @@ impl ForMachine for States<'_> {
         let kept = kept.ok_or_else(|| NoMotor::NotAlgebraic("the field's speed is no fraction".into()));
         match M::ROTOR {
             RotorState::Prescribed => Ok(Motor::Kept { speed: kept? }),
-            RotorState::AngleAndSpeed => in_step(kept?, |angle| stationary_moment(&machine, angle, Sym::ZERO) - load),
+            RotorState::AngleAndSpeed => in_step(kept?, |angle| Resting::of(&machine, angle, Sym::ZERO, load)),
             RotorState::Speed => {
                 let speed = Sym::symbol("speed");
                 let angle = Circle { cos: Sym::int(1), sin: Sym::ZERO };
-                slipping(stationary_moment(&machine, angle, speed - field_speed) - load, speed)
+                slipping(&Resting::of(&machine, angle, speed - field_speed, load)?, speed)
             }
         }
     }
 }
 
-/// M with every current at its stationary value: R_k i_k = -psi_k' g', which the windings' own equations give.
-fn stationary_moment(machine: &impl Machine<Sym>, angle: Circle<Sym>, slip: Sym) -> Sym {
-    let windings = machine.windings();
-    let mut rates = vec![Sym::ZERO; windings];
-    drive(machine, angle, slip, &vec![Sym::ZERO; windings], &mut rates);
-    let currents: Vec<Sym> = rates
-        .iter()
-        .enumerate()
-        .map(
-            |(k, &rate)| {
-                if slip == Sym::ZERO { Sym::ZERO } else { rate * machine.inductance(k) / machine.resistance(k) }
-            },
-        )
-        .collect();
-    drive(machine, angle, slip, &currents, &mut rates)
+/// What is left of the moment where every current rests, and these currents where a supply feeds them.
+struct Resting {
+    moment: Sym,
+    currents: Vec<Sym>,
+}
+
+impl Resting {
+    fn of(machine: &impl Machine<Sym>, angle: Circle<Sym>, slip: Sym, load: Sym) -> Result<Self, NoMotor> {
+        let mut currents = resting_currents(machine, angle, slip).ok_or(NoMotor::NoRest)?;
+        let moment = drive(machine, angle, slip, &currents, &mut vec![Sym::ZERO; currents.len()]) - load;
+        currents.retain(|_| is_fed(machine));
+        Ok(Resting { moment, currents })
+    }
+
+    /// As fractions of one unknown.
+    fn fractions(&self, unknown: Sym) -> Result<(Fraction, Vec<Fraction>), NoMotor> {
+        let currents = self.currents.iter().map(|&current| Fraction::of(current, unknown)).collect::<Result<_, _>>()?;
+        Ok((Fraction::of(self.moment, unknown)?, currents))
+    }
 }
 
 /// A fraction of polynomials in one unknown, as coefficients from the constant upwards.
@@ -215,20 +236,28 @@ impl Fraction {
     }
 }
 
-fn in_step(speed: Root, moment: impl Fn(Circle<Sym>) -> Sym) -> Result<Motor, NoMotor> {
+fn in_step(speed: Root, resting: impl Fn(Circle<Sym>) -> Result<Resting, NoMotor>) -> Result<Motor, NoMotor> {
     let t = Sym::symbol("t");
-    let of_angle = Fraction::of(moment(Circle::from_half_tangent(t)), t)?;
+    let (of_angle, currents) = resting(Circle::from_half_tangent(t))?.fractions(t)?;
     // near half a turn the angle is pi - 2 u for the half tangent 1/u
     let half_turn = Circle { cos: Sym::int(-1), sin: Sym::ZERO };
-    let turned = Fraction::of(moment(half_turn - Circle::from_half_tangent(t)), t)?;
+    let (turned, turned_currents) = resting(half_turn - Circle::from_half_tangent(t))?.fractions(t)?;
+    if of_angle.numerator.is_zero() {
+        return Err(NoMotor::AnyAngle);
+    }
     let slope = of_angle.slope();
-    let mut angles: Vec<Angle> =
-        of_angle.roots().map(|root| Angle { slope: root.sign_of(&slope), half_tangent: Some(root) }).collect();
+    let angle = |root: Root| Angle {
+        slope: root.sign_of(&slope),
+        currents: values(&currents, &root),
+        half_tangent: Some(root),
+    };
+    let mut angles: Vec<Angle> = of_angle.roots().map(angle).collect();
     let zero = Root::rational(Rational::int(0));
     let at_zero = |p: &Polynomial| zero.as_ref().map_or(0, |zero| zero.sign_of(p));
     if at_zero(&turned.numerator) == 0 {
         // pi - 2u falls where u rises
-        angles.push(Angle { half_tangent: None, slope: -at_zero(&turned.slope()) });
+        let currents = zero.as_ref().map_or_else(Vec::new, |zero| values(&turned_currents, zero));
+        angles.push(Angle { half_tangent: None, slope: -at_zero(&turned.slope()), currents });
     }
     let extremes = slope.real_roots();
     let values =
@@ -240,15 +269,21 @@ fn in_step(speed: Root, moment: impl Fn(Circle<Sym>) -> Sym) -> Result<Motor, No
     Ok(Motor::InStep { speed, angles, bears })
 }
 
-fn slipping(moment: Sym, speed: Sym) -> Result<Motor, NoMotor> {
-    let of_speed = Fraction::of(moment, speed)?;
+fn slipping(resting: &Resting, speed: Sym) -> Result<Motor, NoMotor> {
+    let (of_speed, currents) = resting.fractions(speed)?;
     if of_speed.numerator.is_zero() {
         return Ok(Motor::Free);
     }
     let slope = of_speed.slope();
-    let speeds = of_speed.roots().map(|root| Slip { slope: root.sign_of(&slope), speed: root }).collect();
+    let slip = |root: Root| Slip { slope: root.sign_of(&slope), currents: values(&currents, &root), speed: root };
+    let speeds = of_speed.roots().map(slip).collect();
     let extremes = slope.real_roots();
     let extremes =
         extremes.iter().filter_map(|at| Some(Extreme { speed: at.to_f64(), moment: of_speed.value(at)? })).collect();
     Ok(Motor::Slipping { speeds, extremes })
+}
+
+/// Where a fraction has no value, none of them has.
+fn values(fractions: &[Fraction], at: &Root) -> Vec<f64> {
+    fractions.iter().map(|fraction| fraction.value(at)).collect::<Option<_>>().unwrap_or_default()
 }

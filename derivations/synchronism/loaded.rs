@@ -1,6 +1,6 @@
 //! A motor alone whose load is a state that rests: so equilibria and rotations are followed over the load.
 
-use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, RotorState};
+use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, RotorState, is_fed};
 use crate::recorded::Recorded;
 use crate::scene::problem::Law;
 use crate::scene::{MachineData, Scene, Start, System};
@@ -83,6 +83,8 @@ impl<M: Machine<f64> + Send + Sync> Own for UnderLoad<M> {
 pub enum NoField {
     /// The machine knows no angle.
     NoAngle { model: &'static str },
+    /// A supply drives its currents, so that no energy tells who is in step.
+    Fed { model: &'static str },
     /// The field does not hold the rotor.
     Flat { model: &'static str },
 }
@@ -95,8 +97,16 @@ impl fmt::Display for NoField {
                 "`{model}` does not follow its field by the angle, so that there is no step to fall out of; a synchronous machine \
                  is accepted: synchronous, equivalent_windings, multi_current"
             ),
+            Self::Fed { model } => write!(
+                f,
+                "the field holds the rotor of `{model}` through currents that a supply feeds, so that no energy tells who is in \
+                 step; a machine without a supply is accepted: synchronous, equivalent_windings, multi_current"
+            ),
             Self::Flat { model } => {
-                write!(f, "the field of `{model}` does not hold its rotor: every angle is as good; b0 > 0 is accepted")
+                write!(
+                    f,
+                    "the field of `{model}` does not hold its rotor: every angle is as good; b0 > 0 of a synchronous machine is accepted"
+                )
             }
         }
     }
@@ -170,6 +180,9 @@ impl ForMachine for Made<'_> {
         let Made { named, data, axial } = self;
         if M::ROTOR != RotorState::AngleAndSpeed {
             return Err(NoField::NoAngle { model: named.name() });
+        }
+        if is_fed(&machine) {
+            return Err(NoField::Fed { model: named.name() });
         }
         let angles = || (0..SAMPLES).map(|i| TAU * f64::from(i) / f64::from(SAMPLES));
         let half_range = |of: &dyn Fn(Circle<f64>) -> f64| {

@@ -8,9 +8,18 @@ use derivations::scene::{Family, Scene};
 #[test]
 fn an_estimate_is_the_error_up_to_its_second_order_on_every_scene_with_a_motor() {
     let mut believed = 0;
-    for name in
-        ["spin_up", "bench", "hanging_rest", "permanent_rotation", "pull_out", "stiff_damper", "asynchronous_drive"]
-    {
+    for name in [
+        "spin_up",
+        "bench",
+        "hanging_rest",
+        "permanent_rotation",
+        "pull_out",
+        "stiff_damper",
+        "asynchronous_drive",
+        "machines/brushed_bench",
+        "machines/permanent_magnet_bench",
+        "machines/crossed_windings_bench",
+    ] {
         let scene = scene(name);
         let ladder = ladder(&scene);
         let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");

@@ -8,7 +8,9 @@ use derivations::machines::free_rotor::FreeRotor;
 use derivations::machines::kloss::Kloss;
 use derivations::machines::multi_current::{MultiCurrent, Windings};
 use derivations::machines::synchronous::Synchronous;
-use derivations::machines::{Bench, Catalogued, ForMachine, Kick, Law, Machine, Point as RotorPoint, RotorState, Rule};
+use derivations::machines::{
+    Bench, Catalogued, ForMachine, Kick, Law, Machine, Point as RotorPoint, RotorState, Rule, has_known_flow,
+};
 use derivations::separated::Separable;
 use derivations::systems::gyrostat::Gyrostat;
 use derivations::systems::gyrostat::driven::Driven;
@@ -136,6 +138,12 @@ impl ForMachine for Sound<'_> {
     type Output = Result<(), TestCaseError>;
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
+        if !has_known_flow(&machine) {
+            let driven = Driven::new(self.0.first_form().0, machine.clone());
+            let none = driven.pieces::<f64>().is_none() && Bench { machine, axial: 0.7 }.pieces::<f64>().is_none();
+            prop_assert!(none, "pieces without a known flow");
+            return Ok(());
+        }
         in_form(Driven::new(self.0.first_form().0, machine.clone()), self.1)?;
         in_form(Driven::new(self.0.second_form().0, machine.clone()), self.1)?;
         if M::ROTOR != RotorState::Prescribed {
@@ -186,7 +194,7 @@ proptest! {
     #![proptest_config(fixed(16))]
 
     #[test]
-    fn every_machine_of_the_list_has_pieces_that_sum_to_its_law_and_flows_that_are_flows(
+    fn every_machine_whose_flow_is_known_has_pieces_that_sum_to_its_law_and_flows_that_are_flows(
         g in gyrostat(), sample in numbers()
     ) {
         let (g, state) = (rounded(&g), sample.state(40));

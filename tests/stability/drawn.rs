@@ -76,7 +76,7 @@ impl Data {
     }
 
     fn in_step(self) -> Motor {
-        let angle = |t: Rational, slope: i32| Angle { half_tangent: Root::rational(t), slope };
+        let angle = |t: Rational, slope: i32| Angle { half_tangent: Root::rational(t), slope, currents: vec![] };
         let speed = Root::rational(Rational::int(self.speed)).unwrap();
         let one = Rational::int(1);
         Motor::InStep { speed, angles: vec![angle(Data::angle(), -1), angle(one / Data::angle(), 1)], bears: None }
@@ -84,7 +84,7 @@ impl Data {
 
     fn by_slip(self) -> Motor {
         let speed = Root::rational(Rational::int(self.speed)).unwrap();
-        Motor::Slipping { speeds: vec![Slip { speed, slope: -1 }], extremes: vec![] }
+        Motor::Slipping { speeds: vec![Slip { speed, slope: -1, currents: vec![] }], extremes: vec![] }
     }
 }
 

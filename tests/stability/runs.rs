@@ -4,11 +4,13 @@ use crate::running::{Law, eigenvalues, run, state};
 use derivations::machines::Machine;
 use derivations::machines::asynchronous::Asynchronous;
 use derivations::machines::constant_speed::ConstantSpeed;
-use derivations::scene::{Family, Scene, System};
+use derivations::scene::{Axes, Family, Scene, Start, System};
 use derivations::stationary::motions::Stationary;
-use derivations::stationary::stability::{Reason, Verdict};
+use derivations::stationary::motor::Motor;
+use derivations::stationary::stability::{Judged, Reason, Verdict};
 use derivations::systems::gyrostat::forms::SecondForm;
-use nalgebra::Vector3;
+use integrators::Jacobian;
+use nalgebra::{DMatrix, Vector3};
 use std::path::Path;
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
@@ -92,4 +94,58 @@ fn what_gyroscopic_forces_hold_at_constant_speed_leaves_with_a_motor() {
     let steps = (span / 1e-3) as usize;
     let measured = growth(&law, &at, span / steps as f64, steps);
     assert!((measured / rate - 1.0).abs() < 1e-2, "{measured} beside {rate}");
+}
+
+/// Each motion of a scene at rest with each place of its rotor: what is judged, and how many roots of the running law's
+/// Jacobian lie to the right.
+fn beside_the_law(scene: &Scene) -> Vec<(Judged, usize)> {
+    let stationary = Stationary::of(scene).unwrap();
+    let places: Vec<(f64, &[f64])> = match &stationary.motor {
+        Motor::InStep { angles, .. } => angles.iter().map(|angle| (angle.radians(), &angle.currents[..])).collect(),
+        Motor::Slipping { speeds, .. } => speeds.iter().map(|slip| (0.0, &slip.currents[..])).collect(),
+        _ => panic!("it has currents"),
+    };
+    let mut judged = Vec::new();
+    for found in stationary.at_speed(0.0).unwrap().iter().flat_map(|answer| &answer.found) {
+        for (&(rotor_angle, currents), one) in places.iter().zip(&found.stability) {
+            let start = Start {
+                angular_velocity: Vector3::zeros(),
+                vertical: found.direction,
+                rotor_angle,
+                rotor_speed: found.rotor_speed,
+                currents: currents.to_vec(),
+            };
+            let problem = Scene { start, ..scene.clone() }.problem(Axes::Second);
+            let n = problem.state.len();
+            let mut matrix = vec![0.0; n * n];
+            Jacobian::new(&*problem.law).matrix(0.0, &problem.state, &mut matrix);
+            let roots = DMatrix::from_row_slice(n, n, &matrix).complex_eigenvalues();
+            // the carrier swings are pumped at a few 1e-9 per second, the zeros of the integrals are rounded at 1e-13
+            judged.push((one.clone(), roots.iter().filter(|root| root.re > 1e-10).count()));
+        }
+    }
+    judged
+}
+
+/// A motor with magnets on a stiff supply hunts where its windings resist too little; a brushed one holds its speed. What feeds
+/// the energy leaves the verdict to Routh alone.
+#[test]
+fn a_motor_on_a_supply_is_judged_by_its_roots_and_not_by_an_energy_that_is_fed() {
+    let of = |name: &str, resistance: &str| {
+        let text = std::fs::read_to_string(format!("scenes/machines/{name}.toml")).unwrap();
+        let given = |line: &str| line.starts_with("resistance").then(|| format!("resistance = \"{resistance}\""));
+        let lines: Vec<String> = text.lines().map(|line| given(line).unwrap_or_else(|| line.to_owned())).collect();
+        beside_the_law(&Scene::parse(name, &lines.join("\n")).unwrap())
+    };
+    for (name, resistance, holds) in
+        [("permanent_magnet", "0.25 ohm", false), ("permanent_magnet", "0.6 ohm", true), ("brushed", "0.6 ohm", true)]
+    {
+        let all = of(name, resistance);
+        for (judged, right) in &all {
+            assert!(judged.energy.is_none() && !judged.conservative, "{name}: {judged:?}");
+            assert_eq!(judged.roots.map(|roots| roots.right), Some(*right), "{name}: {judged:?}");
+        }
+        let held = |(judged, _): &(Judged, usize)| judged.verdict == Verdict::AsymptoticallyStableModuloIntegrals;
+        assert_eq!(all.iter().any(held), holds, "{name}, {resistance}");
+    }
 }

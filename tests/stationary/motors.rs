@@ -1,8 +1,8 @@
 //! The stationary states of every motor, and every motion of the scenes beside the equations that run.
 
-use derivations::scene::{Family, Scene};
+use derivations::scene::{Axes, Family, Scene, Start};
 use derivations::stationary::motions::Stationary;
-use derivations::stationary::motor::{Motor, Slip};
+use derivations::stationary::motor::{Motor, NoMotor, Slip};
 use std::path::Path;
 
 fn scene(name: &str) -> Scene {
@@ -72,6 +72,51 @@ fn kloss_motor_has_one_or_three_speeds() {
     assert_eq!(slopes(&with("asynchronous_drive", &[("f = \"4e-4 N m s\"", "f = \"1.9e-3 N m s\"")])), [-1, 1, -1]);
 }
 
+/// Six angles, as three pairs of poles ask for, and the phasor diagram's currents at each: the law that runs rests there.
+#[test]
+fn a_motor_on_a_supply_rests_with_the_currents_that_its_law_keeps() {
+    let scene = scene("machines/permanent_magnet_bench");
+    let Motor::InStep { angles, bears, .. } = motor(&scene) else { panic!("it follows its field") };
+    assert_eq!(angles.iter().filter(|angle| angle.slope < 0).count(), 3);
+    assert_eq!(angles.len(), 6);
+    assert!(bears.is_some_and(|bears| bears.greatest > 0.05 && bears.least < -0.05), "{bears:?}");
+    for angle in &angles {
+        let start = Start {
+            rotor_angle: angle.radians(),
+            rotor_speed: 150.0,
+            currents: angle.currents.clone(),
+            ..scene.start.clone()
+        };
+        let problem = Scene { start, ..scene.clone() }.problem(Axes::First);
+        let mut rates = vec![f64::NAN; problem.state.len()];
+        problem.law.rates(0.0, &problem.state, &mut rates);
+        // 14 V on 1.2 mH is 1e4 A/s, each to rounding
+        assert!(rates.iter().all(|rate| rate.abs() < 1e-9), "{rates:?} at {angle:?}");
+    }
+}
+
+/// w = u k / (k^2 + f R), i = f w / k.
+#[test]
+fn a_brushed_motor_has_one_speed_and_one_current() {
+    let Motor::Slipping { speeds, .. } = motor(&scene("machines/brushed")) else { panic!("it has no angle") };
+    let [Slip { speed, slope: -1, currents }] = &speeds[..] else { panic!("{speeds:?}") };
+    let (u, k, r, f) = (24.0, 0.045, 0.6, 1e-4);
+    let expected = u * k / (k * k + f * r);
+    assert!((speed.to_f64() / expected - 1.0).abs() < 1e-15, "{}", speed.to_f64());
+    assert!((currents[0] / (f * expected / k) - 1.0).abs() < 1e-15, "{currents:?}");
+    let ideal = with("machines/brushed", &[("resistance = \"0.6 ohm\"", "resistance = \"0 ohm\"")]);
+    assert_eq!(Motor::of(&ideal.machine, &ideal.machine_data).map(|_| ()), Err(NoMotor::NoRest));
+}
+
+/// Crossed windings feel the slip alone: in step friction has nothing against it, and without friction any angle will do.
+#[test]
+fn crossed_windings_are_never_held_in_step() {
+    let found = motor(&scene("machines/crossed_windings_bench"));
+    assert!(matches!(&found, Motor::InStep { angles, .. } if angles.is_empty()), "{found:?}");
+    let free = with("machines/crossed_windings_bench", &[("f = \"4e-4 N m s\"", "f = \"0 N m s\"")]);
+    assert_eq!(Motor::of(&free.machine, &free.machine_data).map(|_| ()), Err(NoMotor::AnyAngle));
+}
+
 #[test]
 fn every_motion_of_every_scene_is_one_of_the_equations_that_run() {
     let files = [
@@ -83,6 +128,8 @@ fn every_motion_of_every_scene_is_one_of_the_equations_that_run() {
         "permanent_rotation",
         "stiff_damper",
         "pull_out",
+        "machines/brushed",
+        "machines/permanent_magnet",
     ];
     for name in files {
         let scene = scene(name);

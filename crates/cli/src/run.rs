@@ -99,7 +99,7 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     let matrix = csv::Table::open(asked.transition.as_deref())?;
 
     let mut progress = Progress::new(scene.title());
-    let problem = scene.problem(choice.axes);
+    let problem = scene.metered(choice.axes);
     let trajectory = problem.simulate(&choice, |fraction| progress.set(fraction));
     drop(progress);
 
@@ -107,6 +107,7 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     if let Some(path) = &asked.transition
         && trajectory.outcome.reached()
     {
+        let problem = scene.problem(choice.axes);
         let rows = problem.transition(choice.tolerance);
         let rows = rows.map_err(|failure| Ending::refused(format!("{}: {failure}", path.display())))?;
         matrix.write_matrix(&problem.columns[..rows.len()], &rows)?;

@@ -9,7 +9,7 @@ use clap::Args;
 use derivations::scene::{Family, Scene};
 use derivations::stationary::energies::Kept;
 use derivations::stationary::motions::{Answer, Certificate, Found, NoAnswer, Stationary};
-use derivations::stationary::motor::{Angle, Motor};
+use derivations::stationary::motor::{Angle, Motor, Slip};
 use mechanics::uniform::{Census, Kind, Shape, Undecided};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -190,7 +190,12 @@ fn motor(motor: &Motor) -> String {
         Motor::Free => writeln!(out, "motor: none; any speed of the rotor is stationary"),
         Motor::Kept { speed } => writeln!(out, "motor: keeps the rotor at {} rad/s", speed.to_f64()),
         Motor::InStep { speed, angles, bears } => {
-            let _ = writeln!(out, "motor: in step with its field at {} rad/s, without currents", speed.to_f64());
+            let fed = if angles.iter().all(|angle| angle.currents.is_empty()) { ", without currents" } else { "" };
+            let _ = writeln!(out, "motor: in step with its field at {} rad/s{fed}", speed.to_f64());
+            if bears.is_some_and(|bears| bears.least == bears.greatest) {
+                let _ = writeln!(out, "  no angle: in step nothing holds the rotor, it can only slip");
+                return out;
+            }
             if angles.is_empty() {
                 let _ = writeln!(
                     out,
@@ -198,7 +203,13 @@ fn motor(motor: &Motor) -> String {
                 );
             }
             for angle in angles {
-                let _ = writeln!(out, "  gamma0 = {:.12} rad: {}", angle.radians(), slope(angle.slope));
+                let _ = writeln!(
+                    out,
+                    "  gamma0 = {:.12} rad{}: {}",
+                    angle.radians(),
+                    currents(&angle.currents),
+                    slope(angle.slope)
+                );
             }
             match bears {
                 Some(bears) => writeln!(
@@ -212,7 +223,13 @@ fn motor(motor: &Motor) -> String {
         Motor::Slipping { speeds, extremes } => {
             let _ = writeln!(out, "motor: by its slip, without an angle");
             for slip in speeds {
-                let _ = writeln!(out, "  phi' = {:.12} rad/s: {}", slip.speed.to_f64(), slope(slip.slope));
+                let _ = writeln!(
+                    out,
+                    "  phi' = {:.12} rad/s{}: {}",
+                    slip.speed.to_f64(),
+                    currents(&slip.currents),
+                    slope(slip.slope)
+                );
             }
             for extreme in extremes {
                 let _ = writeln!(
@@ -225,6 +242,12 @@ fn motor(motor: &Motor) -> String {
         }
     };
     out
+}
+
+/// Those that a supply feeds.
+fn currents(of: &[f64]) -> String {
+    let each: Vec<String> = of.iter().map(|current| format!("{current:.6e}")).collect();
+    if each.is_empty() { String::new() } else { format!(" with the currents {} A", each.join(", ")) }
 }
 
 fn counts(all: &Stationary<'_>, census: &[Result<Census, Undecided>]) -> String {
@@ -313,17 +336,18 @@ fn motion(motor: &Motor, found: &Found) -> Value {
 }
 
 fn motor_object(motor: &Motor) -> Value {
-    let angle = |angle: &Angle| json!({ "angle": angle.radians(), "slope": angle.slope });
+    let slip = |slip: &Slip| json!({ "speed": slip.speed.to_f64(), "slope": slip.slope, "currents": slip.currents });
+    let angle = |angle: &Angle| json!({ "angle": angle.radians(), "slope": angle.slope, "currents": angle.currents });
     match motor {
         Motor::Free => json!({ "kind": "free" }),
         Motor::Kept { speed } => json!({ "kind": "kept", "speed": speed.to_f64() }),
         Motor::InStep { speed, angles, bears } => json!({
             "kind": "in_step", "speed": speed.to_f64(), "angles": angles.iter().map(angle).collect::<Vec<_>>(),
-            "bears": bears.map(|bears| [bears.least, bears.greatest]), "currents": 0.0,
+            "bears": bears.map(|bears| [bears.least, bears.greatest]),
         }),
         Motor::Slipping { speeds, extremes } => json!({
             "kind": "slipping",
-            "speeds": speeds.iter().map(|slip| json!({ "speed": slip.speed.to_f64(), "slope": slip.slope })).collect::<Vec<_>>(),
+            "speeds": speeds.iter().map(slip).collect::<Vec<_>>(),
             "extremes": extremes.iter().map(|e| json!({ "speed": e.speed, "moment": e.moment })).collect::<Vec<_>>(),
         }),
     }

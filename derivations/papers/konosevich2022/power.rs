@@ -4,11 +4,14 @@ use super::alphabet::{current, letter};
 use super::letters::Letters;
 use super::section3::{WithFriction, driven, excess_friction, friction};
 use crate::machines::asynchronous::Asynchronous;
+use crate::machines::brushed::Brushed;
+use crate::machines::crossed_windings::CrossedWindings;
 use crate::machines::equivalent_windings::EquivalentWindings;
 use crate::machines::free_rotor::FreeRotor;
 use crate::machines::kloss::Kloss;
+use crate::machines::permanent_magnet::{Magnets, PermanentMagnet};
 use crate::machines::synchronous::Synchronous;
-use crate::machines::{Machine, drive, heat, stored_energy};
+use crate::machines::{Machine, drive, heat, is_fed, motional_moment, stored_energy, supplied};
 use crate::systems::gyrostat::forms::{Form, SecondForm};
 use claims::{Condition, Page};
 use field::{Circle, Tangent};
@@ -94,6 +97,14 @@ fn every_machine(page: &mut Page, s: &Letters) {
     let windings = EquivalentWindings::new(s.windings(), 3, Circle::zero());
     balance(page, s, "equivalent-windings", "two equivalent windings", &windings);
     balance(page, s, "multi-current", "three bars at any angles", &s.motor(3));
+    let [flux, inductance, resistance, voltage] = ["a1", "L1", "R1", "V"].map(letter);
+    let crossed = CrossedWindings { field_speed, flux, inductance, resistance, f };
+    balance(page, s, "crossed-windings", "two windings at right angles", &crossed);
+    let magnets = Magnets { field_speed, voltage, flux, along: inductance, across: letter("L2"), resistance, f };
+    let magnets = PermanentMagnet { magnets, pole_pairs: 2 };
+    balance(page, s, "permanent-magnet", "magnets with two pairs of poles, in Park's axes", &magnets);
+    let brushed = Brushed { voltage, flux, inductance, resistance, f };
+    balance(page, s, "brushed", "brushes on a constant voltage", &brushed);
     let form = SecondForm::new(s.a_star, s.l, s.axial, s.e * s.big_gamma);
     let (dw, reaction) = form.prescribed(s.w, s.nu, field_speed);
     let w = Vector3::from(along(s.w.into(), dw.into()));
@@ -111,9 +122,17 @@ fn balance(page: &mut Page, s: &Letters, slug: &'static str, name: &str, machine
     let stored = stored_energy(machine, s.angle().moving(s.dgamma), &moving).slope;
     let speed = s.dgamma + machine.frame_speed();
     let law = machine.moment_law(s.dgamma, speed);
-    page.claim("beyond-power", slug, format!(r"{name}: $M\dot\varphi' + \dot W_m = \Omega M + \dot\gamma\,m - \sum R_ki_k^2$, with the energy $W_m$ of the circuits and the law $m$ of friction and slip"))
-        .follows([Equal(
-            moment * speed + stored,
-            machine.frame_speed() * moment + s.dgamma * law - heat(machine, &currents),
-        )]);
+    let (sliding, supply) = (motional_moment(machine, &currents), supplied(machine, s.angle(), &currents));
+    let says = match is_fed(machine) {
+        true => format!(
+            r"{name}: $M\dot\varphi' + \dot W_m = \Omega(M - \sum c_ki_k) + \dot\gamma\,m + \sum v_ki_k - \sum R_ki_k^2$: what slides takes from the circuits what it gives to the rotor, and the supply gives $v_ki_k$"
+        ),
+        false => format!(
+            r"{name}: $M\dot\varphi' + \dot W_m = \Omega M + \dot\gamma\,m - \sum R_ki_k^2$, with the energy $W_m$ of the circuits and the law $m$ of friction and slip"
+        ),
+    };
+    page.claim("beyond-power", slug, says).follows([Equal(
+        moment * speed + stored,
+        machine.frame_speed() * (moment - sliding) + s.dgamma * law + supply - heat(machine, &currents),
+    )]);
 }

@@ -2,7 +2,7 @@
 
 use super::linear::{Integral, Linear};
 use super::state::{Layout, Place};
-use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine};
+use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine, is_fed, resting_currents};
 use crate::scene::MachineData;
 use crate::stationary::energies::Energies;
 use crate::stationary::motor::{Decimals, NoMotor};
@@ -21,6 +21,8 @@ pub struct Approximation {
     pub conservative: bool,
     /// Whether the motor's own moment does not depend on the slip: then this neither damps nor drives.
     pub steady: bool,
+    /// Whether a supply or conductors that slide feed G, so that it judges nothing.
+    pub fed: bool,
     /// Whether no weight acts, so that the angular momentum stays in space: roots at +-i w0.
     pub balanced: bool,
     formulas: Formulas,
@@ -50,6 +52,10 @@ impl Approximation {
         let unknowns = symbols(["w0", "v1", "v2", "v3", "W", "c", "s"]);
         let [speed, v1, v2, v3, rotor_speed, cos, sin] = unknowns;
         let place = Place { speed, vertical: Vector3::new(v1, v2, v3), rotor_speed, angle: Circle { cos, sin } };
+        let (fed, slip) = (is_fed(machine), rotor_speed - machine.frame_speed());
+        if resting_currents(machine, place.angle, slip).is_none() {
+            return Err(NoMotor::NoRest);
+        }
         let linear = Linear::at(&energies, machine, &place, is_free(machine));
         let all = linear.rates.iter().chain(&linear.energy).chain(&linear.integrals).flatten();
         let all: Vec<Sym> = all.chain(&linear.missing).chain(&linear.damping).copied().collect();
@@ -59,8 +65,9 @@ impl Approximation {
         Ok(Approximation {
             layout: Layout::of(machine),
             integrals: integrals[..linear.integrals.len()].to_vec(),
-            conservative: steady && linear.damping.iter().all(|&one| vanishes(one)),
+            conservative: steady && !fed && linear.damping.iter().all(|&one| vanishes(one)),
             steady,
+            fed,
             formulas,
             balanced: energies.weight.iter().all(|&one| vanishes(one)),
         })

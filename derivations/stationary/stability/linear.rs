@@ -5,8 +5,9 @@
 //!
 //!   x' + w x x = Ge x v ,   v' = v x w ,   p'' = M ,   and the windings' own ;
 //!
-//! it keeps v.v and x.v, and p' where no moment acts. What is neither kept nor fed is the energy as the turning field sees
-//! it, E - W p' (with the work of the constant load). With the multipliers w0 and lambda it is stationary:
+//! it keeps v.v and x.v, and p' where no moment acts. What is neither kept nor fed, unless a supply or conductors that slide
+//! feed it, is the energy as the turning field sees it, E - W p' (with the work of the constant load). With the multipliers
+//! w0 and lambda it is stationary:
 //!
 //!   G = E - W p' - w0 x.v + 1/2 lambda v.v ,    lambda = w0 x.v + Ge.v .
 
@@ -89,7 +90,7 @@ pub(super) fn variation<P: Base, S: Over<P>, M: Machine<P>>(
     rates: &[S],
 ) -> Vec<S> {
     let rates: Vec<Tangent<S>> = rates.iter().map(|&slope| Tangent::moving(S::zero(), slope)).collect();
-    let state = place.state(Layout::of(machine), machine.frame_speed(), deviations);
+    let state = place.state(machine, deviations);
     missing(energies, machine, &state, &rates).into_iter().map(|one| one.slope).collect()
 }
 
@@ -117,7 +118,7 @@ impl<S: Scalar> Linear<S> {
         S: Over<P>,
     {
         let layout = Layout::of(machine);
-        let (size, frame) = (layout.size(), machine.frame_speed());
+        let size = layout.size();
         let unit = |j: usize| -> Vec<S> { (0..size).map(|i| if i == j { S::one() } else { S::zero() }).collect() };
         let rest = vec![S::zero(); size];
         // variation = mass * rates - force * deviations
@@ -126,23 +127,23 @@ impl<S: Scalar> Linear<S> {
         let mass = transposed((0..size).map(of_rates).collect());
         let force = transposed((0..size).map(|j| of_state(j).into_iter().map(|slope| -slope).collect()).collect());
         let still: Vec<Tangent<S>> = rest.iter().map(|&zero| Tangent::fixed(zero)).collect();
-        let missing = missing(energies, machine, &place.state(layout, frame, &rest), &still);
+        let missing = missing(energies, machine, &place.state(machine, &rest), &still);
         let (all, _) = energies.momenta(place.vertical * place.speed, place.rotor_speed);
         let multiplier = place.speed * all.dot(&place.vertical) + energies.weight.map(S::lift).dot(&place.vertical);
         let second = |i: usize, j: usize| {
-            let inner = place.state(layout, frame, &unit(i));
-            let twice = twice_moved(&inner, &place.fixed(), layout, frame, &unit(j));
+            let twice = twice_moved(&place.state(machine, &unit(i)), &place.fixed(), machine, &unit(j));
             let (place, multiplier) = (place.fixed().fixed(), Tangent::fixed(Tangent::fixed(multiplier)));
             energy(energies, machine, &place, multiplier, &twice).slope.slope
         };
         let mut integrals = vec![Vec::new(); if free { 3 } else { 2 }];
         for j in 0..size {
-            let state = place.state(layout, frame, &unit(j));
+            let state = place.state(machine, &unit(j));
             let (all, spin) = energies.momenta(state.w, state.rotor_speed);
             let values = [state.v.dot(&state.v).half(), all.dot(&state.v), spin];
             integrals.iter_mut().zip(values).for_each(|(integral, value)| integral.push(value.slope));
         }
-        let slip = if layout.angle().is_some() { S::zero() } else { place.rotor_speed - S::lift(frame) };
+        let slip =
+            if layout.angle().is_some() { S::zero() } else { place.rotor_speed - S::lift(machine.frame_speed()) };
         let moment = machine.moment_law(Tangent::variable(slip), Tangent::variable(place.rotor_speed));
         let resistances = (0..layout.windings).map(|k| S::lift(machine.resistance(k)));
         let damping = layout.slip().map(|_| -moment.slope).into_iter().chain(resistances).collect();

@@ -1,6 +1,6 @@
 //! Stationary motions and states near them: where what stands, and how it moves along a deviation.
 
-use crate::machines::{Machine, RotorState};
+use crate::machines::{Machine, RotorState, resting_currents};
 use field::{Base, Circle, Over, Scalar, Tangent};
 use nalgebra::Vector3;
 
@@ -66,38 +66,42 @@ impl<S: Scalar> Place<S> {
         }
     }
 
-    /// The state at deviations that are zero with a slope.
-    pub(super) fn state<P: Base>(&self, layout: Layout, frame_speed: P, slopes: &[S]) -> State<Tangent<S>>
+    /// The state at deviations that are zero with a slope, the currents from those that rest. (Where none do, from zero,
+    /// which is then seen to be no stationary motion.)
+    pub(super) fn state<P: Base, M: Machine<P>>(&self, machine: &M, slopes: &[S]) -> State<Tangent<S>>
     where
         S: Over<P>,
     {
+        let layout = Layout::of(machine);
         let slope = |place: Option<usize>| place.map_or(S::zero(), |place| slopes[place]);
         let vector = |from: usize| Vector3::from_fn(|i, _| slopes[from + i]);
         let moving = |value: Vector3<S>, slope: Vector3<S>| value.zip_map(&slope, Tangent::moving);
         let in_step = layout.angle().is_some();
-        let slip = if in_step { S::zero() } else { self.rotor_speed - S::lift(frame_speed) };
+        let slip = if in_step { S::zero() } else { self.rotor_speed - S::lift(machine.frame_speed()) };
         let first = layout.size() - layout.windings;
+        let resting = resting_currents(machine, self.angle, slip);
+        let resting = resting.unwrap_or_else(|| vec![S::zero(); layout.windings]);
         State {
             w: moving(self.vertical * self.speed, vector(0)),
             v: moving(self.vertical, vector(3)),
             rotor_speed: Tangent::moving(self.rotor_speed, slope(layout.slip())),
             slip: Tangent::moving(slip, slope(layout.slip())),
             angle: self.angle.moving(slope(layout.angle())),
-            currents: slopes[first..].iter().map(|&slope| Tangent::moving(S::zero(), slope)).collect(),
+            currents: resting.into_iter().zip(&slopes[first..]).map(|(i, &slope)| Tangent::moving(i, slope)).collect(),
         }
     }
 }
 
 /// A state that moves in one direction, moved in another.
-pub(super) fn twice_moved<P: Base, S: Over<P>>(
+pub(super) fn twice_moved<P: Base, S: Over<P>, M: Machine<P>>(
     inner: &State<Tangent<S>>,
     place: &Place<Tangent<S>>,
-    layout: Layout,
-    frame_speed: P,
+    machine: &M,
     slopes: &[S],
 ) -> State<Tangent<Tangent<S>>> {
+    let layout = Layout::of(machine);
     let outer: Vec<Tangent<S>> = slopes.iter().map(|&slope| Tangent::fixed(slope)).collect();
-    let outer = place.state(layout, frame_speed, &outer);
+    let outer = place.state(machine, &outer);
     let add = |a: Tangent<S>, b: Tangent<Tangent<S>>| Tangent::moving(a, b.slope);
     State {
         w: inner.w.zip_map(&outer.w, add),

@@ -54,7 +54,7 @@ pub struct Judged {
     pub integrals: Vec<Integral>,
     /// The roots beside these, where the signs are known.
     pub roots: Option<HalfPlanes>,
-    /// The signs of the energy's second variation where the integrals have their values.
+    /// The signs of the energy's second variation where the integrals have their values; none where the motor feeds it.
     pub energy: Option<Inertia>,
     /// Whether the energy is conserved; otherwise it falls unless the motor drives.
     pub conservative: bool,
@@ -77,7 +77,7 @@ impl Judged {
 
     /// At a place (w0, v, W, cos g, sin g). A verdict [`Reason::TooFine`] asks for finer numbers.
     pub fn at<R: Ordered>(approximation: &Approximation, place: &[R; 7], one: &R, rounded: impl Fn(&R) -> f64) -> Self {
-        let Approximation { integrals, conservative, steady, balanced, .. } = approximation;
+        let Approximation { integrals, conservative, steady, fed, balanced, .. } = approximation;
         let undecided = |reason| Judged::cannot_tell(approximation, reason);
         let Some(linear) = approximation.at(place, one) else { return undecided(Reason::TooFine) };
         if linear.missing.iter().any(|m| m.sign().is_some_and(|sign| sign != 0)) {
@@ -100,7 +100,7 @@ impl Judged {
         }
         let known = if *balanced { HalfPlanes::without_pair(&polynomial, &place[0].times(&place[0])) } else { None };
         let roots = known.or_else(|| HalfPlanes::of(&polynomial));
-        let energy = Inertia::on_subspace(&linear.energy, &linear.integrals, one);
+        let energy = if *fed { None } else { Inertia::on_subspace(&linear.energy, &linear.integrals, one) };
         // where the moment depends on the slip, a slope that damps here damps near by too
         let (of_slip, of_currents) = linear.damping.split_at(linear.damping.len().min(1));
         let damps = *steady || of_slip.iter().all(|slope| slope.sign() == Some(1));

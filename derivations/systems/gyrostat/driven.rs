@@ -2,7 +2,7 @@
 
 use super::forms::Form;
 use super::vectors::cross;
-use crate::machines::{Circuit, Machine, RotorState, drive_circuits, state_names, stored_energy};
+use crate::machines::{Circuit, Machine, Powered, RotorState, drive_circuits, feeding, state_names, stored_energy};
 use field::{Analytic, Base, Lanes, Over, Tangent};
 use integrators::Ode;
 use nalgebra::Vector3;
@@ -94,7 +94,7 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
         self.form.energy(w.map(Tangent::fixed), v.map(Tangent::fixed), speed).slope
     }
 
-    /// E - W p, the energy as seen from the stator's field: what it loses is heat.
+    /// E - W p, the energy as seen from the stator's field: without supply and sliding windings what it loses is heat.
     pub fn jacobi<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
         self.energy(y) - S::lift(self.machine.frame_speed()) * self.rotor_momentum(y)
     }
@@ -113,6 +113,24 @@ impl<S: Over<f64> + Analytic, F: Form<f64>, M: Machine<f64>> Ode<S> for Driven<f
 
     fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
         Driven::rates(self, y, dy);
+    }
+}
+
+impl<F: Form<f64>, M: Machine<f64>> Powered for Driven<f64, F, M> {
+    fn dimension(&self) -> usize {
+        Driven::dimension(self)
+    }
+
+    fn rates<S: Over<f64> + Analytic>(&self, y: &[S], dy: &mut [S]) {
+        Driven::rates(self, y, dy);
+    }
+
+    fn jacobi<S: Over<f64> + Analytic>(&self, y: &[S]) -> S {
+        Driven::jacobi(self, y)
+    }
+
+    fn power<S: Over<f64> + Analytic>(&self, y: &[S]) -> S {
+        feeding(&self.machine, &y[6..])
     }
 }
 

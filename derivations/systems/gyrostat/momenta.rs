@@ -23,8 +23,8 @@
 use super::driven::Driven;
 use super::forms::Form;
 use crate::machines::{
-    Kick, Law, Machine, Point as RotorPoint, RotorState, Rule, decay_quotient, fading_slip, fastest_current, kick,
-    solved,
+    Kick, Law, Machine, Point as RotorPoint, RotorState, Rule, decay_quotient, fading_slip, fastest_current,
+    has_known_flow, kick, solved,
 };
 use crate::separated::Separable;
 use field::{Analytic, Base, Over, Scalar};
@@ -265,12 +265,11 @@ pub enum Lapse<S> {
 }
 
 impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
-    /// The pieces over a field; none for windings on a rotor whose angle is not known.
+    /// The pieces over a field; none where the flow of the [`Kick`] is not known.
     pub fn in_momenta<S: Real>(&self) -> Option<GyrostatPieces<'_, S, F, M>> {
         let Driven { form, machine, .. } = self;
-        let known = M::ROTOR == RotorState::AngleAndSpeed || machine.windings() == 0;
         let flows = Flows::new(form, machine);
-        known.then(|| GyrostatPieces {
+        has_known_flow(machine).then(|| GyrostatPieces {
             form,
             machine,
             flows,

@@ -1,0 +1,65 @@
+//! A motor alone: its rotor between bearings, its housing at rest.
+
+use super::{Machine, drive, stored_energy};
+use field::{Analytic, Base, Over};
+use integrators::Ode;
+
+/// A motor alone on a bench: its rotor with moment of inertia A' and a housing at rest.
+#[derive(Clone, Copy, Debug)]
+pub struct Bench<P, M> {
+    pub machine: M,
+    /// A', kg m^2
+    pub axial: P,
+}
+
+impl<P: Base, M: Machine<P>> Bench<P, M> {
+    /// The number of states: of the rotor, then the currents.
+    pub fn dimension(&self) -> usize {
+        M::ROTOR.dimension() + self.machine.windings()
+    }
+
+    /// A' g'' = M and the currents.
+    #[inline(always)]
+    pub fn rates<S: Over<P> + Analytic>(&self, y: &[S], dy: &mut [S]) {
+        self.rates_under(S::zero(), y, dy);
+    }
+
+    /// A' g'' = M - load and the currents, with a further moment of the load against the rotor's turning, N m.
+    #[inline(always)]
+    pub fn rates_under<S: Over<P> + Analytic>(&self, load: S, y: &[S], dy: &mut [S]) {
+        let (rotor, currents) = y.split_at(M::ROTOR.dimension());
+        let (rotor_rates, current_rates) = dy.split_at_mut(M::ROTOR.dimension());
+        let (angle, slip) = M::ROTOR.angle_and_slip(rotor);
+        let moment = drive(&self.machine, angle, slip, currents, current_rates) - load;
+        M::ROTOR.write(slip, moment / S::lift(self.axial), rotor_rates);
+    }
+
+    /// A' phi', the rotor's angular momentum.
+    pub fn rotor_momentum<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        let (_, slip) = M::ROTOR.angle_and_slip(&y[..M::ROTOR.dimension()]);
+        S::lift(self.axial) * (slip + S::lift(self.machine.frame_speed()))
+    }
+
+    /// 1/2 A' phi'^2 and the energy of the circuits.
+    pub fn energy<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        let (rotor, currents) = y.split_at(M::ROTOR.dimension());
+        let (angle, _) = M::ROTOR.angle_and_slip(rotor);
+        let momentum = self.rotor_momentum(y);
+        (momentum * momentum / S::lift(self.axial)).half() + stored_energy(&self.machine, angle, currents)
+    }
+
+    /// E - W p, the energy as seen from the stator's field: without supply and sliding windings what it loses is heat.
+    pub fn jacobi<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
+        self.energy(y) - S::lift(self.machine.frame_speed()) * self.rotor_momentum(y)
+    }
+}
+
+impl<S: Over<f64> + Analytic, M: Machine<f64>> Ode<S> for Bench<f64, M> {
+    fn dimension(&self) -> usize {
+        Bench::dimension(self)
+    }
+
+    fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+        Bench::rates(self, y, dy);
+    }
+}

@@ -1,0 +1,74 @@
+//! The motor with brushes on a constant voltage, its field by magnets.
+
+use super::{Catalogued, Datum, Machine, RotorState, Source};
+use field::{Base, Circle, Over};
+
+crate::quantities! {
+    /// L i' = v - R i - k phi', M = k i - f phi', k the flux: the commutator keeps the armature's current across the magnets' field while
+    /// the conductors turn through it, so that nothing depends on the angle.
+    pub struct Brushed {
+        /// voltage at the brushes
+        voltage: "V",
+        /// flux of the magnets: voltage per speed of the rotor, and moment per current
+        flux: "Wb",
+        /// inductance of the armature
+        inductance: "H",
+        /// resistance of armature and brushes
+        resistance: "ohm",
+        /// viscous friction in the bearings
+        f: "N m s",
+    }
+}
+
+impl<P: Base> Machine<P> for Brushed<P> {
+    const ROTOR: RotorState = RotorState::Speed;
+
+    /// The field stands in the housing.
+    #[inline(always)]
+    fn frame_speed(&self) -> P {
+        P::zero()
+    }
+
+    #[inline(always)]
+    fn windings(&self) -> usize {
+        1
+    }
+
+    fn current_name(&self, _winding: usize) -> String {
+        "i".into()
+    }
+
+    #[inline(always)]
+    fn inductance(&self, _winding: usize) -> P {
+        self.inductance
+    }
+
+    #[inline(always)]
+    fn resistance(&self, _winding: usize) -> P {
+        self.resistance
+    }
+
+    #[inline(always)]
+    fn supply<S: Over<P>>(&self, _winding: usize, _angle: Circle<S>) -> Option<S> {
+        Some(S::lift(self.voltage))
+    }
+
+    #[inline(always)]
+    fn motional<S: Over<P>>(&self, _winding: usize, _currents: &[S]) -> Option<S> {
+        Some(S::lift(self.flux))
+    }
+
+    #[inline(always)]
+    fn moment_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
+        -S::lift(self.f) * speed
+    }
+}
+
+impl Catalogued for Brushed<f64> {
+    const SUMMARY: &'static str = "direct current through brushes, with the armature's current";
+    type Over<P: Datum> = Brushed<P>;
+
+    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<Brushed<P>, E> {
+        Brushed::read(|quantity| source.quantity(quantity))
+    }
+}

@@ -1,0 +1,68 @@
+//! The asynchronous motor with two windings at right angles on its rotor, after Leonov.
+
+use super::{Catalogued, Datum, Machine, RotorState, Source};
+use field::{Base, Circle, Over};
+
+crate::quantities! {
+    /// psi_1 = a cos g, psi_2 = a sin g, a the flux: closed windings without magnet and excitation, which feel the field by its slip
+    /// alone; m = -f phi'.
+    pub struct CrossedWindings {
+        /// speed of the stator's field
+        field_speed: "rad/s",
+        /// greatest flux of the field through a winding
+        flux: "Wb",
+        /// inductance of a winding
+        inductance: "H",
+        /// resistance of a winding
+        resistance: "ohm",
+        /// viscous friction in the bearings
+        f: "N m s",
+    }
+}
+
+impl<P: Base> Machine<P> for CrossedWindings<P> {
+    const ROTOR: RotorState = RotorState::AngleAndSpeed;
+
+    #[inline(always)]
+    fn frame_speed(&self) -> P {
+        self.field_speed
+    }
+
+    #[inline(always)]
+    fn windings(&self) -> usize {
+        2
+    }
+
+    fn current_name(&self, winding: usize) -> String {
+        format!("i{}", winding + 1)
+    }
+
+    #[inline(always)]
+    fn inductance(&self, _winding: usize) -> P {
+        self.inductance
+    }
+
+    #[inline(always)]
+    fn resistance(&self, _winding: usize) -> P {
+        self.resistance
+    }
+
+    #[inline(always)]
+    fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
+        S::lift(self.flux) * if winding == 0 { angle.cos } else { angle.sin }
+    }
+
+    #[inline(always)]
+    fn moment_law<S: Over<P>>(&self, _slip: S, speed: S) -> S {
+        -S::lift(self.f) * speed
+    }
+}
+
+impl Catalogued for CrossedWindings<f64> {
+    const SUMMARY: &'static str = "asynchronous with the currents of two windings at right angles";
+    type Over<P: Datum> = CrossedWindings<P>;
+
+    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<CrossedWindings<P>, E> {
+        CrossedWindings::read(|quantity| source.quantity(quantity))
+    }
+}

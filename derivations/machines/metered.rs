@@ -1,0 +1,73 @@
+//! A motor's run with the work that is done on it: what E - W p gains beyond it, the run has made up.
+
+use super::conserved::feed;
+use super::{Bench, Machine, RotorState, heat};
+use field::{Analytic, Base, Over};
+use integrators::Ode;
+
+/// A law with the energy E - W p that the turning field sees, and the power that feeds it.
+pub trait Powered {
+    /// How many states there are.
+    fn dimension(&self) -> usize;
+    /// y' = f(y); must not allocate.
+    fn rates<S: Over<f64> + Analytic>(&self, y: &[S], dy: &mut [S]);
+    /// E - W p, J.
+    fn jacobi<S: Over<f64> + Analytic>(&self, y: &[S]) -> S;
+    /// d/dt (E - W p) along every motion, W; must not allocate.
+    fn power<S: Over<f64> + Analytic>(&self, y: &[S]) -> S;
+}
+
+/// m g' - sum R_k i_k^2 + sum v_k i_k - W sum c_k i_k, W: what friction, heat, supply and sliding do to E - W p, from the
+/// part of a state that is the machine's.
+pub fn feeding<P: Base, S: Over<P> + Analytic, M: Machine<P>>(machine: &M, state: &[S]) -> S {
+    let (rotor, currents) = state.split_at(M::ROTOR.dimension());
+    if M::ROTOR == RotorState::Prescribed {
+        return S::zero();
+    }
+    let (angle, slip) = M::ROTOR.angle_and_slip(rotor);
+    let frame_speed = S::lift(machine.frame_speed());
+    let friction = machine.moment_law(slip, slip + frame_speed) * slip;
+    friction - heat(machine, currents) + feed(machine, angle, currents)
+}
+
+/// A law and the work that is done on it, the last component.
+#[derive(Clone, Debug)]
+pub struct Metered<L>(pub L);
+
+impl<L: Powered> Metered<L> {
+    /// E - W p less the work, J: keeps its first value.
+    pub fn balance(&self, y: &[f64]) -> f64 {
+        y.split_last().map_or(f64::NAN, |(work, y)| self.0.jacobi(y) - work)
+    }
+}
+
+impl<S: Over<f64> + Analytic, L: Powered> Ode<S> for Metered<L> {
+    fn dimension(&self) -> usize {
+        self.0.dimension() + 1
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        if let ([y @ .., _], [dy @ .., work]) = (y, dy) {
+            self.0.rates(y, dy);
+            *work = self.0.power(y);
+        }
+    }
+}
+
+impl<M: Machine<f64>> Powered for Bench<f64, M> {
+    fn dimension(&self) -> usize {
+        Bench::dimension(self)
+    }
+
+    fn rates<S: Over<f64> + Analytic>(&self, y: &[S], dy: &mut [S]) {
+        Bench::rates(self, y, dy);
+    }
+
+    fn jacobi<S: Over<f64> + Analytic>(&self, y: &[S]) -> S {
+        Bench::jacobi(self, y)
+    }
+
+    fn power<S: Over<f64> + Analytic>(&self, y: &[S]) -> S {
+        feeding(&self.machine, y)
+    }
+}

@@ -1,0 +1,64 @@
+//! A motor's scene with the work of its supply metered: a run then shows whether energy went where the laws send it.
+
+use super::problem::{Invariant, Law, Problem};
+use super::{Axes, Scene, System};
+use crate::differentiated::Differentiated;
+use crate::machines::{Bench, Catalogued, ForMachine, Metered, Powered, is_fed};
+use crate::recorded::Recorded;
+use crate::systems::gyrostat::driven::Driven;
+use std::sync::Arc;
+
+impl Scene {
+    /// The problem in the axes of a form; where a supply feeds the machine, with the work on E - W p as the last state and
+    /// the balance of both among what is kept.
+    pub fn metered(&self, axes: Axes) -> Problem {
+        let plain = self.problem(axes);
+        let Some((law, balance)) = self.machine.clone().apply(Metering { system: &self.system, axes }) else {
+            return plain;
+        };
+        let Problem { mut state, span, invariants, mut columns, row, outside, .. } = plain;
+        let own = state.len();
+        state.push(0.0);
+        columns.push("work".to_owned());
+        let of_own = |Invariant { name, value }: Invariant| {
+            let value = move |time: f64, y: &[f64]| value(time, &y[..own]);
+            Invariant { name, value: Box::new(value) }
+        };
+        let mut invariants: Vec<Invariant> = invariants.into_iter().map(of_own).collect();
+        invariants.push(balance);
+        let row = move |time: f64, y: &[f64]| {
+            let mut row = row(time, &y[..own]);
+            row.push(y[own]);
+            row
+        };
+        let outside = move |y: &[f64]| outside(&y[..own]);
+        Problem { law, state, span, invariants, columns, row: Box::new(row), outside: Box::new(outside) }
+    }
+}
+
+struct Metering<'a> {
+    system: &'a System,
+    axes: Axes,
+}
+
+impl ForMachine for Metering<'_> {
+    type Output = Option<(Arc<dyn Law>, Invariant)>;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
+        if !is_fed(&machine) {
+            return None;
+        }
+        Some(match (self.system, self.axes) {
+            (System::Gyrostat(bodies), Axes::First) => metered(Driven::new(bodies.first_form().0, machine)),
+            (System::Gyrostat(bodies), Axes::Second) => metered(Driven::new(bodies.second_form().0, machine)),
+            (System::Bench { axial }, _) => metered(Bench { machine, axial: *axial }),
+        })
+    }
+}
+
+fn metered<L: Powered + Send + Sync + 'static>(law: L) -> (Arc<dyn Law>, Invariant) {
+    let law = Arc::new(Metered(law));
+    let balancing = Arc::clone(&law);
+    let balance = Invariant { name: "jacobi_less_work", value: Box::new(move |_, y| balancing.balance(y)) };
+    (Arc::new(Differentiated::new(Recorded::new(Arc::clone(&law)), law)), balance)
+}

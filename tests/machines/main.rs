@@ -1,0 +1,24 @@
+//! Machines of practice against first principles that do not pass through their files.
+
+mod brushed;
+mod crossed_windings;
+mod metered;
+mod permanent_magnet;
+
+use field::Rational;
+use std::convert::Infallible;
+use symbolic::{Hypotheses, Sym, decide};
+
+/// The data of a machine as symbols of their names.
+fn symbol(quantity: &'static derivations::machines::Quantity) -> Result<Sym, Infallible> {
+    Ok(Sym::symbol(quantity.name))
+}
+
+fn assert_equal(what: &str, left: Sym, right: Sym) {
+    let decision = decide(left - right, &Hypotheses::none());
+    assert!(decision.is_zero(), "{what}: {decision}");
+}
+
+fn number(n: i64, d: i64) -> Rational {
+    Rational::new(n, d)
+}
