@@ -52,6 +52,12 @@ pub(super) fn contents(report: &Report, set: &mut Typesetter) -> Markup {
     let refuted = report.count(Verdict::Refuted);
     html! {
         nav.contents aria-label="Contents" {
+            div.search role="search" hidden {
+                label { span.visually-hidden { "Search the whole page" }
+                    input type="search" placeholder="search the whole page" autocomplete="off" spellcheck="false"; }
+                output aria-live="polite" {}
+                ol {}
+            }
             h2 { "Contents" }
             ol {
                 @if refuted > 0 { li { a href="#findings" { "Findings" } span.count { (refuted) " refuted" } } }
