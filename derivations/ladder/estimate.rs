@@ -6,9 +6,7 @@ use integrators::{Absolute, Failure, Method, Record, Span, System, Tolerance, in
 
 /// Instants beside the start: those of the references.
 pub const INSTANTS: usize = 8;
-/// Evaluations after which an explicit method may have met stiffness.
-const SOON: u64 = 2_500;
-/// Evaluations after which a motion is not worth following.
+/// Evaluations after which an explicit method has met stiffness, or a motion that is not worth following.
 const PATIENCE: u64 = 100_000;
 /// Relative, of a run that is to show sizes or pilot a choice.
 pub const COARSE: f64 = 1e-5;
@@ -50,8 +48,7 @@ impl Estimate {
     }
 }
 
-/// A run at the instants: by an explicit method where that does it soon, else by an implicit one, which stiffness does not keep;
-/// where neither does, the explicit one has its time. Of a run finer than coarse the explicit one has it at once.
+/// A run at the instants, by an explicit method, or where that meets stiffness by an implicit one.
 ///
 /// # Errors
 /// Where neither reaches the end.
@@ -61,26 +58,19 @@ pub fn followed(
     span: f64,
     start: &[f64],
 ) -> Result<(Record<f64>, u64), Failure> {
-    let run = |method: Method, most: u64| {
+    let run = |method: Method| {
         let mut record = Record::new();
-        let times = Span::new(0.0, span, start).with_even_outputs(INSTANTS).with_evaluations(most);
+        let times = Span::new(0.0, span, start).with_even_outputs(INSTANTS).with_evaluations(PATIENCE);
         let outcome = integrate(law, method, tolerance, &times, &mut record);
         let evaluations = outcome.work.rates + outcome.work.jacobians * start.len() as u64;
         (outcome.failure().map_or(Ok(record), Err), evaluations)
     };
-    let (explicit, implicit) = (Method::DormandPrince8, Method::RadauIIA { stages: 3 });
-    let fine = tolerance.relative < COARSE;
-    let tries = [(explicit, if fine { PATIENCE } else { SOON }), (implicit, PATIENCE), (explicit, PATIENCE)];
-    let (mut spent, mut last) = (0, Failure::OutOfTime { at: 0.0 });
-    for (method, most) in tries.into_iter().take(if fine { 2 } else { 3 }) {
-        let (ended, evaluations) = run(method, most);
-        spent += evaluations;
-        match ended {
-            Ok(record) => return Ok((record, spent)),
-            Err(failure) => last = failure,
-        }
+    let (explicit, spent) = run(Method::DormandPrince8);
+    if let Ok(record) = explicit {
+        return Ok((record, spent));
     }
-    Err(last)
+    let (implicit, more) = run(Method::RadauIIA { stages: 3 });
+    implicit.map(|record| (record, spent + more))
 }
 
 impl Ladder {

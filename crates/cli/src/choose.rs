@@ -167,7 +167,7 @@ fn text(title: &str, receipt: &Receipt) -> String {
 fn decided(receipt: &Receipt) -> String {
     let worth = receipt
         .worth()
-        .map_or_else(String::new, |runs| format!(", as long as {runs:.1} runs of the scene's own model"));
+        .map_or_else(String::new, |runs| format!(", as long as {runs:.0} runs of the scene's own model"));
     let pays = match receipt.pays_from() {
         Some(1) => "it has paid with the first run".to_owned(),
         Some(run) => format!("it has paid from run {run} on"),
