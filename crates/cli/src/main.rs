@@ -10,7 +10,7 @@
 //! * [`crew`]: work shared among the processors;
 //! * [`values`], [`timings`]: exact values and measured times for a reader;
 //! * [`ending`]: exit codes, and writing that survives a closed pipe; [`whole`]: files that survive a kill;
-//! * [`interrupt`]: Ctrl-C.
+//! * [`interrupt`], which is Ctrl-C.
 
 mod arguments;
 mod bodies;
