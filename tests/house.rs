@@ -73,6 +73,18 @@ fn laws_do_not_branch_on_values() {
 }
 
 #[test]
+fn the_program_writes_files_whole() {
+    let folder = root().join("crates/cli/src");
+    // the one writes files whole, the table of the other grows by whole rows
+    let own = ["whole.rs", "ensemble.rs"].map(|name| folder.join(name));
+    for file in rust_files(&folder).filter(|file| !own.contains(file)) {
+        for way in ["fs::write", "File::create", "OpenOptions"] {
+            assert!(!read(&file).contains(way), "{} writes by {way}, not by `whole::write`", file.display());
+        }
+    }
+}
+
+#[test]
 fn every_snapshot_is_small_enough_to_be_read() {
     for file in files(&root().join("snapshots")) {
         let bytes = std::fs::metadata(&file).expect("a listed file exists").len();

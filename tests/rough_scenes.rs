@@ -2,6 +2,7 @@
 
 use derivations::friction::RoughScene;
 use derivations::scene::Family;
+use std::ops::ControlFlow;
 use std::path::Path;
 
 fn open(name: &str) -> RoughScene {
@@ -47,6 +48,19 @@ fn the_rows_of_a_run_go_to_its_last_state() {
         assert_eq!(course.times[0], 0.0);
         assert!(course.rows.iter().all(|row| row.len() == course.names.len() && row.iter().all(|x| x.is_finite())));
     }
+}
+
+#[test]
+fn a_run_that_is_broken_off_keeps_what_there_is() {
+    let scene = open("climbed_ladder");
+    let mut steps = 0;
+    let course = scene.follow_while(&scene.plan, &mut |_| {
+        steps += 1;
+        if steps < 1000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    assert!(course.broken_off && !course.reached && course.ending == "interrupted", "{}", course.ending);
+    assert_eq!((steps, course.rows.is_empty(), course.log.is_empty()), (1000, false, false));
+    assert!(course.times.last().is_some_and(|last| *last < scene.plan.end));
 }
 
 const SOUND: &str = r#"title = "A ladder"

@@ -8,6 +8,7 @@ use integrators::{Observer, Samples, Work};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::{Direction, Mode};
+use std::ops::ControlFlow;
 
 /// What a run came to, whatever its system.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +23,8 @@ pub struct Course {
     pub ending: String,
     /// Whether that is the end of the span.
     pub reached: bool,
+    /// Whether it went on until it was told to end.
+    pub broken_off: bool,
     /// Whether the determinant of the last regime vanished, or the start had no motion.
     pub jammed: bool,
     /// The work of friction, J.
@@ -58,9 +61,20 @@ impl Course {
     }
 }
 
+/// Told of a fraction; whether to go on.
+pub type Progress<'a> = dyn FnMut(f64) -> ControlFlow<()> + 'a;
+
 impl RoughScene {
     /// Runs. `progress` is told the fraction of a stretch that is done.
     pub fn follow(&self, plan: &Plan, progress: &mut dyn FnMut(f64)) -> Course {
+        self.follow_while(plan, &mut |fraction| {
+            progress(fraction);
+            ControlFlow::Continue(())
+        })
+    }
+
+    /// Runs until `progress`, told the fraction of a stretch that is done, breaks it off; what there is is kept.
+    pub fn follow_while(&self, plan: &Plan, progress: &mut Progress<'_>) -> Course {
         self.apply(Follow { scene: self, plan, progress })
     }
 }
@@ -68,7 +82,7 @@ impl RoughScene {
 struct Follow<'a> {
     scene: &'a RoughScene,
     plan: &'a Plan,
-    progress: &'a mut dyn FnMut(f64),
+    progress: &'a mut Progress<'a>,
 }
 
 impl ForRough for Follow<'_> {
@@ -97,7 +111,7 @@ impl ForRough for Follow<'_> {
                 times.push(time);
                 rows.push(row(&parts(time, y), [y[2 * N], y[2 * N + 1]]));
             });
-            run(system, &start, self.plan, &mut (keep, Told(self.progress)))
+            run(system, &start, self.plan, &mut (keep, Told { progress: self.progress, broken_off: false }))
         };
         let last = row(&found.state, [found.friction_work, found.force_work]);
         if times.last().is_none_or(|time| *time < found.state.time) {
@@ -128,6 +142,7 @@ impl ForRough for Follow<'_> {
             log: log.collect(),
             ending: found.ending.describe(&contacts),
             reached: found.ending == Ending::Reached,
+            broken_off: found.ending == Ending::BrokenOff,
             jammed: matches!(found.ending, Ending::Critical | Ending::NoMotion),
             friction_work: found.friction_work,
             imbalance: found.imbalance,
@@ -147,11 +162,18 @@ fn slide(mode: Mode) -> i8 {
     }
 }
 
-/// Passes the progress on.
-struct Told<'a>(&'a mut dyn FnMut(f64));
+/// Passes the progress on, and ends the run where it is broken off.
+struct Told<'a> {
+    progress: &'a mut Progress<'a>,
+    broken_off: bool,
+}
 
 impl Observer<f64> for Told<'_> {
     fn progress(&mut self, fraction: f64) {
-        (self.0)(fraction);
+        self.broken_off |= (self.progress)(fraction).is_break();
+    }
+
+    fn enough(&self) -> bool {
+        self.broken_off
     }
 }

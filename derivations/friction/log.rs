@@ -62,6 +62,8 @@ pub enum Ending<const K: usize> {
     Undefined,
     /// The integration failed.
     Failed(Failure),
+    /// The observer had seen enough.
+    BrokenOff,
 }
 
 /// A mode at a contact, in words.
@@ -118,6 +120,7 @@ impl<const K: usize> Ending<K> {
             Self::Unfit(unfit) => unfit.to_string(),
             Self::Undefined => "the state has no defined acceleration".into(),
             Self::Failed(failure) => failure.to_string(),
+            Self::BrokenOff => "interrupted".into(),
         }
     }
 }

@@ -207,6 +207,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
         self.measure();
         match (outcome.end, event) {
             (End::Stopped(failure), _) => Err(self.diagnose(stretch, failure)),
+            (End::Halted, None) => Err(Ending::BrokenOff),
             (_, event) => Ok(event),
         }
     }

@@ -91,8 +91,10 @@ pub struct Receipt {
     pub lines: Vec<Line>,
     /// The line that was taken; none where none serves.
     pub taken: Option<usize>,
-    /// Evaluations of all pilots and estimates; the transition matrices of a schedule come on top.
+    /// Evaluations of all pilots, estimates and runs; the transition matrices of a schedule come on top.
     pub deciding: u64,
+    /// What all of that took, s, the schedule too; taking times on top is for the receipt.
+    pub took: f64,
     /// Names of a row.
     pub columns: Vec<String>,
 }
@@ -103,6 +105,17 @@ impl Receipt {
         let seconds = |line: &Line| line.choice.as_ref().and_then(|choice| choice.seconds);
         Some(seconds(self.lines.first()?)? / seconds(&self.lines[self.taken?])?)
     }
+
+    /// What deciding took in runs of the scene's own model.
+    pub fn worth(&self) -> Option<f64> {
+        Some(self.took / self.lines.first()?.choice.as_ref()?.seconds?)
+    }
+
+    /// The run from which on it has paid to decide; none where nothing is saved.
+    pub fn pays_from(&self) -> Option<u64> {
+        let saved = 1.0 - 1.0 / self.saved()?;
+        (saved > 0.0).then_some((self.worth()? / saved).ceil() as u64)
+    }
 }
 
 /// Chooses. What is promised is the model's estimate, first and second order, and the distance of the run from a finer one;
@@ -111,7 +124,7 @@ impl Receipt {
 /// # Errors
 /// Where the scene's own law does not reach its end even coarsely.
 pub fn choose(ladders: &[Ladder], kept: Option<&Stored>, wish: &Wish) -> Result<Receipt, Failure> {
-    let ladder = &ladders[0];
+    let (ladder, begin) = (&ladders[0], Instant::now());
     let (watched, mut deciding) = ladder.watched(&wish.outputs)?;
     let exact = kept.filter(|kept| kept.serves(&ladder.own)).map(|kept| reference_rows(ladder, kept));
     let mut lines = vec![Line {
@@ -170,9 +183,14 @@ pub fn choose(ladders: &[Ladder], kept: Option<&Stored>, wish: &Wish) -> Result<
             }
         }
     };
-    let ended: Vec<Option<Run>> = tried.iter().map(|one| go(one, 1.0)).collect();
-    let finer: Vec<Option<Run>> = tried.iter().map(|one| go(one, FINER)).collect();
-    deciding += finer.iter().flatten().map(|run| run.evaluations).sum::<u64>();
+    // a pilot may have been the run
+    let mut found = |one: &Tried, finer: f64| {
+        let known = one.plan.known(one.plan.tolerance * finer).filter(|_| one.switching.is_none());
+        known.cloned().or_else(|| go(one, finer).inspect(|run| deciding += run.evaluations))
+    };
+    let (ended, finer): (Vec<Option<Run>>, Vec<Option<Run>>) =
+        tried.iter().map(|one| (found(one, 1.0), found(one, FINER))).unzip();
+    let took = begin.elapsed().as_secs_f64();
     let times = taking_turns(tried.len(), wish.allowed, |at| ended[at].is_some() && go(&tried[at], 1.0).is_some());
     // costs of different kinds are not compared: without all times, evaluations decide
     let timed = times.iter().zip(&ended).all(|(time, run)| time.is_some() || run.is_none());
@@ -197,7 +215,8 @@ pub fn choose(ladders: &[Ladder], kept: Option<&Stored>, wish: &Wish) -> Result<
     }
     let serving = (0..lines.len()).filter_map(|at| Some((at, cost(lines[at].choice.as_ref()?))));
     let taken = serving.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(at, _)| at);
-    Ok(Receipt { watched, tolerance: wish.tolerance, lines, taken, deciding, columns: ladder.own.columns.clone() })
+    let (tolerance, columns) = (wish.tolerance, ladder.own.columns.clone());
+    Ok(Receipt { watched, tolerance, lines, taken, deciding, took, columns })
 }
 
 /// A plan of a line, and where the run switches to a rung with a plan of its own.
@@ -208,13 +227,15 @@ struct Tried {
 }
 
 /// The rung that does not suffice for the whole run but for the largest part of it, with the richest that does for the rest:
-/// a line of its own, last.
+/// a line of its own, last. Where a smaller model suffices for the whole run nothing is switched: those below it are hardly
+/// smaller.
 fn mix(ladder: &Ladder, watched: &Watched, lines: &mut Vec<Line>, tried: &[Tried], wish: &Wish) -> Option<Tried> {
     // the law that the rungs are derived from is the exact one next to the scene's own, or that
     let rich = usize::from(ladder.lumping.is_some());
     let plan = tried.iter().find(|one| one.line == rich)?.plan.clone();
     // transition matrices come from series, which stiff windings would keep short
-    if plan.method.traits().implicit {
+    let whole = |line: &Line| line.verdict == Verdict::Suffices && matches!(line.loss, Loss::Small { .. });
+    if plan.method.traits().implicit || lines.iter().any(whole) {
         return None;
     }
     let far = |line: &Line| matches!(line.verdict, Verdict::TooFar | Verdict::NotBelieved);

@@ -1,6 +1,7 @@
-//! The cheapest method and form for a law at an error, by two pilot runs of each.
+//! The cheapest method and form for a law at an error, by two pilot runs of those that may be.
 //!
-//! The error of the coarser pilot is its distance from the finer; errors are taken to go with the tolerance, evaluations with
+//! The first pilots of all methods go in rounds, each allowed more: who reaches the end in a round needs no more than the
+//! others, which are left out. Of these only the cheapest have a second pilot, and are tried in the other form. The error of the coarser pilot is its distance from the finer; errors are taken to go with the tolerance, evaluations with
 //! a power of it (those of Taylor's method grow less, and are then overrated). So the tolerance for an error and the cost
 //! there are told before the run. Both are estimates.
 
@@ -14,10 +15,15 @@ use std::sync::Arc;
 const METHODS: [Method; 4] =
     [Method::DormandPrince8, Method::Taylor, Method::GraggBulirschStoer, Method::RadauIIA { stages: 5 }];
 const PILOTS: [f64; 2] = [1e-4, 1e-6];
+/// Evaluations of the first pilots, round by round: so many that what is lost in those before does not matter.
+const ROUNDS: [u64; 4] = [800, 3_200, 12_800, 50_000];
+/// A method whose first pilot costs so much more than the cheapest one's is not the cheapest: an evaluation costs more in
+/// some methods than in others, but not that much.
+const DEARER: f64 = 3.0;
 /// The finest tolerance that double precision leaves room for.
 pub(super) const FINEST: f64 = 1e-13;
-/// Evaluations of a pilot.
-const PATIENCE: u64 = 50_000;
+/// Evaluations of a second pilot, over those of the first.
+const PATIENCE: u64 = 20;
 
 /// A law in a form, as rows of the scene's own outputs.
 pub struct Runnable<'a> {
@@ -43,10 +49,20 @@ pub struct Plan {
     pub foretold: f64,
     /// Evaluations that the pilots took.
     pub spent: u64,
+    /// Its own pilots.
+    pub pilots: [Run; 2],
+}
+
+impl Plan {
+    /// The run at a tolerance, where a pilot was that.
+    pub fn known(&self, tolerance: f64) -> Option<&Run> {
+        let same = |(pilot, _): &(f64, &Run)| (tolerance / pilot - 1.0).abs() < 1e-9;
+        PILOTS.into_iter().zip(&self.pilots).find(same).map(|(_, run)| run)
+    }
 }
 
 /// A run of a plan.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     pub rows: Vec<(f64, Vec<f64>)>,
     pub evaluations: u64,
@@ -64,31 +80,49 @@ impl Runnable<'_> {
         (rows.map(|rows| Run { rows, evaluations }), evaluations)
     }
 
-    /// The plan for an error by one method; the pilots that did not reach their end leave none.
-    fn plan(&self, method: Method, watched: &Watched, error: f64, spent: &mut u64) -> Option<Plan> {
-        let [coarse, fine] = PILOTS.map(|tolerance| {
-            let (run, evaluations) = self.run(method, tolerance, PATIENCE);
-            *spent += evaluations;
-            run
-        });
-        let (coarse, fine) = (coarse?, fine?);
+    /// The first pilot of each method that reaches the end in the first round in which some do.
+    fn first(&self, methods: &[Method], spent: &mut u64) -> Vec<(Method, Run)> {
+        let mut ended = Vec::new();
+        for most in ROUNDS {
+            for &method in methods {
+                let (run, evaluations) = self.run(method, PILOTS[0], most);
+                *spent += evaluations;
+                ended.extend(run.map(|run| (method, run)));
+            }
+            if !ended.is_empty() {
+                break;
+            }
+        }
+        let least = ended.iter().map(|(_, run)| run.evaluations).min().unwrap_or(0) as f64;
+        ended.retain(|(_, run)| run.evaluations as f64 <= DEARER * least);
+        ended
+    }
+
+    /// The plan for an error by one method; none where the second pilot does not reach its end.
+    fn plan(&self, method: Method, coarse: &Run, watched: &Watched, error: f64, spent: &mut u64) -> Option<Plan> {
+        let (fine, evaluations) = self.run(method, PILOTS[1], PATIENCE * coarse.evaluations.max(1));
+        *spent += evaluations;
+        let fine = fine?;
         let off = coarse.rows.iter().zip(&fine.rows).map(|((_, a), (_, b))| watched.off(a, b)).fold(1e-16, f64::max);
         let tolerance = (PILOTS[0] * error / off).clamp(FINEST, PILOTS[0]);
         let slope = (fine.evaluations as f64 / coarse.evaluations as f64).ln() / (PILOTS[0] / PILOTS[1]).ln();
         let foretold = coarse.evaluations as f64 * (PILOTS[0] / tolerance).powf(slope.max(0.0));
         let error = (off * tolerance / PILOTS[0]).max(1e-15);
-        Some(Plan { axes: self.axes, method, tolerance, error, foretold, spent: 0 })
+        Some(Plan { axes: self.axes, method, tolerance, error, foretold, spent: 0, pilots: [coarse.clone(), fine] })
     }
 }
 
-/// Plans for an error, the cheapest foretold first, of every method in every form.
+/// Plans for an error, the cheapest foretold first.
 pub fn plans(forms: &[Runnable<'_>], watched: &Watched, error: f64) -> Vec<Plan> {
     let mut spent = 0;
+    let mut methods = METHODS.to_vec();
     let mut found: Vec<Plan> = Vec::new();
     for form in forms {
-        for method in METHODS {
-            found.extend(form.plan(method, watched, error, &mut spent));
-        }
+        let ended = form.first(&methods, &mut spent);
+        let plans = ended.iter().filter_map(|(method, run)| form.plan(*method, run, watched, error, &mut spent));
+        found.extend(plans.collect::<Vec<_>>());
+        // what is not worth a second pilot in one form is not in the other
+        methods = ended.into_iter().map(|(method, _)| method).collect();
     }
     found.iter_mut().for_each(|plan| plan.spent = spent);
     // a Taylor step is an expansion: its evaluations are dearer, and times decide between the best

@@ -1,7 +1,8 @@
 //! A problem run: its trajectory as a reader wants it.
 
 use super::{Axes, Problem, Run, Scene};
-use integrators::{Method, Observer, Outcome, Span, Tolerance, integrate};
+use integrators::{End, Method, Observer, Outcome, Span, Tolerance, integrate};
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 /// How a problem is to be run.
@@ -59,7 +60,15 @@ impl Scene {
 
 impl Problem {
     /// Runs. `progress` is told the fraction done after every step.
-    pub fn simulate(&self, choice: &Choice, progress: impl FnMut(f64)) -> Trajectory {
+    pub fn simulate(&self, choice: &Choice, mut progress: impl FnMut(f64)) -> Trajectory {
+        self.simulate_while(choice, |fraction| {
+            progress(fraction);
+            ControlFlow::Continue(())
+        })
+    }
+
+    /// Runs until `progress`, told the fraction done after every step, breaks it off; what there is is kept.
+    pub fn simulate_while(&self, choice: &Choice, progress: impl FnMut(f64) -> ControlFlow<()>) -> Trajectory {
         let samples = divisor(choice.method, choice.samples);
         let mut span = Span::new(0.0, self.span, &self.state)
             .with_even_outputs(samples)
@@ -69,7 +78,8 @@ impl Problem {
             span = span.with_monitor(invariant.name, |time, y| (invariant.value)(time, y));
         }
         let good = (0.0, self.state.clone());
-        let mut kept = Kept { problem: self, times: Vec::new(), rows: Vec::new(), good, left: None, progress };
+        let mut kept =
+            Kept { problem: self, times: Vec::new(), rows: Vec::new(), good, left: None, broken_off: false, progress };
         let tolerance = Tolerance::both(choice.tolerance);
         let mut outcome = integrate(&*self.law, choice.method, &tolerance, &span, &mut kept);
         let Kept { times, rows, good, left, .. } = kept;
@@ -97,7 +107,13 @@ impl Trajectory {
     /// Why the run stopped before its end, if it did.
     pub fn stopped(&self) -> Option<String> {
         let failure = || self.outcome.failure().map(|failure| failure.to_string());
-        self.left.map(|why| format!("left its law: {why}")).or_else(failure)
+        let broken_off = || self.broken_off().then(|| "interrupted".to_owned());
+        self.left.map(|why| format!("left its law: {why}")).or_else(failure).or_else(broken_off)
+    }
+
+    /// Whether it went on until it was told to end.
+    pub fn broken_off(&self) -> bool {
+        self.left.is_none() && self.outcome.end == End::Halted
     }
 }
 
@@ -109,10 +125,11 @@ struct Kept<'a, F> {
     /// The last state at which the law holds.
     good: (f64, Vec<f64>),
     left: Option<&'static str>,
+    broken_off: bool,
     progress: F,
 }
 
-impl<F: FnMut(f64)> Observer<f64> for Kept<'_, F> {
+impl<F: FnMut(f64) -> ControlFlow<()>> Observer<f64> for Kept<'_, F> {
     fn sample(&mut self, time: f64, state: &[f64]) {
         if (self.problem.outside)(state).is_none() {
             self.times.push(time);
@@ -129,10 +146,10 @@ impl<F: FnMut(f64)> Observer<f64> for Kept<'_, F> {
     }
 
     fn progress(&mut self, fraction: f64) {
-        (self.progress)(fraction);
+        self.broken_off |= (self.progress)(fraction).is_break();
     }
 
     fn enough(&self) -> bool {
-        self.left.is_some()
+        self.left.is_some() || self.broken_off
     }
 }

@@ -8,6 +8,9 @@ differs.
 
     tests/mutants/run.py              all mutants
     tests/mutants/run.py forms kloss  those whose file or name contains a word: their rows alone are written anew
+    tests/mutants/run.py --generate 20 crates/symbolic/src/parse
+                                      so many of all that a rule breaks in these files, beside those that were thought of:
+                                      what survives is told and written nowhere
 
 It fails where a mutant does not compile, where one survives without a reason, and where one that is said to change
 nothing is caught.
@@ -24,6 +27,8 @@ import time
 import tomllib
 from collections import Counter
 from pathlib import Path
+
+import generated
 
 ROOT = Path(__file__).resolve().parents[2]
 TABLES = ROOT / "snapshots" / "mutants"
@@ -54,6 +59,11 @@ SUBJECT_OF = {
     "crates/integrators/src/splitting.rs": ["methods", "splitting"],
     "derivations/machines/kick.rs": ["splitting"],
     "derivations/systems/gyrostat/momenta.rs": ["splitting"],
+    "derivations/ladder/": ["ladder"],
+    "crates/claims/src/review/": ["review"],
+    "crates/symbolic/src/parse/": ["parsing"],
+    "crates/symbolic/src/print/": ["printing"],
+    "crates/charts/src/text/": ["charts"],
 }
 # quick to build: only what proves and what multiplies big numbers is optimised
 OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
@@ -112,11 +122,16 @@ def laws_of(crates: list[str]) -> list[str]:
 
 
 def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
-    """These test programs by name, of the project and of these crates; None where the copy does not compile."""
+    """These test programs by name, of the project and of these crates; None where the copy does not compile. What a crate
+    tests within itself goes by the crate's name."""
+    own = {test for crate in crates for test in programs_in(ROOT / "crates" / crate / "tests")} | set(crates)
+    packages = [*(f"-{crate}" for crate in crates), *([""] if set(tests) - own else [])]
     command = ["cargo", "test", "--quiet", "--no-run", "--message-format=json"]
-    command += [argument for name in ["", *(f"-{crate}" for crate in crates)] for argument in ["--package", f"dalembert{name}"]]
-    command += [argument for test in tests for argument in ["--test", test]]
-    command += [argument for crate in OPTIMISED for argument in ["--config", f"profile.dev.package.{crate}.opt-level=2"]]
+    command += [argument for name in packages for argument in ["--package", f"dalembert{name}"]]
+    command += [argument for test in tests for argument in (["--lib"] if test in crates else ["--test", test])]
+    # what a crate tests alone is small
+    optimised = OPTIMISED if "" in packages else []
+    command += [argument for crate in optimised for argument in ["--config", f"profile.dev.package.{crate}.opt-level=2"]]
     done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS, capture_output=True, text=True)
     if done.returncode != 0:
         return None
@@ -181,6 +196,21 @@ def examine_mutant(file: str, name: str, old: str, new: str, reason: str = "") -
         path.write_text(sound)
 
 
+def examine_generated(most: int, words: list[str]) -> None:
+    """Breaks files by rule, and tells what nothing notices."""
+    known = [path.relative_to(ROOT) for part in ("crates", "derivations") for path in sorted((ROOT / part).rglob("*.rs"))]
+    files = [str(path) for path in known if "tests" not in path.parts and any(word in str(path) for word in words)]
+    every = [(file, *mutant) for file in files for mutant in generated.mutants(COPY / file)]
+    chosen = generated.spread(every, most)
+    print(f"{len(chosen)} of {len(every)} mutants of {len(files)} files", flush=True)
+    verdicts: Counter[str] = Counter()
+    for number, (file, name, text) in enumerate(chosen, 1):
+        outcome = examine_mutant(file, name, (COPY / file).read_text(), text)
+        verdicts[outcome.verdict()] += 1
+        print(f"{number:3}/{len(chosen)} {outcome.verdict():17} {file}: {name}", flush=True)
+    print(", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()))
+
+
 def rows(outcomes: dict[str, list[Outcome]]) -> dict[tuple[str, str], str]:
     """Beside each mutant how many catch it, and of these the one that catches the fewest others."""
     every = [(file, outcome) for file, of_file in outcomes.items() for outcome in of_file]
@@ -234,6 +264,9 @@ def write_tables(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]
 
 def main() -> None:
     words = sys.argv[1:]
+    if words[:1] == ["--generate"]:
+        prepare()
+        return examine_generated(int(words[1]), words[2:])
     mutants = tomllib.loads((Path(__file__).parent / "mutants.toml").read_text())
     chosen = [(file, name, *texts) for file, of_file in mutants.items() for name, texts in of_file.items()
               if not words or any(word in f"{file} {name}" for word in words)]

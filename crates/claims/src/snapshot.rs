@@ -11,7 +11,8 @@ pub fn render(judged: &[Judged]) -> String {
         .filter(|(_, count)| *count > 0)
         .map(|(verdict, count)| format!("{count} {}", verdict.name()))
         .collect();
-    let mut page = format!("{} claims: {}\n", judged.len(), counts.join(", "));
+    let noun = if judged.len() == 1 { "claim" } else { "claims" };
+    let mut page = format!("{} {noun}: {}\n", judged.len(), counts.join(", "));
     for claim in judged {
         page.push('\n');
         write_claim(&mut page, claim, "");

@@ -66,6 +66,16 @@ fn the_same_written_otherwise_is_no_change_of_a_term() {
     assert!(matches!(changes.as_slice(), [Change::Rewritten { place: 0, .. }]), "{changes:?}");
 }
 
+/// Both are brought over one denominator: what was not divided is the same before and after.
+#[test]
+fn a_term_that_is_divided_now_is_lost_and_new_and_no_other_changed() {
+    let changes = after("- M", "- M/(A + B)");
+    let [Change::Terms { terms, .. }] = &changes[..] else { panic!("{changes:?}") };
+    let told: Vec<(Edit, &str)> = terms.iter().map(|term| (term.edit, term.term.as_str())).collect();
+    assert!(told.iter().all(|(_, term)| term.ends_with('M') || term.contains("M*")), "{told:?}");
+    assert!(told.len() >= 2 && told.iter().any(|(edit, term)| *edit == Edit::New && !term.contains('A')), "{told:?}");
+}
+
 #[test]
 fn verdicts_conditions_and_claims_that_come_and_go_are_told() {
     let changes = after("proved     top/eq2/current  the current", "refuted    top/eq2/current  the current");

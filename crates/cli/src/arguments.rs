@@ -13,7 +13,8 @@ use derivations::scene::run::check_tolerance;
 /// Without a command: the main job. Every paper's statements are judged, every scene is run and charted, and one page
 /// is written that needs nothing else to be read.
 ///
-/// Exit codes: 0 all is well; 1 a run stopped before its end; 2 the input is not acceptable.
+/// Exit codes: 0 all is well; 1 a run stopped before its end; 2 the input is not acceptable; 130 Ctrl-C ended it: `run`
+/// and `ensemble` then keep what there is, a second Ctrl-C ends them at once. A file is whole under its name or is not there.
 #[derive(Debug, Parser)]
 #[command(name = "dalembert", version, args_conflicts_with_subcommands = true)]
 pub struct Arguments {

@@ -157,11 +157,24 @@ fn text(title: &str, receipt: &Receipt) -> String {
     }
     let _ = writeln!(
         out,
-        "deciding took {} evaluations: it pays where the scene is run again, or longer\n\
-         promised errors are estimates of first and second order with the distance from a finer run, and no bounds",
-        receipt.deciding
+        "{}\npromised errors are estimates of first and second order with the distance from a finer run, and no bounds",
+        decided(receipt)
     );
     out
+}
+
+/// What deciding cost, and whether that comes back.
+fn decided(receipt: &Receipt) -> String {
+    let worth = receipt
+        .worth()
+        .map_or_else(String::new, |runs| format!(", as long as {runs:.0} runs of the scene's own model"));
+    let pays = match receipt.pays_from() {
+        Some(1) => "it has paid with the first run".to_owned(),
+        Some(run) => format!("it has paid from run {run} on"),
+        None if receipt.worth().is_some() => "nothing is saved".to_owned(),
+        None => "times were not taken, so that what is saved is not known".to_owned(),
+    };
+    format!("deciding took {} evaluations{worth}: {pays}", receipt.deciding)
 }
 
 fn told(value: Option<f64>) -> String {
@@ -217,7 +230,7 @@ fn object(scene: &dyn Smooth, receipt: &Receipt) -> Value {
         "outputs": receipt.watched.names,
         "taken": receipt.taken.map(|at| receipt.lines[at].name),
         "saved": receipt.saved(),
-        "deciding": receipt.deciding,
+        "deciding": { "evaluations": receipt.deciding, "own_runs": receipt.worth(), "pays_from_run": receipt.pays_from() },
         "models": receipt.lines.iter().map(line).collect::<Vec<_>>(),
     })
 }

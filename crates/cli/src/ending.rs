@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
+use crate::whole;
 use derivations::scene::SceneError;
 
 /// Whether nothing but results and errors is wanted: said once, when the program begins.
@@ -28,6 +29,8 @@ pub enum Ending {
     Done,
     /// What was asked ran, and did not come out as it should; the reason has been printed.
     Stopped,
+    /// The user asked for the end; what there was is kept and told.
+    Interrupted,
     /// The input is not acceptable.
     Refused(String),
 }
@@ -57,6 +60,8 @@ impl Ending {
         match self {
             Ending::Done => ExitCode::SUCCESS,
             Ending::Stopped => ExitCode::from(1),
+            // as shells tell a program that SIGINT ended
+            Ending::Interrupted => ExitCode::from(130),
             Ending::Refused(message) => {
                 // where even this cannot be written, the exit code must do
                 let _ = writeln!(io::stderr(), "{message}");
@@ -90,6 +95,6 @@ pub fn save(path: &Path, text: &str) -> Result<(), Ending> {
     if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         std::fs::create_dir_all(folder).map_err(unwritable)?;
     }
-    std::fs::write(path, text).map_err(unwritable)?;
+    whole::write(path, |out| out.write_all(text.as_bytes()))?;
     if is_quiet() { Ok(()) } else { print(&format!("{}\n", path.display())) }
 }

@@ -4,6 +4,7 @@
 //! taken away, and the last whole row is computed again: it must come out the same.
 
 use crate::ending::{Ending, print};
+use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use clap::Args;
 use derivations::ensemble::{EnsembleScene, Row};
@@ -47,16 +48,21 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
 
     let mut progress = Progress::new(&scene.scene.title);
     let mut wrong = Ok(());
+    let interrupt = Interrupt::watched();
     scene.run(done + 1..=all, threads, |row| {
         told.add(row.stopped.as_deref());
         wrong = table.push(&line(&row));
         progress.set(told.members as f64 / all as f64);
-        if wrong.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        if wrong.is_ok() { interrupt.goes_on() } else { ControlFlow::Break(()) }
     });
     wrong.and_then(|()| table.settle()).map_err(|error| Ending::unwritable(path, &error))?;
     drop(progress);
     print(&told.text(path, done))?;
-    Ok(Ending::Done)
+    if told.members == all {
+        return Ok(Ending::Done);
+    }
+    print(&format!("interrupted: the same command goes on with member {}\n", told.members + 1))?;
+    Ok(Ending::Interrupted)
 }
 
 /// A row of the table, with its end.

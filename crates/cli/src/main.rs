@@ -9,7 +9,8 @@
 //! * [`speed`]: the atlas of a scene as pictures, tables and advice;
 //! * [`crew`]: work shared among the processors;
 //! * [`values`], [`timings`]: exact values and measured times for a reader;
-//! * [`ending`]: exit codes, and writing that survives a closed pipe.
+//! * [`ending`]: exit codes, and writing that survives a closed pipe; [`whole`]: files that survive a kill;
+//! * [`interrupt`], which is Ctrl-C.
 
 mod arguments;
 mod bodies;
@@ -21,6 +22,7 @@ mod derive;
 mod ending;
 mod ensemble;
 mod failures;
+mod interrupt;
 mod ledger;
 mod motor;
 mod phantom;
@@ -42,6 +44,7 @@ mod studies;
 mod summary;
 mod timings;
 mod values;
+mod whole;
 
 use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};

@@ -3,6 +3,7 @@
 use crate::arguments::Format;
 use crate::csv;
 use crate::ending::{Ending, print};
+use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::run::Asked;
 use crate::run::refuse;
@@ -27,16 +28,24 @@ pub fn run(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     if let Some(samples) = asked.samples {
         plan = plan.with_samples(samples as usize);
     }
-    let table = csv::Table::open(asked.out.as_deref())?;
+    let table = csv::Table::at(asked.out.as_deref())?;
     let mut progress = Progress::new(&scene.title);
-    let course = scene.follow(&plan, &mut |fraction| progress.set(fraction));
+    let interrupt = Interrupt::watched();
+    let course = scene.follow_while(&plan, &mut |fraction| {
+        progress.set(fraction);
+        interrupt.goes_on()
+    });
     drop(progress);
     table.write(&course.names, &course.times, &course.rows)?;
     print(&match asked.format {
         Format::Text => text(scene, &plan, &course),
         Format::Json => json(scene, &plan, &course),
     })?;
-    Ok(if course.reached { Ending::Done } else { Ending::Stopped })
+    Ok(match () {
+        () if course.reached => Ending::Done,
+        () if course.broken_off => Ending::Interrupted,
+        () => Ending::Stopped,
+    })
 }
 
 fn end(course: &Course) -> f64 {

@@ -3,6 +3,7 @@
 use crate::arguments::{Format, tolerance};
 use crate::csv;
 use crate::ending::{Ending, print};
+use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::rough;
 use crate::summary::Summary;
@@ -95,12 +96,16 @@ pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), En
 /// Runs one initial value problem.
 fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Ending, Ending> {
     let choice = choice(scene.run(), asked);
-    let table = csv::Table::open(asked.out.as_deref())?;
-    let matrix = csv::Table::open(asked.transition.as_deref())?;
+    let table = csv::Table::at(asked.out.as_deref())?;
+    let matrix = csv::Table::at(asked.transition.as_deref())?;
 
     let mut progress = Progress::new(scene.title());
     let problem = scene.metered(choice.axes);
-    let trajectory = problem.simulate(&choice, |fraction| progress.set(fraction));
+    let interrupt = Interrupt::watched();
+    let trajectory = problem.simulate_while(&choice, |fraction| {
+        progress.set(fraction);
+        interrupt.goes_on()
+    });
     drop(progress);
 
     table.write(&trajectory.names, &trajectory.times, &trajectory.rows)?;
@@ -118,7 +123,11 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
         Format::Text => summary.text(),
         Format::Json => summary.json(),
     })?;
-    Ok(if trajectory.outcome.reached() { Ending::Done } else { Ending::Stopped })
+    Ok(match () {
+        () if trajectory.outcome.reached() => Ending::Done,
+        () if trajectory.broken_off() => Ending::Interrupted,
+        () => Ending::Stopped,
+    })
 }
 
 /// The scene with the machine that is asked for, where one is.

@@ -64,3 +64,16 @@ fn expressions_too_long_to_read_are_named_by_their_size() {
     let tower = (0..40).fold(x, |sum, _| (sum + Sym::int(1)) * sum);
     assert!(tower.to_string().starts_with("(an expression of"));
 }
+
+#[test]
+fn sympy_reads_names_numbers_and_functions_as_its_own() {
+    let [rate, prime, weight] = ["γ̇", "φ′", "λ2"].map(Sym::symbol);
+    assert_eq!((rate.squared() - Sym::ratio(1, 2) * prime).sympy(), "gammadot**2 - Rational(1, 2)*phiprime");
+    assert_eq!((rate / prime).powi(3).sympy(), "(gammadot/phiprime)**3");
+    assert_eq!(((-rate) * weight.circle().cos).sympy(), "-gammadot*cos(lamda2)");
+    assert_eq!((rate + prime).sqrt().sympy(), "sqrt(gammadot + phiprime)");
+    assert_eq!([Sym::symbol("2x"), Sym::symbol("a b")].map(|name| name.sympy()), ["_2x", "a_b"]);
+    let law = Sym::function("M", weight);
+    assert_eq!(law.sympy(), "Function('M')(lamda2)");
+    assert_eq!(law.diff(weight).sympy(), "Subs(Derivative(Function('M')(_x), (_x, 1)), _x, lamda2)");
+}

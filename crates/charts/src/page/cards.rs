@@ -37,6 +37,9 @@ pub(super) fn facts(facts: &[(String, String)], set: &mut Typesetter) -> Markup 
     }
 }
 
+/// Tables of so many columns stand alone in their row.
+const BROAD: usize = 5;
+
 /// A table of texts that scrolls in its own box.
 pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
     let columns = table.rows.iter().map(Vec::len).chain([table.head.len()]).max().unwrap_or(0);
@@ -45,7 +48,7 @@ pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
         .collect();
     let class = |column: usize| numeric.get(column).copied().unwrap_or(false).then_some("number");
     html! {
-        div.scroll {
+        div.scroll.broad[columns >= BROAD] {
             table {
                 @if !table.caption.is_empty() { caption { (set.text(&table.caption)) } }
                 thead { tr { @for (column, cell) in table.head.iter().enumerate() {

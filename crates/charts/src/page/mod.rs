@@ -62,7 +62,7 @@ fn document(title: &str, body: &Markup) -> String {
             }
             body {
                 (body)
-                script { (PreEscaped(include_str!("filter.js"))) (PreEscaped(include_str!("sphere.js"))) }
+                script { (PreEscaped(include_str!("filter.js"))) (PreEscaped(include_str!("search.js"))) (PreEscaped(include_str!("sphere.js"))) }
             }
         }
     };

@@ -15,33 +15,30 @@ pub(super) fn heading(report: &Report, set: &mut Typesetter) -> Markup {
     }
 }
 
-/// Verdicts against papers, with what each verdict means. Verdicts that no claim has are left out.
+/// Papers against verdicts, with what each verdict means. Verdicts that no claim has are left out.
 fn counts(report: &Report, set: &mut Typesetter) -> Markup {
     let number = |count: usize| html! { td.number { @if count > 0 { (count) } @else { span.none { "·" } } } };
-    let several = report.papers.len() > 1;
+    let verdicts: Vec<Verdict> = Verdict::ALL.into_iter().filter(|verdict| report.count(*verdict) > 0).collect();
     html! {
         div.scroll tabindex="0" role="region" aria-label="Claims by verdict" {
             table.counts {
                 thead { tr {
                     th scope="col" { "Claims" }
-                    th scope="col" { span.visually-hidden { "Meaning" } }
-                    @for paper in &report.papers {
-                        th.number scope="col" { a href={ "#" (anchor(&paper.id)) } { (set.text(&paper.title)) } }
-                    }
-                    @if several { th.number scope="col" { "all" } }
+                    @for verdict in &verdicts { th.number scope="col" {
+                        (chip(*verdict)) " " span.meaning { (verdict.meaning()) }
+                    } }
+                    th.number scope="col" { "all" }
                 } }
-                tbody { @for verdict in Verdict::ALL.into_iter().filter(|verdict| report.count(*verdict) > 0) { tr {
-                    th scope="row" { (chip(verdict)) }
-                    td.meaning { (verdict.meaning()) }
-                    @for paper in &report.papers { (number(paper.count(verdict))) }
-                    @if several { (number(report.count(verdict))) }
+                tbody { @for paper in &report.papers { tr {
+                    th scope="row" { a href={ "#" (anchor(&paper.id)) } { (set.text(&paper.title)) } }
+                    @for verdict in &verdicts { (number(paper.count(*verdict))) }
+                    (number(paper.claims.len()))
                 } } }
-                tfoot { tr {
+                @if report.papers.len() > 1 { tfoot { tr {
                     th scope="row" { "together" }
-                    td {}
-                    @for paper in &report.papers { (number(paper.claims.len())) }
-                    @if several { (number(report.papers.iter().map(|paper| paper.claims.len()).sum())) }
-                } }
+                    @for verdict in &verdicts { (number(report.count(*verdict))) }
+                    (number(report.papers.iter().map(|paper| paper.claims.len()).sum()))
+                } } }
             }
         }
     }
@@ -52,6 +49,12 @@ pub(super) fn contents(report: &Report, set: &mut Typesetter) -> Markup {
     let refuted = report.count(Verdict::Refuted);
     html! {
         nav.contents aria-label="Contents" {
+            div.search role="search" hidden {
+                label { span.visually-hidden { "Search the whole page" }
+                    input type="search" placeholder="search the whole page" autocomplete="off" spellcheck="false"; }
+                output aria-live="polite" {}
+                ol {}
+            }
             h2 { "Contents" }
             ol {
                 @if refuted > 0 { li { a href="#findings" { "Findings" } span.count { (refuted) " refuted" } } }

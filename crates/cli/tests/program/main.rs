@@ -3,6 +3,7 @@
 mod book;
 mod ensembles;
 mod formats;
+mod killed;
 mod refusals;
 mod runs;
 

@@ -1,0 +1,148 @@
+//! Programs that are killed, or asked to end: what stands under a name is whole, what was told is there.
+
+use crate::{program, root, run, temporary};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::Duration;
+
+/// A folder for one test, which goes with it.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = temporary(name);
+        std::fs::create_dir_all(&folder).expect("a folder can be made");
+        Folder(folder)
+    }
+
+    /// Whether something is being written there, or was.
+    fn is_written(&self, old: &str, name: &str) -> bool {
+        let part = |entry: std::io::Result<std::fs::DirEntry>| {
+            entry.is_ok_and(|entry| entry.file_name() != name && entry.metadata().is_ok_and(|data| data.len() > 0))
+        };
+        std::fs::read_dir(&self.0).expect("it is there").any(part)
+            || std::fs::metadata(self.0.join(name)).is_ok_and(|data| data.len() != old.len() as u64)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+fn ends(child: &mut Child) -> bool {
+    child.try_wait().expect("it can be asked").is_some()
+}
+
+/// A number that follows from the seed, from 0 to below 1.
+fn drawn(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1u64 << 53) as f64
+}
+
+/// What was there before.
+const OLD: &str = "what was there before\n";
+
+/// Kills a program so often at instants up to so many milliseconds, and as often while it writes its file; each time under
+/// its name there is what was there before, or the whole.
+fn kill(arguments: &[&str], name: &str, (times, within): (usize, f64), whole: impl Fn(&[u8]) -> bool) {
+    let folder = Folder::new(&format!("killed_{name}"));
+    let path = folder.0.join(name);
+    let mut seed = 20_220_715;
+    let mut left = 0;
+    for turn in 0..2 * times {
+        std::fs::write(&path, OLD).expect("it can be written");
+        let mut asked = program(arguments);
+        let mut child = asked.arg(&path).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("it starts");
+        let pause = Duration::from_micros((1e3 * within * drawn(&mut seed)) as u64);
+        if turn % 2 == 0 {
+            std::thread::sleep(pause);
+        } else {
+            while !folder.is_written(OLD, name) && !ends(&mut child) {}
+            std::thread::sleep(pause / 20);
+        }
+        child.kill().expect("it can be killed");
+        let told = child.wait_with_output().expect("it ended").stdout;
+        let found = std::fs::read(&path).expect("a file is there at all times");
+        assert!(found == OLD.as_bytes() || whole(&found), "{arguments:?}, killed after {pause:?}: torn");
+        let announced = String::from_utf8_lossy(&told).contains(&*path.to_string_lossy());
+        assert!(!announced || whole(&found), "{arguments:?}, killed after {pause:?}: told, and not there");
+        left += usize::from(found == OLD.as_bytes());
+        for entry in std::fs::read_dir(&folder.0).expect("it is there") {
+            std::fs::remove_file(entry.expect("it can be read").path()).expect("it is a file");
+        }
+    }
+    assert!(left > 0, "{arguments:?} was never killed in time");
+}
+
+fn ends_with(end: &str) -> impl Fn(&[u8]) -> bool {
+    move |found| found.trim_ascii_end().ends_with(end.as_bytes())
+}
+
+#[test]
+fn a_table_is_whole_whenever_its_run_is_killed() {
+    let arguments = ["run", "scenes/bench.toml", "--samples", "50000", "--out"];
+    let path = temporary("whole.csv");
+    assert!(run(&[&arguments[..], &[&path.to_string_lossy()]].concat()).status.success());
+    let table = std::fs::read(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    kill(&arguments, "table.csv", (4, 400.0), |found| found == table);
+}
+
+#[test]
+fn pages_pictures_and_references_are_whole_whenever_their_program_is_killed() {
+    let scene = "scenes/closed_forms/unloaded_motor.toml";
+    kill(&["chart", scene, "--seconds", "1", "--out"], "page.html", (2, 400.0), ends_with("</html>"));
+    kill(&["choose", scene, "--seconds", "1", "--out"], "models.svg", (2, 400.0), ends_with("</svg>"));
+    let kept = root().join("scenes/closed_forms/references/unloaded_motor.reference");
+    let kept = std::fs::read(kept).expect("it is kept");
+    kill(&["reference", scene, "--out"], "again.reference", (2, 300.0), |found| found == kept);
+}
+
+/// Sends Ctrl-C as soon as the program listens to it.
+#[cfg(target_os = "linux")]
+fn interrupted(arguments: &[&str], out: &Path) -> Output {
+    const SIGINT: u64 = 1 << 1;
+    let mut asked = program(arguments);
+    let mut child =
+        asked.arg("--out").arg(out).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("it starts");
+    let listens = |child: &Child| {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
+        let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
+        caught.and_then(|caught| u64::from_str_radix(caught.trim(), 16).ok()).is_some_and(|caught| caught & SIGINT != 0)
+    };
+    while !listens(&child) && !ends(&mut child) {}
+    let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(sent.is_ok_and(|sent| sent.success()), "it was not running any more");
+    child.wait_with_output().expect("it ends")
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_run_that_is_interrupted_keeps_what_there_is() {
+    let path = temporary("interrupted.csv");
+    let arguments = ["run", "scenes/bench.toml", "--method", "runge_kutta_4:10000000", "--samples", "100000"];
+    let output = interrupted(&arguments, &path);
+    let told = String::from_utf8_lossy(&output.stdout);
+    let table = std::fs::read_to_string(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    assert_eq!(output.status.code(), Some(130), "{told}");
+    assert!(told.contains("stopped              interrupted; the last good state is at t = "), "{told}");
+    let columns = table.lines().next().map_or(0, |line| line.split(',').count());
+    assert!(columns > 3 && table.ends_with('\n') && table.lines().count() < 100_000);
+    assert!(table.lines().all(|line| line.split(',').count() == columns));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_ensemble_that_is_interrupted_says_where_it_goes_on() {
+    let path = temporary("interrupted_ensemble.csv");
+    let output = interrupted(&["ensemble", "scenes/ensembles/spread.toml", "--threads", "1"], &path);
+    let told = String::from_utf8_lossy(&output.stdout);
+    let table = std::fs::read_to_string(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    assert_eq!(output.status.code(), Some(130), "{told}");
+    let next = format!("the same command goes on with member {}\n", table.lines().count());
+    assert!(told.ends_with(&next) && table.ends_with('\n'), "{told}");
+}
