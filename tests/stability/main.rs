@@ -2,6 +2,7 @@
 
 mod closed;
 mod drawn;
+mod families;
 mod identities;
 #[path = "../physical/mod.rs"]
 mod physical;

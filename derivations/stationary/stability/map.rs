@@ -56,10 +56,7 @@ impl OneAxis {
 
     /// The motion with these speeds.
     pub fn motion(&self, speed: Rational, rotor_speed: Rational) -> Reduced<Rational> {
-        let OneAxis { energies: Energies { tensor, mixed, weight, .. }, vertical } = *self;
-        let spin = mixed * rotor_speed;
-        let multiplier = ((tensor * vertical * speed + spin) * speed + weight).dot(&vertical);
-        Reduced { tensor, spin, speed, vertical, multiplier }
+        Reduced::kept(&self.energies, speed, self.vertical, rotor_speed)
     }
 
     /// What becomes of it, exactly.

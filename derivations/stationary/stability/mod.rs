@@ -4,25 +4,33 @@
 //! * [`state`]: stationary motions and deviations from them;
 //! * [`linear`]: the first approximation and the second variation of the energy, by differentiation, over any field;
 //! * [`approximation`]: both for a scene's gyrostat and motor, written down once and run over fractions and enclosures;
-//! * [`verdict`]: what they say, as a closed set of answers with what each rests on;
+//! * [`verdict`]: the closed set of answers, and the theorems behind them; [`judged`]: one with what it rests on;
 //! * [`judge`]: of a scene's motions, with enclosures fine enough, and with fractions where all is rational;
+//! * [`family`]: circles and spheres of motions as curves that fractions parametrise; [`critical`]: the functions on them one
+//!   of which vanishes where a verdict changes; [`along`]: the verdicts, arc by arc;
 //! * [`reduced`]: the two classical gyrostats in three unknowns, for theorems, maps and pictures;
 //! * [`map`]: where rotation about the axis of everything is stable, over two speeds;
 //! * `claims`: the theorems, in letters: structural zeros, polynomials, what motors have in common, closed forms.
 
+pub mod along;
 pub mod approximation;
 mod claims;
+pub mod critical;
+pub mod family;
 pub mod judge;
+pub mod judged;
 pub mod linear;
 pub mod map;
 pub mod reduced;
 pub mod state;
 pub mod verdict;
 
+pub use along::Along;
 pub use approximation::Approximation;
+pub use judged::Judged;
 pub use linear::{Integral, Linear};
 pub use state::Place;
-pub use verdict::{Judged, Reason, Verdict};
+pub use verdict::{Reason, Verdict};
 
 use crate::papers::Paper;
 

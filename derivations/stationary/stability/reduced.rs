@@ -9,6 +9,7 @@
 //!
 //! That this is what the laws come to is proved in `claims`.
 
+use crate::stationary::energies::Energies;
 use field::Scalar;
 use mechanics::rotation::{adjugate, determinant};
 use nalgebra::{Matrix3, Vector3};
@@ -29,6 +30,26 @@ pub struct Reduced<S: Scalar> {
 }
 
 impl<S: Scalar> Reduced<S> {
+    /// A rotor that keeps its relative speed W, rad/s.
+    pub fn kept(energies: &Energies<S>, speed: S, vertical: Vector3<S>, rotor_speed: S) -> Self {
+        let Energies { tensor, mixed, weight, .. } = *energies;
+        let spin = mixed * rotor_speed;
+        let multiplier = ((tensor * vertical * speed + spin) * speed + weight).dot(&vertical);
+        Reduced { tensor, spin, speed, vertical, multiplier }
+    }
+
+    /// A rotor that has this relative speed now, and keeps its own momentum.
+    pub fn free(energies: &Energies<S>, speed: S, vertical: Vector3<S>, rotor_speed: S) -> Self {
+        let Energies { tensor, mixed, axial, .. } = *energies;
+        let share = mixed / axial;
+        let spin = share * (mixed.dot(&vertical) * speed + axial * rotor_speed);
+        Reduced {
+            tensor: tensor - share * mixed.transpose(),
+            spin,
+            ..Self::kept(energies, speed, vertical, rotor_speed)
+        }
+    }
+
     /// H, N m
     pub fn stiffness(&self) -> Matrix3<S> {
         Matrix3::identity() * self.multiplier - self.tensor * self.speed.squared()
