@@ -100,7 +100,11 @@ impl Top {
     }
 
     /// The families with one angular velocity; every arc and every edge is compared with the eigenvalues.
-    fn families<E: Machine<Sym>, M: Machine<f64>>(&self, driven: Driven<E, M>, w: Rational) -> Vec<(Shape, Vec<Along>)> {
+    fn families<E: Machine<Sym>, M: Machine<f64>>(
+        &self,
+        driven: Driven<E, M>,
+        w: Rational,
+    ) -> Vec<(Shape, Vec<Along>)> {
         let energies = self.energies();
         let (tensor, share) = energies.quadratic(driven.kept);
         let value = Root::rational(driven.value).unwrap();
@@ -140,14 +144,25 @@ impl Top {
                     };
                     let state = state(&law, v, w.to_f64(), rotor_speed, angle);
                     let found = eigenvalues(&law, &state);
-                    println!("{:?} {:?} roots {:?} energy {:?} along {} zeros {} {:?}", arc.judged.verdict, v.as_slice(), arc.judged.roots, arc.judged.energy, arc.judged.along, arc.judged.zeros, arc.judged.integrals);
+                    println!(
+                        "{:?} {:?} roots {:?} energy {:?} along {} zeros {} {:?}",
+                        arc.judged.verdict,
+                        v.as_slice(),
+                        arc.judged.roots,
+                        arc.judged.energy,
+                        arc.judged.along,
+                        arc.judged.zeros,
+                        arc.judged.integrals
+                    );
                     println!("   {found:?}");
                     let roots = arc.judged.roots.unwrap();
                     // a zero that is repeated is no better than this
-                    let count = |side: f64| found.iter().filter(|(re, _)| side * re > 1e-3).count();
+                    let count = |side: f64| found.iter().filter(|(re, _)| side * re > 1e-6).count();
                     assert_eq!((count(-1.0), count(1.0)), (roots.left, roots.right), "{:?} {found:?}", arc.judged);
                 }
-                for edge in &one.edges { println!("  edge {:?} {:?}", edge.direction.as_slice(), edge.judged.verdict); }
+                for edge in &one.edges {
+                    println!("  edge {:?} {:?}", edge.direction.as_slice(), edge.judged.verdict);
+                }
             }
             (family.shape, along)
         });

@@ -134,6 +134,8 @@ mod tests {
         "--omega0",
         "--momentum",
         "--cone",
+        "--map",
+        "--upright",
         "--until",
         "--x",
         "--principle",

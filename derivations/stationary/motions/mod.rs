@@ -24,7 +24,7 @@ use symbolic::real::{Enclosure, Root};
 pub struct Stationary<'a> {
     scene: &'a Scene,
     bodies: &'a Gyrostat<f64>,
-    energies: Energies<Rational>,
+    pub energies: Energies<Rational>,
     approximation: Approximation,
     pub motor: Motor,
     pub kept: Kept,

@@ -215,7 +215,11 @@ fn joined(family: &Family, cuts: &[Cut], arcs: Vec<Arc>, at_cut: impl Fn(&Cut) -
         if !cut.edge && !pole && same {
             continue;
         }
-        let judged = at_cut(cut)?;
+        let mut judged = at_cut(cut)?;
+        // the family leaves the level of the integrals here, if only to second order: what is said across it does not suffice
+        if beside.iter().any(|one| one.aside < judged.aside) && !matches!(judged.verdict, Verdict::Unstable { .. }) {
+            judged.verdict = Verdict::CannotTell(Reason::Edge);
+        }
         if !(same && beside.first().is_some_and(|one| alike(one, &judged) || pole && one.verdict == judged.verdict)) {
             edges.push((k, Edge { direction: place(cut)?, judged }));
         }

@@ -15,6 +15,8 @@ pub struct Judged {
     pub integrals: Vec<Integral>,
     /// In how many directions a family goes on without a change of the integrals: as many further zero roots.
     pub along: usize,
+    /// In how many directions of the family the energy is not asked to be definite.
+    pub aside: usize,
     /// All zero roots that are explained: a conservative system's last one has a partner.
     pub zeros: usize,
     /// The roots beside these, where the signs are known.
@@ -52,6 +54,7 @@ impl Judged {
             verdict: Verdict::CannotTell(reason),
             integrals: approximation.integrals.clone(),
             along: 0,
+            aside: 0,
             zeros: approximation.integrals.len(),
             roots: None,
             energy: None,
@@ -112,7 +115,9 @@ impl Judged {
         let pair = if approximation.balanced { Some(place[0].times(&place[0])) } else { among.pair.clone() };
         let known = pair.and_then(|square| HalfPlanes::without_pair(&polynomial, &square));
         let roots = known.or_else(|| HalfPlanes::of(&polynomial));
-        let across = [constraints.clone(), inside(&constraints)].concat();
+        let beside = inside(&constraints);
+        let aside = beside.len();
+        let across = [constraints, beside].concat();
         let energy = Inertia::on_subspace(&linear.energy, &across, one);
         // where the moment depends on the slip, a slope that damps here damps near by too
         let (of_slip, of_currents) = linear.damping.split_at(linear.damping.len().min(1));
@@ -123,6 +128,7 @@ impl Judged {
             verdict: Verdict::of(roots, energy, *conservative, falls, neutral),
             integrals,
             along,
+            aside,
             zeros,
             roots,
             energy,

@@ -9,18 +9,21 @@
 //! * [`family`]: circles and spheres of motions as curves that fractions parametrise; [`critical`]: the functions on them one
 //!   of which vanishes where a verdict changes; [`along`]: the verdicts, arc by arc;
 //! * [`reduced`]: the two classical gyrostats in three unknowns, for theorems, maps and pictures;
-//! * [`map`]: where rotation about the axis of everything is stable, over two speeds;
+//! * [`cone`]: the same for every point of the cone, exactly;
+//! * [`map`]: where rotation about the axis of everything is stable, over two speeds; [`plane`]: over any two data;
 //! * `claims`: the theorems, in letters: structural zeros, polynomials, what motors have in common, closed forms.
 
 pub mod along;
 pub mod approximation;
 mod claims;
+pub mod cone;
 pub mod critical;
 pub mod family;
 pub mod judge;
 pub mod judged;
 pub mod linear;
 pub mod map;
+pub mod plane;
 pub mod reduced;
 pub mod state;
 pub mod verdict;

@@ -95,6 +95,14 @@ impl<S: Scalar> Reduced<S> {
         let coupling = self.coupling();
         self.stiffness() + coupling * coupling.transpose() / self.weight()
     }
+
+    /// det T a, det T b, the discriminant of both, and the trace of Q across nu: their signs decide.
+    pub fn deciding(&self) -> [S; 4] {
+        let [det, a, b] = self.polynomial();
+        let form = self.energy();
+        let trace = form.trace() - (form * self.vertical).dot(&self.vertical);
+        [a, b, a.squared() - det * b * S::int(4), trace]
+    }
 }
 
 /// The matrix of a x .
@@ -129,16 +137,15 @@ impl Fate {
         }
     }
 
-    /// From the signs of numbers: those of fractions are exact, those of floats are for pictures.
+    /// From the signs of numbers; those of fractions are exact.
     pub fn of<S: Scalar>(motion: &Reduced<S>, sign: impl Fn(S) -> i32) -> Fate {
-        let [det, a, b] = motion.polynomial();
-        let form = motion.energy();
-        // on the plane across nu: trace and determinant
-        let trace = form.trace() - (form * motion.vertical).dot(&motion.vertical);
-        let (of_a, of_b) = (sign(a), sign(b));
-        let apart = sign(a.squared() - det * b * S::int(4));
-        match (of_b, of_a, apart) {
-            (1, _, _) if sign(trace) > 0 => Fate::ByEnergy,
+        Fate::by_signs(motion.deciding().map(sign))
+    }
+
+    /// From the signs of [`Reduced::deciding`].
+    pub fn by_signs([a, b, apart, trace]: [i32; 4]) -> Fate {
+        match (b, a, apart) {
+            (1, _, _) if trace > 0 => Fate::ByEnergy,
             (1, 1, 1) => Fate::ByGyroscopes,
             (0, 0 | 1, _) | (1, 1, 0) => Fate::Edge,
             _ => Fate::Unstable,

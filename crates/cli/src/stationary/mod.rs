@@ -2,6 +2,7 @@
 //! stable.
 
 mod json;
+mod map;
 mod motor;
 mod text;
 
@@ -29,6 +30,15 @@ pub struct Asked {
     /// How many there are for every angular velocity, and where two merge
     #[arg(long)]
     pub cone: bool,
+    /// Twice: where the rotation about the rotor's axis is stable, over two data in SI units, such as load and carrier.centre.3
+    #[arg(long, value_name = "DATUM=FROM..TO", value_parser = ranged, num_args = 1, conflicts_with_all = ["momentum", "cone"])]
+    pub map: Vec<Ranged>,
+    /// Of a map: the axis against the weight
+    #[arg(long, requires = "map")]
+    pub upright: bool,
+    /// Of a map: the picture
+    #[arg(long, value_name = "FILE.svg", requires = "map")]
+    pub out: Option<PathBuf>,
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
@@ -37,9 +47,30 @@ pub struct Asked {
     pub format: Format,
 }
 
+/// A datum and its range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ranged {
+    pub name: String,
+    pub range: [f64; 2],
+}
+
+fn ranged(text: &str) -> Result<Ranged, String> {
+    let accepted = || "a datum with its range such as load=-0.1..0.1 is accepted".to_owned();
+    let (name, range) = text.split_once('=').ok_or_else(accepted)?;
+    let (from, to) = range.split_once("..").ok_or_else(accepted)?;
+    let (from, to) = (finite(from)?, finite(to)?);
+    if from >= to {
+        return Err(format!("{from} is not below {to}; a range that rises is accepted"));
+    }
+    Ok(Ranged { name: name.to_owned(), range: [from, to] })
+}
+
 /// Prints them.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
+    if !asked.map.is_empty() {
+        return map::show(asked, &scene);
+    }
     let refused = |reason: NoAnswer| Ending::refused(format!("{}: {reason}", asked.scene.display()));
     let all = Stationary::of(&scene).map_err(refused)?;
     if asked.cone {
