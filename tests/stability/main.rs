@@ -6,5 +6,6 @@ mod families;
 mod identities;
 #[path = "../physical/mod.rs"]
 mod physical;
+mod plane;
 mod running;
 mod runs;

@@ -47,7 +47,8 @@ fn of_gyrostat(scene: &Scene, bodies: &Gyrostat<f64>, hanging: bool) -> Vec<Area
         let [first, second] = names.map(|name| Datum::named(scene, name).ok());
         let (first, second) = (first?, second?);
         let [own, other] = ranges;
-        Asked { scene, data: [(&first, own), (&second, other)], speed, hanging }.map().ok()
+        let asked = Asked { scene, data: [(&first, own), (&second, other)], speed, hanging };
+        Some(asked.map(&asked.columns().ok()?))
     };
     let speeds = map(["omega0", "rotor_speed"], [[-w, w], [-rotor, rotor]], 0.0);
     let loads = height.and_then(|(axis, c)| {
@@ -101,13 +102,18 @@ impl Asked<'_> {
         }
     }
 
+    /// The loads beyond which the motor holds no angle.
+    fn pull_out(&self) -> Option<AreaCurve> {
+        let [(first, [low, high]), (second, [bottom, top])] = self.data;
+        let held = Plane::of(self.scene, [first, second], self.speed, true).ok()?.bears()?;
+        let ends = [held.least, held.greatest].into_iter().filter(|load| (low..high).contains(load));
+        let points = ends.flat_map(|load| [(load, bottom), (load, top), (load, f64::INFINITY)]).collect();
+        Some(AreaCurve { name: "pull-out".into(), points })
+    }
+
     /// As a picture.
-    ///
-    /// # Errors
-    /// [`NoPlane`].
-    pub fn map(&self) -> Result<Areas, NoPlane> {
+    pub fn map(&self, columns: &[(f64, Cell)]) -> Areas {
         let [(first, own), (second, range)] = self.data;
-        let columns = self.columns()?;
         let beyond = Fate::ALL.len();
         let kind = |cell: &Cell, at: f64| match cell {
             Cell::Decided(column) => Fate::ALL.iter().position(|known| *known == column.at(at)).unwrap_or(0),
@@ -126,16 +132,16 @@ impl Asked<'_> {
         let place = if self.hanging { "hanging" } else { "upright" };
         let turning = [first, second].iter().all(|datum| datum.name != "omega0");
         let turning = if turning { format!(" Angular velocity: {} rad/s.", self.speed) } else { String::new() };
-        Ok(Areas {
-            title: format!("Where the {place} rotation is stable: {} and {}", first.name, second.name),
+        Areas {
+            title: format!("Where the {place} rotation is stable"),
             x: (labelled(first), own),
             y: (labelled(second), range),
             kinds,
             rows,
-            curves: vec![
-                curve(&columns, true, "a tilt costs no energy"),
-                curve(&columns, false, "two pairs of roots meet"),
-            ],
+            curves: [curve(columns, true, "a tilt costs no energy"), curve(columns, false, "two pairs of roots meet")]
+                .into_iter()
+                .chain(self.pull_out())
+                .collect(),
             marks: Vec::new(),
             note: format!(
                 "The gyrostat of: {}.{turning} In each column the edges are the real roots, isolated exactly, of two \
@@ -144,7 +150,7 @@ impl Asked<'_> {
                  same with every motor that is stable by itself.",
                 self.scene.title, second.name
             ),
-        })
+        }
     }
 }
 

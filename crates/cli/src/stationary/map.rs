@@ -25,7 +25,7 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
     };
     let columns = map.columns().map_err(refused)?;
     if let Some(path) = &asked.out {
-        let picture = map.map().map_err(refused)?.svg();
+        let picture = map.map(&columns).svg();
         std::fs::write(path, picture).map_err(|error| Ending::unwritable(path, &error))?;
     }
     print(&match asked.format {
