@@ -1,7 +1,8 @@
 //! Maps over two data of a scene, by their names, beside closed forms.
 
 use derivations::scene::{Family, Scene};
-use derivations::stationary::stability::plane::{Cell, Datum, NoPlane, Plane};
+use derivations::stationary::stability::datum::Datum;
+use derivations::stationary::stability::plane::{Cell, NoPlane, Plane};
 use derivations::stationary::stability::reduced::Fate;
 use std::path::Path;
 

@@ -2,8 +2,9 @@
 
 use charts::{AreaCurve, Areas};
 use derivations::scene::{Scene, System};
+use derivations::stationary::stability::datum::Datum;
 use derivations::stationary::stability::map::Column;
-use derivations::stationary::stability::plane::{Cell, Datum, NoPlane, Plane};
+use derivations::stationary::stability::plane::{Cell, NoPlane, Plane};
 use derivations::stationary::stability::reduced::Fate;
 use derivations::systems::gyrostat::Gyrostat;
 

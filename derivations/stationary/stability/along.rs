@@ -1,19 +1,16 @@
 //! What becomes of small deviations from the members of a family: arc by arc, with the directions at which that changes.
 
-use super::approximation::Approximation;
 use super::critical::critical;
-use super::family::{Cut, Family, beside, cross, direction};
+use super::family::{Cut, Family, cross, direction};
 use super::judge::{BITS, Enclosed, Given, Judge, circle_point};
 use super::judged::{Among, Judged};
-use super::reduced::Reduced;
+use super::symmetry::{is_symmetric, unfelt};
 use super::verdict::{Reason, Verdict};
-use crate::stationary::energies::Energies;
 use crate::stationary::motor::Angle;
 use field::{Rational, Scalar};
 use mechanics::uniform::Shape;
 use nalgebra::Vector3;
 use symbolic::real::{Conic, Enclosure, Ordered, Root, Surd, Tower};
-use symbolic::{Formulas, symbols};
 
 /// The verdicts along a family with one angle of the rotor.
 #[derive(Clone, Debug)]
@@ -240,33 +237,6 @@ fn joined(family: &Family, cuts: &[Cut], arcs: Vec<Arc>, at_cut: impl Fn(&Cut) -
         stations.iter().zip(next).map(|((k, from), (_, to))| (*k, [*from, *to])).collect();
     let arcs = bounds.into_iter().map(|(k, ends)| Arc { ends: Some(ends), ..arcs[k].clone() }).collect();
     Some(Along { arcs, edges: edges.into_iter().map(|(_, edge)| edge).collect() })
-}
-
-/// Whether nothing tells directions about an axis apart; `value`: the rotor's speed where a machine prescribes it.
-fn is_symmetric(
-    approximation: &Approximation,
-    energies: &Energies<Rational>,
-    axis: &Vector3<Rational>,
-    value: Option<Rational>,
-) -> bool {
-    let vanishes = |v: &Vector3<Rational>| v.iter().all(|c| c.sign() == Some(0));
-    let still = approximation.layout.slip().is_none() && value.is_some_and(|value| value.sign() == Some(0));
-    let [first, second] = beside(axis);
-    let of = |v: &Vector3<Rational>| energies.tensor * v;
-    let equal = of(&first).dot(&first) * second.dot(&second) == of(&second).dot(&second) * first.dot(&first);
-    equal
-        && vanishes(&of(axis).cross(axis))
-        && of(&first).dot(&second).sign() == Some(0)
-        && (still || vanishes(&energies.mixed.cross(axis)))
-        && vanishes(&energies.weight.cross(axis))
-}
-
-/// A rotor along an axis of symmetry does not feel how this nods: s + a_c divides, of both classical polynomials.
-fn unfelt(energies: &Energies<Rational>, place: &[Enclosure; 7], one: &Enclosure) -> Option<Enclosure> {
-    let unknowns = symbols(["w0", "v1", "v2", "v3", "W"]);
-    let [speed, v1, v2, v3, rotor_speed] = unknowns;
-    let [det, a, _] = Reduced::kept(&energies.written(), speed, Vector3::new(v1, v2, v3), rotor_speed).polynomial();
-    Formulas::of(&[a / det], &unknowns).ok()?.values(&place[..5], one)?.pop()
 }
 
 fn fractions<R: Ordered>(v: &Vector3<Rational>, one: &R) -> Option<[R; 3]> {

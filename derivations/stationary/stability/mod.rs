@@ -7,10 +7,11 @@
 //! * [`verdict`]: the closed set of answers, and the theorems behind them; [`judged`]: one with what it rests on;
 //! * [`judge`]: of a scene's motions, with enclosures fine enough, and with fractions where all is rational;
 //! * [`family`]: circles and spheres of motions as curves that fractions parametrise; [`critical`]: the functions on them one
-//!   of which vanishes where a verdict changes; [`along`]: the verdicts, arc by arc;
+//!   of which vanishes where a verdict changes; [`along`]: the verdicts, arc by arc; [`symmetry`]: where one member stands for all;
 //! * [`reduced`]: the two classical gyrostats in three unknowns, for theorems, maps and pictures;
 //! * [`cone`]: the same for every point of the cone, exactly;
-//! * [`map`]: where rotation about the axis of everything is stable, over two speeds; [`plane`]: over any two data;
+//! * [`map`]: where rotation about the axis of everything is stable, over two speeds; [`plane`]: over any two data
+//!   ([`datum`]);
 //! * `claims`: the theorems, in letters: structural zeros, polynomials, what motors have in common, closed forms.
 
 pub mod along;
@@ -18,6 +19,7 @@ pub mod approximation;
 mod claims;
 pub mod cone;
 pub mod critical;
+pub mod datum;
 pub mod family;
 pub mod judge;
 pub mod judged;
@@ -26,6 +28,7 @@ pub mod map;
 pub mod plane;
 pub mod reduced;
 pub mod state;
+pub mod symmetry;
 pub mod verdict;
 
 pub use along::Along;

@@ -4,44 +4,19 @@
 //! The first datum may be anything: at each of its values the motor's own stationary state is known, and with it W. The second
 //! is one on which T and V, or the speeds, depend as polynomials: then b and a^2 - 4 b are polynomials in it.
 
+use super::datum::{Datum, Setting, Where};
 use super::map::{Column, OneAxis};
 use super::reduced::Reduced;
-use crate::ensemble::known::{Data, Known, Place};
-use crate::scene::{Scene, System};
-use crate::stationary::energies::Energies;
-use crate::stationary::motions::decimals;
+use crate::ensemble::known::Data;
+use crate::scene::Scene;
 use crate::stationary::motor::{Bears, Motor};
 use field::{Rational, Scalar};
 use std::fmt;
-
-/// A datum of a scene or of its motion.
-#[derive(Clone, Debug)]
-pub struct Datum {
-    pub name: String,
-    pub unit: &'static str,
-    place: Where,
-}
-
-#[derive(Clone, Debug)]
-enum Where {
-    /// A constant moment against the rotor's turning, N m.
-    Load,
-    /// w0, rad/s
-    Speed,
-    /// W, rad/s, whatever the motor would keep.
-    RotorSpeed,
-    /// Components of one number.
-    Data { place: Place, components: Vec<usize> },
-}
 
 /// Why there is no map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoPlane {
     Bench,
-    Unknown {
-        name: String,
-        known: Vec<String>,
-    },
     /// The second datum changes the motor's stationary state.
     NotPolynomial(String),
     /// Somewhere rotor, weight and a principal axis part.
@@ -74,94 +49,9 @@ pub struct Plane<'a> {
     along: bool,
 }
 
-/// A scene's data with some changed.
-#[derive(Clone)]
-struct Setting {
-    data: Data,
-    load: f64,
-    speed: f64,
-    rotor_speed: Option<f64>,
-}
-
 /// More than the degree of a^2 - 4 b in any datum: b is cubic in tensor, speeds and weight together, these are at most quadratic
 /// in lengths.
 const NODES: usize = 13;
-
-impl Datum {
-    /// By the name that a file or the command line uses: `load`, `omega0`, `rotor_speed`, `gravity`, `carrier.centre.3`,
-    /// `carrier.inertia.12`, `machine.field_speed` and the like.
-    ///
-    /// # Errors
-    /// [`NoPlane::Unknown`] lists all names.
-    pub fn named(scene: &Scene, name: &str) -> Result<Self, NoPlane> {
-        let all = Self::all(scene);
-        let known = || all.iter().map(|datum| datum.name.clone()).collect();
-        all.iter()
-            .find(|datum| datum.name == name)
-            .cloned()
-            .ok_or_else(|| NoPlane::Unknown { name: name.to_owned(), known: known() })
-    }
-
-    fn all(scene: &Scene) -> Vec<Self> {
-        let of_motion = [
-            ("load", "N m", Where::Load),
-            ("omega0", "rad/s", Where::Speed),
-            ("rotor_speed", "rad/s", Where::RotorSpeed),
-        ];
-        let mut all: Vec<Datum> =
-            of_motion.into_iter().map(|(name, unit, place)| Datum { name: name.into(), unit, place }).collect();
-        for (table, known) in Known::of(scene).into_iter().filter(|(table, _)| *table != "start") {
-            for Known { key, unit, components, place, .. } in known {
-                let name = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
-                // a symmetric tensor has each component beside the diagonal twice
-                let parts: Vec<(String, Vec<usize>)> = match components {
-                    1 => vec![(name, vec![0])],
-                    6 => [[1, 1], [1, 2], [1, 3], [2, 2], [2, 3], [3, 3]]
-                        .map(|[i, j]| (format!("{name}.{i}{j}"), vec![3 * i + j - 4, 3 * j + i - 4]))
-                        .into(),
-                    count => (1..=count).map(|i| (format!("{name}.{i}"), vec![i - 1])).collect(),
-                };
-                all.extend(parts.into_iter().map(|(name, components)| Datum {
-                    name,
-                    unit,
-                    place: Where::Data { place, components },
-                }));
-            }
-        }
-        all
-    }
-
-    fn is_of_motor(&self) -> bool {
-        matches!(self.place, Where::Load | Where::Data { place: Place::Machine(_), .. })
-    }
-}
-
-impl Setting {
-    fn with(&self, datum: &Datum, value: f64) -> Self {
-        let mut set = self.clone();
-        match &datum.place {
-            Where::Load => set.load = value,
-            Where::Speed => set.speed = value,
-            Where::RotorSpeed => set.rotor_speed = Some(value),
-            Where::Data { place: Place::Machine(place), .. } => set.data.machine[*place] = value,
-            Where::Data { place: Place::Bodies(of), components } => {
-                if let Some(numbers) = of(&mut set.data.system) {
-                    components.iter().for_each(|k| numbers[*k] = value);
-                }
-            }
-            Where::Data { place: Place::Start(_), .. } => {}
-        }
-        set
-    }
-
-    /// T and V as fractions.
-    fn energies(&self) -> Option<Energies<Rational>> {
-        match &self.data.system {
-            System::Gyrostat(bodies) => Some(Energies::of(&decimals(bodies))),
-            System::Bench { .. } => None,
-        }
-    }
-}
 
 impl<'a> Plane<'a> {
     /// Over two data, with w0, rad/s, about the rotor's axis or its opposite.
@@ -251,9 +141,6 @@ impl fmt::Display for NoPlane {
         match self {
             Self::Bench => {
                 write!(f, "a motor on a bench has no carrier; a scene with system = \"gyrostat\" is accepted")
-            }
-            Self::Unknown { name, known } => {
-                write!(f, "no datum has the name `{name}`; accepted: {}", known.join(", "))
             }
             Self::NotPolynomial(name) => write!(
                 f,

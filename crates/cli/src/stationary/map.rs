@@ -5,17 +5,19 @@ use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use crate::stability_map;
 use derivations::scene::Scene;
-use derivations::stationary::stability::plane::{Cell, Datum, NoPlane};
+use derivations::stationary::stability::datum::{Datum, Unknown};
+use derivations::stationary::stability::plane::{Cell, NoPlane};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Prints it, and writes the picture where one is asked for.
 pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
     let refused = |reason: NoPlane| Ending::refused(format!("{}: {reason}", asked.scene.display()));
+    let unknown = |reason: Unknown| Ending::refused(format!("{}: {reason}", asked.scene.display()));
     let [first, second] = &asked.map[..] else {
         return Err(Ending::refused("a map has two data; --map A=FROM..TO --map B=FROM..TO is accepted"));
     };
-    let datum = |ranged: &Ranged| Datum::named(scene, &ranged.name).map_err(refused);
+    let datum = |ranged: &Ranged| Datum::named(scene, &ranged.name).map_err(unknown);
     let data = [datum(first)?, datum(second)?];
     let map = stability_map::Asked {
         scene,

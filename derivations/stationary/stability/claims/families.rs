@@ -4,7 +4,6 @@ use super::letters::kept;
 use crate::papers::konosevich2022::Letters;
 use crate::stationary::stability::reduced::Reduced;
 use claims::{Condition, Page};
-use field::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 use Condition::Equal;
