@@ -12,7 +12,7 @@ use symbolic::{Formulas, Unbound, symbols};
 pub struct Fates(Formulas);
 
 /// Bits that are tried; what then still has no sign is on the edge for all that is known.
-const BITS: [usize; 4] = [128, 256, 512, 1024];
+const BITS: [usize; 3] = [64, 256, 1024];
 
 impl Fates {
     /// Of a gyrostat whose rotor keeps its relative speed.
