@@ -7,7 +7,7 @@ use symbolic::real::Enclosure;
 
 /// All that goes with one case.
 pub struct Answer {
-    /// As [`Case::value`].
+    /// As [`super::Case::value`].
     pub value: f64,
     pub found: Vec<Found>,
     pub certificate: Certificate,
