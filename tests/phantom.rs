@@ -246,3 +246,15 @@ fn the_map_of_a_splitting_and_its_runs_leave_at_one_step() {
         assert!((found / edge - 1.0).abs() < 2e-3, "{splitting:?}: {edge} and {found}");
     }
 }
+
+#[test]
+fn a_member_of_a_family_is_judged_across_it() {
+    let chart = chart(&scene("closed_forms/lagrange_top"), 20.0);
+    assert_eq!((chart.all.motions.len(), chart.all.families), (3, 0));
+    let member = &chart.all.motions[2];
+    let spectrum = member.spectrum.as_ref().unwrap();
+    // two zeros of the circle beside those of the integrals leave the nodding alone
+    let [mode] = &spectrum.modes[..] else { panic!("{spectrum:?}") };
+    assert!(member.member.is_some() && matches!(mode.place, Place::Imaginary(_)), "{mode:?}");
+    assert_eq!(Motion::of(spectrum), Motion::Stays { staying: 2 });
+}

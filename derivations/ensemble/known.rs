@@ -23,7 +23,7 @@ pub enum Place {
 }
 
 /// A datum that a file may name: its table, key, meaning, unit, number of components, and where it is.
-pub(super) struct Known {
+pub(crate) struct Known {
     pub key: &'static str,
     pub meaning: &'static str,
     pub unit: &'static str,

@@ -70,7 +70,7 @@ impl Chart {
             }
         }
         if self.all.families > 0 {
-            let _ = writeln!(out, "\n{} families of motions are left out", self.all.families);
+            let _ = writeln!(out, "\n{} families of motions without a verdict are left out", self.all.families);
         }
         out
     }
@@ -204,6 +204,9 @@ impl fmt::Display for Stationed {
             None => "",
         };
         write!(f, "{kind}")?;
+        if let Some(v) = self.member {
+            write!(f, "one of a family, v = ({:.6}, {:.6}, {:.6}), ", v.x, v.y, v.z)?;
+        }
         match &self.rotor {
             Rotor::InStep { angle, held } => {
                 let held = if *held { "the field drives back to it" } else { "the field drives away from it" };

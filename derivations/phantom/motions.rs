@@ -5,8 +5,9 @@ use crate::scene::{Scene, Start, System};
 use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motions::{NoAnswer, Stationary, decimals};
 use crate::stationary::motor::{Angle, Motor};
+use crate::stationary::stability::{Reason, Verdict};
 use field::Rational;
-use mechanics::discrete::Spectrum;
+use mechanics::discrete::{Mode, Place as Location, Spectrum};
 use mechanics::uniform::{Kind, Shape};
 use nalgebra::Vector3;
 use std::fmt;
@@ -18,6 +19,8 @@ pub struct Stationed {
     /// The carrier: what W is there; `None` on a bench.
     pub kind: Option<Kind>,
     pub rotor: Rotor,
+    /// v, where it is one of a family whose members behave alike.
+    pub member: Option<Vector3<f64>>,
     pub at: At,
     /// For runs.
     pub start: Start,
@@ -34,11 +37,11 @@ pub enum Rotor {
     At { speed: f64 },
 }
 
-/// All isolated stationary motions with one angular velocity.
+/// All stationary motions with one angular velocity; of a family one member from each stretch with one verdict.
 pub struct AllStationed {
     pub linear: Linearised,
     pub motions: Vec<Stationed>,
-    /// Families of motions, which are left out: their eigenvalues differ from place to place.
+    /// Families without a verdict, which are left out.
     pub families: usize,
 }
 
@@ -91,16 +94,28 @@ impl AllStationed {
             let rotations = case.body.rotations(speed).ok_or(NoAnswer::NotFinite(w))?;
             let boxes = rotations.boxes(BITS).ok_or(NoAnswer::TooFine)?;
             for (motion, vertical) in rotations.motions.iter().zip(boxes) {
-                if matches!(motion.shape, Shape::Circle { .. } | Shape::Sphere) {
-                    families += 1;
+                let turning = |vertical: &[Enclosure; 3]| vertical.each_ref().map(|v| v * &w_exact);
+                let places_at = |w: &[Enclosure; 3]| {
+                    let rotor_speed = own_speed(scene, all.kept, &case.value, w).ok_or(NoAnswer::TooFine)?;
+                    places(&all.motor, &rotor_speed).into_iter().collect::<Option<Vec<_>>>().ok_or(NoAnswer::TooFine)
+                };
+                if !matches!(motion.shape, Shape::Circle { .. } | Shape::Sphere) {
+                    let w = turning(&vertical);
+                    let own = Own { kind: Some(motion.kind), vertical: &vertical, angular_velocity: &w, family: None };
+                    motions.extend(places_at(&w)?.into_iter().map(|place| place.motion(&own, &linear)));
                     continue;
                 }
-                let angular_velocity = vertical.each_ref().map(|v| v * &w_exact);
-                let rotor_speed =
-                    own_speed(scene, all.kept, &case.value, &angular_velocity).ok_or(NoAnswer::TooFine)?;
-                for place in places(&all.motor, &rotor_speed) {
-                    let place = place.ok_or(NoAnswer::TooFine)?;
-                    motions.push(place.motion(Some(motion.kind), &vertical, &angular_velocity, &linear));
+                // for each angle of the rotor, a member of each stretch
+                for (angle, along) in all.along(case, motion, speed).into_iter().enumerate() {
+                    let unknown = Verdict::CannotTell(Reason::Family);
+                    families += usize::from(along.arcs.iter().any(|arc| arc.judged.verdict == unknown));
+                    for arc in along.arcs.iter().filter(|arc| arc.judged.verdict != unknown) {
+                        let w = turning(&arc.member);
+                        let family = arc.judged.zeros.checked_sub(linear.integrals);
+                        let own = Own { kind: Some(motion.kind), vertical: &arc.member, angular_velocity: &w, family };
+                        let place = places_at(&w)?.into_iter().nth(angle);
+                        motions.extend(place.map(|place| place.motion(&own, &linear)));
+                    }
                 }
             }
         }
@@ -119,7 +134,8 @@ impl AllStationed {
         for speed in speeds {
             for place in places(&motor, &speed.enclosure(BITS)) {
                 let place = place.ok_or(NoAnswer::TooFine)?;
-                motions.push(place.motion(None, &rests(), &rests(), &linear));
+                let own = Own { kind: None, vertical: &rests(), angular_velocity: &rests(), family: None };
+                motions.push(place.motion(&own, &linear));
             }
         }
         Ok(AllStationed { linear, motions, families: 0 })
@@ -172,27 +188,51 @@ fn places(motor: &Motor, speed: &Enclosure) -> Vec<Option<Place>> {
     }
 }
 
+/// The carrier's part of a motion.
+struct Own<'a> {
+    kind: Option<Kind>,
+    vertical: &'a [Enclosure; 3],
+    angular_velocity: &'a [Enclosure; 3],
+    /// Of a family: how many eigenvalues are zero beside those of the integrals, by the family and what is conserved with it.
+    family: Option<usize>,
+}
+
 impl Place {
-    fn motion(
-        self,
-        kind: Option<Kind>,
-        vertical: &[Enclosure; 3],
-        angular_velocity: &[Enclosure; 3],
-        linear: &Linearised,
-    ) -> Stationed {
+    fn motion(self, own: &Own<'_>, linear: &Linearised) -> Stationed {
         let plain = |v: &[Enclosure; 3]| Vector3::from(v.each_ref().map(Enclosure::to_f64));
         let angle = if let Rotor::InStep { angle, .. } = self.rotor { angle } else { 0.0 };
-        let (turning, down) = (plain(angular_velocity), plain(vertical));
-        let (angular_velocity, vertical) = (angular_velocity.clone(), vertical.clone());
-        let at = At { angular_velocity, vertical, angle: self.angle, rotor_speed: self.speed };
+        let vertical = plain(own.vertical);
+        let at = At {
+            angular_velocity: own.angular_velocity.clone(),
+            vertical: own.vertical.clone(),
+            angle: self.angle,
+            rotor_speed: self.speed,
+        };
         let start = Start {
-            angular_velocity: turning,
-            vertical: down,
+            angular_velocity: plain(own.angular_velocity),
+            vertical,
             rotor_angle: angle,
             rotor_speed: at.rotor_speed.to_f64(),
             currents: linear.currents(&at, BITS).unwrap_or_default(),
         };
-        let spectrum = linear.spectrum(&at, BITS);
-        Stationed { kind, rotor: self.rotor, at, start, spectrum }
+        let spectrum = match own.family {
+            None => linear.spectrum(&at, BITS),
+            Some(zeros) => across(linear, &at, zeros),
+        };
+        Stationed { kind: own.kind, rotor: self.rotor, member: own.family.map(|_| vertical), at, start, spectrum }
     }
+}
+
+/// The eigenvalues across a family: without so many zeros more than those of the integrals.
+fn across(linear: &Linearised, at: &At, zeros: usize) -> Option<Spectrum> {
+    let mut polynomial = linear.polynomial(at, BITS)?;
+    let rest = polynomial.split_off(zeros.min(polynomial.len()));
+    if polynomial.iter().any(|c| c.sign().is_some_and(|sign| sign != 0)) {
+        return None;
+    }
+    let mut spectrum = Spectrum::of(&rest, linear.symmetric)?;
+    for (rate, count) in &linear.idle {
+        spectrum.modes.push(Mode { place: Location::Real(Enclosure::rational(-*rate, BITS)?), count: *count });
+    }
+    Some(spectrum)
 }

@@ -1,9 +1,10 @@
 //! The quadratic form and the vectors of W, from the bodies' energies by differentiation.
 
 use crate::systems::gyrostat::Gyrostat;
-use field::{Base, Tangent};
+use field::{Base, Rational, Tangent};
 use mechanics::differentiate::{along, gradient, unit};
 use nalgebra::{Matrix3, Vector3};
+use symbolic::Sym;
 
 /// The second derivatives of T by (w, phi'), and the slope of -V by the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +53,18 @@ impl<P: Base> Energies<P> {
                 let share = self.mixed / self.axial;
                 (self.tensor - share * self.mixed.transpose(), share)
             }
+        }
+    }
+}
+
+impl Energies<Rational> {
+    /// As constants of expressions.
+    pub fn written(&self) -> Energies<Sym> {
+        Energies {
+            tensor: self.tensor.map(Sym::constant),
+            mixed: self.mixed.map(Sym::constant),
+            axial: Sym::constant(self.axial),
+            weight: self.weight.map(Sym::constant),
         }
     }
 }

@@ -157,13 +157,13 @@ fn the_map_of_one_axis_has_its_edges_where_the_closed_forms_say() {
     // at rest: A' W = +-5 where pairs meet, and +-1 where they part again: (h^2 - 25)(h^2 - 1) = 0
     let axis = OneAxis::of(&UPRIGHT.energies(), false).unwrap();
     let column = axis.column(rest());
-    let edges: Vec<f64> = column.edges.iter().map(|edge| edge.rotor_speed).collect();
+    let edges: Vec<f64> = column.edges.iter().map(|edge| edge.at).collect();
     assert_eq!(edges, [-10.0, -2.0, 2.0, 10.0]);
     let all = [Fate::ByGyroscopes, Fate::Unstable, Fate::Unstable, Fate::Unstable, Fate::ByGyroscopes];
     assert_eq!(column.fates, all);
     // turning with w0 = 1: H1 = 1 + h, H2 = h - 4, and stable by energy beyond both
     let column = axis.column(r(1, 1));
-    let neutral: Vec<f64> = column.edges.iter().filter(|edge| edge.neutral).map(|edge| edge.rotor_speed).collect();
+    let neutral: Vec<f64> = column.edges.iter().filter(|edge| edge.neutral).map(|edge| edge.at).collect();
     assert_eq!(neutral, [-2.0, 8.0]);
     assert_eq!((column.at(8.1), column.at(0.0)), (Fate::ByEnergy, Fate::Unstable));
     assert!(OneAxis::of(&Axes { rotor: [1, 0, 0], weight: 1 }.energies(), true).is_none());

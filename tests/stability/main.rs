@@ -2,8 +2,10 @@
 
 mod closed;
 mod drawn;
+mod families;
 mod identities;
 #[path = "../physical/mod.rs"]
 mod physical;
+mod plane;
 mod running;
 mod runs;

@@ -135,6 +135,8 @@ mod tests {
         "--omega0",
         "--momentum",
         "--cone",
+        "--map",
+        "--upright",
         "--until",
         "--x",
         "--principle",

@@ -30,14 +30,18 @@ pub struct Asked {
     pub format: Format,
 }
 
+/// Every splitting on a motion.
+type Courses = [Tested; Splitting::ALL.len()];
+
 /// Prints it.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     let chart = Chart::of(&scene, asked.omega0)
         .map_err(|reason| Ending::refused(format!("{}: {reason}", asked.scene.display())))?;
+    // on a member of a family multipliers coincide at one, and rounding would part them
     let of_motion = |motion: &Stationed| {
-        let near = SplitRuns::near(&scene, motion);
-        Splitting::ALL.map(|splitting| near.course(splitting, &steps()))
+        let near = motion.member.is_none().then(|| SplitRuns::near(&scene, motion))?;
+        Some(Splitting::ALL.map(|splitting| near.course(splitting, &steps())))
     };
     let tested: Vec<_> = chart.all.motions.iter().map(of_motion).collect();
     print(&match asked.format {
@@ -48,7 +52,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     Ok(if known { Ending::Done } else { Ending::Stopped })
 }
 
-fn text(scene: &Scene, w: f64, chart: &Chart, tested: &[[Tested; Splitting::ALL.len()]]) -> String {
+fn text(scene: &Scene, w: f64, chart: &Chart, tested: &[Option<Courses>]) -> String {
     let turning = match scene.on_bench() {
         true => String::new(),
         false => format!("angular velocity about the vertical: {w} rad/s\n"),
@@ -56,14 +60,17 @@ fn text(scene: &Scene, w: f64, chart: &Chart, tested: &[[Tested; Splitting::ALL.
     let mut text = format!("{}\n{turning}{}", scene.title, chart.text());
     for (place, (motion, tested)) in chart.all.motions.iter().zip(tested).enumerate() {
         text += &format!("\n{} {motion}\n", place + 1);
-        for one in tested {
+        if tested.is_none() {
+            text += "  splittings are not tested on a member of a family\n";
+        }
+        for one in tested.iter().flatten() {
             text += &format!("  {:<20} {}\n", one.splitting.name(), one.told());
         }
     }
     text
 }
 
-fn object(scene: &Scene, w: f64, chart: &Chart, tested: &[[Tested; Splitting::ALL.len()]]) -> Value {
+fn object(scene: &Scene, w: f64, chart: &Chart, tested: &[Option<Courses>]) -> Value {
     let each = chart.all.motions.iter().zip(&chart.rows).zip(tested).map(|((motion, rows), tested)| {
         let spectrum = motion.spectrum.as_ref();
         json!({
@@ -71,7 +78,7 @@ fn object(scene: &Scene, w: f64, chart: &Chart, tested: &[[Tested; Splitting::AL
             "does": spectrum.map(|spectrum| Motion::of(spectrum).to_string()),
             "eigenvalues": spectrum.map(|spectrum| chart.eigenvalues(spectrum)),
             "methods": rows.iter().map(method).collect::<Vec<_>>(),
-            "splittings": tested.iter().map(splitting).collect::<Vec<_>>(),
+            "splittings": tested.as_ref().map(|all| all.iter().map(splitting).collect::<Vec<_>>()),
         })
     });
     json!({ "scene": scene.title, "model": scene.machine.name(), "omega0": w, "motions": each.collect::<Vec<_>>() })

@@ -1,8 +1,9 @@
 //! Verdicts on the stability of stationary motions, with what each rests on, as text and JSON.
 
 use derivations::stationary::motor::Motor;
-use derivations::stationary::stability::{Integral, Judged, Reason, Verdict};
+use derivations::stationary::stability::{Along, Integral, Judged, Reason, Verdict};
 use mechanics::first_approximation::{HalfPlanes, Inertia};
+use nalgebra::Vector3;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -16,21 +17,82 @@ pub fn text(motor: &Motor, judged: &[Judged]) -> String {
     out
 }
 
+/// Of a family: a line for each stretch with one verdict, and for each direction that is unlike those beside it.
+pub fn along(motor: &Motor, along: &[Along]) -> String {
+    let mut out = String::new();
+    for (one, angle) in along.iter().zip(angles(motor)) {
+        if let Some(angle) = angle {
+            let _ = writeln!(out, "    at gamma0 = {angle:.6} rad");
+        }
+        for arc in &one.arcs {
+            let place = match arc.ends {
+                Some([from, to]) => format!("from v = {} to {}", components(from), components(to)),
+                None if one.edges.is_empty() => "all of it".to_owned(),
+                None => "all else".to_owned(),
+            };
+            let _ = writeln!(out, "    {place}: {}: {}", named(&arc.judged), because(&arc.judged));
+        }
+        for edge in &one.edges {
+            let _ = writeln!(
+                out,
+                "    at v = {}: {}: {}",
+                components(edge.direction),
+                named(&edge.judged),
+                because(&edge.judged)
+            );
+        }
+    }
+    out
+}
+
+fn components(v: Vector3<f64>) -> String {
+    format!("({:.8}, {:.8}, {:.8})", v.x, v.y, v.z)
+}
+
+/// The same of a family, for a program.
+pub fn along_objects(motor: &Motor, along: &[Along]) -> Vec<Value> {
+    let of_angle = |(one, angle): (&Along, Option<f64>)| {
+        let arcs = one.arcs.iter().map(|arc| {
+            let ends = arc.ends.map(|ends| ends.map(|v| [v.x, v.y, v.z]));
+            json!({ "ends": ends, "member": arc.member.each_ref().map(|v| v.to_f64()), "judged": object(&arc.judged) })
+        });
+        let edges = one.edges.iter().map(|edge| {
+            let v = edge.direction;
+            json!({ "direction": [v.x, v.y, v.z], "judged": object(&edge.judged) })
+        });
+        json!({ "angle": angle, "arcs": arcs.collect::<Vec<_>>(), "edges": edges.collect::<Vec<_>>() })
+    };
+    along.iter().zip(angles(motor)).map(of_angle).collect()
+}
+
 /// The same for a program.
 pub fn objects(motor: &Motor, judged: &[Judged]) -> Vec<Value> {
     let each = judged.iter().zip(angles(motor)).map(|(one, angle)| {
-        json!({
-            "angle": angle, "verdict": name(one.verdict), "because": because(one),
-            "structural_zeros": one.integrals.iter().map(|integral| letter(*integral)).collect::<Vec<_>>(),
-            "polynomial": one.polynomial,
-            "roots": one.roots.map(|HalfPlanes { left, axis, right, distinct }| json!({
-                "left": left, "axis": axis, "distinct_on_axis": distinct, "right": right })),
-            "energy": one.energy.map(|Inertia { positive, zero, negative }| json!({
-                "positive": positive, "zero": zero, "negative": negative })),
-            "energy_is_conserved": one.conservative,
-        })
+        let mut object = object(one);
+        object["angle"] = json!(angle);
+        object
     });
     each.collect()
+}
+
+fn object(one: &Judged) -> Value {
+    json!({
+        "verdict": name(one.verdict), "because": because(one),
+        "structural_zeros": one.integrals.iter().map(|integral| letter(*integral)).collect::<Vec<_>>(),
+        "zeros_along_the_family": one.along,
+        "polynomial": one.polynomial,
+        "roots": one.roots.map(|HalfPlanes { left, axis, right, distinct }| json!({
+            "left": left, "axis": axis, "distinct_on_axis": distinct, "right": right })),
+        "energy": one.energy.map(|Inertia { positive, zero, negative }| json!({
+            "positive": positive, "zero": zero, "negative": negative })),
+        "energy_is_conserved": one.conservative,
+    })
+}
+
+/// Of one of a family: what is said is said of the family.
+fn named(judged: &Judged) -> String {
+    let family = if judged.along > 0 { ", as a family" } else { "" };
+    format!("{}{family}", name(judged.verdict))
 }
 
 fn angles(motor: &Motor) -> Vec<Option<f64>> {
@@ -55,13 +117,19 @@ fn letter(integral: Integral) -> &'static str {
         Integral::Vertical => "|v|",
         Integral::Momentum => "x.v",
         Integral::RotorMomentum => "p'",
+        Integral::Axis => "x.n",
+        Integral::Size => "|x|",
     }
 }
 
 /// What a verdict rests on.
 fn because(judged: &Judged) -> String {
     let number = |n: usize, name: &str| format!("{n} {name}{}", if n == 1 { "" } else { "s" });
-    let zeros: Vec<&str> = judged.integrals.iter().map(|integral| letter(*integral)).collect();
+    let family = [(1, "the family"), (2, "the family (twice)")]
+        .into_iter()
+        .filter(|(n, _)| *n == judged.along)
+        .map(|(_, name)| name);
+    let zeros: Vec<&str> = judged.integrals.iter().map(|integral| letter(*integral)).chain(family).collect();
     let beside = format!("beside the zeros of {}", zeros.join(", "));
     let flow = if judged.conservative { "is conserved" } else { "never grows" };
     let energy = judged.energy.map(|Inertia { positive, zero, negative }| {
@@ -88,7 +156,8 @@ fn because(judged: &Judged) -> String {
                      gyroscopic forces, and linear analysis cannot tell"
                 }
                 Reason::Neutral => "a further root is zero: motions merge here, or their neighbours are stationary too",
-                Reason::Family => "one of a connected family, whose neighbours are stationary too",
+                Reason::Family => "a family whose numbers are no fractions, and which no symmetry explains",
+                Reason::Edge => "what decides vanishes in this direction",
                 Reason::PullOut => "two states of the rotor merge: a further root is zero",
                 Reason::TooFine => "what decides is nearer to zero than 2048 bits tell",
                 Reason::NotStationary => "the zero roots of the integrals are not there: no stationary motion",

@@ -1,36 +1,70 @@
-//! Maps of stability over the angular velocity and the rotor's speed, where rotor and weight lie along one principal axis.
+//! Maps of stability over two data of a scene, where rotor and weight lie along one principal axis.
 
 use charts::{AreaCurve, Areas};
 use derivations::scene::{Scene, System};
-use derivations::stationary::energies::Energies;
-use derivations::stationary::motions::decimals;
-use derivations::stationary::stability::map::{Column, OneAxis};
+use derivations::stationary::stability::datum::Datum;
+use derivations::stationary::stability::map::Column;
+use derivations::stationary::stability::plane::{Cell, NoPlane, Plane};
 use derivations::stationary::stability::reduced::Fate;
 use derivations::systems::gyrostat::Gyrostat;
 
-/// Of the rotor's speed in the picture, lest its numbers be long.
-const THOUSANDTH: f64 = 1e-3;
 /// Columns and rows.
 const CELLS: (usize, usize) = (96, 72);
 
-/// Upright and hanging, for each gyrostat of this kind that turns by a motor.
+/// What a motor does not bear, and what is not decided.
+const BEYOND: [&str; 2] =
+    ["no stationary motion: the motor is pulled out", "not decided: the rotor's speed is irrational"];
+
+/// A scene over two data, each in its range; upright is against the weight that the scene has.
+pub struct Asked<'a> {
+    pub scene: &'a Scene,
+    pub data: [(&'a Datum, [f64; 2]); 2],
+    /// rad/s
+    pub speed: f64,
+    pub hanging: bool,
+}
+
+/// For the report: over both speeds, and over the load and the height of the carrier's centre of mass, for each gyrostat of this
+/// kind that turns by a motor.
 pub fn all(scenes: &[&Scene]) -> Vec<Areas> {
     let mut known: Vec<&Gyrostat<f64>> = Vec::new();
     let mut maps = Vec::new();
-    for scene in scenes {
+    for &scene in scenes {
         let System::Gyrostat(bodies) = &scene.system else { continue };
         let bodies: &Gyrostat<f64> = bodies;
-        let driven = scene.machine.name() != "free_rotor";
-        if !driven || known.contains(&bodies) {
+        if scene.machine.name() == "free_rotor" || known.contains(&bodies) {
             continue;
         }
-        let energies = Energies::of(&decimals(bodies));
-        let both = [false, true].map(|hanging| OneAxis::of(&energies, hanging));
         known.push(bodies);
-        let places = both.into_iter().zip(["upright", "hanging"]);
-        maps.extend(places.filter_map(|(axis, place)| Some(map(&axis?, place, bodies, &scene.title))));
+        maps.extend([false, true].into_iter().flat_map(|hanging| of_gyrostat(scene, bodies, hanging)));
     }
     maps
+}
+
+fn of_gyrostat(scene: &Scene, bodies: &Gyrostat<f64>, hanging: bool) -> Vec<Areas> {
+    let [w, rotor] = reach(bodies);
+    let height = bodies.carrier.centre.iter().position(|c| *c != 0.0).map(|axis| (axis, bodies.carrier.centre[axis]));
+    let map = |names: [&str; 2], ranges: [[f64; 2]; 2], speed: f64| {
+        let [first, second] = names.map(|name| Datum::named(scene, name).ok());
+        let (first, second) = (first?, second?);
+        let [own, other] = ranges;
+        let asked = Asked { scene, data: [(&first, own), (&second, other)], speed, hanging };
+        Some(asked.map(&asked.columns().ok()?))
+    };
+    let speeds = map(["omega0", "rotor_speed"], [[-w, w], [-rotor, rotor]], 0.0);
+    let loads = height.and_then(|(axis, c)| {
+        let load = Datum::named(scene, "load").ok()?;
+        let held = Plane::of(scene, [&load, &load_free(scene)?], 0.0, true).ok()?.bears()?;
+        let most = 1.25 * held.greatest.max(-held.least);
+        let name = format!("carrier.centre.{}", axis + 1);
+        map(["load", &name], [[-most, most], [-2.0 * c.abs(), 2.0 * c.abs()]], 0.5 * w)
+    });
+    speeds.into_iter().chain(loads).collect()
+}
+
+/// A datum that no motor knows.
+fn load_free(scene: &Scene) -> Option<Datum> {
+    Datum::named(scene, "gravity").ok()
 }
 
 /// The size of angular velocities and rotor speeds at which weight and rotation are in balance.
@@ -39,54 +73,116 @@ fn reach(bodies: &Gyrostat<f64>) -> [f64; 2] {
     let size = derived.full.moments.max();
     let w = 2.5 * (derived.gamma / size).sqrt();
     let rotor = 2.5 * 2.0 * (derived.gamma * size).sqrt() / bodies.rotor.axial;
-    [w, rotor]
+    [w, rotor].map(rounded)
 }
 
-fn map(axis: &OneAxis, place: &str, bodies: &Gyrostat<f64>, title: &str) -> Areas {
-    let [w, rotor] = reach(bodies);
-    let columns = axis.columns(w, CELLS.0);
-    let place_of = |fate: Fate| Fate::ALL.iter().position(|known| *known == fate).unwrap_or(0);
-    let row = |k: usize| {
-        let speed = rotor * ((2 * k + 1) as f64 / CELLS.1 as f64 - 1.0);
-        columns.iter().map(|column| place_of(column.at(speed))).collect()
-    };
-    Areas {
-        title: format!("Where the {place} rotation is stable"),
-        x: ("angular velocity, rad/s".into(), [-w, w]),
-        y: ("rotor's relative speed, 1000 rad/s".into(), [-rotor * THOUSANDTH, rotor * THOUSANDTH]),
-        kinds: Fate::ALL.iter().map(|fate| fate.name().into()).collect(),
-        rows: (0..CELLS.1).map(row).collect(),
-        curves: vec![
-            curve(&columns, true, "a tilt costs no energy"),
-            curve(&columns, false, "two pairs of roots meet"),
-        ],
-        marks: Vec::new(),
-        note: format!(
-            "The gyrostat of: {title}. In each column the edges are the real roots, isolated exactly, of two polynomials in \
-             the rotor's speed, and between two of them the verdict is computed once, exactly; where it is unstable on both sides, roots become \
-             complex there. A motor along the vertical does \
-             not feel the tilt: the map is the same with every motor that is stable by itself."
-        ),
+/// To two digits, lest the decimals that are computed with be long.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
+impl Asked<'_> {
+    /// Column by column: the first datum's value, and what is there.
+    ///
+    /// # Errors
+    /// [`NoPlane`].
+    pub fn columns(&self) -> Result<Vec<(f64, Cell)>, NoPlane> {
+        let [(first, [low, high]), (second, range)] = self.data;
+        let along = self.weighs_along() == self.hanging;
+        let plane = Plane::of(self.scene, [first, second], self.speed, along)?;
+        let value =
+            |k: usize| rounded_within(low + (high - low) * (2 * k + 1) as f64 / (2 * CELLS.0) as f64, high - low);
+        (0..CELLS.0).map(|k| Ok((value(k), plane.cell(value(k), range)?))).collect()
     }
+
+    /// Whether the scene's own weight points along the axis.
+    fn weighs_along(&self) -> bool {
+        match &self.scene.system {
+            System::Gyrostat(bodies) => bodies.weight().iter().find(|g| **g != 0.0).is_none_or(|g| *g > 0.0),
+            System::Bench { .. } => true,
+        }
+    }
+
+    /// The loads beyond which the motor holds no angle.
+    fn pull_out(&self) -> Option<AreaCurve> {
+        let [(first, [low, high]), (second, [bottom, top])] = self.data;
+        let held = Plane::of(self.scene, [first, second], self.speed, true).ok()?.bears()?;
+        let ends = [held.least, held.greatest].into_iter().filter(|load| (low..high).contains(load));
+        let points = ends.flat_map(|load| [(load, bottom), (load, top), (load, f64::INFINITY)]).collect();
+        Some(AreaCurve { name: "pull-out".into(), points })
+    }
+
+    /// As a picture.
+    pub fn map(&self, columns: &[(f64, Cell)]) -> Areas {
+        let [(first, own), (second, range)] = self.data;
+        let beyond = Fate::ALL.len();
+        let kind = |cell: &Cell, at: f64| match cell {
+            Cell::Decided(column) => Fate::ALL.iter().position(|known| *known == column.at(at)).unwrap_or(0),
+            Cell::PulledOut => beyond,
+            Cell::Irrational => beyond + 1,
+        };
+        let row = |k: usize| {
+            let at = range[0] + (range[1] - range[0]) * (2 * k + 1) as f64 / (2 * CELLS.1) as f64;
+            columns.iter().map(|(_, cell)| kind(cell, at)).collect()
+        };
+        let rows: Vec<Vec<usize>> = (0..CELLS.1).map(row).collect();
+        let mut kinds: Vec<String> = Fate::ALL.iter().map(|fate| fate.name().into()).collect();
+        // only what is there
+        let used = |kind: usize| rows.iter().flatten().any(|one| *one == kind);
+        kinds.extend(BEYOND.iter().enumerate().filter(|(k, _)| used(beyond + k)).map(|(_, name)| (*name).to_owned()));
+        let place = if self.hanging { "hanging" } else { "upright" };
+        let turning = [first, second].iter().all(|datum| datum.name != "omega0");
+        let turning = if turning { format!(" Angular velocity: {} rad/s.", self.speed) } else { String::new() };
+        Areas {
+            title: format!("Where the {place} rotation is stable"),
+            x: (labelled(first), own),
+            y: (labelled(second), range),
+            kinds,
+            rows,
+            curves: [curve(columns, true, "a tilt costs no energy"), curve(columns, false, "two pairs of roots meet")]
+                .into_iter()
+                .chain(self.pull_out())
+                .collect(),
+            marks: Vec::new(),
+            note: format!(
+                "The gyrostat of: {}.{turning} In each column the edges are the real roots, isolated exactly, of two \
+                 polynomials in {}, and between two of them the verdict is computed once, exactly; where it is unstable on \
+                 both sides, roots become complex there. A motor along the vertical does not feel the tilt: the map is the \
+                 same with every motor that is stable by itself.",
+                self.scene.title, second.name
+            ),
+        }
+    }
+}
+
+/// A value with four digits more than the range has places.
+fn rounded_within(value: f64, range: f64) -> f64 {
+    let step = 10f64.powf(range.abs().log10().floor() - 5.0);
+    let rounded = (value / step).round() * step;
+    format!("{rounded:.6e}").parse().unwrap_or(rounded)
+}
+
+fn labelled(datum: &Datum) -> String {
+    format!("{}, {}", datum.name, datum.unit)
 }
 
 /// The k-th edge of a kind from column to column, as long as their number is the same. What lies beyond the picture parts one
 /// piece from the next.
-fn curve(columns: &[Column], neutral: bool, name: &str) -> AreaCurve {
+fn curve(columns: &[(f64, Cell)], neutral: bool, name: &str) -> AreaCurve {
     let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut open = 0;
-    for column in columns {
-        let edges = column.edges.iter().filter(|edge| edge.neutral == neutral);
-        let here: Vec<f64> = edges.map(|edge| edge.rotor_speed).collect();
+    for (x, cell) in columns {
+        let edges = match cell {
+            Cell::Decided(Column { edges, .. }) => &edges[..],
+            _ => &[],
+        };
+        let here: Vec<f64> = edges.iter().filter(|edge| edge.neutral == neutral).map(|edge| edge.at).collect();
         if here.len() != open {
             open = here.len();
             pieces.extend(here.iter().map(|_| Vec::new()));
         }
         let first = pieces.len() - open;
-        pieces[first..]
-            .iter_mut()
-            .zip(here)
-            .for_each(|(piece, speed)| piece.push((column.speed.to_f64(), speed * THOUSANDTH)));
+        pieces[first..].iter_mut().zip(here).for_each(|(piece, at)| piece.push((*x, at)));
     }
     let part = |mut piece: Vec<(f64, f64)>| {
         piece.push((0.0, f64::INFINITY));

@@ -42,13 +42,7 @@ impl Approximation {
     /// # Errors
     /// [`NoMotor::NotAlgebraic`].
     pub fn with(energies: &Energies<Rational>, machine: &impl Machine<Sym>) -> Result<Self, NoMotor> {
-        let constant = Sym::constant;
-        let energies = Energies {
-            tensor: energies.tensor.map(constant),
-            mixed: energies.mixed.map(constant),
-            axial: constant(energies.axial),
-            weight: energies.weight.map(constant),
-        };
+        let energies = energies.written();
         let unknowns = symbols(["w0", "v1", "v2", "v3", "W", "c", "s"]);
         let [speed, v1, v2, v3, rotor_speed, cos, sin] = unknowns;
         let place = Place { speed, vertical: Vector3::new(v1, v2, v3), rotor_speed, angle: Circle { cos, sin } };
@@ -57,8 +51,9 @@ impl Approximation {
             return Err(NoMotor::NoRest);
         }
         let linear = Linear::at(&energies, machine, &place, is_free(machine));
-        let all = linear.rates.iter().chain(&linear.energy).chain(&linear.integrals).flatten();
-        let all: Vec<Sym> = all.chain(&linear.missing).chain(&linear.damping).copied().collect();
+        let all = linear.rates.iter().chain(&linear.energy).chain(&linear.integrals).chain(&linear.turning).flatten();
+        let all: Vec<Sym> =
+            all.chain(&linear.missing).chain(&linear.momentum).chain(&linear.damping).copied().collect();
         let formulas = Formulas::of(&all, &unknowns).map_err(|reason| NoMotor::NotAlgebraic(reason.to_string()))?;
         let integrals = [Integral::Vertical, Integral::Momentum, Integral::RotorMomentum];
         let steady = is_steady(machine);
@@ -82,12 +77,15 @@ impl Approximation {
             values[from..from + count * size].chunks(size).map(<[R]>::to_vec).collect()
         };
         let integrals = self.integrals.len();
+        let single = 2 * square + (integrals + 3) * size;
         Some(Linear {
             rates: rows(0, size),
             energy: rows(square, size),
             integrals: rows(2 * square, integrals),
-            missing: rows(2 * square + integrals * size, 1).concat(),
-            damping: values[2 * square + (integrals + 1) * size..].to_vec(),
+            turning: rows(2 * square + integrals * size, 3),
+            missing: rows(single, 1).concat(),
+            momentum: values[single + size..single + size + 3].to_vec(),
+            damping: values[single + size + 3..].to_vec(),
         })
     }
 }

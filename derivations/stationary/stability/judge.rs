@@ -1,10 +1,11 @@
 //! The verdicts on a scene's stationary motions, one for each angle of the rotor.
 
 use super::approximation::Approximation;
-use super::verdict::{Judged, Reason, Verdict};
+use super::judged::Judged;
+use super::verdict::{Reason, Verdict};
 use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motor::{Angle, Motor};
-use field::Rational;
+use field::{Rational, Scalar};
 use nalgebra::Vector3;
 use symbolic::real::{Enclosure, Ordered, Polynomial, Root, Surd};
 
@@ -29,23 +30,38 @@ pub enum Given {
 }
 
 /// (v, w0) within 2^-bits, where so many bits are to be had.
-type Enclosed<'a> = dyn Fn(usize) -> Option<([Enclosure; 3], Enclosure)> + 'a;
+pub type Enclosed<'a> = dyn Fn(usize) -> Option<([Enclosure; 3], Enclosure)> + 'a;
 
 /// Bits that are tried.
-const BITS: [usize; 4] = [256, 512, 1024, 2048];
+pub(super) const BITS: [usize; 4] = [256, 512, 1024, 2048];
 
 impl Judge<'_> {
     /// One verdict for each angle of a motor in step, else one.
     pub fn verdicts(&self, enclosed: &Enclosed<'_>) -> Vec<Judged> {
+        self.angles().into_iter().map(|angle| self.verdict(enclosed, angle)).collect()
+    }
+
+    /// Those of a motor in step, else none at all, once.
+    pub(super) fn angles(&self) -> Vec<Option<&Angle>> {
         match self.motor {
-            Motor::InStep { angles, .. } => angles.iter().map(|angle| self.verdict(enclosed, Some(angle))).collect(),
-            _ => vec![self.verdict(enclosed, None)],
+            Motor::InStep { angles, .. } => angles.iter().map(Some).collect(),
+            _ => vec![None],
         }
     }
 
+    /// Whether two states of the rotor are one.
+    pub(super) fn merges(&self, angle: Option<&Angle>) -> bool {
+        angle.is_some_and(|angle| angle.slope == 0) || self.speeds_merge()
+    }
+
+    /// W, or the rotor's own momentum, where that is a fraction.
+    pub(super) fn value_as_fraction(&self) -> Option<Rational> {
+        let value = self.value.enclosure(BITS[0]).simplest();
+        Root::rational(value)?.compare(self.value).is_eq().then_some(value)
+    }
+
     fn verdict(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>) -> Judged {
-        let merging = angle.is_some_and(|angle| angle.slope == 0) || self.speeds_merge();
-        if merging {
+        if self.merges(angle) {
             return Judged::cannot_tell(self.approximation, Reason::PullOut);
         }
         let too_fine = Verdict::CannotTell(Reason::TooFine);
@@ -94,10 +110,7 @@ impl Judge<'_> {
     fn exact(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>) -> Option<[Surd; 7]> {
         let (v, speed) = enclosed(BITS[0])?;
         let (v, speed) = (v.each_ref().map(Enclosure::simplest), speed.simplest());
-        let value = self.value.enclosure(BITS[0]).simplest();
-        if !Root::rational(value)?.compare(self.value).is_eq() {
-            return None;
-        }
+        let value = self.value_as_fraction()?;
         let [speed, v1, v2, v3, rotor_speed, ..] = self.filled(v, speed, value, None, &Rational::new(1, 1))?;
         let vertical = Vector3::new(v1, v2, v3);
         let (all, _) = self.energies.momenta::<Rational>(vertical * speed, rotor_speed);
@@ -110,29 +123,13 @@ impl Judge<'_> {
         if !as_given || vertical.dot(&vertical) != one || missing.iter().any(|m| *m != zero) {
             return None;
         }
-        let (cos, sin) = match angle.map(|angle| &angle.half_tangent) {
-            None => (one.into(), zero.into()),
-            Some(None) => ((-one).into(), zero.into()),
-            Some(Some(t)) => {
-                let at = t.enclosure(BITS[0]);
-                let unit = Enclosure::integer(1, BITS[0]);
-                let norm = unit.plus(&at.times(&at));
-                let sine = Enclosure::over(&at.plus(&at), &norm)?.simplest();
-                // sin g = 2 t / (1 + t^2)
-                if t.sign_of(&Polynomial::from_rationals(&[sine, Rational::new(-2, 1), sine])?) != 0 {
-                    return None;
-                }
-                let size = Surd::root_of(one - sine * sine)?;
-                let acute = unit.minus(&at.times(&at)).sign()? >= 0;
-                (if acute { size } else { size.integer(0).minus(&size) }, sine.into())
-            }
-        };
+        let [cos, sin] = circle_point(angle)?;
         let [speed, v1, v2, v3, rotor_speed] = [speed, v1, v2, v3, rotor_speed].map(Surd::from);
         Some([speed, v1, v2, v3, rotor_speed, cos, sin])
     }
 
     /// `half_tangent`: none without an angle, an empty one at half a turn.
-    fn filled<R: Ordered>(
+    pub(super) fn filled<R: Ordered>(
         &self,
         v: [R; 3],
         speed: R,
@@ -161,5 +158,28 @@ impl Judge<'_> {
         };
         let [v1, v2, v3] = v;
         Some([speed, v1, v2, v3, rotor_speed, cos, sin])
+    }
+}
+
+/// (cos g, sin g), where the sine is a fraction; (1, 0) without an angle.
+pub(super) fn circle_point(angle: Option<&Angle>) -> Option<[Surd; 2]> {
+    let (zero, one) = (Rational::int(0), Rational::int(1));
+    match angle.map(|angle| &angle.half_tangent) {
+        None => Some([one.into(), zero.into()]),
+        Some(None) => Some([(-one).into(), zero.into()]),
+        Some(Some(t)) => {
+            let at = t.enclosure(BITS[0]);
+            let unit = Enclosure::integer(1, BITS[0]);
+            let norm = unit.plus(&at.times(&at));
+            let sine = Enclosure::over(&at.plus(&at), &norm)?.simplest();
+            // sin g = 2 t / (1 + t^2)
+            let equation = [sine, Rational::int(-2), sine];
+            if t.sign_of(&Polynomial::from_rationals(&equation)?) != 0 {
+                return None;
+            }
+            let size = Surd::root_of(one - sine * sine)?;
+            let acute = unit.minus(&at.times(&at)).sign()? >= 0;
+            Some([if acute { size } else { size.integer(0).minus(&size) }, sine.into()])
+        }
     }
 }

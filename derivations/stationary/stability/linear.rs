@@ -29,6 +29,9 @@ pub struct Linear<S> {
     pub missing: Vec<S>,
     /// The differentials of what is conserved, as [`Integral`] lists it.
     pub integrals: Vec<Vec<S>>,
+    /// x, N m s, and its differential, component by component.
+    pub momentum: Vec<S>,
+    pub turning: Vec<Vec<S>>,
     /// What dG/dt takes from the slip: -dm/dg', N m s, and from each current: R, ohm.
     pub damping: Vec<S>,
 }
@@ -42,6 +45,10 @@ pub enum Integral {
     Momentum,
     /// The rotor's own momentum, where nothing acts on it.
     RotorMomentum,
+    /// The angular momentum about an axis of symmetry.
+    Axis,
+    /// |x|^2 of a gyrostat without weight, where this does not follow from the others.
+    Size,
 }
 
 impl<P: Base> Energies<P> {
@@ -136,11 +143,13 @@ impl<S: Scalar> Linear<S> {
             energy(energies, machine, &place, multiplier, &twice).slope.slope
         };
         let mut integrals = vec![Vec::new(); if free { 3 } else { 2 }];
+        let mut turning = vec![Vec::new(); 3];
         for j in 0..size {
             let state = place.state(machine, &unit(j));
             let (all, spin) = energies.momenta(state.w, state.rotor_speed);
             let values = [state.v.dot(&state.v).half(), all.dot(&state.v), spin];
             integrals.iter_mut().zip(values).for_each(|(integral, value)| integral.push(value.slope));
+            turning.iter_mut().zip(all.iter()).for_each(|(row, component)| row.push(component.slope));
         }
         let slip =
             if layout.angle().is_some() { S::zero() } else { place.rotor_speed - S::lift(machine.frame_speed()) };
@@ -152,6 +161,8 @@ impl<S: Scalar> Linear<S> {
             energy: (0..size).map(|i| (0..size).map(|j| second(i, j)).collect()).collect(),
             missing: missing.into_iter().map(|one| one.value).collect(),
             integrals,
+            momentum: all.iter().copied().collect(),
+            turning,
             damping,
         }
     }

@@ -1,6 +1,6 @@
-//! Where rotation about an axis that carries rotor and weight is stable: over its angular velocity and the rotor's speed.
+//! Where rotation about an axis that carries rotor and weight is stable, over two data.
 //!
-//! At one angular velocity what decides are two polynomials in the rotor's speed W: b, and a^2 - 4 b (`reduced`). Their real
+//! At one value of the first datum what decides are two polynomials in the second: b, and a^2 - 4 b (`reduced`). Their real
 //! roots are isolated, and between two neighbours nothing changes: so every column of the map is exact, edges included.
 
 use super::reduced::{Fate, Reduced};
@@ -16,12 +16,10 @@ pub struct OneAxis {
     vertical: Vector3<Rational>,
 }
 
-/// What is known of one angular velocity: edges in the rotor's speed, in ascending order, and what is between them.
+/// What is known of one value of the first datum: edges in the second, in ascending order, and what is between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// w0, rad/s
-    pub speed: Rational,
-    /// rad/s; one fate more than edges
+    /// One fate more than edges.
     pub edges: Vec<Edge>,
     pub fates: Vec<Fate>,
 }
@@ -29,104 +27,100 @@ pub struct Column {
 /// Where a decisive polynomial vanishes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
-    /// W, rad/s
-    pub rotor_speed: f64,
+    /// The second datum.
+    pub at: f64,
     /// A tilt costs no energy: b = 0; otherwise two pairs of roots meet.
     pub neutral: bool,
 }
 
-/// The degree of a^2 - 4 b in W.
-const DEGREE: i64 = 4;
-
 impl OneAxis {
     /// `None` where rotor, weight and a principal axis do not agree. `hanging`: the weight points down.
     pub fn of(energies: &Energies<Rational>, hanging: bool) -> Option<Self> {
+        let down = energies.weight.iter().find_map(|g| g.sign().filter(|sign| *sign != 0))? > 0;
+        Self::about(energies, down == hanging)
+    }
+
+    /// The same, whichever way the weight points: about the axis itself, or its opposite.
+    pub fn about(energies: &Energies<Rational>, along: bool) -> Option<Self> {
         let zero = Rational::int(0);
-        let alone = |v: &Vector3<Rational>, i: usize| (0..3).all(|j| (v[j] == zero) == (j != i));
-        let agrees = |i: &usize| {
-            let row: Vector3<Rational> = energies.tensor.column(*i).into();
-            alone(&row, *i) && alone(&energies.mixed, *i) && alone(&energies.weight, *i)
-        };
-        let axis = (0..3).find(agrees)?;
-        let down = energies.weight[axis].sign()? > 0;
-        let side = Rational::int(if down == hanging { 1 } else { -1 });
+        let axis = (0..3).find(|i| energies.mixed[*i] != zero)?;
+        let alone = |v: &Vector3<Rational>| (0..3).all(|j| j == axis || v[j] == zero);
+        let row: Vector3<Rational> = energies.tensor.column(axis).into();
+        let agrees = alone(&row) && alone(&energies.mixed) && alone(&energies.weight);
+        let side = Rational::int(if along { 1 } else { -1 });
         let vertical = Vector3::from_fn(|j, _| if j == axis { side } else { zero });
-        Some(OneAxis { energies: *energies, vertical })
+        agrees.then_some(OneAxis { energies: *energies, vertical })
     }
 
     /// The motion with these speeds.
     pub fn motion(&self, speed: Rational, rotor_speed: Rational) -> Reduced<Rational> {
-        let OneAxis { energies: Energies { tensor, mixed, weight, .. }, vertical } = *self;
-        let spin = mixed * rotor_speed;
-        let multiplier = ((tensor * vertical * speed + spin) * speed + weight).dot(&vertical);
-        Reduced { tensor, spin, speed, vertical, multiplier }
-    }
-
-    /// What becomes of it, exactly.
-    pub fn fate(&self, speed: Rational, rotor_speed: Rational) -> Fate {
-        // the data are defined, and so are all signs
-        Fate::of(&self.motion(speed, rotor_speed), |x: Rational| x.sign().unwrap_or(0))
-    }
-
-    /// So many columns, evenly from -`most` to `most` rad/s.
-    pub fn columns(&self, most: f64, count: usize) -> Vec<Column> {
-        let centre = |k: usize| most * ((2 * k + 1) as f64 / count as f64 - 1.0);
-        (0..count).map(|k| self.column(Rational::exactly(centre(k)))).collect()
+        Reduced::kept(&self.energies, speed, self.vertical, rotor_speed)
     }
 
     /// All rotor speeds at one angular velocity.
     pub fn column(&self, speed: Rational) -> Column {
-        let values = (0..=DEGREE).map(|node| self.motion(speed, Rational::int(node)).polynomial());
-        let values: Vec<[Rational; 3]> = values.collect();
+        // a^2 - 4 b is of degree 4 in W
+        let nodes: Vec<Rational> = (0..=4).map(Rational::int).collect();
+        let motion = |rotor_speed: Rational| Some(self.motion(speed, rotor_speed));
+        let column = Column::of(&nodes, [f64::NEG_INFINITY, f64::INFINITY], &motion);
+        column.unwrap_or(Column { edges: Vec::new(), fates: vec![Fate::Edge] })
+    }
+}
+
+impl Column {
+    /// By the motions at values of the second datum, of which b and a^2 - 4 b are polynomials with degrees below the number of
+    /// nodes; within a range. `None` where there is no motion.
+    pub fn of(
+        nodes: &[Rational],
+        [low, high]: [f64; 2],
+        motion: &dyn Fn(Rational) -> Option<Reduced<Rational>>,
+    ) -> Option<Self> {
+        let values = nodes.iter().map(|node| Some(motion(*node)?.polynomial()));
+        let values: Vec<[Rational; 3]> = values.collect::<Option<_>>()?;
         let neutral: Vec<Rational> = values.iter().map(|[_, _, b]| *b).collect();
         let meeting: Vec<Rational> = values.iter().map(|[det, a, b]| *a * *a - *det * *b * Rational::int(4)).collect();
         let roots = |values: &[Rational], neutral: bool| -> Vec<Edge> {
-            let polynomial = Polynomial::from_rationals(&interpolated(values)).unwrap_or_default();
-            polynomial.real_roots().iter().map(|root| Edge { rotor_speed: root.to_f64(), neutral }).collect()
+            let polynomial = Polynomial::from_rationals(&interpolated(nodes, values)).unwrap_or_default();
+            let all = polynomial.real_roots().into_iter().map(|root| Edge { at: root.to_f64(), neutral });
+            all.filter(|edge| low < edge.at && edge.at < high).collect()
         };
         let mut edges = [roots(&neutral, true), roots(&meeting, false)].concat();
-        edges.sort_by(|a, b| a.rotor_speed.total_cmp(&b.rotor_speed));
-        let ends = [
-            &[f64::NEG_INFINITY],
-            &edges.iter().map(|edge| edge.rotor_speed).collect::<Vec<_>>()[..],
-            &[f64::INFINITY],
-        ]
-        .concat();
+        edges.sort_by(|a, b| a.at.total_cmp(&b.at));
+        let ends = [&[low], &edges.iter().map(|edge| edge.at).collect::<Vec<_>>()[..], &[high]].concat();
         let between = |pair: &[f64]| match (pair[0].is_finite(), pair[1].is_finite()) {
             (true, true) => 0.5 * (pair[0] + pair[1]),
             (true, false) => pair[0] + pair[0].abs() + 1.0,
             (false, true) => pair[1] - pair[1].abs() - 1.0,
             (false, false) => 0.0,
         };
-        let fates = ends.windows(2).map(|pair| self.fate(speed, Rational::exactly(between(pair)))).collect();
-        Column { speed, edges, fates }
+        // the data are defined, and so are all signs
+        let fate = |at: f64| Some(Fate::of(&motion(Rational::decimal(at))?, |x: Rational| x.sign().unwrap_or(0)));
+        let fates = ends.windows(2).map(|pair| fate(between(pair))).collect::<Option<_>>()?;
+        Some(Column { edges, fates })
     }
-}
 
-impl Column {
-    /// At a rotor speed that is no edge.
-    pub fn at(&self, rotor_speed: f64) -> Fate {
-        let below = self.edges.iter().filter(|edge| edge.rotor_speed < rotor_speed).count();
+    /// At a value that is no edge.
+    pub fn at(&self, value: f64) -> Fate {
+        let below = self.edges.iter().filter(|edge| edge.at < value).count();
         self.fates.get(below).copied().unwrap_or(Fate::Edge)
     }
 }
 
-/// The coefficients, constant first, of the polynomial with these values at 0, 1, 2, ... (Newton).
-fn interpolated(values: &[Rational]) -> Vec<Rational> {
+/// The coefficients, constant first, of the polynomial with these values at these nodes (Newton).
+fn interpolated(nodes: &[Rational], values: &[Rational]) -> Vec<Rational> {
     let mut differences = values.to_vec();
     for order in 1..values.len() {
         for k in (order..values.len()).rev() {
-            differences[k] = (differences[k] - differences[k - 1]) / Rational::int(order as i64);
+            differences[k] = (differences[k] - differences[k - 1]) / (nodes[k] - nodes[k - order]);
         }
     }
     let mut coefficients: Vec<Rational> = Vec::new();
-    for (node, difference) in differences.iter().enumerate().rev() {
+    for (node, difference) in nodes.iter().zip(differences).rev() {
         // p (x - node) + difference
-        let node = Rational::int(node as i64);
-        let mut next = vec![*difference];
+        let mut next = vec![difference];
         next.extend(&coefficients);
         for (k, c) in coefficients.iter().enumerate() {
-            next[k] -= node * *c;
+            next[k] -= *node * *c;
         }
         coefficients = next;
     }
@@ -140,7 +134,8 @@ mod tests {
     #[test]
     fn a_polynomial_is_found_again_from_its_values() {
         let c = [3, -1, 0, 7, -2].map(Rational::int);
-        let value = |x: i64| c.iter().rev().fold(Rational::int(0), |sum, c| sum * Rational::int(x) + *c);
-        assert_eq!(interpolated(&(0..5).map(value).collect::<Vec<_>>()), c);
+        let value = |x: &Rational| c.iter().rev().fold(Rational::int(0), |sum, c| sum * *x + *c);
+        let nodes = [0, 1, 3, -2, 7].map(|n| Rational::new(n, 2));
+        assert_eq!(interpolated(&nodes, &nodes.each_ref().map(value)), c);
     }
 }

@@ -9,6 +9,7 @@
 //!
 //! That this is what the laws come to is proved in `claims`.
 
+use crate::stationary::energies::Energies;
 use field::Scalar;
 use mechanics::rotation::{adjugate, determinant};
 use nalgebra::{Matrix3, Vector3};
@@ -29,6 +30,26 @@ pub struct Reduced<S: Scalar> {
 }
 
 impl<S: Scalar> Reduced<S> {
+    /// A rotor that keeps its relative speed W, rad/s.
+    pub fn kept(energies: &Energies<S>, speed: S, vertical: Vector3<S>, rotor_speed: S) -> Self {
+        let Energies { tensor, mixed, weight, .. } = *energies;
+        let spin = mixed * rotor_speed;
+        let multiplier = ((tensor * vertical * speed + spin) * speed + weight).dot(&vertical);
+        Reduced { tensor, spin, speed, vertical, multiplier }
+    }
+
+    /// A rotor that has this relative speed now, and keeps its own momentum.
+    pub fn free(energies: &Energies<S>, speed: S, vertical: Vector3<S>, rotor_speed: S) -> Self {
+        let Energies { tensor, mixed, axial, .. } = *energies;
+        let share = mixed / axial;
+        let spin = share * (mixed.dot(&vertical) * speed + axial * rotor_speed);
+        Reduced {
+            tensor: tensor - share * mixed.transpose(),
+            spin,
+            ..Self::kept(energies, speed, vertical, rotor_speed)
+        }
+    }
+
     /// H, N m
     pub fn stiffness(&self) -> Matrix3<S> {
         Matrix3::identity() * self.multiplier - self.tensor * self.speed.squared()
@@ -74,6 +95,14 @@ impl<S: Scalar> Reduced<S> {
         let coupling = self.coupling();
         self.stiffness() + coupling * coupling.transpose() / self.weight()
     }
+
+    /// det T a, det T b, the discriminant of both, and the trace of Q across nu: their signs decide.
+    pub fn deciding(&self) -> [S; 4] {
+        let [det, a, b] = self.polynomial();
+        let form = self.energy();
+        let trace = form.trace() - (form * self.vertical).dot(&self.vertical);
+        [a, b, a.squared() - det * b * S::int(4), trace]
+    }
 }
 
 /// The matrix of a x .
@@ -108,16 +137,15 @@ impl Fate {
         }
     }
 
-    /// From the signs of numbers: those of fractions are exact, those of floats are for pictures.
+    /// From the signs of numbers; those of fractions are exact.
     pub fn of<S: Scalar>(motion: &Reduced<S>, sign: impl Fn(S) -> i32) -> Fate {
-        let [det, a, b] = motion.polynomial();
-        let form = motion.energy();
-        // on the plane across nu: trace and determinant
-        let trace = form.trace() - (form * motion.vertical).dot(&motion.vertical);
-        let (of_a, of_b) = (sign(a), sign(b));
-        let apart = sign(a.squared() - det * b * S::int(4));
-        match (of_b, of_a, apart) {
-            (1, _, _) if sign(trace) > 0 => Fate::ByEnergy,
+        Fate::by_signs(motion.deciding().map(sign))
+    }
+
+    /// From the signs of [`Reduced::deciding`].
+    pub fn by_signs([a, b, apart, trace]: [i32; 4]) -> Fate {
+        match (b, a, apart) {
+            (1, _, _) if trace > 0 => Fate::ByEnergy,
             (1, 1, 1) => Fate::ByGyroscopes,
             (0, 0 | 1, _) | (1, 1, 0) => Fate::Edge,
             _ => Fate::Unstable,

@@ -79,7 +79,7 @@ impl Parts {
         crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
-        crew.add(0.5, &mut self.stationary, || sphere::all(driven(scenes)));
+        crew.add(6.0, &mut self.stationary, || sphere::all(driven(scenes)));
         crew.work(done);
     }
 

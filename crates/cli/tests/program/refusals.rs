@@ -113,6 +113,14 @@ fn stationary_motions_of_what_has_none_are_refused() {
 }
 
 #[test]
+fn a_map_over_what_is_no_range_or_one_datum_or_the_motor_is_refused() {
+    let scene = "scenes/closed_forms/upright_rotation.toml";
+    refused("map_falling", &["stationary", scene, "--map", "load=0.1..-0.1"]);
+    refused("map_single", &["stationary", scene, "--map", "load=-0.1..0.1"]);
+    refused("map_motor", &["stationary", scene, "--map", "gravity=0..9", "--map", "machine.b0=0..1"]);
+}
+
+#[test]
 fn motors_that_follow_no_field_are_refused() {
     refused("motor_asynchronous", &["motor", "scenes/asynchronous_drive.toml"]);
     refused("motor_ladder", &["motor", "scenes/friction/painleve.toml"]);

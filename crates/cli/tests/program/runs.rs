@@ -367,3 +367,26 @@ fn a_receipt_names_what_was_taken_and_what_it_promises() {
     let far = models.iter().find(|model| model["model"] == "synchronous").expect("it is on the ladder");
     assert!(far["run"].is_null() && far["verdict"] == "too far", "{far}");
 }
+
+#[test]
+fn a_family_has_a_verdict_and_a_map_has_the_columns_of_its_data() {
+    let top = "scenes/closed_forms/lagrange_top.toml";
+    let all = json(&run(&["stationary", top, "--omega0", "20", "--format", "json"]));
+    let circle = &all["cases"][0]["motions"][2];
+    assert_eq!(circle["shape"], "circle");
+    let arcs = circle["stability"][0]["arcs"].as_array().expect("arcs");
+    assert_eq!((arcs.len(), &arcs[0]["judged"]["verdict"]), (1, &"stable".into()));
+    let scene = "scenes/closed_forms/upright_rotation.toml";
+    let picture = temporary("map.svg");
+    let path = picture.to_str().expect("a path is text");
+    let ranges = ["--map", "load=-0.15..0.15", "--map", "carrier.centre.3=-0.3..0.3"];
+    let asked = [&["stationary", scene, "--upright", "--out", path, "--format", "json"], &ranges[..]].concat();
+    let map = json(&run(&asked));
+    let columns = map["columns"].as_array().expect("columns");
+    // b0 = 1/8 N m
+    let pulled_out = |column: &&serde_json::Value| column["pulled_out"] == true;
+    let beyond = |column: &&serde_json::Value| column["value"].as_f64().is_some_and(|load| load.abs() > 0.125);
+    assert!(columns.iter().filter(pulled_out).eq(columns.iter().filter(beyond)));
+    assert!(std::fs::read_to_string(&picture).expect("the picture was written").contains("pull-out"));
+    let _ = std::fs::remove_file(picture);
+}

@@ -7,6 +7,7 @@
 //! and Sturm's chain of f0, f1 counts the index (Hermite, Routh: the rows of the array are this chain). The last member is
 //! the common divisor of f0 and f1. Its roots are those of p on the axis, and pairs mu, -mu: half of these on either side.
 
+use super::derivative;
 use symbolic::real::Ordered;
 
 /// How many roots of a real polynomial, each as often as it is one.
@@ -52,10 +53,11 @@ impl HalfPlanes {
         Some(HalfPlanes { left: left + beside, axis, right: right + beside, distinct })
     }
 
-    /// Of a polynomial that z^2 + `square` is known to divide: what only rounding leaves of the remainder is dropped. `None`
-    /// too where the remainder does not vanish.
+    /// Of a polynomial that z^2 + `square`, not zero, is known to divide: what only rounding leaves of the remainder is dropped.
+    /// `None` too where the remainder does not vanish.
     pub fn without_pair<R: Ordered>(coefficients: &[R], square: &R) -> Option<Self> {
-        if square.sign()? <= 0 || coefficients.len() < 3 {
+        let sign = square.sign()?;
+        if sign == 0 || coefficients.len() < 3 {
             return None;
         }
         let mut rest = coefficients.to_vec();
@@ -67,6 +69,9 @@ impl HalfPlanes {
             return None;
         }
         let HalfPlanes { left, axis, right, distinct } = HalfPlanes::of(&rest)?;
+        if sign < 0 {
+            return Some(HalfPlanes { left: left + 1, axis, right: right + 1, distinct });
+        }
         // whether the pair is among the others is not asked
         Some(HalfPlanes { left, axis: axis + 2, right, distinct: distinct + 2 })
     }
@@ -150,12 +155,6 @@ fn on_the_axis<R: Ordered>(polynomial: &[R]) -> Option<(usize, usize)> {
         repeated = chain.last()?.clone();
     }
     Some((all, distinct.unwrap_or(0)))
-}
-
-fn derivative<R: Ordered>(polynomial: &[R]) -> Vec<R> {
-    let degree = polynomial.len() - 1;
-    let terms = polynomial[..degree].iter().enumerate();
-    terms.map(|(k, c)| c.times(&c.integer((degree - k) as i64))).collect()
 }
 
 #[cfg(test)]

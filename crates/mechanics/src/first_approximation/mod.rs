@@ -4,7 +4,8 @@
 //! * [`characteristic`]: det(mu - A) without a division, for any size;
 //! * [`HalfPlanes`]: how many roots lie to the left of the imaginary axis, on it and to the right of it, by Routh's array as
 //!   the remainders of Euclid's algorithm, so that rows that vanish or begin with zero are no exception;
-//! * [`Inertia`]: the signs of a quadratic form, also on the subspace where given linear forms vanish.
+//! * [`Inertia`]: the signs of a quadratic form, also on the subspace where given linear forms vanish;
+//! * [`resultant`]: where polynomials over a ring have a common root.
 //!
 //! # Key results
 //! Numbers are [`Ordered`](symbolic::real::Ordered): fractions know their signs, enclosures know them unless zero lies among their values. A count is given only where every sign that it rests on is known. With enclosures this is a proof for all numbers in
@@ -16,7 +17,9 @@
 mod characteristic;
 mod half_planes;
 mod inertia;
+mod resultant;
 
 pub use characteristic::characteristic;
 pub use half_planes::HalfPlanes;
 pub use inertia::Inertia;
+pub use resultant::{derivative, resultant};

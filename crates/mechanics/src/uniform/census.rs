@@ -29,12 +29,12 @@ impl Body {
     /// What hides folds, where not all are known.
     pub fn census(&self) -> Result<Census, Undecided> {
         let folds = self.folds();
-        if let Some(&reason) = folds.undecided.first() {
+        if let Some(reason) = folds.undecided {
             return Err(reason);
         }
         let mut cuts = vec![0.0];
         for fold in &folds.motions {
-            let (_, w) = fold.direction_and_speed(BITS).ok_or(Undecided::Several)?;
+            let (_, w) = fold.direction_and_speed(BITS).ok_or(Undecided::TooFine)?;
             cuts.push(w.to_f64());
         }
         cuts.sort_by(f64::total_cmp);
@@ -49,7 +49,7 @@ impl Body {
                 (false, true) => to - 2.0 * to.abs() - 1.0,
                 (false, false) => 0.0,
             };
-            let found = self.rotations(Rational::exactly(at)).ok_or(Undecided::Several)?;
+            let found = self.rotations(Rational::exactly(at)).ok_or(Undecided::TooFine)?;
             let isolated = found.isolated();
             stretches.push(Stretch { from, to, isolated, families: found.motions.len() - isolated });
         }

@@ -119,11 +119,11 @@ pub(super) fn scaled(p: &Polynomial, factor: &Number) -> Polynomial {
     p * &Polynomial::constant(factor.clone())
 }
 
-fn sum(terms: impl Iterator<Item = Polynomial>) -> Polynomial {
+pub(super) fn sum(terms: impl Iterator<Item = Polynomial>) -> Polynomial {
     terms.fold(Polynomial::default(), |sum, term| &sum + &term)
 }
 
-fn adjugate(m: &Matrix<Polynomial>) -> Matrix<Polynomial> {
+pub(super) fn adjugate(m: &Matrix<Polynomial>) -> Matrix<Polynomial> {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {
             let (a, b, c, d) = ((j + 1) % 3, (j + 2) % 3, (i + 1) % 3, (i + 2) % 3);

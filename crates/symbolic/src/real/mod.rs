@@ -4,9 +4,12 @@
 //! * [`Number`]: an integer, or an integer polynomial in one real algebraic number ([`Field`]);
 //! * [`Polynomial`]: one unknown, such coefficients; greatest common divisors, remainders, subresultants (`resultant`);
 //! * [`Root`]: one real root, as a polynomial and an interval that holds exactly one of its roots;
+//! * [`Nested`]: one real root of a polynomial whose coefficients are polynomials in another;
 //! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number once more, by Sturm's theorem;
 //! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards;
 //! * [`Surd`]: a fraction and a multiple of one square root;
+//! * [`Tower`]: the same with two square roots;
+//! * [`Conic`]: functions on a conic, and the points at which one vanishes;
 //! * [`Ordered`]: what enclosures and fractions have in common: operations, and a sign that may be unknown.
 //!
 //! # Key results
@@ -25,8 +28,10 @@
 //! # References
 //! Collins, Akritas 1976 (isolation by Descartes' rule); von zur Gathen, Gerhard 2013 (remainders, subresultants).
 
+mod conic;
 mod enclosure;
 mod isolate;
+mod nested;
 mod number;
 mod ordered;
 mod polynomial;
@@ -34,11 +39,15 @@ mod resultant;
 mod root;
 mod sturm;
 mod surd;
+mod tower;
 
+pub use conic::{Conic, ConicPoint};
 pub use enclosure::Enclosure;
+pub use nested::Nested;
 pub use number::{Field, Number};
 pub use ordered::Ordered;
 pub use polynomial::Polynomial;
 pub use resultant::subresultant;
 pub use root::Root;
 pub use surd::Surd;
+pub use tower::Tower;

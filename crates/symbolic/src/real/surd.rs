@@ -8,9 +8,9 @@ use num_traits::Zero;
 /// on them is undefined.
 #[derive(Clone, Copy, Debug)]
 pub struct Surd {
-    rational: Rational,
-    factor: Rational,
-    square: Rational,
+    pub(super) rational: Rational,
+    pub(super) factor: Rational,
+    pub(super) square: Rational,
 }
 
 impl From<Rational> for Surd {
@@ -29,6 +29,11 @@ impl Surd {
             Some(root) => Some(root.into()),
             None => Some(Surd { rational: Rational::zero(), factor: Rational::new(1, 1), square }),
         }
+    }
+
+    /// The fraction that it is, where it has no root.
+    pub fn as_fraction(&self) -> Option<Rational> {
+        (self.factor.is_zero() && self.rational.is_defined()).then_some(self.rational)
     }
 
     /// The nearest float, or one close to it: for display.

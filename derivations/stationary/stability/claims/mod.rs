@@ -2,6 +2,7 @@
 
 mod alphabet;
 mod closed;
+mod families;
 mod foundations;
 mod letters;
 mod motors;
@@ -17,5 +18,6 @@ pub fn page() -> Page {
     foundations::claims(&mut page, &letters);
     motors::claims(&mut page, &letters);
     closed::claims(&mut page, &letters);
+    families::claims(&mut page, &letters);
     page
 }

@@ -1,19 +1,28 @@
 //! The pictures of all stationary motions: the cone on the unit sphere, the directrix in space, the angular velocity along
 //! both.
 
-use crate::stability_map;
-use charts::{Curve, CurvePoint, Mark, Panel, Sphere, Study, Table, Track, significant};
-use derivations::scene::{Scene, System};
-use derivations::stationary::branches::{Branch, Form};
-use derivations::stationary::energies::Kept;
-use derivations::stationary::motions::Stationary as All;
-use derivations::stationary::stability::reduced::{Fate, Reduced};
-use derivations::systems::gyrostat::stationary::Stationary;
-use mechanics::uniform::Census;
-use nalgebra::{Matrix3, Vector3};
+//! The pictures of all stationary motions: the cone on the unit sphere, the directrix in space, the angular velocity along
+//! both.
 
-/// Moments below this share of the larger one are rounding.
-const ROUNDING: f64 = 1e-9;
+mod along;
+mod marks;
+mod pieces;
+
+use crate::stability_map;
+use along::{along, table};
+use charts::{Curve, CurvePoint, Sphere, Study, significant};
+use derivations::scene::{Scene, System};
+use derivations::stationary::branches::Form;
+use derivations::stationary::energies::Kept;
+use derivations::stationary::motions::{self, Stationary as All};
+use derivations::stationary::stability::cone::Fates;
+use derivations::systems::gyrostat::stationary::Stationary;
+use marks::{idle, named};
+use mechanics::uniform::Census;
+use nalgebra::Vector3;
+use pieces::{Known, Piece, class, pieces};
+use std::collections::HashMap;
+
 /// Points closer together than this, as a share of the picture, are not drawn.
 const NEAR: f64 = 0.012;
 /// The first point of view.
@@ -47,38 +56,6 @@ struct Case {
     census: Option<Census>,
 }
 
-/// A connected run of directions with one fate.
-struct Piece {
-    /// `None` where no real angular velocity goes with the directions.
-    fate: Option<Fate>,
-    /// (v, w) in the order of w.
-    points: Vec<(Vector3<f64>, f64)>,
-}
-
-/// A branch of the cone, cut where its stability changes; neighbouring pieces share a point.
-fn pieces(form: &Form, branch: Branch) -> Vec<Piece> {
-    let mut pieces: Vec<Piece> = Vec::new();
-    for (v, w) in branch.points {
-        let fate = branch.kind.map(|_| fate(form, v, w));
-        match pieces.last_mut() {
-            Some(piece) if piece.fate == fate => piece.points.push((v, w)),
-            last => {
-                let shared = last.and_then(|piece| piece.points.last().copied());
-                pieces.push(Piece { fate, points: shared.into_iter().chain([(v, w)]).collect() });
-            }
-        }
-    }
-    pieces
-}
-
-/// What becomes of a tilt there: in doubles, as the picture is.
-fn fate(form: &Form, v: Vector3<f64>, w: f64) -> Fate {
-    let tensor = Matrix3::from_diagonal(&form.moments);
-    let multiplier = ((tensor * v * w + form.spin) * w + form.weight).dot(&v);
-    let motion = Reduced { tensor, spin: form.spin, speed: w, vertical: v, multiplier };
-    Fate::of(&motion, |x: f64| if x > 0.0 { 1 } else { -1 })
-}
-
 /// One for each stationary relative speed of the rotor; none for a free rotor, which has one for each of its momenta, and
 /// none where every direction is one.
 fn cases(scene: &Scene) -> Vec<Case> {
@@ -90,27 +67,21 @@ fn cases(scene: &Scene) -> Vec<Case> {
     let derived = bodies.derived();
     let own = bodies.in_axes(&derived.full.axes);
     let census = all.census();
-    let of_case = |(case, census): (&derivations::stationary::motions::Case, Option<Census>)| {
+    let Ok(fates) = Fates::of(&all.energies) else { return Vec::new() };
+    let of_case = |(case, census): (&motions::Case, Option<Census>)| {
         let speed = case.value.to_f64();
         let (spin, weight) = (own.rotor.axial * speed, own.weight());
         let conditions = Stationary { moments: derived.full.moments, axis: own.rotor.axis, spin, weight };
         let form = Form { moments: conditions.moments, spin: conditions.axis * spin, weight };
         let folds: Vec<f64> = census.iter().flat_map(|census| &census.stretches).map(|stretch| stretch.to).collect();
         let folds: Vec<f64> = folds.into_iter().filter(|w| w.is_finite()).collect();
-        let pieces = form.branches(&folds).into_iter().flat_map(|branch| pieces(&form, branch)).collect();
+        let mut known = Known { fates: &fates, case, axes: derived.full.axes, at: HashMap::new() };
+        let pieces = form.branches(&folds).into_iter().flat_map(|branch| pieces(&mut known, branch)).collect();
         Case { conditions, speed, singularity: derived.singularity, pieces, census }
     };
     let censuses = census.into_iter().map(Result::ok);
     let cases = all.cases.iter().zip(censuses).map(of_case);
     cases.filter(|case| case.conditions.weight.norm() > 0.0).collect()
-}
-
-/// How pieces are told apart: by their stability.
-fn class(piece: &Piece) -> (usize, &'static str) {
-    match piece.fate {
-        Some(fate) => (Fate::ALL.iter().position(|known| *known == fate).unwrap_or(0), fate.name()),
-        None => (Fate::ALL.len(), "no rotation: its square would be negative"),
-    }
 }
 
 /// A piece as a curve of points in space with the angular velocity as value, thinned.
@@ -199,51 +170,6 @@ fn study(found: &[(Case, Vec<&str>)]) -> Study {
     }
 }
 
-/// For each branch: how far the vertical is from the centre of mass, and the vertical momentum, over the angular velocity.
-fn along(case: &Case) -> charts::Trajectory {
-    let (conditions, reach) = (&case.conditions, reach(case));
-    let down = conditions.weight.normalize();
-    let angle = |v: &Vector3<f64>, _: f64| v.dot(&down).clamp(-1.0, 1.0).acos().to_degrees();
-    let momentum = |v: &Vector3<f64>, w: f64| {
-        v.component_mul(&conditions.moments).dot(v) * w + conditions.spin * conditions.axis.dot(v)
-    };
-    let panel = |y: &str, value: &dyn Fn(&Vector3<f64>, f64) -> f64| {
-        // in the order of the classes, so that they look as on the sphere
-        let mut pieces: Vec<&Piece> = case.pieces.iter().filter(|piece| piece.fate.is_some()).collect();
-        pieces.sort_by_key(|piece| class(piece).0);
-        let track = |piece: &&Piece| Track {
-            name: class(piece).1.to_owned(),
-            points: piece.points.iter().filter(|(_, w)| w.abs() <= reach).map(|(v, w)| (*w, value(v, *w))).collect(),
-            stopped: None,
-        };
-        let series = pieces.iter().map(track).filter(|track| !track.points.is_empty()).collect();
-        Panel { y: y.to_owned(), series }
-    };
-    charts::Trajectory {
-        title: format!("The angular velocity along the cone, the rotor at {} rad/s", significant(case.speed, 4)),
-        x: "angular velocity of the carrier, rad/s".into(),
-        panels: vec![panel("angle from e, degrees", &angle), panel("vertical momentum, N m s", &momentum)],
-        note: "A vertical line meets the upper curves in all stationary motions with that angular velocity; a horizontal one \
-               meets the lower curves in all with that momentum, which every motor conserves."
-            .into(),
-    }
-}
-
-fn table(case: &Case) -> Option<Table> {
-    let census = case.census.as_ref()?;
-    let bound =
-        |w: f64| if w.is_finite() { significant(w, 6) } else { (if w < 0.0 { "−∞" } else { "∞" }).to_owned() };
-    let rows = census.stretches.iter().map(|stretch| {
-        let families = if stretch.families > 0 { format!(" and {} families", stretch.families) } else { String::new() };
-        vec![bound(stretch.from), bound(stretch.to), format!("{}{families}", stretch.isolated)]
-    });
-    Some(Table {
-        caption: format!("How many stationary motions, the rotor at {} rad/s", significant(case.speed, 4)),
-        head: ["from, rad/s", "to, rad/s", "motions"].map(String::from).into(),
-        rows: rows.collect(),
-    })
-}
-
 /// What carrier and rotor come to, in the principal axes of A*.
 fn facts(case: &Case) -> Vec<(String, String)> {
     let Case { conditions, speed, singularity, .. } = case;
@@ -259,63 +185,4 @@ fn facts(case: &Case) -> Vec<(String, String)> {
         ("$D = \\det A / \\det A^*$", significant(*singularity, 4)),
     ];
     facts.map(|(name, value)| (name.to_owned(), value)).into()
-}
-
-/// The directions that the gyrostat itself has.
-fn named(conditions: &Stationary<f64>) -> [Mark; 3] {
-    let mark = |name: &str, at: Vector3<f64>, note: &str| Mark {
-        name: name.into(),
-        at: at.into(),
-        note: note.into(),
-        hollow: false,
-    };
-    let down = conditions.weight.normalize();
-    [
-        mark("l, rotor", conditions.axis, "the rotor's axis"),
-        mark("e, hanging", down, "the centre of mass below the fixed point, at rest"),
-        mark("\u{2212}e, upright", -down, "the centre of mass above the fixed point, at rest"),
-    ]
-}
-
-/// The principal directions, which lie on the line whatever the data, where no angular velocity makes a motion.
-fn idle(conditions: &Stationary<f64>) -> Vec<Mark> {
-    let directions = (0..3).flat_map(|i| [1.0, -1.0].map(|sign| Vector3::ith(i, sign)));
-    let idle = directions.filter(|direction| !turns_about(conditions, *direction));
-    idle.map(|at| Mark {
-        at: at.into(),
-        note: "principal direction: on the line, but no rotation about it".into(),
-        hollow: true,
-        ..Mark::default()
-    })
-    .collect()
-}
-
-/// Whether some angular velocity about a principal direction is a motion. The missing moment there is b + a w0, because
-/// A* v x v vanishes: so a and b must be parallel.
-fn turns_about(conditions: &Stationary<f64>, direction: Vector3<f64>) -> bool {
-    let still = conditions.missing_moment(direction, 0.0);
-    let slope = conditions.missing_moment(direction, 1.0) - still;
-    let (a, b) = (slope.norm(), still.norm());
-    if b <= ROUNDING * conditions.weight.norm() {
-        return true;
-    }
-    a > ROUNDING * conditions.spin.abs() && slope.cross(&still).norm() <= ROUNDING * a * b
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn gyrostat(axis: [f64; 3], weight: [f64; 3]) -> Stationary<f64> {
-        Stationary { moments: Vector3::new(3.0, 4.0, 5.0), axis: axis.into(), spin: 2.0, weight: weight.into() }
-    }
-
-    #[test]
-    fn principal_directions_are_rings_unless_some_rotation_about_them_is_a_motion() {
-        assert_eq!(idle(&gyrostat([0.6, 0.0, 0.8], [0.0, 3.0, 1.0])).len(), 6);
-        // rotor and weight in one principal plane: a rotation about each of its two axes, the rest along none
-        assert_eq!(idle(&gyrostat([0.6, 0.8, 0.0], [1.0, 3.0, 0.0])).len(), 2);
-        // hanging on a principal axis is a rest at least
-        assert_eq!(idle(&gyrostat([0.6, 0.0, 0.8], [1.0, 0.0, 0.0])).len(), 2);
-    }
 }

@@ -1,0 +1,72 @@
+//! `dalembert stationary --map A=FROM..TO --map B=FROM..TO`: where the rotation about the rotor's axis is stable.
+
+use super::{Asked, Ranged};
+use crate::arguments::Format;
+use crate::ending::{Ending, print};
+use crate::stability_map;
+use derivations::scene::Scene;
+use derivations::stationary::stability::datum::{Datum, Unknown};
+use derivations::stationary::stability::plane::{Cell, NoPlane};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Prints it, and writes the picture where one is asked for.
+pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
+    let refused = |reason: NoPlane| Ending::refused(format!("{}: {reason}", asked.scene.display()));
+    let unknown = |reason: Unknown| Ending::refused(format!("{}: {reason}", asked.scene.display()));
+    let [first, second] = &asked.map[..] else {
+        return Err(Ending::refused("a map has two data; --map A=FROM..TO --map B=FROM..TO is accepted"));
+    };
+    let datum = |ranged: &Ranged| Datum::named(scene, &ranged.name).map_err(unknown);
+    let data = [datum(first)?, datum(second)?];
+    let map = stability_map::Asked {
+        scene,
+        data: [(&data[0], first.range), (&data[1], second.range)],
+        speed: asked.omega0.unwrap_or(0.0),
+        hanging: !asked.upright,
+    };
+    let columns = map.columns().map_err(refused)?;
+    if let Some(path) = &asked.out {
+        let picture = map.map(&columns).svg();
+        std::fs::write(path, picture).map_err(|error| Ending::unwritable(path, &error))?;
+    }
+    print(&match asked.format {
+        Format::Text => text(scene, &data, &columns),
+        Format::Json => format!("{:#}\n", object(scene, &data, &columns)),
+    })?;
+    Ok(Ending::Done)
+}
+
+fn text(scene: &Scene, [first, second]: &[Datum; 2], columns: &[(f64, Cell)]) -> String {
+    let mut out = format!("{}\n", scene.title);
+    for (value, cell) in columns {
+        // writing to a String cannot fail
+        let _ = write!(out, "{} = {value}: ", first.name);
+        let _ = match cell {
+            Cell::PulledOut => writeln!(out, "the motor is pulled out"),
+            Cell::Irrational => writeln!(out, "not decided: the rotor's speed is irrational"),
+            Cell::Decided(column) => {
+                let mut line = column.fates.first().map_or("", |fate| fate.name()).to_owned();
+                for (edge, fate) in column.edges.iter().zip(column.fates.iter().skip(1)) {
+                    let _ = write!(line, "; from {} = {} {}", second.name, edge.at, fate.name());
+                }
+                writeln!(out, "{line}")
+            }
+        };
+    }
+    out
+}
+
+fn object(scene: &Scene, [first, second]: &[Datum; 2], columns: &[(f64, Cell)]) -> Value {
+    let each = columns.iter().map(|(value, cell)| match cell {
+        Cell::Decided(column) => json!({
+            "value": value,
+            "edges": column.edges.iter().map(|edge| json!({ "at": edge.at, "neutral": edge.neutral })).collect::<Vec<_>>(),
+            "verdicts": column.fates.iter().map(|fate| fate.name()).collect::<Vec<_>>(),
+        }),
+        Cell::PulledOut => json!({ "value": value, "pulled_out": true }),
+        Cell::Irrational => json!({ "value": value, "verdicts": null }),
+    });
+    json!({ "scene": scene.title, "model": scene.machine.name(), "first": first.name, "second": second.name,
+            "columns": each.collect::<Vec<_>>() })
+}

@@ -1,0 +1,34 @@
+//! Why a scene has no answer.
+
+use crate::stationary::motor::NoMotor;
+use std::fmt;
+
+/// Why there is no answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoAnswer {
+    /// A motor on a bench has no carrier.
+    Bench,
+    Motor(NoMotor),
+    /// A number is infinite or no number.
+    NotFinite(f64),
+    /// More bits than are tried would be needed to tell motions apart.
+    TooFine,
+}
+
+impl fmt::Display for NoAnswer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Bench => {
+                write!(
+                    f,
+                    "a motor on a bench has no carrier that could turn; a scene with system = \"gyrostat\" is accepted"
+                )
+            }
+            Self::Motor(reason) => reason.fmt(f),
+            Self::NotFinite(value) => write!(f, "{value} is not finite; a finite number is accepted"),
+            Self::TooFine => write!(f, "motions lie closer together than 4096 bits tell apart"),
+        }
+    }
+}
+
+impl std::error::Error for NoAnswer {}

@@ -1,0 +1,28 @@
+//! Circles of motions: what is the same for all of their members.
+
+use super::letters::kept;
+use crate::papers::konosevich2022::Letters;
+use crate::stationary::stability::reduced::Reduced;
+use claims::{Condition, Page};
+use nalgebra::{Matrix3, Vector3};
+
+use Condition::Equal;
+
+pub fn claims(page: &mut Page, s: &Letters) {
+    page.section("Stability: circles of motions");
+    let [equal, own] = [s.a_star.x, s.a_star.z];
+    let tensor = Matrix3::from_diagonal(&Vector3::new(equal, equal, own));
+    let circle = Reduced { tensor, multiplier: s.omega0.powi(2) * equal, ..kept(s) };
+    let [_, _, b] = circle.polynomial();
+    let stiff = s.omega0.powi(2) * (equal - own);
+    let across = s.nu.cross(&circle.coupling()).z;
+    page.claim("family", "sign", r"on a circle of motions $A_1^*=A_2^*$ and $\lambda=\omega^{0\,2}A_1^*$, the rotor's axis anywhere: the last coefficient is $b=\omega^{0\,2}(A_1^*-A_3^*)\,((\nu\times\kappa)\cdot\xi_3)^2$. So at constant speed all members have one fate: stable by energy where $A_1^*>A_3^*$, unstable where $A_1^*<A_3^*$, but for those with $b=0$: all of them where rotor and weight lie along the axis, which then nods about them with $z^2=-a$, and otherwise single ones, at which the vertical momentum is greatest or least along the circle")
+        .follows([Equal(b, stiff * across.powi(2))]);
+    let y = super::alphabet::vector("δν");
+    let weight = circle.weight();
+    page.claim("family", "energy", r"there the energy of a tilt at fixed vertical momentum is a sum of two squares, $Q=\omega^{0\,2}(A_1^*-A_3^*)\,\delta\nu_3^2+(\kappa\cdot\delta\nu)^2/\nu\cdot A^*\nu$: it is definite across the circle if and only if $A_1^*>A_3^*$")
+        .follows([Equal(
+            (circle.energy() * y).dot(&y),
+            stiff * y.z.powi(2) + circle.coupling().dot(&y).powi(2) / weight,
+        )]);
+}

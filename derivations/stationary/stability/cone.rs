@@ -1,0 +1,48 @@
+//! What becomes of a tilt at every point of the cone that has a given angular velocity: exactly, at constant speed.
+
+use super::reduced::{Fate, Reduced};
+use crate::stationary::energies::Energies;
+use crate::stationary::motions::Case;
+use field::Rational;
+use nalgebra::Vector3;
+use symbolic::real::Enclosure;
+use symbolic::{Formulas, Unbound, symbols};
+
+/// What decides, as formulas of (w0, v, W).
+pub struct Fates(Formulas);
+
+/// Bits that are tried; what then still has no sign is on the edge for all that is known.
+const BITS: [usize; 3] = [64, 256, 1024];
+
+impl Fates {
+    /// Of a gyrostat whose rotor keeps its relative speed.
+    ///
+    /// # Errors
+    /// [`Unbound`], never: all is sums, products and quotients.
+    pub fn of(energies: &Energies<Rational>) -> Result<Self, Unbound> {
+        let unknowns = symbols(["w0", "v1", "v2", "v3", "W"]);
+        let [speed, v1, v2, v3, rotor_speed] = unknowns;
+        let motion = Reduced::kept(&energies.written(), speed, Vector3::new(v1, v2, v3), rotor_speed);
+        Formulas::of(&motion.deciding(), &unknowns).map(Fates)
+    }
+
+    /// All isolated directions with one angular velocity, each with its fate; none where that is undefined.
+    pub fn at(&self, case: &Case, w: f64) -> Vec<(Vector3<f64>, Fate)> {
+        let speed = Rational::exactly(w);
+        let Some(all) = case.body.rotations(speed) else { return Vec::new() };
+        let isolated = all.motions.iter().take(all.isolated());
+        let fate = |v: [Enclosure; 3], bits: usize| -> Option<Fate> {
+            let [v1, v2, v3] = v;
+            let place = [Enclosure::rational(speed, bits)?, v1, v2, v3, case.value.enclosure(bits)];
+            let values = self.0.values(&place, &Enclosure::integer(1, bits))?;
+            let signs: Vec<i32> = values.iter().map(Enclosure::sign).collect::<Option<_>>()?;
+            Some(Fate::by_signs(signs.try_into().ok()?))
+        };
+        let each = isolated.filter_map(|motion| {
+            let decided = BITS.iter().find_map(|&bits| fate(motion.direction(bits)?, bits));
+            let v = motion.direction(64)?.each_ref().map(Enclosure::to_f64);
+            Some((Vector3::from(v), decided.unwrap_or(Fate::Edge)))
+        });
+        each.collect()
+    }
+}

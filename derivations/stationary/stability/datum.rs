@@ -1,0 +1,128 @@
+//! The data of a scene and of its motions by their names, and the scene with other values of them.
+
+use crate::ensemble::known::{Data, Known, Place};
+use crate::scene::{Scene, System};
+use crate::stationary::energies::Energies;
+use crate::stationary::motions::decimals;
+use field::Rational;
+use std::fmt;
+
+/// A datum of a scene or of its motion.
+#[derive(Clone, Debug)]
+pub struct Datum {
+    pub name: String,
+    pub unit: &'static str,
+    pub(super) place: Where,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Where {
+    /// A constant moment against the rotor's turning, N m.
+    Load,
+    /// w0, rad/s
+    Speed,
+    /// W, rad/s, whatever the motor would keep.
+    RotorSpeed,
+    /// Components of one number.
+    Data { place: Place, components: Vec<usize> },
+}
+
+/// A scene's data with some changed.
+#[derive(Clone)]
+pub(super) struct Setting {
+    pub data: Data,
+    pub load: f64,
+    pub speed: f64,
+    pub rotor_speed: Option<f64>,
+}
+
+/// No datum has this name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unknown {
+    pub name: String,
+    pub known: Vec<String>,
+}
+
+impl fmt::Display for Unknown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no datum has the name `{}`; accepted: {}", self.name, self.known.join(", "))
+    }
+}
+
+impl std::error::Error for Unknown {}
+
+impl Datum {
+    /// By the name that a file or the command line uses: `load`, `omega0`, `rotor_speed`, `gravity`, `carrier.centre.3`,
+    /// `carrier.inertia.12`, `machine.field_speed` and the like.
+    ///
+    /// # Errors
+    /// [`Unknown`] lists all names.
+    pub fn named(scene: &Scene, name: &str) -> Result<Self, Unknown> {
+        let all = Self::all(scene);
+        let known = || all.iter().map(|datum| datum.name.clone()).collect();
+        all.iter()
+            .find(|datum| datum.name == name)
+            .cloned()
+            .ok_or_else(|| Unknown { name: name.to_owned(), known: known() })
+    }
+
+    fn all(scene: &Scene) -> Vec<Self> {
+        let of_motion = [
+            ("load", "N m", Where::Load),
+            ("omega0", "rad/s", Where::Speed),
+            ("rotor_speed", "rad/s", Where::RotorSpeed),
+        ];
+        let mut all: Vec<Datum> =
+            of_motion.into_iter().map(|(name, unit, place)| Datum { name: name.into(), unit, place }).collect();
+        for (table, known) in Known::of(scene).into_iter().filter(|(table, _)| *table != "start") {
+            for Known { key, unit, components, place, .. } in known {
+                let name = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
+                // a symmetric tensor has each component beside the diagonal twice
+                let parts: Vec<(String, Vec<usize>)> = match components {
+                    1 => vec![(name, vec![0])],
+                    6 => [[1, 1], [1, 2], [1, 3], [2, 2], [2, 3], [3, 3]]
+                        .map(|[i, j]| (format!("{name}.{i}{j}"), vec![3 * i + j - 4, 3 * j + i - 4]))
+                        .into(),
+                    count => (1..=count).map(|i| (format!("{name}.{i}"), vec![i - 1])).collect(),
+                };
+                all.extend(parts.into_iter().map(|(name, components)| Datum {
+                    name,
+                    unit,
+                    place: Where::Data { place, components },
+                }));
+            }
+        }
+        all
+    }
+
+    pub(super) fn is_of_motor(&self) -> bool {
+        matches!(self.place, Where::Load | Where::Data { place: Place::Machine(_), .. })
+    }
+}
+
+impl Setting {
+    pub fn with(&self, datum: &Datum, value: f64) -> Self {
+        let mut set = self.clone();
+        match &datum.place {
+            Where::Load => set.load = value,
+            Where::Speed => set.speed = value,
+            Where::RotorSpeed => set.rotor_speed = Some(value),
+            Where::Data { place: Place::Machine(place), .. } => set.data.machine[*place] = value,
+            Where::Data { place: Place::Bodies(of), components } => {
+                if let Some(numbers) = of(&mut set.data.system) {
+                    components.iter().for_each(|k| numbers[*k] = value);
+                }
+            }
+            Where::Data { place: Place::Start(_), .. } => {}
+        }
+        set
+    }
+
+    /// T and V as fractions.
+    pub fn energies(&self) -> Option<Energies<Rational>> {
+        match &self.data.system {
+            System::Gyrostat(bodies) => Some(Energies::of(&decimals(bodies))),
+            System::Bench { .. } => None,
+        }
+    }
+}

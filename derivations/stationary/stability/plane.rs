@@ -1,0 +1,160 @@
+//! Maps over any two data of a scene, by their names: where the rotation about the axis of rotor and weight is stable, and where
+//! the motor bears it.
+//!
+//! The first datum may be anything: at each of its values the motor's own stationary state is known, and with it W. The second
+//! is one on which T and V, or the speeds, depend as polynomials: then b and a^2 - 4 b are polynomials in it.
+
+use super::datum::{Datum, Setting, Where};
+use super::map::{Column, OneAxis};
+use super::reduced::Reduced;
+use crate::ensemble::known::Data;
+use crate::scene::Scene;
+use crate::stationary::motor::{Bears, Motor};
+use field::{Rational, Scalar};
+use std::fmt;
+
+/// Why there is no map.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoPlane {
+    Bench,
+    /// The second datum changes the motor's stationary state.
+    NotPolynomial(String),
+    /// Somewhere rotor, weight and a principal axis part.
+    Oblique {
+        name: String,
+        value: f64,
+    },
+    NoMotor(String),
+}
+
+/// What is at one value of the first datum.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    Decided(Column),
+    /// The motor keeps no speed: it is pulled out.
+    PulledOut,
+    /// The speed that it keeps is no fraction.
+    Irrational,
+}
+
+/// A scene over two data.
+pub struct Plane<'a> {
+    scene: &'a Scene,
+    data: Data,
+    first: &'a Datum,
+    second: &'a Datum,
+    /// w0, rad/s, unless that is one of both
+    speed: f64,
+    /// About the rotor's axis, or its opposite.
+    along: bool,
+}
+
+/// More than the degree of a^2 - 4 b in any datum: b is cubic in tensor, speeds and weight together, these are at most quadratic
+/// in lengths.
+const NODES: usize = 13;
+
+impl<'a> Plane<'a> {
+    /// Over two data, with w0, rad/s, about the rotor's axis or its opposite.
+    ///
+    /// # Errors
+    /// [`NoPlane`].
+    pub fn of(scene: &'a Scene, [first, second]: [&'a Datum; 2], speed: f64, along: bool) -> Result<Self, NoPlane> {
+        if scene.on_bench() {
+            return Err(NoPlane::Bench);
+        }
+        if second.is_of_motor() {
+            return Err(NoPlane::NotPolynomial(second.name.clone()));
+        }
+        Ok(Plane { scene, data: Data::of(scene), first, second, speed, along })
+    }
+
+    /// At one value of the first datum, the second in a range.
+    ///
+    /// # Errors
+    /// [`NoPlane`].
+    pub fn cell(&self, value: f64, [low, high]: [f64; 2]) -> Result<Cell, NoPlane> {
+        let all = Setting { data: self.data.clone(), load: 0.0, speed: self.speed, rotor_speed: None };
+        let here = all.with(self.first, value);
+        let rotor_speed = match self.kept(&here)? {
+            Ok(kept) => kept,
+            Err(cell) => return Ok(cell),
+        };
+        let axis_at = |at: f64| {
+            let energies = here.with(self.second, at).energies();
+            energies.as_ref().and_then(|energies| OneAxis::about(energies, self.along))
+        };
+        let nodes: Vec<f64> = (0..NODES).map(|k| low + (high - low) * k as f64 / (NODES - 1) as f64).collect();
+        if let Some(at) = nodes.iter().find(|at| axis_at(**at).is_none()) {
+            return Err(NoPlane::Oblique { name: self.second.name.clone(), value: *at });
+        }
+        let motion = |at: Rational| -> Option<Reduced<Rational>> {
+            let value = at.to_f64();
+            let set = here.with(self.second, value);
+            let speed = if matches!(self.second.place, Where::Speed) { at } else { Rational::decimal(set.speed) };
+            let kept = if matches!(self.second.place, Where::RotorSpeed) { at } else { rotor_speed };
+            // at all values, since the components beside the axis are polynomials that vanish at the nodes
+            Some(axis_at(value)?.motion(speed, kept))
+        };
+        let nodes: Vec<Rational> = nodes.into_iter().map(Rational::decimal).collect();
+        let oblique = || NoPlane::Oblique { name: self.second.name.clone(), value: low };
+        Column::of(&nodes, [low, high], &motion).map(Cell::Decided).ok_or_else(oblique)
+    }
+
+    /// W, or why there is none.
+    fn kept(&self, here: &Setting) -> Result<Result<Rational, Cell>, NoPlane> {
+        if let Some(speed) = here.rotor_speed.filter(|_| !matches!(self.second.place, Where::RotorSpeed)) {
+            return Ok(Ok(Rational::decimal(speed)));
+        }
+        if matches!(self.second.place, Where::RotorSpeed) {
+            return Ok(Ok(Rational::int(0)));
+        }
+        let speed = match self.motor(here)? {
+            Motor::Free => return Ok(Ok(Rational::decimal(here.data.start.rotor_speed))),
+            Motor::Kept { speed } => Some(speed),
+            Motor::InStep { speed, angles, .. } => Some(speed).filter(|_| !angles.is_empty()),
+            Motor::Slipping { speeds, .. } => speeds.into_iter().find(|slip| slip.slope < 0).map(|slip| slip.speed),
+        };
+        let Some(speed) = speed else { return Ok(Err(Cell::PulledOut)) };
+        let fraction = speed.enclosure(256).simplest();
+        let same = symbolic::real::Root::rational(fraction).is_some_and(|root| root.compare(&speed).is_eq());
+        Ok(if same { Ok(fraction) } else { Err(Cell::Irrational) })
+    }
+
+    fn motor(&self, here: &Setting) -> Result<Motor, NoPlane> {
+        let mut data = self.scene.machine_data.clone();
+        data.numbers.iter_mut().zip(&here.data.machine).for_each(|((_, value), new)| *value = *new);
+        Motor::under(&self.scene.machine, &data, here.load).map_err(|reason| NoPlane::NoMotor(reason.to_string()))
+    }
+
+    /// The loads at which the motor is pulled out, N m, where the first datum is the load.
+    pub fn bears(&self) -> Option<Bears> {
+        let here = Setting { data: self.data.clone(), load: 0.0, speed: self.speed, rotor_speed: None };
+        match (&self.first.place, self.motor(&here)) {
+            (Where::Load, Ok(Motor::InStep { bears, .. })) => bears,
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for NoPlane {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Bench => {
+                write!(f, "a motor on a bench has no carrier; a scene with system = \"gyrostat\" is accepted")
+            }
+            Self::NotPolynomial(name) => write!(
+                f,
+                "`{name}` changes what the motor keeps, so that a verdict is no polynomial in it; it is accepted as the first of \
+                 the two data"
+            ),
+            Self::Oblique { name, value } => write!(
+                f,
+                "where {name} is {value}, rotor, weight and a principal axis do not lie along one line; a gyrostat whose \
+                 rotor, centre of mass and principal axis agree is accepted"
+            ),
+            Self::NoMotor(reason) => write!(f, "{reason}"),
+        }
+    }
+}
+
+impl std::error::Error for NoPlane {}
