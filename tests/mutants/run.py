@@ -10,7 +10,7 @@ differs.
     tests/mutants/run.py forms kloss  those whose file or name contains a word: their rows alone are written anew
     tests/mutants/run.py --generate 20 crates/symbolic/src/parse
                                       so many of all that a rule breaks in these files, beside those that were thought of:
-                                      what survives is told and written nowhere
+                                      what the programs of their subject let pass is told, and written nowhere
 
 It fails where a mutant does not compile, where one survives without a reason, and where one that is said to change
 nothing is caught.
@@ -182,14 +182,15 @@ def failing_laws(tests: list[str], programs: dict[str, Path]) -> list[str]:
     return [law.split("::")[-1].replace("_", " ") for test in tests for law in failures(test, programs)]
 
 
-def examine_mutant(file: str, name: str, old: str, new: str, reason: str = "") -> Outcome:
+def examine_mutant(file: str, name: str, old: str, new: str, reason: str = "", alone: bool = False) -> Outcome:
+    """Alone: by nothing but the programs whose subject the file is, where that is said."""
     path = COPY / file
     sound = path.read_text()
     path.write_text(sound.replace(old, new))
     try:
         if near(file):
             outcome = examine_by(near(file), name, reason, crates_of([file]))
-            if outcome.caught() or not outcome.compiles:
+            if alone or outcome.caught() or not outcome.compiles:
                 return outcome
         return examine(name, reason, crates_of([file]))
     finally:
@@ -205,7 +206,7 @@ def examine_generated(most: int, words: list[str]) -> None:
     print(f"{len(chosen)} of {len(every)} mutants of {len(files)} files", flush=True)
     verdicts: Counter[str] = Counter()
     for number, (file, name, text) in enumerate(chosen, 1):
-        outcome = examine_mutant(file, name, (COPY / file).read_text(), text)
+        outcome = examine_mutant(file, name, (COPY / file).read_text(), text, alone=True)
         verdicts[outcome.verdict()] += 1
         print(f"{number:3}/{len(chosen)} {outcome.verdict():17} {file}: {name}", flush=True)
     print(", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()))

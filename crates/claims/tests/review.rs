@@ -66,6 +66,15 @@ fn the_same_written_otherwise_is_no_change_of_a_term() {
     assert!(matches!(changes.as_slice(), [Change::Rewritten { place: 0, .. }]), "{changes:?}");
 }
 
+#[test]
+fn letters_inside_a_root_count_with_those_outside() {
+    let changes = after("K*w2", "K*w2*sqrt(w1^2 + w2^2)");
+    let [Change::Terms { terms, .. }] = &changes[..] else { panic!("{changes:?}") };
+    let [lost, new] = &terms[..] else { panic!("{terms:?}") };
+    assert_eq!((lost.edit, new.edit), (Edit::Gone, Edit::New));
+    assert_eq!([lost.meaning, new.meaning], ["viscous friction, or a spin's gyroscopic moment"; 2]);
+}
+
 /// Both are brought over one denominator: what was not divided is the same before and after.
 #[test]
 fn a_term_that_is_divided_now_is_lost_and_new_and_no_other_changed() {
