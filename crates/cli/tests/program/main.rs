@@ -3,6 +3,7 @@
 mod book;
 mod ensembles;
 mod formats;
+mod motors;
 mod refusals;
 mod runs;
 
