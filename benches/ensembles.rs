@@ -144,11 +144,11 @@ fn runge_kutta<const FUSED: bool>(scene: &Scene) {
     };
     match start.len() {
         8 => {
-            let Ok(machine) = Synchronous::read(|q| Ok::<_, std::convert::Infallible>(lanes(number(q.name))));
+            let Ok(machine) = Synchronous::read(|q| Ok::<_, std::convert::Infallible>(lanes(number(&q.name))));
             in_lanes(&Driven::new(form, machine), &start);
         }
         _ => {
-            let Ok(windings) = Windings::read(|q| Ok::<_, std::convert::Infallible>(lanes(number(q.name))));
+            let Ok(windings) = Windings::read(|q| Ok::<_, std::convert::Infallible>(lanes(number(&q.name))));
             in_lanes(&Driven::new(form, MultiCurrent::evenly(windings, 6)), &start);
         }
     }

@@ -1,7 +1,8 @@
 //! Equations of motion for reading: derived by a chosen principle, brought to normal form, solved for nothing.
 
-use crate::machines::drive;
+use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine, drive};
 use crate::papers::konosevich2022::Letters;
+use crate::scene::{MachineData, Named};
 use crate::systems::gyrostat::Motion;
 use field::Circle;
 use mechanics::rotation::{euler, vertical};
@@ -103,14 +104,37 @@ fn motor(s: &Letters, principle: Principle) -> Result<Vec<Equation>, NotDerived>
         return Err(NotDerived::Inapplicable { system: "motor", accepted: "maxwell" });
     }
     let bars = 3;
-    let machine = s.motor(bars);
-    let currents = s.currents(bars);
+    of_machine(s, &s.motor(bars), &s.currents(bars))
+}
+
+/// The motor of a scene, its parameters by their names: moment and currents by Lagrange and Maxwell.
+///
+/// # Errors
+/// [`NotDerived::TooLarge`].
+pub fn motor_of(machine: &AnyMachine, data: &MachineData) -> Result<Vec<Equation>, NotDerived> {
+    machine.clone().apply(OfScene(data))
+}
+
+struct OfScene<'a>(&'a MachineData);
+
+impl ForMachine for OfScene<'_> {
+    type Output = Result<Vec<Equation>, NotDerived>;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> Self::Output {
+        let Ok(machine) = M::read::<Sym, _>(&mut Named::new(self.0));
+        let currents: Vec<Sym> = (0..machine.windings()).map(|k| Sym::symbol(&machine.current_name(k))).collect();
+        of_machine(&Letters::default(), &machine, &currents)
+    }
+}
+
+/// M and L di/dt of any motor.
+fn of_machine(s: &Letters, machine: &impl Machine<Sym>, currents: &[Sym]) -> Result<Vec<Equation>, NotDerived> {
     let mut rates = vec![Sym::ZERO; currents.len()];
     let angle: Circle<Sym> = s.angle();
-    let moment = drive(&machine, angle, s.dgamma, &currents, &mut rates);
+    let moment = drive(machine, angle, s.dgamma, currents, &mut rates);
     let mut equations = vec![Equation { left: s.moment, right: simplified(moment, &Hypotheses::none())? }];
     for (k, (current, rate)) in currents.iter().zip(rates).enumerate() {
-        let inductance = crate::machines::Machine::inductance(&machine, k);
+        let inductance = machine.inductance(k);
         let name = Sym::named(&format!("d{current}/dt"), &format!(r"\frac{{d{}}}{{dt}}", current.latex()));
         equations
             .push(Equation { left: inductance * name, right: simplified(inductance * rate, &Hypotheses::none())? });

@@ -5,6 +5,7 @@
 //! * [`derive`](mod@derive): equations of motion by a chosen principle, for reading;
 //! * [`differentiated`]: a system with its Jacobian as code of its own;
 //! * [`closed_forms`]: motions that are known, by which runs and references are measured;
+//! * [`conformance`]: what every motor must do, whoever wrote it;
 //! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
 //! * [`ensemble`]: many systems of one kind with data of their own, run side by side;
 //! * [`ladder`]: smaller models under the one of a scene, what each step loses, the cheapest that suffices;
@@ -28,6 +29,7 @@
 
 pub mod alphabet;
 pub mod closed_forms;
+pub mod conformance;
 pub mod derive;
 pub mod differentiated;
 pub mod ensemble;

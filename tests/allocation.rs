@@ -64,7 +64,7 @@ struct Bars(usize);
 impl Source for Bars {
     type Error = Infallible;
 
-    fn quantity(&mut self, _quantity: &'static Quantity) -> Result<f64, Infallible> {
+    fn quantity(&mut self, _quantity: &Quantity) -> Result<f64, Infallible> {
         Ok(0.7)
     }
 
@@ -107,6 +107,15 @@ fn the_right_hand_side_allocates_nothing() {
             assert_eq!(machine.apply(Evaluate(g.second_form().0)), 0, "{name} with {bars} bars, second form");
         }
     }
+}
+
+#[test]
+fn the_right_hand_side_of_a_written_motor_allocates_nothing() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/machines/reluctance.toml");
+    let machine = Scene::open(&path).expect("it is in order").machine;
+    let g = rounded(&gyrostats::opposite_sign().gyrostat);
+    assert_eq!(machine.clone().apply(Evaluate(g.first_form().0)), 0, "first form");
+    assert_eq!(machine.apply(Evaluate(g.second_form().0)), 0, "second form");
 }
 
 #[test]

@@ -1,16 +1,20 @@
-//! CONTRIBUTING.md adds a motor; this does what it says, in a copy of the project, and runs the laws of all machines.
+//! CONTRIBUTING.md adds a motor; this does what it says, in a copy of the project, and runs the laws of all machines. So
+//! does the program with `new motor`, in the same copy.
 //!
 //! A copy that cargo builds, and not an `include!` of the example, because the promise is about the whole: one file, one
 //! line, no other change. The copy keeps the times of the files and shares the folder of build products, so that only
 //! the root package is built anew, under a version of its own: seconds.
 
+use derivations::conformance::{Verdict, conform};
+use derivations::scene::{Family, Scene};
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// A block of code with the last file named before it.
+/// A block of code in a language, with the last file named before it.
 struct Block {
+    language: String,
     path: String,
     code: String,
 }
@@ -20,9 +24,10 @@ fn blocks(section: &str) -> Vec<Block> {
     let mut path = String::new();
     let mut lines = section.lines();
     while let Some(line) = lines.next() {
-        if line.starts_with("```") {
+        if let Some(language) = line.strip_prefix("```") {
+            let language = language.to_owned();
             let code = lines.by_ref().take_while(|line| *line != "```").map(|line| format!("{line}\n")).collect();
-            blocks.push(Block { path: path.clone(), code });
+            blocks.push(Block { language, path: path.clone(), code });
         } else if let Some(named) = line.split('`').skip(1).step_by(2).filter(|word| word.ends_with(".rs")).last() {
             path = named.to_owned();
         }
@@ -85,12 +90,28 @@ fn change(path: &Path, by: impl Fn(&str) -> String) {
     fs::write(path, changed).expect("a file can be written");
 }
 
-#[test]
-fn the_motor_of_the_documentation_can_be_added_as_it_says() {
+/// What CONTRIBUTING says of motors.
+fn motors() -> Vec<Block> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let text = fs::read_to_string(root.join("CONTRIBUTING.md")).expect("there is a CONTRIBUTING.md");
-    let section = text.split("\n## ").find(|section| section.starts_with("Add a motor")).expect("it adds a motor");
-    let blocks = blocks(section);
+    blocks(text.split("\n## ").find(|section| section.starts_with("Add a motor")).expect("it adds a motor"))
+}
+
+/// What the program begins, in a folder that is a project.
+fn begin(root: &Path, name: &str, project: &Path) {
+    let output = Command::new(env!("CARGO"))
+        .current_dir(root)
+        .args(["run", "--offline", "--quiet", "-p", "dalembert-cli", "--", "new", "motor", name, "--project"])
+        .arg(project)
+        .output()
+        .expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn the_motor_of_the_documentation_and_a_new_one_can_be_added_as_it_says() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let blocks: Vec<Block> = motors().into_iter().filter(|block| block.language == "rust").collect();
     assert_eq!(blocks.len(), 3, "a file, a line and a test");
 
     let scratch = Copy::of(root);
@@ -98,7 +119,7 @@ fn the_motor_of_the_documentation_can_be_added_as_it_says() {
         copy(&root.join(part), &scratch.0.join(part));
     }
     change(&scratch.0.join("Cargo.toml"), with_own_version);
-    for Block { path, code } in &blocks {
+    for Block { path, code, .. } in &blocks {
         let place = scratch.0.join(path);
         if place.exists() {
             change(&place, |text| listed(text, code));
@@ -106,16 +127,43 @@ fn the_motor_of_the_documentation_can_be_added_as_it_says() {
             fs::write(place, code).expect("a file can be written");
         }
     }
+    begin(root, "begun_here", &scratch.0);
     let name = Path::new(&blocks[0].path).file_stem().and_then(|name| name.to_str()).expect("the motor has a name");
     let products = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("it lies in the folder of products");
     let output = Command::new(env!("CARGO"))
         .current_dir(&scratch.0)
         .env("CARGO_TARGET_DIR", products)
-        .args(["test", "--offline", "--workspace", "--test", name, "--test", "gyrostats", "--", name])
-        .args(["power::", "the_moment"])
+        .args([
+            "test",
+            "--offline",
+            "--workspace",
+            "--test",
+            name,
+            "--test",
+            "begun_here",
+            "--test",
+            "gyrostats",
+            "--",
+            name,
+        ])
+        .args(["power::", "the_moment", "it_does_what", "moment_and_current"])
         .output()
         .expect("cargo runs");
     let (said, log) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success(), "{log}\n{said}");
     assert_eq!(said.matches("test result: ok. 0 passed").count(), 0, "some test ran nothing:\n{said}");
+    assert_eq!(said.matches("test result: ok. 2 passed").count(), 1, "a new motor has two tests:\n{said}");
+}
+
+#[test]
+fn the_motor_that_the_documentation_writes_as_text_conforms() {
+    let texts: Vec<Block> = motors().into_iter().filter(|block| block.language == "toml").collect();
+    assert_eq!(texts.len(), 1);
+    let rest = "title = \"t\"\nsystem = \"bench\"\n[rotor]\naxial = \"1e-3 kg m^2\"\n[start]\n\
+                rotor_speed = \"30 rad/s\"\n[run]\nspan = \"1 s\"\n";
+    let scene =
+        Scene::parse("CONTRIBUTING", &format!("{rest}{}", texts[0].code)).unwrap_or_else(|error| panic!("{error}"));
+    let findings = conform(&scene.machine, &scene.machine_data);
+    let failed = findings.iter().find(|finding| matches!(finding.verdict, Verdict::Fails(_)));
+    assert_eq!(failed, None);
 }

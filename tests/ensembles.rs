@@ -42,7 +42,7 @@ fn single(scene: &EnsembleScene, row: &Row) -> Scene {
     bodies.rotor.axial = axial;
     bodies.carrier.centre = [cx, cy, cz].into();
     for (quantity, value) in &mut one.machine_data.numbers {
-        match quantity.name {
+        match &*quantity.name {
             "b0" => *value = b0,
             "r2" => *value = r2,
             _ => {}

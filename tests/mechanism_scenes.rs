@@ -132,7 +132,7 @@ fn no_method_steps_over_the_axis() {
 /// What a mechanism shows at a state; every datum is 1 but those that are told.
 fn shown<M: Mechanism>(name: &str, y: &[f64], told: &[(&str, f64)]) -> f64 {
     let datum = |name: &str| told.iter().find(|(told, _)| *told == name).map_or(1.0, |(_, value)| *value);
-    let Ok(mechanism) = M::read(&mut |quantity| Ok::<_, Infallible>(datum(quantity.name)));
+    let Ok(mechanism) = M::read(&mut |quantity| Ok::<_, Infallible>(datum(&quantity.name)));
     let place = M::SHOWN.iter().position(|quantity| quantity.name == name).expect("it is shown");
     mechanism.shown(0.0, y)[place]
 }

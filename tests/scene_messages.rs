@@ -187,6 +187,79 @@ fn a_folder_is_no_scene() {
     compare("a_folder_is_no_scene", &Scene::open("scenes".as_ref()).expect_err("it is a folder"));
 }
 
+/// The sound scene's motor as text.
+const WRITTEN: &str = r#"model = "text"
+field_speed = "150 rad/s"
+field_energy = "-b0*cos(g)"
+moment_law = "-mu*g' - f*phi'"
+
+[machine.parameters]
+b0 = "0.15 N m"
+mu = "1e-5 N m s"
+f = "1e-4 N m s"
+a1 = "30 mWb"
+l1 = "30 mH"
+r1 = "1.2 ohm"
+t1 = "30 deg"
+
+[[machine.winding]]
+flux = "a1*cos(g + t1)"
+inductance = "l1"
+resistance = "r1"
+"#;
+
+/// The scene whose motor is written, with each of some texts replaced.
+fn written(edits: &[(&str, &str)]) -> String {
+    let compiled = "model = \"synchronous\"\nfield_speed = \"150 rad/s\"\nb0 = \"0.15 N m\"\nf = \"1e-4 N m s\"\n";
+    let text = scene(&[(compiled, WRITTEN)]);
+    edits.iter().fold(text, |text, (from, to)| {
+        assert_eq!(text.matches(from).count(), 1, "`{from}` must stand once in the scene");
+        text.replace(from, to)
+    })
+}
+
+#[test]
+fn the_sound_motor_as_text_is_accepted() {
+    Scene::parse("scene.toml", &written(&[])).unwrap_or_else(|error| panic!("{error}"));
+}
+
+/// The same for the scene whose motor is written.
+macro_rules! refuses_laws {
+    ($($name:ident: [$(($from:literal, $to:literal)),+ $(,)?] => [$($marked:literal),* $(,)?];)*) => {$(
+        #[test]
+        fn $name() {
+            refused(stringify!($name), &written(&[$(($from, $to)),+]), &[$($marked),*]);
+        }
+    )*};
+}
+
+refuses_laws! {
+    a_letter_of_a_law_that_is_no_parameter_names_the_nearest: [("\"-b0*cos(g)\"", "\"-b*cos(g)\"")] => ["b"];
+    a_term_of_another_dimension_is_marked_in_its_law: [("-mu*g' - f*phi'", "-mu*g' - b0*phi'")] => ["b0*phi'"];
+    a_law_of_another_dimension_says_both: [("a1*cos(g + t1)", "b0*cos(g + t1)")] => ["\"b0*cos(g + t1)\""];
+    an_angle_out_of_cosine_and_sine_is_no_law: [("\"-b0*cos(g)\"", "\"b0*g*g\"")] => ["g"];
+    half_an_angle_is_no_law_of_the_circle: [("\"-b0*cos(g)\"", "\"-b0*cos(g/2)\"")] => ["cos(g/2)"];
+    a_speed_in_an_energy_is_refused: [("\"-b0*cos(g)\"", "\"-b0*cos(g) + mu*g'\"")] => ["g'"];
+    an_angle_in_the_moment_law_is_refused: [("-mu*g' - f*phi'", "-mu*g' - b0*sin(g)")] => ["g"];
+    a_root_of_the_motion_is_refused: [("-mu*g' - f*phi'", "-mu*sqrt(g'*g') - f*phi'")] => ["sqrt(g'*g')"];
+    an_angle_with_a_dimension_is_refused: [("a1*cos(g + t1)", "a1*cos(g + l1)")] => ["l1"];
+    a_function_that_is_none_is_marked_in_its_law: [("\"-b0*cos(g)\"", "\"-b0*tan(g)\"")] => ["tan"];
+    a_winding_that_knows_the_motion_is_refused: [("resistance = \"r1\"", "resistance = \"r1*cos(g)\"")] => ["g"];
+    a_winding_without_its_parts_is_told_each: [("inductance = \"l1\"\nresistance = \"r1\"\n", "")]
+        => ["[[machine.winding]]", "[[machine.winding]]"];
+    a_motor_without_its_moment_law: [("moment_law = \"-mu*g' - f*phi'\"\n", "")] => ["[machine]"];
+    a_parameter_that_takes_a_letter_of_the_motion: [("mu = \"1e-5 N m s\"", "mu = \"1e-5 N m s\"\n\"g'\" = \"1\"")] => ["\"g'\""];
+    a_parameter_that_no_expression_can_name: [("mu = \"1e-5 N m s\"", "mu = \"1e-5 N m s\"\nk-2 = \"1\"")] => ["k-2"];
+    a_parameter_of_an_unknown_unit: [("mu = \"1e-5 N m s\"", "mu = \"1e-5 N mm s\"\nk = \"1 hg\"")] => ["\"1 hg\""];
+    an_inductance_that_is_not_positive: [("l1 = \"30 mH\"", "l1 = \"0 H\"")] => ["\"l1\""];
+    a_number_of_too_many_digits_in_a_law: [("\"-b0*cos(g)\"", "\"-b0*cos(g)*0.12345678901234567890123\"")]
+        => ["0.12345678901234567890123"];
+    a_voltage_of_sliding_that_is_not_affine: [("resistance = \"r1\"", "resistance = \"r1\"\nmotional = \"a1 + l1*x*x\"")]
+        => ["l1*x*x"];
+    a_current_that_has_the_name_of_a_slip: [("resistance = \"r1\"", "resistance = \"r1\"\ncurrent = \"g'\"")] => ["\"g'\""];
+    a_law_that_is_a_number: [("\"-b0*cos(g)\"", "7")] => ["7"];
+}
+
 #[test]
 fn a_binary_file_is_no_scene() {
     let path = std::env::temp_dir().join(format!("dalembert_binary_{}.toml", std::process::id()));

@@ -50,7 +50,7 @@ fn every_unit_of_a_machine_is_a_unit() {
         synchronous::Synchronous::<f64>::QUANTITIES,
     ];
     for quantity in quantities.concat() {
-        Unit::parse(quantity.unit).unwrap_or_else(|error| panic!("{}: {error}", quantity.name));
+        Unit::parse(&quantity.unit).unwrap_or_else(|error| panic!("{}: {error}", quantity.name));
     }
 }
 

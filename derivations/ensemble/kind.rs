@@ -1,5 +1,6 @@
 //! The law of a scene with a symbol for every datum, written down once: it serves every member of an ensemble.
 
+use crate::machines::text::Laws;
 use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, Quantity, Source};
 use crate::scene::{Axes, MachineData, System};
 use crate::systems::gyrostat::driven::Driven;
@@ -8,6 +9,7 @@ use field::Lanes;
 use integrators::LaneSeries;
 use nalgebra::{Matrix3, Vector3};
 use std::convert::Infallible;
+use std::sync::Arc;
 use symbolic::{Abreast, Equations, Recurrence, Sym, Tape, Untapeable};
 
 /// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
@@ -173,8 +175,12 @@ impl Names<'_> {
 impl Source<Sym> for Names<'_> {
     type Error = Infallible;
 
-    fn quantity(&mut self, _: &'static Quantity) -> Result<Sym, Infallible> {
+    fn quantity(&mut self, _: &Quantity) -> Result<Sym, Infallible> {
         Ok(self.one())
+    }
+
+    fn laws(&mut self) -> Option<Arc<Laws>> {
+        self.counts.laws.clone()
     }
 
     /// How many bars there are is no number of a member, but the shape of them all.

@@ -1,8 +1,9 @@
 //! The numbers of a scene that may differ from member to member: how a file names them, and where they are.
 
-use crate::machines::{AnyMachine, RotorState};
+use crate::machines::{AnyMachine, Quantity, RotorState};
 use crate::scene::state::windings;
 use crate::scene::{Scene, Start, System};
+use std::borrow::Cow;
 use std::slice::from_mut;
 
 /// The numbers of a scene that may vary.
@@ -24,9 +25,9 @@ pub enum Place {
 
 /// A datum that a file may name: its table, key, meaning, unit, number of components, and where it is.
 pub(crate) struct Known {
-    pub key: &'static str,
-    pub meaning: &'static str,
-    pub unit: &'static str,
+    pub key: Cow<'static, str>,
+    pub meaning: Cow<'static, str>,
+    pub unit: Cow<'static, str>,
     pub components: usize,
     pub place: Place,
 }
@@ -48,13 +49,20 @@ impl Known {
         components: usize,
         place: Place,
     ) -> Self {
+        let [key, meaning, unit] = [Cow::Borrowed(key), Cow::Borrowed(meaning), Cow::Borrowed(unit)];
         Known { key, meaning, unit, components, place }
+    }
+
+    /// A parameter of the machine, by its place among them.
+    fn of_machine((place, (quantity, _)): (usize, &(Quantity, f64))) -> Self {
+        let Quantity { name, unit, meaning, .. } = quantity.clone();
+        Known { key: name, meaning, unit, components: 1, place: Place::Machine(place) }
     }
 
     /// All that a scene may vary, by the tables in which they stand; at the top of the file the name is empty.
     pub fn of(scene: &Scene) -> Vec<(&'static str, Vec<Known>)> {
         let machine = scene.machine_data.numbers.iter().enumerate();
-        let machine = machine.map(|(i, (q, _))| Known::new(q.name, q.meaning, q.unit, 1, Place::Machine(i))).collect();
+        let machine = machine.map(Known::of_machine).collect();
         let windings = windings(&scene.machine);
         let mut start = vec![Known::new(
             "rotor_angle",

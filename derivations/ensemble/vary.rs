@@ -83,7 +83,8 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, scene: Option<&Scene>)
 
 /// `{ from, to }`, `{ mean, deviation }` or `{ values }`.
 fn datum(table: &mut Table<'_>, issues: &mut Vec<Issue>, group: &str, known: &Known, members: usize) -> Option<Varied> {
-    let Known { key, meaning, unit, components, place } = *known;
+    let Known { key, meaning, unit, components, place } = known;
+    let (components, place) = (*components, *place);
     let mut law = table.optional_table(key)?;
     let row = |law: &mut Table<'_>, which| law.optional_row(which, meaning, components, unit);
     let [from, to, mean, deviation] = ["from", "to", "mean", "deviation"].map(|which| row(&mut law, which));
@@ -113,7 +114,7 @@ fn datum(table: &mut Table<'_>, issues: &mut Vec<Issue>, group: &str, known: &Kn
         }
     };
     issues.extend(law.finish());
-    let name = if group.is_empty() { key.to_owned() } else { format!("{group}.{key}") };
+    let name = if group.is_empty() { key.to_string() } else { format!("{group}.{key}") };
     Some(Varied { name, place, law: read? })
 }
 

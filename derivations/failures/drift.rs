@@ -42,7 +42,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         return Err(NotFound::unsuitable(path, format!("this is a {}", scene.name), "system = \"crank_slider\""));
     }
     let datum = |name: &str| scene.data.iter().find(|(quantity, _)| quantity.name == name).map_or(0.0, |it| it.1);
-    let Ok(mechanism) = <CrankSlider<f64> as Mechanism>::read::<Infallible>(&mut |quantity| Ok(datum(quantity.name)));
+    let Ok(mechanism) = <CrankSlider<f64> as Mechanism>::read::<Infallible>(&mut |quantity| Ok(datum(&quantity.name)));
     let map = Scheme::RungeKutta4.transition(Rational::zero(), Rational::zero());
     let passed_on = Threshold {
         of: "share of a violation's rate that each step adds to the violation, any method",

@@ -63,7 +63,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
 fn kept(scene: &MechanismScene, damping: f64, step: f64) -> bool {
     let datum = |name: &str| scene.data.iter().find(|(quantity, _)| quantity.name == name).map_or(0.0, |it| it.1);
     let Ok(drive) = Drive::read::<Infallible>(&mut |quantity| {
-        Ok(if quantity.name == "damping" { damping } else { datum(quantity.name) })
+        Ok(if quantity.name == "damping" { damping } else { datum(&quantity.name) })
     });
     let mut state = drive.state(&scene.start);
     state.push(0.0);

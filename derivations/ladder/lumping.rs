@@ -109,7 +109,7 @@ impl Lumping {
 
     /// Whether the moment is the same and the lumped currents obey their own equations, for all angles, slips, currents.
     fn is_exact(&self, machine: &impl Machine<Sym>) -> bool {
-        let lumped = Lumped { machine: Borrowed(machine), windings: self.over(Sym::constant) };
+        let lumped = Lumped { machine, windings: self.over(Sym::constant) };
         let angle = Circle { cos: Sym::symbol("c"), sin: Sym::symbol("s") };
         let slip = Sym::symbol("slip");
         let currents: Vec<Sym> = (0..self.up.len()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
@@ -200,29 +200,6 @@ impl<P: Base, M: Machine<P>> Machine<P> for Lumped<P, M> {
 
     fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
         self.machine.moment_law(slip, speed)
-    }
-}
-
-/// A machine that is looked at.
-struct Borrowed<'a, M>(&'a M);
-
-impl<P: Base, M: Machine<P>> Machine<P> for Borrowed<'_, M> {
-    const ROTOR: RotorState = M::ROTOR;
-
-    fn frame_speed(&self) -> P {
-        self.0.frame_speed()
-    }
-
-    fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
-        self.0.linkage(winding, angle)
-    }
-
-    fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
-        self.0.field_energy(angle)
-    }
-
-    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
-        self.0.moment_law(slip, speed)
     }
 }
 

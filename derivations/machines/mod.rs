@@ -8,16 +8,18 @@
 //! voltage).
 //! [`Machine`] is what each implements; moment, currents, energies and power balance are derived from it.
 //!
-//! To add a motor: one file here, and one line in the list below.
+//! To add a motor: one file here, and one line in the list below; or its laws as [`text`] in a scene.
 
 mod bench;
 mod bench_pieces;
+mod borrowed;
 mod conserved;
 mod kick;
 mod machine;
 mod metered;
 mod quantity;
 mod resting;
+pub mod text;
 
 pub use bench::Bench;
 pub use conserved::{Conserved, ConservedBy};
@@ -31,6 +33,8 @@ pub use quantity::Quantity;
 pub use resting::resting_currents;
 
 use field::{Analytic, Base, Over};
+use std::sync::Arc;
+use text::{Laws, OfAngle, OfSpeed, Text};
 
 /// A field in which the data of a machine are given: numbers, or symbols that stand for them.
 pub trait Datum: Base + Analytic + Over<f64> {}
@@ -41,9 +45,13 @@ pub trait Source<P = f64> {
     /// Why a datum could not be had.
     type Error;
     /// A parameter in SI units.
-    fn quantity(&mut self, quantity: &'static Quantity) -> Result<P, Self::Error>;
+    fn quantity(&mut self, quantity: &Quantity) -> Result<P, Self::Error>;
     /// A whole number of at least one.
     fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, Self::Error>;
+    /// The laws of a motor that is written there.
+    fn laws(&mut self) -> Option<Arc<Laws>> {
+        None
+    }
 }
 
 /// A machine that can be named in a scene file.
@@ -66,9 +74,13 @@ macro_rules! machines {
     ($(mod $module:ident : $machine:ident;)*) => {
         $(pub mod $module;)*
 
-        /// Every machine by the name that scene files use.
+        /// Every machine by the name that scene files use; one that is written in a scene knows its slip or its angle.
         #[derive(Clone, Debug)]
-        pub enum AnyMachine { $($machine($module::$machine<f64>)),* }
+        pub enum AnyMachine {
+            $($machine($module::$machine<f64>),)*
+            TextOfSpeed(Text<f64, OfSpeed>),
+            TextOfAngle(Text<f64, OfAngle>),
+        }
 
         impl AnyMachine {
             /// (name, summary) of each.
@@ -79,18 +91,40 @@ macro_rules! machines {
             pub fn read<E>(name: &str, source: &mut impl Source<Error = E>) -> Option<Result<Self, E>> {
                 match name {
                     $(stringify!($module) => Some(<$module::$machine<f64> as Catalogued>::read(source).map(Self::$machine)),)*
+                    text::NAME => source.laws().map(|laws| Self::written(laws, |quantity| source.quantity(quantity))),
                     _ => None,
+                }
+            }
+
+            /// A motor with laws from a text and parameters from a source.
+            ///
+            /// # Errors
+            /// Those of the source.
+            pub fn written<E>(
+                laws: Arc<Laws>,
+                source: impl FnMut(&Quantity) -> Result<f64, E>,
+            ) -> Result<Self, E> {
+                match laws.rotor() {
+                    RotorState::AngleAndSpeed => Text::new(laws, source).map(Self::TextOfAngle),
+                    RotorState::Speed | RotorState::Prescribed => Text::new(laws, source).map(Self::TextOfSpeed),
                 }
             }
 
             /// The name that scene files use.
             pub fn name(&self) -> &'static str {
-                match self { $(Self::$machine(_) => stringify!($module)),* }
+                match self {
+                    $(Self::$machine(_) => stringify!($module),)*
+                    Self::TextOfSpeed(_) | Self::TextOfAngle(_) => text::NAME,
+                }
             }
 
             /// Applies a task that works for any machine.
             pub fn apply<T: ForMachine>(self, task: T) -> T::Output {
-                match self { $(Self::$machine(machine) => task.apply(machine)),* }
+                match self {
+                    $(Self::$machine(machine) => task.apply(machine),)*
+                    Self::TextOfSpeed(machine) => task.apply(machine),
+                    Self::TextOfAngle(machine) => task.apply(machine),
+                }
             }
         }
     };

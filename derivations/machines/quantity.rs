@@ -1,11 +1,13 @@
 //! Parameters and states as named quantities with units.
 
-/// A number: its name in files and formulas, its unit, what it means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+use std::borrow::Cow;
+
+/// A number: its name in files and formulas, its unit, what it means. The texts are of the program, or of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quantity {
-    pub name: &'static str,
-    pub unit: &'static str,
-    pub meaning: &'static str,
+    pub name: Cow<'static, str>,
+    pub unit: Cow<'static, str>,
+    pub meaning: Cow<'static, str>,
     /// Whether it must be above zero to exist.
     pub positive: bool,
 }
@@ -13,7 +15,14 @@ pub struct Quantity {
 impl Quantity {
     /// One that may have any value.
     pub const fn any(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
+        let [name, unit, meaning] = [Cow::Borrowed(name), Cow::Borrowed(unit), Cow::Borrowed(meaning)];
         Quantity { name, unit, meaning, positive: false }
+    }
+
+    /// One that must be above zero.
+    pub const fn positive(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
+        let [name, unit, meaning] = [Cow::Borrowed(name), Cow::Borrowed(unit), Cow::Borrowed(meaning)];
+        Quantity { name, unit, meaning, positive: true }
     }
 }
 
@@ -59,11 +68,10 @@ macro_rules! quantities {
         }
     };
     (@one $meaning:literal, $field:ident, $unit:literal, $($bound:literal)?) => {
-        $crate::machines::Quantity {
-            name: stringify!($field),
-            unit: $unit,
-            meaning: $meaning.trim_ascii(),
-            positive: !stringify!($($bound)?).is_empty(),
+        if stringify!($($bound)?).is_empty() {
+            $crate::machines::Quantity::any(stringify!($field), $unit, $meaning.trim_ascii())
+        } else {
+            $crate::machines::Quantity::positive(stringify!($field), $unit, $meaning.trim_ascii())
         }
     };
 }

@@ -46,7 +46,7 @@ pub(super) trait Erased: Debug + Send + Sync {
 }
 
 /// The last state: what has been done on the mechanism.
-const WORK: Quantity = Quantity::any("work", "J", "work done on the mechanism");
+static WORK: Quantity = Quantity::any("work", "J", "work done on the mechanism");
 
 impl<M: Mechanism> Erased for M {
     fn problem(&self, start: &[f64], span: f64) -> Problem {
@@ -61,7 +61,7 @@ impl<M: Mechanism> Erased for M {
             state,
             span,
             invariants: vec![Invariant { name: "energy_less_work", value: Box::new(balance) }],
-            columns: self.columns().iter().map(|quantity| quantity.name.to_owned()).collect(),
+            columns: self.columns().iter().map(|quantity| quantity.name.to_string()).collect(),
             row: Box::new(move |time, y| [y, &showing.shown(time, &y[..count])].concat()),
             outside: Box::new(move |y| judging.outside(&y[..count])),
         }
@@ -69,7 +69,7 @@ impl<M: Mechanism> Erased for M {
 
     fn ways(&self, start: &[f64], span: f64) -> Vec<Way> {
         let own = Way::of(M::FORMULATION, "", Standing::Own, self.problem(start, span));
-        let columns: Vec<String> = M::STATE.iter().map(|quantity| quantity.name.to_owned()).collect();
+        let columns: Vec<String> = M::STATE.iter().map(|quantity| quantity.name.to_string()).collect();
         let other = |Rewritten { formulation, law, state, whole }| Way {
             formulation,
             model: "",
@@ -144,11 +144,11 @@ fn number(
     quantity: &'static Quantity,
     places: &mut Vec<(&'static str, f64, Range<usize>)>,
 ) -> f64 {
-    let At { value, span } = table.scalar(quantity.name, quantity.meaning, quantity.unit);
+    let At { value, span } = table.scalar(&quantity.name, &quantity.meaning, &quantity.unit);
     if quantity.positive && value <= 0.0 {
         let title = format!("`{}`, the {}, must be positive", quantity.name, quantity.meaning);
         table.report(Issue::at(span.clone(), title, format!("it is {value}")).accepted("a positive value is accepted"));
     }
-    places.push((quantity.name, value, span));
+    places.push((&quantity.name, value, span));
     value
 }

@@ -42,7 +42,7 @@ impl Family for MechanismScene {
         let found = (entry.read)(top, issues);
         let columns = found.as_ref().map(|found| found.mechanism.columns());
         let names: Option<Vec<String>> =
-            columns.map(|columns| columns.iter().map(|quantity| quantity.name.to_owned()).collect());
+            columns.map(|columns| columns.iter().map(|quantity| quantity.name.to_string()).collect());
         let run = run::read(top, issues, names.as_deref());
         let Read { data, start, mechanism } = found?;
         Some(MechanismScene { title, description, name: entry.name, data, start, mechanism, run: run? })
@@ -77,7 +77,7 @@ impl Smooth for MechanismScene {
     /// The states; the work belongs to one law among them.
     fn observed(&self, reference: &Reference) -> Vec<Observed> {
         let states = self.mechanism.states().iter().zip(&reference.sizes);
-        states.map(|(quantity, size)| Observed { name: quantity.name.to_owned(), size: *size }).collect()
+        states.map(|(quantity, size)| Observed { name: quantity.name.to_string(), size: *size }).collect()
     }
 
     fn parameters(&self) -> Vec<Parameter> {

@@ -53,7 +53,7 @@ pub trait Family: Sized {
         let mut issues: Vec<Issue> = errors.iter().map(of_syntax).collect();
         let mut scene = None;
         if issues.is_empty() {
-            let mut top = Table::top(&entries);
+            let mut top = Table::top(text, &entries);
             scene = opening::<Self>(&mut top).and_then(|opening| Self::read(opening, &mut top, &mut issues));
             issues.extend(top.finish());
         }

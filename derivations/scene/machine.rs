@@ -2,20 +2,28 @@
 
 use super::issue::{Issue, nearest};
 use super::read::Table;
+use super::units::Dimension as Unit;
+use super::written;
+use crate::machines::text::{self, Laws};
 use crate::machines::{AnyMachine, Catalogued, ForMachine, Quantity, RotorState, Source};
+use std::borrow::Cow;
 use std::convert::Infallible;
 use std::fmt;
+use std::sync::Arc;
+use symbolic::{Dimension, Sym};
 
 /// More bars than any damper has.
 const MOST: usize = 1000;
 
 /// The data of a machine as a scene gives them.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct MachineData {
     /// In the machine's own order.
-    pub numbers: Vec<(&'static Quantity, f64)>,
+    pub numbers: Vec<(Quantity, f64)>,
     /// (name, meaning, count).
     pub counts: Vec<(&'static str, &'static str, usize)>,
+    /// Of a motor that is written in the scene.
+    pub laws: Option<Arc<Laws>>,
     /// W of a machine whose rotor follows the stator's field: the speed that a machine of constant speed keeps.
     synchronous_speed: Option<f64>,
 }
@@ -26,7 +34,7 @@ pub enum NoModel {
     /// No machine has this name.
     Unknown { name: String },
     /// A datum that the scene does not give.
-    Missing { model: String, datum: &'static str, meaning: &'static str, unit: &'static str },
+    Missing { model: String, datum: Cow<'static, str>, meaning: Cow<'static, str>, unit: Cow<'static, str> },
     /// The scene starts with currents, and the other machine has other windings.
     Currents { model: String, given: usize, windings: usize },
 }
@@ -35,6 +43,9 @@ pub enum NoModel {
 pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(AnyMachine, MachineData)> {
     let mut table = top.table("machine", "the machine: `model` and its parameters");
     let model = table.text("model", "name of the machine");
+    if model.value == text::NAME {
+        return written::read(table, issues);
+    }
     let mut source = FromTable { table, data: MachineData::default() };
     let machine = AnyMachine::read(&model.value, &mut source).map(|Ok(machine)| machine);
     let FromTable { mut table, mut data } = source;
@@ -55,6 +66,32 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(AnyMachine,
 }
 
 impl MachineData {
+    /// A machine of the list, with this value for each quantity and this count for each number of bars; and its data.
+    pub fn sampled(
+        model: &str,
+        value: impl FnMut(&Quantity) -> f64,
+        count: usize,
+    ) -> Option<(AnyMachine, MachineData)> {
+        let mut source = Sampled { value, count, data: MachineData::default() };
+        let Ok(machine) = AnyMachine::read(model, &mut source)?;
+        let mut data = source.data;
+        data.synchronous_speed = machine.clone().apply(SynchronousSpeed);
+        Some((machine, data))
+    }
+
+    /// Of a motor that is written in a scene, with its parameters in their order; and the motor.
+    pub(super) fn written(laws: Laws, values: &[f64]) -> (AnyMachine, Self) {
+        let laws = Arc::new(laws);
+        let numbers: Vec<_> = laws.parameters().iter().cloned().zip(values.iter().copied()).collect();
+        let mut given = values.iter().copied();
+        let read = AnyMachine::written(Arc::clone(&laws), |_| Ok::<f64, Infallible>(given.next().unwrap_or_default()));
+        let Ok(machine) = read;
+        let synchronous_speed = machine.clone().apply(SynchronousSpeed);
+        (machine, MachineData { numbers, counts: Vec::new(), laws: Some(laws), synchronous_speed })
+    }
+}
+
+impl MachineData {
     /// Another machine, made of these data.
     pub fn machine(&self, model: &str) -> Result<AnyMachine, NoModel> {
         AnyMachine::read(model, &mut FromData { model, data: self })
@@ -65,12 +102,13 @@ impl MachineData {
     ///
     /// # Errors
     /// [`NoModel::Missing`].
-    pub fn number(&self, model: &str, quantity: &'static Quantity) -> Result<f64, NoModel> {
-        let Quantity { name, unit, meaning, .. } = *quantity;
-        let kept = if name == "speed" { self.synchronous_speed } else { None };
-        let missing = || NoModel::Missing { model: model.to_owned(), datum: name, meaning, unit };
-        let given = self.numbers.iter().find(|(given, _)| given.name == name).map(|(_, value)| *value);
-        given.or(kept).ok_or_else(missing)
+    pub fn number(&self, model: &str, quantity: &Quantity) -> Result<f64, NoModel> {
+        let kept = if quantity.name == "speed" { self.synchronous_speed } else { None };
+        let given = self.numbers.iter().find(|(given, _)| given.name == quantity.name).map(|(_, value)| *value);
+        given.or(kept).ok_or_else(|| {
+            let Quantity { name, unit, meaning, .. } = quantity.clone();
+            NoModel::Missing { model: model.to_owned(), datum: name, meaning, unit }
+        })
     }
 
     /// A count of a model.
@@ -78,7 +116,12 @@ impl MachineData {
     /// # Errors
     /// [`NoModel::Missing`].
     pub fn count(&self, model: &str, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
-        let missing = || NoModel::Missing { model: model.to_owned(), datum: name, meaning, unit: "1" };
+        let missing = || NoModel::Missing {
+            model: model.to_owned(),
+            datum: name.into(),
+            meaning: meaning.into(),
+            unit: "1".into(),
+        };
         self.counts.iter().find(|(given, ..)| *given == name).map(|(.., count)| *count).ok_or_else(missing)
     }
 
@@ -97,9 +140,9 @@ struct FromTable<'a> {
 impl Source for FromTable<'_> {
     type Error = Infallible;
 
-    fn quantity(&mut self, quantity: &'static Quantity) -> Result<f64, Infallible> {
-        let value = self.table.scalar(quantity.name, quantity.meaning, quantity.unit).value;
-        self.data.numbers.push((quantity, value));
+    fn quantity(&mut self, quantity: &Quantity) -> Result<f64, Infallible> {
+        let value = self.table.scalar(&quantity.name, &quantity.meaning, &quantity.unit).value;
+        self.data.numbers.push((quantity.clone(), value));
         Ok(value)
     }
 
@@ -107,6 +150,58 @@ impl Source for FromTable<'_> {
         let value = self.table.count(name, meaning, 1, MOST).value;
         self.data.counts.push((name, meaning, value));
         Ok(value)
+    }
+}
+
+/// Answers whatever a machine asks for, and keeps it.
+struct Sampled<F> {
+    value: F,
+    count: usize,
+    data: MachineData,
+}
+
+impl<F: FnMut(&Quantity) -> f64> Source for Sampled<F> {
+    type Error = Infallible;
+
+    fn quantity(&mut self, quantity: &Quantity) -> Result<f64, Infallible> {
+        let value = (self.value)(quantity);
+        self.data.numbers.push((quantity.clone(), value));
+        Ok(value)
+    }
+
+    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, Infallible> {
+        self.data.counts.push((name, meaning, self.count));
+        Ok(self.count)
+    }
+}
+
+/// A symbol for every parameter, with its dimension.
+pub struct Named<'a> {
+    data: &'a MachineData,
+    pub dimensions: Vec<(String, Dimension)>,
+}
+
+impl<'a> Named<'a> {
+    /// Counts and laws are those of the data.
+    pub fn new(data: &'a MachineData) -> Self {
+        Named { data, dimensions: Vec::new() }
+    }
+}
+
+impl Source<Sym> for Named<'_> {
+    type Error = Infallible;
+
+    fn quantity(&mut self, quantity: &Quantity) -> Result<Sym, Infallible> {
+        self.dimensions.push((quantity.name.to_string(), Unit::of(&quantity.unit).of_expressions()));
+        Ok(Sym::symbol(&quantity.name))
+    }
+
+    fn count(&mut self, name: &'static str, _: &'static str) -> Result<usize, Infallible> {
+        Ok(self.data.counts.iter().find(|(given, ..)| *given == name).map_or(1, |(.., count)| *count))
+    }
+
+    fn laws(&mut self) -> Option<Arc<Laws>> {
+        self.data.laws.clone()
     }
 }
 
@@ -118,12 +213,16 @@ struct FromData<'a> {
 impl Source for FromData<'_> {
     type Error = NoModel;
 
-    fn quantity(&mut self, quantity: &'static Quantity) -> Result<f64, NoModel> {
+    fn quantity(&mut self, quantity: &Quantity) -> Result<f64, NoModel> {
         self.data.number(self.model, quantity)
     }
 
     fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
         self.data.count(self.model, name, meaning)
+    }
+
+    fn laws(&mut self) -> Option<Arc<Laws>> {
+        self.data.laws.clone()
     }
 }
 
@@ -139,7 +238,7 @@ impl ForMachine for SynchronousSpeed {
 
 /// The known machines, the one that was probably meant first.
 fn known_machines(name: &str) -> String {
-    let names = || AnyMachine::LIST.iter().map(|(name, _)| *name);
+    let names = || AnyMachine::LIST.iter().map(|(name, _)| *name).chain([text::NAME]);
     let list = names().collect::<Vec<_>>().join(", ");
     match nearest(name, names()) {
         Some(nearest) => format!("is `{nearest}` meant? Known: {list}"),

@@ -7,6 +7,7 @@
 //! * [`units`], [`quantity`]: `"0.02 kg m^2"`;
 //! * [`read`], [`issue`]: tables with places, and messages with marks under the value;
 //! * [`bodies`], [`machine`], [`start`], [`run`]: the tables of a scene;
+//! * `written`: a motor whose laws stand in the scene;
 //! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data;
 //! * [`problem`], [`simulate`]: the law that any method integrates, and the run; [`smooth`]: scenes of every family that
 //!   has one;
@@ -35,13 +36,14 @@ pub mod state;
 pub mod stored;
 mod transition;
 pub mod units;
+mod written;
 
 pub use crate::mechanisms::MechanismScene;
 pub use any::AnyScene;
 pub use atlas::Atlas;
 pub use file::Family;
 pub use issue::{Issue, SceneError, nearest};
-pub use machine::{MachineData, NoModel};
+pub use machine::{MachineData, Named, NoModel};
 pub use measured::{Trials, judged};
 pub use problem::{Invariant, Problem};
 pub use run::Run;

@@ -52,6 +52,13 @@ pub fn parse(text: &str, rows: usize, columns: usize, needed: Dimension) -> Resu
     }
 }
 
+/// Reads one number with a unit of whatever dimension: its SI value, and the dimension.
+pub fn parse_any(text: &str) -> Result<(f64, Dimension), NoQuantity> {
+    let dimension = Unit::parse(split(text).1).map_err(NoQuantity::Unit)?.dimension();
+    let values = parse(text, 1, 1, dimension)?;
+    values.first().map(|&value| (value, dimension)).ok_or(NoQuantity::NoNumber)
+}
+
 /// A number as TOML writes it (with underscores) or as Rust does.
 pub fn finite(word: &str) -> Result<f64, NoQuantity> {
     match word.replace('_', "").parse::<f64>() {

@@ -4,6 +4,7 @@ use super::atlas::{Observed, Way};
 use super::{Axes, Choice, Problem, Run, Scene, Trajectory};
 use crate::machines::{Catalogued, ForMachine, Quantity, has_known_flow};
 use integrators::{Method, Reference};
+use std::borrow::Cow;
 
 /// A scene that is one initial value problem.
 pub trait Smooth: Send + Sync {
@@ -39,18 +40,18 @@ pub trait Smooth: Send + Sync {
 /// A datum for a reader.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     pub value: String,
     /// Empty for a pure number.
-    pub unit: &'static str,
-    pub meaning: &'static str,
+    pub unit: Cow<'static, str>,
+    pub meaning: Cow<'static, str>,
 }
 
 impl Parameter {
     /// A quantity with its value.
     pub fn of(quantity: &Quantity, value: f64) -> Self {
-        let Quantity { name, unit, meaning, .. } = *quantity;
-        Parameter { name, value: value.to_string(), unit: if unit == "1" { "" } else { unit }, meaning }
+        let Quantity { name, unit, meaning, .. } = quantity.clone();
+        Parameter { name, value: value.to_string(), unit: if unit == "1" { "".into() } else { unit }, meaning }
     }
 }
 
@@ -131,8 +132,10 @@ impl Smooth for Scene {
         let data = &self.machine_data;
         let numbers = data.numbers.iter().map(|(quantity, value)| Parameter::of(quantity, *value));
         let counts = data.counts.iter();
-        let count =
-            |&(name, meaning, count): &(_, _, usize)| Parameter { name, value: count.to_string(), unit: "", meaning };
+        let count = |&(name, meaning, count): &(&'static str, &'static str, usize)| {
+            let (value, unit) = (count.to_string(), "".into());
+            Parameter { name: name.into(), value, unit, meaning: meaning.into() }
+        };
         numbers.chain(counts.map(count)).collect()
     }
 }

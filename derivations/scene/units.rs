@@ -116,6 +116,21 @@ impl Dimension {
         Unit::parse(unit).map_or(Dimension { exponents: NUMBER }, Unit::dimension)
     }
 
+    /// As expressions have it.
+    pub fn of_expressions(self) -> symbolic::Dimension {
+        let [kg, m, s, a] = self.exponents.map(i64::from);
+        symbolic::Dimension::of(kg, m, s, a)
+    }
+
+    /// The coherent unit, as a file may write it.
+    pub fn coherent(self) -> String {
+        match self.usual().first() {
+            Some(usual) if !self.is_number() => (*usual).to_owned(),
+            _ if self.is_number() => "1".to_owned(),
+            _ => self.to_string(),
+        }
+    }
+
     /// Whether it is that of a pure number.
     pub fn is_number(self) -> bool {
         self.exponents == NUMBER

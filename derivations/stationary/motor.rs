@@ -1,10 +1,12 @@
 //! Every stationary state of a machine: speeds or angles at which its moment vanishes, exactly.
 
+use crate::machines::text::Laws;
 use crate::machines::{
     AnyMachine, Catalogued, ForMachine, Machine, Quantity, RotorState, Source, drive, is_fed, resting_currents,
 };
 use crate::scene::{MachineData, NoModel};
 use field::{Circle, Rational, Scalar};
+use std::sync::Arc;
 use symbolic::real::{Polynomial, Root};
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
@@ -126,10 +128,11 @@ impl Angle {
     }
 }
 
-struct States<'a> {
-    data: &'a MachineData,
-    name: &'static str,
-    load: f64,
+/// The stationary states of any machine of a name.
+pub(crate) struct States<'a> {
+    pub data: &'a MachineData,
+    pub name: &'static str,
+    pub load: f64,
 }
 
 /// The data of a machine as exact constants: the decimals that were written.
@@ -138,12 +141,16 @@ pub(crate) struct Decimals<'a>(pub &'a MachineData, pub &'static str);
 impl Source<Sym> for Decimals<'_> {
     type Error = NoModel;
 
-    fn quantity(&mut self, quantity: &'static Quantity) -> Result<Sym, NoModel> {
+    fn quantity(&mut self, quantity: &Quantity) -> Result<Sym, NoModel> {
         Ok(Sym::constant(Rational::decimal(self.0.number(self.1, quantity)?)))
     }
 
     fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
         self.0.count(self.1, name, meaning)
+    }
+
+    fn laws(&mut self) -> Option<Arc<Laws>> {
+        self.0.laws.clone()
     }
 }
 
@@ -189,13 +196,13 @@ impl Resting {
 }
 
 /// A fraction of polynomials in one unknown, as coefficients from the constant upwards.
-struct Fraction {
-    numerator: Polynomial,
-    denominator: Polynomial,
+pub(crate) struct Fraction {
+    pub numerator: Polynomial,
+    pub denominator: Polynomial,
 }
 
 impl Fraction {
-    fn of(expression: Sym, unknown: Sym) -> Result<Self, NoMotor> {
+    pub fn of(expression: Sym, unknown: Sym) -> Result<Self, NoMotor> {
         let wrong = |reason: String| NoMotor::NotAlgebraic(reason);
         let form = normal(expression, &Hypotheses::none()).map_err(|reason| wrong(reason.to_string()))?;
         let dense = |part: Sym| -> Result<Vec<Rational>, NoMotor> {

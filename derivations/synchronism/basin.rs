@@ -3,12 +3,14 @@
 use super::energy::Wells;
 use super::loaded::{Loaded, NoField};
 use crate::ensemble::kind::{Kind, form_parameters};
+use crate::machines::text::Laws;
 use crate::machines::{AnyMachine, Quantity, Source};
 use crate::scene::{Axes, MachineData, NoModel, Scene, Start, System};
 use crate::stationary::motor::NoMotor;
 use integrators::{Ensemble, Failure, Members};
 use std::f64::consts::{PI, TAU};
 use std::fmt;
+use std::sync::Arc;
 
 /// The rotor's starts: even in the angle over a turn, even in the slip from one value to another, without currents.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -166,7 +168,7 @@ struct InOrder<'a> {
 impl Source for InOrder<'_> {
     type Error = NoModel;
 
-    fn quantity(&mut self, quantity: &'static Quantity) -> Result<f64, NoModel> {
+    fn quantity(&mut self, quantity: &Quantity) -> Result<f64, NoModel> {
         let value = self.data.number(self.name, quantity)?;
         self.found.push(value);
         Ok(value)
@@ -174,6 +176,10 @@ impl Source for InOrder<'_> {
 
     fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
         self.data.count(self.name, name, meaning)
+    }
+
+    fn laws(&mut self) -> Option<Arc<Laws>> {
+        self.data.laws.clone()
     }
 }
 

@@ -11,7 +11,7 @@ use symbolic::{Hypotheses, Sym, decide};
 
 /// The data of a machine as symbols of their names.
 fn symbol(quantity: &'static derivations::machines::Quantity) -> Result<Sym, Infallible> {
-    Ok(Sym::symbol(quantity.name))
+    Ok(Sym::symbol(&quantity.name))
 }
 
 fn assert_equal(what: &str, left: Sym, right: Sym) {

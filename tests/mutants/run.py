@@ -36,7 +36,7 @@ COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-m
 PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches"]
 LEDGER = "ledger"
 # what else is tested: the house, its pages, what choices cost, and the program
-OTHERS = {"allocation", "atlas", "contributing", "house", "mutants", "pages", "rough_scenes", "scene_messages", "scenes", "units"}
+OTHERS = {"allocation", "atlas", "contributing", "house", "motor_pages", "mutants", "pages", "rough_scenes", "scene_messages", "scenes", "units"}
 
 
 def programs_in(tests: Path) -> set[str]:
@@ -58,6 +58,8 @@ SUBJECT_OF = {
     "crates/integrators/src/composition.rs": ["methods"],
     "crates/integrators/src/splitting.rs": ["methods", "splitting"],
     "derivations/machines/kick.rs": ["splitting"],
+    "derivations/machines/text/": ["text_motors", "conformance"],
+    "derivations/conformance/": ["conformance"],
     "derivations/systems/gyrostat/momenta.rs": ["splitting"],
     "derivations/ladder/": ["ladder"],
     "crates/claims/src/review/": ["review"],

@@ -10,7 +10,7 @@ struct Drawn<I>(I);
 impl<I: Iterator<Item = f64>> Source for Drawn<I> {
     type Error = Infallible;
 
-    fn quantity(&mut self, _quantity: &'static Quantity) -> Result<f64, Infallible> {
+    fn quantity(&mut self, _quantity: &Quantity) -> Result<f64, Infallible> {
         Ok(self.0.next().unwrap_or(1.0))
     }
 

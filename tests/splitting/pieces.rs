@@ -98,7 +98,7 @@ fn proved<M: Machine<Sym> + Clone>(name: &str, machine: M, law: Law) {
 }
 
 fn symbol<E>(quantity: &'static derivations::machines::Quantity) -> Result<Sym, E> {
-    Ok(Sym::symbol(quantity.name))
+    Ok(Sym::symbol(&quantity.name))
 }
 
 #[test]

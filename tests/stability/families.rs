@@ -59,7 +59,7 @@ fn free(momentum: Rational) -> Driven<FreeRotor<Sym>, FreeRotor<f64>> {
 }
 
 fn by_slip(speed: Rational) -> Driven<Asynchronous<Sym>, Asynchronous<f64>> {
-    let slip = Slip { speed: Root::rational(speed).unwrap(), slope: -1 };
+    let slip = Slip { speed: Root::rational(speed).unwrap(), slope: -1, currents: Vec::new() };
     Driven {
         exact: Asynchronous { field_speed: constant(speed), k: Sym::ratio(3, 4), f: Sym::int(0) },
         running: Asynchronous { field_speed: speed.to_f64(), k: 0.75, f: 0.0 },
@@ -72,7 +72,7 @@ fn by_slip(speed: Rational) -> Driven<Asynchronous<Sym>, Asynchronous<f64>> {
 /// With b0 = 1 and sin g = -3/5 at the angle that holds, 4/5 its cosine.
 fn in_step(speed: Rational) -> Driven<Synchronous<Sym>, Synchronous<f64>> {
     let f = r(3, 5) / speed;
-    let angle = |t: Rational, slope: i32| Angle { half_tangent: Root::rational(t), slope };
+    let angle = |t: Rational, slope: i32| Angle { half_tangent: Root::rational(t), slope, currents: Vec::new() };
     Driven {
         exact: Synchronous { field_speed: constant(speed), b0: Sym::int(1), f: constant(f) },
         running: Synchronous { field_speed: speed.to_f64(), b0: 1.0, f: f.to_f64() },

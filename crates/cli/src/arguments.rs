@@ -1,8 +1,8 @@
 //! What can be asked on the command line.
 
 use crate::{
-    bodies, chart, choose, derive, ensemble, failures, ledger, motor, phantom, reference, regimes, report, review, run,
-    scenes, stationary,
+    bodies, chart, choose, conform, derive, ensemble, failures, ledger, motor, new, phantom, reference, regimes,
+    report, review, run, scenes, stationary,
 };
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -54,6 +54,10 @@ pub enum Command {
     Phantom(phantom::Asked),
     /// A synchronous motor under load: pull-out, pull-in, what lies between, and which starts come into step
     Motor(motor::Asked),
+    /// What every motor must do, each with a verdict: power, passivity, frames, housing, rest, stiffness, dimensions
+    Conform(conform::Asked),
+    /// Writes a new motor: its file, its line in the list, a scene and a test; or a scene with its laws as text
+    New(new::Asked),
     /// Every consistent regime of a scene with rough contacts at its start, with all margins
     Regimes(regimes::Asked),
     /// Every way in which methods fail: theory's threshold beside the measured one, what survives, advice
@@ -109,6 +113,8 @@ mod tests {
         "bodies",
         "stationary",
         "motor",
+        "conform",
+        "new",
         "phantom",
         "choose",
         "review",

@@ -2,7 +2,7 @@
 
 use crate::ending::{Ending, print};
 use clap::{Args, ValueEnum};
-use derivations::derive::{Equation, Principle, derive as equations_of};
+use derivations::derive::{Equation, Principle, derive as equations_of, motor_of};
 use derivations::scene::{Axes, Family, Scene};
 use std::path::Path;
 use symbolic::{Language, Sym, Tape};
@@ -16,7 +16,7 @@ pub struct Asked {
     /// The principle; without it the first that applies
     #[arg(long, value_enum)]
     pub principle: Option<PrincipleName>,
-    /// How to print the equations: text, LaTeX and MathML for a system; SymPy, C, Python and Rust for a system or a scene
+    /// How to print the equations; of a scene text, LaTeX and MathML have its motor, the others its rates and Jacobian
     #[arg(long, value_enum)]
     pub format: Option<Equations>,
     /// For a scene: the equations in the axes of A (first) or of A* (second)
@@ -55,26 +55,33 @@ pub enum Equations {
 
 /// Prints the equations.
 pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
-    let text = if asked.system.ends_with(".toml") { of_scene(asked)? } else { of_system(asked)? };
+    let text = match asked.system.ends_with(".toml") {
+        true => of_scene(asked)?,
+        false => {
+            let equations =
+                equations_of(&asked.system, asked.principle.map(Principle::from)).map_err(Ending::refused)?;
+            written(&equations, asked.format.unwrap_or(Equations::Text))?
+        }
+    };
     print(&text)?;
     Ok(Ending::Done)
 }
 
-fn of_system(asked: &Asked) -> Result<String, Ending> {
-    let equations = equations_of(&asked.system, asked.principle.map(Principle::from)).map_err(Ending::refused)?;
+/// Equations in a notation.
+fn written(equations: &[Equation], format: Equations) -> Result<String, Ending> {
     let lines = |line: &dyn Fn(&Equation) -> String| equations.iter().map(|each| line(each) + "\n").collect();
     let latex = |each: &Equation| format!("{} = {}", each.left.latex(), each.right.latex());
-    match asked.format.unwrap_or(Equations::Text) {
+    match format {
         Equations::Text => Ok(lines(&|each| format!("{} = {}", each.left, each.right))),
         Equations::Latex => Ok(lines(&latex)),
         Equations::Mathml => {
             let typeset = equations.iter().map(|each| charts::mathml(&latex(each)).map(|math| math + "\n"));
             typeset.collect::<Result<_, _>>().map_err(Ending::refused)
         }
-        Equations::Sympy => Ok(sympy(&equations)),
-        Equations::C => residuals(&equations, &C),
-        Equations::Python => residuals(&equations, &PYTHON),
-        Equations::Rust => residuals(&equations, &RUST),
+        Equations::Sympy => Ok(sympy(equations)),
+        Equations::C => residuals(equations, &C),
+        Equations::Python => residuals(equations, &PYTHON),
+        Equations::Rust => residuals(equations, &RUST),
     }
 }
 
@@ -126,9 +133,9 @@ fn residuals(equations: &[Equation], written: &Written) -> Result<String, Ending
     Ok(format!("{comment} The letters y: {}.\n{comment} Left sides less right sides.\n{needs}{code}", names.join(", ")))
 }
 
-/// A scene's rates and Jacobian as functions.
+/// A scene's motor for reading, or the scene's rates and Jacobian as functions.
 fn of_scene(asked: &Asked) -> Result<String, Ending> {
-    let format = asked.format.unwrap_or(Equations::C);
+    let format = asked.format.unwrap_or(Equations::Text);
     let sympy = Written { needs: "from sympy import cos, sin, sqrt, symbols\n\n\n", ..PYTHON };
     let Written { language, comment, needs } = match format {
         Equations::C => C,
@@ -136,7 +143,9 @@ fn of_scene(asked: &Asked) -> Result<String, Ending> {
         Equations::Sympy => sympy,
         Equations::Rust => RUST,
         Equations::Text | Equations::Latex | Equations::Mathml => {
-            return Err(Ending::refused("a scene is written as code: --format c, python, sympy or rust is accepted"));
+            let scene = Scene::open(Path::new(&asked.system))?;
+            let motor = motor_of(&scene.machine, &scene.machine_data).map_err(Ending::refused)?;
+            return written(&motor, format);
         }
     };
     if asked.principle.is_some() {

@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`arguments`]: the command line; what can be asked of a command stands beside it;
-//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`,
+//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
@@ -16,6 +16,7 @@ mod arguments;
 mod bodies;
 mod chart;
 mod choose;
+mod conform;
 mod crew;
 mod csv;
 mod derive;
@@ -25,6 +26,7 @@ mod failures;
 mod interrupt;
 mod ledger;
 mod motor;
+mod new;
 mod phantom;
 mod pictures;
 mod progress;
@@ -71,6 +73,8 @@ fn main() -> ExitCode {
         Some(Command::Stationary(asked)) => stationary::show(&asked),
         Some(Command::Phantom(asked)) => phantom::show(&asked),
         Some(Command::Motor(asked)) => motor::show(&asked),
+        Some(Command::Conform(asked)) => conform::show(&asked),
+        Some(Command::New(asked)) => new::write(&asked),
         Some(Command::Regimes(asked)) => regimes::show(&asked),
         Some(Command::Failures(asked)) => failures::list(&asked),
         Some(Command::Scenes(asked)) => scenes::list(&asked),

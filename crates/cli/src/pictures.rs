@@ -19,7 +19,7 @@ pub fn trajectory(scene: &dyn Smooth, run: &Trajectory) -> charts::Trajectory {
         let Some(column) = run.column(name) else { continue };
         let points = run.times.iter().zip(&run.rows).map(|(time, row)| (*time, row[column])).collect();
         let (label, quantity) = match scene.column(name) {
-            Some(Quantity { name, unit, meaning, .. }) => ((*name).to_owned(), format!("{meaning}, {unit}")),
+            Some(Quantity { name, unit, meaning, .. }) => (name.to_string(), format!("{meaning}, {unit}")),
             None => (label(name), quantity(name)),
         };
         let track = Track { name: label, points, stopped: stopped.clone() };

@@ -41,6 +41,11 @@ impl Sym {
         substitute_all(&[self], replacements)[0]
     }
 
+    /// Of what rational operations make the expression: symbols, cosines, sines, roots, functions, in the order of making.
+    pub fn leaves_of(self) -> Vec<Sym> {
+        Sym::ascending_to_leaves(&[self]).into_iter().filter(|each| each.node().is_leaf()).collect()
+    }
+
     /// The symbols in the expression, by name in natural order (l2 before l10).
     pub fn symbols_of(self) -> Vec<Sym> {
         let mut symbols: Vec<Sym> =

@@ -60,8 +60,7 @@ impl Gear for Drum {
         ("drum_governor", "a friction governor with a drum, its wheel pushed by a constant force"),
     ];
     const RHO: &'static str = "distance of the wheel from the axis of the second disc";
-    const LENGTH: &'static Quantity =
-        &Quantity { positive: true, ..Quantity::any("drum", "m", "R, radius of the drum on the first shaft") };
+    const LENGTH: &'static Quantity = &Quantity::positive("drum", "m", "R, radius of the drum on the first shaft");
 
     fn gearing(radius: f64) -> Gearing<f64> {
         Gearing::Drum { radius }
@@ -74,8 +73,7 @@ impl Gear for Discs {
         ("disc_governor", "a friction governor between two discs, its wheel pushed by a constant force"),
     ];
     const RHO: &'static str = "distance of the wheel from the axis of the first disc";
-    const LENGTH: &'static Quantity =
-        &Quantity { positive: true, ..Quantity::any("distance", "m", "a, distance of the axes of both discs") };
+    const LENGTH: &'static Quantity = &Quantity::positive("distance", "m", "a, distance of the axes of both discs");
 
     fn gearing(distance: f64) -> Gearing<f64> {
         Gearing::Discs { distance }

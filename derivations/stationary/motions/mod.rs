@@ -9,7 +9,7 @@ pub use found::{Answer, Certificate, Found, Members};
 pub use refused::NoAnswer;
 
 use super::energies::{Energies, Kept};
-use super::motor::Motor;
+use super::motor::{Motor, Slip};
 use super::stability::Approximation;
 use super::stability::along::{Along, Known};
 use super::stability::judge::{Given, Judge};

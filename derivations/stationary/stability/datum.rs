@@ -5,13 +5,14 @@ use crate::scene::{Scene, System};
 use crate::stationary::energies::Energies;
 use crate::stationary::motions::decimals;
 use field::Rational;
+use std::borrow::Cow;
 use std::fmt;
 
 /// A datum of a scene or of its motion.
 #[derive(Clone, Debug)]
 pub struct Datum {
     pub name: String,
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     pub(super) place: Where,
 }
 
@@ -72,11 +73,13 @@ impl Datum {
             ("omega0", "rad/s", Where::Speed),
             ("rotor_speed", "rad/s", Where::RotorSpeed),
         ];
-        let mut all: Vec<Datum> =
-            of_motion.into_iter().map(|(name, unit, place)| Datum { name: name.into(), unit, place }).collect();
+        let mut all: Vec<Datum> = of_motion
+            .into_iter()
+            .map(|(name, unit, place)| Datum { name: name.into(), unit: unit.into(), place })
+            .collect();
         for (table, known) in Known::of(scene).into_iter().filter(|(table, _)| *table != "start") {
             for Known { key, unit, components, place, .. } in known {
-                let name = if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
+                let name = if table.is_empty() { key.into_owned() } else { format!("{table}.{key}") };
                 // a symmetric tensor has each component beside the diagonal twice
                 let parts: Vec<(String, Vec<usize>)> = match components {
                     1 => vec![(name, vec![0])],
@@ -87,7 +90,7 @@ impl Datum {
                 };
                 all.extend(parts.into_iter().map(|(name, components)| Datum {
                     name,
-                    unit,
+                    unit: unit.clone(),
                     place: Where::Data { place, components },
                 }));
             }

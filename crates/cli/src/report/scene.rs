@@ -76,8 +76,8 @@ pub fn described(id: &str, scene: &dyn Smooth, run: &Trajectory) -> SceneSection
     let parameters = scene.parameters().into_iter().map(|datum| Parameter {
         symbol: datum.name.replace('_', " "),
         value: datum.value,
-        unit: datum.unit.to_owned(),
-        meaning: datum.meaning.to_owned(),
+        unit: datum.unit.to_string(),
+        meaning: datum.meaning.to_string(),
     });
     SceneSection {
         id: id.to_owned(),

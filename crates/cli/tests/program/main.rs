@@ -4,6 +4,7 @@ mod book;
 mod ensembles;
 mod formats;
 mod killed;
+mod motors;
 mod refusals;
 mod runs;
 

@@ -55,6 +55,8 @@ pub enum Reason {
     Zero,
     /// Parentheses deeper than a hundred.
     Depth,
+    /// What the caller does not let stand there, in its words.
+    Refused(String),
 }
 
 impl fmt::Display for Reason {
@@ -70,6 +72,7 @@ impl fmt::Display for Reason {
             Self::Exponent => write!(f, "an exponent is an integer from -{LARGEST} to {LARGEST}"),
             Self::Zero => write!(f, "a division by zero"),
             Self::Depth => write!(f, "parentheses deeper than {DEEPEST}"),
+            Self::Refused(why) => write!(f, "{why}"),
         }
     }
 }
@@ -82,12 +85,46 @@ impl fmt::Display for NotExpression {
 
 impl std::error::Error for NotExpression {}
 
+/// What an expression may be made of.
+pub trait Vocabulary {
+    /// What a name means; `in_angle` inside of a cosine or sine.
+    ///
+    /// # Errors
+    /// Why it must not stand there.
+    fn name(&self, name: &str, in_angle: bool) -> Result<Sym, Reason>;
+
+    /// Judges a part of the expression; the parts of which it is made were judged before.
+    ///
+    /// # Errors
+    /// Why it must not stand there: told at its place, of a sum at the last term.
+    fn judge(&self, _part: Sym) -> Result<(), Reason> {
+        Ok(())
+    }
+}
+
+/// Names with their meaning, and no further rules.
+struct Names<'a>(&'a dyn Fn(&str) -> Option<Sym>);
+
+impl Vocabulary for Names<'_> {
+    fn name(&self, name: &str, _in_angle: bool) -> Result<Sym, Reason> {
+        (self.0)(name).ok_or_else(|| Reason::Name(name.to_owned()))
+    }
+}
+
 /// Reads an expression; `known` gives each name its meaning.
 ///
 /// # Errors
 /// [`NotExpression`]: the first place that cannot be read, and why.
 pub fn parse(text: &str, known: &dyn Fn(&str) -> Option<Sym>) -> Result<Sym, NotExpression> {
-    let mut reader = Reader { tokens: tokens(text)?, at: 0, end: text.len(), depth: 0, known };
+    parse_in(text, &Names(known))
+}
+
+/// Reads an expression whose names and parts a vocabulary judges.
+///
+/// # Errors
+/// [`NotExpression`]: the first place that cannot be read or must not stand there, and why.
+pub fn parse_in(text: &str, vocabulary: &dyn Vocabulary) -> Result<Sym, NotExpression> {
+    let mut reader = Reader { tokens: tokens(text)?, at: 0, end: text.len(), depth: 0, angles: 0, vocabulary };
     let expression = reader.sum()?;
     match reader.peek() {
         None => Ok(expression),
@@ -101,7 +138,9 @@ struct Reader<'a> {
     at: usize,
     end: usize,
     depth: usize,
-    known: &'a dyn Fn(&str) -> Option<Sym>,
+    /// Cosines and sines around the place.
+    angles: usize,
+    vocabulary: &'a dyn Vocabulary,
 }
 
 impl<'a> Reader<'a> {
@@ -124,31 +163,40 @@ impl<'a> Reader<'a> {
         found
     }
 
+    /// What was read from a place on, once it is judged.
+    fn judged(&self, part: Sym, from: usize) -> Result<Sym, NotExpression> {
+        let end = self.at.checked_sub(1).and_then(|last| self.tokens.get(last)).map_or(self.end, |(span, _)| span.end);
+        let refused = |reason| NotExpression { span: from..end, reason };
+        self.vocabulary.judge(part).map(|()| part).map_err(refused)
+    }
+
     fn sum(&mut self) -> Result<Sym, NotExpression> {
         let mut sum = self.product()?;
         loop {
-            if self.takes('+') {
-                sum += self.product()?;
-            } else if self.takes('-') {
-                sum -= self.product()?;
-            } else {
+            let plus = self.takes('+');
+            if !plus && !self.takes('-') {
                 return Ok(sum);
             }
+            let from = self.span().start;
+            let term = self.product()?;
+            sum = self.judged(if plus { sum + term } else { sum - term }, from)?;
         }
     }
 
     fn product(&mut self) -> Result<Sym, NotExpression> {
+        let from = self.span().start;
         let mut product = self.signed()?;
         loop {
             if self.takes('*') {
-                product *= self.signed()?;
+                let factor = self.signed()?;
+                product = self.judged(product * factor, from)?;
             } else if self.takes('/') {
                 let span = self.span();
                 let divisor = self.signed()?;
                 if divisor == Sym::ZERO {
                     return Err(NotExpression { span, reason: Reason::Zero });
                 }
-                product /= divisor;
+                product = self.judged(product / divisor, from)?;
             } else {
                 return Ok(product);
             }
@@ -169,6 +217,7 @@ impl<'a> Reader<'a> {
     }
 
     fn power(&mut self) -> Result<Sym, NotExpression> {
+        let from = self.span().start;
         let base = self.atom()?;
         if !self.takes('^') {
             return Ok(base);
@@ -190,7 +239,7 @@ impl<'a> Reader<'a> {
         if negative && base == Sym::ZERO {
             return Err(NotExpression { span, reason: Reason::Zero });
         }
-        Ok(base.powi(if negative { -size } else { size }))
+        self.judged(base.powi(if negative { -size } else { size }), from)
     }
 
     fn atom(&mut self) -> Result<Sym, NotExpression> {
@@ -200,7 +249,7 @@ impl<'a> Reader<'a> {
             Token::Number(text) => {
                 let value = token::number(text).ok_or_else(|| self.wrong(Reason::Number))?;
                 self.at += 1;
-                Ok(Sym::constant(value))
+                self.judged(Sym::constant(value), span.start)
             }
             Token::Sign('(') => self.inside(),
             Token::Name(name) => {
@@ -208,7 +257,7 @@ impl<'a> Reader<'a> {
                 if self.peek() == Some(&Token::Sign('(')) {
                     return self.function(name, span);
                 }
-                (self.known)(name).ok_or(NotExpression { span, reason: Reason::Name(name.to_owned()) })
+                self.vocabulary.name(name, self.angles > 0).map_err(|reason| NotExpression { span, reason })
             }
             Token::Sign(_) => Err(self.wrong(Reason::Operand)),
         }
@@ -221,7 +270,11 @@ impl<'a> Reader<'a> {
             "sin" => |angle| angle.circle().sin,
             _ => return Err(NotExpression { span, reason: Reason::Function(name.to_owned()) }),
         };
-        self.inside().map(meaning)
+        let angle = usize::from(name != "sqrt");
+        self.angles += angle;
+        let argument = self.inside()?;
+        self.angles -= angle;
+        self.judged(meaning(argument), span.start)
     }
 
     /// A sum in parentheses.

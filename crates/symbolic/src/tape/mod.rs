@@ -1,20 +1,22 @@
 //! Expressions as straight-line programs.
 
+mod algebraic;
 mod record;
 mod run;
 mod source;
 
+pub use algebraic::Algebraic;
 pub use record::Untapeable;
 pub use run::Program;
 pub use source::{Language, Source};
 
-use field::Rational;
+use field::{Rational, Scalar};
 
 /// A straight-line program without branches: what the expressions compute, every common part once.
 ///
 /// A tape knows nothing of the expression graph and may be sent to other threads. [`Tape::over`] readies it for a
 /// field.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tape {
     inputs: usize,
     constants: Vec<Rational>,
@@ -55,6 +57,19 @@ impl Operation {
             | Operation::Quotient(a, b)
             | Operation::Part(a, b) => [a, b],
             Operation::Negation(a) | Operation::Root(a) | Operation::Circle(a) => [a, a],
+        }
+    }
+
+    /// The result of a field operation; none of a root or a circle point.
+    #[inline(always)]
+    fn of_field<S: Scalar>(self, a: S, b: S) -> Option<S> {
+        match self {
+            Operation::Sum(..) => Some(a + b),
+            Operation::Difference(..) => Some(a - b),
+            Operation::Product(..) | Operation::Multiple(..) => Some(a * b),
+            Operation::Quotient(..) | Operation::Part(..) => Some(a / b),
+            Operation::Negation(_) => Some(-a),
+            Operation::Root(_) | Operation::Circle(_) => None,
         }
     }
 

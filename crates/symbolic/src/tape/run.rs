@@ -58,17 +58,13 @@ impl Tape {
         for &operation in operations {
             let [a, b] = operation.operands().map(|operand| registers[operand as usize]);
             registers[next] = match operation {
-                Operation::Sum(..) => a + b,
-                Operation::Difference(..) => a - b,
-                Operation::Product(..) | Operation::Multiple(..) => a * b,
-                Operation::Quotient(..) | Operation::Part(..) => a / b,
-                Operation::Negation(_) => -a,
                 Operation::Root(_) => a.sqrt(),
                 Operation::Circle(_) => {
                     let point = a.circle();
                     registers[next + 1] = point.sin;
                     point.cos
                 }
+                rational => rational.of_field(a, b).unwrap_or(a),
             };
             next += operation.results();
         }

@@ -1,0 +1,55 @@
+//! `dalembert conform`: what every motor must do, and whether this one does.
+
+use crate::arguments::Format;
+use crate::ending::{Ending, print};
+use clap::Args;
+use derivations::conformance::{Finding, Verdict, conform, page, sample};
+use derivations::machines::AnyMachine;
+use derivations::scene::{Family, NoModel, Scene};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Which motor is to be checked.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// A machine by its name, with data of a small motor; or a scene, a TOML file, whose motor may be written in it
+    #[arg(value_name = "MACHINE|SCENE.toml")]
+    pub motor: String,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// How to print it; JSON is one object: motor, checks with check, verdict, says
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Prints every check with its verdict.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let (title, findings) = if asked.motor.ends_with(".toml") {
+        let scene = Scene::open(Path::new(&asked.motor))?;
+        let scene = match &asked.model {
+            None => scene,
+            Some(model) => scene.with_model(model).map_err(Ending::refused)?,
+        };
+        (format!("{}: {}", scene.machine.name(), scene.title), conform(&scene.machine, &scene.machine_data))
+    } else {
+        let unknown = || Ending::refused(NoModel::Unknown { name: asked.motor.clone() });
+        let (machine, data) = sample(&asked.motor).ok_or_else(unknown)?;
+        let listed = AnyMachine::LIST.iter().find(|(name, _)| *name == machine.name());
+        let summary = listed.map_or("", |(_, summary)| summary);
+        (format!("{}: {summary}", machine.name()), conform(&machine, &data))
+    };
+    print(&match asked.format {
+        Format::Text => page(&title, &findings),
+        Format::Json => format!("{:#}\n", object(&title, &findings)),
+    })?;
+    let fails = findings.iter().any(|finding| matches!(finding.verdict, Verdict::Fails(_)));
+    Ok(if fails { Ending::Stopped } else { Ending::Done })
+}
+
+fn object(title: &str, findings: &[Finding]) -> Value {
+    let checks = findings
+        .iter()
+        .map(|Finding { check, verdict }| json!({ "check": check, "verdict": verdict.name(), "says": verdict.says() }));
+    json!({ "motor": title, "checks": checks.collect::<Vec<_>>() })
+}

@@ -1,0 +1,174 @@
+//! `dalembert new motor`: a motor that compiles and conforms, for its author to change.
+
+use crate::ending::{Ending, print};
+use clap::{Args, Subcommand};
+use std::fs::{self, OpenOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+const MACHINE: &str = include_str!("machine.txt");
+const TEST: &str = include_str!("test.txt");
+const SCENE: &str = include_str!("scene.txt");
+const TEXT: &str = include_str!("text.txt");
+
+/// What is to be begun.
+#[derive(Args, Debug)]
+pub struct Asked {
+    #[command(subcommand)]
+    pub what: What,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum What {
+    /// A motor that compiles and conforms: `derivations/machines/NAME.rs`, its line in the list, a scene, a test
+    Motor(Motor),
+}
+
+/// Which motor, and where.
+#[derive(Args, Debug)]
+pub struct Motor {
+    /// Lower case letters, digits and _, as in `salient_pole`
+    #[arg(value_name = "NAME")]
+    pub name: String,
+    /// A scene with its laws as text in the place of a file of the program
+    #[arg(long)]
+    pub text: bool,
+    /// The folder of the project
+    #[arg(long, value_name = "FOLDER", default_value = ".")]
+    pub project: PathBuf,
+}
+
+/// Where the machines are listed, and how the list begins and ends.
+const LIST: &str = "derivations/machines/mod.rs";
+const BEGINS: &str = "\nmachines! {";
+const ENDS: &str = "\n}";
+
+/// Words of the language, which no module can have for a name; `main` is that of a test's own kind.
+const WORDS: &[&str] = &[
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn", "else",
+    "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "main",
+    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super",
+    "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
+
+/// A file with what is written into it.
+struct Begun {
+    place: PathBuf,
+    text: String,
+}
+
+/// Writes what was asked for; all of it or nothing.
+pub fn write(asked: &Asked) -> Result<Ending, Ending> {
+    let What::Motor(asked) = &asked.what;
+    let name = asked.name.as_str();
+    check_name(name)?;
+    let list = asked.project.join(LIST);
+    let listed = fs::read_to_string(&list).ok().filter(|text| text.contains(BEGINS)).ok_or_else(|| {
+        let folder = asked.project.display();
+        Ending::refused(format!(
+            "{folder} is not the project: there is no list of machines in {LIST}; its folder is accepted: --project FOLDER"
+        ))
+    })?;
+    let begun = begun(asked);
+    for Begun { place, .. } in &begun {
+        // a folder of the name would be the same module
+        if place.exists() || place.with_extension("").is_dir() {
+            let place = place.display();
+            return Err(Ending::refused(format!(
+                "{place} exists; the name of a motor that does not exist is accepted"
+            )));
+        }
+    }
+    if listed.contains(&format!(": {};", camel(name))) {
+        return Err(Ending::refused(format!(
+            "the list has a motor `{}` already; another name is accepted",
+            camel(name)
+        )));
+    }
+    for (written, Begun { place, text }) in begun.iter().enumerate() {
+        if let Err(error) = create(place, text) {
+            begun[..written].iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
+            return Err(Ending::unwritable(place, &error));
+        }
+    }
+    if !asked.text {
+        let line = format!("    mod {name}: {};", camel(name));
+        if let Err(error) = fs::write(&list, with_line(&listed, &line)) {
+            begun.iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
+            return Err(Ending::unwritable(&list, &error));
+        }
+    }
+    let mut told: String = begun.iter().map(|begun| format!("wrote {}\n", begun.place.display())).collect();
+    let scene = scene_place(asked);
+    let scene = scene.display();
+    told += &match asked.text {
+        true => {
+            format!("next: dalembert derive {scene}\n      dalembert conform {scene}\n      dalembert run {scene}\n")
+        }
+        false => format!(
+            "added its line to {}\nnext: cargo test --test {name}\n      cargo run --release -- conform {name}\n      \
+             cargo run --release -- run {scene}\n",
+            list.display()
+        ),
+    };
+    told += &format!("a scene in `scenes` is kept with its reference: dalembert reference {scene}\n");
+    print(&told)?;
+    Ok(Ending::Done)
+}
+
+/// Letters, digits and _, a letter first, and no word of the language.
+fn check_name(name: &str) -> Result<(), Ending> {
+    let begins = name.bytes().next().is_some_and(|byte| byte.is_ascii_lowercase());
+    let goes_on = name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_');
+    let taken = WORDS.contains(&name) || name.starts_with("text");
+    match begins && goes_on && name.len() <= 40 && !taken {
+        true => Ok(()),
+        false => Err(Ending::refused(format!(
+            "`{name}` cannot name a motor: up to 40 lower case letters, digits and _ are accepted, a letter first, and no \
+             word of the language, and nothing that begins with `text`: such as `salient_pole`"
+        ))),
+    }
+}
+
+fn scene_place(asked: &Motor) -> PathBuf {
+    asked.project.join("scenes/machines").join(&asked.name).with_extension("toml")
+}
+
+fn begun(asked: &Motor) -> Vec<Begun> {
+    let name = asked.name.as_str();
+    let filled = |template: &str| template.replace("plain_name", name).replace("CamelName", &camel(name));
+    if asked.text {
+        return vec![Begun { place: scene_place(asked), text: filled(TEXT) }];
+    }
+    vec![
+        Begun { place: asked.project.join("derivations/machines").join(format!("{name}.rs")), text: filled(MACHINE) },
+        Begun { place: scene_place(asked), text: filled(SCENE) },
+        Begun { place: asked.project.join("tests").join(format!("{name}.rs")), text: filled(TEST) },
+    ]
+}
+
+/// `salient_pole` as a type: `SalientPole`.
+fn camel(name: &str) -> String {
+    let capital = |part: &str| {
+        let mut letters = part.chars();
+        letters.next().map_or_else(String::new, |first| first.to_ascii_uppercase().to_string() + letters.as_str())
+    };
+    name.split('_').map(capital).collect()
+}
+
+/// The list with one more line at its end.
+fn with_line(text: &str, line: &str) -> String {
+    let whole = text.split_once(BEGINS).and_then(|(before, list)| Some((before, list.split_once(ENDS)?)));
+    match whole {
+        Some((before, (list, after))) => format!("{before}{BEGINS}{list}\n{line}{ENDS}{after}"),
+        None => text.to_owned(),
+    }
+}
+
+/// Never over a file that is there.
+fn create(place: &Path, text: &str) -> std::io::Result<()> {
+    if let Some(folder) = place.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    OpenOptions::new().write(true).create_new(true).open(place)?.write_all(text.as_bytes())
+}

@@ -1,0 +1,101 @@
+//! Motors begun and checked from the command line.
+
+use crate::{json, root, run, temporary};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A folder with the project's list of machines and nothing else.
+struct Project(PathBuf);
+
+impl Project {
+    fn new(name: &str) -> Self {
+        let folder = temporary(name);
+        fs::create_dir_all(folder.join("derivations/machines")).expect("a folder can be made");
+        let list = "derivations/machines/mod.rs";
+        fs::copy(root().join(list), folder.join(list)).expect("a file can be copied");
+        Project(folder)
+    }
+
+    /// The exit code, and what was said.
+    fn begin(&self, arguments: &[&str]) -> (Option<i32>, String) {
+        let project = self.0.to_string_lossy();
+        let output = run(&[&["new", "motor"], arguments, &["--project", &project]].concat());
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    }
+
+    fn read(&self, place: &str) -> Option<String> {
+        fs::read_to_string(self.0.join(place)).ok()
+    }
+
+    fn files(&self) -> usize {
+        fn count(folder: &Path) -> usize {
+            let entries = fs::read_dir(folder).expect("a folder can be listed");
+            let paths = entries.map(|entry| entry.expect("an entry can be read").path());
+            paths.map(|path| if path.is_dir() { count(&path) } else { 1 }).sum()
+        }
+        count(&self.0)
+    }
+}
+
+impl Drop for Project {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn a_new_motor_is_a_file_a_line_a_scene_and_a_test() {
+    let project = Project::new("begun");
+    assert_eq!(project.begin(&["salient_pole"]).0, Some(0));
+    let list = project.read("derivations/machines/mod.rs").expect("the list is there");
+    assert!(list.contains("\n    mod salient_pole: SalientPole;\n}"), "{list}");
+    let file = project.read("derivations/machines/salient_pole.rs").expect("it is written");
+    assert!(file.contains("pub struct SalientPole {") && !file.contains("CamelName"), "{file}");
+    assert!(project.read("scenes/machines/salient_pole.toml").is_some_and(|text| text.contains("\"salient_pole\"")));
+    assert!(project.read("tests/salient_pole.rs").is_some_and(|text| text.contains("salient_pole::SalientPole")));
+    let again = project.begin(&["salient_pole"]);
+    assert!(again.0 == Some(2) && again.1.contains("exists"), "{again:?}");
+    assert_eq!(project.read("derivations/machines/mod.rs"), Some(list));
+}
+
+#[test]
+fn a_new_motor_as_text_is_a_scene_that_conforms_and_runs() {
+    let project = Project::new("begun_text");
+    assert_eq!(project.begin(&["salient_pole", "--text"]).0, Some(0));
+    assert_eq!(project.files(), 2);
+    let scene = project.0.join("scenes/machines/salient_pole.toml");
+    let scene = scene.to_string_lossy();
+    let found = json(&run(&["conform", &scene, "--format", "json"]));
+    let checks = found["checks"].as_array().expect("there are checks");
+    assert!(checks.len() > 8 && checks.iter().all(|check| check["verdict"] != "fails"), "{found:#}");
+    let equations = String::from_utf8(run(&["derive", &scene]).stdout).expect("it is text");
+    assert!(equations.starts_with("M = ") && equations.contains("l*dx/dt = "), "{equations}");
+    assert_eq!(run(&["run", &scene]).status.code(), Some(0));
+}
+
+#[test]
+fn what_cannot_name_a_motor_is_refused_and_nothing_written() {
+    let project = Project::new("begun_not");
+    for name in ["Salient", "2poles", "salient-pole", "match", "text_motor", "", "../outside", "synchronous_"] {
+        let (code, said) = project.begin(&[name]);
+        assert!(code == Some(2) && said.contains("accepted"), "{name}: {said}");
+    }
+    assert_eq!(project.files(), 1);
+    let elsewhere = temporary("no_project");
+    let output = run(&["new", "motor", "salient_pole", "--project", &elsewhere.to_string_lossy()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("is not the project"));
+}
+
+#[test]
+fn a_motor_that_fails_a_check_ends_with_one_and_says_which() {
+    let project = Project::new("begun_wrong");
+    assert_eq!(project.begin(&["wrong", "--text"]).0, Some(0));
+    let place = project.0.join("scenes/machines/wrong.toml");
+    let text = fs::read_to_string(&place).expect("it is written");
+    fs::write(&place, text.replace("\"-f*phi'\"", "\"f*phi'\"")).expect("a file can be written");
+    let output = run(&["conform", &place.to_string_lossy()]);
+    let said = String::from_utf8(output.stdout).expect("it is text");
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("fails           passivity   the moment m gives"), "{said}");
+}

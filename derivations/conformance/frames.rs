@@ -1,0 +1,141 @@
+//! The same equations from other frames.
+
+use super::Verdict;
+use super::instant::{Instant, vanish};
+use crate::machines::{Machine, RotorState, drive};
+use field::{Analytic, Circle, Over, Scalar, Tangent};
+use symbolic::Sym;
+
+/// Seen from the stator the coenergy is K(phi - W t, i), and the field's turning a constraint that depends on time: Lagrange,
+/// Maxwell and Hamel there, by two derivatives of K, against the law in the field's frame.
+pub(super) fn stator<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
+    if at.kept {
+        return Verdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
+    }
+    let (phi, field) = match M::ROTOR {
+        RotorState::AngleAndSpeed => (Sym::symbol("the angle phi").circle(), Sym::symbol("the angle W t").circle()),
+        RotorState::Prescribed | RotorState::Speed => (Circle::zero(), Circle::zero()),
+    };
+    let mut rates = vec![Sym::ZERO; at.currents.len()];
+    let moment = drive(machine, phi - field, at.slip, &at.currents, &mut rates);
+    // dK/dphi with the field held
+    let varied = phi.moving(Sym::ONE) - field.moving(Sym::ZERO);
+    let held: Vec<_> = at.currents.iter().map(|&i| Tangent::fixed(i)).collect();
+    let pull = coenergy(machine, varied, &held).slope;
+    let motional: Vec<Sym> = (0..rates.len()).map(|k| machine.motional(k, &at.currents).unwrap_or(Sym::ZERO)).collect();
+    let sliding = at.currents.iter().zip(&motional).fold(Sym::ZERO, |sum, (&i, &c)| sum + i * c);
+    let law = machine.moment_law(at.speed - machine.frame_speed(), at.speed);
+    let mut residuals = vec![("the moment".to_owned(), moment - (pull + sliding + law))];
+    // d/dt dK/di_k with rotor and field both turning
+    let running = phi.moving(at.speed) - field.moving(machine.frame_speed());
+    for (k, &motional) in motional.iter().enumerate() {
+        let currents = at.currents.iter().zip(&rates).enumerate().map(|(j, (&i, &rate))| {
+            let varied = if j == k { Sym::ONE } else { Sym::ZERO };
+            Tangent::moving(Tangent::moving(i, rate), Tangent::fixed(varied))
+        });
+        let flux = coenergy(machine, running.map(Tangent::fixed), &currents.collect::<Vec<_>>()).slope.slope;
+        let supply = machine.supply(k, phi - field).unwrap_or(Sym::ZERO);
+        let voltage = machine.resistance(k) * at.currents[k] + motional * at.speed - supply;
+        residuals.push((format!("the voltage of winding {k}"), flux + voltage));
+    }
+    Verdict::of(vanish(residuals), "from the stator, where the field turns with time, the equations are the same")
+}
+
+/// K = sum (1/2 L i^2 + i psi(g)) - U(g).
+fn coenergy<S: Over<Sym>, M: Machine<Sym>>(machine: &M, angle: Circle<S>, currents: &[S]) -> S {
+    currents.iter().enumerate().fold(-machine.field_energy(angle), |sum, (k, &i)| {
+        sum + (S::lift(machine.inductance(k)) * i * i).half() + i * machine.linkage(k, angle)
+    })
+}
+
+/// Two windings with one inductance and one resistance, exchanged for two that are turned among themselves.
+pub(super) fn turned_windings<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
+    let alike = |&(j, k): &(usize, usize)| {
+        machine.inductance(j) == machine.inductance(k) && machine.resistance(j) == machine.resistance(k)
+    };
+    let count = at.currents.len();
+    let pairs: Vec<(usize, usize)> = (1..count).map(|k| (k - 1, k)).filter(alike).collect();
+    if pairs.is_empty() {
+        return Verdict::DoesNotApply("no two windings in a row are alike".to_owned());
+    }
+    let turn = Circle { cos: Sym::ratio(3, 5), sin: Sym::ratio(4, 5) };
+    let residuals = pairs.into_iter().flat_map(|pair| {
+        let turned = Turned { machine, pair, turn };
+        let (currents, expected) = (turned.forwards(&at.currents), turned.forwards(&at.rates));
+        let mut rates = vec![Sym::ZERO; count];
+        let moment = drive(&turned, at.angle, at.slip, &currents, &mut rates);
+        let off = rates.into_iter().zip(expected).enumerate();
+        let off = off.map(|(k, (rate, expected))| (format!("the rate of turned current {k}"), rate - expected));
+        std::iter::once(("the moment of turned windings".to_owned(), moment - at.moment)).chain(off).collect::<Vec<_>>()
+    });
+    Verdict::of(vanish(residuals.collect::<Vec<_>>()), "windings that are alike may be turned among themselves")
+}
+
+/// A machine two of whose windings are turned by an angle among themselves.
+struct Turned<'a, M> {
+    machine: &'a M,
+    pair: (usize, usize),
+    turn: Circle<Sym>,
+}
+
+impl<M> Turned<'_, M> {
+    /// Of the pair, which is turned; the others stay.
+    fn turned<S: Over<Sym>>(&self, winding: usize, of: impl Fn(usize) -> S) -> S {
+        let ((j, k), turn) = (self.pair, self.turn.map(S::lift));
+        match winding {
+            _ if winding == j => turn.cos * of(j) + turn.sin * of(k),
+            _ if winding == k => turn.cos * of(k) - turn.sin * of(j),
+            _ => of(winding),
+        }
+    }
+
+    fn forwards(&self, values: &[Sym]) -> Vec<Sym> {
+        (0..values.len()).map(|winding| self.turned(winding, |k| values[k])).collect()
+    }
+
+    fn backwards<S: Over<Sym>>(&self, values: &[S]) -> Vec<S> {
+        let back = Turned { machine: self.machine, pair: self.pair, turn: -self.turn };
+        (0..values.len()).map(|winding| back.turned(winding, |k| values[k])).collect()
+    }
+}
+
+impl<M: Machine<Sym>> Machine<Sym> for Turned<'_, M> {
+    const ROTOR: RotorState = M::ROTOR;
+
+    fn frame_speed(&self) -> Sym {
+        self.machine.frame_speed()
+    }
+
+    fn windings(&self) -> usize {
+        self.machine.windings()
+    }
+
+    fn inductance(&self, winding: usize) -> Sym {
+        self.machine.inductance(winding)
+    }
+
+    fn resistance(&self, winding: usize) -> Sym {
+        self.machine.resistance(winding)
+    }
+
+    fn linkage<S: Over<Sym>>(&self, winding: usize, angle: Circle<S>) -> S {
+        self.turned(winding, |k| self.machine.linkage(k, angle))
+    }
+
+    fn supply<S: Over<Sym>>(&self, winding: usize, angle: Circle<S>) -> Option<S> {
+        Some(self.turned(winding, |k| self.machine.supply(k, angle).unwrap_or_else(S::zero)))
+    }
+
+    fn motional<S: Over<Sym>>(&self, winding: usize, currents: &[S]) -> Option<S> {
+        let own = self.backwards(currents);
+        Some(self.turned(winding, |k| self.machine.motional(k, &own).unwrap_or_else(S::zero)))
+    }
+
+    fn field_energy<S: Over<Sym>>(&self, angle: Circle<S>) -> S {
+        self.machine.field_energy(angle)
+    }
+
+    fn moment_law<S: Over<Sym>>(&self, slip: S, speed: S) -> S {
+        self.machine.moment_law(slip, speed)
+    }
+}

@@ -1,0 +1,83 @@
+//! A motor in a housing that moves, and in one too heavy to.
+
+use super::Verdict;
+use super::instant::{Instant, bench_state, vanish};
+use crate::machines::{Bench, Machine, RotorState, drive};
+use crate::systems::gyrostat::driven::Driven;
+use crate::systems::gyrostat::forms::{FirstForm, Form};
+use field::Tangent;
+use nalgebra::Vector3;
+use symbolic::{Hypotheses, Sym, decide, normal};
+
+fn three(name: &str) -> Vector3<Sym> {
+    Vector3::from_fn(|k, _| Sym::symbol(&format!("{name} {}", k + 1)))
+}
+
+/// The motor in a gyrostat with these principal moments of A: the rest is any.
+fn driven<M: Machine<Sym>>(machine: &M, moments: Vector3<Sym>) -> Driven<Sym, FirstForm<Sym>, &M> {
+    let form = FirstForm::new(moments, three("axis l"), Sym::symbol("the moment A'"), three("weight Ge"));
+    Driven::new(form, machine)
+}
+
+/// Neither the momentum about the vertical nor more than M of the rotor's own momentum comes from the motor.
+pub(super) fn momentum<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
+    let law = driven(machine, three("moment A"));
+    let (w, v) = (three("velocity w"), three("vertical v"));
+    let mut y: Vec<Sym> = w.iter().chain(&v).copied().collect();
+    y.extend(bench_state(machine));
+    let mut dy = vec![Sym::ZERO; y.len()];
+    law.rates(&y, &mut dy);
+    let moving: Vec<_> = y.iter().zip(&dy).map(|(&y, &dy)| Tangent::moving(y, dy)).collect();
+    let mut residuals = vec![("the momentum about the vertical".to_owned(), vertical(&law, &moving))];
+    if !at.kept {
+        let (rotor, currents) = y[6..].split_at(M::ROTOR.dimension());
+        let (angle, slip) = M::ROTOR.angle_and_slip(rotor);
+        let moment = drive(machine, angle, slip, currents, &mut vec![Sym::ZERO; currents.len()]);
+        let along = Vector3::from_fn(|k, _| dy[k]).dot(&three("axis l"));
+        let spin = Sym::symbol("the moment A'") * (along + dy[6 + M::ROTOR.dimension() - 1]);
+        residuals.push(("the rotor's own momentum".to_owned(), spin - moment));
+    }
+    Verdict::of(vanish(residuals), "what the rotor gets of momentum about its axis the housing gives, and no more")
+}
+
+fn vertical<M: Machine<Sym>>(law: &Driven<Sym, FirstForm<Sym>, M>, moving: &[Tangent<Sym>]) -> Sym {
+    let speed = match M::ROTOR {
+        RotorState::Prescribed => Tangent::fixed(law.machine.frame_speed()),
+        RotorState::Speed | RotorState::AngleAndSpeed => {
+            moving[6 + M::ROTOR.dimension() - 1] + Tangent::fixed(law.machine.frame_speed())
+        }
+    };
+    let vector = |from: usize| Vector3::from_fn(|k, _| moving[from + k]);
+    law.form.momentum(vector(0), speed).dot(&vector(3)).slope
+}
+
+/// As the moments of the housing grow beyond all bounds, one at rest stays so and the motor runs as on the bench.
+pub(super) fn bench<M: Machine<Sym>>(machine: &M) -> Verdict {
+    let own = bench_state(machine);
+    if own.is_empty() {
+        return Verdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned());
+    }
+    let small = Sym::symbol("1 over A");
+    let law = driven(machine, Vector3::repeat(Sym::ONE / small));
+    let still = std::iter::repeat_n(Sym::ZERO, 3);
+    let y: Vec<Sym> = still.chain(three("vertical v").iter().copied()).chain(own.iter().copied()).collect();
+    let mut dy = vec![Sym::ZERO; y.len()];
+    law.rates(&y, &mut dy);
+    let mut alone = vec![Sym::ZERO; own.len()];
+    Bench { machine, axial: Sym::symbol("the moment A'") }.rates(&own, &mut alone);
+    let turning = dy[..3].iter().map(|&rate| ("the housing's turning".to_owned(), rate));
+    let running = dy[6..].iter().zip(alone).enumerate().map(|(k, (&rate, alone))| (format!("rate {k}"), rate - alone));
+    let proof = turning.chain(running).try_for_each(|(what, rate)| match tends_to_zero(rate, small) {
+        true => Ok(()),
+        false => Err(format!("{what} differs from the bench's")),
+    });
+    Verdict::of(proof, "in a housing too heavy to turn it runs as on the bench")
+}
+
+/// With a variable that tends to zero.
+fn tends_to_zero(expression: Sym, variable: Sym) -> bool {
+    let Ok(form) = normal(expression, &Hypotheses::none()) else { return false };
+    let end = [(variable, Sym::ZERO)];
+    let [above, below] = [form.numerator(), form.denominator()].map(|part| part.substitute(&end));
+    decide(above, &Hypotheses::none()).is_zero() && decide(below, &Hypotheses::none()).is_nonzero()
+}

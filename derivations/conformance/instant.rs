@@ -1,0 +1,50 @@
+//! A motor at an instant, over symbols: what its law makes of any state.
+
+use crate::machines::{Machine, RotorState, drive, state_names};
+use field::{Analytic, Circle};
+use symbolic::{Hypotheses, Sym, decide};
+
+/// Any state of a motor, and what follows from it. (A symbol with a space in its name is no parameter of any motor.)
+pub struct Instant {
+    pub angle: Circle<Sym>,
+    /// g', rad/s
+    pub slip: Sym,
+    /// phi', rad/s
+    pub speed: Sym,
+    pub currents: Vec<Sym>,
+    /// M, N m
+    pub moment: Sym,
+    /// di_k/dt, A/s
+    pub rates: Vec<Sym>,
+    /// Whether the rotor keeps its speed by whatever moment that takes.
+    pub kept: bool,
+}
+
+impl Instant {
+    /// What the law makes of it.
+    pub fn of<M: Machine<Sym>>(machine: &M) -> Self {
+        let kept = M::ROTOR == RotorState::Prescribed;
+        let angle = match M::ROTOR {
+            RotorState::AngleAndSpeed => Sym::symbol("the angle").circle(),
+            RotorState::Prescribed | RotorState::Speed => Circle { cos: Sym::ONE, sin: Sym::ZERO },
+        };
+        let slip = if kept { Sym::ZERO } else { Sym::symbol("the slip") };
+        let currents: Vec<Sym> = (0..machine.windings()).map(|k| Sym::symbol(&format!("current {k}"))).collect();
+        let mut rates = vec![Sym::ZERO; currents.len()];
+        let moment = drive(machine, angle, slip, &currents, &mut rates);
+        Instant { angle, slip, speed: slip + machine.frame_speed(), currents, moment, rates, kept }
+    }
+}
+
+/// That all of these vanish, for all states and data; otherwise which does not, and where.
+pub fn vanish(residuals: impl IntoIterator<Item = (String, Sym)>) -> Result<(), String> {
+    residuals.into_iter().try_for_each(|(what, residual)| {
+        let decision = decide(residual, &Hypotheses::none());
+        if decision.is_zero() { Ok(()) } else { Err(format!("{what} is off: {decision}")) }
+    })
+}
+
+/// The state of a motor on a bench as symbols, by the names of its states.
+pub fn bench_state<M: Machine<Sym>>(machine: &M) -> Vec<Sym> {
+    state_names(machine).iter().map(|name| Sym::symbol(&format!("the {name}"))).collect()
+}

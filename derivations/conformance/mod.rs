@@ -1,0 +1,146 @@
+//! What every motor must do, whoever wrote it: checks that ask its laws alone, each with a verdict.
+//!
+//! # Overview
+//! * [`conform`]: all checks of a motor; [`page`] writes them;
+//! * `power`: where energy goes, and whether the motor gives any of its own;
+//! * `frames`: the same equations from the stator's frame, and in windings that are turned among themselves;
+//! * `housing`: a housing that moves, and one too heavy to turn;
+//! * `rest`: currents that rest, stationary states with runs, stiffness;
+//! * `slopes`: the Jacobian by two routes;
+//! * `units`: dimensions.
+//!
+//! Identities are decided over symbols for every parameter; inequalities and stationary states hold for the data.
+
+mod frames;
+mod housing;
+mod instant;
+mod power;
+mod rest;
+pub mod slopes;
+mod units;
+
+use crate::machines::{AnyMachine, Catalogued, ForMachine, Quantity};
+use crate::scene::{MachineData, Named};
+use crate::stationary::motor::Decimals;
+use instant::Instant;
+use std::fmt::Write;
+use symbolic::Sym;
+
+/// What is known of a property of a motor.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Exactly, for all states; of an identity, for all parameters.
+    Proved(String),
+    /// By runs and numbers.
+    Tested(String),
+    /// And why.
+    Fails(String),
+    /// And why not.
+    DoesNotApply(String),
+}
+
+/// A check with what it came to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// One word.
+    pub check: &'static str,
+    pub verdict: Verdict,
+}
+
+impl Verdict {
+    /// As pages and programs have it.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Verdict::Proved(_) => "proved",
+            Verdict::Tested(_) => "tested",
+            Verdict::Fails(_) => "fails",
+            Verdict::DoesNotApply(_) => "does not apply",
+        }
+    }
+
+    /// What holds, or why nothing does.
+    pub fn says(&self) -> &str {
+        match self {
+            Verdict::Proved(says) | Verdict::Tested(says) | Verdict::Fails(says) | Verdict::DoesNotApply(says) => says,
+        }
+    }
+
+    fn of(proof: Result<(), String>, says: &str) -> Self {
+        proof.map_or_else(Verdict::Fails, |()| Verdict::Proved(says.to_owned()))
+    }
+}
+
+/// Every check on a motor with its data.
+pub fn conform(machine: &AnyMachine, data: &MachineData) -> Vec<Finding> {
+    machine.clone().apply(Kit { name: machine.name(), data })
+}
+
+/// A machine of the list with data that a small motor may have, by their units; no two are alike.
+pub fn sample(model: &str) -> Option<(AnyMachine, MachineData)> {
+    let mut asked = 0;
+    let value = |quantity: &Quantity| {
+        asked += 1;
+        let size = match &*quantity.unit {
+            "rad/s" => 30.0,
+            "N m" => 0.8,
+            "N m s" => 0.004,
+            "Wb" | "V s" => 0.06,
+            "H" => 0.02,
+            "ohm" => 1.5,
+            "V" => 12.0,
+            _ => 0.3,
+        };
+        // short decimals, which pages print as fractions
+        (1e5 * size * f64::from(20 + asked) / 20.0).round() / 1e5
+    };
+    MachineData::sampled(model, value, 3)
+}
+
+/// The checks as a task for any machine of a name, also for one that is in no list.
+pub struct Kit<'a> {
+    pub name: &'static str,
+    pub data: &'a MachineData,
+}
+
+impl ForMachine for Kit<'_> {
+    type Output = Vec<Finding>;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Vec<Finding> {
+        let Kit { name, data } = self;
+        let mut named = Named::new(data);
+        let Ok(written) = M::read::<Sym, _>(&mut named);
+        let dimensions = named.dimensions;
+        let instant = Instant::of(&written);
+        let exact = M::read::<Sym, _>(&mut Decimals(data, name));
+        let passive = match &exact {
+            Ok(exact) => power::passivity(exact, &written),
+            Err(missing) => Verdict::Fails(missing.to_string()),
+        };
+        let rest = rest::Rest::of(&machine, data, name);
+        let findings = [
+            ("power", power::balance(&written, &instant)),
+            ("passivity", passive),
+            ("frame", frames::stator(&written, &instant)),
+            ("windings", frames::turned_windings(&written, &instant)),
+            ("housing", housing::momentum(&written, &instant)),
+            ("bench", housing::bench(&written)),
+            ("currents", rest::currents(&written, &instant)),
+            ("stationary", rest.stationary()),
+            ("stability", rest.stability()),
+            ("stiffness", rest.stiffness()),
+            ("jacobian", slopes::jacobian(&machine)),
+            ("dimensions", units::dimensions(&instant, &dimensions)),
+        ];
+        findings.map(|(check, verdict)| Finding { check, verdict }).into()
+    }
+}
+
+/// The findings of a motor for a reader: verdict in the first column.
+pub fn page(title: &str, findings: &[Finding]) -> String {
+    let mut page = format!("{title}\n");
+    for Finding { check, verdict } in findings {
+        // writing to a String cannot fail
+        let _ = writeln!(page, "{:<15} {check:<11} {}", verdict.name(), verdict.says());
+    }
+    page
+}

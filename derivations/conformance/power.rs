@@ -1,0 +1,142 @@
+//! Where the energy goes, and whether the motor gives energy of its own.
+
+use super::Verdict;
+use super::instant::{Instant, vanish};
+use crate::machines::{Machine, RotorState, heat, motional_moment, stored_energy, supplied};
+use crate::stationary::motor::{Fraction, NoMotor};
+use field::{Analytic, Circle, Rational, Scalar, Tangent};
+use symbolic::real::Root;
+use symbolic::{Hypotheses, Sym, decide};
+
+/// M phi' + d/dt (U + sum 1/2 L i^2) = W dK/dg + phi' m + sum v i - sum R i^2, by moving the stored energy along the motion.
+pub(super) fn balance<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
+    if at.kept {
+        return Verdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
+    }
+    let moving: Vec<_> = at.currents.iter().zip(&at.rates).map(|(&i, &rate)| Tangent::moving(i, rate)).collect();
+    let stored = stored_energy(machine, at.angle.moving(at.slip), &moving).slope;
+    let varied = at.angle.moving(Sym::ONE);
+    let pull = at
+        .currents
+        .iter()
+        .enumerate()
+        .fold(-machine.field_energy(varied).slope, |sum, (k, &i)| sum + i * machine.linkage(k, varied).slope);
+    let given = machine.frame_speed() * pull
+        + at.speed * machine.moment_law(at.slip, at.speed)
+        + supplied(machine, at.angle, &at.currents)
+        - heat(machine, &at.currents);
+    let proof = vanish([("the power balance".to_owned(), at.moment * at.speed + stored - given)]);
+    Verdict::of(proof, "shaft and store get what field, friction and supplies give, less heat")
+}
+
+/// Whether the motor gives energy of its own. Seen from the field it does not where E - W p + c0 g, with c0 = -m(0, W), never
+/// grows without a supply; seen from the housing, where nothing turns with the field, where E does not.
+pub(super) fn passivity<M: Machine<Sym>>(machine: &M, written: &M) -> Verdict {
+    if M::ROTOR == RotorState::Prescribed {
+        return Verdict::DoesNotApply("whatever keeps the speed gives what that takes".to_owned());
+    }
+    for k in 0..machine.windings() {
+        if sign(machine.resistance(k)) == Some(-1) {
+            return Verdict::Fails(format!("winding {} gives: its resistance is negative", machine.current_name(k)));
+        }
+        if sign(machine.inductance(k)) != Some(1) {
+            let name = machine.current_name(k);
+            return Verdict::Fails(format!("winding {name} stores no energy: its inductance is not positive"));
+        }
+    }
+    let supply = (0..machine.windings()).any(|k| machine.supply(k, Circle::<Sym>::zero()).is_some());
+    let beyond = if supply { "; beyond that it takes what its supplies put in" } else { "" };
+    match from_field(machine) {
+        Ok(()) => Verdict::Proved(format!("seen from the field it gives nothing: E - W p + c0 g never grows{beyond}")),
+        Err(reason) => match from_housing(machine) {
+            Ok(()) => Verdict::Proved(format!("seen from the housing it gives nothing: E never grows{beyond}")),
+            Err(_) => Verdict::Fails(reason.told(written)),
+        },
+    }
+}
+
+/// d/dt (E - W p + c0 g) = (m - m(0, W)) g' - heat - W sum c_k i_k.
+fn from_field<M: Machine<Sym>>(machine: &M) -> Result<(), Gives> {
+    let currents = currents(machine);
+    let slid = machine.frame_speed() * motional_moment(machine, &currents);
+    if !vanishes(slid) {
+        return Err(Gives::Sliding);
+    }
+    let (frame_speed, slip) = (machine.frame_speed(), Sym::symbol("the slip"));
+    let moment = machine.moment_law(slip, slip + frame_speed);
+    takes((moment - machine.moment_law(Sym::ZERO, frame_speed)) * slip, slip)
+}
+
+/// dE/dt = m phi' - heat, where nothing depends on the angle to the field.
+fn from_housing<M: Machine<Sym>>(machine: &M) -> Result<(), Gives> {
+    let varied = Sym::symbol("the angle").circle().moving(Sym::ONE);
+    let fluxes = (0..machine.windings()).map(|k| machine.linkage(k, varied).slope);
+    if !fluxes.chain([machine.field_energy(varied).slope]).all(vanishes) {
+        return Err(Gives::Field);
+    }
+    let slip = Sym::symbol("the slip");
+    let speed = slip + machine.frame_speed();
+    takes(machine.moment_law(slip, speed) * speed, slip)
+}
+
+/// What gives energy.
+enum Gives {
+    /// Conductors that slide.
+    Sliding,
+    /// The turning field.
+    Field,
+    /// The moment m, below synchronism or above.
+    Moment { below: bool },
+    /// Nobody knows: the moment is no fraction of polynomials.
+    Unknown(NoMotor),
+}
+
+impl Gives {
+    fn told<M: Machine<Sym>>(&self, machine: &M) -> String {
+        match self {
+            Gives::Sliding => "conductors that slide under a turning field give W sum c i".to_owned(),
+            Gives::Field => "the field turns, and gives W dK/dg".to_owned(),
+            Gives::Moment { below } => {
+                let side = if *below { "below" } else { "above" };
+                let moment = machine.moment_law(Sym::symbol("g'"), Sym::symbol("phi'"));
+                format!("the moment m gives {side} synchronism: {moment}")
+            }
+            Gives::Unknown(reason) => reason.to_string(),
+        }
+    }
+}
+
+/// That a power is positive at no slip.
+fn takes(power: Sym, slip: Sym) -> Result<(), Gives> {
+    let power = Fraction::of(power, slip).map_err(Gives::Unknown)?;
+    positive(&power).map_or(Ok(()), |gives| Err(Gives::Moment { below: gives.sign() == Some(-1) }))
+}
+
+fn currents<M: Machine<Sym>>(machine: &M) -> Vec<Sym> {
+    (0..machine.windings()).map(|k| Sym::symbol(&format!("current {k}"))).collect()
+}
+
+fn vanishes(expression: Sym) -> bool {
+    decide(expression, &Hypotheses::none()).is_zero()
+}
+
+/// Of a constant.
+fn sign(value: Sym) -> Option<i32> {
+    value.as_constant().and_then(Rational::sign)
+}
+
+/// A rational point at which a fraction is positive, by its sign at one point between each two of its roots and poles.
+fn positive(fraction: &Fraction) -> Option<Rational> {
+    let whole = &fraction.numerator * &fraction.denominator;
+    let mut roots = whole.real_roots();
+    roots.sort_by(Root::compare);
+    let one = Rational::int(1);
+    let bounds: Vec<[Rational; 2]> = roots.iter().map(Root::bounds).collect();
+    let first = bounds.first().map_or(one, |[below, _]| *below - one);
+    let last = bounds.last().map_or(one, |[_, above]| *above + one);
+    let between = bounds.windows(2).map(|pair| (pair[0][1] + pair[1][0]).half());
+    [first, last].into_iter().chain(between).find(|&at| {
+        let sign = Root::rational(at).map_or(0, |at| at.sign_of(&whole));
+        sign > 0
+    })
+}

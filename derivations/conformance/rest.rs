@@ -1,0 +1,225 @@
+//! Currents that rest, stationary states of the motor on a bench, and how fast it comes to them.
+
+use super::Verdict;
+use super::instant::{Instant, vanish};
+use crate::machines::{Bench, Catalogued, ForMachine, Machine, RotorState, drive, is_fed, resting_currents};
+use crate::recorded::Recorded;
+use crate::scene::MachineData;
+use crate::stationary::motor::{Motor, States};
+use integrators::{Directions, Jacobian, Method, Ode, Span, Tolerance, integrate, spectrum};
+use nalgebra::Complex;
+use std::sync::Arc;
+use symbolic::Sym;
+
+/// A', kg m^2, of the bench on which runs confirm what is exact.
+const AXIAL: f64 = 0.01;
+/// How far a start is off; for how many of its slowest time constants a run goes on, which beats whatever the components
+/// make of each other before; and what it may cost. A swing that hardly fades is then not told.
+const OFF: f64 = 1e-4;
+const LONG: f64 = 12.0;
+const MOST: u64 = 2_000_000;
+/// Rates beside the sizes of which they are made, for a state that rests.
+const ROUNDING: f64 = 1e-9;
+/// Eigenvalues farther apart than this hide each other in rounding.
+const APART: f64 = 1e12;
+
+/// At the currents that rest every rate vanishes; whatever the inductances are, so that these are the currents of the limit
+/// L -> 0. In step, where nothing feeds them, they vanish, and what is left is the motor without currents.
+pub(super) fn currents<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
+    if at.currents.is_empty() {
+        return Verdict::DoesNotApply("it has no windings".to_owned());
+    }
+    let Some(resting) = resting_currents(machine, at.angle, at.slip) else {
+        return Verdict::Fails(
+            "no currents rest: the smaller model without their transients does not exist".to_owned(),
+        );
+    };
+    let mut rates = vec![Sym::ZERO; resting.len()];
+    drive(machine, at.angle, at.slip, &resting, &mut rates);
+    let rates = rates.into_iter().enumerate().map(|(k, rate)| (format!("the rate of resting current {k}"), rate));
+    if is_fed(machine) || M::ROTOR != RotorState::AngleAndSpeed {
+        return Verdict::of(vanish(rates), "L -> 0: there are currents at which every rate vanishes");
+    }
+    let still = vec![Sym::ZERO; resting.len()];
+    let in_step = drive(machine, at.angle, Sym::ZERO, &still, &mut still.clone());
+    let bare =
+        machine.moment_law(Sym::ZERO, machine.frame_speed()) - machine.field_energy(at.angle.moving(Sym::ONE)).slope;
+    let step = std::iter::once(("the moment in step".to_owned(), in_step - bare));
+    Verdict::of(
+        vanish(rates.chain(step)),
+        "L -> 0: every rate vanishes at some currents; in step it is the motor without",
+    )
+}
+
+/// The stationary states as numbers, each with its spectrum, and what runs from nearby do.
+pub(super) struct Rest {
+    known: Result<Known, Verdict>,
+}
+
+struct Known {
+    states: Vec<State>,
+    /// How many are shown: a rotor that is left alone has them at every speed, and one stands for all.
+    every: bool,
+}
+
+struct State {
+    /// The largest rate there beside the largest that it is made of.
+    residual: f64,
+    spectrum: Option<Vec<Complex<f64>>>,
+    /// How many times farther off a run ends than it starts, where all decays or something grows.
+    grows: Option<f64>,
+}
+
+impl Rest {
+    /// Of a machine with its data.
+    pub fn of<M>(machine: &M, data: &MachineData, name: &'static str) -> Self
+    where
+        M: Catalogued + Clone + Send + Sync + 'static,
+    {
+        let motor = States { data, name, load: 0.0 }.apply(machine.clone());
+        let known = motor.map_err(|reason| Verdict::Fails(reason.to_string())).and_then(|motor| {
+            let bench = Bench { machine: machine.clone(), axial: AXIAL };
+            let starts = states(&motor, machine);
+            if bench.dimension() == 0 {
+                return Err(Verdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned()));
+            }
+            let system = Recorded::new(Arc::new(bench));
+            let states = starts.iter().map(|start| State::at(&system, start)).collect();
+            Ok(Known { states, every: matches!(motor, Motor::Free) })
+        });
+        Rest { known }
+    }
+
+    /// Whether the exact values are those of the law that runs.
+    pub fn stationary(&self) -> Verdict {
+        self.judged(|known| {
+            let count = known.states.len();
+            if count == 0 {
+                return Verdict::Proved("it has no stationary state".to_owned());
+            }
+            match known.states.iter().position(|state| state.residual > ROUNDING) {
+                Some(place) => {
+                    Verdict::Fails(format!("the law that runs does not rest at stationary state {}", place + 1))
+                }
+                None if known.every => Verdict::Tested("every speed is stationary, and rests".to_owned()),
+                None if count == 1 => {
+                    Verdict::Tested("one state, found exactly; the law that runs rests there".to_owned())
+                }
+                None => Verdict::Tested(format!("{count} states, all found exactly; the law that runs rests at each")),
+            }
+        })
+    }
+
+    /// Whether runs from nearby do what the eigenvalues say.
+    pub fn stability(&self) -> Verdict {
+        self.judged(|known| {
+            let told: Vec<(bool, f64)> = known.states.iter().filter_map(State::told).collect();
+            let wrong = told.iter().find(|(decays, grows)| *decays != (*grows < 1.0));
+            match wrong {
+                Some((true, _)) => Verdict::Fails("a run leaves a state to which its eigenvalues draw it".to_owned()),
+                Some((false, _)) => {
+                    Verdict::Fails("a run comes to a state from which its eigenvalues drive it".to_owned())
+                }
+                None if told.is_empty() => Verdict::DoesNotApply("no state is told by its eigenvalues".to_owned()),
+                None => {
+                    let stable = told.iter().filter(|(decays, _)| *decays).count();
+                    let left = told.len() - stable;
+                    Verdict::Tested(format!("as the eigenvalues say, runs come to {stable} and leave {left}"))
+                }
+            }
+        })
+    }
+
+    /// How far apart the fastest and the slowest motion are.
+    pub fn stiffness(&self) -> Verdict {
+        self.judged(|known| {
+            let mut widest = 1.0_f64;
+            for state in &known.states {
+                let Some(spectrum) = &state.spectrum else {
+                    return Verdict::Fails("the eigenvalues at a stationary state are not finite".to_owned());
+                };
+                let sizes = || spectrum.iter().map(|root| root.norm()).filter(|size| *size > 1e-12);
+                let (least, most) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(0.0, f64::max));
+                widest = widest.max(if least.is_finite() { most / least } else { 1.0 });
+            }
+            match widest {
+                _ if known.states.is_empty() => Verdict::DoesNotApply("it has no stationary state".to_owned()),
+                apart if apart > APART => Verdict::Fails("the fastest motion hides the slowest in rounding".to_owned()),
+                apart => Verdict::Tested(format!("eigenvalues within 10^{}", apart.log10().ceil() as i32)),
+            }
+        })
+    }
+
+    fn judged(&self, judge: impl FnOnce(&Known) -> Verdict) -> Verdict {
+        self.known.as_ref().map_or_else(Clone::clone, judge)
+    }
+}
+
+impl State {
+    fn at<L>(system: &Recorded<L>, start: &[f64]) -> Self
+    where
+        Recorded<L>: integrators::System + Ode<f64> + Ode<Directions>,
+    {
+        let n = start.len();
+        let mut rates = vec![0.0; n];
+        Ode::<f64>::rates(system, 0.0, start, &mut rates);
+        let mut matrix = vec![0.0; n * n];
+        Jacobian::of(system).matrix(0.0, start, &mut matrix);
+        let size =
+            matrix.iter().zip(start.iter().cycle()).fold(1.0, |most: f64, (entry, y)| most.max((entry * y).abs()));
+        let residual = rates.iter().fold(0.0, |most: f64, rate| most.max(rate.abs())) / size;
+        let spectrum = spectrum(n, &matrix);
+        let grows = spectrum.as_ref().and_then(|spectrum| ratio(system, start, spectrum));
+        State { residual, spectrum, grows }
+    }
+
+    /// Whether its eigenvalues draw to it, and what a run did; none where they do not tell.
+    fn told(&self) -> Option<(bool, f64)> {
+        let real = |root: &Complex<f64>| root.re;
+        let spectrum = self.spectrum.as_ref()?;
+        Some((spectrum.iter().map(real).fold(f64::NEG_INFINITY, f64::max) < 0.0, self.grows?))
+    }
+}
+
+/// How much farther off a run ends than it starts.
+fn ratio<L>(system: &Recorded<L>, start: &[f64], spectrum: &[Complex<f64>]) -> Option<f64>
+where
+    Recorded<L>: integrators::System,
+{
+    let size = spectrum.iter().fold(0.0, |most: f64, root| most.max(root.norm()));
+    let greatest = spectrum.iter().fold(f64::NEG_INFINITY, |most, root| most.max(root.re));
+    if greatest.abs() <= 1e-9 * size {
+        return None;
+    }
+    let slowest = match greatest < 0.0 {
+        true => spectrum.iter().fold(f64::INFINITY, |least, root| least.min(-root.re)),
+        false => greatest,
+    };
+    let off = |k: usize| OFF * (1.0 + 0.3 * (k as f64).sin());
+    let from: Vec<f64> = start.iter().enumerate().map(|(k, y)| y + off(k)).collect();
+    let mut span = Span::new(0.0, LONG / slowest, &from);
+    span.budget.evaluations = MOST;
+    let outcome = integrate(system, Method::RadauIIA { stages: 3 }, &Tolerance::both(1e-9), &span, &mut ());
+    let away = |y: &[f64]| y.iter().zip(start).map(|(y, rest)| (y - rest).abs()).fold(0.0, f64::max);
+    outcome.reached().then(|| away(&outcome.state) / away(&from))
+}
+
+/// The states on a bench: of the rotor, then the currents.
+fn states<M: Machine<f64>>(motor: &Motor, machine: &M) -> Vec<Vec<f64>> {
+    let with = |rotor: &[f64], currents: &[f64]| {
+        let mut state = [rotor, currents].concat();
+        state.resize(M::ROTOR.dimension() + machine.windings(), 0.0);
+        state
+    };
+    match motor {
+        Motor::Kept { .. } => vec![with(&[], &[])],
+        Motor::Free => vec![with(&[1.0], &[])],
+        Motor::InStep { angles, .. } => {
+            angles.iter().map(|angle| with(&[angle.radians(), 0.0], &angle.currents)).collect()
+        }
+        Motor::Slipping { speeds, .. } => {
+            let frame_speed = machine.frame_speed();
+            speeds.iter().map(|slip| with(&[slip.speed.to_f64() - frame_speed], &slip.currents)).collect()
+        }
+    }
+}

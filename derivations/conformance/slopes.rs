@@ -1,0 +1,54 @@
+//! The Jacobian by two routes: dual numbers, and polynomials recorded from the differentiated expressions.
+
+use super::Verdict;
+use crate::differentiated::Differentiated;
+use crate::machines::{Bench, Catalogued};
+use crate::recorded::Recorded;
+use field::DoubleDouble;
+use integrators::{Directions, Jacobian, Ode, System};
+use std::sync::Arc;
+use symbolic::Sym;
+
+/// Entries relative to the largest.
+const ROUNDING: f64 = 1e-13;
+/// States at which the entries are compared.
+const STATES: usize = 5;
+
+/// On a bench.
+pub(super) fn jacobian<M: Catalogued + Clone + Send + Sync + 'static>(machine: &M) -> Verdict {
+    let bench = Bench { machine: machine.clone(), axial: 0.7 };
+    match bench.dimension() {
+        0 => Verdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned()),
+        _ => compared(Arc::new(bench)).map_or_else(Verdict::Fails, |recorded| match recorded {
+            true => Verdict::Tested("dual numbers and recorded polynomials give the same".to_owned()),
+            false => Verdict::DoesNotApply("an entry is no polynomial: dual numbers alone give it".to_owned()),
+        }),
+    }
+}
+
+/// Whether a law has a Jacobian of recorded polynomials, after comparing it.
+///
+/// # Errors
+/// The first entry that differs.
+pub fn compared<L>(law: Arc<L>) -> Result<bool, String>
+where
+    L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>,
+{
+    let system = Differentiated::new(Recorded::new(Arc::clone(&law)), law);
+    let n = Ode::<f64>::dimension(&system);
+    let dual: &dyn Ode<Directions> = &system;
+    let (mut ours, mut theirs) = (vec![f64::NAN; n * n], vec![f64::NAN; n * n]);
+    for turn in 0..STATES {
+        let y: Vec<f64> = (0..n).map(|i| 2.0 * ((7 * turn + 3 * i) as f64).sin()).collect();
+        Jacobian::of(&system).matrix(0.0, &y, &mut ours);
+        Jacobian::new(dual).matrix(0.0, &y, &mut theirs);
+        let size = theirs.iter().fold(1.0, |most: f64, entry| most.max(entry.abs()));
+        for (place, (ours, theirs)) in ours.iter().zip(&theirs).enumerate() {
+            let alike = (ours - theirs).abs() < ROUNDING * size;
+            if !alike {
+                return Err(format!("row {}, column {}: the two routes differ", place / n, place % n));
+            }
+        }
+    }
+    Ok(system.slopes().is_some())
+}

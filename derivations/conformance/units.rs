@@ -1,0 +1,25 @@
+//! Dimensions of what the laws come to.
+
+use super::Verdict;
+use super::instant::Instant;
+use symbolic::{Dimension, Sym, dimension};
+
+/// M in N m and di/dt in A/s, from the units of the parameters.
+pub(super) fn dimensions(at: &Instant, parameters: &[(String, Dimension)]) -> Verdict {
+    let turning = Dimension::none() / Dimension::time();
+    let of = |name: &str| match name {
+        "the angle" => Some(Dimension::none()),
+        "the slip" => Some(turning),
+        _ if name.starts_with("current ") => Some(Dimension::current()),
+        _ => parameters.iter().find(|(known, _)| known == name).map(|(_, dimension)| *dimension),
+    };
+    let moment = Dimension::of(1, 2, -2, 0);
+    let agrees = |what: &str, law: Sym, wanted: Dimension| match dimension(law, &of) {
+        Ok(Some(found)) if found != wanted => Err(format!("{what} is {found}, not {wanted}")),
+        Ok(_) => Ok(()),
+        Err(mismatch) => Err(format!("in {what} {mismatch}")),
+    };
+    let rates = at.rates.iter().map(|&rate| ("the rate of a current", rate, Dimension::current() / Dimension::time()));
+    let mut all = std::iter::once(("the moment", at.moment, moment)).chain(rates);
+    Verdict::of(all.try_for_each(|(what, law, wanted)| agrees(what, law, wanted)), "the units of the parameters agree")
+}

@@ -1,0 +1,135 @@
+//! What the expressions of a motor may be made of, and why.
+
+use symbolic::{Dimension, Node, Reason, Sym, Vocabulary, dimension};
+
+/// g, the angle from the stator's field to the rotor.
+pub const ANGLE: &str = "g";
+/// g', the slip.
+pub const SLIP: &str = "g'";
+/// phi', the speed relative to the stator.
+pub const SPEED: &str = "phi'";
+
+/// What a voltage of conductors that slide is.
+const AFFINE: &str = "affine in the currents: a constant, and constant multiples of them";
+
+/// The largest numerator and denominator of a number in a law.
+const DIGITS: i32 = 18;
+
+/// What of the motion an expression may know.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// Parameters alone.
+    Rest,
+    /// The angle to the field, by its cosine and sine.
+    Angle,
+    /// The slip and the speed.
+    Speeds,
+    /// The currents of the windings.
+    Currents,
+}
+
+/// Whether a name is a letter of the motion or a function, in every motor.
+pub fn is_taken(name: &str) -> bool {
+    [ANGLE, SLIP, SPEED, "cos", "sin", "sqrt"].contains(&name)
+}
+
+/// The letters of one expression: parameters with their dimensions, and what of the motion it may know.
+#[derive(Clone, Debug)]
+pub struct Letters<'a> {
+    pub parameters: &'a [(String, Dimension)],
+    /// By their names, of every winding.
+    pub currents: &'a [String],
+    pub motion: Motion,
+}
+
+impl Letters<'_> {
+    /// The dimension of an expression in these letters; `None` for zero, which is of every dimension.
+    ///
+    /// # Errors
+    /// Two terms that do not agree, or an angle that is no number.
+    pub fn dimension(&self, expression: Sym) -> Result<Option<Dimension>, Reason> {
+        let of = |name: &str| match name {
+            ANGLE => Some(Dimension::none()),
+            SLIP | SPEED => Some(Dimension::none() / Dimension::time()),
+            _ if self.is_current(name) => Some(Dimension::current()),
+            _ => self.parameters.iter().find(|(known, _)| known == name).map(|(_, dimension)| *dimension),
+        };
+        dimension(expression, &of).map_err(|mismatch| Reason::Refused(mismatch.to_string()))
+    }
+
+    /// All that may stand here, for messages.
+    pub fn known(&self) -> String {
+        let motion = match self.motion {
+            Motion::Rest => Vec::new(),
+            Motion::Angle => vec!["cos(g), sin(g) of the angle g to the field".to_owned()],
+            Motion::Speeds => vec!["the slip g'".to_owned(), "the speed phi'".to_owned()],
+            Motion::Currents => self.currents.to_vec(),
+        };
+        let names = motion.into_iter().chain(self.parameters.iter().map(|(name, _)| name.clone()));
+        names.collect::<Vec<_>>().join(", ")
+    }
+
+    fn is_current(&self, name: &str) -> bool {
+        self.currents.iter().any(|current| current == name)
+    }
+
+    fn moves(&self, leaf: Sym) -> bool {
+        let moving = |symbol: &Sym| {
+            symbol.symbol_name().is_some_and(|name| [ANGLE, SLIP, SPEED].contains(&&*name) || self.is_current(&name))
+        };
+        leaf.symbols_of().iter().any(moving)
+    }
+}
+
+impl Vocabulary for Letters<'_> {
+    fn name(&self, name: &str, in_angle: bool) -> Result<Sym, Reason> {
+        let refused = |why: &str| Err(Reason::Refused(why.to_owned()));
+        match (name, self.motion) {
+            (ANGLE, Motion::Angle) if in_angle => Ok(Sym::symbol(name)),
+            (ANGLE, Motion::Angle) => refused("the angle stands in cos and sin alone: a whole turn changes no law"),
+            (SLIP | SPEED, Motion::Speeds) => Ok(Sym::symbol(name)),
+            (ANGLE | SLIP | SPEED, Motion::Rest) => refused("the data of a winding do not know the motion"),
+            (ANGLE, _) => {
+                refused("a moment of the angle comes from `field_energy` or from fluxes, else energy is lost")
+            }
+            (SLIP | SPEED, _) => {
+                refused("a law of the angle or the currents knows no speed: speeds stand in `moment_law`")
+            }
+            (_, Motion::Currents) if self.is_current(name) => Ok(Sym::symbol(name)),
+            _ if self.parameters.iter().any(|(known, _)| known == name) => Ok(Sym::symbol(name)),
+            _ => Err(Reason::Name(name.to_owned())),
+        }
+    }
+
+    fn judge(&self, part: Sym) -> Result<(), Reason> {
+        self.dimension(part)?;
+        let refused = |why: String| Err(Reason::Refused(why));
+        if let Some(value) = part.as_constant() {
+            let small = value
+                .to_big()
+                .is_some_and(|big| i64::try_from(big.numerator()).is_ok() && i64::try_from(big.denominator()).is_ok());
+            if !small {
+                return refused(format!("a number in a law has at most {DIGITS} digits above and below the line"));
+            }
+        }
+        let slides = |side: Sym| self.motion == Motion::Currents && self.moves(side);
+        match part.node() {
+            Node::Product(a, b) if slides(a) && slides(b) => return refused(AFFINE.to_owned()),
+            Node::Quotient(_, divisor) if slides(divisor) => return refused(AFFINE.to_owned()),
+            Node::Power(base, _) if slides(base) => return refused(AFFINE.to_owned()),
+            _ => {}
+        }
+        for leaf in part.leaves_of().into_iter().filter(|leaf| self.moves(*leaf)) {
+            match leaf.node() {
+                Node::Cos(angle) | Node::Sin(angle) if angle.symbol_name().as_deref() != Some(ANGLE) => {
+                    return refused("the angle enters by whole multiples, as in cos(2*g + a)".to_owned());
+                }
+                Node::Root(_) => {
+                    return refused("roots are of parameters alone: a law is a fraction of polynomials".to_owned());
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
