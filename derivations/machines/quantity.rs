@@ -37,7 +37,8 @@ impl Quantity {
 ///     }
 /// }
 /// let doubled = Spring { k: 1.5 }.map(|x| 2.0 * x);
-/// assert_eq!((doubled.k, Spring::<f64>::QUANTITIES[0].unit), (3.0, "N m"));
+/// assert_eq!(doubled.k, 3.0);
+/// assert_eq!(Spring::<f64>::QUANTITIES[0].unit, "N m");
 /// assert!(Spring::<f64>::QUANTITIES[0].positive);
 /// ```
 #[macro_export]

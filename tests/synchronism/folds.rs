@@ -75,7 +75,7 @@ fn a_motor_without_a_field_or_an_angle_is_refused_by_name() {
     b0.1 = 0.0;
     flat.machine = flat.machine_data.machine("multi_current").expect("its data are complete");
     let flat = Loaded::of(&flat).err().expect("nothing holds").to_string();
-    assert!(flat.contains("b0 > 0 is accepted"), "{flat}");
+    assert!(flat.contains("b0 > 0 of a synchronous machine is accepted"), "{flat}");
 }
 
 #[test]

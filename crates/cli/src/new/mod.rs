@@ -1,9 +1,9 @@
 //! `dalembert new motor`: a motor that compiles and conforms, for its author to change.
 
 use crate::ending::{Ending, print};
+use crate::whole;
 use clap::{Args, Subcommand};
-use std::fs::{self, OpenOptions};
-use std::io::Write;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 const MACHINE: &str = include_str!("machine.txt");
@@ -86,16 +86,16 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
         )));
     }
     for (written, Begun { place, text }) in begun.iter().enumerate() {
-        if let Err(error) = create(place, text) {
+        if let Err(refused) = create(place, text) {
             begun[..written].iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
-            return Err(Ending::unwritable(place, &error));
+            return Err(refused);
         }
     }
     if !asked.text {
         let line = format!("    mod {name}: {};", camel(name));
-        if let Err(error) = fs::write(&list, with_line(&listed, &line)) {
+        if let Err(refused) = whole::write(&list, |out| out.write_all(with_line(&listed, &line).as_bytes())) {
             begun.iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
-            return Err(Ending::unwritable(&list, &error));
+            return Err(refused);
         }
     }
     let mut told: String = begun.iter().map(|begun| format!("wrote {}\n", begun.place.display())).collect();
@@ -165,10 +165,10 @@ fn with_line(text: &str, line: &str) -> String {
     }
 }
 
-/// Never over a file that is there.
-fn create(place: &Path, text: &str) -> std::io::Result<()> {
+/// A file in a folder that need not be there yet.
+fn create(place: &Path, text: &str) -> Result<(), Ending> {
     if let Some(folder) = place.parent() {
-        fs::create_dir_all(folder)?;
+        fs::create_dir_all(folder).map_err(|error| Ending::unwritable(folder, &error))?;
     }
-    OpenOptions::new().write(true).create_new(true).open(place)?.write_all(text.as_bytes())
+    whole::write(place, |out| out.write_all(text.as_bytes()))
 }
