@@ -3,12 +3,13 @@
 use super::{Asked, Ranged};
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
-use crate::stability_map;
+use crate::{stability_map, whole};
 use derivations::scene::Scene;
 use derivations::stationary::stability::datum::{Datum, Unknown};
 use derivations::stationary::stability::plane::{Cell, NoPlane};
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::io::Write as _;
 
 /// Prints it, and writes the picture where one is asked for.
 pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
@@ -28,7 +29,7 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
     let columns = map.columns().map_err(refused)?;
     if let Some(path) = &asked.out {
         let picture = map.map(&columns).svg();
-        std::fs::write(path, picture).map_err(|error| Ending::unwritable(path, &error))?;
+        whole::write(path, |out| out.write_all(picture.as_bytes()))?;
     }
     print(&match asked.format {
         Format::Text => text(scene, &data, &columns),
