@@ -9,7 +9,6 @@ use derivations::stationary::stability::datum::{Datum, Unknown};
 use derivations::stationary::stability::plane::{Cell, NoPlane};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::io::Write as _;
 
 /// Prints it, and writes the picture where one is asked for.
 pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
