@@ -3,7 +3,7 @@
 use derivations::ensemble::kind::{Kind, form_parameters};
 use derivations::friction::stretch::Stretch;
 use derivations::machines::synchronous::Synchronous;
-use derivations::machines::{AnyMachine, Catalogued, ForMachine, Metered, Quantity, Source, has_known_flow};
+use derivations::machines::{AnyMachine, Catalogued, ForMachine, Metered, has_known_flow};
 use derivations::mechanisms::MechanismScene;
 use derivations::papers::konosevich2022::gyrostats;
 use derivations::recorded::Recorded;
@@ -21,10 +21,10 @@ use mechanics::constrained::State;
 use mechanics::constrained::System as _;
 use mechanics::constrained::programmed::{Linear, programmed};
 use mechanics::regimes::{Direction, Dry, Face, Mode, Sizes, Touch, Verdict, touches, verdict};
+use physical::machines::Bars;
 use physical::rounded;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::convert::Infallible;
 use std::sync::Arc;
 
 mod physical;
@@ -56,21 +56,6 @@ fn allocations(work: impl FnOnce()) -> usize {
     let before = ALLOCATIONS.get();
     work();
     ALLOCATIONS.get() - before
-}
-
-/// Any machine with so many bars.
-struct Bars(usize);
-
-impl Source for Bars {
-    type Error = Infallible;
-
-    fn quantity(&mut self, _quantity: &Quantity) -> Result<f64, Infallible> {
-        Ok(0.7)
-    }
-
-    fn count(&mut self, _name: &'static str, _meaning: &'static str) -> Result<usize, Infallible> {
-        Ok(self.0)
-    }
 }
 
 struct Evaluate<F>(F);

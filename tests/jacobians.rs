@@ -2,32 +2,17 @@
 //! and form, away from the start.
 
 use derivations::differentiated::Differentiated;
-use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, Source};
+use derivations::machines::{AnyMachine, Catalogued, ForMachine};
 use derivations::papers::konosevich2022::gyrostats;
 use derivations::recorded::Recorded;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;
 use integrators::{Directions, Jacobian, Ode, System};
+use physical::machines::Bars;
 use physical::rounded;
-use std::convert::Infallible;
 use std::sync::Arc;
 
 mod physical;
-
-/// Any machine with so many bars.
-struct Bars(usize);
-
-impl Source for Bars {
-    type Error = Infallible;
-
-    fn quantity(&mut self, _quantity: &Quantity) -> Result<f64, Infallible> {
-        Ok(0.7)
-    }
-
-    fn count(&mut self, _name: &'static str, _meaning: &'static str) -> Result<usize, Infallible> {
-        Ok(self.0)
-    }
-}
 
 /// Whether the machine has a Jacobian of monomials, after comparing it.
 struct Compare<F>(F);

@@ -1,10 +1,11 @@
 //! Drift of a constraint that is kept only differentiated twice.
 
-use super::trials::{BUDGET, Fate, fate};
+use super::trials::{BUDGET, fate};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::mechanisms::{Mechanism, MechanismScene};
 use crate::scene::atlas::{Treated, Way};
 use crate::scene::{Family, Smooth};
+use crate::stabilisation::drifting::{Drift, Drifting};
 use crate::stabilisation::law::{Stabilised, state};
 use crate::stabilisation::schemes::Scheme;
 use crate::systems::crank_slider::CrankSlider;
@@ -54,10 +55,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let span = LONGER * scene.run.span;
     let trials: Vec<Trial> = scene.ways().iter().flat_map(|way| tried(&mechanism, way, span)).collect();
-    let diagnosis = format!(
-        "nothing: index-reduced, by Runge-Kutta 4, it ends with f = {:.1e} m^2",
-        drifted(&mechanism, &scene.start, span)
-    );
+    let diagnosis = drifts(&mechanism, &scene.start, span).map_or_else(String::new, |drift| drift.to_string());
     Ok(Found { thresholds: vec![passed_on], diagnosis, trials })
 }
 
@@ -78,14 +76,15 @@ fn added(mechanism: &CrankSlider<f64>, start: &[f64]) -> Option<f64> {
     outcome.reached().then(|| (to - from) / (rate * outcome.time))
 }
 
-/// What is left of the constraint at the end of a run after index reduction.
-fn drifted(mechanism: &CrankSlider<f64>, start: &[f64], end: f64) -> f64 {
-    let (q, dq) = Reduced(mechanism).motion(0.0, [start[0]], [start[1]]);
+/// What is said of a run after index reduction, by Runge-Kutta 4.
+fn drifts(mechanism: &CrankSlider<f64>, start: &[f64], end: f64) -> Option<Drift> {
+    let (q, dq) = Reduced(mechanism).motion(0.0, [*start.first()?], [*start.get(1)?]);
     let law = Stabilised { system: mechanism, damping: 0.0, stiffness: 0.0 };
-    let span = Span::new(0.0, end, &[q, dq].concat());
-    let method = Method::RungeKutta4 { steps: LONG };
-    let outcome = integrate(&law, method, &Tolerance::both(1e-9), &span, &mut ());
-    violation(mechanism, &outcome.state)[0]
+    let y = [q, dq].concat();
+    let span = Span::new(0.0, end, &y);
+    let mut drifting = Drifting::new(|y: &[f64]| violation(mechanism, y), (0.0, &y), KEPT);
+    integrate(&law, Method::RungeKutta4 { steps: LONG }, &Tolerance::both(1e-9), &span, &mut drifting);
+    drifting.found
 }
 
 /// A formulation by methods of its own.
@@ -101,15 +100,13 @@ fn tried(mechanism: &CrankSlider<f64>, way: &Way, span: f64) -> Vec<Trial> {
             Attempt::Held(&**law, Holding::HalfExplicitRungeKutta4 { steps: LONG }),
         ],
     };
-    let keeps = |record: &Record<f64>| {
-        // minimal coordinates have no constraint to violate
-        record.states.iter().all(|y| y.len() < 4 || violation(mechanism, y)[0].abs() < KEPT)
-    };
+    // minimal coordinates have no constraint to violate
+    let violated = |y: &[f64]| if y.len() < 4 { [0.0; 2] } else { violation(mechanism, y) };
     let one = |attempt: Attempt<'_>| {
         let from = Span::new(0.0, span, &way.state).with_even_outputs(10).with_evaluations(BUDGET);
-        let mut record = Record::new();
-        let outcome = attempt.run(&Tolerance::both(1e-6), &from, &mut record);
-        let fate: Fate = fate(&outcome, &record, None, keeps);
+        let (mut record, mut drifting) = (Record::new(), Drifting::new(violated, (0.0, &way.state), KEPT));
+        let outcome = attempt.run(&Tolerance::both(1e-6), &from, &mut (&mut record, &mut drifting));
+        let fate = fate(&outcome, &record, drifting.found.map(|drift| drift.name()), |_| true);
         Trial { by: format!("{}, {}", way.formulation, attempt.means()), fate }
     };
     attempts.into_iter().map(one).collect()

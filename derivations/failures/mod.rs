@@ -4,7 +4,7 @@
 //! * `entry`: what is said of one way: its scene, thresholds, what the program says of it, what survives, advice;
 //! * `exact`: a threshold as theory has it, rational, algebraic or a formula;
 //! * `bounds`: the longest steps that a method bears, as roots of its own one-step map;
-//! * `edge`: where a run ceases to hold, by halving; `arclength`: a curve followed round its folds;
+//! * `edge`: where a run ceases to hold, by halving; `at_a_parameter`: Newton's method, and how it is lost;
 //! * `trials`: every method on a scene under a budget, and what became of each; `slopes`: Jacobians of dear laws;
 //! * one file for each way, in the order of the list below.
 //!
@@ -12,7 +12,7 @@
 //! between one that holds and one that does not, begun on both sides of theory's. What survives is not written down either: it
 //! is what held in the trials.
 
-mod arclength;
+mod at_a_parameter;
 mod bounds;
 mod edge;
 mod entry;

@@ -13,7 +13,7 @@ use field::{Circle, Rational};
 use integrators::{Method, Span, Tolerance, integrate};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
-use mechanics::regimes::{Direction, Dry, Face, Mode, Sizes, Verdict, touches, verdict};
+use mechanics::regimes::{Direction, Face, Mode, Verdict, posed, verdict};
 use std::path::Path;
 use symbolic::Sym;
 
@@ -92,12 +92,7 @@ impl ForRough for Determined {
     where
         Q: Contacts<N, C, K, Given = f64>,
     {
-        let touch = touches(system, &start, Sizes::of(&start));
-        let dry = Dry::<f64, K>::of(system, &start, system.force(&start));
-        match (touch, dry) {
-            (Ok(touch), Ok(dry)) => matches!(verdict(&dry, &touch), Verdict::Unique(_)),
-            _ => false,
-        }
+        posed(system, &start).is_ok_and(|(dry, touch)| matches!(verdict(&dry, &touch), Verdict::Unique(_)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Pull-out as a saddle-node: two angles of the rotor merge and are gone.
 
-use super::arclength::{Curve, newton, round_the_fold};
+use super::at_a_parameter::newton;
 use super::bounds::{numerator, rational};
 use super::edge::edge;
 use super::trials::{Fate, Tried, near};
@@ -11,7 +11,8 @@ use crate::machines::{AnyMachine, drive};
 use crate::scene::{Axes, Choice, Family, Scene, Start, System};
 use crate::stationary::motor::Motor;
 use field::{Analytic, Base, Circle, Over, Rational, Scalar, Tangent};
-use integrators::Method;
+use integrators::{Branch, Curve, Failure, Method, Walk, follow};
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 use symbolic::Sym;
 
@@ -24,6 +25,10 @@ pub const FAILING: Failing = Failing {
     asked: "an answer that is right; the motion within 1/1000",
     measure,
 };
+
+/// The longest step along the curve, rad, and its points.
+const STEP: f64 = 0.15;
+const MOST: usize = 200;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
     let scene = Scene::open(path)?;
@@ -43,9 +48,11 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let at = exact.to_f64();
     // moments in units of b0, the friction in units of b0 over 1 rad/s
-    let curve = Standing { motor: still, unit: b0 };
-    let round = round_the_fold(&curve, [0.0, 0.0], 0.05, 200);
-    let followed = round.map(|(fold, _)| fold[1] * b0);
+    let mut curve = Standing { motor: still, unit: b0 };
+    let round = round_the_fold(&mut curve);
+    let fold = round.as_ref().and_then(|branch| branch.folds().next());
+    let followed = fold.map(|fold| fold.x[1] * b0);
+    let behind = round.as_ref().and_then(|branch| branch.places.last()).is_some_and(|last| last.x[0] < -FRAC_PI_2);
     let holds = |f: f64| stays(&scene, bodies.rotor.axial, motor, f);
     let threshold = |of, measured, within| {
         let formula = r"$b_0/\Omega$";
@@ -59,7 +66,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
             Within::Share(50),
         ),
     ];
-    let at_load = |share: f64| newton(&curve, 0.0, share * at / b0);
+    let mut at_load = |share: f64| newton(&mut curve, 0.0, share * at / b0);
     let answer = |by: &str, found: bool| {
         let fate = if found { Fate::Holds } else { Fate::Stops("Newton did not converge".to_owned()) };
         Trial { by: by.to_owned(), fate }
@@ -68,7 +75,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let mut trials = vec![
         answer("Newton at 0.9 of the load", at_load(0.9).is_ok()),
         answer("Newton at 1.001 of the load", at_load(1.001).is_ok()),
-        answer("arc length round the fold", round.is_some_and(|(_, behind)| behind[0] < -std::f64::consts::FRAC_PI_2)),
+        answer("arc length round the fold", behind),
         answer("real roots isolated", roots(0.9) == Some(2) && roots(1.001) == Some(0)),
     ];
     let problem = scene.problem(Axes::First);
@@ -106,13 +113,40 @@ struct Standing {
     unit: f64,
 }
 
-impl Curve for Standing {
+impl Standing {
     /// The moment of friction is linear in the friction.
-    fn value(&self, x: Tangent<f64>, p: Tangent<f64>) -> Tangent<f64> {
-        let with = |f: f64| moment(&Synchronous { f, ..self.motor }, x.circle());
+    fn value(&self, angle: Tangent<f64>, friction: Tangent<f64>) -> Tangent<f64> {
+        let with = |f: f64| moment(&Synchronous { f, ..self.motor }, angle.circle());
         let (free, rubbed, unit) = (with(0.0), with(1.0), Tangent::fixed(self.unit));
-        free / unit + p * (rubbed - free)
+        free / unit + friction * (rubbed - free)
     }
+}
+
+impl Curve for Standing {
+    fn unknowns(&self) -> usize {
+        2
+    }
+
+    fn evaluate(&mut self, x: &[f64], residual: &mut [f64], matrix: &mut [f64]) -> Result<(), Failure> {
+        let by_angle = self.value(Tangent::variable(x[0]), Tangent::fixed(x[1]));
+        let by_friction = self.value(Tangent::fixed(x[0]), Tangent::variable(x[1]));
+        residual[0] = by_angle.value;
+        matrix.copy_from_slice(&[by_angle.slope, by_friction.slope]);
+        Ok(())
+    }
+}
+
+/// From the angle without friction on towards more of it, until half a turn is passed.
+fn round_the_fold(curve: &mut Standing) -> Option<Branch> {
+    let within = |x: &[f64]| x[0].abs() < PI;
+    let walk = Walk {
+        sizes: &[1.0, 1.0 / curve.motor.field_speed.abs()],
+        parameter: 1,
+        step: STEP,
+        most: MOST,
+        within: &within,
+    };
+    follow(curve, &[0.0, 0.0], &[0.0, 1.0], &walk)
 }
 
 /// Whether the motor alone stays in step under a friction, from the angle at which it stood under a little less.
@@ -130,7 +164,7 @@ fn stays(scene: &Scene, axial: f64, motor: &MultiCurrent<f64>, f: f64) -> bool {
     let choice = Choice { method: Method::DormandPrince8, tolerance: 1e-8, ..scene.choice() };
     let run = alone.simulate(&choice, |_| ());
     let angle = run.column("angle").and_then(|angle| run.last.get(angle));
-    run.outcome.reached() && angle.is_some_and(|angle| angle.abs() < std::f64::consts::PI)
+    run.outcome.reached() && angle.is_some_and(|angle| angle.abs() < PI)
 }
 
 /// How many angles the motor has under a friction, by the isolation of real roots.

@@ -1,5 +1,6 @@
 //! Thresholds by runs: the step from which on a perturbed motion stays near under a method, or leaves.
 
+use super::crossing::{Crossing, SHOWN, STRETCHES};
 use super::methods::OneStep;
 use super::motions::Stationed;
 use crate::scene::problem::Law;
@@ -26,15 +27,17 @@ pub struct Runs {
 
 /// How far a run begins from the motion, against the size of each component or one.
 const OFF: f64 = 1e-7;
-/// Steps of a run, of the windows over which its last differences are looked at, and of its beginning.
-const STEPS: usize = 1_600;
-const WINDOW: usize = 160;
+/// The first differences, which the others are compared with.
 const FIRST: usize = 2;
 /// Less, or more, than this of the first differences, and the run has told its fate.
 const GONE: f64 = 1e-5;
 const LOST: f64 = 1e4;
-/// Halvings of an interval of steps.
-const HALVINGS: u32 = 9;
+/// How far the interval that is halved goes to both sides, as a share of the known threshold, and how often it is: to a part in
+/// ten thousand.
+const REACH: f64 = 0.2;
+const HALVINGS: u32 = 11;
+/// A threshold is told from its neighbours so far off, as a share of it.
+pub const APART: f64 = 2.5e-4;
 
 impl Runs {
     /// Near a motion of a scene.
@@ -44,30 +47,33 @@ impl Runs {
         Runs { law: problem.law, state: problem.state }
     }
 
-    /// The step, s, near a known one at which runs turn from staying to leaving, or from leaving to staying; `None` where they
-    /// do the same on both sides.
-    pub fn threshold(&self, method: Run, near: f64) -> Option<f64> {
-        let (mut low, mut high) = (0.8 * near, 1.25 * near);
-        let below = self.leaves(method, low);
-        if self.leaves(method, high) == below {
+    /// The step, s, near a known one at which runs turn from staying to leaving, or from leaving to staying, to twice
+    /// [`APART`]; `None` where no run can tell, or they do the same on both sides.
+    pub fn threshold(&self, method: Run, near: f64, crossing: Crossing) -> Option<f64> {
+        let steps = crossing.steps(APART)?;
+        // no further than where a step grows by e: what grows faster is large before it has been compared
+        let reach = REACH.min(1.0 / crossing.steepness);
+        let [mut low, mut high] = [1.0 - reach, 1.0 + reach].map(|share| share * near);
+        let below = self.leaves(method, low, steps);
+        if self.leaves(method, high, steps) == below {
             return None;
         }
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            if self.leaves(method, middle) == below { low = middle } else { high = middle }
+            if self.leaves(method, middle, steps) == below { low = middle } else { high = middle }
         }
         Some(0.5 * (low + high))
     }
 
-    /// Whether a run with this step leaves the motion.
+    /// Whether a run of so many steps of this length, s, leaves the motion.
     ///
     /// The differences of neighbouring states tell: what integrals keep of a perturbation drops out of them.
-    pub fn leaves(&self, method: Run, step: f64) -> bool {
+    pub fn leaves(&self, method: Run, step: f64, count: usize) -> bool {
         let off = |(k, y): (usize, &f64)| y + OFF * y.abs().max(1.0) * (1.0 + 0.37 * k as f64).sin();
         let start: Vec<f64> = self.state.iter().enumerate().map(off).collect();
-        let mut watched = Watched { last: start.clone(), sizes: Vec::with_capacity(STEPS) };
-        let span = Span::new(0.0, step * STEPS as f64, &start);
-        let steps = STEPS as u32;
+        let mut watched = Watched { last: start.clone(), sizes: Vec::with_capacity(count) };
+        let span = Span::new(0.0, step * count as f64, &start);
+        let steps = u32::try_from(count).unwrap_or(u32::MAX);
         let mut run = |method: Method| integrate(&*self.law, method, &Tolerance::both(1e-9), &span, &mut watched);
         let reached = match method {
             Run::OneStep(OneStep::Classical(scheme)) => run(scheme.method(steps)).reached(),
@@ -81,12 +87,14 @@ impl Runs {
             }
         };
         let seen = &watched.sizes;
+        let stretch = (count as f64 / STRETCHES) as usize;
         let most = |window: std::ops::Range<usize>| seen[window].iter().copied().fold(0.0, f64::max);
         match watched.share() {
             Some(share) if share < GONE => false,
             Some(share) if share > LOST => true,
-            _ if seen.len() < STEPS => !reached,
-            _ => most(STEPS - WINDOW..STEPS) >= most(STEPS - 2 * WINDOW..STEPS - WINDOW),
+            _ if seen.len() < count => !reached,
+            // what has grown until it is no longer small may stay as large as it is: only what falls comes back
+            _ => most(count - stretch..count) >= (-0.5 * SHOWN).exp() * most(count - 2 * stretch..count - stretch),
         }
     }
 }

@@ -3,16 +3,17 @@
 //! # Overview
 //! * `claims`: what a step makes of one mode, by method, proved;
 //! * [`methods`]: the stability functions, derived from the steps that run;
-//! * [`linear`]: the linear motion near a stationary one, exactly;
+//! * [`linear`]: the linear motion near a stationary one, exactly, as `written` down over symbols;
 //! * [`motions`]: the stationary motions of a scene with their eigenvalues;
 //! * [`chart`]: every method on every such motion, every step judged;
-//! * [`measured`]: the same thresholds by runs;
+//! * [`measured`]: the same thresholds by runs, each as long as [`crossing`] says it must be;
 //! * [`oscillator`], [`splittings`]: compositions of flows, on one mode exactly, on a motion by their own step;
 //! * [`survey`]: some motions with all of this, for the report.
 
 mod alphabet;
 pub mod chart;
 mod claims;
+pub mod crossing;
 pub mod linear;
 pub mod measured;
 pub mod methods;
@@ -20,6 +21,7 @@ pub mod motions;
 pub mod oscillator;
 pub mod splittings;
 pub mod survey;
+mod written;
 
 use crate::papers::Paper;
 

@@ -3,9 +3,10 @@
 //! The pieces of a law do not rest where their sum does, so that a splitting has a stationary motion of its own near the
 //! true one, with the error of its order; where all pieces rest (the carrier at rest, a motor on its bench) it is the
 //! same. There the map is differentiated by central differences in double-double, which leave 18 digits. A splitting keeps |v|
-//! and x.v, so that its matrix is looked at on the surface of these alone. Tested at each step that is asked for, not proved
-//! between them.
+//! and x.v, so that its matrix is looked at on the surface of these alone. So it is tested at each step that is asked for, and
+//! not proved between them.
 
+use super::crossing::Crossing;
 use super::motions::Stationed;
 use crate::scene::problem::Law;
 use crate::scene::{Axes, Invariant, Scene};
@@ -29,6 +30,8 @@ pub struct Own {
     pub off: f64,
     /// The largest |multiplier|.
     pub radius: f64,
+    /// The largest that is no further out, where the multipliers could be told apart.
+    pub next: Option<f64>,
 }
 
 /// What a splitting was seen to do near a motion.
@@ -69,6 +72,10 @@ const DIFFERENCE: f64 = 1e-9;
 /// Of Newton's iteration towards the own motion.
 const ITERATIONS: usize = 12;
 const CONVERGED: f64 = 1e-14;
+/// So far beside an edge the growth is looked at, as a share of it.
+const BESIDE: f64 = 1e-3;
+/// A motion of a splitting's own that is no further from the law's is the law's.
+const RESTS: f64 = 1e-9;
 /// A radius so near to one is one.
 pub const ON_THE_CIRCLE: f64 = 1e-9;
 
@@ -106,8 +113,9 @@ impl SplitRuns {
             matrix = self.matrix(&mut *map, &place)?;
         }
         let off = place.iter().zip(&self.state).map(|(own, law)| (own.hi() - law).abs()).fold(0.0, f64::max);
-        let radius = spectral_radius(matrix);
-        radius.is_finite().then_some(Own { off, radius })
+        let radius = spectral_radius(matrix.clone());
+        let next = next_to(&matrix);
+        radius.is_finite().then_some(Own { off, radius, next })
     }
 
     /// The longest step, s, with which the program takes the splitting at all: what fades must not grow on the way back.
@@ -136,6 +144,17 @@ impl SplitRuns {
         Tested { splitting, edges: turns.map(edge).collect(), longest, grows: each }
     }
 
+    /// How a run can see an edge: by the growth beside it, which changes evenly there. `None` where the splitting does not rest with
+    /// the law: then its runs see the motion of its own too.
+    pub fn crossing(&self, splitting: Splitting, edge: f64) -> Option<Crossing> {
+        let beside = [1.0 - BESIDE, 1.0 + BESIDE].map(|side| self.own(splitting, side * edge));
+        let [Some(below), Some(above)] = beside else { return None };
+        let rests = below.off.max(above.off) < RESTS;
+        let rest = below.next?.max(above.next?);
+        let steepness = (above.radius / below.radius).ln().abs() / (2.0 * BESIDE);
+        rests.then_some(Crossing { steepness, rest: -rest.ln() })
+    }
+
     /// The derivative of a step on the surface of the integrals.
     fn matrix(&self, map: &mut dyn Composed<DoubleDouble>, place: &[DoubleDouble]) -> Option<DMatrix<f64>> {
         let n = place.len();
@@ -157,12 +176,16 @@ impl SplitRuns {
 
 /// Halvings of a bracket.
 const HALVINGS: usize = 16;
+/// Squarings of a matrix towards its power.
+const SQUARINGS: i32 = 40;
+/// A singular value of the power, against the largest, is nothing: its multiplier is further in.
+const FADED: f64 = 1e-9;
 
 /// By Gelfand's formula with 2^40 for the power: what multiplies it besides has no weight left, and multiple eigenvalues, at
 /// which iterations for single ones do not end, are no worse than others.
 fn spectral_radius(mut power: DMatrix<f64>) -> f64 {
     let mut logarithm = 0.0;
-    for squaring in 0..40 {
+    for squaring in 0..SQUARINGS {
         let norm = power.norm();
         if norm == 0.0 {
             return 0.0;
@@ -172,6 +195,25 @@ fn spectral_radius(mut power: DMatrix<f64>) -> f64 {
         power = &power * &power;
     }
     logarithm.exp()
+}
+
+/// The largest |multiplier| inside the radius: a high power maps onto the space of those on the radius, and beside that space
+/// the others are left, by themselves, whatever their multiplicities.
+fn next_to(matrix: &DMatrix<f64>) -> Option<f64> {
+    let mut power = matrix.clone();
+    for _ in 0..SQUARINGS {
+        power /= Some(power.norm()).filter(|norm| *norm > 0.0)?;
+        power = &power * &power;
+    }
+    let onto = power.svd(true, false);
+    let (space, sizes) = (onto.u?, onto.singular_values);
+    let beside: Vec<_> =
+        (0..sizes.len()).filter(|k| sizes[*k] < FADED * sizes.max()).map(|k| space.column(k)).collect();
+    if beside.is_empty() {
+        return Some(0.0);
+    }
+    let beside = DMatrix::from_columns(&beside);
+    Some(spectral_radius(beside.transpose() * matrix * beside))
 }
 
 /// One step.

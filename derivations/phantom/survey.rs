@@ -1,6 +1,7 @@
 //! For the report: some scenes' motions, every method on each, with the thresholds by runs.
 
 use super::chart::{Chart, Row};
+use super::crossing::Crossing;
 use super::measured::{Run, Runs};
 use super::motions::Rotor;
 use super::splittings::{SplitRuns, Tested};
@@ -57,20 +58,17 @@ pub fn survey(scene: &Scene, w: f64) -> Result<Vec<Surveyed>, String> {
         let spectrum = motion.spectrum.as_ref()?;
         let runs = Runs::near(scene, motion);
         let methods = rows.iter().map(|row| {
-            let edge = |exact: f64| (exact, runs.threshold(Run::OneStep(row.method), exact));
+            let seen = |exact: f64, crossing| runs.threshold(Run::OneStep(row.method), exact, crossing);
+            let crossing = |exact: f64| Crossing::of(row.method, spectrum, exact);
+            let edge = |exact: f64| (exact, crossing(exact).and_then(|crossing| seen(exact, crossing)));
             Method { row: row.clone(), edges: row.edges().into_iter().map(|cut| edge(cut.to_f64())).collect() }
         });
         let near = SplitRuns::near(scene, motion);
         let splittings = Splitting::ALL.into_iter().map(|splitting| {
             let tested = near.course(splitting, &steps());
-            let visible = |step: f64| {
-                let beside = [1.0 - BESIDE, 1.0 + BESIDE].map(|side| near.own(splitting, side * step));
-                let rests = beside.iter().flatten().all(|own| own.off < RESTS);
-                rests && beside.iter().flatten().any(|own| own.radius > 1.0 + SEEN)
-            };
             let edge = |step: f64| {
-                let runs = || runs.threshold(Run::Splitting(splitting), step);
-                (step, visible(step).then(runs).flatten())
+                let crossing = near.crossing(splitting, step);
+                (step, crossing.and_then(|crossing| runs.threshold(Run::Splitting(splitting), step, crossing)))
             };
             Split { edges: tested.edges.iter().map(|step| edge(*step)).collect(), tested }
         });
@@ -85,10 +83,3 @@ pub fn survey(scene: &Scene, w: f64) -> Result<Vec<Surveyed>, String> {
     });
     Ok(each.collect())
 }
-
-/// So far beside an edge a run must see growth: so much a step, or it would take other edges for this one.
-const BESIDE: f64 = 0.02;
-const SEEN: f64 = 2e-3;
-
-/// A motion of a splitting's own that is no further from the law's is the law's.
-const RESTS: f64 = 1e-9;

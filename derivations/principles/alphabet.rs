@@ -1,7 +1,6 @@
 //! The letters of this page with their LaTeX and dimensions.
 
-use crate::alphabet::{self, Letter};
-use symbolic::{Dimension, Sym};
+use crate::alphabet::{Letter, read_by};
 
 /// (name, LaTeX, exponents of kg, m, s). A `#` at the end of a name stands for a digit, two for a pair of them.
 const LETTERS: &[Letter<3>] = &[
@@ -90,17 +89,4 @@ const LETTERS: &[Letter<3>] = &[
     ("k#", "k_#", [1, 0, -2]),
 ];
 
-/// The dimension of a letter; `None` for a name that the page does not have.
-pub fn dimension(name: &str) -> Option<Dimension> {
-    alphabet::dimension(LETTERS, name)
-}
-
-/// The symbol of a letter; the LaTeX comes from the table.
-pub fn letter(name: &str) -> Sym {
-    alphabet::letter(LETTERS, name)
-}
-
-/// Several at once.
-pub fn letters<const N: usize>(names: [&str; N]) -> [Sym; N] {
-    names.map(letter)
-}
+read_by!(dimension, letter, letters; [LETTERS]);

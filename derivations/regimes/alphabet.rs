@@ -1,8 +1,8 @@
 //! The letters of the page with their LaTeX and dimensions.
 
-use crate::alphabet::{self, Letter};
+use crate::alphabet::{Letter, read_by};
 use field::Circle;
-use symbolic::{Dimension, Hypotheses, Sym};
+use symbolic::{Hypotheses, Sym};
 
 /// (name, LaTeX, exponents of kg, m, s)
 const LETTERS: &[Letter<3>] = &[
@@ -53,15 +53,7 @@ const LETTERS: &[Letter<3>] = &[
     ("N det M", r"N\det M", [-1, 1, -2]),
 ];
 
-/// The dimension of a letter; `None` for a name that the page does not have.
-pub fn dimension(name: &str) -> Option<Dimension> {
-    alphabet::dimension(LETTERS, name)
-}
-
-/// The symbol of a letter; the LaTeX comes from the table.
-pub fn letter(name: &str) -> Sym {
-    alphabet::letter(LETTERS, name)
-}
+read_by!(dimension, letter; [LETTERS]);
 
 /// An angle by its cosine and sine, with their relation.
 pub fn angle(cos: &str, sin: &str) -> (Circle<Sym>, Hypotheses) {

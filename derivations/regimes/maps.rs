@@ -7,7 +7,7 @@ use crate::systems::slender_rod::SlenderRod;
 use field::Circle;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::{Contacts, Sides};
-use mechanics::regimes::{Dry, Mode, Sizes, Verdict, touches, verdict};
+use mechanics::regimes::{Mode, Verdict, posed, verdict};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 /// What a state admits.
@@ -183,8 +183,7 @@ where
     Q: Contacts<4, 1, K, Given = f64>,
 {
     let at = State { time: 0.0, place, velocity };
-    let Ok(dry) = Dry::<f64, K>::of(system, &at, system.force(&at)) else { return Kind::None };
-    let Ok(touch) = touches(system, &at, Sizes::of(&at)) else { return Kind::None };
+    let Ok((dry, touch)) = posed(system, &at) else { return Kind::None };
     match verdict(&dry, &touch) {
         Verdict::Unique(found) if found.regime.contains(&Mode::Apart) => Kind::Leaves,
         Verdict::Unique(_) => Kind::Slides,

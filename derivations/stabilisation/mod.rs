@@ -5,9 +5,11 @@
 //! * `gains`: for which gains the discrete error of a constraint decays, exactly, and the best gains;
 //! * `floor`: what no gains remove;
 //! * [`drive`]: the equations of the electromechanical drive; [`drive_law`], [`experiment`]: the drive run;
+//! * [`drifting`]: a monitor that says by name that a constraint drifts;
 //! * [`regions`], [`treatments`]: gains and treatments of a constraint, measured.
 
 mod alphabet;
+pub mod drifting;
 pub mod drive;
 pub mod drive_law;
 pub mod experiment;

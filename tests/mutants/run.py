@@ -55,6 +55,7 @@ SUBJECT_OF = {
     "crates/integrators/src/transition.rs": ["transition"],
     "derivations/scene/transition.rs": ["transition"],
     "crates/integrators/src/bader_deuflhard.rs": ["methods"],
+    "crates/integrators/src/linearised.rs": ["methods"],
     "crates/integrators/src/composition.rs": ["methods"],
     "crates/integrators/src/splitting.rs": ["methods", "splitting"],
     "derivations/machines/kick.rs": ["splitting"],

@@ -19,6 +19,21 @@ impl<I: Iterator<Item = f64>> Source for Drawn<I> {
     }
 }
 
+/// Any machine with so many bars, every other datum the same.
+pub struct Bars(pub usize);
+
+impl Source for Bars {
+    type Error = Infallible;
+
+    fn quantity(&mut self, _quantity: &'static Quantity) -> Result<f64, Infallible> {
+        Ok(0.7)
+    }
+
+    fn count(&mut self, _name: &'static str, _meaning: &'static str) -> Result<usize, Infallible> {
+        Ok(self.0)
+    }
+}
+
 /// Numbers for the data of a machine and for a state, as many as any machine may ask for.
 #[derive(Clone, Debug)]
 pub struct Sample {

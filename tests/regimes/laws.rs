@@ -1,7 +1,7 @@
 //! Whatever is found obeys the laws of contact and friction, by every route.
 
 use crate::ladders::{ladder, leaning};
-use crate::verdicts::{name, q, seen};
+use crate::verdicts::{name, q};
 use derivations::regimes::maps::{Kind, maps};
 use derivations::systems::ladder::Ladder;
 use field::{Circle, Rational};
@@ -10,7 +10,7 @@ use mechanics::constrained::contacts::Sides;
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::mode::modes;
 use mechanics::regimes::{
-    Direction, Dry, Found, Ordered, Sizes, Touch, Verdict, conditions, consistent, touches, verdict,
+    Direction, Dry, Found, Ordered, Sizes, Touch, Verdict, conditions, consistent, posed, touches, verdict,
 };
 use num_traits::Zero;
 use std::collections::HashSet;
@@ -78,7 +78,8 @@ fn what_is_found_obeys_the_laws_and_floats_agree() {
 
 #[test]
 fn cramers_rule_and_elimination_agree() {
-    let (dry, touches) = seen(&ladder(q(1, 3)), &leaning(Circle { cos: q(3, 5), sin: q(4, 5) }, q(1, 2)));
+    let at = leaning(Circle { cos: q(3, 5), sin: q(4, 5) }, q(1, 2));
+    let (dry, touches) = posed(&ladder(q(1, 3)), &at).expect("on wall and floor");
     let mut regular = 0;
     consistent(&dry, &touches, |found| {
         let cramer = Cramer::of(&dry, &found.regime);

@@ -3,23 +3,10 @@
 use field::{Over, Rational};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
-use mechanics::regimes::{Dry, Mode, Ordered, Sizes, Touch, Verdict, touches, verdict};
+use mechanics::regimes::{Mode, Ordered, Verdict, posed, verdict};
 
 pub fn q(numerator: i64, denominator: i64) -> Rational {
     Rational::new(numerator, denominator)
-}
-
-/// What the contacts know of a state, under the system's own force.
-pub fn seen<Q, S, const N: usize, const C: usize, const K: usize>(
-    system: &Q,
-    at: &State<S, N>,
-) -> (Dry<S, K>, [Touch; K])
-where
-    Q: Contacts<N, C, K>,
-    S: Over<Q::Given> + Ordered,
-{
-    let dry = Dry::of(system, at, system.force(at)).expect("the constraints are independent");
-    (dry, touches(system, at, Sizes::of(at)).expect("the state is admitted"))
 }
 
 pub fn decide<Q, S, const N: usize, const C: usize, const K: usize>(system: &Q, at: &State<S, N>) -> Verdict<S, K>
@@ -27,7 +14,7 @@ where
     Q: Contacts<N, C, K>,
     S: Over<Q::Given> + Ordered,
 {
-    let (dry, touches) = seen(system, at);
+    let (dry, touches) = posed(system, at).expect("the state is admitted");
     verdict(&dry, &touches)
 }
 

@@ -8,7 +8,7 @@ use derivations::friction::{ForRough, RoughScene};
 use derivations::scene::Family;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
-use mechanics::regimes::{Dry, Found, Sizes, Touch, Verdict, conditions, consistent, touches, verdict};
+use mechanics::regimes::{Dry, Found, Touch, Verdict, conditions, consistent, posed, verdict};
 use serde_json::{Value, json};
 use std::fmt::{Display, Write};
 use std::path::PathBuf;
@@ -100,13 +100,9 @@ impl ForRough for Start {
     where
         Q: Contacts<N, C, K, Given = f64>,
     {
-        let touch = match touches(system, &start, Sizes::of(&start)) {
-            Ok(touch) => touch,
-            Err(unfit) => return Answer::none(&unfit),
-        };
-        let dry = match Dry::<f64, K>::of(system, &start, system.force(&start)) {
-            Ok(dry) => dry,
-            Err(dependent) => return Answer::none(&dependent),
+        let (dry, touch) = match posed(system, &start) {
+            Ok(posed) => posed,
+            Err(unposed) => return Answer::none(&unposed),
         };
         let mut regimes = Vec::new();
         consistent(&dry, &touch, |found| {

@@ -16,6 +16,7 @@ use crate::Tolerance;
 use crate::columns::Columns;
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::jacobian::Jacobian;
+use crate::linearised::Linearised;
 use crate::lu::Lu;
 use crate::meter::Meter;
 
@@ -34,12 +35,7 @@ pub(crate) struct BaderDeuflhard<'a> {
     factors: Vec<Vec<f64>>,
     /// The last row of the table, T_{j,1} .., less y_0: so that the sums of small steps keep their digits.
     table: Vec<Vec<f64>>,
-    jacobian: Jacobian<'a>,
-    /// J, f_t and f at the step's start, kept over rejections.
-    matrix: Vec<f64>,
-    drift: Vec<f64>,
-    first_slope: Vec<f64>,
-    linear_at: Option<f64>,
+    linear: Linearised<'a>,
     lu: Lu,
     y: Vec<f64>,
     /// z_k and D_k.
@@ -62,11 +58,7 @@ impl<'a> BaderDeuflhard<'a> {
             columns: Columns::new(SUBSTEPS.to_vec(), costs, guess).damped(),
             factors: (0..SUBSTEPS.len()).map(|j| (1..=j).map(|k| factor(j, k)).collect()).collect(),
             table: SUBSTEPS.map(|_| zeros()).to_vec(),
-            jacobian,
-            matrix: vec![0.0; dimension * dimension],
-            drift: zeros(),
-            first_slope: zeros(),
-            linear_at: None,
+            linear: Linearised::new(jacobian, dimension),
             lu: Lu::new(dimension),
             y: zeros(),
             z: zeros(),
@@ -81,22 +73,10 @@ impl<'a> BaderDeuflhard<'a> {
         self.columns.order()
     }
 
-    /// J, f_t and f at the start of a step.
-    fn linearise(&mut self, tau: f64, y: &[f64], meter: &Meter<f64>) {
-        let t = meter.time(tau);
-        self.jacobian.matrix(t, y, &mut self.matrix);
-        // in the run's own time f and t both change sign backwards: df/dy does, df/dt does not
-        self.matrix.iter_mut().for_each(|entry| *entry *= meter.direction);
-        self.jacobian.time_slopes(t, y, &mut self.drift);
-        meter.count_jacobian();
-        meter.rates(tau, y, &mut self.first_slope);
-        self.linear_at = Some(tau);
-    }
-
     /// Factors of I - h J.
     fn factorise(&mut self, h: f64, meter: &Meter<f64>) -> Result<(), Cause> {
         let n = self.y.len();
-        for (i, (row, slopes)) in self.lu.rows().zip(self.matrix.chunks(n)).enumerate() {
+        for (i, (row, slopes)) in self.lu.rows().zip(self.linear.matrix.chunks(n)).enumerate() {
             row.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = -h * slope);
             row[i] += 1.0;
         }
@@ -104,8 +84,7 @@ impl<'a> BaderDeuflhard<'a> {
         if self.lu.factorise() {
             return Ok(());
         }
-        let finite = self.matrix.iter().all(|entry| entry.is_finite());
-        Err(if finite { Cause::Singular } else { Cause::Undefined })
+        Err(self.linear.unfactorised())
     }
 
     /// One row: the rule into the first column, then the extrapolations.
@@ -113,7 +92,7 @@ impl<'a> BaderDeuflhard<'a> {
         let (n, substeps) = (before.len(), self.columns.substeps(j));
         let h = step / substeps as f64;
         self.factorise(h, meter)?;
-        for ((change, slope), drift) in self.difference.iter_mut().zip(&self.first_slope).zip(&self.drift) {
+        for ((change, slope), drift) in self.difference.iter_mut().zip(&self.linear.slope).zip(&self.linear.drift) {
             *change = h * slope + h * h * drift;
         }
         self.lu.solve(&mut self.difference);
@@ -160,9 +139,7 @@ impl<'a> BaderDeuflhard<'a> {
 
 impl Stepper<f64> for BaderDeuflhard<'_> {
     fn attempt(&mut self, tau: f64, before: &[f64], step: f64, after: &mut [f64], meter: &Meter<f64>) -> Attempt {
-        if self.linear_at != Some(tau) {
-            self.linearise(tau, before, meter);
-        }
+        self.linear.at(tau, before, meter);
         for j in 1..=self.columns.last() {
             if let Err(cause) = self.row(j, tau, before, step, meter) {
                 return self.columns.fail(step, cause);
@@ -199,7 +176,7 @@ mod tests {
         let mut y = [1.0];
         for k in 0..steps {
             let tau = step * f64::from(k);
-            method.linearise(tau, &y, &meter);
+            method.linear.at(tau, &y, &meter);
             for j in 1..=rows {
                 assert!(method.row(j, tau, &y, step, &meter).is_ok());
             }
@@ -255,7 +232,7 @@ mod tests {
         let span = Span::new(0.0, step, &start);
         let meter = Meter::new(&Follower, &span);
         let mut method = BaderDeuflhard::new(Jacobian::new(&Follower), &Tolerance::both(1e-2), 3);
-        method.linearise(0.0, &start, &meter);
+        method.linear.at(0.0, &start, &meter);
         for j in 1..=6 {
             assert!(method.row(j, 0.0, &start, step, &meter).is_ok());
         }

@@ -50,6 +50,7 @@ mod held;
 mod implicit;
 mod integrate;
 mod jacobian;
+mod linearised;
 mod lu;
 mod meter;
 mod method;

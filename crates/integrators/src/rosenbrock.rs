@@ -9,6 +9,7 @@
 use crate::Tolerance;
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::jacobian::Jacobian;
+use crate::linearised::Linearised;
 use crate::lu::Lu;
 use crate::meter::Meter;
 
@@ -52,12 +53,7 @@ const RODAS4: Coefficients = Coefficients {
 pub(crate) struct Rodas4<'a> {
     coefficients: Coefficients,
     tolerance: Tolerance,
-    jacobian: Jacobian<'a>,
-    /// The Jacobian, df/dt and f at the step's start, kept over rejections.
-    matrix: Vec<f64>,
-    drift: Vec<f64>,
-    first_slope: Vec<f64>,
-    linear_at: Option<f64>,
+    linear: Linearised<'a>,
     lu: Lu,
     stages: [Vec<f64>; STAGES],
     point: Vec<f64>,
@@ -71,11 +67,7 @@ impl<'a> Rodas4<'a> {
         Rodas4 {
             coefficients: RODAS4,
             tolerance: tolerance.clone(),
-            jacobian,
-            matrix: vec![0.0; dimension * dimension],
-            drift: zeros(),
-            first_slope: zeros(),
-            linear_at: None,
+            linear: Linearised::new(jacobian, dimension),
             lu: Lu::new(dimension),
             stages: std::array::from_fn(|_| zeros()),
             point: zeros(),
@@ -84,22 +76,10 @@ impl<'a> Rodas4<'a> {
         }
     }
 
-    /// Jacobian, df/dt and f at the start of a step.
-    fn linearise(&mut self, tau: f64, y: &[f64], meter: &Meter<f64>) {
-        let t = meter.time(tau);
-        self.jacobian.matrix(t, y, &mut self.matrix);
-        // in the run's own time f and t both change sign backwards: df/dy does, df/dt does not
-        self.matrix.iter_mut().for_each(|entry| *entry *= meter.direction);
-        self.jacobian.time_slopes(t, y, &mut self.drift);
-        meter.count_jacobian();
-        meter.rates(tau, y, &mut self.first_slope);
-        self.linear_at = Some(tau);
-    }
-
     /// Factors of 1/(h g) I - J; false if singular or not finite.
     fn factorise(&mut self, step: f64, meter: &Meter<f64>) -> bool {
         let n = self.point.len();
-        for (i, (row, slopes)) in self.lu.rows().zip(self.matrix.chunks(n)).enumerate() {
+        for (i, (row, slopes)) in self.lu.rows().zip(self.linear.matrix.chunks(n)).enumerate() {
             row.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = -slope);
             row[i] += 1.0 / (step * self.coefficients.gamma);
         }
@@ -111,14 +91,14 @@ impl<'a> Rodas4<'a> {
     fn stage(&mut self, i: usize, tau: f64, step: f64, meter: &Meter<f64>) {
         let Coefficients { c, times, drift, .. } = &self.coefficients;
         if i == 0 {
-            self.slope.copy_from_slice(&self.first_slope);
+            self.slope.copy_from_slice(&self.linear.slope);
         } else {
             meter.rates(tau + times[i] * step, &self.point, &mut self.slope);
         }
         let (before, rest) = self.stages.split_at_mut(i);
         for (k, u) in rest[0].iter_mut().enumerate() {
             let memory: f64 = before.iter().zip(&c[i]).map(|(stage, c)| c * stage[k]).sum();
-            *u = self.slope[k] + memory / step + step * drift[i] * self.drift[k];
+            *u = self.slope[k] + memory / step + step * drift[i] * self.linear.drift[k];
         }
         self.lu.solve(&mut rest[0]);
     }
@@ -126,13 +106,9 @@ impl<'a> Rodas4<'a> {
 
 impl Stepper<f64> for Rodas4<'_> {
     fn attempt(&mut self, tau: f64, before: &[f64], step: f64, after: &mut [f64], meter: &Meter<f64>) -> Attempt {
-        if self.linear_at != Some(tau) {
-            self.linearise(tau, before, meter);
-        }
+        self.linear.at(tau, before, meter);
         if !self.factorise(step, meter) {
-            let finite = self.matrix.iter().all(|entry| entry.is_finite());
-            let cause = if finite { Cause::Singular } else { Cause::Undefined };
-            return Attempt::Rejected { next: 0.5 * step, cause };
+            return Attempt::Rejected { next: 0.5 * step, cause: self.linear.unfactorised() };
         }
         for i in 0..STAGES {
             if i < 5 {

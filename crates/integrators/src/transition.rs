@@ -13,6 +13,8 @@ pub struct Transition {
     pub state: Vec<f64>,
     /// `matrix[i * n + j]` = dy_i(t1) / dy_j(t0)
     pub matrix: Vec<f64>,
+    /// The most steps that a block of columns took: each errs by less than the tolerance.
+    pub steps: u64,
 }
 
 /// Carries a state and its derivatives from one time to another. The tolerance holds for the state; of the derivatives
@@ -31,14 +33,15 @@ pub fn transition(
     }
     let n = state.len();
     let mut series = system.taylor_directions().ok_or(Failure::Refused(Refusal::NoSeries))?;
-    let mut found = Transition { state: state.to_vec(), matrix: vec![0.0; n * n] };
+    let mut found = Transition { state: state.to_vec(), matrix: vec![0.0; n * n], steps: 0 };
     for first in (0..n).step_by(DIRECTIONS) {
         let block = DIRECTIONS.min(n - first);
         let mut y: Vec<Directions> = state.iter().map(|&y| Directions::from_re(y)).collect();
         for k in 0..block {
             y[first + k] = variable(state[first + k], k);
         }
-        carry(&mut *series, tolerance, (from, to), &mut y)?;
+        let steps = carry(&mut *series, tolerance, (from, to), &mut y)?;
+        found.steps = found.steps.max(steps);
         for (i, end) in y.iter().enumerate() {
             found.state[i] = end.re;
             for k in 0..block {
@@ -49,12 +52,14 @@ pub fn transition(
     Ok(found)
 }
 
+/// Moves y, and says in how many steps.
 fn carry(
     series: &mut dyn TaylorSeries<Directions>,
     tolerance: &Tolerance,
     (from, to): (f64, f64),
     y: &mut [Directions],
-) -> Result<(), Failure> {
+) -> Result<u64, Failure> {
+    let mut steps = 0;
     let (order, direction, mut at) = (taylor_order(tolerance.relative), (to - from).signum(), from);
     while at != to {
         series.expand(Directions::from_re(at), y, order);
@@ -71,9 +76,9 @@ fn carry(
             return Err(Failure::StepCollapsed { at, step: reach });
         }
         series.sum(Directions::from_re(next - at), y);
-        at = next;
+        (at, steps) = (next, steps + 1);
     }
-    Ok(())
+    Ok(steps)
 }
 
 /// The largest coefficient in units of what is allowed; not a number where one is not.

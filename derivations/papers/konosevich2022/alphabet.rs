@@ -1,6 +1,6 @@
 //! The paper's letters with their LaTeX and dimensions, and how symbols are made of them.
 
-use crate::alphabet::{self, Letter};
+use crate::alphabet::{self, Letter, read_by};
 use field::{Rational, Scalar};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::One;
@@ -98,6 +98,8 @@ const LETTERS: &[Letter<4>] = &[
     ("d#", "d_#", [1, 2, 0, 0]),
 ];
 
+read_by!(letter, vector; [LETTERS]);
+
 /// The dimension of a symbol of the paper; `None` for a name that the paper does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
     let place = |[kg, m, s, a]: [i64; 4]| Dimension::of(kg, m, s, a);
@@ -111,16 +113,6 @@ pub fn dimension(name: &str) -> Option<Dimension> {
         return dimension("A′").map(|inertia| inertia.power(Rational::new(1, 2)));
     }
     alphabet::dimension(LETTERS, name)
-}
-
-/// The symbol of a letter; the LaTeX comes from the table.
-pub fn letter(name: &str) -> Sym {
-    alphabet::letter(LETTERS, name)
-}
-
-/// The three components of a vector.
-pub fn vector(stem: &str) -> Vector3<Sym> {
-    Vector3::from_fn(|i, _| letter(&format!("{stem}{}", i + 1)))
 }
 
 /// A symmetric tensor with components 11, 22, 33, 12, 23, 31.

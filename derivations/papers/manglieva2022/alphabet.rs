@@ -1,9 +1,9 @@
 //! The paper's letters with their LaTeX and dimensions, and how symbols are made of them.
 
 use super::alphabet3;
-use crate::alphabet::{self, Letter};
+use crate::alphabet::{Letter, read_by};
 use field::Scalar;
-use symbolic::{Dimension, Hypotheses, Sym, normal};
+use symbolic::{Hypotheses, Sym, normal};
 
 /// (name, LaTeX, exponents of kg, m, s). A `#` stands for an index 1 to 4, two for a pair of them.
 const LETTERS: &[Letter<3>] = &[
@@ -150,32 +150,9 @@ const LETTERS: &[Letter<3>] = &[
     ("Adμ", r"A_{d\mu}", [1, 2, -4]),
 ];
 
+read_by!(dimension, letter, letters, indexed; [LETTERS, alphabet3::LETTERS]);
+
 pub use crate::alphabet::exact;
-
-/// Every letter, those of chapter 3 last.
-fn all() -> impl Iterator<Item = &'static Letter<3>> {
-    LETTERS.iter().chain(alphabet3::LETTERS)
-}
-
-/// The dimension of a symbol of the paper; `None` for a name that the paper does not have.
-pub fn dimension(name: &str) -> Option<Dimension> {
-    alphabet::dimension(all(), name)
-}
-
-/// The symbol of a letter; the LaTeX comes from the table.
-pub fn letter(name: &str) -> Sym {
-    alphabet::letter(all(), name)
-}
-
-/// Several letters at once.
-pub fn letters<const N: usize>(names: [&str; N]) -> [Sym; N] {
-    names.map(letter)
-}
-
-/// A letter with the indices 1 to N in place of its `#`.
-pub fn indexed<const N: usize>(pattern: &str) -> [Sym; N] {
-    std::array::from_fn(|i| letter(&pattern.replacen('#', &(i + 1).to_string(), 1)))
-}
 
 /// The expression in its normal form, for reading and for exact values; itself where that is too large.
 pub fn tidy(expression: Sym) -> Sym {

@@ -1,7 +1,7 @@
 //! The paper's letters with their LaTeX and dimensions, and how symbols are made of them.
 
-use crate::alphabet::{self, Letter};
-use symbolic::{Dimension, Sym};
+use crate::alphabet::{Letter, read_by};
+use symbolic::Sym;
 
 /// (name, LaTeX, exponents of kg, m, s). A `#` stands for a digit, two for a pair of them. Letters that the paper uses twice
 /// have a name of their own for each meaning.
@@ -217,30 +217,9 @@ const DRIVE: &[Letter<4>] = &[
     ("λᵈ", r"\lambda", [1, 0, -2, 0]),
 ];
 
+read_by!(dimension, letter, letters, indexed; [LETTERS, DRIVE]);
+
 pub use crate::alphabet::exact;
-
-/// The dimension of a symbol of the paper; `None` for a name that the paper does not have.
-pub fn dimension(name: &str) -> Option<Dimension> {
-    alphabet::dimension(LETTERS, name).or_else(|| alphabet::dimension(DRIVE, name))
-}
-
-/// The symbol of a letter; the LaTeX comes from its table.
-pub fn letter(name: &str) -> Sym {
-    match alphabet::dimension(DRIVE, name) {
-        Some(_) => alphabet::letter(DRIVE, name),
-        None => alphabet::letter(LETTERS, name),
-    }
-}
-
-/// Several letters at once.
-pub fn letters<const N: usize>(names: [&str; N]) -> [Sym; N] {
-    names.map(letter)
-}
-
-/// A letter with the indices 1 to N in place of its `#`.
-pub fn indexed<const N: usize>(pattern: &str) -> [Sym; N] {
-    std::array::from_fn(|i| letter(&pattern.replacen('#', &(i + 1).to_string(), 1)))
-}
 
 /// An integer.
 pub fn int(n: i64) -> Sym {

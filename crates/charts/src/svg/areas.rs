@@ -14,6 +14,8 @@ pub struct Areas {
     pub x: (String, [f64; 2]),
     /// Label and bounds of the axis upwards.
     pub y: (String, [f64; 2]),
+    /// The names of the rows of cells, where they are no values of a quantity: from the lowest.
+    pub names: Vec<String>,
     /// The names of the kinds: in the legend, in this order.
     pub kinds: Vec<String>,
     /// The kind of each cell by its place in `kinds`, row by row from the lowest; all rows have one length.
@@ -32,7 +34,9 @@ pub struct AreaCurve {
     pub points: Vec<(f64, f64)>,
 }
 
+/// The left end of a plane over values, and of one whose rows have names.
 const LEFT: f64 = 56.0;
+const LEFT_OF_NAMES: f64 = 160.0;
 const RIGHT: f64 = WIDTH - 14.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 330.0;
@@ -47,8 +51,18 @@ impl Areas {
     }
 
     pub(crate) fn drawing(&self) -> Drawing {
-        let x = Axis::linear(self.x.1.into_iter(), LEFT, RIGHT, 70.0, 0.0);
-        let y = Axis::linear(self.y.1.into_iter(), BOTTOM, TOP, 50.0, 0.0);
+        let left = self.left();
+        let x = Axis::linear(self.x.1.into_iter(), left, RIGHT, 70.0, 0.0);
+        let mut y = Axis::linear(self.y.1.into_iter(), BOTTOM, TOP, 50.0, 0.0);
+        if !self.names.is_empty() {
+            let [low, high] = self.y.1;
+            let height = (high - low) / self.names.len() as f64;
+            let tick = |(number, name): (usize, &String)| Tick {
+                at: low + (number as f64 + 0.5) * height,
+                label: Some(name.clone()),
+            };
+            y.ticks = self.names.iter().enumerate().map(tick).collect();
+        }
         let mut drawing = Drawing::default();
         self.cells(&mut drawing);
         for Tick { at, label } in &x.ticks {
@@ -56,8 +70,10 @@ impl Areas {
             drawing.text((x.place(*at), BOTTOM + 18.0), Anchor::Middle, "", label.as_deref().unwrap_or(""));
         }
         for Tick { at, label } in &y.ticks {
-            drawing.line((LEFT, y.place(*at)), (RIGHT, y.place(*at)), "fine");
-            drawing.text((LEFT - 8.0, y.place(*at) + 5.0), Anchor::End, "", label.as_deref().unwrap_or(""));
+            if self.names.is_empty() {
+                drawing.line((left, y.place(*at)), (RIGHT, y.place(*at)), "fine");
+            }
+            drawing.text((left - 8.0, y.place(*at) + 5.0), Anchor::End, "", label.as_deref().unwrap_or(""));
         }
         for (number, curve) in self.curves.iter().enumerate() {
             let [low, high] = self.y.1;
@@ -71,12 +87,16 @@ impl Areas {
             drawing.circle(at, 4.0, "dot");
             drawing.text((at.0 + 8.0, at.1 + 18.0), Anchor::Start, "mark-name", label);
         }
-        drawing.rect((LEFT, TOP), RIGHT - LEFT, BOTTOM - TOP, "box");
-        drawing.text((0.5 * (LEFT + RIGHT), BOTTOM + 38.0), Anchor::Middle, "", &self.x.0);
+        drawing.rect((left, TOP), RIGHT - left, BOTTOM - TOP, "box");
+        drawing.text((0.5 * (left + RIGHT), BOTTOM + 38.0), Anchor::Middle, "", &self.x.0);
         drawing.upward((16.0, 0.5 * (TOP + BOTTOM)), &self.y.0);
         drawing.height = BOTTOM + 50.0;
         self.legend(&mut drawing);
         drawing
+    }
+
+    fn left(&self) -> f64 {
+        if self.names.is_empty() { LEFT } else { LEFT_OF_NAMES }
     }
 
     /// Curves are dark over coloured cells, and have colours of their own where there are none.
@@ -91,12 +111,12 @@ impl Areas {
 
     /// Neighbours of one kind in a row are one rectangle; a hair wider, lest seams show.
     fn cells(&self, drawing: &mut Drawing) {
-        let height = (BOTTOM - TOP) / self.rows.len().max(1) as f64;
+        let (left, height) = (self.left(), (BOTTOM - TOP) / self.rows.len().max(1) as f64);
         for (number, row) in self.rows.iter().enumerate() {
-            let width = (RIGHT - LEFT) / row.len().max(1) as f64;
+            let width = (RIGHT - left) / row.len().max(1) as f64;
             let mut from = 0;
             for run in row.chunk_by(|a, b| a == b) {
-                let corner = (LEFT + from as f64 * width, BOTTOM - (number + 1) as f64 * height);
+                let corner = (left + from as f64 * width, BOTTOM - (number + 1) as f64 * height);
                 drawing.rect(corner, run.len() as f64 * width + 0.3, height + 0.3, &format!("area a{}", run[0] % 6));
                 from += run.len();
             }
@@ -122,6 +142,17 @@ impl Areas {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rows_that_are_no_values_have_names_and_no_numbers() {
+        let rows = vec![vec![0], vec![0], vec![0]];
+        let names = ["first", "second", "third"].map(String::from).into();
+        let areas =
+            Areas { x: ("x".into(), [0.0, 1.0]), y: ("methods".into(), [0.0, 3.0]), rows, names, ..Areas::default() };
+        let svg = areas.svg();
+        assert!(["first", "second", "third"].iter().all(|name| svg.contains(&format!(">{name}<"))), "{svg}");
+        assert!(!svg.contains(">2<") && !svg.contains(">3<"), "{svg}");
+    }
 
     #[test]
     fn neighbours_of_one_kind_are_one_rectangle_and_curves_end_at_the_frame() {

@@ -1,6 +1,7 @@
 //! The stability function of a method.
 
 use field::{Rational, Scalar};
+use nalgebra::Complex;
 
 /// R(z) = P(z)/Q(z): what a step makes of y' = z y in a unit of time. Coefficients from the constant upwards, P(0) = Q(0) = 1.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,6 +11,19 @@ pub struct StabilityFunction {
 }
 
 impl StabilityFunction {
+    /// ln|R| at z = (re, im), and how fast it changes with the logarithm of the step, Re(z R'/R).
+    pub fn growth(&self, [re, im]: [f64; 2]) -> (f64, f64) {
+        let z = Complex::new(re, im);
+        let zero = Complex::new(0.0, 0.0);
+        // a polynomial and its derivative
+        let of = |coefficients: &[Rational]| {
+            let terms = coefficients.iter().rev().map(|c| c.to_f64());
+            terms.fold((zero, zero), |(value, slope), c| (value * z + c, slope * z + value))
+        };
+        let ((above, above_slope), (below, below_slope)) = (of(&self.numerator), of(&self.denominator));
+        ((above / below).norm().ln(), (z * (above_slope / above - below_slope / below)).re)
+    }
+
     /// |P(x u)|^2 - |Q(x u)|^2 for |u| = 1 as sum x^k c_km Re u^m: the coefficients c, trimmed at both ends of k,
     /// and the power of x that was divided by.
     pub(super) fn balance(&self) -> (Vec<Vec<Rational>>, usize) {

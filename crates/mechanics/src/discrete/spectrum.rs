@@ -98,6 +98,15 @@ impl Place {
         Some(Mode { place: self, count })
     }
 
+    /// The eigenvalue with the positive imaginary part, rounded: (re, im).
+    pub fn point(&self) -> [f64; 2] {
+        match self {
+            Place::Real(mu) => [mu.to_f64(), 0.0],
+            Place::Imaginary(b) => [0.0, b.to_f64()],
+            Place::Pair(mu) => [mu.re.to_f64(), mu.im.to_f64()],
+        }
+    }
+
     /// Of the real part: -1 where the motion lets it fade, 0 where it stays, 1 where it grows.
     pub fn sign(&self) -> i32 {
         match self {

@@ -1,9 +1,8 @@
 //! The letters of the page: those of the paper, and deviations, the unknown of polynomials, their coefficients.
 
-use crate::alphabet::{self, Letter};
+use crate::alphabet::{self, Letter, read_by};
 use crate::papers::konosevich2022;
-use nalgebra::Vector3;
-use symbolic::{Dimension, Sym};
+use symbolic::Dimension;
 
 /// (name, LaTeX, exponents of kg, m, s, A)
 const LETTERS: &[Letter<4>] = &[
@@ -30,20 +29,12 @@ const LETTERS: &[Letter<4>] = &[
     ("λ", r"\lambda", [1, 2, -2, 0]),
 ];
 
+read_by!(letter, vector; [LETTERS]);
+
 /// The dimension of a letter; `None` for a name that the page does not have.
 pub fn dimension(name: &str) -> Option<Dimension> {
     if let Some(root) = name.strip_prefix('√') {
         return konosevich2022::dimension(root).map(|square| square.power(field::Rational::new(1, 2)));
     }
     alphabet::dimension(LETTERS, name).or_else(|| konosevich2022::dimension(name))
-}
-
-/// The symbol of a letter of this page.
-pub fn letter(name: &str) -> Sym {
-    alphabet::letter(LETTERS, name)
-}
-
-/// The three components of a vector.
-pub fn vector(stem: &str) -> Vector3<Sym> {
-    Vector3::from_fn(|i, _| letter(&format!("{stem}{}", i + 1)))
 }

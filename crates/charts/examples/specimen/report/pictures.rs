@@ -81,6 +81,7 @@ pub fn areas() -> Vec<Areas> {
         }],
         marks: vec![(0.5, 0.25, "a point".into())],
         note: "Nothing is meant.".into(),
+        ..Areas::default()
     }]
 }
 

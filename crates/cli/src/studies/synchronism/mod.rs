@@ -1,8 +1,10 @@
 //! A synchronous motor under load: what it can do for ever, and which starts come into step.
 
+mod carried;
 mod pictures;
 
 use crate::crew::Crew;
+use carried::Carried;
 use charts::{Study, Table, significant};
 use derivations::scene::{Scene, System};
 use derivations::synchronism::basin::Share;
@@ -42,13 +44,18 @@ pub struct Synchronism {
     pull_out: f64,
     bars: [Option<Option<OfBars>>; BARS.len()],
     rows: [Option<Option<Row>>; DAMPINGS.len()],
+    carried: Option<Option<Carried>>,
 }
 
 impl Synchronism {
-    /// Of the first scene of a motor with bars on a bench.
+    /// Of the first scene of a motor with bars on a bench, and of the first in which a gyrostat carries one.
     pub fn enlist<'s>(&'s mut self, scenes: impl Iterator<Item = &'s Scene>, crew: &mut Crew<'s>) {
-        let with = |scene: &&Scene| matches!(scene.system, System::Bench { .. }) && with_bars(scene, 0).is_some();
-        let Some(scene) = scenes.into_iter().find(with) else { return };
+        let scenes: Vec<&Scene> = scenes.filter(|scene| with_bars(scene, 0).is_some()).collect();
+        let on_bench = |scene: &&&Scene| matches!(scene.system, System::Bench { .. });
+        if let Some(scene) = scenes.iter().copied().find(|scene| matches!(scene.system, System::Gyrostat(_))) {
+            crew.add(6.0, &mut self.carried, move || Carried::of(scene));
+        }
+        let Some(scene) = scenes.iter().find(on_bench).copied() else { return };
         let Ok(motor) = Loaded::of(scene) else { return };
         self.title.clone_from(&scene.title);
         self.in_step = motor.in_step();
@@ -69,6 +76,7 @@ impl Synchronism {
         let motor = self.motor?;
         let all: Vec<OfBars> = self.bars.into_iter().flatten().flatten().collect();
         let rows: Vec<Row> = self.rows.into_iter().flatten().flatten().collect();
+        let carried = self.carried.flatten();
         let pictures = vec![
             standing(&self.in_step, self.pull_out),
             slipping(&all, self.pull_out, motor.facts.field_speed),
@@ -83,8 +91,8 @@ impl Synchronism {
                 self.title
             ),
             pictures,
-            tables: vec![table(&all, self.pull_out)],
-            note: r"Pull-in by a balance: with ever longer turns the slipping comes from one angle that does not hold to the next. By a fold: a stable and an unstable slipping motion merge; the moment of a damper with three bars or more has a hump over the slip as Kloss' has, beyond which a load that asks for more is left to friction. Without currents the pull-in is Tricomi's curve, which begins as $\frac4\pi$ of the damping and meets the pull-out at the damping 1.19. One scene: dalembert motor scenes/bench.toml; in a gyrostat, where the carrier gives way: scenes/spin_up.toml.".into(),
+            tables: std::iter::once(table(&all, self.pull_out)).chain(carried.as_ref().map(Carried::table)).collect(),
+            note: r"Pull-in by a balance: with ever longer turns the slipping comes from one angle that does not hold to the next. By a fold: a stable and an unstable slipping motion merge; the moment of a damper with three bars or more has a hump over the slip as Kloss' has, beyond which a load that asks for more is left to friction. Without currents the pull-in is Tricomi's curve, which begins as $\frac4\pi$ of the damping and meets the pull-out at the damping 1.19. In a gyrostat the carrier gives way and swings: there a start counts as in step when the field has not lost the rotor in the last quarter of the time. One scene: dalembert motor scenes/bench.toml, or scenes/spin_up.toml.".into(),
             ..Study::default()
         })
     }

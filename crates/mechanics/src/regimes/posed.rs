@@ -1,0 +1,45 @@
+//! What decides the regimes of a state: asked once, for all who want the verdict.
+
+use super::{Dry, Ordered, Sizes, Touch, Unfit, touches};
+use crate::constrained::State;
+use crate::constrained::contacts::Contacts;
+use crate::definite::NotDefinite;
+use field::Over;
+use std::fmt;
+
+/// Why a state has no regimes to decide between.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unposed {
+    /// A contact cannot be as it is.
+    Contact(Unfit),
+    /// The system's own constraints depend on each other.
+    Constraints(NotDefinite),
+}
+
+impl fmt::Display for Unposed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Contact(unfit) => unfit.fmt(f),
+            Self::Constraints(dependent) => dependent.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Unposed {}
+
+/// What the contacts know of a state under the system's own force, and what each of them does.
+///
+/// # Errors
+/// [`Unposed`].
+pub fn posed<Q, S, const N: usize, const C: usize, const K: usize>(
+    system: &Q,
+    at: &State<S, N>,
+) -> Result<(Dry<S, K>, [Touch; K]), Unposed>
+where
+    Q: Contacts<N, C, K>,
+    S: Over<Q::Given> + Ordered,
+{
+    let touch = touches(system, at, Sizes::of(at)).map_err(Unposed::Contact)?;
+    let dry = Dry::of(system, at, system.force(at)).map_err(Unposed::Constraints)?;
+    Ok((dry, touch))
+}

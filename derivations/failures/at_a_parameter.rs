@@ -1,0 +1,51 @@
+//! Newton's method for the unknown of a curve F(x, p) = 0 at a fixed p, as a root finder has it.
+//!
+//! Where the curve turns back in p (a fold) F_x vanishes: the method divides by it, and beyond the fold there is no x to be found.
+//! [`integrators::follow`] walks along the curve, where nothing is singular.
+
+use integrators::Curve;
+use std::fmt;
+
+/// Newton's method came to no end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NotConverged {
+    pub iterations: u32,
+    /// The last x, and F there.
+    pub last: f64,
+    pub missing: f64,
+}
+
+impl fmt::Display for NotConverged {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { iterations, last, missing } = self;
+        write!(
+            f,
+            "Newton did not converge in {iterations} iterations: at {last:.3} there is still {missing:.1e} left over"
+        )
+    }
+}
+
+/// Iterations after which Newton's method counts as lost.
+const MOST: u32 = 100;
+/// A correction that is rounding.
+const SETTLED: f64 = 1e-12;
+
+/// x at a fixed p, for a curve in the plane.
+///
+/// # Errors
+/// [`NotConverged`].
+pub fn newton(curve: &mut dyn Curve, mut x: f64, p: f64) -> Result<f64, NotConverged> {
+    let (mut residual, mut slopes) = ([f64::INFINITY], [0.0; 2]);
+    for iterations in 1..=MOST {
+        let defined = curve.evaluate(&[x, p], &mut residual, &mut slopes).is_ok();
+        let step = residual[0] / slopes[0];
+        if !(defined && step.is_finite()) {
+            return Err(NotConverged { iterations, last: x, missing: residual[0] });
+        }
+        x -= step;
+        if step.abs() <= SETTLED * x.abs().max(1.0) {
+            return Ok(x);
+        }
+    }
+    Err(NotConverged { iterations: MOST, last: x, missing: residual[0] })
+}

@@ -1,0 +1,80 @@
+//! How long a run must be to tell a step just below a threshold from one just above it.
+//!
+//! At the threshold the multiplier of one mode is on the unit circle. A share e of the step away from it that mode grows, or
+//! fades, by d = e |d ln|R|/d ln h| a step; the slowest of the others fades by b. Of a start in which the others
+//! are at most c times as large, a run of N steps shows the mode where
+//!
+//!   d exp(d N) > c b exp(-b N) :   N > ln(c b/d)/(b + d) ,
+//!
+//! and two neighbouring stretches of N/10 steps differ by more than the crests between their samples hide, a part in
+//! thousands, where d N/10 and b N/10 are above a hundredth. Where that takes too many steps no run tells, and none is asked.
+
+use super::methods::OneStep;
+use mechanics::discrete::Spectrum;
+
+/// What happens to a motion's modes in a step of the length of a threshold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// |d ln|R|/d ln h| of the mode that crosses the unit circle.
+    pub steepness: f64,
+    /// By how much the logarithm of the slowest of the others falls in a step.
+    pub rest: f64,
+}
+
+/// c: how much more of the other modes there may be in a start, whose components differ by as much in their units.
+const MORE: f64 = 1e4;
+/// By how much a stretch must differ from the one before.
+pub const SHOWN: f64 = 0.01;
+/// The shortest and the longest run, in steps.
+const FEWEST: f64 = 400.0;
+const MOST: f64 = 40_000.0;
+
+impl Crossing {
+    /// Of a Runge-Kutta method whose step is a threshold for one of the modes; `None` where the method has no stability function.
+    pub fn of(method: OneStep, spectrum: &Spectrum, step: f64) -> Option<Self> {
+        let function = method.function()?;
+        let mut all: Vec<(f64, f64)> = spectrum
+            .modes
+            .iter()
+            .map(|mode| {
+                let [re, im] = mode.place.point();
+                function.growth([step * re, step * im])
+            })
+            .collect();
+        all.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+        let ((_, slope), others) = all.split_first()?;
+        let rest = others.iter().map(|(growth, _)| -growth).fold(f64::INFINITY, f64::min);
+        Some(Crossing { steepness: slope.abs(), rest })
+    }
+
+    /// The steps of a run that tells a share `apart` of the threshold; `None` where it would be too long, or another mode does
+    /// not fade.
+    pub fn steps(&self, apart: f64) -> Option<usize> {
+        let (growth, rest) = (apart * self.steepness, self.rest);
+        if !(growth > 0.0 && rest > 0.0) {
+            return None;
+        }
+        // nothing else is there
+        let slower = if rest.is_finite() { (MORE * rest / growth).ln() / (rest + growth) } else { 0.0 };
+        let steps = slower.max(SHOWN / growth * STRETCHES).max(SHOWN / rest * STRETCHES).max(FEWEST);
+        (steps <= MOST).then_some(steps.ceil() as usize)
+    }
+}
+
+/// How many stretches a run is cut into.
+pub const STRETCHES: f64 = 10.0;
+
+#[cfg(test)]
+mod tests {
+    use super::Crossing;
+
+    /// By hand: d = 1e-4, then d = b = 1e-3 with ln 10^4/0.002.
+    #[test]
+    fn a_run_is_as_long_as_the_slower_of_growth_and_rest_asks() {
+        let steps = |steepness, rest| Crossing { steepness, rest }.steps(1e-3);
+        assert_eq!(steps(0.1, 0.5), Some(1000));
+        assert_eq!(steps(1.0, 1e-3), Some(4606));
+        assert_eq!(steps(1.0, f64::INFINITY), Some(400));
+        assert_eq!((steps(1e-6, 0.5), steps(1.0, 0.0), steps(1.0, 1e-9)), (None, None, None));
+    }
+}

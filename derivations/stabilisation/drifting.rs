@@ -1,0 +1,106 @@
+//! A monitor of constraints that are kept only differentiated twice: says by name that one drifts.
+//!
+//! From f'' = 0 each step adds h f' to the violation f, and what the method errs in f' stays for ever. The monitor sums h f' up along
+//! the run. Where f has left its bounds and most of the way is this sum, the constraint drifts: gains or a projection
+//! are missing, and no shorter step helps for long. Otherwise it is violated in some other way.
+
+use integrators::Observer;
+use std::fmt;
+
+/// Watches (f, f') at the end of every step and halts the run when f leaves its bounds.
+pub struct Drifting<F> {
+    violation: F,
+    allowed: f64,
+    first: f64,
+    /// Time and (f, f') before, and the sum of h f'.
+    last: Option<(f64, [f64; 2])>,
+    summed: f64,
+    pub found: Option<Drift>,
+}
+
+/// A violation out of bounds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drift {
+    /// s
+    pub at: f64,
+    /// f, in its own unit, and how much of it came since the start.
+    pub violation: f64,
+    pub come: f64,
+    /// The sum of h f'.
+    pub summed: f64,
+}
+
+impl<F: Fn(&[f64]) -> [f64; 2]> Drifting<F> {
+    /// From the state of a run's start; |f| may be so much.
+    pub fn new(violation: F, (time, start): (f64, &[f64]), allowed: f64) -> Self {
+        let [first, rate] = violation(start);
+        Drifting { violation, allowed, first, last: Some((time, [first, rate])), summed: 0.0, found: None }
+    }
+}
+
+impl<F: Fn(&[f64]) -> [f64; 2]> Observer<f64> for Drifting<F> {
+    fn step(&mut self, time: f64, state: &[f64]) {
+        let now = (self.violation)(state);
+        if let Some((before, [_, rate])) = self.last.replace((time, now)) {
+            // the mean of both ends: what varies within a step is no drift
+            self.summed += 0.5 * (time - before) * (rate + now[1]);
+        }
+        let [f, _] = now;
+        if f.abs() > self.allowed && self.found.is_none() {
+            self.found = Some(Drift { at: time, violation: f, come: f - self.first, summed: self.summed });
+        }
+    }
+
+    fn enough(&self) -> bool {
+        self.found.is_some()
+    }
+}
+
+impl Drift {
+    /// Whether most of the violation is its own rate, summed up.
+    pub fn by_its_rate(&self) -> bool {
+        (self.come - self.summed).abs() < 0.5 * self.come.abs()
+    }
+
+    /// Its name, without its place.
+    pub fn name(&self) -> &'static str {
+        if self.by_its_rate() { "the constraint drifts" } else { "the constraint is violated" }
+    }
+}
+
+impl fmt::Display for Drift {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Drift { at, violation, come, summed } = self;
+        let share = summed / come;
+        write!(
+            f,
+            "{}: f = {violation:.1e} at t = {at:.4} s, of which its own rate summed up is {share:.3}",
+            self.name()
+        )?;
+        if self.by_its_rate() {
+            write!(f, "; only f'' = 0 is kept: stabilise by gains, project, or hold f and f' both")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Drifting;
+    use integrators::Observer;
+
+    /// f = 1e-3 t, and f that jumps.
+    #[test]
+    fn what_its_rate_explains_is_a_drift_and_what_comes_at_once_is_none() {
+        let mut steady = Drifting::new(|y: &[f64]| [1e-3 * y[0], 1e-3], (0.0, &[0.0]), 5e-4);
+        let mut sudden = Drifting::new(|y: &[f64]| [if y[0] > 0.35 { 1.0 } else { 0.0 }, 1e-9], (0.0, &[0.0]), 5e-4);
+        for k in 1..=10 {
+            let t = 0.1 * f64::from(k);
+            steady.step(t, &[t]);
+            sudden.step(t, &[t]);
+        }
+        let steady = steady.found.expect("it leaves its bounds");
+        assert!(steady.by_its_rate() && (steady.at - 0.6).abs() < 1e-12, "{steady}");
+        assert!(sudden.found.is_some_and(|found| !found.by_its_rate() && (found.at - 0.4).abs() < 1e-12));
+    }
+}
