@@ -25,7 +25,7 @@ pub struct Bars(pub usize);
 impl Source for Bars {
     type Error = Infallible;
 
-    fn quantity(&mut self, _quantity: &'static Quantity) -> Result<f64, Infallible> {
+    fn quantity(&mut self, _quantity: &Quantity) -> Result<f64, Infallible> {
         Ok(0.7)
     }
 
