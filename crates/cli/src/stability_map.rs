@@ -137,6 +137,7 @@ impl Asked<'_> {
             title: format!("Where the {place} rotation is stable"),
             x: (labelled(first), own),
             y: (labelled(second), range),
+            names: Vec::new(),
             kinds,
             rows,
             curves: [curve(columns, true, "a tilt costs no energy"), curve(columns, false, "two pairs of roots meet")]

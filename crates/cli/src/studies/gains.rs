@@ -97,6 +97,7 @@ fn map(map: Map) -> Areas {
         title: format!("Gains that {name} bears"),
         x: ("h b".into(), [0.0, map.most.0]),
         y: ("h² k".into(), [0.0, map.most.1]),
+        names: Vec::new(),
         kinds: Fate::ALL.iter().map(|fate| fate.name().into()).collect(),
         rows: map.rows.iter().map(|row| row.iter().map(place).collect()).collect(),
         curves: ["upper edge, exact", "lower edge, exact"]
