@@ -94,10 +94,10 @@ fn a_table_is_whole_whenever_its_run_is_killed() {
 fn pages_pictures_and_references_are_whole_whenever_their_program_is_killed() {
     let scene = "scenes/closed_forms/unloaded_motor.toml";
     kill(&["chart", scene, "--seconds", "1", "--out"], "page.html", (2, 400.0), ends_with("</html>"));
-    kill(&["choose", scene, "--seconds", "1", "--out"], "models.svg", (2, 400.0), ends_with("</svg>"));
+    kill(&["choose", scene, "--seconds", "1", "--out"], "models.svg", (4, 20.0), ends_with("</svg>"));
     let kept = root().join("scenes/closed_forms/references/unloaded_motor.reference");
     let kept = std::fs::read(kept).expect("it is kept");
-    kill(&["reference", scene, "--out"], "again.reference", (2, 300.0), |found| found == kept);
+    kill(&["reference", scene, "--out"], "again.reference", (4, 10.0), |found| found == kept);
 }
 
 /// Sends Ctrl-C as soon as the program listens to it.
