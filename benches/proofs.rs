@@ -60,7 +60,7 @@ fn pages(paper: &'static Paper) {
         let derived = start.elapsed().as_secs_f64();
         let mut clock = Instant::now();
         let mut lap = |claim: Judged| (std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64(), claim.id);
-        let mut claims: Vec<(f64, String)> = page.judged().map(&mut lap).collect();
+        let mut claims: Vec<(f64, String)> = page.judged(|_| true).map(&mut lap).collect();
         claims.sort_by(|a, b| b.0.total_cmp(&a.0));
         (derived, claims)
     };

@@ -66,12 +66,12 @@ impl Page {
 
     /// Decides every claim.
     pub fn judge(&self) -> Vec<Judged> {
-        self.judged().collect()
+        self.judged(|_| true).collect()
     }
 
-    /// The claims as they are decided, one after the other.
-    pub fn judged(&self) -> impl Iterator<Item = Judged> {
-        self.claims.iter().map(|claim| claim.judge(self.dimensions))
+    /// Those claims that are asked for, as they are decided, one after the other.
+    pub fn judged(&self, asked: impl Fn(&Claim) -> bool) -> impl Iterator<Item = Judged> {
+        self.claims.iter().filter(move |claim| asked(claim)).map(|claim| claim.judge(self.dimensions))
     }
 
     /// Attaches what holds instead to the claim before: the correction is drafted as a claim of its own.

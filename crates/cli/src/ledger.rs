@@ -27,8 +27,7 @@ pub struct Asked {
 /// Prints the claims whose id contains the filter, of one verdict where one is asked for.
 pub fn list(asked: &Asked) -> Result<Ending, Ending> {
     let verdict = asked.verdict.as_deref().map(verdict).transpose()?;
-    let judged: Vec<Judged> = all().into_iter().flat_map(|(_, judged)| judged).collect();
-    let known: Vec<Judged> = judged.into_iter().filter(|claim| claim.id.contains(&asked.filter)).collect();
+    let known = those_with(&asked.filter);
     let nowhere = known.is_empty();
     let chosen: Vec<Judged> =
         known.into_iter().filter(|claim| verdict.is_none_or(|verdict| claim.verdict == verdict)).collect();
@@ -62,15 +61,15 @@ fn verdict(name: &str) -> Result<Verdict, Ending> {
     })
 }
 
-/// Every paper with its judged claims.
-pub fn all() -> Vec<(&'static Paper, Vec<Judged>)> {
+/// The claims whose id contains this, decided; the others are not.
+fn those_with(filter: &str) -> Vec<Judged> {
     let mut judged: Vec<Option<Vec<Judged>>> = papers::ALL.iter().map(|_| None).collect();
     let mut crew = Crew::default();
     for (place, paper) in judged.iter_mut().zip(papers::ALL) {
-        crew.add(1.0, place, move || (paper.page)().judge());
+        crew.add(1.0, place, move || (paper.page)().judged(|claim| claim.id.contains(filter)).collect());
     }
     crew.work(|_| ());
-    papers::ALL.iter().zip(judged.into_iter().flatten()).collect()
+    judged.into_iter().flatten().flatten().collect()
 }
 
 /// A paper's section of the report, and whether every claim in it is sound.

@@ -38,6 +38,21 @@ pub struct Case {
     pub body: Body,
 }
 
+impl Case {
+    fn of(energies: &Energies<Rational>, kept: Kept, value: Root) -> Option<Self> {
+        let (tensor, share) = energies.quadratic(kept);
+        let body = Body::new(&tensor, &share, &value, &energies.weight)?;
+        Some(Case { value, body })
+    }
+
+    /// The same for a picture, where 2^-53 of the value is no difference: a value that is no fraction (Kloss') is replaced by
+    /// its double, since exact answers at hundreds of points in its field take minutes.
+    pub fn drawn(&self, energies: &Energies<Rational>, kept: Kept) -> Option<Self> {
+        let value = self.value.as_rational().unwrap_or_else(|| Rational::exactly(self.value.to_f64()));
+        Case::of(energies, kept, Root::rational(value)?)
+    }
+}
+
 /// Bits to which directions are enclosed.
 const BITS: usize = 64;
 
@@ -60,11 +75,7 @@ impl<'a> Stationary<'a> {
                 (Kept::Momentum, Root::rational(spin).into_iter().collect::<Vec<_>>())
             }
         };
-        let (tensor, share) = energies.quadratic(kept);
-        let case = |value: Root| {
-            let body = Body::new(&tensor, &share, &value, &energies.weight).ok_or(NoAnswer::TooFine)?;
-            Ok(Case { value, body })
-        };
+        let case = |value| Case::of(&energies, kept, value).ok_or(NoAnswer::TooFine);
         let cases = values.into_iter().map(case).collect::<Result<_, _>>()?;
         Ok(Stationary { scene, bodies, energies, approximation, motor, kept, cases })
     }

@@ -41,6 +41,8 @@ const RIGHT: f64 = WIDTH - 14.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 330.0;
 
+/// Kinds are told apart by so many colours.
+const COLOURS: usize = 6;
 /// Points beyond which dashes would hide a curve.
 const DENSE: usize = 300;
 
@@ -65,14 +67,12 @@ impl Areas {
         }
         let mut drawing = Drawing::default();
         self.cells(&mut drawing);
+        let level = y.ticks.iter().filter(|_| self.names.is_empty()).map(|tick| y.place(tick.at));
+        drawing.grid(x.ticks.iter().map(|tick| x.place(tick.at)), level, [left, RIGHT, TOP, BOTTOM], "fine");
         for Tick { at, label } in &x.ticks {
-            drawing.line((x.place(*at), TOP), (x.place(*at), BOTTOM), "fine");
             drawing.text((x.place(*at), BOTTOM + 18.0), Anchor::Middle, "", label.as_deref().unwrap_or(""));
         }
         for Tick { at, label } in &y.ticks {
-            if self.names.is_empty() {
-                drawing.line((left, y.place(*at)), (RIGHT, y.place(*at)), "fine");
-            }
             drawing.text((left - 8.0, y.place(*at) + 5.0), Anchor::End, "", label.as_deref().unwrap_or(""));
         }
         for (number, curve) in self.curves.iter().enumerate() {
@@ -101,6 +101,9 @@ impl Areas {
 
     /// Curves are dark over coloured cells, and have colours of their own where there are none.
     fn stroke(&self, drawing: &mut Drawing, number: usize, d: &str, points: usize, tooltip: &str) {
+        if d.is_empty() {
+            return;
+        }
         if !self.rows.is_empty() {
             return drawing.path_with_tooltip(d, &format!("over o{}", number % 3), tooltip);
         }
@@ -109,23 +112,27 @@ impl Areas {
         drawing.close();
     }
 
-    /// Neighbours of one kind in a row are one rectangle; a hair wider, lest seams show.
+    /// Neighbours of one kind in a row are one box; a hair wider, lest seams show.
     fn cells(&self, drawing: &mut Drawing) {
         let (left, height) = (self.left(), (BOTTOM - TOP) / self.rows.len().max(1) as f64);
+        let mut boxes: Vec<Vec<((f64, f64), f64, f64)>> = vec![Vec::new(); COLOURS];
         for (number, row) in self.rows.iter().enumerate() {
             let width = (RIGHT - left) / row.len().max(1) as f64;
             let mut from = 0;
             for run in row.chunk_by(|a, b| a == b) {
                 let corner = (left + from as f64 * width, BOTTOM - (number + 1) as f64 * height);
-                drawing.rect(corner, run.len() as f64 * width + 0.3, height + 0.3, &format!("area a{}", run[0] % 6));
+                boxes[run[0] % COLOURS].push((corner, run.len() as f64 * width + 0.3, height + 0.3));
                 from += run.len();
             }
+        }
+        for (kind, boxes) in boxes.into_iter().enumerate() {
+            drawing.boxes(boxes.into_iter(), &format!("area a{kind}"));
         }
     }
 
     fn legend(&self, drawing: &mut Drawing) {
         for (number, kind) in self.kinds.iter().enumerate() {
-            drawing.rect((LEFT, drawing.height + 2.0), 22.0, 12.0, &format!("area a{}", number % 6));
+            drawing.rect((LEFT, drawing.height + 2.0), 22.0, 12.0, &format!("area a{}", number % COLOURS));
             drawing.text((LEFT + 30.0, drawing.height + 13.0), Anchor::Start, "", kind);
             drawing.height += LINE;
         }
@@ -165,8 +172,11 @@ mod tests {
             ..Default::default()
         };
         let svg = areas.svg();
-        // three runs, and the swatch of the legend
-        assert_eq!(svg.matches("class=\"area").count(), 4);
+        // two runs of the first kind and one of the second, and the swatch of the legend
+        let boxes =
+            |kind: &str| svg.split(&format!("<path class=\"area {kind}\" d=\"")).nth(1).map(|d| d.split('"').next());
+        let count = |kind: &str| boxes(kind).flatten().map_or(0, |d| d.matches('z').count());
+        assert_eq!((count("a0"), count("a1"), svg.matches("<rect class=\"area").count()), (2, 1, 1), "{svg}");
         assert!(svg.contains("a &amp; b") && !svg.contains("-1"), "{svg}");
     }
 }

@@ -42,6 +42,29 @@ impl Drawing {
         let _ = write!(self.body, "<path class=\"{class}\" d=\"M{x1} {y1}L{x2} {y2}\"/>");
     }
 
+    /// Upright and level lines across a frame, as one path.
+    pub fn grid(
+        &mut self,
+        upright: impl Iterator<Item = f64>,
+        level: impl Iterator<Item = f64>,
+        [left, right, top, bottom]: [f64; 4],
+        class: &str,
+    ) {
+        let [left, right, top, bottom] = [left, right, top, bottom].map(coordinate);
+        let upright = upright.map(|x| format!("M{} {top}V{bottom}", coordinate(x)));
+        let level = level.map(|y| format!("M{left} {}H{right}", coordinate(y)));
+        self.path(&upright.chain(level).collect::<String>(), class);
+    }
+
+    /// Boxes of one class by corner, width and height, as one path.
+    pub fn boxes(&mut self, boxes: impl Iterator<Item = ((f64, f64), f64, f64)>, class: &str) {
+        let one = |((x, y), width, height): ((f64, f64), f64, f64)| {
+            let [x, y, width, height] = [x, y, width, height].map(coordinate);
+            format!("M{x} {y}h{width}v{height}H{x}z")
+        };
+        self.path(&boxes.map(one).collect::<String>(), class);
+    }
+
     pub fn rect(&mut self, (x, y): (f64, f64), width: f64, height: f64, class: &str) {
         let [x, y, width, height] = [x, y, width, height].map(coordinate);
         let _ =
@@ -60,6 +83,9 @@ impl Drawing {
     }
 
     pub fn path_with_tooltip(&mut self, d: &str, class: &str, tooltip: &str) {
+        if d.is_empty() {
+            return;
+        }
         let tooltip = html! { @if !tooltip.is_empty() { title { (tooltip) } } }.0;
         let _ = write!(self.body, "<path class=\"{class}\" d=\"{d}\">{tooltip}</path>");
     }

@@ -1,9 +1,6 @@
 //! The pictures of all stationary motions: the cone on the unit sphere, the directrix in space, the angular velocity along
 //! both.
 
-//! The pictures of all stationary motions: the cone on the unit sphere, the directrix in space, the angular velocity along
-//! both.
-
 mod along;
 mod marks;
 mod pieces;
@@ -14,7 +11,7 @@ use charts::{Curve, CurvePoint, Sphere, Study, significant};
 use derivations::scene::{Scene, System};
 use derivations::stationary::branches::Form;
 use derivations::stationary::energies::Kept;
-use derivations::stationary::motions::{self, Stationary as All};
+use derivations::stationary::motions::Stationary as All;
 use derivations::stationary::stability::cone::Fates;
 use derivations::systems::gyrostat::stationary::Stationary;
 use marks::{idle, named};
@@ -32,14 +29,7 @@ const VIEW: (f64, f64) = (35.0, 25.0);
 pub fn all<'a>(scenes: impl Iterator<Item = &'a Scene>) -> (Vec<Sphere>, Option<Study>) {
     let scenes: Vec<&Scene> = scenes.collect();
     let mut found: Vec<(Case, Vec<&str>)> = Vec::new();
-    for &scene in &scenes {
-        for case in cases(scene) {
-            match found.iter_mut().find(|(known, _)| known.conditions == case.conditions) {
-                Some((_, titles)) => titles.push(&scene.title),
-                None => found.push((case, vec![&scene.title])),
-            }
-        }
-    }
+    scenes.iter().for_each(|scene| gather(scene, &mut found));
     let spheres = found.iter().flat_map(|(case, titles)| [cone(case, titles), directrix(case)]).collect();
     let study = (!found.is_empty()).then(|| Study { pictures: stability_map::all(&scenes), ..study(&found) });
     (spheres, study)
@@ -56,32 +46,34 @@ struct Case {
     census: Option<Census>,
 }
 
-/// One for each stationary relative speed of the rotor; none for a free rotor, which has one for each of its momenta, and
-/// none where every direction is one.
-fn cases(scene: &Scene) -> Vec<Case> {
-    let System::Gyrostat(bodies) = &scene.system else { return Vec::new() };
-    let Ok(all) = All::of(scene) else { return Vec::new() };
-    if all.kept == Kept::Momentum {
-        return Vec::new();
-    }
+/// One case for each stationary relative speed of the rotor, unless it is known; none for a free rotor, which has one for each of
+/// its momenta, and none where every direction is one.
+fn gather<'a>(scene: &'a Scene, found: &mut Vec<(Case, Vec<&'a str>)>) {
+    let System::Gyrostat(bodies) = &scene.system else { return };
+    let Ok(all) = All::of(scene) else { return };
+    let Ok(fates) = Fates::of(&all.energies) else { return };
     let derived = bodies.derived();
     let own = bodies.in_axes(&derived.full.axes);
-    let census = all.census();
-    let Ok(fates) = Fates::of(&all.energies) else { return Vec::new() };
-    let of_case = |(case, census): (&motions::Case, Option<Census>)| {
+    if all.kept == Kept::Momentum || own.weight().norm() == 0.0 {
+        return;
+    }
+    for case in &all.cases {
         let speed = case.value.to_f64();
         let (spin, weight) = (own.rotor.axial * speed, own.weight());
         let conditions = Stationary { moments: derived.full.moments, axis: own.rotor.axis, spin, weight };
+        if let Some((_, titles)) = found.iter_mut().find(|(known, _)| known.conditions == conditions) {
+            titles.push(&scene.title);
+            continue;
+        }
+        let Some(drawn) = case.drawn(&all.energies, all.kept) else { continue };
+        let census = case.body.census().ok();
         let form = Form { moments: conditions.moments, spin: conditions.axis * spin, weight };
-        let folds: Vec<f64> = census.iter().flat_map(|census| &census.stretches).map(|stretch| stretch.to).collect();
-        let folds: Vec<f64> = folds.into_iter().filter(|w| w.is_finite()).collect();
-        let mut known = Known { fates: &fates, case, axes: derived.full.axes, at: HashMap::new() };
+        let folds = census.iter().flat_map(|census| &census.stretches).map(|stretch| stretch.to);
+        let folds: Vec<f64> = folds.filter(|w| w.is_finite()).collect();
+        let mut known = Known { fates: &fates, case: &drawn, axes: derived.full.axes, at: HashMap::new() };
         let pieces = form.branches(&folds).into_iter().flat_map(|branch| pieces(&mut known, branch)).collect();
-        Case { conditions, speed, singularity: derived.singularity, pieces, census }
-    };
-    let censuses = census.into_iter().map(Result::ok);
-    let cases = all.cases.iter().zip(censuses).map(of_case);
-    cases.filter(|case| case.conditions.weight.norm() > 0.0).collect()
+        found.push((Case { conditions, speed, singularity: derived.singularity, pieces, census }, vec![&scene.title]));
+    }
 }
 
 /// A piece as a curve of points in space with the angular velocity as value, thinned.

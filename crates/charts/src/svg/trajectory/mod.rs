@@ -178,13 +178,10 @@ fn beyond(heading: &str) -> f64 {
 
 fn frame(drawing: &mut Drawing, x: &Axis, y: &Axis, top: f64, bottom: f64) {
     drawing.open("frame");
-    for tick in &x.ticks {
-        let x = x.place_tick(tick.at);
-        drawing.line((x, top), (x, bottom), "grid");
-    }
+    let places = |axis: &Axis| axis.ticks.iter().map(|tick| axis.place_tick(tick.at)).collect::<Vec<_>>();
+    drawing.grid(places(x).into_iter(), places(y).into_iter(), [LEFT, RIGHT, top, bottom], "grid");
     for Tick { at, label } in &y.ticks {
         let y = y.place_tick(*at);
-        drawing.line((LEFT, y), (RIGHT, y), "grid");
         drawing.text((LEFT - 8.0, y + 5.0), Anchor::End, "", label.as_deref().unwrap_or(""));
     }
     drawing.rect((LEFT, top), RIGHT - LEFT, bottom - top, "box");

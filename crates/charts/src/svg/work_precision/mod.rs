@@ -165,16 +165,21 @@ fn frame(drawing: &mut Drawing, x: &Axis, y: &Axis, (roof, top, bottom): (f64, f
         drawing.rect((LEFT, roof), RIGHT - LEFT, top - roof, "band");
         drawing.text((LEFT - 8.0, 0.5 * (roof + top) + 5.0), Anchor::End, "", "failed");
     }
+    for (class, named) in [("fine", false), ("grid", true)] {
+        let places = |axis: &Axis| -> Vec<f64> {
+            let ticks = axis.ticks.iter().filter(|tick| tick.label.is_some() == named);
+            ticks.map(|tick| axis.place_tick(tick.at)).collect()
+        };
+        drawing.grid(places(x).into_iter(), places(y).into_iter(), [LEFT, RIGHT, top, bottom], class);
+    }
     for Tick { at, label } in &x.ticks {
         let x = x.place_tick(*at);
-        drawing.line((x, top), (x, bottom), if label.is_some() { "grid" } else { "fine" });
         if let Some(label) = label {
             drawing.text((x, bottom + 19.0), Anchor::Middle, "", label);
         }
     }
     for Tick { at, label } in &y.ticks {
         let y = y.place_tick(*at);
-        drawing.line((LEFT, y), (RIGHT, y), if label.is_some() { "grid" } else { "fine" });
         if let Some(label) = label {
             drawing.text((LEFT - 8.0, y + 5.0), Anchor::End, "", label);
         }
