@@ -7,7 +7,7 @@ use maud::{Markup, html};
 pub(super) fn spheres(report: &Report, set: &mut Typesetter) -> Markup {
     html! {
         @if !report.spheres.is_empty() {
-            section #spheres {
+            section #spheres data-shared=(Sphere::shared_data()) {
                 h2 { "Directions on the sphere" }
                 @for sphere in &report.spheres { (card(sphere, set)) }
             }

@@ -2,6 +2,7 @@
 "use strict";
 for (const card of document.querySelectorAll("[data-sphere]")) {
   const data = JSON.parse(card.dataset.sphere);
+  const shared = JSON.parse(card.closest("[data-shared]").dataset.shared);
   const svg = card.querySelector("svg");
   const layer = svg.querySelector(".turning");
   const readout = card.querySelector(".readout");
@@ -61,7 +62,7 @@ for (const card of document.querySelectorAll("[data-sphere]")) {
     look();
     layer.replaceChildren();
     const layers = ["back", "front"].map((name) => element(layer, "g", { class: name }));
-    for (const each of data.strands) strand(each, layers);
+    for (const each of [...shared, ...data.strands]) strand(each, layers);
     data.axes.forEach((name, i) => {
       const [x, y, depth] = place(...[0, 1, 2].map((j) => (i === j ? 1.3 : 0)));
       element(layers[depth >= 0 ? 1 : 0], "text", { class: "axis-name", x, y: y + 5, "text-anchor": "middle" }, name);

@@ -78,7 +78,7 @@ impl Sphere {
         drawing.open("turning");
         for front in [false, true] {
             drawing.open(if front { "front" } else { "back" });
-            strands.iter().for_each(|strand| strand.draw(&mut drawing, &view, scale.as_ref(), front));
+            shared().iter().chain(&strands).for_each(|strand| strand.draw(&mut drawing, &view, scale.as_ref(), front));
             for (name, axis) in self.axes.iter().zip(AXES) {
                 let (x, y, depth) = view.place(axis.map(|x| 1.3 * x));
                 if (depth >= 0.0) == front {
@@ -101,7 +101,7 @@ impl Sphere {
         drawing
     }
 
-    /// Everything that turns, for the script of the page, as JSON.
+    /// Everything that turns on this sphere alone, for the script of the page, as JSON.
     pub(crate) fn data(&self) -> String {
         let (strands, _) = self.strands();
         let strands: Vec<_> = strands.iter().map(Strand::json).collect();
@@ -122,10 +122,15 @@ impl Sphere {
         )
     }
 
-    /// The graticule, the stubs of the axes and the curves; and how many points are no directions.
+    /// What every sphere has, once for all of a page: the graticule and the stubs of the axes, as JSON.
+    pub(crate) fn shared_data() -> String {
+        let strands: Vec<_> = shared().iter().map(Strand::json).collect();
+        format!("[{}]", strands.join(","))
+    }
+
+    /// The curves; and how many points are no directions.
     fn strands(&self) -> (Vec<Strand>, usize) {
-        let mut strands = strand::graticule();
-        strands.extend(AXES.map(strand::stub));
+        let mut strands = Vec::new();
         let mut dropped = self.marks.iter().filter(|mark| strand::unit(mark.at).is_none()).count();
         for (position, curve) in self.curves.iter().enumerate() {
             let (curves, lost) = strand::curve(curve, curve.look(position), self.length);
@@ -205,6 +210,10 @@ impl Mark {
         let at = strand::integers(strand::unit(self.at)?);
         Some(format!("[{at},{},{},{}]", quoted(&self.name), quoted(&self.told()), self.hollow))
     }
+}
+
+fn shared() -> Vec<Strand> {
+    strand::graticule().into_iter().chain(AXES.map(strand::stub)).collect()
 }
 
 /// A JSON string.
