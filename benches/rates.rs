@@ -18,12 +18,12 @@ use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;
 use field::{Analytic, Over};
 use integrators::Directions;
-use pulp::{Arch, Simd, WithSimd};
 use std::hint::black_box;
 use std::time::Instant;
 use symbolic::{Polynomials, Sym, Tape};
 
 mod gyrostat;
+mod peak;
 mod straight_line;
 
 const REPEATS: usize = 9;
@@ -42,7 +42,7 @@ fn main() {
         }
         return;
     }
-    let peak = peak();
+    let peak = peak::flops_per_nanosecond();
     println!("the most that one core can, by products and sums rounded once: {peak:.1} flops/ns");
     println!(
         "states form    value [ns]  flops   of the most   Jacobian [ns]  flops   of the most   eight directions [ns]"
@@ -129,31 +129,6 @@ fn thousand_jacobians(jacobian: &Polynomials, n: usize) {
         evaluation.evaluate(black_box(&state), &mut matrix);
         black_box(&mut matrix);
     }
-}
-
-/// Additions and multiplications in a nanosecond, by chains of them that do not wait for each other.
-fn peak() -> f64 {
-    struct Chains;
-    impl WithSimd for Chains {
-        type Output = f64;
-
-        #[inline(always)]
-        fn with_simd<S: Simd>(self, simd: S) -> f64 {
-            const CHAINS: usize = 16;
-            let (factor, term) = (simd.splat_f64s(black_box(0.999)), simd.splat_f64s(black_box(1e-3)));
-            let mut sums = [simd.splat_f64s(black_box(1.0)); CHAINS];
-            let start = Instant::now();
-            for _ in 0..CALLS {
-                for sum in &mut sums {
-                    *sum = simd.mul_add_f64s(factor, *sum, term);
-                }
-            }
-            let time = start.elapsed().as_secs_f64() * 1e9;
-            black_box(sums.map(|sum| simd.reduce_sum_f64s(sum)));
-            2.0 * (CHAINS * S::F64_LANES) as f64 * f64::from(CALLS) / time
-        }
-    }
-    (0..REPEATS).map(|_| Arch::new().dispatch(Chains)).fold(0.0, f64::max)
 }
 
 /// The median over repeats of the mean over calls of the whole Jacobian.

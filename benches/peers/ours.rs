@@ -2,7 +2,8 @@
 //!
 //! `cargo bench --bench peers -- SCENE.toml [--model NAME] [--code FOLDER]` writes the scene's code into the folder, prints the
 //! reference, then answers `METHOD TOLERANCE` by the nanoseconds of a run (the median of several) and its last state, and
-//! `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds.
+//! `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds, `operations` by the sums and products of the right-hand side and of its
+//! Jacobian, circle points apart, `peak` by the most of them that this processor can in a nanosecond.
 
 use derivations::scene::{Axes, Family, Scene, methods};
 use integrators::{Directions, Jacobian, Ode, Span, System, Tolerance, integrate, reference};
@@ -13,6 +14,9 @@ use std::io::{self, BufRead, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
 use symbolic::Language;
+
+#[path = "../peak/mod.rs"]
+mod peak;
 
 const AXES: Axes = Axes::Second;
 const CALLS: u32 = 20_000;
@@ -69,6 +73,11 @@ fn main() -> Result<(), Box<dyn Error>> {
                 println!("{took} {state}");
             }
             None if line == "setup" => println!("{setup}"),
+            None if line == "operations" => {
+                let jacobian = scene.jacobian_flops(AXES).ok_or("the Jacobian is no polynomial")?;
+                println!("{} {jacobian}", scene.tape(AXES)?.flops());
+            }
+            None if line == "peak" => println!("{}", peak::flops_per_nanosecond()),
             None => println!("{}", evaluations(law, &problem.state, &line)?),
         }
         io::stdout().flush()?;
@@ -95,7 +104,7 @@ fn evaluations(law: &dyn System, start: &[f64], what: &str) -> Result<f64, Strin
         "num-dual" => Jacobian::new(dual),
         _ => {
             return Err(format!(
-                "`{what}` is not known: setup, rates, jacobian, num-dual, or a method and a tolerance"
+                "`{what}` is not known: setup, rates, jacobian, num-dual, operations, peak, or a method and a tolerance"
             ));
         }
     };

@@ -90,6 +90,8 @@ def compare(path, model, rounds, cpp, missing):
             runs |= optional("SUNDIALS", missing, setup, lambda: sundials_side.runs(scene, library))
             runs |= optional("diffrax", missing, setup, lambda: diffrax_side.runs(scene))
         points, failed = measure(scene, runs, TOLERANCES, rounds)
+        operations = dict(zip(["our rates", "our Jacobian"], scene.ours.ask("operations"))) if ask else {}
+        peak = max(scene.ours.ask("peak")[0] for _ in range(rounds)) if ask else None
         samples = {name: [server.ask(what)[0] for _ in range(2 * rounds + 1)] for name, (server, what) in ask.items()}
         scene.ours.close()
         return {
@@ -98,6 +100,8 @@ def compare(path, model, rounds, cpp, missing):
             "rounds": rounds,
             "setup": setup,
             "nanoseconds": {name: statistics.median(values) for name, values in samples.items()},
+            "operations": operations,
+            "peak": peak,
             "points": points,
             "failed": {name: tolerances for name, tolerances in failed.items() if tolerances},
             "disagree": [name for name, own in points.items() if min((error for _, error, _ in own), default=1.0) > AGREES],
@@ -109,8 +113,9 @@ def has_reduced(path):
 
 
 def write(results):
-    from tables import page
+    from tables import page, summary
 
+    results["summary"] = summary(results)
     lines = ",\n".join(f"{json.dumps(key)}: {json.dumps(value)}" for key, value in results.items())
     (HERE / "results.json").write_text("{\n" + lines + "\n}\n")
     (HERE / "results.md").write_text(page(results))
@@ -144,7 +149,7 @@ def main():
         results[key] = compare(path, model, asked.rounds, (flags, headers), missing)
         results["machine"] = {"processor": platform.machine(), "python": platform.python_version(), "missing": missing}
         write(results)
-    disagree = [f"{key}: {name}" for key, result in results.items() for name in result.get("disagree", [])]
+    disagree = [f"{key}: {name}" for key, result in results.items() if key not in ("machine", "summary") for name in result["disagree"]]
     print("\n".join(f"does not agree with the reference: {each}" for each in disagree))
     return 1 if disagree else 0
 

@@ -9,7 +9,7 @@ REDUCED = ", reduced"
 
 def page(results):
     machine = results["machine"]
-    scenes = {key: result for key, result in results.items() if key != "machine"}
+    scenes = {key: result for key, result in results.items() if key not in ("machine", "summary")}
     tables = {key: result for key, result in scenes.items() if result["nanoseconds"]}
     reduced = {key: result for key, result in scenes.items() if key.endswith(REDUCED)}
     full = {key: result for key, result in scenes.items() if key not in reduced}
@@ -28,6 +28,27 @@ how many times as long heyoka takes. `-`: the tool does not get there. The last 
 reaches at any tolerance: there rounding stops it."""
 
 REDUCED_MODEL = """Two windings in the place of all damper bars. Errors are those of the model's own states."""
+
+
+def share(result, name, nanoseconds):
+    """Operations, and what part they are of as many as one core can in that time."""
+    count = result.get("operations", {}).get(name)
+    return [f"{count:.0f}", f"{count / nanoseconds / result['peak']:.1%}"] if count else ["", ""]
+
+
+def summary(results):
+    """The tables that the report shows."""
+    scenes = {key: result for key, result in results.items() if key not in ("machine", "summary")}
+    times = [[key, str(result["states"]), *(pair(best(rows(result, True), error), best(rows(result, False), error)) for error in ERRORS)]
+             for key, result in scenes.items()]
+    evaluations = [[key, name, f"{value:.0f}", f"{value / result['nanoseconds']['our rates']:.1f}", *share(result, name, value)]
+                   for key, result in scenes.items() for name, value in result["nanoseconds"].items()]
+    return [
+        {"caption": "Beside heyoka: microseconds to reach an error, ours and theirs; in brackets how many times as long theirs takes",
+         "head": ["scene", "states", *(f"{error:.0e}" for error in ERRORS)], "rows": times},
+        {"caption": "One evaluation, and what part of the operations that one core can do at most",
+         "head": ["scene", "evaluation", "ns", "in our rates", "sums and products", "of the most"], "rows": evaluations},
+    ]
 
 
 def rows(result, ours):
@@ -69,7 +90,7 @@ def table(key, result):
         shown = ["does not agree with the reference"] * len(ERRORS) if name in result["disagree"] else map(cell, row, least)
         lines.append(f"| {name} | " + " | ".join(shown) + " |")
     rates = result["nanoseconds"]["our rates"]
-    lines += ["", "| evaluation | ns | in our rates |", "|---|---|---|"]
-    lines += [f"| {name} | {value:.0f} | {value / rates:.1f} |" for name, value in result["nanoseconds"].items()]
+    lines += ["", "| evaluation | ns | in our rates | sums and products | of the processor's most |", "|---|---|---|---|---|"]
+    lines += [f"| {name} | {value:.0f} | {value / rates:.1f} | {' | '.join(share(result, name, value))} |" for name, value in result["nanoseconds"].items()]
     lines += ["", "Set up once: " + ", ".join(f"{name} {took:.3g} s" for name, took in result["setup"].items()) + "."]
     return "\n".join(lines)

@@ -19,7 +19,7 @@ pub struct Asked {
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
     /// Largest error allowed, relative to the size of each output
-    #[arg(long = "tol", value_name = "T", value_parser = tolerance, default_value = "1e-6")]
+    #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true, default_value = "1e-6")]
     pub tolerance: f64,
     /// What matters, by the names of a run's columns; without it the outputs of the scene
     #[arg(long, value_name = "A,B", value_delimiter = ',')]

@@ -24,7 +24,7 @@ pub struct Asked {
     #[arg(long, value_parser = method)]
     pub method: Option<Method>,
     /// Error allowed in a step, relative, and absolute in SI units
-    #[arg(long = "tol", value_name = "T", value_parser = tolerance)]
+    #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
     /// Another machine, made of the scene's data
     #[arg(long)]

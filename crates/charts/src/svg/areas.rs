@@ -115,18 +115,18 @@ impl Areas {
     /// Neighbours of one kind in a row are one box; a hair wider, lest seams show.
     fn cells(&self, drawing: &mut Drawing) {
         let (left, height) = (self.left(), (BOTTOM - TOP) / self.rows.len().max(1) as f64);
-        let mut boxes: Vec<Vec<((f64, f64), f64, f64)>> = vec![Vec::new(); COLOURS];
+        let mut boxes = vec![Vec::new(); COLOURS];
         for (number, row) in self.rows.iter().enumerate() {
             let width = (RIGHT - left) / row.len().max(1) as f64;
             let mut from = 0;
             for run in row.chunk_by(|a, b| a == b) {
-                let corner = (left + from as f64 * width, BOTTOM - (number + 1) as f64 * height);
-                boxes[run[0] % COLOURS].push((corner, run.len() as f64 * width + 0.3, height + 0.3));
+                let (x, y) = (left + from as f64 * width, BOTTOM - (number + 1) as f64 * height);
+                boxes[run[0] % COLOURS].push([x, y, run.len() as f64 * width + 0.3, height + 0.3]);
                 from += run.len();
             }
         }
-        for (kind, boxes) in boxes.into_iter().enumerate() {
-            drawing.boxes(boxes.into_iter(), &format!("area a{kind}"));
+        for (kind, boxes) in boxes.iter().enumerate() {
+            drawing.boxes(boxes, &format!("area a{kind}"));
         }
     }
 

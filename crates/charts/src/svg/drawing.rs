@@ -56,13 +56,13 @@ impl Drawing {
         self.path(&upright.chain(level).collect::<String>(), class);
     }
 
-    /// Boxes of one class by corner, width and height, as one path.
-    pub fn boxes(&mut self, boxes: impl Iterator<Item = ((f64, f64), f64, f64)>, class: &str) {
-        let one = |((x, y), width, height): ((f64, f64), f64, f64)| {
-            let [x, y, width, height] = [x, y, width, height].map(coordinate);
+    /// Boxes of one class, each by its corner, width and height, as one path.
+    pub fn boxes(&mut self, boxes: &[[f64; 4]], class: &str) {
+        let one = |each: &[f64; 4]| {
+            let [x, y, width, height] = each.map(coordinate);
             format!("M{x} {y}h{width}v{height}H{x}z")
         };
-        self.path(&boxes.map(one).collect::<String>(), class);
+        self.path(&boxes.iter().map(one).collect::<String>(), class);
     }
 
     pub fn rect(&mut self, (x, y): (f64, f64), width: f64, height: f64, class: &str) {

@@ -3,7 +3,7 @@
 use super::number::{Tenths, tenths};
 
 /// Points closer than this to the line between their neighbours are left out, in pixels.
-const TOLERANCE: f64 = 0.15;
+const TOLERANCE: f64 = 0.25;
 
 /// A path through the points, thinned; closed paths are the caller's affair.
 pub(crate) fn polyline(points: &[(f64, f64)]) -> String {

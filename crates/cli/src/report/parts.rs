@@ -8,7 +8,7 @@ use crate::pictures;
 use crate::rough;
 use crate::speed;
 use crate::sphere;
-use crate::studies::{Drive, Endurance, Failures, Gains, Phantom, Synchronism, atlas};
+use crate::studies::{Drive, Endurance, Failures, Gains, Phantom, Synchronism, atlas, peers};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
 use derivations::scene::{AnyScene, Scene};
@@ -146,6 +146,7 @@ impl Parts {
             self.phantom.study(),
         ]);
         report.studies.extend(self.failures.study());
+        report.studies.push(peers::study(folder));
         match timings::read(folder) {
             Ok(timings) => report.timings = vec![timings],
             Err(reason) => report.timings_missing = reason,
