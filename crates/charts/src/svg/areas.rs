@@ -34,9 +34,12 @@ pub struct AreaCurve {
     pub points: Vec<(f64, f64)>,
 }
 
-/// The left end of a plane over values, and of one whose rows have names.
+/// The left end of a plane over values with short numbers, and of one whose rows have names.
 const LEFT: f64 = 56.0;
 const LEFT_OF_NAMES: f64 = 160.0;
+/// What the label beside the axis takes with the gaps, and the width of a digit.
+const LABEL: f64 = 32.0;
+const DIGIT: f64 = 8.5;
 const RIGHT: f64 = WIDTH - 14.0;
 const TOP: f64 = 10.0;
 const BOTTOM: f64 = 330.0;
@@ -53,8 +56,6 @@ impl Areas {
     }
 
     pub(crate) fn drawing(&self) -> Drawing {
-        let left = self.left();
-        let x = Axis::linear(self.x.1.into_iter(), left, RIGHT, 70.0, 0.0);
         let mut y = Axis::linear(self.y.1.into_iter(), BOTTOM, TOP, 50.0, 0.0);
         if !self.names.is_empty() {
             let [low, high] = self.y.1;
@@ -65,8 +66,10 @@ impl Areas {
             };
             y.ticks = self.names.iter().enumerate().map(tick).collect();
         }
+        let left = self.left(&y);
+        let x = Axis::linear(self.x.1.into_iter(), left, RIGHT, 70.0, 0.0);
         let mut drawing = Drawing::default();
-        self.cells(&mut drawing);
+        self.cells(&mut drawing, left);
         let level = y.ticks.iter().filter(|_| self.names.is_empty()).map(|tick| y.place(tick.at));
         drawing.grid(x.ticks.iter().map(|tick| x.place(tick.at)), level, [left, RIGHT, TOP, BOTTOM], "fine");
         for Tick { at, label } in &x.ticks {
@@ -95,8 +98,10 @@ impl Areas {
         drawing
     }
 
-    fn left(&self) -> f64 {
-        if self.names.is_empty() { LEFT } else { LEFT_OF_NAMES }
+    /// Where the plane begins: right of its numbers, which are right of the label.
+    fn left(&self, y: &Axis) -> f64 {
+        let widest = y.ticks.iter().flat_map(|tick| &tick.label).map(|label| label.chars().count()).max().unwrap_or(0);
+        if self.names.is_empty() { LEFT.max(LABEL + DIGIT * widest as f64) } else { LEFT_OF_NAMES }
     }
 
     /// Curves are dark over coloured cells, and have colours of their own where there are none.
@@ -113,8 +118,8 @@ impl Areas {
     }
 
     /// Neighbours of one kind in a row are one box; a hair wider, lest seams show.
-    fn cells(&self, drawing: &mut Drawing) {
-        let (left, height) = (self.left(), (BOTTOM - TOP) / self.rows.len().max(1) as f64);
+    fn cells(&self, drawing: &mut Drawing, left: f64) {
+        let height = (BOTTOM - TOP) / self.rows.len().max(1) as f64;
         let mut boxes = vec![Vec::new(); COLOURS];
         for (number, row) in self.rows.iter().enumerate() {
             let width = (RIGHT - left) / row.len().max(1) as f64;

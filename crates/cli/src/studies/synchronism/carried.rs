@@ -40,26 +40,32 @@ impl Carried {
         Some(Carried { title: scene.title.clone(), axial, pull_out, pull_in, shares: [bench, gyrostat] })
     }
 
-    /// For the page.
-    pub fn table(&self) -> Table {
-        let Carried { title, axial: [own, light], pull_out, pull_in, shares: [bench, gyrostat] } = self;
+    /// Beside the table: what the loads are measured by, and where slipping begins.
+    pub fn told(&self) -> String {
+        let Carried { axial: [own, light], pull_out, pull_in, .. } = self;
         let said = |of: &Option<PullIn>| {
             of.map_or_else(
-                || "not followed".to_owned(),
+                || "no slipping motion could be followed to it".to_owned(),
                 |it| format!("{} N m, {}", significant(it.load, 6), onset(it.by)),
             )
         };
-        let caption = format!(
-            "In a gyrostat: {title}. Pull-out at {} N m, on the bench and here: in step nothing accelerates. Pull-in of the rotor alone, \
-             {} kg m²: {}. The carrier gives way, and against a moment between them the rotor is as light as {} kg m²; pull-in of such \
-             a rotor: {}. Starts that come into step, of {} under each load",
+        format!(
+            "In the gyrostat the pull-out is that of the bench, {} N m: in step nothing accelerates. Its carrier gives way, so that against a \
+             moment between them the rotor is as light as {} kg m², not {}. Pull-in of a rotor of {} kg m²: {}; of one of {}: {}. ",
             significant(*pull_out, 6),
+            significant(*light, 4),
+            significant(*own, 4),
             significant(*own, 4),
             said(&pull_in[0]),
             significant(*light, 4),
             said(&pull_in[1]),
-            STARTS.0 * STARTS.1
-        );
+        )
+    }
+
+    /// For the page.
+    pub fn table(&self) -> Table {
+        let Carried { title, shares: [bench, gyrostat], .. } = self;
+        let caption = format!("In a gyrostat ({title}): which of {} starts come into step", STARTS.0 * STARTS.1);
         let head =
             ["Load, N m", "of the pull-out", "In step, on the bench", "in the gyrostat", "slipping there", "undecided"];
         let row = |((share, bench), gyrostat): ((&f64, &Share), &Share)| {

@@ -92,7 +92,8 @@ impl Synchronism {
             ),
             pictures,
             tables: std::iter::once(table(&all, self.pull_out)).chain(carried.as_ref().map(Carried::table)).collect(),
-            note: r"Pull-in by a balance: with ever longer turns the slipping comes from one angle that does not hold to the next. By a fold: a stable and an unstable slipping motion merge; the moment of a damper with three bars or more has a hump over the slip as Kloss' has, beyond which a load that asks for more is left to friction. Without currents the pull-in is Tricomi's curve, which begins as $\frac4\pi$ of the damping and meets the pull-out at the damping 1.19. In a gyrostat the carrier gives way and swings: there a start counts as in step when the field has not lost the rotor in the last quarter of the time. One scene: dalembert motor scenes/bench.toml, or scenes/spin_up.toml.".into(),
+            note: carried.as_ref().map(Carried::told).unwrap_or_default()
+                + r"Pull-in by a balance: with ever longer turns the slipping comes from one angle that does not hold to the next. By a fold: a stable and an unstable slipping motion merge; the moment of a damper with three bars or more has a hump over the slip as Kloss' has, beyond which a load that asks for more is left to friction. Without currents the pull-in is Tricomi's curve, which begins as $\frac4\pi$ of the damping and meets the pull-out at the damping 1.19. In a gyrostat the carrier gives way and swings: there a start counts as in step when the field has not lost the rotor in the last quarter of the time. One scene: dalembert motor scenes/bench.toml, or scenes/spin_up.toml.",
             ..Study::default()
         })
     }
