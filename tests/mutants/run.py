@@ -72,6 +72,7 @@ SUBJECT_OF = {
     "derivations/stationary/stability/": ["stability"],
     "derivations/phantom/": ["phantom"],
     "derivations/synchronism/": ["synchronism"],
+    "crates/integrators/src/branches/repeating.rs": ["synchronism"],
     "crates/integrators/src/branches/": ["methods"],
     "crates/mechanics/src/discrete/": ["discrete", "mechanics"],
     "crates/mechanics/src/first_approximation/": ["mechanics"],

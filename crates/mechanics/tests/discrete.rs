@@ -96,3 +96,21 @@ fn what_keeps_an_energy_has_its_eigenvalues_in_opposite_pairs() {
     assert_eq!(judged, [Judgement::Confuses, Judgement::Hides]);
     assert_eq!(steps.cuts[0].to_f64(), 1.0);
 }
+
+/// mu^4 - 6 mu^2 + 25: mu^2 = 3 ± 4i, mu = ±(2 ± i).
+#[test]
+fn pairs_of_complex_squares_have_their_own_real_and_imaginary_parts() {
+    let spectrum = Spectrum::of(&[25, 0, -6, 0, 1].map(number), true).expect("all are simple");
+    let points: Vec<[f64; 2]> = spectrum.modes.iter().map(|mode| mode.place.point()).collect();
+    assert_eq!(points, [[-2.0, 1.0], [2.0, 1.0]]);
+}
+
+#[test]
+fn growth_changes_with_the_step_as_differences_of_it_do() {
+    for function in [euler(), runge_kutta_4(), backward_euler(), midpoint()] {
+        let at = |longer: f64| function.growth([-0.7 * longer, 0.4 * longer]);
+        let by = 1e-5_f64;
+        let difference = (at(by.exp()).0 - at((-by).exp()).0) / (2.0 * by);
+        assert!((at(1.0).1 - difference).abs() < 1e-9, "{} for {difference}", at(1.0).1);
+    }
+}

@@ -227,6 +227,14 @@ mod tests {
     }
 
     #[test]
+    fn a_known_pair_of_real_roots_lies_on_both_sides() {
+        let whole = |n: i64| Rational::int(n);
+        // (z^2 - 4)(z + 1)
+        let found = HalfPlanes::without_pair(&[1, 1, -4, -4].map(whole), &whole(-4)).unwrap();
+        assert_eq!([found.left, found.axis, found.right, found.distinct], [2, 0, 1, 0]);
+    }
+
+    #[test]
     fn an_enclosure_around_zero_is_no_sign() {
         use symbolic::real::Enclosure;
         let whole = |n: i64| Enclosure::integer(n, 64);
