@@ -44,7 +44,7 @@ def programs_in(tests: Path) -> set[str]:
     return {path.stem for path in [*tests.glob("*.rs"), *(main.parent for main in tests.glob("*/main.rs"))]}
 
 
-# whole motions, minutes of them unoptimised: asked only of what nothing else notices
+# whole motions, minutes of them: asked only of what nothing else notices
 RUNS = ["failures", "friction", "governors", "ladder", "mechanism_scenes", "phantom", "stabilisation", "stability", "stationary", "synchronism"]
 LAWS = sorted(programs_in(ROOT / "tests") - OTHERS - {LEDGER, *RUNS})
 # the programs whose subject these files are: the others, and the ledger, are asked only where these notice nothing
@@ -82,9 +82,9 @@ SUBJECT_OF = {
     "crates/symbolic/src/print/": ["printing"],
     "crates/charts/src/text/": ["charts"],
 }
-# quick to build: only what proves and what multiplies big numbers is optimised
+# quick to build: only what proves and what multiplies big numbers is optimised, and a little all that runs whole motions
 OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
-SETTINGS = {"CARGO_PROFILE_DEV_OPT_LEVEL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
+SETTINGS = {"CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
 # that a law fails is enough: no search for its smallest failure
 RUNNING = {"CARGO_MANIFEST_DIR": str(COPY), "PROPTEST_MAX_SHRINK_ITERS": "0"}
 # what a program took of the project itself, in seconds: ten times as long, and it does not end
@@ -149,7 +149,8 @@ def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
     # what a crate tests alone is small
     optimised = OPTIMISED if "" in packages else []
     command += [argument for crate in optimised for argument in ["--config", f"profile.dev.package.{crate}.opt-level=2"]]
-    done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS, capture_output=True, text=True)
+    level = {"CARGO_PROFILE_DEV_OPT_LEVEL": "1" if set(tests) & set(RUNS) else "0"}
+    done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS | level, capture_output=True, text=True)
     if done.returncode != 0:
         return None
     found = re.findall(r'"executable":"([^"]+/deps/([a-z_]+)-[0-9a-f]+)"', done.stdout)
