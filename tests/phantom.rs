@@ -57,8 +57,7 @@ fn every_step_of_every_method_is_judged_as_reviewed() {
     }
 }
 
-/// Every edge that runs can see: some multipliers leave the circle by 1e-10 a step. That the other modes are at most 10^4 times as
-/// large in a start is no theorem: with 10^2 Euler's edge came out 5.001e-4 off, at the bound.
+/// Every edge that runs can see: some multipliers leave the circle by 1e-10 a step.
 #[test]
 fn thresholds_by_runs_are_the_exact_ones() {
     let (mut measured, mut unseen) = (0, 0);
