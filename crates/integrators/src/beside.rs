@@ -10,6 +10,7 @@
 //! slowly is not named: its error is d_1/(1 - 2^-p), and is told. The time that is told is the one from which on it is seen: what
 //! happened lies before.
 
+use crate::failure::Instant;
 use crate::{Failure, Method, Outcome, Record, Work};
 use std::fmt;
 
@@ -20,7 +21,7 @@ pub enum Parting {
     Follows { apart: f64 },
     /// They lead elsewhere from this time on.
     Parts { from: f64 },
-    /// They come to no end, by what ended them here.
+    /// They are stopped here, for this reason.
     Stops { at: f64, why: &'static str },
     /// They were given too little work or time to tell.
     Open,
@@ -128,7 +129,7 @@ impl Parting {
         match self {
             Parting::Follows { .. } => "shorter steps come nearer",
             Parting::Parts { .. } => "shorter steps lead elsewhere",
-            Parting::Stops { .. } => "shorter steps come to no end",
+            Parting::Stops { .. } => "shorter steps are stopped",
             Parting::Open => "shorter steps take too long",
         }
     }
@@ -139,10 +140,10 @@ impl fmt::Display for Beside {
         match self.parting {
             Parting::Follows { apart } => write!(f, "half of each changes a state by {apart:.1e} of its size at most")?,
             Parting::Parts { from } => {
-                write!(f, "they do not follow the law: from t = {from} s on shorter ones lead elsewhere")?;
+                write!(f, "they do not follow the law: from t = {} s on shorter ones lead elsewhere", Instant(from))?;
             }
             Parting::Stops { at, why } => {
-                write!(f, "they do not follow the law: shorter ones come to no end at t = {at:.6} s, {why}")?;
+                write!(f, "they do not follow the law: shorter ones are stopped at t = {} s, {why}", Instant(at))?;
             }
             Parting::Open => write!(f, "not judged, since shorter ones take longer than is allowed")?,
         }
