@@ -9,6 +9,7 @@ use derivations::phantom::methods::OneStep;
 use derivations::phantom::motions::Stationed;
 use derivations::phantom::oscillator::bounds;
 use derivations::phantom::splittings::SplitRuns;
+use derivations::phantom::survey::steps;
 use derivations::scene::{Axes, Family as _, Scene};
 use derivations::separated::Separable;
 use derivations::stationary::motions::Stationary;
@@ -56,8 +57,7 @@ fn every_step_of_every_method_is_judged_as_reviewed() {
     }
 }
 
-/// Every edge that runs can see: some multipliers leave the circle by 1e-10 a step. That the other modes are at most 10^4 times as
-/// large in a start is no theorem: with 10^2 Euler's edge came out 5.001e-4 off, at the bound.
+/// Every edge that runs can see: some multipliers leave the circle by 1e-10 a step.
 #[test]
 fn thresholds_by_runs_are_the_exact_ones() {
     let (mut measured, mut unseen) = (0, 0);
@@ -245,6 +245,62 @@ fn the_map_of_a_splitting_and_its_runs_leave_at_one_step() {
         let found = runs.threshold(Run::Splitting(splitting), edge, crossing).expect("runs see it");
         println!("{edge} {found} {crossing:?}");
         assert!((found / edge - 1.0).abs() < 2.0 * APART, "{splitting:?}: {edge} and {found}");
+    }
+}
+
+/// Every step between the first and the last by Taylor models of the pieces, and some of them by the derivative of the step that runs.
+/// The window of Blanes and Moan's of order 4, 2e-4 wide, lies between tested steps.
+#[test]
+fn on_the_bench_what_a_splitting_does_between_the_tested_steps_is_proved() {
+    let scene = scene("bench");
+    let mut windows = 0;
+    for motion in &chart(&scene, 0.0).all.motions {
+        let near = SplitRuns::near(&scene, motion);
+        for splitting in Splitting::ALL {
+            let tested = near.course(splitting, &steps());
+            println!("{motion}, {splitting:?}: {}", tested.told());
+            let proved = tested.proved.as_ref().expect("all pieces rest");
+            let sharp = proved.edges().iter().all(|(at, width)| *width < 3e-5 * at);
+            assert!(proved.open().is_empty() && sharp, "{proved:?}");
+            let grows_at = |step: f64| {
+                let of_stretch = proved.stretches.iter().find(|(low, high, _)| (low..=high).contains(&&step));
+                of_stretch.and_then(|(.., grows)| *grows)
+            };
+            // beside every edge, in every window
+            let beside = proved.edges().into_iter().flat_map(|(at, width)| [at - 30.0 * width, at + 30.0 * width]);
+            let inside = proved.stretches.iter().map(|(low, high, _)| 0.5 * (low + high));
+            for step in beside.chain(inside).filter(|step| grows_at(*step).is_some()) {
+                let own = near.own(splitting, step).expect("it rests");
+                assert_eq!(grows_at(step), Some(own.radius > 1.0), "{splitting:?} at {step}: {own:?}");
+            }
+            for (step, grows) in tested.grows.iter().filter_map(|(step, grows)| Some((*step, (*grows)?))) {
+                assert_eq!(grows_at(step), Some(grows), "{splitting:?}: {step}");
+            }
+            windows += proved.edges().windows(2).filter(|pair| pair[1].0 / pair[0].0 < 1.001).count();
+        }
+    }
+    assert_eq!(windows, 1);
+}
+
+/// Nothing takes energy: the edges are those of the oscillator's trace, exactly.
+#[test]
+fn without_losses_the_proved_edges_are_those_of_the_oscillator() {
+    let scene = scene("closed_forms/unloaded_motor");
+    let chart = chart(&scene, 0.0);
+    let held = &chart.all.motions[0];
+    let [mode] = &held.spectrum.as_ref().expect("one mode").modes[..] else { panic!("one mode") };
+    let Place::Imaginary(rate) = &mode.place else { panic!("it swings") };
+    let near = SplitRuns::near(&scene, held);
+    for splitting in [Splitting::Strang, Splitting::BlanesMoan4, Splitting::BlanesMoan6] {
+        let proved = near.course(splitting, &steps()).proved.expect("all pieces rest");
+        let (cuts, _) = bounds(splitting).expect("its coefficients are numbers");
+        let exact = cuts.iter().map(|cut| cut.to_f64().sqrt() / rate.to_f64()).filter(|step| *step < 1.0);
+        let exact: Vec<f64> = exact.collect();
+        println!("{splitting:?}: {exact:?} {:?}", proved.edges());
+        assert_eq!(exact.len(), proved.edges().len());
+        for (exact, (at, width)) in exact.iter().zip(proved.edges()) {
+            assert!((exact - at).abs() <= 0.5 * width + 1e-15, "{splitting:?}: {exact} and {at} to {width:e}");
+        }
     }
 }
 

@@ -5,17 +5,12 @@
 use crate::stabilisation::schemes::Scheme;
 use field::{Rational, Scalar};
 use symbolic::real::{Polynomial, Root};
-use symbolic::{Hypotheses, Sym, coefficients, normal};
+use symbolic::{Hypotheses, Sym, normal, univariate};
 
 /// The numerator of an expression as a polynomial in an unknown, without its roots at zero; `None` where it is none with rational coefficients.
 pub fn numerator(expression: Sym, unknown: Sym) -> Option<Polynomial> {
     let above = normal(expression, &Hypotheses::none()).ok()?.numerator();
-    let mut dense = Vec::new();
-    for (exponents, c) in coefficients(above, &[unknown]).ok()? {
-        let place = *exponents.first()? as usize;
-        dense.resize(dense.len().max(place + 1), Rational::int(0));
-        dense[place] = c.as_constant()?;
-    }
+    let mut dense = univariate(above, unknown).ok()?;
     // a root at zero is no bound, and would only hide what the others are roots of
     let first = dense.iter().position(|c| *c != Rational::int(0)).unwrap_or(0);
     dense.drain(..first);

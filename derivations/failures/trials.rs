@@ -1,9 +1,11 @@
 //! Every method on a scene under a budget, and what became of each.
 
 use crate::friction::Course;
+use crate::scene::simulate::Leaves;
 use crate::scene::{Problem, methods};
-use integrators::{End, Failure, Method, Observer, Outcome, Record, Span, System, Tolerance, integrate};
+use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside, integrate};
 use std::fmt;
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 /// What became of a method.
@@ -13,6 +15,8 @@ pub enum Fate {
     Holds,
     /// It reaches its end off by more than was asked, and says nothing.
     Wrong,
+    /// It does that, and shorter steps show that it does not follow its law.
+    Told(&'static str),
     /// It stops, and gives this reason.
     Stops(String),
     /// A number that is none came out: never.
@@ -50,22 +54,6 @@ pub struct Tried<'a> {
     pub outside: &'a dyn Fn(&[f64]) -> Option<&'static str>,
 }
 
-/// Ends a run where its law does.
-struct Leaves<'a> {
-    outside: &'a dyn Fn(&[f64]) -> Option<&'static str>,
-    left: Option<&'static str>,
-}
-
-impl Observer<f64> for Leaves<'_> {
-    fn step(&mut self, _time: f64, state: &[f64]) {
-        self.left = (self.outside)(state);
-    }
-
-    fn enough(&self) -> bool {
-        self.left.is_some()
-    }
-}
-
 /// Every method by the name that the command line reads, those of constant step with so many.
 pub fn every_method(steps: u32) -> impl Iterator<Item = (String, Method)> {
     methods::list().filter_map(move |(written, _)| {
@@ -84,7 +72,9 @@ impl<'a> Tried<'a> {
     /// One method: how it ended, what it showed, and why the law ended where it did.
     pub fn run(&self, method: Method) -> (Outcome<f64>, Record<f64>, Option<&'static str>) {
         let span = Span::new(0.0, self.span, self.state).with_even_outputs(self.outputs).with_evaluations(self.budget);
-        let (mut record, mut leaves) = (Record::new(), Leaves { outside: self.outside, left: None });
+        let goes_on = &mut || ControlFlow::Continue(());
+        let mut leaves = Leaves { outside: self.outside, left: None, goes_on, broken_off: false };
+        let mut record = Record::new();
         let mut watch = (&mut record, &mut leaves);
         let outcome = integrate(self.law, method, &Tolerance::both(self.tolerance), &span, &mut watch);
         (outcome, record, leaves.left)
@@ -100,7 +90,14 @@ impl<'a> Tried<'a> {
         let one = |(by, method): (String, Method)| {
             let (outcome, record, left) = self.run(method);
             let accepted = !matches!(outcome.failure(), Some(Failure::Refused(_)));
-            accepted.then(|| Trial { by, fate: fate(&outcome, &record, left, &holds) })
+            accepted.then(|| {
+                let told = match fate(&outcome, &record, left, &holds) {
+                    Fate::Wrong => beside(method, &record, |shorter| self.run(shorter)).map(|beside| beside.parting),
+                    fate => return Trial { by, fate },
+                };
+                let told = told.filter(|parting| parting.parts()).map(|parting| Fate::Told(parting.name()));
+                Trial { by, fate: told.unwrap_or(Fate::Wrong) }
+            })
         };
         every_method(self.steps).filter_map(one).collect()
     }
@@ -131,8 +128,9 @@ impl Fate {
         match self {
             Fate::Holds => 0,
             Fate::Wrong => 1,
-            Fate::Stops(_) => 2,
-            Fate::Undefined => 3,
+            Fate::Told(_) => 2,
+            Fate::Stops(_) => 3,
+            Fate::Undefined => 4,
         }
     }
 }
@@ -142,6 +140,7 @@ impl fmt::Display for Fate {
         match self {
             Fate::Holds => f.write_str("holds"),
             Fate::Wrong => f.write_str("off, and says nothing"),
+            Fate::Told(why) => write!(f, "off, and says so: {why}"),
             Fate::Stops(why) => write!(f, "stops: {why}"),
             Fate::Undefined => f.write_str("no number"),
         }

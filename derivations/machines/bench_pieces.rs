@@ -4,25 +4,53 @@ use super::{
     Bench, Kick, Law, Machine, Point, Rule, decay_quotient, fading_slip, fastest_current, has_known_flow, kick, solved,
 };
 use crate::separated::Separable;
-use field::Scalar;
+use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
+
+/// The rotor on a bench over a field, with the flows of both pieces.
+#[derive(Clone, Copy, Debug)]
+pub struct BenchFlows<S> {
+    /// A', kg m^2
+    pub axial: S,
+    /// W, rad/s
+    pub frame_speed: S,
+}
+
+impl<S: Analytic> BenchFlows<S> {
+    /// g' = p/A' - W
+    pub fn slip(&self, point: &Point<S>) -> S {
+        point.momentum / self.axial - self.frame_speed
+    }
+
+    /// The slip that a unit of impulse gives.
+    pub fn compliance(&self) -> S {
+        S::one() / self.axial
+    }
+
+    /// The kick at a resting angle. Gives what is left of the equation that it solves by iteration.
+    #[inline]
+    pub fn push<P: Base, M: Machine<P>>(&self, machine: &M, by: &Kick<S>, point: &mut Point<S>) -> S
+    where
+        S: Over<P>,
+    {
+        kick(machine, by, self.slip(point), S::zero(), point)
+    }
+
+    /// The drift at a constant spin.
+    #[inline]
+    pub fn drift(&self, length: S, point: &mut Point<S>) {
+        point.angle += length * self.slip(point);
+    }
+}
 
 /// H = p^2/(2 A') - W p + U(g) and the circuits, in two pieces.
 struct BenchPieces<'a, S: Scalar, M> {
     machine: &'a M,
-    /// A' and W
-    axial: S,
-    frame_speed: S,
+    flows: BenchFlows<S>,
     law: Law,
     rule: Rule<S>,
     /// The largest r_k.
     fastest: S,
-}
-
-impl<S: Real, M: Machine<f64>> BenchPieces<'_, S, M> {
-    fn slip(&self, point: &Point<S>) -> S {
-        point.momentum / self.axial - self.frame_speed
-    }
 }
 
 impl<S: Real, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
@@ -36,28 +64,27 @@ impl<S: Real, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
     fn enter(&self, y: &[S]) -> Point<S> {
         let (rotor, currents) = y.split_at(M::ROTOR.dimension());
         let (_, slip) = M::ROTOR.angle_and_slip(rotor);
-        Point::enter(self.machine, rotor, self.axial * (slip + self.frame_speed), currents)
+        Point::enter(self.machine, rotor, self.flows.axial * (slip + self.flows.frame_speed), currents)
     }
 
     fn leave(&self, point: &Point<S>, y: &mut [S]) {
-        point.leave(self.machine, self.slip(point), y);
+        point.leave(self.machine, self.flows.slip(point), y);
     }
 
     fn lapse(&self, _piece: usize, length: S) -> Kick<S> {
-        Kick::new(self.machine, self.law, length, S::one() / self.axial, decay_quotient, self.rule)
+        Kick::new(self.machine, self.law, length, self.flows.compliance(), decay_quotient, self.rule)
     }
 
     fn fading(&self, point: &Point<S>) -> f64 {
-        let slip = fading_slip(self.machine, S::one() / self.axial, self.slip(point));
+        let slip = fading_slip(self.machine, self.flows.compliance(), self.flows.slip(point));
         self.fastest.approx().max(slip.approx())
     }
 
     fn flow(&self, piece: usize, lapse: &Kick<S>, point: &mut Point<S>) -> bool {
-        let slip = self.slip(point);
         if piece == 0 {
-            return solved(kick(self.machine, lapse, slip, S::zero(), point));
+            return solved(self.flows.push(self.machine, lapse, point));
         }
-        point.angle += lapse.length * slip;
+        self.flows.drift(lapse.length, point);
         true
     }
 }
@@ -68,8 +95,7 @@ impl<M: Machine<f64>> Separable for Bench<f64, M> {
         let known = has_known_flow(machine);
         known.then(|| BenchPieces {
             machine,
-            axial: S::lift(self.axial),
-            frame_speed: S::lift(machine.frame_speed()),
+            flows: BenchFlows { axial: S::lift(self.axial), frame_speed: S::lift(machine.frame_speed()) },
             law: Law::of(machine),
             rule: Rule::gauss(),
             fastest: fastest_current(machine),

@@ -22,6 +22,7 @@ mod resting;
 pub mod text;
 
 pub use bench::Bench;
+pub use bench_pieces::BenchFlows;
 pub use conserved::{Conserved, ConservedBy};
 pub use kick::{Kick, Law, Point, Rule, decay_quotient, fading_slip, fastest_current, has_known_flow, kick, solved};
 pub use machine::{

@@ -1,10 +1,10 @@
 //! How long a run must be to tell a step just below a threshold from one just above it.
 //!
 //! At the threshold the multiplier of one mode is on the unit circle. A share e of the step away from it that mode grows, or
-//! fades, by d = e |d ln|R|/d ln h| a step; the slowest of the others fades by b. Of a start in which the others
-//! are at most c times as large, a run of N steps shows the mode where
+//! fades, by d = e |d ln|R|/d ln h| a step; the slowest of the others fades by b. Runs begin along the mode, so that the
+//! others are no larger, and a run of N steps shows the mode where
 //!
-//!   d exp(d N) > c b exp(-b N) :   N > ln(c b/d)/(b + d) ,
+//!   d exp(d N) > b exp(-b N) :   N > ln(b/d)/(b + d) ,
 //!
 //! and two neighbouring stretches of N/10 steps differ by more than the crests between their samples hide, a part in
 //! thousands, where d N/10 and b N/10 are above a hundredth. Where that takes too many steps no run tells, and none is asked.
@@ -21,8 +21,6 @@ pub struct Crossing {
     pub rest: f64,
 }
 
-/// c: how much more of the other modes there may be in a start, whose components differ by as much in their units.
-const MORE: f64 = 1e4;
 /// By how much a stretch must differ from the one before.
 pub const SHOWN: f64 = 0.01;
 /// The shortest and the longest run, in steps.
@@ -55,7 +53,7 @@ impl Crossing {
             return None;
         }
         // nothing else is there
-        let slower = if rest.is_finite() { (MORE * rest / growth).ln() / (rest + growth) } else { 0.0 };
+        let slower = if rest.is_finite() { (rest / growth).ln() / (rest + growth) } else { 0.0 };
         let steps = slower.max(SHOWN / growth * STRETCHES).max(SHOWN / rest * STRETCHES).max(FEWEST);
         (steps <= MOST).then_some(steps.ceil() as usize)
     }
@@ -68,12 +66,12 @@ pub const STRETCHES: f64 = 10.0;
 mod tests {
     use super::Crossing;
 
-    /// By hand: d = 1e-4, then d = b = 1e-3 with ln 10^4/0.002.
+    /// By hand: d = 1e-4; d = 1e-4 and b = e d, with 1/(b + d); nothing but the least.
     #[test]
     fn a_run_is_as_long_as_the_slower_of_growth_and_rest_asks() {
         let steps = |steepness, rest| Crossing { steepness, rest }.steps(1e-3);
         assert_eq!(steps(0.1, 0.5), Some(1000));
-        assert_eq!(steps(1.0, 1e-3), Some(4606));
+        assert_eq!(steps(0.1, 1e-4 * std::f64::consts::E), Some(2690));
         assert_eq!(steps(1.0, f64::INFINITY), Some(400));
         assert_eq!((steps(1e-6, 0.5), steps(1.0, 0.0), steps(1.0, 1e-9)), (None, None, None));
     }

@@ -7,8 +7,10 @@ use crate::scene::problem::Law;
 use crate::scene::{Axes, Scene};
 use field::Scalar;
 use integrators::{
-    Family, Held, HeldSystem, Holding, Method, Observer, Ode, Span, Splitting, Tolerance, hold, integrate,
+    Family, Held, HeldSystem, Holding, Method, Observer, Ode, Outcome, Record, Span, Splitting, Tolerance, hold,
+    integrate,
 };
+use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
 
 /// What is run.
@@ -27,6 +29,11 @@ pub struct Runs {
 
 /// How far a run begins from the motion, against the size of each component or one.
 const OFF: f64 = 1e-7;
+/// Of a difference quotient of a step, against the size of a component or one.
+const DIFFERENCE: f64 = 1e-5;
+/// What another mode is multiplied by before a run begins, and how often a step is squared at most for that.
+const FADED: f64 = 1e-16;
+const SQUARINGS: f64 = 24.0;
 /// The first differences, which the others are compared with.
 const FIRST: usize = 2;
 /// Less, or more, than this of the first differences, and the run has told its fate.
@@ -51,41 +58,52 @@ impl Runs {
     /// [`APART`]; `None` where no run can tell, or they do the same on both sides.
     pub fn threshold(&self, method: Run, near: f64, crossing: Crossing) -> Option<f64> {
         let steps = crossing.steps(APART)?;
+        let start = self.along_the_mode(method, near, crossing.rest)?;
         // no further than where a step grows by e: what grows faster is large before it has been compared
         let reach = REACH.min(1.0 / crossing.steepness);
         let [mut low, mut high] = [1.0 - reach, 1.0 + reach].map(|share| share * near);
-        let below = self.leaves(method, low, steps);
-        if self.leaves(method, high, steps) == below {
+        let below = self.leaves(method, low, steps, &start);
+        if self.leaves(method, high, steps, &start) == below {
             return None;
         }
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            if self.leaves(method, middle, steps) == below { low = middle } else { high = middle }
+            if self.leaves(method, middle, steps, &start) == below { low = middle } else { high = middle }
         }
         Some(0.5 * (low + high))
+    }
+
+    /// A start in which all that moves is the mode that crosses at this step: the others have faded under many steps, by their
+    /// slowest rate, and what integrals keep is no difference of a step. `None` where a step leads nowhere.
+    fn along_the_mode(&self, method: Run, step: f64, rest: f64) -> Option<Vec<f64>> {
+        let n = self.state.len();
+        let sizes = DVector::from_iterator(n, self.state.iter().map(|y| y.abs().max(1.0)));
+        let mut map = DMatrix::zeros(n, n);
+        for column in 0..n {
+            let by = DIFFERENCE * sizes[column];
+            let after = |by: f64| {
+                let mut moved = self.state.clone();
+                moved[column] += by;
+                let outcome = self.run(method, step, 1, &moved, &mut Record::new());
+                outcome.reached().then(|| DVector::from_vec(outcome.state))
+            };
+            map.set_column(column, &((after(by)? - after(-by)?) / (2.0 * by)));
+        }
+        let squarings = (-FADED.ln() / rest).log2().ceil().clamp(0.0, SQUARINGS) as usize;
+        let power = (0..squarings).fold(map.clone(), |power, _| &power * &power);
+        let any = DVector::from_fn(n, |k, _| sizes[k] * (1.0 + 0.37 * k as f64).sin());
+        let moved = (map - DMatrix::identity(n, n)) * (power * any);
+        let largest = moved.component_div(&sizes).amax();
+        let start = self.state.iter().zip(moved.iter()).map(|(y, moved)| y + OFF * moved / largest);
+        Some(start.collect()).filter(|start: &Vec<f64>| start.iter().all(|y| y.is_finite()))
     }
 
     /// Whether a run of so many steps of this length, s, leaves the motion.
     ///
     /// The differences of neighbouring states tell: what integrals keep of a perturbation drops out of them.
-    pub fn leaves(&self, method: Run, step: f64, count: usize) -> bool {
-        let off = |(k, y): (usize, &f64)| y + OFF * y.abs().max(1.0) * (1.0 + 0.37 * k as f64).sin();
-        let start: Vec<f64> = self.state.iter().enumerate().map(off).collect();
-        let mut watched = Watched { last: start.clone(), sizes: Vec::with_capacity(count) };
-        let span = Span::new(0.0, step * count as f64, &start);
-        let steps = u32::try_from(count).unwrap_or(u32::MAX);
-        let mut run = |method: Method| integrate(&*self.law, method, &Tolerance::both(1e-9), &span, &mut watched);
-        let reached = match method {
-            Run::OneStep(OneStep::Classical(scheme)) => run(scheme.method(steps)).reached(),
-            Run::Splitting(splitting) => run(Method::Split { splitting, steps }).reached(),
-            Run::OneStep(OneStep::Collocation(family, stages)) => {
-                let holding = match family {
-                    Family::Gauss => Holding::ProjectedGauss { stages, steps },
-                    Family::RadauIIA => Holding::RadauIIA { stages, steps },
-                };
-                hold(&Free(&*self.law), holding, &span, &mut watched).reached()
-            }
-        };
+    fn leaves(&self, method: Run, step: f64, count: usize, start: &[f64]) -> bool {
+        let mut watched = Watched { last: start.to_vec(), sizes: Vec::with_capacity(count) };
+        let reached = self.run(method, step, count, start, &mut watched).reached();
         let seen = &watched.sizes;
         let stretch = (count as f64 / STRETCHES) as usize;
         let most = |window: std::ops::Range<usize>| seen[window].iter().copied().fold(0.0, f64::max);
@@ -95,6 +113,32 @@ impl Runs {
             _ if seen.len() < count => !reached,
             // what has grown until it is no longer small may stay as large as it is: only what falls comes back
             _ => most(count - stretch..count) >= (-0.5 * SHOWN).exp() * most(count - 2 * stretch..count - stretch),
+        }
+    }
+}
+
+impl Runs {
+    fn run(
+        &self,
+        method: Run,
+        step: f64,
+        count: usize,
+        start: &[f64],
+        observer: &mut dyn Observer<f64>,
+    ) -> Outcome<f64> {
+        let span = Span::new(0.0, step * count as f64, start);
+        let steps = u32::try_from(count).unwrap_or(u32::MAX);
+        let run = |method: Method, observer| integrate(&*self.law, method, &Tolerance::both(1e-9), &span, observer);
+        match method {
+            Run::OneStep(OneStep::Classical(scheme)) => run(scheme.method(steps), observer),
+            Run::Splitting(splitting) => run(Method::Split { splitting, steps }, observer),
+            Run::OneStep(OneStep::Collocation(family, stages)) => {
+                let holding = match family {
+                    Family::Gauss => Holding::ProjectedGauss { stages, steps },
+                    Family::RadauIIA => Holding::RadauIIA { stages, steps },
+                };
+                hold(&Free(&*self.law), holding, &span, observer)
+            }
         }
     }
 }

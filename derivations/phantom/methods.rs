@@ -1,11 +1,11 @@
 //! The stability functions of the methods with a constant step, derived from their steps.
 
 use crate::stabilisation::schemes::Scheme;
-use field::{Rational, Scalar};
+use field::Scalar;
 use integrators::{Family, nodal};
 use mechanics::discrete::StabilityFunction;
 use std::fmt;
-use symbolic::{Hypotheses, Sym, coefficients, normal};
+use symbolic::{Hypotheses, Sym, normal, univariate};
 
 /// A Runge-Kutta method with a constant step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,15 +48,7 @@ impl OneStep {
     pub fn function(self) -> Option<StabilityFunction> {
         let z = Sym::symbol("z");
         let form = normal(self.run(z), &Hypotheses::none()).ok()?;
-        let dense = |part: Sym| -> Option<Vec<Rational>> {
-            let mut dense = Vec::new();
-            for (exponents, c) in coefficients(part, &[z]).ok()? {
-                let power = *exponents.first()? as usize;
-                dense.resize(dense.len().max(power + 1), Rational::int(0));
-                dense[power] = c.as_constant()?;
-            }
-            Some(dense)
-        };
+        let dense = |part: Sym| univariate(part, z).ok();
         let (mut numerator, mut denominator) = (dense(form.numerator())?, dense(form.denominator())?);
         let first = *denominator.first()?;
         numerator.iter_mut().chain(&mut denominator).for_each(|c| *c /= first);

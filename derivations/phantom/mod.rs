@@ -8,17 +8,20 @@
 //! * [`chart`]: every method on every such motion, every step judged;
 //! * [`measured`]: the same thresholds by runs, each as long as [`crossing`] says it must be;
 //! * [`oscillator`], [`splittings`]: compositions of flows, on one mode exactly, on a motion by their own step;
+//! * [`enclosed`]: the same for every step between two where all pieces rest, proved from the `pieces` that run;
 //! * [`survey`]: some motions with all of this, for the report.
 
 mod alphabet;
 pub mod chart;
 mod claims;
 pub mod crossing;
+pub mod enclosed;
 pub mod linear;
 pub mod measured;
 pub mod methods;
 pub mod motions;
 pub mod oscillator;
+mod pieces;
 pub mod splittings;
 pub mod survey;
 mod written;

@@ -6,7 +6,7 @@
 use field::{Rational, Scalar};
 use integrators::Splitting;
 use symbolic::real::{Polynomial, Root};
-use symbolic::{Sym, coefficients};
+use symbolic::{Sym, univariate};
 
 /// The matrix of a step.
 pub fn step(splitting: Splitting, kappa: Sym) -> [[Sym; 2]; 2] {
@@ -26,13 +26,7 @@ pub fn step(splitting: Splitting, kappa: Sym) -> [[Sym; 2]; 2] {
 pub fn trace(splitting: Splitting) -> Option<Vec<Rational>> {
     let kappa = Sym::symbol("κ");
     let [[first, _], [_, second]] = step(splitting, kappa);
-    let mut dense = Vec::new();
-    for (exponents, c) in coefficients(first + second, &[kappa]).ok()? {
-        let power = *exponents.first()? as usize;
-        dense.resize(dense.len().max(power + 1), Rational::int(0));
-        dense[power] = c.as_constant()?;
-    }
-    Some(dense)
+    univariate(first + second, kappa).ok()
 }
 
 /// Where |T| = 2, in ascending order of kappa > 0, and whether |T| < 2 before, between and after.

@@ -3,10 +3,11 @@
 //! The pieces of a law do not rest where their sum does, so that a splitting has a stationary motion of its own near the
 //! true one, with the error of its order; where all pieces rest (the carrier at rest, a motor on its bench) it is the
 //! same. There the map is differentiated by central differences in double-double, which leave 18 digits. A splitting keeps |v|
-//! and x.v, so that its matrix is looked at on the surface of these alone. So it is tested at each step that is asked for, and
-//! not proved between them.
+//! and x.v, so that its matrix is looked at on the surface of these alone. So it is tested at each step that is asked for; on a
+//! bench what it does at every step between them is proved besides, and the edges are those of the proof.
 
 use super::crossing::Crossing;
+use super::enclosed::{Proved, Resting, does};
 use super::motions::Stationed;
 use crate::scene::problem::Law;
 use crate::scene::{Axes, Invariant, Scene};
@@ -21,6 +22,8 @@ pub struct SplitRuns {
     state: Vec<f64>,
     /// Columns that span the surface of the integrals.
     surface: DMatrix<f64>,
+    /// Where all pieces rest on a bench.
+    resting: Option<Resting>,
 }
 
 /// A splitting's own stationary motion, and what its step makes of it.
@@ -41,8 +44,10 @@ pub struct Tested {
     /// Whether anything grows, at each step, s, that was asked for; `None` where no step is taken, or no motion of the
     /// splitting's own is found.
     pub grows: Vec<(f64, Option<bool>)>,
-    /// Between them, where that changes, s.
+    /// Between them, where that changes, s: by the proof where there is one.
     pub edges: Vec<f64>,
+    /// What it does at every step between the first and the last, where that can be proved.
+    pub proved: Option<Proved>,
     /// The longest step that the program takes, s.
     pub longest: f64,
 }
@@ -54,16 +59,20 @@ impl Tested {
         let (Some((from, grows)), Some((to, _))) = (known.first(), known.last()) else {
             return "no step is taken, or no stationary motion of its own is found".to_owned();
         };
-        let does = |grows: bool| if grows { "grows" } else { "does not grow" };
-        let turns = self
-            .edges
-            .iter()
-            .enumerate()
-            .map(|(place, edge)| format!(", {} from h = {edge:.4e} on", does(*grows != (place % 2 == 0))));
-        let turns: String = turns.collect();
         let longest =
             if self.longest.is_finite() { format!("; no step beyond {:.4e}", self.longest) } else { String::new() };
-        format!("tested from {from:.1e} to {to:.1e}: the map {}{turns}{longest}", does(*grows))
+        let (by, told) = match &self.proved {
+            Some(proved) => ("proved", proved.told()),
+            None => {
+                let turns = self
+                    .edges
+                    .iter()
+                    .enumerate()
+                    .map(|(place, edge)| format!(", {} from h = {edge:.4e} on", does(*grows != (place % 2 == 0))));
+                ("tested", turns.fold(does(*grows).to_owned(), |told, turn| told + &turn))
+            }
+        };
+        format!("{by} from {from:.1e} to {to:.1e}: the map {told}{longest}")
     }
 }
 
@@ -88,7 +97,7 @@ impl SplitRuns {
         let kept = problem.invariants.iter().filter(|invariant| invariant.name != "jacobi");
         let gradients: Vec<DVector<f64>> = kept.map(|invariant| gradient(invariant, &problem.state)).collect();
         let surface = complement(&gradients, problem.state.len());
-        SplitRuns { law: problem.law, state: problem.state, surface }
+        SplitRuns { law: problem.law, state: problem.state, surface, resting: Resting::of(&scene, motion) }
     }
 
     /// With steps of a length, s. `None` where the law has no pieces, the step leads nowhere, or no stationary motion is
@@ -141,7 +150,13 @@ impl SplitRuns {
             }
             0.5 * (low + high)
         };
-        Tested { splitting, edges: turns.map(edge).collect(), longest, grows: each }
+        let ends = known.first().zip(known.last()).map(|(first, last)| [first.0, last.0]);
+        let proved = self.resting.as_ref().zip(ends).map(|(resting, ends)| resting.course(splitting, ends));
+        let edges = match &proved {
+            Some(proved) => proved.edges().into_iter().map(|(at, _)| at).collect(),
+            None => turns.map(edge).collect(),
+        };
+        Tested { splitting, edges, longest, grows: each, proved }
     }
 
     /// How a run can see an edge: by the growth beside it, which changes evenly there. `None` where the splitting does not rest with

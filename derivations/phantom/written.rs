@@ -85,7 +85,7 @@ fn vectors() -> [Vector3<Sym>; 2] {
 }
 
 /// Whether friction and windings take nothing, decided exactly.
-fn keeps_energy(machine: &impl Machine<Sym>, rotor: RotorState) -> bool {
+pub(super) fn keeps_energy(machine: &impl Machine<Sym>, rotor: RotorState) -> bool {
     let slip = Sym::symbol("s");
     let friction = machine.moment_law(slip, slip + machine.frame_speed());
     rotor == RotorState::Prescribed || machine.windings() == 0 && decide(friction, &Hypotheses::none()).is_zero()

@@ -1,7 +1,7 @@
 //! A problem run: its trajectory as a reader wants it.
 
 use super::{Axes, Problem, Run, Scene};
-use integrators::{End, Method, Observer, Outcome, Span, Tolerance, integrate};
+use integrators::{Beside, End, Method, Observer, Outcome, Record, Span, Tolerance, beside, integrate};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -25,6 +25,8 @@ pub struct Trajectory {
     pub times: Vec<f64>,
     /// One for each time.
     pub rows: Vec<Vec<f64>>,
+    /// The states of the law at these times, for methods with a constant step.
+    pub states: Vec<Vec<f64>>,
     /// The last good state, written like a row.
     pub last: Vec<f64>,
     /// As the integrator gave it; where the run left its law, up to the last good state.
@@ -77,17 +79,69 @@ impl Problem {
         for invariant in &self.invariants {
             span = span.with_monitor(invariant.name, |time, y| (invariant.value)(time, y));
         }
-        let good = (0.0, self.state.clone());
-        let mut kept =
-            Kept { problem: self, times: Vec::new(), rows: Vec::new(), good, left: None, broken_off: false, progress };
+        let mut kept = Kept {
+            problem: self,
+            times: Vec::new(),
+            rows: Vec::new(),
+            states: choice.method.steps().map(|_| Vec::new()),
+            good: (0.0, self.state.clone()),
+            left: None,
+            broken_off: false,
+            progress,
+        };
         let tolerance = Tolerance::both(choice.tolerance);
         let mut outcome = integrate(&*self.law, choice.method, &tolerance, &span, &mut kept);
-        let Kept { times, rows, good, left, .. } = kept;
+        let Kept { times, rows, states, good, left, .. } = kept;
+        let states = states.unwrap_or_default();
         if left.is_some() {
             (outcome.time, outcome.state) = good;
         }
         let last = (self.row)(outcome.time, &outcome.state);
-        Trajectory { names: self.columns.clone(), times, rows, last, outcome, left }
+        Trajectory { names: self.columns.clone(), times, rows, states, last, outcome, left }
+    }
+}
+
+impl Problem {
+    /// What shorter steps say of a run with constant ones that reached its end, each in the time that it was allowed; `None` for
+    /// others. `goes_on` breaks it off.
+    pub fn beside(
+        &self,
+        choice: &Choice,
+        trajectory: &Trajectory,
+        mut goes_on: impl FnMut() -> ControlFlow<()>,
+    ) -> Option<Beside> {
+        if !trajectory.outcome.reached() || trajectory.left.is_some() {
+            return None;
+        }
+        let record = Record { times: trajectory.times.clone(), states: trajectory.states.clone() };
+        beside(choice.method, &record, |method| {
+            let mut span = Span::new(0.0, self.span, &self.state).with_deadline(Instant::now() + choice.allowed);
+            span.outputs.clone_from(&record.times);
+            let mut seen = Record::new();
+            let mut ends = Leaves { outside: &*self.outside, left: None, goes_on: &mut goes_on, broken_off: false };
+            let tolerance = Tolerance::both(choice.tolerance);
+            let outcome = integrate(&*self.law, method, &tolerance, &span, &mut (&mut seen, &mut ends));
+            (outcome, seen, ends.left)
+        })
+    }
+}
+
+/// Ends a run where its law does, or where it is broken off.
+pub(crate) struct Leaves<'a> {
+    pub outside: &'a dyn Fn(&[f64]) -> Option<&'static str>,
+    pub left: Option<&'static str>,
+    pub goes_on: &'a mut dyn FnMut() -> ControlFlow<()>,
+    pub broken_off: bool,
+}
+
+impl Observer<f64> for Leaves<'_> {
+    fn step(&mut self, _time: f64, state: &[f64]) {
+        self.left = (self.outside)(state);
+        self.broken_off |= (self.goes_on)().is_break();
+    }
+
+    fn enough(&self) -> bool {
+        self.left.is_some() || self.broken_off
     }
 }
 
@@ -122,6 +176,8 @@ struct Kept<'a, F> {
     problem: &'a Problem,
     times: Vec<f64>,
     rows: Vec<Vec<f64>>,
+    /// Where they are asked for.
+    states: Option<Vec<Vec<f64>>>,
     /// The last state at which the law holds.
     good: (f64, Vec<f64>),
     left: Option<&'static str>,
@@ -134,6 +190,9 @@ impl<F: FnMut(f64) -> ControlFlow<()>> Observer<f64> for Kept<'_, F> {
         if (self.problem.outside)(state).is_none() {
             self.times.push(time);
             self.rows.push((self.problem.row)(time, state));
+            if let Some(states) = &mut self.states {
+                states.push(state.to_vec());
+            }
         }
     }
 

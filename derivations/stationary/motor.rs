@@ -8,7 +8,7 @@ use crate::scene::{MachineData, NoModel};
 use field::{Circle, Rational, Scalar};
 use std::sync::Arc;
 use symbolic::real::{Polynomial, Root};
-use symbolic::{Hypotheses, Sym, coefficients, normal};
+use symbolic::{Hypotheses, Sym, normal, univariate};
 
 /// What a machine lets its rotor do for ever.
 #[derive(Clone, Debug)]
@@ -205,16 +205,7 @@ impl Fraction {
     pub fn of(expression: Sym, unknown: Sym) -> Result<Self, NoMotor> {
         let wrong = |reason: String| NoMotor::NotAlgebraic(reason);
         let form = normal(expression, &Hypotheses::none()).map_err(|reason| wrong(reason.to_string()))?;
-        let dense = |part: Sym| -> Result<Vec<Rational>, NoMotor> {
-            let mut dense = Vec::new();
-            for (exponents, c) in coefficients(part, &[unknown]).map_err(|reason| wrong(reason.to_string()))? {
-                let place = exponents.first().map_or(0, |&power| power as usize);
-                let value = c.as_constant().ok_or_else(|| wrong(format!("{c} is no fraction")))?;
-                dense.resize(dense.len().max(place + 1), Rational::int(0));
-                dense[place] = value;
-            }
-            Ok(dense)
-        };
+        let dense = |part: Sym| univariate(part, unknown).map_err(|reason| wrong(reason.to_string()));
         // both over one denominator, so that their ratio is kept
         let (above, below) = (dense(form.numerator())?, dense(form.denominator())?);
         let split = above.len();

@@ -98,6 +98,10 @@ fn method(row: &Row) -> Value {
 
 fn splitting(tested: &Tested) -> Value {
     let grows = tested.grows.iter().map(|(step, grows)| json!({ "step": step, "grows": grows }));
-    json!({ "method": tested.splitting.name(), "tested": grows.collect::<Vec<_>>(), "edges": tested.edges,
+    let proved = tested.proved.as_ref().map(|proved| {
+        let each = proved.stretches.iter().map(|(from, to, grows)| json!({ "from": from, "to": to, "grows": grows }));
+        each.collect::<Vec<_>>()
+    });
+    json!({ "method": tested.splitting.name(), "tested": grows.collect::<Vec<_>>(), "edges": tested.edges, "proved": proved,
             "longest": tested.longest.is_finite().then_some(tested.longest) })
 }

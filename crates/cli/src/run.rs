@@ -106,6 +106,7 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
         progress.set(fraction);
         interrupt.goes_on()
     });
+    let beside = problem.beside(&choice, &trajectory, || interrupt.goes_on());
     drop(progress);
 
     table.write(&trajectory.names, &trajectory.times, &trajectory.rows)?;
@@ -118,7 +119,7 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
         matrix.write_matrix(&problem.columns[..rows.len()], &rows)?;
     }
     let told = scene.told(&choice, &trajectory);
-    let summary = Summary { scene, choice: &choice, form, trajectory: &trajectory, told: &told };
+    let summary = Summary { scene, choice: &choice, form, trajectory: &trajectory, told: &told, beside };
     print(&match asked.format {
         Format::Text => summary.text(),
         Format::Json => summary.json(),

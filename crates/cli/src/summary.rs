@@ -1,6 +1,7 @@
 //! A run in a few lines, or as one JSON object.
 
 use derivations::scene::{Axes, Choice, Smooth, Told, Trajectory};
+use integrators::{Beside, Parting};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
@@ -12,12 +13,14 @@ pub struct Summary<'a> {
     pub form: Option<Axes>,
     pub trajectory: &'a Trajectory,
     pub told: &'a Told,
+    /// Of constant steps: what shorter ones say.
+    pub beside: Option<Beside>,
 }
 
 impl Summary<'_> {
     /// `{time, state, work, invariants, model, method, ...}`, one object on its lines.
     pub fn json(&self) -> String {
-        let Summary { scene, choice, form, trajectory, told } = self;
+        let Summary { scene, choice, form, trajectory, told, beside } = self;
         let outcome = &trajectory.outcome;
         let states = trajectory.names.iter().zip(&trajectory.last);
         let state: Map<String, Value> = states.map(|(name, value)| (name.clone(), json!(value))).collect();
@@ -46,6 +49,7 @@ impl Summary<'_> {
             "stopped": trajectory.stopped(),
             "theory": told.theory,
             "diagnosis": told.diagnosis,
+            "steps": beside.map(judged),
             "closed_form": told.closed_form.map(|(what, deviation)| json!({ "what": what, "deviation": deviation })),
         });
         format!("{object:#}\n")
@@ -53,7 +57,7 @@ impl Summary<'_> {
 
     /// For reading.
     pub fn text(&self) -> String {
-        let Summary { scene, choice, form, trajectory, told } = self;
+        let Summary { scene, choice, form, trajectory, told, beside } = self;
         let outcome = &trajectory.outcome;
         let mut text = format!("{}\n\n", scene.title());
         let mut line = |name: &str, value: String| {
@@ -69,6 +73,7 @@ impl Summary<'_> {
             None => line("reached", format!("t = {} s", outcome.time)),
             Some(why) => line("stopped", format!("{why}; the last good state is at t = {} s", outcome.time)),
         }
+        beside.iter().for_each(|beside| line("steps", beside.to_string()));
         if let Some(diagnosis) = &told.diagnosis {
             line("diagnosis", diagnosis.clone());
         }
@@ -89,6 +94,18 @@ impl Summary<'_> {
         let outputs = &self.scene.run().outputs;
         outputs.is_empty() || outputs.iter().any(|output| output == name)
     }
+}
+
+/// What shorter steps say, with the evaluations that they took.
+fn judged(beside: Beside) -> Value {
+    let (apart, from, why) = match beside.parting {
+        Parting::Follows { apart } => (Some(apart), None, None),
+        Parting::Parts { from } => (None, Some(from), None),
+        Parting::Stops { at, why } => (None, Some(at), Some(why)),
+        Parting::Open => (None, None, None),
+    };
+    json!({ "said": beside.parting.name(), "follows": apart.is_some(), "apart": apart, "from": from, "why": why,
+            "evaluations": beside.work.rates })
 }
 
 /// With nine digits after the point, or as a power of ten where those would say nothing.

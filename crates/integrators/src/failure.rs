@@ -66,7 +66,7 @@ pub enum Refusal {
 }
 
 /// A time for reading: six digits, as a power of ten where plain digits would be zeros.
-struct Instant(f64);
+pub(crate) struct Instant(pub f64);
 
 impl fmt::Display for Instant {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -24,7 +24,7 @@
 //! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
 //! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
 //!
-//! [`follow`] goes along curves of equilibria and of motions that repeat, over a parameter.
+//! [`beside()`] judges a run with constant steps by shorter ones; [`follow`] goes along curves of equilibria and of motions that repeat, over a parameter.
 //!
 //! Key results: every method has its order on nonlinear laws (`tests/methods/orders.rs`), its outputs are as accurate as its end,
 //! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double
@@ -35,6 +35,7 @@ mod attempt;
 mod bader_deuflhard;
 #[cfg(test)]
 mod bell;
+mod beside;
 mod branches;
 mod classical;
 mod collocation;
@@ -75,6 +76,7 @@ mod watch;
 mod work_precision;
 
 pub use attempt::{Attempt, Means};
+pub use beside::{Beside, Parting, Shorter, beside};
 pub use branches::{Branch, Curve, Equilibria, Last, Place, Repeating, Walk, follow, spectrum};
 pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family, nodal};

@@ -104,16 +104,26 @@ impl Method {
         }
     }
 
-    /// The same with one step over the span, where steps are constant.
-    pub(crate) fn once(self) -> Self {
+    /// The same with another number of steps, where they are constant.
+    fn with_steps(self, steps: u32) -> Self {
         match self {
-            Method::Euler { .. } => Method::Euler { steps: 1 },
-            Method::RungeKutta4 { .. } => Method::RungeKutta4 { steps: 1 },
-            Method::BackwardEuler { .. } => Method::BackwardEuler { steps: 1 },
-            Method::ImplicitMidpoint { .. } => Method::ImplicitMidpoint { steps: 1 },
-            Method::Split { splitting, .. } => Method::Split { splitting, steps: 1 },
+            Method::Euler { .. } => Method::Euler { steps },
+            Method::RungeKutta4 { .. } => Method::RungeKutta4 { steps },
+            Method::BackwardEuler { .. } => Method::BackwardEuler { steps },
+            Method::ImplicitMidpoint { .. } => Method::ImplicitMidpoint { steps },
+            Method::Split { splitting, .. } => Method::Split { splitting, steps },
             _ => self,
         }
+    }
+
+    /// The same with one step over the span, where steps are constant.
+    pub(crate) fn once(self) -> Self {
+        self.with_steps(1)
+    }
+
+    /// The same with so many times as many steps; none where it follows a tolerance, or they are too many to count.
+    pub fn refined(self, times: u32) -> Option<Self> {
+        Some(self.with_steps(self.steps()?.checked_mul(times)?))
     }
 
     /// What no run of this method could work with.

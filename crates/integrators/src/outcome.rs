@@ -57,6 +57,20 @@ pub struct Outcome<S> {
     pub deviations: Vec<Deviation>,
 }
 
+impl std::ops::Add for Work {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        Work {
+            rates: self.rates + b.rates,
+            jacobians: self.jacobians + b.jacobians,
+            factorisations: self.factorisations + b.factorisations,
+            constraints: self.constraints + b.constraints,
+            steps: self.steps + b.steps,
+            rejected: self.rejected + b.rejected,
+        }
+    }
+}
+
 impl<S> Outcome<S> {
     /// The reason for which the run stopped, if it did.
     pub fn failure(&self) -> Option<Failure> {

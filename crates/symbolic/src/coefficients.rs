@@ -2,6 +2,7 @@
 
 use crate::graph::Node;
 use crate::{Decision, Hypotheses, Sym, decide};
+use field::Rational;
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
@@ -56,6 +57,21 @@ pub fn coefficients(expression: Sym, symbols: &[Sym]) -> Result<Vec<(Vec<u32>, S
     }
     let terms = all.remove(&expression).unwrap_or_default();
     Ok(terms.into_iter().filter(|(_, value)| !value.is_zero()).map(|(exponents, value)| (exponents.0, value)).collect())
+}
+
+/// The coefficients of a polynomial in one unknown with rational coefficients, from the constant upwards, without zeros at the end.
+/// What cancels must have been cancelled (`normal`).
+///
+/// # Errors
+/// [`NotPolynomial`] names a part, or a coefficient that is no fraction.
+pub fn univariate(expression: Sym, unknown: Sym) -> Result<Vec<Rational>, NotPolynomial> {
+    let mut dense = Vec::new();
+    for (exponents, c) in coefficients(expression, &[unknown])? {
+        let power = exponents.first().map_or(0, |&power| power as usize);
+        dense.resize(dense.len().max(power + 1), Rational::zero());
+        dense[power] = c.as_constant().ok_or(NotPolynomial(c))?;
+    }
+    Ok(dense)
 }
 
 /// The total degree in the symbols, under hypotheses on the coefficients: `None` for zero.

@@ -52,7 +52,7 @@ mod sym;
 mod tape;
 
 pub use calculus::substitute_all;
-pub use coefficients::{NotPolynomial, coefficients, degree};
+pub use coefficients::{NotPolynomial, coefficients, degree, univariate};
 pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
 pub use formulas::Formulas;

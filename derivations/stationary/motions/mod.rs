@@ -4,7 +4,7 @@ mod decimals;
 mod found;
 mod refused;
 
-pub use decimals::decimals;
+pub use decimals::{decimals, written};
 pub use found::{Answer, Certificate, Found, Members};
 pub use refused::NoAnswer;
 

@@ -3,7 +3,8 @@
 //! A verdict changes where a root reaches the imaginary axis or leaves it. With the two classical gyrostats' polynomials in
 //! s = z^2, C(s) = det T_c (s^2 + a_c s + b_c) at constant speed and F(s) of the free rotor, and the motor's operational
 //! stiffness Z, the characteristic equation is A' s F(s) + Z(z) C(s) = 0. Where the motor damps, Im Z(iy) is not zero
-//! for y not zero, so that a root i y is one of C and of F: their resultant vanishes, or, for y = 0, the constant term of C.
+//! for y not zero, so that a root i y is one of C and of F: their resultant vanishes, or, for y = 0, the constant term of C. Both are
+//! claims: `motor/crossing`, `currents/lagging` and `currents/damps`.
 //! Where nothing damps all is a polynomial in s, whose roots change their kind where two are equal or one is zero.
 
 use super::approximation::Approximation;

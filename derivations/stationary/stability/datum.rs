@@ -3,10 +3,11 @@
 use crate::ensemble::known::{Data, Known, Place};
 use crate::scene::{Scene, System};
 use crate::stationary::energies::Energies;
-use crate::stationary::motions::decimals;
+use crate::stationary::motions::{decimals, written};
 use field::Rational;
 use std::borrow::Cow;
 use std::fmt;
+use symbolic::Sym;
 
 /// A datum of a scene or of its motion.
 #[derive(Clone, Debug)]
@@ -125,6 +126,15 @@ impl Setting {
     pub fn energies(&self) -> Option<Energies<Rational>> {
         match &self.data.system {
             System::Gyrostat(bodies) => Some(Energies::of(&decimals(bodies))),
+            System::Bench { .. } => None,
+        }
+    }
+
+    /// The same as expressions, the numbers that are not there, NaN, as an unknown.
+    pub fn energies_in(&self, unknown: Sym) -> Option<Energies<Sym>> {
+        let number = |x: f64| if x.is_nan() { unknown } else { Sym::constant(Rational::decimal(x)) };
+        match &self.data.system {
+            System::Gyrostat(bodies) => Some(Energies::of(&written(bodies, number))),
             System::Bench { .. } => None,
         }
     }

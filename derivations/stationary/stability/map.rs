@@ -1,6 +1,7 @@
 //! Where rotation about an axis that carries rotor and weight is stable, over two data.
 //!
-//! At one value of the first datum what decides are two polynomials in the second: b, and a^2 - 4 b (`reduced`). Their real
+//! At one value of the first datum what decides are two polynomials in the second: b, and a^2 - 4 b (`reduced`), written down by the
+//! law itself with the datum as an unknown. Their real
 //! roots are isolated, and between two neighbours nothing changes: so every column of the map is exact, edges included.
 
 use super::reduced::{Fate, Reduced};
@@ -8,12 +9,13 @@ use crate::stationary::energies::Energies;
 use field::{Rational, Scalar};
 use nalgebra::Vector3;
 use symbolic::real::Polynomial;
+use symbolic::{Hypotheses, NotPolynomial, Sym, normal, univariate};
 
 /// A gyrostat whose rotor and weight lie along one principal axis of A*, and which end of it points down.
 #[derive(Clone, Copy, Debug)]
-pub struct OneAxis {
-    energies: Energies<Rational>,
-    vertical: Vector3<Rational>,
+pub struct OneAxis<S: Scalar = Rational> {
+    energies: Energies<S>,
+    vertical: Vector3<S>,
 }
 
 /// What is known of one value of the first datum: edges in the second, in ascending order, and what is between them.
@@ -40,51 +42,57 @@ impl OneAxis {
         Self::about(energies, down == hanging)
     }
 
-    /// The same, whichever way the weight points: about the axis itself, or its opposite.
-    pub fn about(energies: &Energies<Rational>, along: bool) -> Option<Self> {
-        let zero = Rational::int(0);
-        let axis = (0..3).find(|i| energies.mixed[*i] != zero)?;
-        let alone = |v: &Vector3<Rational>| (0..3).all(|j| j == axis || v[j] == zero);
-        let row: Vector3<Rational> = energies.tensor.column(axis).into();
+    /// All rotor speeds at one angular velocity.
+    pub fn column(&self, speed: Rational) -> Column {
+        let unknown = Sym::symbol("W");
+        let written = OneAxis { energies: self.energies.written(), vertical: self.vertical.map(Sym::constant) };
+        let over = written.motion(Sym::constant(speed), unknown);
+        let motion = |rotor_speed: Rational| Some(self.motion(speed, rotor_speed));
+        let column = Column::of(&over, unknown, [f64::NEG_INFINITY, f64::INFINITY], &motion);
+        column.ok().flatten().unwrap_or(Column { edges: Vec::new(), fates: vec![Fate::Edge] })
+    }
+}
+
+impl<S: Scalar> OneAxis<S> {
+    /// Whichever way the weight points: about the axis itself, or its opposite. Expressions must be in normal form, so that what
+    /// vanishes is zero.
+    pub fn about(energies: &Energies<S>, along: bool) -> Option<Self> {
+        let axis = (0..3).find(|i| !energies.mixed[*i].is_zero())?;
+        let alone = |v: &Vector3<S>| (0..3).all(|j| j == axis || v[j].is_zero());
+        let row: Vector3<S> = energies.tensor.column(axis).into();
         let agrees = alone(&row) && alone(&energies.mixed) && alone(&energies.weight);
-        let side = Rational::int(if along { 1 } else { -1 });
-        let vertical = Vector3::from_fn(|j, _| if j == axis { side } else { zero });
+        let side = S::int(if along { 1 } else { -1 });
+        let vertical = Vector3::from_fn(|j, _| if j == axis { side } else { S::zero() });
         agrees.then_some(OneAxis { energies: *energies, vertical })
     }
 
     /// The motion with these speeds.
-    pub fn motion(&self, speed: Rational, rotor_speed: Rational) -> Reduced<Rational> {
+    pub fn motion(&self, speed: S, rotor_speed: S) -> Reduced<S> {
         Reduced::kept(&self.energies, speed, self.vertical, rotor_speed)
-    }
-
-    /// All rotor speeds at one angular velocity.
-    pub fn column(&self, speed: Rational) -> Column {
-        // a^2 - 4 b is of degree 4 in W
-        let nodes: Vec<Rational> = (0..=4).map(Rational::int).collect();
-        let motion = |rotor_speed: Rational| Some(self.motion(speed, rotor_speed));
-        let column = Column::of(&nodes, [f64::NEG_INFINITY, f64::INFINITY], &motion);
-        column.unwrap_or(Column { edges: Vec::new(), fates: vec![Fate::Edge] })
     }
 }
 
 impl Column {
-    /// By the motions at values of the second datum, of which b and a^2 - 4 b are polynomials with degrees below the number of
-    /// nodes; within a range. `None` where there is no motion.
+    /// Over the second datum, an unknown in the law of the motion, within a range; `motion` has the same law at values of it. `None`
+    /// where there is no motion.
+    ///
+    /// # Errors
+    /// [`NotPolynomial`] where b or a^2 - 4 b is none in the unknown.
     pub fn of(
-        nodes: &[Rational],
+        over: &Reduced<Sym>,
+        unknown: Sym,
         [low, high]: [f64; 2],
         motion: &dyn Fn(Rational) -> Option<Reduced<Rational>>,
-    ) -> Option<Self> {
-        let values = nodes.iter().map(|node| Some(motion(*node)?.polynomial()));
-        let values: Vec<[Rational; 3]> = values.collect::<Option<_>>()?;
-        let neutral: Vec<Rational> = values.iter().map(|[_, _, b]| *b).collect();
-        let meeting: Vec<Rational> = values.iter().map(|[det, a, b]| *a * *a - *det * *b * Rational::int(4)).collect();
-        let roots = |values: &[Rational], neutral: bool| -> Vec<Edge> {
-            let polynomial = Polynomial::from_rationals(&interpolated(nodes, values)).unwrap_or_default();
+    ) -> Result<Option<Self>, NotPolynomial> {
+        let [_, _, apart, _] = over.deciding();
+        let [_, _, neutral] = over.polynomial();
+        let roots = |decisive: Sym, neutral: bool| -> Result<Vec<Edge>, NotPolynomial> {
+            let form = normal(decisive, &Hypotheses::none()).map_err(|_| NotPolynomial(decisive))?;
+            let polynomial = Polynomial::from_rationals(&univariate(form.to_sym(), unknown)?).unwrap_or_default();
             let all = polynomial.real_roots().into_iter().map(|root| Edge { at: root.to_f64(), neutral });
-            all.filter(|edge| low < edge.at && edge.at < high).collect()
+            Ok(all.filter(|edge| low < edge.at && edge.at < high).collect())
         };
-        let mut edges = [roots(&neutral, true), roots(&meeting, false)].concat();
+        let mut edges = [roots(neutral, true)?, roots(apart, false)?].concat();
         edges.sort_by(|a, b| a.at.total_cmp(&b.at));
         let ends = [&[low], &edges.iter().map(|edge| edge.at).collect::<Vec<_>>()[..], &[high]].concat();
         let between = |pair: &[f64]| match (pair[0].is_finite(), pair[1].is_finite()) {
@@ -95,47 +103,13 @@ impl Column {
         };
         // the data are defined, and so are all signs
         let fate = |at: f64| Some(Fate::of(&motion(Rational::decimal(at))?, |x: Rational| x.sign().unwrap_or(0)));
-        let fates = ends.windows(2).map(|pair| fate(between(pair))).collect::<Option<_>>()?;
-        Some(Column { edges, fates })
+        let fates: Option<Vec<Fate>> = ends.windows(2).map(|pair| fate(between(pair))).collect();
+        Ok(fates.map(|fates| Column { edges, fates }))
     }
 
     /// At a value that is no edge.
     pub fn at(&self, value: f64) -> Fate {
         let below = self.edges.iter().filter(|edge| edge.at < value).count();
         self.fates.get(below).copied().unwrap_or(Fate::Edge)
-    }
-}
-
-/// The coefficients, constant first, of the polynomial with these values at these nodes (Newton).
-fn interpolated(nodes: &[Rational], values: &[Rational]) -> Vec<Rational> {
-    let mut differences = values.to_vec();
-    for order in 1..values.len() {
-        for k in (order..values.len()).rev() {
-            differences[k] = (differences[k] - differences[k - 1]) / (nodes[k] - nodes[k - order]);
-        }
-    }
-    let mut coefficients: Vec<Rational> = Vec::new();
-    for (node, difference) in nodes.iter().zip(differences).rev() {
-        // p (x - node) + difference
-        let mut next = vec![difference];
-        next.extend(&coefficients);
-        for (k, c) in coefficients.iter().enumerate() {
-            next[k] -= *node * *c;
-        }
-        coefficients = next;
-    }
-    coefficients
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_polynomial_is_found_again_from_its_values() {
-        let c = [3, -1, 0, 7, -2].map(Rational::int);
-        let value = |x: &Rational| c.iter().rev().fold(Rational::int(0), |sum, c| sum * *x + *c);
-        let nodes = [0, 1, 3, -2, 7].map(|n| Rational::new(n, 2));
-        assert_eq!(interpolated(&nodes, &nodes.each_ref().map(value)), c);
     }
 }

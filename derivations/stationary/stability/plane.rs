@@ -2,16 +2,19 @@
 //! the motor bears it.
 //!
 //! The first datum may be anything: at each of its values the motor's own stationary state is known, and with it W. The second
-//! is one on which T and V, or the speeds, depend as polynomials: then b and a^2 - 4 b are polynomials in it.
+//! is one on which T and V, or the speeds, depend as polynomials: then b and a^2 - 4 b are polynomials in it. That they are is found
+//! by the law itself, which is run with the datum as an unknown.
 
 use super::datum::{Datum, Setting, Where};
 use super::map::{Column, OneAxis};
 use super::reduced::Reduced;
 use crate::ensemble::known::Data;
 use crate::scene::Scene;
+use crate::stationary::energies::Energies;
 use crate::stationary::motor::{Bears, Motor};
 use field::{Rational, Scalar};
 use std::fmt;
+use symbolic::{Hypotheses, NotPolynomial, Sym, normal};
 
 /// Why there is no map.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +22,11 @@ pub enum NoPlane {
     Bench,
     /// The second datum changes the motor's stationary state.
     NotPolynomial(String),
+    /// A verdict is no polynomial in the second datum, because of this part.
+    Bent {
+        name: String,
+        part: String,
+    },
     /// Somewhere rotor, weight and a principal axis part.
     Oblique {
         name: String,
@@ -49,9 +57,8 @@ pub struct Plane<'a> {
     along: bool,
 }
 
-/// More than the degree of a^2 - 4 b in any datum: b is cubic in tensor, speeds and weight together, these are at most quadratic
-/// in lengths.
-const NODES: usize = 13;
+/// Parts of a range at whose ends it is seen where rotor, weight and axis part, if they do.
+const LOOKED: u32 = 12;
 
 impl<'a> Plane<'a> {
     /// Over two data, with w0, rad/s, about the rotor's axis or its opposite.
@@ -83,21 +90,31 @@ impl<'a> Plane<'a> {
             let energies = here.with(self.second, at).energies();
             energies.as_ref().and_then(|energies| OneAxis::about(energies, self.along))
         };
-        let nodes: Vec<f64> = (0..NODES).map(|k| low + (high - low) * k as f64 / (NODES - 1) as f64).collect();
-        if let Some(at) = nodes.iter().find(|at| axis_at(**at).is_none()) {
-            return Err(NoPlane::Oblique { name: self.second.name.clone(), value: *at });
-        }
+        let unknown = Sym::symbol("x");
+        let set = here.with(self.second, f64::NAN);
+        let number = |x: f64| if x.is_nan() { unknown } else { Sym::constant(Rational::decimal(x)) };
+        let speeds = match self.second.place {
+            Where::RotorSpeed => [number(set.speed), unknown],
+            _ => [number(set.speed), Sym::constant(rotor_speed)],
+        };
+        let along = set.energies_in(unknown).and_then(tidy).and_then(|energies| OneAxis::about(&energies, self.along));
+        let Some(along) = along else {
+            let mut values = (0..=LOOKED).map(|k| low + (high - low) * f64::from(k) / f64::from(LOOKED));
+            let value = values.find(|at| axis_at(*at).is_none()).unwrap_or(low);
+            return Err(NoPlane::Oblique { name: self.second.name.clone(), value });
+        };
         let motion = |at: Rational| -> Option<Reduced<Rational>> {
             let value = at.to_f64();
             let set = here.with(self.second, value);
             let speed = if matches!(self.second.place, Where::Speed) { at } else { Rational::decimal(set.speed) };
             let kept = if matches!(self.second.place, Where::RotorSpeed) { at } else { rotor_speed };
-            // at all values, since the components beside the axis are polynomials that vanish at the nodes
             Some(axis_at(value)?.motion(speed, kept))
         };
-        let nodes: Vec<Rational> = nodes.into_iter().map(Rational::decimal).collect();
-        let oblique = || NoPlane::Oblique { name: self.second.name.clone(), value: low };
-        Column::of(&nodes, [low, high], &motion).map(Cell::Decided).ok_or_else(oblique)
+        let [speed, kept] = speeds;
+        let column = Column::of(&along.motion(speed, kept), unknown, [low, high], &motion);
+        let column = column
+            .map_err(|NotPolynomial(part)| NoPlane::Bent { name: self.second.name.clone(), part: part.to_string() })?;
+        column.map(Cell::Decided).ok_or_else(|| NoPlane::Oblique { name: self.second.name.clone(), value: low })
     }
 
     /// W, or why there is none.
@@ -136,6 +153,20 @@ impl<'a> Plane<'a> {
     }
 }
 
+/// Each entry in normal form.
+fn tidy(energies: Energies<Sym>) -> Option<Energies<Sym>> {
+    let reduced = |entry: Sym| normal(entry, &Hypotheses::none()).map_or(Sym::UNDEFINED, |form| form.to_sym());
+    let Energies { tensor, mixed, axial, weight } = energies;
+    let tidied = Energies {
+        tensor: tensor.map(reduced),
+        mixed: mixed.map(reduced),
+        axial: reduced(axial),
+        weight: weight.map(reduced),
+    };
+    let all = tidied.tensor.iter().chain(&tidied.mixed).chain(&tidied.weight).chain([&tidied.axial]);
+    all.into_iter().all(|entry| *entry != Sym::UNDEFINED).then_some(tidied)
+}
+
 impl fmt::Display for NoPlane {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -146,6 +177,10 @@ impl fmt::Display for NoPlane {
                 f,
                 "`{name}` changes what the motor keeps, so that a verdict is no polynomial in it; it is accepted as the first of \
                  the two data"
+            ),
+            Self::Bent { name, part } => write!(
+                f,
+                "a verdict is no polynomial in `{name}`, because of {part}; it is accepted as the first of the two data"
             ),
             Self::Oblique { name, value } => write!(
                 f,

@@ -7,6 +7,7 @@
 //! * [`Nested`]: one real root of a polynomial whose coefficients are polynomials in another;
 //! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number once more, by Sturm's theorem;
 //! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards;
+//! * [`TaylorModel`]: a function of a parameter as a polynomial and a bound of the rest, in floats rounded outwards;
 //! * [`Surd`]: a fraction and a multiple of one square root;
 //! * [`Tower`]: the same with two square roots;
 //! * [`Conic`]: functions on a conic, and the points at which one vanishes;
@@ -26,7 +27,7 @@
 //! ```
 //!
 //! # References
-//! Collins, Akritas 1976 (isolation by Descartes' rule); von zur Gathen, Gerhard 2013 (remainders, subresultants).
+//! Collins, Akritas 1976 (isolation by Descartes' rule); Makino, Berz 2003 (Taylor models); von zur Gathen, Gerhard 2013 (remainders, subresultants).
 
 mod conic;
 mod enclosure;
@@ -39,6 +40,7 @@ mod resultant;
 mod root;
 mod sturm;
 mod surd;
+mod taylor_model;
 mod tower;
 
 pub use conic::{Conic, ConicPoint};
@@ -50,4 +52,5 @@ pub use polynomial::Polynomial;
 pub use resultant::subresultant;
 pub use root::Root;
 pub use surd::Surd;
+pub use taylor_model::TaylorModel;
 pub use tower::Tower;

@@ -15,7 +15,7 @@ use mechanics::rotation::determinant;
 use nalgebra::{Matrix3, Matrix4};
 use symbolic::Sym;
 
-use Condition::{Equal, Zero};
+use Condition::{Equal, NonZero, Positive, Zero};
 
 pub fn claims(page: &mut Page, s: &Letters) {
     page.section("Stability: motors");
@@ -97,6 +97,24 @@ fn motor(page: &mut Page, s: &Letters) {
             let [j, k] = [(i + 1) % 3, (i + 2) % 3];
             (Zero(difference[(i, i)]), vec![], vec![(j, factor * s.nu[k]), (k, -(factor * s.nu[j]))])
         }));
+    crossing(page);
+}
+
+/// Where a verdict can change along a family: all that is looked for there.
+fn crossing(page: &mut Page) {
+    let [square, of_kept, of_free] = ["σ", "pc", "pf"].map(letter);
+    let [front, real, imaginary] = ["J", "X", "Y"].map(letter);
+    page.claim("motor", "crossing", r"on the axis, $z=iy$, $s=-y^2$, the polynomials $p_c$ and $p_f$ are real, and of the characteristic equation $A'D\,sp_f+Zp_c=0$, $D=\det A/\det A^*$, both parts vanish. Where the motor damps, $\operatorname{Im}Z\ne0$, a root that reaches the axis is one of $p_c$ and of $sp_f$: where a family's verdict changes, their resultant vanishes, or $b_c$ does")
+        .given([
+            Zero(front * square * of_free + real * of_kept),
+            Zero(imaginary * of_kept),
+            NonZero(imaginary),
+            NonZero(front),
+        ])
+        .by_combination([
+            (Zero(of_kept), vec![2], vec![(1, Sym::int(1))]),
+            (Zero(square * of_free), vec![2, 3], vec![(0, imaginary), (1, -real)]),
+        ]);
 }
 
 /// Along the last row.
@@ -141,6 +159,20 @@ fn currents(page: &mut Page, s: &Letters) {
             .in_words()
             .follows([Equal(stiffness(&lumped, s.angle(), z), relaxing(bars.into()))]);
     }
+    let y = letter("y");
+    let bars = s.evenly_spaced(3);
+    let odd = (stiffness(&bars, s.angle(), z) - stiffness(&bars, s.angle(), -z)).half();
+    let lag = |slope: Sym, square: Sym| {
+        let of = |strength: Sym, r: Sym, l: Sym| strength * r / (r.powi(2) - l.powi(2) * square);
+        w.mu + of(slope.powi(2), w.r1, w.l1) + of(w.a2.powi(2) * Sym::ratio(3, 2), w.r2, w.l2)
+    };
+    page.claim("currents", "lagging", r"the odd part of $Z$, which on the axis is $i\operatorname{Im}Z$, is $\frac12(Z(z)-Z(-z))=z\,(\mu+a_1^2\sin^2\gamma^0R_1/(R_1^2-L_1^2z^2)+\frac32a_2^2R_2/(R_2^2-L_2^2z^2))$")
+        .in_words()
+        .follows([Equal(odd, z * lag(w.a1 * s.angle().sin, z.powi(2)))]);
+    let resisting = [y, w.mu, w.a2, w.r1, w.r2, w.l1, w.l2];
+    page.claim("currents", "damps", r"so that with three bars $\operatorname{Im}Z(iy)$ is positive for $y>0$, whatever $\psi_1'=-a_1\sin\gamma^0$: every winding with a resistance damps")
+        .given(resisting.map(Positive))
+        .by_signs([Positive(y * lag(letter("ψ"), -y.powi(2)))]);
     let still = relaxing(3);
     let without = [(w.l1, Sym::ZERO), (w.l2, Sym::ZERO)];
     let limit = symbolic::substitute_all(&[still], &without).first().copied().unwrap_or(Sym::UNDEFINED);

@@ -1,0 +1,284 @@
+//! Functions of one parameter, each as a polynomial and a bound of what it leaves out.
+//!
+//! A model of f over tau in [-1, 1] is a polynomial p and a number r with |f - p| <= r everywhere there. Operations keep that: what a
+//! product has beyond the degree, and what rounding takes, goes into r. An interval forgets how its numbers hang together, so that
+//! sums of large terms that cancel stay wide; a model forgets only r, a high power of the width, and wide ranges of a parameter are
+//! settled at once.
+
+use super::{Enclosure, Ordered};
+use field::Rational;
+
+/// p(tau) with [-off, off] around it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TaylorModel {
+    coefficients: [f64; DEGREE + 1],
+    off: f64,
+}
+
+/// Of the polynomials.
+const DEGREE: usize = 8;
+/// The relative error of one operation, rounded up.
+const ROUNDING: f64 = f64::EPSILON;
+/// Series are taken of what is no larger, to so many terms: twice the next one, x^13/13!, is above what they leave out.
+const SMALL: f64 = 0.25;
+const TERMS: i32 = 12;
+const LEFT: f64 = 5e-18;
+/// Below -MOST the exponential is no larger than GONE; exponents beyond are refused from somewhat more on, so that no range lies
+/// across both.
+const MOST: f64 = 600.0;
+const GONE: f64 = 3e-261;
+
+/// A sum of at most some tens of numbers that are not negative, itself rounded up.
+fn up(sum: f64) -> f64 {
+    if sum == 0.0 { 0.0 } else { sum * (1.0 + 64.0 * ROUNDING) + f64::MIN_POSITIVE }
+}
+
+impl TaylorModel {
+    /// A number that does not depend on the parameter; the float itself.
+    pub fn constant(value: f64) -> Self {
+        let mut coefficients = [0.0; DEGREE + 1];
+        coefficients[0] = value;
+        TaylorModel { coefficients, off: 0.0 }
+    }
+
+    /// A number known to lie between two.
+    pub fn enclosed(value: &Enclosure) -> Self {
+        let [low, high] = value.ends();
+        let middle = low + 0.5 * (high - low);
+        TaylorModel { off: up((high - middle).max(middle - low)), ..Self::constant(middle) }
+    }
+
+    /// The parameter itself, with every number from `low` to `high` among its values.
+    pub fn over_range(low: f64, high: f64) -> Self {
+        let mut range = Self::constant(low + 0.5 * (high - low));
+        range.coefficients[1] = up((high - range.coefficients[0]).max(range.coefficients[0] - low));
+        range
+    }
+
+    /// No value is larger.
+    pub fn size(&self) -> f64 {
+        up(self.coefficients.iter().map(|c| c.abs()).sum::<f64>() + self.off)
+    }
+
+    /// How far values may be from the constant term.
+    fn spread(&self) -> f64 {
+        up(self.coefficients[1..].iter().map(|c| c.abs()).sum::<f64>() + self.off)
+    }
+
+    fn is_zero(&self) -> bool {
+        self.off == 0.0 && self.coefficients == [0.0; DEGREE + 1]
+    }
+
+    fn wider(mut self, by: f64) -> Self {
+        self.off = up(self.off + by);
+        self
+    }
+
+    /// 1/f by the geometric series about the constant term; `None` where f may vanish, or may nearly.
+    fn reciprocal(&self) -> Option<Self> {
+        let middle = self.coefficients[0];
+        let about = TaylorModel { coefficients: Self::rest(self.coefficients), off: self.off };
+        let inverse = Self::constant(1.0 / middle).wider(ROUNDING / middle.abs());
+        let part = about.times(&inverse);
+        let size = part.size();
+        if !(middle != 0.0 && size < 1.0) {
+            return None;
+        }
+        let one = Self::constant(1.0);
+        let (mut sum, mut left) = (one, size);
+        for _ in 0..DEGREE {
+            sum = one.minus(&part.times(&sum));
+            left = up(left * size);
+        }
+        Some(sum.wider(up(left / (1.0 - size).next_down())).times(&inverse))
+    }
+
+    fn rest(mut coefficients: [f64; DEGREE + 1]) -> [f64; DEGREE + 1] {
+        coefficients[0] = 0.0;
+        coefficients
+    }
+
+    /// exp f; `None` where f may be beyond some hundreds, or from there to far below.
+    pub fn exp(&self) -> Option<Self> {
+        let size = self.size();
+        if self.coefficients[0] + self.spread() < -MOST {
+            return Some(Self::constant(0.0).wider(GONE));
+        }
+        if size.is_nan() || size > 1.1 * MOST {
+            return None;
+        }
+        let halvings = (size / SMALL).log2().ceil().max(0.0) as i32;
+        // a power of two: exact
+        let part = self.times(&Self::constant(0.5f64.powi(halvings)));
+        let mut sum = Self::constant(1.0);
+        for k in (1..=TERMS).rev() {
+            sum = Self::constant(1.0).plus(&part.times(&sum).over(&Self::constant(k.into()))?);
+        }
+        let mut power = sum.wider(LEFT);
+        for _ in 0..halvings {
+            power = power.times(&power);
+        }
+        Some(power)
+    }
+
+    /// (1 - exp(-f))/f, also where f is small or vanishes.
+    pub fn faded(&self) -> Option<Self> {
+        let negative = Self::constant(0.0).minus(self);
+        if self.size() > SMALL {
+            return Self::constant(1.0).minus(&negative.exp()?).over(self);
+        }
+        // sum (-f)^k/(k + 1)!
+        let mut sum = Self::constant(1.0);
+        for k in (2..=TERMS + 1).rev() {
+            sum = Self::constant(1.0).plus(&negative.times(&sum).over(&Self::constant(k.into()))?);
+        }
+        Some(sum.wider(LEFT))
+    }
+}
+
+impl Ordered for TaylorModel {
+    fn fraction(&self, value: Rational) -> Option<Self> {
+        let near = value.to_f64();
+        let exact = Rational::exactly(near) == value;
+        near.is_finite().then(|| Self::constant(near).wider(if exact { 0.0 } else { ROUNDING * near.abs() }))
+    }
+
+    fn integer(&self, n: i64) -> Self {
+        let exact = n.unsigned_abs() <= 1 << f64::MANTISSA_DIGITS;
+        Self::constant(n as f64).wider(if exact { 0.0 } else { ROUNDING * (n as f64).abs() })
+    }
+
+    fn plus(&self, b: &Self) -> Self {
+        let coefficients = std::array::from_fn(|k| self.coefficients[k] + b.coefficients[k]);
+        if self.is_zero() || b.is_zero() {
+            return if self.is_zero() { *b } else { *self };
+        }
+        let rounded: f64 = coefficients.iter().map(|c: &f64| c.abs()).sum();
+        TaylorModel { coefficients, off: up(self.off + b.off + ROUNDING * rounded) }
+    }
+
+    fn minus(&self, b: &Self) -> Self {
+        let negative = TaylorModel { coefficients: b.coefficients.map(|c| -c), off: b.off };
+        self.plus(&negative)
+    }
+
+    fn times(&self, b: &Self) -> Self {
+        if self.is_zero() || b.is_zero() {
+            return Self::constant(0.0);
+        }
+        let mut coefficients = [0.0; DEGREE + 1];
+        let (mut beyond, mut rounded) = (0.0, 0.0);
+        for (i, x) in self.coefficients.iter().enumerate() {
+            for (j, y) in b.coefficients.iter().enumerate() {
+                let product = x * y;
+                match coefficients.get_mut(i + j) {
+                    // the sum of k + 1 products is off by as many roundings of their sizes at most
+                    Some(c) => (*c, rounded) = (*c + product, rounded + (i + j + 1) as f64 * product.abs()),
+                    None => beyond += product.abs(),
+                }
+            }
+        }
+        let sizes = |model: &Self| model.coefficients.iter().map(|c| c.abs()).sum::<f64>();
+        let open = sizes(self) * b.off + sizes(b) * self.off + self.off * b.off;
+        // products that are too small for floats leave less than the smallest normal one
+        let off = up(up(open) + beyond + ROUNDING * rounded) + f64::MIN_POSITIVE;
+        TaylorModel { coefficients, off }
+    }
+
+    fn over(&self, b: &Self) -> Option<Self> {
+        Some(self.times(&b.reciprocal()?))
+    }
+
+    fn root(&self) -> Option<Self> {
+        None
+    }
+
+    fn sign(&self) -> Option<i32> {
+        let (middle, spread) = (self.coefficients[0], self.spread());
+        if self.is_zero() {
+            return Some(0);
+        }
+        // not by negation: what is no number has no sign
+        (middle.abs() > spread).then_some(if middle > 0.0 { 1 } else { -1 })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    impl TaylorModel {
+        fn at(&self, tau: f64) -> f64 {
+            self.coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + c)
+        }
+    }
+
+    /// At points of the range, against the function by floats; what is left out is as small as is said.
+    fn holds(model: &TaylorModel, f: impl Fn(f64) -> f64, [low, high]: [f64; 2], most: f64) {
+        for k in 0..=20 {
+            let tau = f64::from(k) / 10.0 - 1.0;
+            let x = 0.5 * (low + high) + 0.5 * (high - low) * tau;
+            let off = (model.at(tau) - f(x)).abs();
+            assert!(off <= model.off + 4e-15 * f(x).abs(), "at {x}: {off:e} against {:e}", model.off);
+        }
+        assert!(model.off <= most * model.size(), "{:e} of {:e}", model.off, model.size());
+    }
+
+    #[test]
+    fn a_model_holds_its_function_and_hardly_more() {
+        let ends = [0.9, 1.1];
+        let x = TaylorModel::over_range(ends[0], ends[1]);
+        let cube = x.times(&x).times(&x);
+        holds(&cube, |x| x * x * x, ends, 1e-14);
+        holds(
+            &TaylorModel::constant(1.0).over(&cube.plus(&x)).expect("it is positive"),
+            |x| 1.0 / (x * x * x + x),
+            ends,
+            1e-4,
+        );
+        for rate in [-30.0, -3.0, 1e-3, 0.2, 10.0] {
+            let scaled = x.times(&TaylorModel::constant(rate));
+            let point = TaylorModel::constant(rate);
+            assert!(point.exp().is_some_and(|point| point.off < 1e-14 * (1.0 + rate.abs()) * rate.exp()));
+            assert!(point.faded().is_some_and(|point| point.off < 1e-14 * (1.0 + rate.abs()) * point.size()));
+            holds(&scaled.exp().expect("it is small"), |x| (rate * x).exp(), ends, 1e-2);
+            holds(&scaled.faded().expect("it is small"), |x| -(-rate * x).exp_m1() / (rate * x), ends, 1e-2);
+        }
+    }
+
+    /// (1 + x)^2 - 1 - 2x - x^2 = 0 all over a wide range, where intervals would leave its width.
+    #[test]
+    fn what_cancels_leaves_rounding_alone() {
+        let one = TaylorModel::constant(1.0);
+        let x = TaylorModel::over_range(0.0, 10.0);
+        let sum = one.plus(&x);
+        let left = sum.times(&sum).minus(&one).minus(&x.plus(&x)).minus(&x.times(&x));
+        assert!(left.size() < 1e-12 && left.sign().is_none(), "{left:?}");
+    }
+
+    #[test]
+    fn a_sign_is_told_where_all_values_have_it() {
+        let x = TaylorModel::over_range(1.0, 2.0);
+        let shifted = |by: f64| x.minus(&TaylorModel::constant(by)).sign();
+        assert_eq!((shifted(0.999), shifted(1.5), shifted(2.001)), (Some(1), None, Some(-1)));
+        assert_eq!(TaylorModel::constant(0.0).sign(), Some(0));
+        assert_eq!(TaylorModel::constant(f64::NAN).sign(), None);
+        assert_eq!(
+            (x.over(&x.minus(&TaylorModel::constant(1.5))), x.times(&TaylorModel::constant(1e9)).exp()),
+            (None, None)
+        );
+    }
+
+    /// A third is no float, a half is one; an enclosure is held from end to end.
+    #[test]
+    fn numbers_that_are_no_floats_are_held() {
+        let one = TaylorModel::constant(1.0);
+        let third = one.fraction(Rational::new(1, 3)).expect("it is a number");
+        let apart = third.times(&one.integer(3)).minus(&one);
+        assert!(third.off > 0.0 && apart.sign().is_none() && apart.size() < 1e-15);
+        assert_eq!(one.fraction(Rational::new(1, 2)), Some(TaylorModel::constant(0.5)));
+        let wide = Enclosure::integer(1, 64).hull(&Enclosure::integer(3, 64));
+        let model = TaylorModel::enclosed(&wide);
+        assert!((model.at(0.0) - 2.0).abs() < 1e-12 && (1.0..1.001).contains(&model.off));
+    }
+}

@@ -1,0 +1,121 @@
+//! Runs with constant steps beside shorter ones: what is right is never named, and what crosses a pole always is.
+
+use derivations::scene::{AnyScene, Axes, Choice, Family as _, Problem, Smooth, Trajectory, methods};
+use integrators::{Method, Parting};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+fn run(problem: &Problem, method: Method) -> (Choice, Trajectory) {
+    let allowed = Duration::from_secs(60);
+    let choice = Choice { method, tolerance: 1e-9, axes: Axes::First, samples: 40, allowed };
+    let trajectory = problem.simulate(&choice, |_| ());
+    (choice, trajectory)
+}
+
+fn judged(problem: &Problem, method: Method) -> (Trajectory, Option<Parting>) {
+    let (choice, trajectory) = run(problem, method);
+    let beside = problem.beside(&choice, &trajectory, || ControlFlow::Continue(()));
+    (trajectory, beside.map(|beside| beside.parting))
+}
+
+/// Every scene that is one initial value problem.
+fn scenes() -> Vec<(PathBuf, AnyScene)> {
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")];
+    let mut found = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("it is there").map(|entry| entry.expect("it can be read").path())
+        {
+            match entry.extension().and_then(|end| end.to_str()) {
+                None => folders.push(entry),
+                Some("toml") => found.extend(AnyScene::open(&entry).ok().map(|scene| (entry, scene))),
+                Some(_) => {}
+            }
+        }
+    }
+    found.retain(|(_, scene)| scene.smooth().is_some());
+    found.sort_by(|a, b| a.0.cmp(&b.0));
+    found
+}
+
+/// The largest distance of a column from that of another run, against its size there.
+fn apart(a: &Trajectory, b: &Trajectory) -> f64 {
+    let sizes = |i: usize| b.rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
+    let all: Vec<f64> = (0..b.names.len()).map(sizes).collect();
+    let nothing = 1e-9 * all.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    let rows = a.rows.iter().zip(&b.rows);
+    rows.flat_map(|(a, b)| a.iter().zip(b).zip(&all).map(|((a, b), size)| (a - b).abs() / size.max(nothing)))
+        .fold(0.0, f64::max)
+}
+
+/// Methods and numbers of steps that bring a run to a hundredth of every column's size, on every scene; and those that do not.
+#[test]
+fn what_is_right_is_never_named() {
+    let (mut right, mut wrong, mut named, mut failed) = (0, 0, 0, Vec::new());
+    for (path, scene) in scenes() {
+        let smooth: &dyn Smooth = scene.smooth().expect("it is smooth");
+        let problem = smooth.problem(Axes::First);
+        let (_, reference) = run(&problem, Method::RadauIIA { stages: 5 });
+        if !reference.outcome.reached() {
+            continue;
+        }
+        for steps in [200, 2_000, 8_000] {
+            let implicit = [Method::ImplicitMidpoint { steps }];
+            let explicit = [Method::Euler { steps }, Method::RungeKutta4 { steps }];
+            for method in explicit.into_iter().chain(implicit.into_iter().filter(|_| steps == 2_000)) {
+                let (trajectory, parting) = judged(&problem, method);
+                let Some(parting) = parting else { continue };
+                let off = apart(&trajectory, &reference);
+                (right, wrong) = (right + usize::from(off < 0.01), wrong + usize::from(off > 1.0));
+                named += usize::from(off > 1.0 && parting.parts());
+                if off < 0.01 && parting.parts() || off > 1.0 && !parting.parts() {
+                    println!("{}, {method}: off by {off:.1e}, {parting:?}", path.display());
+                }
+                if off < 0.01 && parting.parts() {
+                    failed.push(format!("{}, {method}: off by {off:.1e}, {parting:?}", path.display()));
+                }
+            }
+        }
+    }
+    println!("{right} right, none named; {wrong} off by more than the size, {named} named");
+    assert!(failed.is_empty() && right > 100 && 2 * named > wrong, "{failed:#?}");
+}
+
+/// What a scene asks for itself.
+#[test]
+fn no_scene_with_constant_steps_of_its_own_is_named() {
+    let mut seen = 0;
+    for (path, scene) in scenes() {
+        let smooth: &dyn Smooth = scene.smooth().expect("it is smooth");
+        let own = smooth.run().choice();
+        if own.method.steps().is_some() {
+            let (trajectory, parting) = judged(&smooth.problem(Axes::First), own.method);
+            println!("{}: {:?} {parting:?}", path.display(), trajectory.stopped());
+            seen += 1;
+        }
+    }
+    assert!(seen > 0);
+}
+
+/// The blow-up of a governor, and (19) where p g2 = q g1.
+#[test]
+fn whoever_crosses_a_pole_is_named() {
+    for name in ["governors/blow_up", "failures/nodding_top"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
+        let scene = AnyScene::open(&path).unwrap_or_else(|_| panic!("{name} is a scene"));
+        let problem = scene.smooth().expect("it is smooth").problem(Axes::First);
+        let mut crossed = 0;
+        for steps in [200, 500, 1_000, 3_000, 10_000] {
+            for method in ["euler", "runge_kutta_4"] {
+                let method = methods::method(&format!("{method}:{steps}")).expect("it is a method");
+                let (trajectory, parting) = judged(&problem, method);
+                println!("{name}, {method}: {:?} {parting:?}", trajectory.stopped());
+                if let Some(parting) = parting {
+                    crossed += 1;
+                    assert!(parting.parts(), "{name}, {method}: {parting:?}");
+                }
+            }
+        }
+        assert!(crossed > 1, "{name}: {crossed}");
+    }
+}
