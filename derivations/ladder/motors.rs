@@ -11,6 +11,7 @@ use crate::stationary::motor::Decimals;
 use crate::systems::gyrostat::driven::Driven;
 use field::{Analytic, Over, Rational};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 use symbolic::Sym;
 
 /// That bars at any angles close in the sums of their currents.
@@ -19,6 +20,7 @@ const CLOSURE: &str = "konosevich2022/beyond-damper/closure";
 impl Ladder {
     /// Of a scene in the axes of a form.
     pub fn of_scene(scene: &Scene, axes: Axes) -> Self {
+        let begin = Instant::now();
         let own = scene.problem(axes);
         let under = scene.machine.clone().apply(Under { scene, axes, start: &own.state });
         let Within { written, start, whole, lumping, rungs } = under;
@@ -26,13 +28,15 @@ impl Ladder {
             (Some(_), Some(lumped)) => Arc::clone(&lumped.law),
             _ => Arc::clone(&own.law),
         };
-        let mut ladder = Ladder { model: scene.machine.name(), own, written, law, start, whole, rungs, lumping };
+        let (model, made) = (scene.machine.name(), Duration::ZERO);
+        let mut ladder = Ladder { model, own, written, law, start, whole, rungs, lumping, made };
         let smaller = AnyMachine::LIST.iter().map(|(name, _)| *name).take_while(|name| *name != scene.machine.name());
         // the equivalent windings are what lumping finds
         let smaller = smaller.filter(|name| *name != "equivalent_windings").collect::<Vec<_>>();
         for model in smaller.into_iter().rev() {
             ladder.rungs.extend(machine_rung(scene, axes, &ladder, model));
         }
+        ladder.made = begin.elapsed();
         ladder
     }
 }
@@ -77,10 +81,10 @@ impl ForMachine for Under<'_> {
             return unlumped(scene, axes, lumped.machine, start);
         };
         let rungs = std::iter::once(exact).chain(followed(&lumped, &written, &inner)).collect();
-        let (own, rest) = (lumping.clone(), currents.to_vec());
+        let recovery = lumping.recovery(currents);
         let whole = move |time: f64, y: &[f64]| {
             let (mechanics, lumped) = y.split_at(mechanical);
-            [mechanics, &own.currents(time, lumped, &rest)].concat()
+            mechanics.iter().copied().chain(recovery.currents(time, lumped)).collect()
         };
         Within { written, start: inner, whole: Box::new(whole), lumping: Some(lumping), rungs }
     }

@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// What is tried: one of each family that the atlas finds on its fronts.
 const METHODS: [Method; 4] =
     [Method::DormandPrince8, Method::Taylor, Method::GraggBulirschStoer, Method::RadauIIA { stages: 5 }];
-const PILOTS: [f64; 2] = [1e-4, 1e-6];
+pub(super) const PILOTS: [f64; 2] = [1e-4, 1e-6];
 /// Evaluations of the first pilots, round by round: so many that what is lost in those before does not matter.
 const ROUNDS: [u64; 4] = [800, 3_200, 12_800, 50_000];
 /// A method whose first pilot costs so much more than the cheapest one's is not the cheapest: an evaluation costs more in
@@ -25,14 +25,15 @@ pub(super) const FINEST: f64 = 1e-13;
 /// Evaluations of a second pilot, over those of the first.
 const PATIENCE: u64 = 20;
 
-/// A law in a form, as rows of the scene's own outputs.
+/// A model in a form, as rows of the scene's own outputs.
 pub struct Runnable<'a> {
     pub axes: Axes,
-    pub law: Arc<dyn Law>,
-    pub start: Vec<f64>,
-    pub span: f64,
-    pub row: Box<Shown<'a>>,
+    go: Box<Go<'a>>,
 }
+
+/// A run by a method, at a tolerance, within so many evaluations, with rows at the instants; and the evaluations that it took.
+/// Without rows where it does not reach its end.
+pub type Go<'a> = dyn Fn(Method, f64, u64) -> (Option<Run>, u64) + 'a;
 
 /// The row of a time and a state.
 pub type Shown<'a> = dyn Fn(f64, &[f64]) -> Vec<f64> + 'a;
@@ -68,16 +69,34 @@ pub struct Run {
     pub evaluations: u64,
 }
 
-impl Runnable<'_> {
-    /// A run with rows at the instants; `None` where it does not reach its end.
+impl<'a> Runnable<'a> {
+    /// What runs by itself.
+    pub fn new(axes: Axes, go: impl Fn(Method, f64, u64) -> (Option<Run>, u64) + 'a) -> Self {
+        Runnable { axes, go: Box::new(go) }
+    }
+
+    /// A law from a state over a span.
+    pub fn of_law(
+        axes: Axes,
+        law: Arc<dyn Law>,
+        start: Vec<f64>,
+        span: f64,
+        row: impl Fn(f64, &[f64]) -> Vec<f64> + 'a,
+    ) -> Self {
+        Self::new(axes, move |method, tolerance, most| {
+            let span = Span::new(0.0, span, &start).with_even_outputs(INSTANTS).with_evaluations(most);
+            let mut record = Record::new();
+            let outcome = integrate(&*law, method, &Tolerance::both(tolerance), &span, &mut record);
+            let evaluations = outcome.work.rates + outcome.work.jacobians * start.len() as u64;
+            let rows = record.times.iter().zip(&record.states).map(|(time, y)| (*time, row(*time, y)));
+            let rows = outcome.reached().then(|| rows.collect());
+            (rows.map(|rows| Run { rows, evaluations }), evaluations)
+        })
+    }
+
+    /// A run.
     pub fn run(&self, method: Method, tolerance: f64, most: u64) -> (Option<Run>, u64) {
-        let span = Span::new(0.0, self.span, &self.start).with_even_outputs(INSTANTS).with_evaluations(most);
-        let mut record = Record::new();
-        let outcome = integrate(&*self.law, method, &Tolerance::both(tolerance), &span, &mut record);
-        let evaluations = outcome.work.rates + outcome.work.jacobians * self.start.len() as u64;
-        let rows = record.times.iter().zip(&record.states).map(|(time, y)| (*time, (self.row)(*time, y)));
-        let rows = outcome.reached().then(|| rows.collect());
-        (rows.map(|rows| Run { rows, evaluations }), evaluations)
+        (self.go)(method, tolerance, most)
     }
 
     /// The first pilot of each method that reaches the end in the first round in which some do.

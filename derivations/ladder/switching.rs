@@ -6,7 +6,7 @@
 //! higher one, so that it does not come and go; the threshold is the largest with which the sum of what is lost stays within
 //! what is allowed. An estimate, to first order.
 
-use super::estimate::{INSTANTS, Watched};
+use super::estimate::{INSTANTS, Watched, instants};
 use super::plan::Run;
 use super::{Ladder, Rung};
 use integrators::{Failure, Method, Record, Span, Tolerance, integrate, transition};
@@ -18,6 +18,8 @@ pub const STRETCHES: usize = 64;
 const HYSTERESIS: f64 = 4.0;
 /// Of the run on which the decision rests.
 const COARSE: f64 = 1e-8;
+/// Of the matrices that only weigh what is lost on it.
+const WEIGHING: f64 = 1e-4;
 
 /// Where the smaller model runs.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,14 +73,17 @@ impl Ladder {
     pub fn course(&self, watched: &Watched, deadline: Option<Instant>) -> Result<Course, Failure> {
         let (n, span) = (self.start.len(), self.own.span);
         let times: Vec<f64> = (1..=STRETCHES).map(|k| span * (k as f64 / STRETCHES as f64)).collect();
-        let (mut begin, mut states, mut matrices) = (0.0, vec![self.start.clone()], Vec::new());
-        for (k, &end) in times.iter().enumerate() {
+        let mut record = Record::new();
+        let even = Span::new(0.0, span, &self.start).with_even_outputs(STRETCHES);
+        let run = integrate(&*self.law, Method::Taylor, &Tolerance::both(COARSE), &even, &mut record);
+        run.failure().map_or(Ok(()), Err)?;
+        let states: Vec<Vec<f64>> = std::iter::once(self.start.clone()).chain(record.states).collect();
+        let (mut begin, mut matrices) = (0.0, Vec::new());
+        for (state, &end) in states.iter().zip(&times) {
             if deadline.is_some_and(|deadline| Instant::now() >= deadline) {
                 return Err(Failure::OutOfTime { at: begin });
             }
-            let flown = transition(&*self.law, &Tolerance::both(COARSE), (begin, end), &states[k])?;
-            matrices.push(flown.matrix);
-            states.push(flown.state);
+            matrices.push(transition(&*self.law, &Tolerance::both(WEIGHING), (begin, end), state)?.matrix);
             begin = end;
         }
         let mut weights = vec![Vec::new(); STRETCHES];
@@ -139,12 +144,11 @@ impl Ladder {
         let kept = rung.lower.kept.as_ref()?;
         let (law, start) = (&self.law, &self.start);
         let n = self.start.len();
-        let instants: Vec<f64> = (1..=INSTANTS).map(|k| self.own.span * (k as f64 / INSTANTS as f64)).collect();
         let (mut at, mut y) = (0.0, start.clone());
         let mut run = Run { rows: Vec::new(), evaluations: 0 };
         for stretches in schedule.stretches.chunk_by(|a, b| a.1 == b.1) {
             let (end, low) = *stretches.last()?;
-            let mut outputs: Vec<f64> = instants.iter().copied().filter(|time| *time > at && *time <= end).collect();
+            let mut outputs: Vec<f64> = instants(self.own.span).filter(|time| *time > at && *time <= end).collect();
             let seen = outputs.len();
             if outputs.last() != Some(&end) {
                 outputs.push(end);

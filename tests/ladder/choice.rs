@@ -1,17 +1,16 @@
 //! What is chosen keeps its tolerance, by references that two methods share to 24 digits.
 
 use super::{ladder, path, scene};
-use derivations::ladder::Ladder;
-use derivations::ladder::{Receipt, Wish, choose};
+use derivations::ladder::{Forms, Ladder, Receipt, Wish, choose};
 use derivations::scene::{Axes, Stored};
 use std::time::Duration;
 
 fn receipt(name: &str, tolerance: f64) -> Receipt {
     let scene = scene(name);
-    let ladders = [Axes::First, Axes::Second].map(|axes| Ladder::of_scene(&scene, axes));
-    let kept = Stored::beside(&path(name)).expect("a reference is kept");
+    let ladders = [Axes::First, Axes::Second].map(|axes| Ladder::of_scene(&scene, axes)).into();
+    let models = Forms { ladders, kept: Stored::beside(&path(name)) };
     let wish = Wish { tolerance, outputs: scene.run.outputs.clone(), allowed: Duration::ZERO };
-    choose(&ladders, Some(&kept), &wish).expect("it runs")
+    choose(&models, &wish).expect("it runs")
 }
 
 #[test]

@@ -5,7 +5,9 @@ use crate::ending::{Ending, print, save};
 use crate::run::{refuse, with_model};
 use charts::{Method, Point, Work, WorkPrecision};
 use clap::Args;
-use derivations::ladder::{Ladder, Line, Loss, Receipt, Wish, choose};
+use derivations::friction::course::WORKS;
+use derivations::ladder::rough::RoughLadder;
+use derivations::ladder::{Estimate, Forms, Ladder, Line, Loss, Models, Receipt, Verdict, Wish, choose};
 use derivations::scene::{AnyScene, Axes, Family, Smooth, Stored, System, methods};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -46,48 +48,47 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         }
         other => other,
     };
-    let ladders = match &scene {
+    let (models, given): (Box<dyn Models>, Vec<String>) = match &scene {
         AnyScene::Driven(scene) => {
             let axes = if matches!(scene.system, System::Bench { .. }) { &AXES[..1] } else { &AXES[..] };
-            axes.iter().map(|axes| Ladder::of_scene(scene, *axes)).collect()
+            let ladders = axes.iter().map(|axes| Ladder::of_scene(scene, *axes)).collect();
+            (Box::new(Forms { ladders, kept: Stored::beside(&asked.scene) }), scene.run.outputs.clone())
         }
         AnyScene::Mechanism(scene) => {
             refuse("a mechanism", asked.model.is_some(), false, &asked.scene)?;
-            vec![scene.ladder()]
+            let kept = Stored::beside(&asked.scene);
+            (Box::new(Forms { ladders: vec![scene.ladder()], kept }), Smooth::run(&**scene).outputs.clone())
         }
-        AnyScene::Rough(_) => {
-            return Err(Ending::refused(format!(
-                "{} has rough contacts, and no smaller models; a scene of a system with a motor or of a mechanism is accepted",
-                asked.scene.display()
-            )));
+        AnyScene::Rough(scene) => {
+            refuse("a system with rough contacts", asked.model.is_some(), false, &asked.scene)?;
+            (Box::new(RoughLadder::of(scene)), Vec::new())
         }
     };
-    let Some(smooth) = scene.smooth() else { return Ok(Ending::Stopped) };
-    let outputs = outputs(asked, smooth, &ladders[0])?;
+    let title = scene.title();
+    let outputs = outputs(asked, given, models.columns())?;
     let wish = Wish { tolerance: asked.tolerance, outputs, allowed: Duration::from_secs(asked.seconds.into()) };
-    let kept = Stored::beside(&asked.scene);
-    let receipt = match choose(&ladders, kept.as_ref(), &wish) {
+    let receipt = match choose(&*models, &wish) {
         Ok(receipt) => receipt,
-        Err(failure) => {
-            print(&format!("{}\n\nnothing can be chosen: the scene's own model stops: {failure}\n", smooth.title()))?;
+        Err(why) => {
+            print(&format!("{title}\n\nnothing can be chosen: the scene's own model stops: {why}\n"))?;
             return Ok(Ending::Stopped);
         }
     };
     print(&match asked.format {
-        Format::Text => text(smooth.title(), &receipt),
-        Format::Json => format!("{:#}\n", object(smooth, &receipt)),
+        Format::Text => text(title, &receipt),
+        Format::Json => format!("{:#}\n", object(title, &receipt)),
     })?;
     if let Some(path) = &asked.out {
-        save(path, &picture(smooth.title(), &ladders, kept.as_ref(), &wish, receipt.clone()).svg())?;
+        save(path, &picture(title, &*models, &wish, receipt.clone()).svg())?;
     }
     Ok(if receipt.taken.is_some() { Ending::Done } else { Ending::Stopped })
 }
 
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
 
-/// Those that are asked for, or those of the scene, or all that its own model shows.
-fn outputs(asked: &Asked, scene: &dyn Smooth, ladder: &Ladder) -> Result<Vec<String>, Ending> {
-    let known = &ladder.own.columns;
+/// Those that are asked for, or those of the scene, or all states that its own model shows.
+fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<Vec<String>, Ending> {
+    // the work that a mechanism's run meters is none of its ladder's
     if let Some(wrong) = asked.outputs.iter().find(|name| !known.contains(name) || *name == "work") {
         let known: Vec<&str> = known.iter().map(String::as_str).filter(|name| *name != "work").collect();
         return Err(Ending::refused(format!(
@@ -96,8 +97,9 @@ fn outputs(asked: &Asked, scene: &dyn Smooth, ladder: &Ladder) -> Result<Vec<Str
             known.join(", ")
         )));
     }
-    let given = [&asked.outputs, &scene.run().outputs, known].into_iter().find(|names| !names.is_empty());
-    Ok(given.into_iter().flatten().filter(|name| *name != "work").cloned().collect())
+    let state = |name: &&String| *name != "work" && !WORKS.contains(&name.as_str());
+    let all = || known.iter().filter(state).cloned().collect();
+    Ok([asked.outputs.clone(), given].into_iter().find(|names| !names.is_empty()).unwrap_or_else(all))
 }
 
 fn text(title: &str, receipt: &Receipt) -> String {
@@ -118,9 +120,9 @@ fn text(title: &str, receipt: &Receipt) -> String {
         out += &row([
             format!("{}{mark}", line.name.replace('_', " ")),
             line.states.to_string(),
-            if exact { "none".to_owned() } else { told(model.map(|model| model.first)) },
+            if exact { "none".to_owned() } else { error(model) },
             if exact { String::new() } else { told(model.map(|model| model.second)) },
-            told(line.small),
+            told(model.and_then(|model| model.small)),
             choice.map_or_else(|| said(line), |choice| choice.evaluations.to_string()),
             choice.and_then(|choice| Some(format!("{:.2}", choice.seconds? / unit?))).unwrap_or_default(),
             choice.map_or_else(String::new, |choice| format!("{:.1e}", choice.promised)),
@@ -134,9 +136,16 @@ fn text(title: &str, receipt: &Receipt) -> String {
             Loss::Own => String::new(),
             Loss::Nothing { claim: Some(claim) } => format!("exact, proved for these data; for all: {claim}"),
             Loss::Nothing { claim: None } => "exact: the laws do not differ, which is decided".to_owned(),
+            Loss::Held { .. } if line.model.is_err() => "exact while it lasts".to_owned(),
+            Loss::Held { margin, at } => {
+                format!(
+                    "exact while it lasts: at {at:.6} s by {margin:.2e} of what it is measured by; tested, not enclosed"
+                )
+            }
             Loss::Small { parameter } => format!("small: {parameter}"),
         };
-        let _ = writeln!(out, "  {}: {} ({why})", line.name.replace('_', " "), line.dropped);
+        let not = line.model.as_ref().err().map_or_else(String::new, |why| format!("; {why}"));
+        let _ = writeln!(out, "  {}: {} ({why}){not}", line.name.replace('_', " "), line.dropped);
     }
     if let Some((line, choice)) =
         receipt.taken.and_then(|at| Some((&receipt.lines[at], receipt.lines[at].choice.as_ref()?)))
@@ -157,8 +166,13 @@ fn text(title: &str, receipt: &Receipt) -> String {
     }
     let _ = writeln!(
         out,
-        "{}\npromised errors are estimates of first and second order with the distance from a finer run, and no bounds",
-        decided(receipt)
+        "{}\npromised errors are estimates of first and second order with the distance from a finer run, and no bounds{}",
+        decided(receipt),
+        if receipt.lines.iter().any(|line| line.model.as_ref().is_ok_and(|model| model.given_up)) {
+            "; errors beyond ten times what is allowed (>) were not followed further"
+        } else {
+            ""
+        }
     );
     out
 }
@@ -177,30 +191,41 @@ fn decided(receipt: &Receipt) -> String {
     format!("deciding took {} evaluations{worth}: {pays}", receipt.deciding)
 }
 
+/// What is lost, or more than how much.
+fn error(model: Option<&Estimate>) -> String {
+    model.map_or_else(
+        || "-".to_owned(),
+        |model| format!("{}{:.1e}", if model.given_up { "> " } else { "" }, model.first),
+    )
+}
+
 fn told(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.1e}"))
 }
 
 /// Why a line has no run.
 fn said(line: &Line) -> String {
-    use derivations::ladder::choose::Verdict;
     match line.verdict {
         Verdict::Suffices => "too inexact",
         Verdict::TooFar => "too far",
         Verdict::NotBelieved => "no estimate",
         Verdict::NotCarried => "not carried",
         Verdict::NotRun => "not run",
+        Verdict::NotHeld => "left",
     }
     .to_owned()
 }
 
-fn object(scene: &dyn Smooth, receipt: &Receipt) -> Value {
+fn object(title: &str, receipt: &Receipt) -> Value {
     let line = |line: &Line| {
         let model = line.model.as_ref().ok();
         let loss = match line.loss {
             Loss::Own => json!("own"),
             Loss::Nothing { claim } => json!({ "exact": true, "claim": claim }),
-            Loss::Small { parameter } => json!({ "exact": false, "parameter": parameter, "value": line.small }),
+            Loss::Held { margin, at } => json!({ "exact": "while it lasts", "margin": margin, "at": at }),
+            Loss::Small { parameter } => {
+                json!({ "exact": false, "parameter": parameter, "value": model.and_then(|model| model.small) })
+            }
         };
         json!({
             "model": line.name,
@@ -210,8 +235,10 @@ fn object(scene: &dyn Smooth, receipt: &Receipt) -> Value {
             "estimate": model.map(|model| json!({
                 "first": model.first,
                 "second": model.second,
+                "given_up": model.given_up,
                 "outputs": receipt.watched.names.iter().cloned().zip(model.each.iter().map(|each| json!(each))).collect::<serde_json::Map<_, _>>(),
             })),
+            "why_not": line.model.as_ref().err(),
             "verdict": line.choice.as_ref().map_or_else(|| said(line), |_| "suffices".to_owned()),
             "run": line.choice.as_ref().map(|choice| json!({
                 "method": methods::written(choice.plan.method),
@@ -225,10 +252,10 @@ fn object(scene: &dyn Smooth, receipt: &Receipt) -> Value {
         })
     };
     json!({
-        "title": scene.title(),
+        "title": title,
         "tolerance": receipt.tolerance,
         "outputs": receipt.watched.names,
-        "taken": receipt.taken.map(|at| receipt.lines[at].name),
+        "taken": receipt.taken.map(|at| &receipt.lines[at].name),
         "saved": receipt.saved(),
         "deciding": { "evaluations": receipt.deciding, "own_runs": receipt.worth(), "pays_from_run": receipt.pays_from() },
         "models": receipt.lines.iter().map(line).collect::<Vec<_>>(),
@@ -237,11 +264,11 @@ fn object(scene: &dyn Smooth, receipt: &Receipt) -> Value {
 
 /// Error against evaluations of every model, each by the cheapest method for a tolerance: by the reference where one is kept,
 /// else as promised.
-fn picture(title: &str, ladders: &[Ladder], kept: Option<&Stored>, wish: &Wish, first: Receipt) -> WorkPrecision {
+fn picture(title: &str, models: &dyn Models, wish: &Wish, first: Receipt) -> WorkPrecision {
     let mut receipts = vec![first];
     for tolerance in [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8] {
         let allowed = Duration::ZERO;
-        receipts.extend(choose(ladders, kept, &Wish { tolerance, allowed, outputs: wish.outputs.clone() }).ok());
+        receipts.extend(choose(models, &Wish { tolerance, allowed, outputs: wish.outputs.clone() }).ok());
     }
     let mut series: Vec<Method> = Vec::new();
     for receipt in &receipts {
