@@ -1,8 +1,8 @@
 //! The cheapest rung, method and form that meet a tolerance in the outputs that matter.
 
-use super::estimate::Watched;
 use super::plan::{FINEST, Plan, Run, Runnable, plans};
 use super::receipt::{Choice, Line, Receipt, Verdict, Wish};
+use super::watched::Watched;
 use integrators::taking_turns;
 use std::time::{Duration, Instant};
 

@@ -1,31 +1,16 @@
 //! How far a lower model is off: the carried error at the instants at which errors are taken.
 
 use super::carried::carried;
+use super::followed::{COARSE, followed, followed_while, instants};
 use super::rung::Straight;
+use super::watched::{Watched, largest};
 use super::{Ladder, Rung};
-use integrators::{Absolute, Failure, Method, Observer, Record, Refusal, Span, System, Tolerance, integrate};
+use integrators::{Absolute, Failure, Record, Refusal, Tolerance};
 
-/// Instants beside the start: those of the references.
-pub const INSTANTS: usize = 8;
-/// Evaluations after which an explicit method has met stiffness, or a motion that is not worth following.
-const PATIENCE: u64 = 100_000;
-/// Relative, of a run that is to show sizes or pilot a choice.
-pub const COARSE: f64 = 1e-5;
 /// Relative, of an error that is carried: it is wanted to a hundredth of itself.
 const CARRIED: f64 = 1e-4;
 /// The error need not be known better than to this share of what is allowed.
 const OF_ALLOWED: f64 = 1e-2;
-
-/// What of a run matters, with the sizes by which errors are measured.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Watched {
-    pub names: Vec<String>,
-    /// Of the rows that the scene's own problem shows.
-    pub columns: Vec<usize>,
-    pub sizes: Vec<f64>,
-    /// Of the states of the law that models are derived from.
-    pub states: Vec<f64>,
-}
 
 /// What a model loses, estimated: relative to the sizes, the largest over the instants, for each output.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,76 +50,6 @@ impl Estimate {
     }
 }
 
-/// The instants of a run from time zero.
-pub fn instants(span: f64) -> impl Iterator<Item = f64> {
-    (1..=INSTANTS).map(move |k| span * (k as f64 / INSTANTS as f64))
-}
-
-/// A run at the instants, by an explicit method, or where that meets stiffness by an implicit one.
-///
-/// # Errors
-/// Where neither reaches the end.
-pub fn followed(
-    law: &dyn System,
-    tolerance: &Tolerance,
-    span: f64,
-    start: &[f64],
-) -> Result<(Record<f64>, u64), Failure> {
-    let outputs: Vec<f64> = instants(span).collect();
-    followed_while(law, tolerance, 0.0, &outputs, start, &mut |_, _| true)
-}
-
-/// The same from a time to the last of these, as long as it may go on; whoever is asked is asked anew by the implicit method.
-fn followed_while(
-    law: &dyn System,
-    tolerance: &Tolerance,
-    from: f64,
-    outputs: &[f64],
-    start: &[f64],
-    goes_on: &mut dyn FnMut(f64, &[f64]) -> bool,
-) -> Result<(Record<f64>, u64), Failure> {
-    let to = outputs.last().copied().unwrap_or(from);
-    let mut run = |method: Method| {
-        let mut seen = Seen { record: Record::new(), goes_on: &mut *goes_on, over: false };
-        let times = Span::new(from, to, start).with_outputs(outputs).with_evaluations(PATIENCE);
-        let outcome = integrate(law, method, tolerance, &times, &mut seen);
-        let evaluations = outcome.work.rates + outcome.work.jacobians * start.len() as u64;
-        (outcome.failure().map_or(Ok(seen.record), Err), evaluations)
-    };
-    let (explicit, spent) = run(Method::DormandPrince8);
-    if let Ok(record) = explicit {
-        return Ok((record, spent));
-    }
-    let (implicit, more) = run(Method::RadauIIA { stages: 3 });
-    implicit.map(|record| (record, spent + more))
-}
-
-/// Keeps what is shown until that is enough.
-struct Seen<'a> {
-    record: Record<f64>,
-    goes_on: &'a mut dyn FnMut(f64, &[f64]) -> bool,
-    over: bool,
-}
-
-impl Observer<f64> for Seen<'_> {
-    fn sample(&mut self, time: f64, state: &[f64]) {
-        if !self.over {
-            self.record.sample(time, state);
-            self.over = !(self.goes_on)(time, state);
-        }
-    }
-
-    fn enough(&self) -> bool {
-        self.over
-    }
-}
-
-/// The largest absolute value, 1 where all vanish.
-pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
-    let size = values.map(f64::abs).fold(0.0, f64::max);
-    if size > 0.0 { size } else { 1.0 }
-}
-
 /// How (z, a, b) is read: the lower motion with the error that it makes.
 pub(super) struct Carrying<'a> {
     pub watched: &'a Watched,
@@ -167,6 +82,7 @@ impl Carrying<'_> {
         let allowed = Tolerance { relative: CARRIED, absolute: Absolute::Each(absolute) };
         let mut found = Estimate::nothing(self.watched.columns.len());
         found.small = (self.small)(0.0, &start[..self.kept]);
+        let mut stiff = self.watched.stiff;
         let (mut from, end) = (0.0, laws.last().map_or(0.0, |(end, _)| *end));
         for (to, law) in laws {
             let mut outputs: Vec<f64> = instants(end).filter(|time| *time > from && time < to).collect();
@@ -182,7 +98,8 @@ impl Carrying<'_> {
                 }
                 found.promised() <= most
             };
-            let (record, evaluations) = followed_while(law, &allowed, from, &outputs, &start, &mut goes_on)?;
+            let (record, evaluations) =
+                followed_while(law, &allowed, from, &outputs, &start, &mut stiff, &mut goes_on)?;
             found.evaluations += evaluations;
             if !found.promised().is_finite() {
                 return Err(Failure::LeftTheNumbers { at: last });
@@ -221,19 +138,6 @@ impl Carrying<'_> {
 }
 
 impl Ladder {
-    /// The outputs of these names, by a coarse run. With the evaluations that it took.
-    ///
-    /// # Errors
-    /// Where the run does not reach its end.
-    pub fn watched(&self, names: &[String]) -> Result<(Watched, u64), Failure> {
-        let (law, start) = (&self.law, &self.start);
-        let (record, evaluations) = followed(&**law, &Tolerance::both(COARSE), self.own.span, start)?;
-        let states = || std::iter::once((&0.0, start)).chain(record.times.iter().zip(&record.states));
-        let rows: Vec<Vec<f64>> = states().map(|(time, state)| self.row(*time, state)).collect();
-        let sizes = (0..start.len()).map(|i| largest(states().map(|(_, state)| state[i]))).collect();
-        Ok((Watched::of(&self.own.columns, names, &rows, sizes), evaluations))
-    }
-
     /// What a rung loses of the outputs; the tolerance says how well that need be known.
     ///
     /// # Errors
@@ -293,29 +197,5 @@ impl Ladder {
             watched.off(&low, &self.row(*time, y))
         };
         low.times.iter().zip(&low.states).zip(&rich.states).map(at).fold(0.0, f64::max)
-    }
-}
-
-impl Watched {
-    /// The outputs of these names, with sizes by these rows: the components of a vector by the size of the vector.
-    pub fn of(columns: &[String], names: &[String], rows: &[Vec<f64>], states: Vec<f64>) -> Self {
-        let size = |column: usize| rows.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
-        let place = |name: &String| columns.iter().position(|known| known == name);
-        let known: Vec<(String, usize)> = names.iter().filter_map(|name| Some((name.clone(), place(name)?))).collect();
-        let vector = |name: &str| -> Option<f64> {
-            let first = name.strip_suffix(['1', '2', '3']).filter(|first| ["w", "v"].contains(first))?;
-            let parts = (1..=3).filter_map(|k| place(&format!("{first}{k}")));
-            Some(parts.map(|column| size(column).powi(2)).sum::<f64>().sqrt())
-        };
-        let sizes = known.iter().map(|(name, column)| vector(name).unwrap_or_else(|| size(*column)));
-        let sizes = sizes.map(|size| if size > 0.0 { size } else { 1.0 }).collect();
-        let (names, columns) = known.into_iter().unzip();
-        Watched { names, columns, sizes, states }
-    }
-
-    /// The largest difference of two rows, relative to the sizes.
-    pub fn off(&self, one: &[f64], other: &[f64]) -> f64 {
-        let each = self.columns.iter().zip(&self.sizes).map(|(&at, size)| (one[at] - other[at]).abs() / size);
-        each.fold(0.0, f64::max)
     }
 }

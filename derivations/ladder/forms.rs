@@ -1,11 +1,13 @@
 //! The models of a scene that is one initial value problem, in every form of its equations.
 
 use super::choose::{MOST, Mixed, Models, OF_METHOD};
-use super::estimate::{Estimate, Watched};
+use super::estimate::Estimate;
 use super::plan::{FINEST, PILOTS, Plan, Runnable, plans};
 use super::receipt::{Line, OF_MODEL, Verdict, Wish};
+use super::watched::Watched;
 use super::{Ladder, Loss, Rung};
 use crate::scene::{Axes, Stored};
+use integrators::Method;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -77,13 +79,13 @@ impl Models for Forms {
         // the law that the rungs are derived from is the exact one next to the scene's own, or that
         let rich = usize::from(ladder.lumping.is_some());
         let plan = Plan { axes: Axes::First, ..found.iter().find(|(line, _)| *line == rich)?.1.clone() };
-        // transition matrices come from series, which stiff windings would keep short
+        // along stiff windings an explicit method does not switch
         let whole = |line: &Line| line.verdict == Verdict::Suffices && matches!(line.loss, Loss::Small { .. });
         if wish.allowed.is_zero() || plan.method.traits().implicit || lines.iter().any(whole) {
             return None;
         }
         let far = |line: &Line| matches!(line.verdict, Verdict::TooFar | Verdict::NotBelieved);
-        let worth = |at: usize, rung: &Rung| rung.lower.kept.is_some() && cheaper(ladder, at + 1, rich, &plan);
+        let worth = |at: usize, rung: &Rung| rung.lower.kept.is_some() && cheaper(ladder, at + 1, rich);
         let unfit = ladder.rungs.iter().enumerate().filter(|(at, _)| far(&lines[at + 1]));
         let unfit: Vec<(usize, &Rung)> = unfit.filter(|(at, rung)| worth(*at, rung)).collect();
         if unfit.is_empty() {
@@ -121,12 +123,12 @@ impl Models for Forms {
     }
 }
 
-/// Whether a model's run over the whole span is so much cheaper than the richer one's, by the method of a plan for that, that to
-/// run it on a part can be worth while: evaluations times states.
-fn cheaper(ladder: &Ladder, line: usize, rich: usize, plan: &Plan) -> bool {
+/// Whether a model's run over the whole span is so much cheaper than the richer one's that to run it on a part can be worth
+/// while: evaluations times states, by a method that needs no recording.
+fn cheaper(ladder: &Ladder, line: usize, rich: usize) -> bool {
     let work = |line: usize| {
         let states = line.checked_sub(1).map_or(ladder.own.state.len(), |rung| ladder.rungs[rung].start.len());
-        let (run, evaluations) = runnable(ladder, line, Axes::First).run(plan.method, PILOTS[0], MOST);
+        let (run, evaluations) = runnable(ladder, line, Axes::First).run(Method::DormandPrince8, PILOTS[0], MOST);
         run.map(|_| evaluations as f64 * states as f64)
     };
     matches!((work(line), work(rich)), (Some(low), Some(rich)) if low < CHEAPER * rich)

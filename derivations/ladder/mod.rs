@@ -3,11 +3,13 @@
 //! # Overview
 //! * [`rung`]: a smaller model within a richer one, as a lift and a law; its defect, exact where that vanishes;
 //! * [`lumping`]: windings lumped without any loss, found and proved from the machine's laws; [`elimination`];
-//! * [`currents`]: what stands for currents that are not followed; `resting`: for those that a supply feeds;
+//! * [`currents`]: what stands for currents that are not followed, `slaved` the rungs of that; `resting`: of those that a supply
+//!   feeds; `smaller`: other machines of the scene's data;
 //! * [`motors`], [`governors`], [`rough`]: the ladders of scenes;
+//! * [`watched`]: what of a run matters; [`followed`]: runs at the instants at which that is seen;
 //! * [`carried`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
 //! * [`dual`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
-//! * [`switching`]: a smaller model on those stretches only;
+//! * [`switching`]: a smaller model on those stretches only; [`linear`]: what weighs its losses;
 //! * [`plan`]: the cheapest method and form for a rung; [`choose`](mod@choose): the cheapest of any [`choose::Models`], those
 //!   of [`forms`] and of rough contacts alike, with its [`receipt`].
 //!
@@ -20,8 +22,10 @@ pub mod currents;
 pub mod dual;
 pub mod elimination;
 pub mod estimate;
+pub mod followed;
 pub mod forms;
 pub mod governors;
+pub mod linear;
 pub mod lumping;
 pub mod motors;
 pub mod plan;
@@ -29,7 +33,10 @@ pub mod receipt;
 mod resting;
 pub mod rough;
 pub mod rung;
+mod slaved;
+mod smaller;
 pub mod switching;
+pub mod watched;
 
 pub use choose::{Models, choose};
 pub use estimate::Estimate;

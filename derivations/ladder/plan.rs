@@ -1,11 +1,12 @@
 //! The cheapest method and form for a law at an error, by two pilot runs of those that may be.
 //!
 //! The first pilots of all methods go in rounds, each allowed more: who reaches the end in a round needs no more than the
-//! others, which are left out. Of these only the cheapest have a second pilot, and are tried in the other form. The error of the coarser pilot is its distance from the finer; errors are taken to go with the tolerance, evaluations with
+//! others, which are left out, an implicit method already where an explicit one does. Of these only the cheapest have a second pilot, and are tried in the other form. The error of the coarser pilot is its distance from the finer; errors are taken to go with the tolerance, evaluations with
 //! a power of it (those of Taylor's method grow less, and are then overrated). So the tolerance for an error and the cost
 //! there are told before the run. Both are estimates.
 
-use super::estimate::{INSTANTS, Watched};
+use super::followed::INSTANTS;
+use super::watched::Watched;
 use crate::scene::Axes;
 use crate::scene::problem::Law;
 use integrators::{Method, Record, Span, Tolerance, integrate};
@@ -104,6 +105,10 @@ impl<'a> Runnable<'a> {
         let mut ended = Vec::new();
         for most in ROUNDS {
             for &method in methods {
+                // where steps are not kept short by stiffness nobody solves for them
+                if method.traits().implicit && !ended.is_empty() {
+                    continue;
+                }
                 let (run, evaluations) = self.run(method, PILOTS[0], most);
                 *spent += evaluations;
                 ended.extend(run.map(|run| (method, run)));

@@ -1,8 +1,9 @@
 //! What was asked for, what was chosen, and why.
 
 use super::Loss;
-use super::estimate::{Estimate, Watched};
+use super::estimate::Estimate;
 use super::plan::Plan;
+use super::watched::Watched;
 use std::time::Duration;
 
 /// What is asked for.

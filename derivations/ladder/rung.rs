@@ -105,6 +105,11 @@ impl Lower {
         }
     }
 
+    /// As straight-line code, where the law is no compiled one either.
+    pub fn unless_compiled(self, compiled: bool) -> Self {
+        Lower { plain: self.plain.filter(|_| compiled), ..self }
+    }
+
     /// What is followed, as it runs; `None` where it cannot be recorded.
     pub fn law(&self) -> Option<Arc<dyn Law>> {
         let straight = Straight::new(self.dimension, Arc::clone(&self.rates))?.with_plain(self.plain.clone());

@@ -6,10 +6,13 @@
 //! higher one, so that it does not come and go; the threshold is the largest with which the sum of what is lost stays within
 //! what is allowed. An estimate, to first order.
 
-use super::estimate::{INSTANTS, Watched, instants};
+use super::followed::{INSTANTS, instants};
+use super::linear::{Knot, propagator};
 use super::plan::Run;
+use super::watched::Watched;
 use super::{Ladder, Rung};
-use integrators::{Failure, Method, Record, Span, Tolerance, integrate, transition};
+use integrators::{Failure, Jacobian, Method, Record, Span, Tolerance, integrate};
+use nalgebra::DMatrix;
 use std::time::Instant;
 
 /// Stretches of a run.
@@ -18,8 +21,6 @@ pub const STRETCHES: usize = 64;
 const HYSTERESIS: f64 = 4.0;
 /// Of the run on which the decision rests.
 const COARSE: f64 = 1e-8;
-/// Of the matrices that only weigh what is lost on it.
-const WEIGHING: f64 = 1e-4;
 
 /// Where the smaller model runs.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,29 +70,33 @@ impl Ladder {
     /// The course of the richer law.
     ///
     /// # Errors
-    /// Where its run stops, by the deadline too, or it has no series.
+    /// Where its run stops, by the deadline too.
     pub fn course(&self, watched: &Watched, deadline: Option<Instant>) -> Result<Course, Failure> {
         let (n, span) = (self.start.len(), self.own.span);
         let times: Vec<f64> = (1..=STRETCHES).map(|k| span * (k as f64 / STRETCHES as f64)).collect();
         let mut record = Record::new();
-        let even = Span::new(0.0, span, &self.start).with_even_outputs(STRETCHES);
-        let run = integrate(&*self.law, Method::Taylor, &Tolerance::both(COARSE), &even, &mut record);
+        let mut even = Span::new(0.0, span, &self.start).with_even_outputs(STRETCHES);
+        if let Some(deadline) = deadline {
+            even = even.with_deadline(deadline);
+        }
+        let run = integrate(&*self.law, Method::DormandPrince8, &Tolerance::both(COARSE), &even, &mut record);
         run.failure().map_or(Ok(()), Err)?;
         let states: Vec<Vec<f64>> = std::iter::once(self.start.clone()).chain(record.states).collect();
-        let (mut begin, mut matrices) = (0.0, Vec::new());
-        for (state, &end) in states.iter().zip(&times) {
-            if deadline.is_some_and(|deadline| Instant::now() >= deadline) {
-                return Err(Failure::OutOfTime { at: begin });
-            }
-            matrices.push(transition(&*self.law, &Tolerance::both(WEIGHING), (begin, end), state)?.matrix);
-            begin = end;
-        }
+        let knot = |(time, state): (f64, &Vec<f64>)| {
+            let mut rates = vec![0.0; n];
+            self.law.rates(time, state, &mut rates);
+            (time, state.clone(), rates)
+        };
+        let knots: Vec<Knot> = std::iter::once(0.0).chain(times.iter().copied()).zip(&states).map(knot).collect();
+        let mut jacobian = Jacobian::of(&*self.law);
+        let matrices: Vec<DMatrix<f64>> =
+            knots.windows(2).map(|ends| propagator(&mut jacobian, &ends[0], &ends[1])).collect();
         let mut weights = vec![Vec::new(); STRETCHES];
         for end in (1..=INSTANTS).map(|instant| STRETCHES * instant / INSTANTS) {
             for (&column, size) in watched.columns.iter().zip(&watched.sizes) {
                 let mut weight = self.output(column, *size, times[end - 1], &states[end]);
                 for k in (0..end).rev() {
-                    let before = |j: usize| (0..n).map(|i| weight[i] * matrices[k][i * n + j]).sum();
+                    let before = |j: usize| (0..n).map(|i| weight[i] * matrices[k][(i, j)]).sum();
                     let earlier = (0..n).map(before).collect();
                     weights[k].push(std::mem::replace(&mut weight, earlier));
                 }

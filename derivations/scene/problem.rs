@@ -1,14 +1,18 @@
 //! A scene as an initial value problem, its types forgotten: what any method runs.
 
+use super::by_program::by_program;
 use super::state::outputs;
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
 use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
-use crate::separated::Separated;
+use crate::separated::{Separable, Separated};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::Form;
+use field::DoubleDouble;
+use integrators::{Directions, Ode};
 use std::sync::Arc;
+use symbolic::Sym;
 
 /// A law with its state at time zero, what it conserves, and what a run shows of it.
 pub struct Problem {
@@ -94,7 +98,17 @@ where
     if conserved.spin {
         invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
     }
-    (Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), law)), invariants)
+    (system::<M, _>(law), invariants)
+}
+
+/// A law with a machine as it runs.
+fn system<M, L>(law: Arc<L>) -> Arc<dyn Law>
+where
+    M: Catalogued,
+    L: Separable + Ode<f64> + Ode<Sym> + Ode<Directions> + Ode<DoubleDouble> + Send + Sync + 'static,
+{
+    let system: Arc<dyn Law> = Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), Arc::clone(&law)));
+    if M::WRITTEN { by_program(system, &*law) } else { system }
 }
 
 struct OnBench {
@@ -114,7 +128,7 @@ impl ForMachine for OnBench {
         if conserved.spin {
             invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
         }
-        (Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), law)), invariants)
+        (system::<M, _>(law), invariants)
     }
 }
 
