@@ -13,8 +13,8 @@ use crate::friction::smoothed::Smoothed;
 use crate::friction::stretch::{Stretch, parts};
 use crate::friction::{Ending, ForRough, RoughScene};
 use integrators::{Method, Samples, Tolerance};
-use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
+use mechanics::constrained::{State, kinetic_energy};
 use mechanics::regimes::{Mode, Sizes};
 use std::sync::Arc;
 use std::time::Instant;
@@ -59,6 +59,7 @@ impl ForRough for Derived<'_> {
         let held = subject.held(system, &own, &regimes, &y0);
         let all = system.contacts(0.0, start.place);
         let with_friction: Vec<usize> = (0..K).filter(|&k| all[k].friction != 0.0).collect();
+        let energy = kinetic_energy(system.masses(), start.velocity);
         let each = with_friction.iter().map(|&k| vec![k]);
         let together = (with_friction.len() > 1).then(|| with_friction.clone());
         let smooth = each.chain(together).map(|chosen| {
@@ -70,16 +71,25 @@ impl ForRough for Derived<'_> {
             };
             let dropped = format!("the friction at the {}", at.join(" and the "));
             let loss = Loss::Small { parameter: PARAMETER };
-            let (lower, _) = subject.model(&name, dropped, loss, Smoothed { system, smooth });
-            match never_matters(&own, &lower, &chosen) {
-                true => Model { loss: Loss::Nothing { claim: None }, ..lower },
-                false => lower,
+            let (mut lower, _) = subject.model(&name, dropped, loss, Smoothed { system, smooth });
+            // works are of all contacts together
+            lower.small = (chosen.len() == with_friction.len()).then(|| share_of_friction(&own, energy));
+            if never_matters(&own, &lower, &chosen) {
+                lower.loss = Loss::Nothing { claim: None };
             }
+            lower
         });
         let smooth = smooth.collect();
         let columns = names(&rough, &contacts);
         RoughLadder { columns, span, start: y0, row: shown, own, held, smooth, made: begin.elapsed() }
     }
+}
+
+/// The largest work of friction over the energy that moves: that of the start with what the given forces add.
+fn share_of_friction(own: &Model, energy: f64) -> f64 {
+    let works = || own.states.iter().filter_map(|(_, y)| y.last_chunk::<2>());
+    let friction = works().map(|[friction, _]| friction.abs()).fold(0.0, f64::max);
+    friction / works().map(|[_, given]| given.abs()).fold(energy, |sum, given| f64::max(sum, energy + given))
 }
 
 /// Whether these contacts are apart all the time, and the laws without their friction are those with it, which is decided.
@@ -154,7 +164,10 @@ impl<const N: usize, const K: usize> Subject<N, K> {
             ((found.ending == Ending::Reached).then_some(Run { rows, evaluations }), evaluations)
         };
         let evaluations = found.work.rates;
-        (Model { name: name.to_owned(), dropped, loss, run: Box::new(go), course, states, evaluations }, regimes)
+        (
+            Model { name: name.to_owned(), dropped, loss, small: None, run: Box::new(go), course, states, evaluations },
+            regimes,
+        )
     }
 
     /// The one regime of a run by itself, as straight-line code.

@@ -44,6 +44,8 @@ struct Model {
     name: String,
     dropped: String,
     loss: Loss,
+    /// The work of the friction that it lacks over the energy that moves, on the run with friction.
+    small: Option<f64>,
     /// Across its events.
     run: Box<Go<'static>>,
     /// The regimes that it goes through; or why it does not reach its end.
@@ -111,7 +113,7 @@ impl RoughLadder {
         let start = self.start.iter().copied().chain(vec![0.0; 2 * n]).collect();
         let carrying = Carrying { watched, lift: &|_, z| z.to_vec(), row: &*self.row, small: &|_, _| None, kept: n };
         let found = carrying.estimate(&laws.ok_or_else(long)?, start, &watched.states, tolerance, f64::INFINITY);
-        found.map_err(|failure| failure.to_string())
+        found.map(|found| Estimate { small: lower.small, ..found }).map_err(|failure| failure.to_string())
     }
 }
 
