@@ -66,8 +66,8 @@ impl Program {
         *inputs.get_mut(y.len())? = t;
         let inputs = &inputs[..=y.len()];
         match self.tape.registers() {
-            0..=FEW => self.tape.evaluate::<S, FEW>(constants, inputs, dy),
-            0..=SOME => self.tape.evaluate::<S, SOME>(constants, inputs, dy),
+            few if few <= FEW => self.tape.evaluate::<S, FEW>(constants, inputs, dy),
+            some if some <= SOME => self.tape.evaluate::<S, SOME>(constants, inputs, dy),
             _ => self.tape.evaluate::<S, MANY>(constants, inputs, dy),
         }
     }

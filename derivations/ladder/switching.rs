@@ -17,6 +17,8 @@ use std::time::Instant;
 
 /// Stretches of a run.
 pub const STRETCHES: usize = 64;
+/// States along each that its matrix is made of.
+const KNOTS: usize = 4;
 /// How far above the threshold the smaller model is left.
 const HYSTERESIS: f64 = 4.0;
 /// Of the run on which the decision rests.
@@ -75,22 +77,25 @@ impl Ladder {
         let (n, span) = (self.start.len(), self.own.span);
         let times: Vec<f64> = (1..=STRETCHES).map(|k| span * (k as f64 / STRETCHES as f64)).collect();
         let mut record = Record::new();
-        let mut even = Span::new(0.0, span, &self.start).with_even_outputs(STRETCHES);
+        let mut even = Span::new(0.0, span, &self.start).with_even_outputs(STRETCHES * KNOTS);
         if let Some(deadline) = deadline {
             even = even.with_deadline(deadline);
         }
         let run = integrate(&*self.law, Method::DormandPrince8, &Tolerance::both(COARSE), &even, &mut record);
         run.failure().map_or(Ok(()), Err)?;
-        let states: Vec<Vec<f64>> = std::iter::once(self.start.clone()).chain(record.states).collect();
-        let knot = |(time, state): (f64, &Vec<f64>)| {
+        let knot = |(&time, state): (&f64, &Vec<f64>)| {
             let mut rates = vec![0.0; n];
             self.law.rates(time, state, &mut rates);
             (time, state.clone(), rates)
         };
-        let knots: Vec<Knot> = std::iter::once(0.0).chain(times.iter().copied()).zip(&states).map(knot).collect();
+        let along = record.times.iter().zip(&record.states);
+        let knots: Vec<Knot> = std::iter::once((&0.0, &self.start)).chain(along).map(knot).collect();
         let mut jacobian = Jacobian::of(&*self.law);
-        let matrices: Vec<DMatrix<f64>> =
+        let short: Vec<DMatrix<f64>> =
             knots.windows(2).map(|ends| propagator(&mut jacobian, &ends[0], &ends[1])).collect();
+        let whole = |parts: &[DMatrix<f64>]| parts.iter().fold(DMatrix::identity(n, n), |whole, part| part * whole);
+        let matrices: Vec<DMatrix<f64>> = short.chunks(KNOTS).map(whole).collect();
+        let states: Vec<Vec<f64>> = knots.into_iter().step_by(KNOTS).map(|(_, state, _)| state).collect();
         let mut weights = vec![Vec::new(); STRETCHES];
         for end in (1..=INSTANTS).map(|instant| STRETCHES * instant / INSTANTS) {
             for (&column, size) in watched.columns.iter().zip(&watched.sizes) {

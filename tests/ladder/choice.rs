@@ -59,7 +59,7 @@ fn a_run_that_switches_is_as_good_as_it_promises() {
 #[test]
 fn what_weighs_a_loss_is_the_transition_matrix() {
     for (name, from, to) in
-        [("spin_up", 0.0, 1.0 / 32.0), ("spin_up", 0.5, 0.5 + 1.0 / 32.0), ("hanging_rest", 0.0, 0.1)]
+        [("spin_up", 0.0, 1.0 / 128.0), ("spin_up", 0.5, 0.5 + 1.0 / 128.0), ("hanging_rest", 0.0, 0.1)]
     {
         let ladder = ladder(&scene(name));
         let n = ladder.start.len();

@@ -30,7 +30,7 @@ fn what_is_lost_without_friction_is_what_is_estimated() {
         ("steered_rod", "0.001", "0.2 s", &["x1", "angle"][..]),
         ("steered_rod", "0.001", "1 s", &["x1", "dx1", "angle"]),
         ("pushed_ladder", "0.001", "0.8 s", &["angle", "angular_velocity"]),
-        ("climbed_ladder", "0.001", "0.6 s", &["angle", "x"]),
+        ("climbed_ladder", "0.001", "0.3 s", &["angle", "x"]),
         ("jam", "0.001", "0.1 s", &["x", "angle"]),
         ("painleve", "0.001", "0.2 s", &["x", "angle"]),
     ] {

@@ -39,6 +39,9 @@ pub struct RoughLadder {
 
 type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
 
+/// A time with a state.
+type At = (f64, Vec<f64>);
+
 /// A model with all its regimes.
 struct Model {
     name: String,
@@ -51,7 +54,7 @@ struct Model {
     /// The regimes that it goes through; or why it does not reach its end.
     course: Result<Vec<Piece>, String>,
     /// Its states at the instants.
-    states: Vec<(f64, Vec<f64>)>,
+    states: Vec<At>,
     evaluations: u64,
 }
 
@@ -88,9 +91,8 @@ impl RoughLadder {
     /// The largest difference of a model's run from that with friction, relative to the sizes; none where there is no run.
     pub fn difference(&self, line: usize, watched: &Watched) -> Option<f64> {
         let model = &self.smooth.get(line.checked_sub(2)?)?;
-        let pair = |((time, z), (_, y)): (&(f64, Vec<f64>), &(f64, Vec<f64>))| {
-            watched.off(&(self.row)(*time, z), &(self.row)(*time, y))
-        };
+        let row = |(time, state): &At| (self.row)(*time, state);
+        let pair = |(low, own): (&At, &At)| watched.off(&row(low), &row(own));
         let all = model.course.is_ok().then(|| model.states.iter().zip(&self.own.states).map(pair));
         Some(all?.fold(0.0, f64::max))
     }
