@@ -1,5 +1,5 @@
 //! A motor that is written in a scene beside the compiled one, in turns: right-hand sides of the gyrostat in the second form
-//! over `f64`, by the laws' own programs and by the tape of the whole law, which is what runs; then whole runs of both as scenes
+//! over `f64`, by the laws' own programs and by the tape of the whole law; then whole runs of both as scenes
 //! of a bench. Ratios of medians.
 //!
 //! `cargo bench --bench text_motors`

@@ -14,7 +14,7 @@ use nalgebra::DMatrix;
 pub type Knot = (f64, Vec<f64>, Vec<f64>);
 
 /// h times the norm of J: a stretch is cut into so short steps, but not into more than so many.
-const SHORT: f64 = 1.0;
+const SHORT: f64 = 8.0;
 const MOST: f64 = 16.0;
 
 /// dy(end)/dy(begin).

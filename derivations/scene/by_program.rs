@@ -1,7 +1,8 @@
-//! A system whose law is text, run by one program of the whole law: as fast as a law that was compiled.
+//! A system whose law is text, run by one program of the whole law.
 //!
 //! The laws of a written motor are programs of their own, which any field evaluates one by one; put together in a right-hand
-//! side they share nothing. Recorded once as a whole they do.
+//! side they share nothing. Recorded once as a whole they do. That is for a motor alone: with a gyrostat around it, whose law is
+//! compiled, a program of all would lose more than it wins.
 
 use super::problem::Law;
 use crate::taped::Program;

@@ -5,14 +5,11 @@ use super::state::outputs;
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
 use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
-use crate::separated::{Separable, Separated};
+use crate::separated::Separated;
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::Form;
-use field::DoubleDouble;
-use integrators::{Directions, Ode};
 use std::sync::Arc;
-use symbolic::Sym;
 
 /// A law with its state at time zero, what it conserves, and what a run shows of it.
 pub struct Problem {
@@ -98,17 +95,7 @@ where
     if conserved.spin {
         invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
     }
-    (system::<M, _>(law), invariants)
-}
-
-/// A law with a machine as it runs.
-fn system<M, L>(law: Arc<L>) -> Arc<dyn Law>
-where
-    M: Catalogued,
-    L: Separable + Ode<f64> + Ode<Sym> + Ode<Directions> + Ode<DoubleDouble> + Send + Sync + 'static,
-{
-    let system: Arc<dyn Law> = Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), Arc::clone(&law)));
-    if M::WRITTEN { by_program(system, &*law) } else { system }
+    (Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), law)), invariants)
 }
 
 struct OnBench {
@@ -128,7 +115,8 @@ impl ForMachine for OnBench {
         if conserved.spin {
             invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
         }
-        (system::<M, _>(law), invariants)
+        let system: Arc<dyn Law> = Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), Arc::clone(&law)));
+        (if M::WRITTEN { by_program(system, &*law) } else { system }, invariants)
     }
 }
 

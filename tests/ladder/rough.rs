@@ -41,6 +41,10 @@ fn what_is_lost_without_friction_is_what_is_estimated() {
         for (at, line) in lines.iter().enumerate().skip(2) {
             let found = line.model.as_ref().unwrap_or_else(|why| panic!("{name}, {}: {why}", line.name));
             let error = ladder.difference(at, &watched).expect("it runs");
+            if line.loss == (Loss::Nothing { claim: None }) {
+                assert!(line.name.ends_with("top") && error == 0.0, "{name}, {}: {error:e}", line.name);
+                continue;
+            }
             let effectivity = found.first / error;
             assert!(error > 1e-6 && (effectivity - 1.0).abs() < 0.1, "{name}, {}: {error:e} {found:?}", line.name);
             assert!(found.second < 0.5 * found.first, "{name}, {}: {found:?}", line.name);
