@@ -1,16 +1,17 @@
 //! A motor that is written in a scene beside the compiled one, in turns: right-hand sides of the gyrostat in the second form
-//! over `f64`, by the laws' own programs and by the tape of the whole law. Ratios of medians.
+//! over `f64`, by the laws' own programs and by the tape of the whole law; then whole runs of both as scenes
+//! of a bench. Ratios of medians.
 //!
 //! `cargo bench --bench text_motors`
 
 use derivations::machines::multi_current::MultiCurrent;
 use derivations::machines::synchronous::Synchronous;
 use derivations::machines::{AnyMachine, Catalogued, ForMachine, Machine};
-use derivations::scene::{Family, Scene};
+use derivations::scene::{Axes, Family, Scene};
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::{Form, SecondForm};
 use derivations::taped::Taped;
-use integrators::Ode;
+use integrators::{Method, Ode, Span, Tolerance, integrate};
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
@@ -24,24 +25,40 @@ fn main() {
     let (gyrostat, windings) = (gyrostat::gyrostat(), gyrostat::windings());
     let form = gyrostat.second_form().0;
     let single = Synchronous { field_speed: windings.field_speed, b0: windings.b0, f: windings.f };
-    println!("motor              written over compiled   its tape over compiled");
+    println!(
+        "motor         written over compiled   its tape over compiled   a run by Dormand-Prince 8   one by Taylor"
+    );
     for (name, compiled, bars) in [
         ("no currents", AnyMachine::Synchronous(single), 0),
         ("six bars", AnyMachine::MultiCurrent(MultiCurrent::evenly(windings, 6)), 6),
     ] {
-        let text = written(&windings, bars);
+        let scene = written(&windings, bars);
+        let text = scene.machine.clone();
         let times = [compiled.clone().apply(Law(form)), text.clone().apply(Law(form)), text.apply(OnTape(form))];
         let Some([own, interpreted, taped]) = in_turns(&times) else { return println!("nothing was measured") };
-        println!("{name:<18} {:>21.2} {:>24.2}", interpreted / own, taped / own);
+        let runs = [Method::DormandPrince8, Method::Taylor].map(|method| {
+            let sides = [compiled.clone(), scene.machine.clone()].map(|machine| run(&scene, machine, method));
+            in_turns(&sides).map_or(f64::NAN, |[own, text]| text / own)
+        });
+        let [explicit, taylor] = runs;
+        println!("{name:<12} {:>21.2} {:>24.2} {explicit:>26.2} {taylor:>15.2}", interpreted / own, taped / own);
     }
 }
 
+/// A scene of a bench with this table `[machine]`.
+fn scene(machine: &str) -> Scene {
+    let text = format!(
+        "title = \"t\"\nsystem = \"bench\"\n[rotor]\naxial = \"1 kg m^2\"\n[start]\nrotor_speed = \"0 rad/s\"\n[run]\n\
+         span = \"1 s\"\n[machine]\n{machine}"
+    );
+    Scene::parse("bench", &text).unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// The same motor as text.
-fn written(windings: &derivations::machines::multi_current::Windings<f64>, bars: usize) -> AnyMachine {
+fn written(windings: &derivations::machines::multi_current::Windings<f64>, bars: usize) -> Scene {
     let w = windings;
     let mut text = format!(
-        "title = \"t\"\nsystem = \"bench\"\n[rotor]\naxial = \"1 kg m^2\"\n[start]\nrotor_speed = \"0 rad/s\"\n[run]\n\
-         span = \"1 s\"\n[machine]\nmodel = \"text\"\nfield_speed = \"{} rad/s\"\nfield_energy = \"-b0*cos(g)\"\n\
+        "model = \"text\"\nfield_speed = \"{} rad/s\"\nfield_energy = \"-b0*cos(g)\"\n\
          moment_law = \"{}\"\n[machine.parameters]\nb0 = \"{} N m\"\nf = \"{} N m s\"\nmu = \"{} N m s\"\na1 = \"{} Wb\"\n\
          l1 = \"{} H\"\nr1 = \"{} ohm\"\na2 = \"{} Wb\"\nl2 = \"{} H\"\nr2 = \"{} ohm\"\n",
         w.field_speed,
@@ -66,7 +83,17 @@ fn written(windings: &derivations::machines::multi_current::Windings<f64>, bars:
         text +=
             &format!("[[machine.winding]]\nflux = \"-a2*sin(g + t{n})\"\ninductance = \"l2\"\nresistance = \"r2\"\n");
     }
-    Scene::parse("written", &text).unwrap_or_else(|error| panic!("{error}")).machine
+    scene(&text)
+}
+
+/// A run of a scene by a method.
+fn run(scene: &Scene, machine: AnyMachine, method: Method) -> std::cell::RefCell<Call> {
+    let problem = Scene { machine, ..scene.clone() }.problem(Axes::First);
+    let call: Call = Box::new(move || {
+        let span = Span::new(0.0, problem.span, &problem.state);
+        black_box(integrate(&*problem.law, method, &Tolerance::both(1e-9), &span, &mut ()));
+    });
+    call.into()
 }
 
 type Call = Box<dyn FnMut()>;
@@ -108,8 +135,8 @@ fn driven<F: Form<f64>, M: Machine<f64>>(form: F, machine: M) -> Driven<f64, F, 
 }
 
 /// The median time of each, s, all taken in turns.
-fn in_turns(calls: &[std::cell::RefCell<Call>; 3]) -> Option<[f64; 3]> {
-    let mut times: [Vec<f64>; 3] = Default::default();
+fn in_turns<const N: usize>(calls: &[std::cell::RefCell<Call>; N]) -> Option<[f64; N]> {
+    let mut times = [const { Vec::new() }; N];
     for _ in 0..TURNS {
         for (call, times) in calls.iter().zip(&mut times) {
             let start = Instant::now();

@@ -2,7 +2,7 @@
 
 use field::{DoubleDouble, Scalar};
 use integrators::{Directions, Ode, System, TaylorSeries};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use symbolic::{Equations, Expansion, Fused, Recurrence, Sym};
 
 /// A system and the recurrence of its right-hand side: the same laws, evaluated once over expressions. The data of the
@@ -10,8 +10,8 @@ use symbolic::{Equations, Expansion, Fused, Recurrence, Sym};
 #[derive(Clone, Debug)]
 pub struct Recorded<L> {
     law: Arc<L>,
-    /// `None` where a law cannot be recorded; then there is no Taylor method.
-    recurrence: Option<Recurrence>,
+    /// Made when it is first asked for; `None` where a law cannot be recorded: then there is no Taylor method.
+    recurrence: OnceLock<Option<Recurrence>>,
     spare: Spare,
 }
 
@@ -19,19 +19,26 @@ pub struct Recorded<L> {
 type Spare = Arc<Mutex<Vec<Expansion<f64, WIDTH, FEW>>>>;
 
 impl<L: Ode<Sym>> Recorded<L> {
-    /// Records a system, which may depend on time.
+    /// A system, which may depend on time.
     pub fn new(law: Arc<L>) -> Self {
-        let time = Sym::symbol("t");
-        let state: Vec<Sym> = (0..law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
-        let mut rates = vec![Sym::ZERO; state.len()];
-        law.rates(time, &state, &mut rates);
-        let moves = rates.iter().any(|rate| rate.symbols_of().contains(&time));
-        let equations = Equations { state: &state, time: moves.then_some(time), parameters: &[], rates: &rates };
-        Recorded { law, recurrence: Recurrence::record(&equations).ok(), spare: Spare::default() }
+        Recorded { law, recurrence: OnceLock::new(), spare: Spare::default() }
+    }
+
+    fn recurrence(&self) -> Option<&Recurrence> {
+        let made = self.recurrence.get_or_init(|| {
+            let time = Sym::symbol("t");
+            let state: Vec<Sym> = (0..self.law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
+            let mut rates = vec![Sym::ZERO; state.len()];
+            self.law.rates(time, &state, &mut rates);
+            let moves = rates.iter().any(|rate| rate.symbols_of().contains(&time));
+            let equations = Equations { state: &state, time: moves.then_some(time), parameters: &[], rates: &rates };
+            Recurrence::record(&equations).ok()
+        });
+        made.as_ref()
     }
 
     fn series<S: Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
-        let recurrence = self.recurrence.as_ref()?;
+        let recurrence = self.recurrence()?;
         match recurrence.columns::<WIDTH>() {
             columns if columns <= FEW => Some(Box::new(Series::<S, FEW> { recurrence, expansion: None })),
             columns if columns <= MANY => Some(Box::new(Series::<S, MANY> { recurrence, expansion: None })),
@@ -59,7 +66,7 @@ impl<S: Scalar, L: Ode<S>> Ode<S> for Recorded<L> {
 
 impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Recorded<L> {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
-        match &self.recurrence {
+        match self.recurrence() {
             Some(recurrence) if recurrence.columns::<WIDTH>() <= FEW => {
                 Some(Box::new(Kept { series: Series { recurrence, expansion: None }, spare: &self.spare }))
             }

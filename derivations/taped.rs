@@ -23,8 +23,10 @@ pub struct Program {
     exact: Vec<DoubleDouble>,
 }
 
-/// Registers: of usual laws, whose clearing costs little, and of the largest.
-const FEW: usize = 256;
+/// Registers: of small laws, of usual ones and of the largest. Clearing them costs, so that a program has hardly more than it
+/// needs.
+const FEW: usize = 64;
+const SOME: usize = 256;
 const MANY: usize = 1024;
 /// States and the time.
 const INPUTS: usize = 64;
@@ -62,8 +64,12 @@ impl Program {
         let mut inputs = [S::zero(); INPUTS];
         inputs.get_mut(..y.len())?.copy_from_slice(y);
         *inputs.get_mut(y.len())? = t;
-        let few = self.tape.evaluate::<S, FEW>(constants, &inputs[..=y.len()], dy);
-        few.or_else(|| self.tape.evaluate::<S, MANY>(constants, &inputs[..=y.len()], dy))
+        let inputs = &inputs[..=y.len()];
+        match self.tape.registers() {
+            few if few <= FEW => self.tape.evaluate::<S, FEW>(constants, inputs, dy),
+            some if some <= SOME => self.tape.evaluate::<S, SOME>(constants, inputs, dy),
+            _ => self.tape.evaluate::<S, MANY>(constants, inputs, dy),
+        }
     }
 }
 

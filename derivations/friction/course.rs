@@ -1,6 +1,7 @@
 //! A run of a scene as names and numbers: for tables, pictures and checks.
 
 use super::log::{Ending, Names, describe};
+use super::rough::Rough;
 use super::run::{Plan, run};
 use super::scene::{ForRough, RoughScene};
 use super::stretch::{motion_of_contacts, parts};
@@ -79,6 +80,34 @@ impl RoughScene {
     }
 }
 
+/// The names of a row.
+pub fn names<const K: usize>(rough: &Rough, contacts: &Names<K>) -> Vec<String> {
+    let coordinates = rough.coordinates();
+    let velocities = coordinates.iter().map(|name| format!("d{name}"));
+    let sliding = contacts.iter().map(|name| format!("sliding_{name}"));
+    let names = coordinates.iter().map(|name| (*name).to_owned()).chain(velocities);
+    let names = names.chain(["angle", "angular_velocity"].map(String::from)).chain(sliding);
+    names.chain(WORKS.map(String::from)).collect()
+}
+
+/// Columns that are no state of the system.
+pub const WORKS: [&str; 2] = ["friction_work", "force_work"];
+
+/// What is shown of a state, with the works of friction and of the given forces until then.
+pub fn row<Q, const N: usize, const C: usize, const K: usize>(
+    rough: &Rough,
+    system: &Q,
+    at: &State<f64, N>,
+    works: [f64; 2],
+) -> Vec<f64>
+where
+    Q: Contacts<N, C, K, Given = f64>,
+{
+    let [angle, spin] = rough.angle(&at.place, &at.velocity);
+    let sliding = motion_of_contacts(system, at).map(|[_, along]| along.slope);
+    [&at.place[..], &at.velocity[..], &[angle, spin], &sliding[..], &works[..]].concat()
+}
+
 struct Follow<'a> {
     scene: &'a RoughScene,
     plan: &'a Plan,
@@ -97,14 +126,7 @@ impl ForRough for Follow<'_> {
     where
         Q: Contacts<N, C, K, Given = f64>,
     {
-        let coordinates = self.scene.system.coordinates();
-        let row = |at: &State<f64, N>, works: [f64; 2]| {
-            let [angle, spin] = self.scene.system.angle(&at.place, &at.velocity);
-            let sliding = motion_of_contacts(system, at).map(|[_, along]| along.slope);
-            let mut row = [&at.place[..], &at.velocity[..], &[angle, spin], &sliding[..]].concat();
-            row.extend(works);
-            row
-        };
+        let row = |at: &State<f64, N>, works: [f64; 2]| row(&self.scene.system, system, at, works);
         let (mut times, mut rows) = (Vec::new(), Vec::new());
         let found = {
             let keep = Samples(|time: f64, y: &[f64]| {
@@ -118,10 +140,6 @@ impl ForRough for Follow<'_> {
             times.push(found.state.time);
             rows.push(last);
         }
-        let velocities = coordinates.iter().map(|name| format!("d{name}"));
-        let sliding = contacts.iter().map(|name| format!("sliding_{name}"));
-        let names = coordinates.iter().map(|name| (*name).to_owned()).chain(velocities);
-        let names = names.chain(["angle", "angular_velocity"].map(String::from)).chain(sliding);
         let log = found.entries.iter().map(|entry| {
             let at = State {
                 time: entry.time,
@@ -138,7 +156,7 @@ impl ForRough for Follow<'_> {
             }
         });
         Course {
-            names: names.chain(["friction_work", "force_work"].map(String::from)).collect(),
+            names: names(&self.scene.system, &contacts),
             log: log.collect(),
             ending: found.ending.describe(&contacts),
             reached: found.ending == Ending::Reached,

@@ -17,6 +17,8 @@ pub struct Entry<const K: usize> {
     pub velocity: Vec<f64>,
     pub cause: Cause,
     pub regime: [Mode; K],
+    /// Whether the regime determines its reactions; where it does not, the system rests.
+    pub determined: bool,
     /// Normal and tangential reactions in the regime, N.
     pub reactions: [[f64; 2]; K],
     /// Work of friction and of the given forces until here, J.
@@ -81,21 +83,34 @@ fn side(face: Face) -> &'static str {
     if face == Face::Front { "" } else { " (held from behind)" }
 }
 
+impl Watched {
+    /// In words.
+    pub fn describe<const K: usize>(&self, names: &Names<K>) -> String {
+        match self {
+            Watched::Condition(k, Condition::Presses) => format!("the normal reaction at {}", names[*k]),
+            Watched::Condition(k, condition) => format!("the {condition} at {}", names[*k]),
+            Watched::Sliding(k) => format!("sliding at {}", names[*k]),
+            Watched::Gap(k) => format!("the gap at {}", names[*k]),
+            Watched::Determinant => "the determinant of the regime".into(),
+            Watched::Uniqueness => "the regime".into(),
+            Watched::Rest => "the limits of friction".into(),
+        }
+    }
+}
+
 impl Cause {
     /// In words.
     pub fn describe<const K: usize>(&self, names: &Names<K>) -> String {
         let Cause::Signal { watched, what, rate } = self else { return "start".into() };
         let verb = if *what == Happening::Touches { "touches zero" } else { "falls to zero" };
+        let what = watched.describe(names);
         match watched {
-            Watched::Condition(k, Condition::Presses) => {
-                format!("the normal reaction at {} {verb} (rate {rate:.6})", names[*k])
-            }
-            Watched::Condition(k, condition) => format!("the {condition} at {} {verb} (rate {rate:.6})", names[*k]),
-            Watched::Sliding(k) => format!("sliding at {} stops (acceleration {rate:.6})", names[*k]),
-            Watched::Gap(k) => format!("the gap at {} closes (velocity {rate:.6})", names[*k]),
-            Watched::Determinant => format!("the determinant of the regime {verb}"),
-            Watched::Uniqueness => "the regime is no longer the only motion".into(),
-            Watched::Rest => "the limits of friction no longer allow rest".into(),
+            Watched::Condition(..) => format!("{what} {verb} (rate {rate:.6})"),
+            Watched::Sliding(_) => format!("{what} stops (acceleration {rate:.6})"),
+            Watched::Gap(_) => format!("{what} closes (velocity {rate:.6})"),
+            Watched::Determinant => format!("{what} {verb}"),
+            Watched::Uniqueness => format!("{what} is no longer the only motion"),
+            Watched::Rest => format!("{what} no longer allow rest"),
         }
     }
 }

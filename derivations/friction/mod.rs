@@ -8,6 +8,7 @@
 //! * [`stretch`]: the right-hand side of a regime, and the signals that end it;
 //! * [`settle`]: the state of an event made to satisfy the constraints and the contacts that stay closed;
 //! * [`choose`]: the regime that goes on from a state, ties decided by the rates of their margins;
+//! * [`held`]: one regime held without a look at its conditions, and by how much they hold; [`smoothed`]: contacts made smooth;
 //! * [`run`](mod@run): stretch after stretch; [`log`]: what happened and why;
 //! * [`rough`], [`scene`]: systems with contacts and their files; [`course`]: runs as names and numbers;
 //! * [`closed`]: motions in closed form, beside which runs are checked.
@@ -15,11 +16,13 @@
 pub mod choose;
 pub mod closed;
 pub mod course;
+pub mod held;
 pub mod log;
 pub mod rough;
 pub mod run;
 pub mod scene;
 pub mod settle;
+pub mod smoothed;
 pub mod stretch;
 
 pub use closed::Check;

@@ -39,6 +39,8 @@ pub struct Plan {
     pub most_events: usize,
     /// After so long the run is stopped, and what there is is kept.
     pub allowed: Option<Duration>,
+    /// So many evaluations of each stretch.
+    pub evaluations: Option<u64>,
 }
 
 impl Plan {
@@ -51,6 +53,7 @@ impl Plan {
             outputs: Vec::new(),
             most_events: 1000,
             allowed: None,
+            evaluations: None,
         }
     }
 
@@ -147,6 +150,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
                 velocity: self.at.velocity.to_vec(),
                 cause,
                 regime: found.regime,
+                determined: found.determined,
                 reactions: found.reactions,
                 works: self.works,
             });
@@ -196,6 +200,9 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
         let mut span = Span::new(self.at.time, self.plan.end, &y).with_outputs(&outputs);
         if let Some(deadline) = self.deadline {
             span = span.with_deadline(deadline);
+        }
+        if let Some(evaluations) = self.plan.evaluations {
+            span = span.with_evaluations(evaluations);
         }
         let (method, tolerance) = (self.plan.method, &self.plan.tolerance);
         let (outcome, event) = integrate_to_event(stretch, method, tolerance, &span, stretch, observer);

@@ -44,7 +44,7 @@ pub trait ForRough {
         names: Names<K>,
     ) -> Self::Output
     where
-        Q: Contacts<N, C, K, Given = f64>;
+        Q: Contacts<N, C, K, Given = f64> + Copy + Send + Sync + 'static;
 }
 
 impl Family for RoughScene {

@@ -103,6 +103,16 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
         (0..contacts).flat_map(of_contact).flatten().chain(all.iter().copied())
     }
 
+    /// What a signal is measured by; none of one that only has a sign.
+    pub fn size(&self, watched: Watched) -> Option<f64> {
+        match watched {
+            Watched::Condition(..) => Some(self.load),
+            Watched::Sliding(_) => Some(self.speed),
+            Watched::Gap(_) => Some(1.0),
+            Watched::Determinant | Watched::Uniqueness | Watched::Rest => None,
+        }
+    }
+
     /// 1 while rest is the only motion, -1 where it is not.
     fn rest(&self, at: &State<f64, N>) -> Option<Signal> {
         let dry = Dry::of(self.system, at, self.system.force(at)).ok()?;
@@ -132,23 +142,24 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
         let required = conditions(&seen.dry, &self.touches(open), &self.regime);
         let noise = f64::EPSILON * 64.0;
         for (signal, watched) in out.iter_mut().zip(self.watched()) {
-            let (value, size) = match watched {
+            let value = match watched {
                 Watched::Condition(k, condition) => {
                     let form = required[k].iter().flatten().find(|(name, _)| *name == condition);
-                    (form.map(|(_, form)| cramer.value(form))?, self.load)
+                    form.map(|(_, form)| cramer.value(form))?
                 }
                 Watched::Sliding(k) => {
                     let Mode::Slip(direction, _) = self.regime[k] else { return None };
-                    (motions[k][1].slope * direction.sign(), self.speed)
+                    motions[k][1].slope * direction.sign()
                 }
-                Watched::Gap(k) => (motions[k][0].value, 1.0),
-                Watched::Determinant => (cramer.determinant * Tangent::fixed(self.orientation), 0.0),
+                Watched::Gap(k) => motions[k][0].value,
+                Watched::Determinant => cramer.determinant * Tangent::fixed(self.orientation),
                 Watched::Uniqueness | Watched::Rest => {
                     let dry = at_rest(&seen.dry);
                     let unique = matches!(verdict(&dry, &self.touches(open)), Verdict::Unique(_));
-                    (Tangent::fixed(if unique { 1.0 } else { -1.0 }), 0.0)
+                    Tangent::fixed(if unique { 1.0 } else { -1.0 })
                 }
             };
+            let size = self.size(watched).unwrap_or(0.0);
             *signal = Signal { value: value.value, rate: value.slope, noise: noise * size };
         }
         Some(())

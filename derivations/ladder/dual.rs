@@ -9,7 +9,8 @@
 //! and for an output q.y the weights q P_K ... P_(k+1) of all D_k are found by one pass backwards. It is the second route to
 //! what [`carried`](super::carried) finds, and says more: which stretches need the richer model.
 
-use super::estimate::{INSTANTS, Watched};
+use super::followed::INSTANTS;
+use super::watched::Watched;
 use super::{Ladder, Rung};
 use integrators::{Failure, Record, Span, Tolerance, integrate, transition};
 use integrators::{Method, System};

@@ -140,19 +140,42 @@ impl Lumping {
 
     /// j = T i.
     pub fn lumped(&self, currents: &[f64]) -> Vec<f64> {
-        product(&self.down, currents)
+        let sum = |row: &Vec<Rational>| row.iter().zip(currents).map(|(share, i)| share.to_f64() * i).sum();
+        self.down.iter().map(sum).collect()
     }
 
-    /// i at a time, from j then and from what i and j were at time zero: the rest has died out by exp(-r t).
-    pub fn currents(&self, time: f64, lumped: &[f64], start: &[f64]) -> Vec<f64> {
-        let (now, then) = (product(&self.up, lumped), product(&self.up, &self.lumped(start)));
-        let rest = start.iter().zip(then).zip(&self.rates);
-        now.iter().zip(rest).map(|(now, ((i, u), r))| now + (i - u) * (-r.to_f64() * time).exp()).collect()
+    /// How the machine's currents come back from the lumped ones, from what they were at time zero.
+    pub fn recovery(&self, start: &[f64]) -> Recovery {
+        let numbers = |row: &Vec<Rational>| row.iter().map(|share| share.to_f64()).collect();
+        let up: Vec<Vec<f64>> = self.up.iter().map(numbers).collect();
+        let seen = self.lumped(start);
+        let rest = start.iter().zip(&up).map(|(i, row)| i - dot(row, &seen)).collect();
+        Recovery { up, rest, rates: numbers(&self.rates) }
     }
 }
 
-fn product(matrix: &[Vec<Rational>], vector: &[f64]) -> Vec<f64> {
-    matrix.iter().map(|row| row.iter().zip(vector).map(|(share, value)| share.to_f64() * value).sum()).collect()
+/// The machine's currents from the lumped ones: i = U j and what those at time zero had beside it, which dies out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recovery {
+    up: Vec<Vec<f64>>,
+    rest: Vec<f64>,
+    /// 1/s
+    rates: Vec<f64>,
+}
+
+impl Recovery {
+    /// i at a time, from j then.
+    pub fn currents(&self, time: f64, lumped: &[f64]) -> impl Iterator<Item = f64> {
+        let each = self.up.iter().zip(&self.rest).zip(&self.rates);
+        each.map(move |((row, rest), rate)| match *rest {
+            0.0 => dot(row, lumped),
+            rest => dot(row, lumped) + rest * (-rate * time).exp(),
+        })
+    }
+}
+
+fn dot(row: &[f64], vector: &[f64]) -> f64 {
+    row.iter().zip(vector).map(|(share, value)| share * value).sum()
 }
 
 /// A machine with other windings, whose fluxes are sums of its own.

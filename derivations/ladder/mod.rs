@@ -3,12 +3,15 @@
 //! # Overview
 //! * [`rung`]: a smaller model within a richer one, as a lift and a law; its defect, exact where that vanishes;
 //! * [`lumping`]: windings lumped without any loss, found and proved from the machine's laws; [`elimination`];
-//! * [`currents`]: what stands for currents that are not followed; `resting`: for those that a supply feeds;
-//! * [`motors`], [`governors`]: the ladders of scenes;
+//! * [`currents`]: what stands for currents that are not followed, `slaved` the rungs of that; `resting`: of those that a supply
+//!   feeds; `smaller`: other machines of the scene's data;
+//! * [`motors`], [`governors`], [`rough`]: the ladders of scenes;
+//! * [`watched`]: what of a run matters; [`followed`]: runs at the instants at which that is seen;
 //! * [`carried`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
 //! * [`dual`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
-//! * [`switching`]: a smaller model on those stretches only;
-//! * [`plan`]: the cheapest method and form for a rung; [`choose`](mod@choose): the cheapest rung, with its receipt.
+//! * [`switching`]: a smaller model on those stretches only; [`linear`]: what weighs its losses;
+//! * [`plan`]: the cheapest method and form for a rung; [`choose`](mod@choose): the cheapest of any [`choose::Models`], those
+//!   of [`forms`] and of rough contacts alike, with its [`receipt`].
 //!
 //! Key results: a step with a vanishing defect is exact, which is decided over expressions; of every other the error is
 //! estimated to first order, with the second order beside it. Neither is a bound; [`lumping::merged_at_most`] is one.
@@ -19,35 +22,46 @@ pub mod currents;
 pub mod dual;
 pub mod elimination;
 pub mod estimate;
+pub mod followed;
+pub mod forms;
 pub mod governors;
+pub mod linear;
 pub mod lumping;
 pub mod motors;
 pub mod plan;
+pub mod receipt;
 mod resting;
+pub mod rough;
 pub mod rung;
+mod slaved;
+mod smaller;
 pub mod switching;
+pub mod watched;
 
-pub use choose::{Choice, Line, Receipt, Wish, choose};
+pub use choose::{Models, choose};
 pub use estimate::Estimate;
+pub use forms::Forms;
 pub use lumping::{Lumped, Lumping};
 pub use plan::Plan;
+pub use receipt::{Choice, Line, Receipt, Verdict, Wish};
 pub use rung::{Lower, Written};
 
-use crate::recorded::Recorded;
 use crate::scene::Problem;
 use crate::scene::atlas::{Formulation, Standing, Treated, Way};
 use crate::scene::problem::Law;
 use crate::taped::Program;
-use rung::Straight;
 use std::sync::Arc;
+use std::time::Duration;
 
 /// What a step down loses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Loss {
     /// It is the scene's own model.
     Own,
     /// Nothing: proved here for these data, and for all of them by this claim of the ledger, where there is one.
     Nothing { claim: Option<&'static str> },
+    /// Nothing while what it holds by holds: on this run by so much at least, at that time; tested, not enclosed.
+    Held { margin: f64, at: f64 },
     /// Something, that is small where this is.
     Small { parameter: &'static str },
 }
@@ -86,14 +100,15 @@ pub struct Ladder {
     pub rungs: Vec<Rung>,
     /// How windings were lumped, where they were.
     pub lumping: Option<Lumping>,
+    /// What deriving it took.
+    pub made: Duration,
 }
 
 impl Rung {
     /// With its law as straight-line code; `None` where it cannot be recorded.
     pub fn new(name: &'static str, dropped: &str, loss: Loss, lower: Lower, start: Vec<f64>) -> Option<Self> {
         let lift = Program::of(lower.dimension, |time, z| (lower.lift)(time, z))?;
-        let straight = Straight::new(lower.dimension, Arc::clone(&lower.rates))?.with_plain(lower.plain.clone());
-        let law: Arc<dyn Law> = Arc::new(Recorded::new(Arc::new(straight)));
+        let law = lower.law()?;
         Some(Rung { name, dropped: dropped.to_owned(), loss, lower, law, start, small: None, lift })
     }
 

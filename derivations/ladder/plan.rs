@@ -1,11 +1,12 @@
 //! The cheapest method and form for a law at an error, by two pilot runs of those that may be.
 //!
 //! The first pilots of all methods go in rounds, each allowed more: who reaches the end in a round needs no more than the
-//! others, which are left out. Of these only the cheapest have a second pilot, and are tried in the other form. The error of the coarser pilot is its distance from the finer; errors are taken to go with the tolerance, evaluations with
+//! others, which are left out, an implicit method already where an explicit one does. Of these only the cheapest have a second pilot, and are tried in the other form. The error of the coarser pilot is its distance from the finer; errors are taken to go with the tolerance, evaluations with
 //! a power of it (those of Taylor's method grow less, and are then overrated). So the tolerance for an error and the cost
 //! there are told before the run. Both are estimates.
 
-use super::estimate::{INSTANTS, Watched};
+use super::followed::INSTANTS;
+use super::watched::Watched;
 use crate::scene::Axes;
 use crate::scene::problem::Law;
 use integrators::{Method, Record, Span, Tolerance, integrate};
@@ -14,7 +15,7 @@ use std::sync::Arc;
 /// What is tried: one of each family that the atlas finds on its fronts.
 const METHODS: [Method; 4] =
     [Method::DormandPrince8, Method::Taylor, Method::GraggBulirschStoer, Method::RadauIIA { stages: 5 }];
-const PILOTS: [f64; 2] = [1e-4, 1e-6];
+pub(super) const PILOTS: [f64; 2] = [1e-4, 1e-6];
 /// Evaluations of the first pilots, round by round: so many that what is lost in those before does not matter.
 const ROUNDS: [u64; 4] = [800, 3_200, 12_800, 50_000];
 /// A method whose first pilot costs so much more than the cheapest one's is not the cheapest: an evaluation costs more in
@@ -25,14 +26,15 @@ pub(super) const FINEST: f64 = 1e-13;
 /// Evaluations of a second pilot, over those of the first.
 const PATIENCE: u64 = 20;
 
-/// A law in a form, as rows of the scene's own outputs.
+/// A model in a form, as rows of the scene's own outputs.
 pub struct Runnable<'a> {
     pub axes: Axes,
-    pub law: Arc<dyn Law>,
-    pub start: Vec<f64>,
-    pub span: f64,
-    pub row: Box<Shown<'a>>,
+    go: Box<Go<'a>>,
 }
+
+/// A run by a method, at a tolerance, within so many evaluations, with rows at the instants; and the evaluations that it took.
+/// Without rows where it does not reach its end.
+pub type Go<'a> = dyn Fn(Method, f64, u64) -> (Option<Run>, u64) + 'a;
 
 /// The row of a time and a state.
 pub type Shown<'a> = dyn Fn(f64, &[f64]) -> Vec<f64> + 'a;
@@ -68,16 +70,34 @@ pub struct Run {
     pub evaluations: u64,
 }
 
-impl Runnable<'_> {
-    /// A run with rows at the instants; `None` where it does not reach its end.
+impl<'a> Runnable<'a> {
+    /// What runs by itself.
+    pub fn new(axes: Axes, go: impl Fn(Method, f64, u64) -> (Option<Run>, u64) + 'a) -> Self {
+        Runnable { axes, go: Box::new(go) }
+    }
+
+    /// A law from a state over a span.
+    pub fn of_law(
+        axes: Axes,
+        law: Arc<dyn Law>,
+        start: Vec<f64>,
+        span: f64,
+        row: impl Fn(f64, &[f64]) -> Vec<f64> + 'a,
+    ) -> Self {
+        Self::new(axes, move |method, tolerance, most| {
+            let span = Span::new(0.0, span, &start).with_even_outputs(INSTANTS).with_evaluations(most);
+            let mut record = Record::new();
+            let outcome = integrate(&*law, method, &Tolerance::both(tolerance), &span, &mut record);
+            let evaluations = outcome.work.rates + outcome.work.jacobians * start.len() as u64;
+            let rows = record.times.iter().zip(&record.states).map(|(time, y)| (*time, row(*time, y)));
+            let rows = outcome.reached().then(|| rows.collect());
+            (rows.map(|rows| Run { rows, evaluations }), evaluations)
+        })
+    }
+
+    /// A run.
     pub fn run(&self, method: Method, tolerance: f64, most: u64) -> (Option<Run>, u64) {
-        let span = Span::new(0.0, self.span, &self.start).with_even_outputs(INSTANTS).with_evaluations(most);
-        let mut record = Record::new();
-        let outcome = integrate(&*self.law, method, &Tolerance::both(tolerance), &span, &mut record);
-        let evaluations = outcome.work.rates + outcome.work.jacobians * self.start.len() as u64;
-        let rows = record.times.iter().zip(&record.states).map(|(time, y)| (*time, (self.row)(*time, y)));
-        let rows = outcome.reached().then(|| rows.collect());
-        (rows.map(|rows| Run { rows, evaluations }), evaluations)
+        (self.go)(method, tolerance, most)
     }
 
     /// The first pilot of each method that reaches the end in the first round in which some do.
@@ -85,6 +105,10 @@ impl Runnable<'_> {
         let mut ended = Vec::new();
         for most in ROUNDS {
             for &method in methods {
+                // where steps are not kept short by stiffness nobody solves for them
+                if method.traits().implicit && !ended.is_empty() {
+                    continue;
+                }
                 let (run, evaluations) = self.run(method, PILOTS[0], most);
                 *spent += evaluations;
                 ended.extend(run.map(|run| (method, run)));

@@ -1,7 +1,7 @@
 //! The rung of a machine that a supply feeds: its currents are not followed, and not zero either.
 
-use super::motors::counted;
 use super::rung::{Fill, Lower, Written};
+use super::slaved::counted;
 use super::{Loss, Rung};
 use crate::machines::{Machine, RotorState, resting_currents};
 use field::{Analytic, Over};

@@ -7,6 +7,8 @@
 //! is what the richer law says against the lifted motion. Where d vanishes identically the step down is exact. Most rungs
 //! need no law of their own: f are the richer rates of what is followed, at the lifted state.
 
+use crate::recorded::Recorded;
+use crate::scene::problem::Law;
 use crate::taped::Program;
 use field::{Analytic, DoubleDouble, Over, Tangent};
 use integrators::{Directions, Ode, System};
@@ -101,6 +103,17 @@ impl Lower {
             plain: Some(Arc::new(move |time: f64, z: &[f64], dz: &mut [f64]| running.rates(time, z, dz))),
             kept: Some((0..n).collect()),
         }
+    }
+
+    /// As straight-line code, where the law is no compiled one either.
+    pub fn unless_compiled(self, compiled: bool) -> Self {
+        Lower { plain: self.plain.filter(|_| compiled), ..self }
+    }
+
+    /// What is followed, as it runs; `None` where it cannot be recorded.
+    pub fn law(&self) -> Option<Arc<dyn Law>> {
+        let straight = Straight::new(self.dimension, Arc::clone(&self.rates))?.with_plain(self.plain.clone());
+        Some(Arc::new(Recorded::new(Arc::new(straight))))
     }
 
     /// d, component by component, over symbols for time and state.

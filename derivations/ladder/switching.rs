@@ -6,14 +6,19 @@
 //! higher one, so that it does not come and go; the threshold is the largest with which the sum of what is lost stays within
 //! what is allowed. An estimate, to first order.
 
-use super::estimate::{INSTANTS, Watched};
+use super::followed::{INSTANTS, instants};
+use super::linear::{Knot, propagator};
 use super::plan::Run;
+use super::watched::Watched;
 use super::{Ladder, Rung};
-use integrators::{Failure, Method, Record, Span, Tolerance, integrate, transition};
+use integrators::{Failure, Jacobian, Method, Record, Span, Tolerance, integrate};
+use nalgebra::DMatrix;
 use std::time::Instant;
 
 /// Stretches of a run.
 pub const STRETCHES: usize = 64;
+/// States along each that its matrix is made of.
+const KNOTS: usize = 4;
 /// How far above the threshold the smaller model is left.
 const HYSTERESIS: f64 = 4.0;
 /// Of the run on which the decision rests.
@@ -67,26 +72,36 @@ impl Ladder {
     /// The course of the richer law.
     ///
     /// # Errors
-    /// Where its run stops, by the deadline too, or it has no series.
+    /// Where its run stops, by the deadline too.
     pub fn course(&self, watched: &Watched, deadline: Option<Instant>) -> Result<Course, Failure> {
         let (n, span) = (self.start.len(), self.own.span);
         let times: Vec<f64> = (1..=STRETCHES).map(|k| span * (k as f64 / STRETCHES as f64)).collect();
-        let (mut begin, mut states, mut matrices) = (0.0, vec![self.start.clone()], Vec::new());
-        for (k, &end) in times.iter().enumerate() {
-            if deadline.is_some_and(|deadline| Instant::now() >= deadline) {
-                return Err(Failure::OutOfTime { at: begin });
-            }
-            let flown = transition(&*self.law, &Tolerance::both(COARSE), (begin, end), &states[k])?;
-            matrices.push(flown.matrix);
-            states.push(flown.state);
-            begin = end;
+        let mut record = Record::new();
+        let mut even = Span::new(0.0, span, &self.start).with_even_outputs(STRETCHES * KNOTS);
+        if let Some(deadline) = deadline {
+            even = even.with_deadline(deadline);
         }
+        let run = integrate(&*self.law, Method::DormandPrince8, &Tolerance::both(COARSE), &even, &mut record);
+        run.failure().map_or(Ok(()), Err)?;
+        let knot = |(&time, state): (&f64, &Vec<f64>)| {
+            let mut rates = vec![0.0; n];
+            self.law.rates(time, state, &mut rates);
+            (time, state.clone(), rates)
+        };
+        let along = record.times.iter().zip(&record.states);
+        let knots: Vec<Knot> = std::iter::once((&0.0, &self.start)).chain(along).map(knot).collect();
+        let mut jacobian = Jacobian::of(&*self.law);
+        let short: Vec<DMatrix<f64>> =
+            knots.windows(2).map(|ends| propagator(&mut jacobian, &ends[0], &ends[1])).collect();
+        let whole = |parts: &[DMatrix<f64>]| parts.iter().fold(DMatrix::identity(n, n), |whole, part| part * whole);
+        let matrices: Vec<DMatrix<f64>> = short.chunks(KNOTS).map(whole).collect();
+        let states: Vec<Vec<f64>> = knots.into_iter().step_by(KNOTS).map(|(_, state, _)| state).collect();
         let mut weights = vec![Vec::new(); STRETCHES];
         for end in (1..=INSTANTS).map(|instant| STRETCHES * instant / INSTANTS) {
             for (&column, size) in watched.columns.iter().zip(&watched.sizes) {
                 let mut weight = self.output(column, *size, times[end - 1], &states[end]);
                 for k in (0..end).rev() {
-                    let before = |j: usize| (0..n).map(|i| weight[i] * matrices[k][i * n + j]).sum();
+                    let before = |j: usize| (0..n).map(|i| weight[i] * matrices[k][(i, j)]).sum();
                     let earlier = (0..n).map(before).collect();
                     weights[k].push(std::mem::replace(&mut weight, earlier));
                 }
@@ -139,12 +154,11 @@ impl Ladder {
         let kept = rung.lower.kept.as_ref()?;
         let (law, start) = (&self.law, &self.start);
         let n = self.start.len();
-        let instants: Vec<f64> = (1..=INSTANTS).map(|k| self.own.span * (k as f64 / INSTANTS as f64)).collect();
         let (mut at, mut y) = (0.0, start.clone());
         let mut run = Run { rows: Vec::new(), evaluations: 0 };
         for stretches in schedule.stretches.chunk_by(|a, b| a.1 == b.1) {
             let (end, low) = *stretches.last()?;
-            let mut outputs: Vec<f64> = instants.iter().copied().filter(|time| *time > at && *time <= end).collect();
+            let mut outputs: Vec<f64> = instants(self.own.span).filter(|time| *time > at && *time <= end).collect();
             let seen = outputs.len();
             if outputs.last() != Some(&end) {
                 outputs.push(end);

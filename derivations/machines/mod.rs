@@ -59,6 +59,8 @@ pub trait Source<P = f64> {
 pub trait Catalogued: Machine<f64> + Sized {
     /// One line for lists and reports.
     const SUMMARY: &'static str;
+    /// Whether its laws are programs: then a bench with it runs by a program of the whole.
+    const WRITTEN: bool = false;
     /// The same machine with its parameters in another field.
     type Over<P: Datum>: Machine<P>;
     /// Reads the parameters.

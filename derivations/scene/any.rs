@@ -38,6 +38,15 @@ impl Family for AnyScene {
 }
 
 impl AnyScene {
+    /// The scene's title.
+    pub fn title(&self) -> &str {
+        match self {
+            Self::Driven(scene) => &scene.title,
+            Self::Rough(scene) => &scene.title,
+            Self::Mechanism(scene) => scene.title(),
+        }
+    }
+
     /// As one initial value problem, where it is one: with rough contacts it is many.
     pub fn smooth(&self) -> Option<&dyn Smooth> {
         match self {

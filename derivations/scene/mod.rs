@@ -18,6 +18,7 @@
 pub mod any;
 pub mod atlas;
 pub mod bodies;
+mod by_program;
 pub mod code;
 pub mod file;
 pub mod issue;

@@ -1,5 +1,6 @@
 //! A scene as an initial value problem, its types forgotten: what any method runs.
 
+use super::by_program::by_program;
 use super::state::outputs;
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
@@ -114,7 +115,8 @@ impl ForMachine for OnBench {
         if conserved.spin {
             invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
         }
-        (Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), law)), invariants)
+        let system: Arc<dyn Law> = Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), Arc::clone(&law)));
+        (if M::WRITTEN { by_program(system, &*law) } else { system }, invariants)
     }
 }
 

@@ -1,17 +1,18 @@
 //! What is chosen keeps its tolerance, by references that two methods share to 24 digits.
 
 use super::{ladder, path, scene};
-use derivations::ladder::Ladder;
-use derivations::ladder::{Receipt, Wish, choose};
+use derivations::ladder::linear::propagator;
+use derivations::ladder::{Forms, Ladder, Receipt, Wish, choose};
 use derivations::scene::{Axes, Stored};
+use integrators::{Jacobian, transition};
 use std::time::Duration;
 
 fn receipt(name: &str, tolerance: f64) -> Receipt {
     let scene = scene(name);
-    let ladders = [Axes::First, Axes::Second].map(|axes| Ladder::of_scene(&scene, axes));
-    let kept = Stored::beside(&path(name)).expect("a reference is kept");
+    let ladders = [Axes::First, Axes::Second].map(|axes| Ladder::of_scene(&scene, axes)).into();
+    let models = Forms { ladders, kept: Stored::beside(&path(name)) };
     let wish = Wish { tolerance, outputs: scene.run.outputs.clone(), allowed: Duration::ZERO };
-    choose(&ladders, Some(&kept), &wish).expect("it runs")
+    choose(&models, &wish).expect("it runs")
 }
 
 #[test]
@@ -53,6 +54,36 @@ fn a_run_that_switches_is_as_good_as_it_promises() {
     let off = run.rows.iter().zip(exact.times.iter().zip(&exact.states));
     let off = off.map(|((_, row), (time, y))| watched.off(row, &ladder.row(*time, y))).fold(0.0, f64::max);
     assert!(off > 0.0 && off <= 1.5 * schedule.promised, "{off:e}, promised {:e}", schedule.promised);
+}
+
+#[test]
+fn what_weighs_a_loss_is_the_transition_matrix() {
+    for (name, from, to) in
+        [("spin_up", 0.0, 1.0 / 128.0), ("spin_up", 0.5, 0.5 + 1.0 / 128.0), ("hanging_rest", 0.0, 0.1)]
+    {
+        let ladder = ladder(&scene(name));
+        let n = ladder.start.len();
+        let tight = integrators::Tolerance::both(1e-11);
+        let knot = |time: f64| {
+            let state = match time {
+                0.0 => ladder.start.clone(),
+                _ => transition(&*ladder.law, &tight, (0.0, time), &ladder.start).expect("a series").state,
+            };
+            let mut rates = vec![0.0; n];
+            ladder.law.rates(time, &state, &mut rates);
+            (time, state, rates)
+        };
+        let (begin, end) = (knot(from), knot(to));
+        let exact = transition(&*ladder.law, &tight, (from, to), &begin.1).expect("a series").matrix;
+        let found = propagator(&mut Jacobian::of(&*ladder.law), &begin, &end);
+        for j in 0..n {
+            let size = (0..n).map(|i| exact[i * n + j].abs()).fold(0.0, f64::max);
+            for i in 0..n {
+                let off = (found[(i, j)] - exact[i * n + j]).abs() / size;
+                assert!(off < 1e-2, "{name} from {from}, {i} {j}: {off:e}");
+            }
+        }
+    }
 }
 
 /// No stretch is weighed less than the dual weighs it at the end, nor much more, where the error is small enough for both courses to be one.

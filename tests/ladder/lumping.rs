@@ -91,8 +91,9 @@ fn bars_of_one_ratio_at_any_angles_come_to_two_windings_and_every_current_comes_
     let currents = [1.0, -2.0, 0.5, 3.0, -1.5];
     let all = run(&machine, &[&[0.3, -12.0], &currents[..]].concat());
     let two = run(&lumped, &[&[0.3, -12.0], &lumping.lumped(&currents)[..]].concat());
+    let recovery = lumping.recovery(&currents);
     for ((time, all), two) in all.times.iter().zip(&all.states).zip(&two.states) {
-        let back = [&two[..2], &lumping.currents(*time, &two[2..], &currents)].concat();
+        let back: Vec<f64> = two[..2].iter().copied().chain(recovery.currents(*time, &two[2..])).collect();
         for (a, b) in all.iter().zip(&back) {
             assert!((a - b).abs() < 1e-9, "at {time}: {all:?} {back:?}");
         }

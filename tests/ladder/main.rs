@@ -5,8 +5,10 @@ mod drawn;
 mod estimates;
 mod governors;
 mod lumping;
+mod rough;
 
-use derivations::ladder::estimate::{Watched, followed};
+use derivations::ladder::followed::followed;
+use derivations::ladder::watched::Watched;
 use derivations::ladder::{Ladder, Rung};
 use derivations::scene::{AnyScene, Axes, Family, MechanismScene, Scene};
 use integrators::{Record, Tolerance};

@@ -114,6 +114,7 @@ impl<P: Base, K: Knows> Machine<P> for Text<P, K> {
 
 impl<K: Knows> Catalogued for Text<f64, K> {
     const SUMMARY: &'static str = "its laws are written in the scene";
+    const WRITTEN: bool = true;
     type Over<P: Datum> = Text<P, K>;
 
     /// From a source without laws: a rotor that is left alone.

@@ -134,7 +134,7 @@ fn a_way_to_fail_that_is_not_known() {
 
 #[test]
 fn what_cannot_be_chosen_from_is_refused() {
-    refused("choose_rough", &["choose", "scenes/friction/jam.toml"]);
+    refused("choose_rough", &["choose", "scenes/friction/jam.toml", "--model", "synchronous"]);
     refused("choose_output", &["choose", "scenes/bench.toml", "--outputs", "slip,speed"]);
     refused("choose_model", &["choose", "scenes/governors/released.toml", "--model", "synchronous"]);
 }

@@ -385,6 +385,24 @@ fn a_receipt_names_what_was_taken_and_what_it_promises() {
 }
 
 #[test]
+fn a_receipt_of_rough_contacts_says_where_a_regime_is_left_and_what_friction_does() {
+    let asked =
+        ["choose", "scenes/friction/pushed_ladder.toml", "--tol", "1e-3", "--outputs", "angle", "--format", "json"];
+    let output = run(&asked);
+    assert_eq!(output.status.code(), Some(0));
+    let receipt = json(&output);
+    assert_eq!(receipt["taken"], "friction");
+    let models = receipt["models"].as_array().expect("a list");
+    assert!(models[1]["why_not"].as_str().is_some_and(|why| why.starts_with("left at 0.23")), "{}", models[1]);
+    let without = models.last().expect("a model");
+    assert_eq!((&without["model"], &without["verdict"]), (&Value::from("no friction"), &Value::from("too far")));
+    assert!(without["estimate"]["first"].as_f64().is_some_and(|error| error > 0.1), "{without}");
+    let stops = run(&["choose", "scenes/friction/painleve.toml"]);
+    assert_ne!(stops.status.code(), Some(0));
+    assert!(String::from_utf8_lossy(&stops.stdout).contains("no regime is consistent"));
+}
+
+#[test]
 fn a_family_has_a_verdict_and_a_map_has_the_columns_of_its_data() {
     let top = "scenes/closed_forms/lagrange_top.toml";
     let all = json(&run(&["stationary", top, "--omega0", "20", "--format", "json"]));

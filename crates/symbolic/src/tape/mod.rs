@@ -48,6 +48,7 @@ enum Operation {
 }
 
 impl Operation {
+    #[inline(always)]
     fn operands(self) -> [Register; 2] {
         match self {
             Operation::Sum(a, b)
@@ -73,6 +74,7 @@ impl Operation {
         }
     }
 
+    #[inline(always)]
     fn results(self) -> usize {
         if matches!(self, Operation::Circle(_)) { 2 } else { 1 }
     }

@@ -1,0 +1,103 @@
+//! `dalembert choose`: the smallest model that meets a tolerance in the outputs that matter, with its receipt.
+
+mod picture;
+mod receipt;
+
+use crate::arguments::{Format, tolerance};
+use crate::ending::{Ending, print, save};
+use crate::run::{refuse, with_model};
+use clap::Args;
+use derivations::friction::course::WORKS;
+use derivations::ladder::rough::RoughLadder;
+use derivations::ladder::{Forms, Ladder, Models, Wish, choose};
+use derivations::scene::{AnyScene, Axes, Family, Smooth, Stored, System};
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// What is to be met, and in what.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Largest error allowed, relative to the size of each output
+    #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true, default_value = "1e-6")]
+    pub tolerance: f64,
+    /// What matters, by the names of a run's columns; without it the outputs of the scene
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    pub outputs: Vec<String>,
+    /// The model that is taken for exact: another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// Draws error against the cost of every model
+    #[arg(long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+    /// How to print the receipt
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    /// Time allowed for taking times, and again for where to switch between models
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=3600))]
+    pub seconds: u32,
+}
+
+/// Chooses, prints the receipt, draws what is asked for.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let scene = match AnyScene::open(&asked.scene)? {
+        AnyScene::Driven(scene) => {
+            AnyScene::Driven(Box::new(with_model(*scene, asked.model.as_deref(), &asked.scene)?))
+        }
+        other => other,
+    };
+    let (models, given): (Box<dyn Models>, Vec<String>) = match &scene {
+        AnyScene::Driven(scene) => {
+            let axes = if matches!(scene.system, System::Bench { .. }) { &AXES[..1] } else { &AXES[..] };
+            let ladders = axes.iter().map(|axes| Ladder::of_scene(scene, *axes)).collect();
+            (Box::new(Forms { ladders, kept: Stored::beside(&asked.scene) }), scene.run.outputs.clone())
+        }
+        AnyScene::Mechanism(scene) => {
+            refuse("a mechanism", asked.model.is_some(), false, &asked.scene)?;
+            let kept = Stored::beside(&asked.scene);
+            (Box::new(Forms { ladders: vec![scene.ladder()], kept }), Smooth::run(&**scene).outputs.clone())
+        }
+        AnyScene::Rough(scene) => {
+            refuse("a system with rough contacts", asked.model.is_some(), false, &asked.scene)?;
+            (Box::new(RoughLadder::of(scene)), Vec::new())
+        }
+    };
+    let title = scene.title();
+    let outputs = outputs(asked, given, models.columns())?;
+    let wish = Wish { tolerance: asked.tolerance, outputs, allowed: Duration::from_secs(asked.seconds.into()) };
+    let receipt = match choose(&*models, &wish) {
+        Ok(receipt) => receipt,
+        Err(why) => {
+            print(&format!("{title}\n\nnothing can be chosen: the scene's own model stops: {why}\n"))?;
+            return Ok(Ending::Stopped);
+        }
+    };
+    print(&match asked.format {
+        Format::Text => receipt::text(title, &receipt),
+        Format::Json => format!("{:#}\n", receipt::object(title, &receipt)),
+    })?;
+    if let Some(path) = &asked.out {
+        save(path, &picture::of(title, &*models, &wish, receipt.clone()).svg())?;
+    }
+    Ok(if receipt.taken.is_some() { Ending::Done } else { Ending::Stopped })
+}
+
+const AXES: [Axes; 2] = [Axes::First, Axes::Second];
+
+/// Those that are asked for, or those of the scene, or all states that its own model shows.
+fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<Vec<String>, Ending> {
+    // the work that a mechanism's run meters is none of its ladder's
+    if let Some(wrong) = asked.outputs.iter().find(|name| !known.contains(name) || *name == "work") {
+        let known: Vec<&str> = known.iter().map(String::as_str).filter(|name| *name != "work").collect();
+        return Err(Ending::refused(format!(
+            "{}: unknown output `{wrong}`; known: {}",
+            asked.scene.display(),
+            known.join(", ")
+        )));
+    }
+    let state = |name: &&String| *name != "work" && !WORKS.contains(&name.as_str());
+    let all = || known.iter().filter(state).cloned().collect();
+    Ok([asked.outputs.clone(), given].into_iter().find(|names| !names.is_empty()).unwrap_or_else(all))
+}

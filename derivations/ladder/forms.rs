@@ -1,0 +1,149 @@
+//! The models of a scene that is one initial value problem, in every form of its equations.
+
+use super::choose::{MOST, Mixed, Models, OF_METHOD};
+use super::estimate::Estimate;
+use super::plan::{FINEST, PILOTS, Plan, Runnable, plans};
+use super::receipt::{Line, OF_MODEL, Verdict, Wish};
+use super::watched::Watched;
+use super::{Ladder, Loss, Rung};
+use crate::scene::{Axes, Stored};
+use integrators::Method;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// The ladders of one scene, in each form that it has, and the exact motion where it is kept.
+pub struct Forms {
+    pub ladders: Vec<Ladder>,
+    pub kept: Option<Stored>,
+}
+
+const AXES: [Axes; 2] = [Axes::First, Axes::Second];
+/// A model whose error is so many times what is allowed is not followed further.
+const HOPELESS: f64 = 10.0;
+/// A smaller model for less than this share of the run is not worth switching to.
+const WORTH_WHILE: f64 = 0.1;
+/// Nor is one whose run over the whole span has more than this share of the richer one's work.
+const CHEAPER: f64 = 0.7;
+
+impl Models for Forms {
+    fn columns(&self) -> &[String] {
+        &self.ladders[0].own.columns
+    }
+
+    fn made(&self) -> Duration {
+        self.ladders.iter().map(|ladder| ladder.made).sum()
+    }
+
+    fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
+        self.ladders[0].watched(names).map_err(|failure| failure.to_string())
+    }
+
+    fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {
+        let (ladder, mut spent) = (&self.ladders[0], 0);
+        let mut lines = vec![Line::own(ladder.model, ladder.own.state.len(), watched.columns.len())];
+        for rung in &ladder.rungs {
+            let model = ladder.estimate_within(rung, watched, tolerance, HOPELESS * tolerance);
+            spent += model.as_ref().map_or(0, |model| model.evaluations);
+            let model = model.map_err(|failure| failure.to_string());
+            lines.push(Line {
+                name: rung.name.to_owned(),
+                dropped: rung.dropped.clone(),
+                loss: rung.loss,
+                states: rung.start.len(),
+                verdict: Verdict::of(&model, tolerance),
+                model,
+                choice: None,
+            });
+        }
+        (lines, spent)
+    }
+
+    fn forms(&self, line: usize) -> Vec<Runnable<'_>> {
+        self.ladders.iter().zip(AXES).map(|(ladder, axes)| runnable(ladder, line, axes)).collect()
+    }
+
+    fn exact(&self) -> Option<Vec<Vec<f64>>> {
+        let ladder = &self.ladders[0];
+        let kept = self.kept.as_ref().filter(|kept| kept.serves(&ladder.own))?;
+        let row = |(time, state): (&f64, &Vec<field::DoubleDouble>)| {
+            let state: Vec<f64> = state.iter().map(|y| y.hi()).collect();
+            (ladder.own.row)(*time, &state)
+        };
+        Some(kept.reference.times.iter().zip(&kept.reference.states).map(row).collect())
+    }
+
+    /// The rung that does not suffice for the whole run but for the largest part of it, with the richest that does for the rest.
+    /// Where a smaller model suffices for the whole run nothing is switched: those below it are hardly smaller.
+    fn mixed(&self, watched: &Watched, lines: &[Line], found: &[(usize, Plan)], wish: &Wish) -> Option<Mixed<'_>> {
+        let ladder = &self.ladders[0];
+        // the law that the rungs are derived from is the exact one next to the scene's own, or that
+        let rich = usize::from(ladder.lumping.is_some());
+        let plan = Plan { axes: Axes::First, ..found.iter().find(|(line, _)| *line == rich)?.1.clone() };
+        // along stiff windings an explicit method does not switch
+        let whole = |line: &Line| line.verdict == Verdict::Suffices && matches!(line.loss, Loss::Small { .. });
+        if wish.allowed.is_zero() || plan.method.traits().implicit || lines.iter().any(whole) {
+            return None;
+        }
+        let far = |line: &Line| matches!(line.verdict, Verdict::TooFar | Verdict::NotBelieved);
+        let worth = |at: usize, rung: &Rung| rung.lower.kept.is_some() && cheaper(ladder, at + 1, rich);
+        let unfit = ladder.rungs.iter().enumerate().filter(|(at, _)| far(&lines[at + 1]));
+        let unfit: Vec<(usize, &Rung)> = unfit.filter(|(at, rung)| worth(*at, rung)).collect();
+        if unfit.is_empty() {
+            return None;
+        }
+        let course = ladder.course(watched, Some(Instant::now() + wish.allowed)).ok()?;
+        let schedules = unfit.into_iter().filter_map(|(at, rung)| {
+            let schedule = ladder.schedule(rung, &course, OF_MODEL * wish.tolerance)?;
+            (schedule.share() >= WORTH_WHILE).then_some((at, schedule))
+        });
+        let (at, schedule) = schedules.max_by(|a, b| a.1.share().total_cmp(&b.1.share()))?;
+        let low = plans(&[runnable(ladder, at + 1, Axes::First)], watched, OF_METHOD * wish.tolerance);
+        let low = low.into_iter().next()?;
+        let spans = schedule.spans().into_iter().map(|(from, to)| format!("{from:.3} to {to:.3} s"));
+        let (rung, name) = (&ladder.rungs[at], &lines[rich].name);
+        let line = Line {
+            name: "switching".to_owned(),
+            dropped: format!(
+                "{name}, and from {} {}",
+                spans.collect::<Vec<_>>().join(", "),
+                rung.name.replace('_', " ")
+            ),
+            loss: rung.loss,
+            states: ladder.start.len(),
+            model: Ok(Estimate { first: schedule.promised, ..Estimate::nothing(watched.columns.len()) }),
+            verdict: Verdict::Suffices,
+            choice: None,
+        };
+        let sides = [(plan.method, plan.tolerance), (low.method, low.tolerance)];
+        let go = move |finer: f64| {
+            let sides = sides.map(|(method, tolerance)| (method, (tolerance * finer).max(FINEST)));
+            ladder.run_switching(rung, &schedule, sides, MOST)
+        };
+        Some(Mixed { line, plan, go: Box::new(go) })
+    }
+}
+
+/// Whether a model's run over the whole span is so much cheaper than the richer one's that to run it on a part can be worth
+/// while: evaluations times states, by a method that needs no recording.
+fn cheaper(ladder: &Ladder, line: usize, rich: usize) -> bool {
+    let work = |line: usize| {
+        let states = line.checked_sub(1).map_or(ladder.own.state.len(), |rung| ladder.rungs[rung].start.len());
+        let (run, evaluations) = runnable(ladder, line, Axes::First).run(Method::DormandPrince8, PILOTS[0], MOST);
+        run.map(|_| evaluations as f64 * states as f64)
+    };
+    matches!((work(line), work(rich)), (Some(low), Some(rich)) if low < CHEAPER * rich)
+}
+
+/// A line of the receipt in a form.
+fn runnable(ladder: &Ladder, line: usize, axes: Axes) -> Runnable<'_> {
+    let span = ladder.own.span;
+    match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
+        None => {
+            let (law, start) = (Arc::clone(&ladder.own.law), ladder.own.state.clone());
+            Runnable::of_law(axes, law, start, span, |time, y| (ladder.own.row)(time, y))
+        }
+        Some(rung) => Runnable::of_law(axes, Arc::clone(&rung.law), rung.start.clone(), span, |time, z| {
+            ladder.row(time, &rung.lifted(time, z, ladder.start.len()))
+        }),
+    }
+}

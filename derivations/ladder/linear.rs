@@ -1,0 +1,48 @@
+//! How a small change goes on along a run of which states and rates are known here and there: what weighs a loss.
+//!
+//! By Magnus' expansion to fourth order, with the Jacobians J1, J2 at the two points of Gauss,
+//!
+//!   P = exp(h/2 (J1 + J2) + sqrt(3) h^2/12 (J2 J1 - J1 J2)) ,
+//!
+//! the state there from the cubic through both ends. A hundredth is more than a weight needs, and a series with all directions
+//! in it costs a hundred times as much.
+
+use integrators::Jacobian;
+use nalgebra::DMatrix;
+
+/// A place on a run: time, state and rates.
+pub type Knot = (f64, Vec<f64>, Vec<f64>);
+
+/// h times the norm of J: a stretch is cut into so short steps, but not into more than so many.
+const SHORT: f64 = 8.0;
+const MOST: f64 = 16.0;
+
+/// dy(end)/dy(begin).
+pub fn propagator(jacobian: &mut Jacobian<'_>, begin: &Knot, end: &Knot) -> DMatrix<f64> {
+    let n = begin.1.len();
+    let span = end.0 - begin.0;
+    let mut rows = vec![0.0; n * n];
+    let mut at = |share: f64| {
+        jacobian.matrix(begin.0 + share * span, &cubic(begin, end, share), &mut rows);
+        DMatrix::from_row_slice(n, n, &rows)
+    };
+    let norm = |j: &DMatrix<f64>| j.row_iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+    let steps = (span.abs() * norm(&at(0.5)) / SHORT).ceil().clamp(1.0, MOST);
+    let h = span / steps;
+    let offset = 3.0_f64.sqrt() / 6.0;
+    let mut whole = DMatrix::identity(n, n);
+    for step in 0..steps as usize {
+        let [a, b] = [0.5 - offset, 0.5 + offset].map(|point| at((step as f64 + point) / steps));
+        let bent = (&b * &a - &a * &b) * (3.0_f64.sqrt() * h * h / 12.0);
+        whole = ((a + b) * (0.5 * h) + bent).exp() * whole;
+    }
+    whole
+}
+
+/// The cubic through states and rates at both ends.
+fn cubic((from, y0, f0): &Knot, (to, y1, f1): &Knot, s: f64) -> Vec<f64> {
+    let h = to - from;
+    let (a, b) = ((1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s), s * (1.0 - s) * (1.0 - s) * h);
+    let (c, d) = (s * s * (3.0 - 2.0 * s), s * s * (s - 1.0) * h);
+    (0..y0.len()).map(|i| a * y0[i] + b * f0[i] + c * y1[i] + d * f1[i]).collect()
+}

@@ -1,0 +1,101 @@
+//! The rungs of smaller machines that a scene's data make.
+
+use super::motors::written;
+use super::rung::{Lower, Written};
+use super::{Ladder, Loss, Rung};
+use crate::machines::{Catalogued, ForMachine};
+use crate::scene::{Axes, Scene, System};
+use field::Over;
+use std::sync::Arc;
+use symbolic::Sym;
+
+/// A smaller machine of the scene's data, lifted by the names of the states: an angle that it does not know turns with its
+/// slip, currents that it does not have are absent.
+pub(super) fn rung(scene: &Scene, axes: Axes, ladder: &Ladder, model: &'static str) -> Option<Rung> {
+    let smaller = scene.with_model(model).ok()?;
+    let names = smaller.names();
+    if names.is_empty() {
+        return None; // on a bench a rotor of constant speed has no state at all
+    }
+    let (law, speed) = smaller.machine.clone().apply(Alone { system: &scene.system, axes });
+    let (_, own_speed) = scene.machine.clone().apply(Alone { system: &scene.system, axes });
+    let lag = speed - own_speed;
+    let running = Arc::clone(&law);
+    let own = scene.names();
+    let states = ladder.start.len();
+    let count = names.len();
+    let turning = own.iter().any(|name| name == "angle") && !names.iter().any(|name| name == "angle");
+    let slip = names.iter().position(|name| name == "slip");
+    let from: Vec<(usize, Option<usize>, String)> = own
+        .iter()
+        .take(states)
+        .enumerate()
+        .filter(|(_, name)| ["w", "v", "a", "s"].iter().any(|first| name.starts_with(first)))
+        .map(|(place, name)| (place, names.iter().position(|known| known == name), name.clone()))
+        .collect();
+    let slipping = move |z: &[Sym]| slip.map_or(Sym::ZERO, |slip| z[slip]) + Sym::lift(lag);
+    let lift = move |_: Sym, z: &[Sym]| {
+        let mut y = vec![Sym::ZERO; states];
+        for (place, known, name) in &from {
+            y[*place] = match (name.as_str(), known) {
+                ("slip", _) => slipping(z),
+                ("angle", None) => z[count],
+                (_, known) => known.map_or(Sym::ZERO, |known| z[known]),
+            };
+        }
+        y
+    };
+    let rates = move |time: Sym, z: &[Sym]| {
+        let mut dz = vec![Sym::ZERO; count];
+        law.rates(time, &z[..count], &mut dz);
+        dz.extend(turning.then(|| slipping(z)));
+        dz
+    };
+    let mut start = smaller.state(axes);
+    start.extend(turning.then_some(scene.start.rotor_angle));
+    let plain = move |time: f64, z: &[f64], dz: &mut [f64]| {
+        running.rates(time, &z[..count], &mut dz[..count]);
+        if turning {
+            dz[count] = slip.map_or(0.0, |slip| z[slip]) + lag;
+        }
+    };
+    let lower = Lower {
+        dimension: start.len(),
+        lift: Arc::new(lift),
+        rates: Arc::new(rates),
+        plain: Some(Arc::new(plain)),
+        kept: None,
+    };
+    let (dropped, parameter) = dropped(model);
+    Rung::new(model, dropped, Loss::Small { parameter }, lower, start)
+}
+
+/// What a smaller machine leaves out, and what must be small for that.
+fn dropped(model: &str) -> (&'static str, &'static str) {
+    match model {
+        "synchronous" => ("all currents and the damping by slip", "damping of the swing over one swing"),
+        "kloss" | "asynchronous" => {
+            ("the angle to the field: the moment is one of slip alone", "b0 over the moment of slip")
+        }
+        "free_rotor" => ("the motor's moment", "M t over the rotor's momentum"),
+        _ => (
+            "the rotor's own motion: its speed is kept by whatever moment that takes",
+            "change of speed over the speed",
+        ),
+    }
+}
+
+/// A machine's law with its system, and its W.
+struct Alone<'a> {
+    system: &'a System,
+    axes: Axes,
+}
+
+impl ForMachine for Alone<'_> {
+    type Output = (Arc<dyn Written>, f64);
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
+        let speed = machine.frame_speed();
+        (written(self.system, self.axes, machine), speed)
+    }
+}
