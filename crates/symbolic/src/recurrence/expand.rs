@@ -61,11 +61,11 @@ impl Recurrence {
             return None;
         }
         let small = self.small.as_ref().filter(|_| W == GROUP && (2..=MOST_ORDER).contains(&order));
-        let small = small.and_then(|small| Some((small, S::Small::new(&small.degree)?)));
+        let small = small.and_then(|small| Some((small, S::Small::new(&small.law)?)));
         let (way, moving, points, coefficients, count) = match small {
             Some((small, series)) => {
-                let Reduced { degree, coefficients, points } = small;
-                (Way::Small(series), degree.moving, points, coefficients, degree.coefficients)
+                let Reduced { law, coefficients, points } = small;
+                (Way::Small(series), law.quantities(), points, coefficients, law.coefficients)
             }
             None => {
                 let [now, then] = [(); 2].map(|()| Box::new(Columns([S::zero(); N])));
@@ -205,17 +205,37 @@ struct Sum<'a, S: Fused, const W: usize, const N: usize> {
     out: &'a mut [S],
 }
 
+/// Every so many terms are summed by themselves: Horner's scheme waits for each of its steps.
+const APART: usize = 4;
+
 impl<S: Fused, const W: usize, const N: usize> Task<S> for Sum<'_, S, W, N> {
     #[inline(always)]
     fn run<P: Pick<S>>(self, _: P) {
         let Expansion { series, width, states, .. } = self.expansion;
+        let h = self.h;
+        let square = h * h;
+        let [h, square, fourth] = [h, square, square * square].map(|power| [power; W]);
+        let (terms, over) = (self.expansion.order + 1, (self.expansion.order + 1) % APART);
         for (first, out) in (0..*states).step_by(W).zip(self.out.chunks_mut(W)) {
-            let mut sum = [S::zero(); W];
-            for row in series.chunks_exact(*width).rev() {
-                let mut next = [S::zero(); W];
-                next.copy_from_slice(&row[first..first + W]);
-                sum = add::<P, S, W>(next, sum, [self.h; W]);
+            let term = |k: usize| -> [S; W] {
+                let mut term = [S::zero(); W];
+                term.copy_from_slice(&series[k * width + first..][..W]);
+                term
+            };
+            let mut sums = [[S::zero(); W]; APART];
+            for chain in 0..APART {
+                if chain < over {
+                    sums[chain] = term(terms - over + chain);
+                }
             }
+            for four in (0..terms / APART).rev() {
+                for chain in 0..APART {
+                    sums[chain] = add::<P, S, W>(term(four * APART + chain), sums[chain], fourth);
+                }
+            }
+            let [even, odd, more, most] = sums;
+            let (low, high) = (add::<P, S, W>(even, odd, h), add::<P, S, W>(more, most, h));
+            let sum = add::<P, S, W>(low, high, square);
             out.copy_from_slice(&sum[..out.len()]);
         }
     }
