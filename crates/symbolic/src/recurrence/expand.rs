@@ -118,7 +118,7 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
     /// Expands the solution through `state` at `time`.
     pub fn expand(&mut self, state: &[S], time: S) {
         let n = self.states.min(state.len());
-        self.series[..n].copy_from_slice(&state[..n]);
+        copy::<S, W>(&state[..n], &mut self.series);
         let mut moving = self.states;
         if self.time {
             self.series[moving] = time;
@@ -143,6 +143,24 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
     #[inline]
     pub fn sum(&self, h: S, out: &mut [S]) {
         S::run(Sum { expansion: self, h, out }, W);
+    }
+}
+
+/// A few numbers: to call what copies memory would take longer than this.
+#[inline(always)]
+fn copy<S: Copy, const W: usize>(from: &[S], to: &mut [S]) {
+    for (to, from) in to.chunks_mut(W).zip(from.chunks(W)) {
+        match (<&mut [S; W]>::try_from(&mut *to), <&[S; W]>::try_from(from)) {
+            (Ok(to), Ok(from)) => *to = *from,
+            _ => {
+                let few = to.len().min(from.len());
+                for lane in 0..W {
+                    if lane < few {
+                        to[lane] = from[lane];
+                    }
+                }
+            }
+        }
     }
 }
 
@@ -236,7 +254,7 @@ impl<S: Fused, const W: usize, const N: usize> Task<S> for Sum<'_, S, W, N> {
             let [even, odd, more, most] = sums;
             let (low, high) = (add::<P, S, W>(even, odd, h), add::<P, S, W>(more, most, h));
             let sum = add::<P, S, W>(low, high, square);
-            out.copy_from_slice(&sum[..out.len()]);
+            copy::<S, W>(&sum, out);
         }
     }
 }

@@ -37,7 +37,7 @@ pub struct Kernel<const B: usize, const G: usize> {
     /// Columns are taken four at a time: so many fours of quantities, of those that move, and of products.
     pub(super) fours: [usize; 3],
     pub(super) constants: [Wide; B],
-    /// The rates by the quantities.
+    /// The rates by the quantities, and what is solved for by itself.
     pub(super) linear: Matrix<B, B>,
     /// The rates by the products.
     pub(super) weights: Matrix<B, G>,
@@ -104,6 +104,9 @@ impl<const B: usize, const G: usize> Kernel<B, G> {
         }
         for &(row, column, number) in &self.law.linear {
             self.linear[column / 8][column % 8][row / 8].0[row % 8] = value(number);
+        }
+        for quantity in self.law.moving..self.law.quantities() {
+            self.linear[quantity / 8][quantity % 8][quantity / 8].0[quantity % 8] = 1.0;
         }
         for &(row, product, number) in &self.law.quadratic {
             self.weights[product / 8][product % 8][row / 8].0[row % 8] = value(number);

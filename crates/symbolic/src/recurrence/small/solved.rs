@@ -28,6 +28,16 @@ impl<const B: usize, const G: usize> Row<B, G> {
             *sum = sum.plus(pick, other, times);
         }
     }
+
+    /// Adds a quantity so many times: one that moves, or one whose row is known.
+    #[inline(always)]
+    fn take<P: Pick<f64>>(&mut self, pick: P, known: &[Self], quantity: usize, moving: usize, times: f64) {
+        if quantity < moving {
+            self.moving[quantity / 8 % B].0[quantity % 8] += times;
+        } else if let Some(row) = known.get(quantity - moving) {
+            self.plus(pick, row, times);
+        }
+    }
 }
 
 impl<const B: usize, const G: usize> Kernel<B, G> {
@@ -63,45 +73,57 @@ impl<const B: usize, const G: usize> Kernel<B, G> {
             let (known, later) = self.rows.split_at_mut(number);
             let Some(row) = later.first_mut() else { continue };
             *row = Row::EMPTY;
-            let quantity = |row: &mut Row<B, G>, quantity: usize, times: f64| match quantity.checked_sub(moving) {
-                None => row.moving[quantity / 8 % B].0[quantity % 8] += times,
-                Some(earlier) => known.iter().skip(earlier).take(1).for_each(|earlier| row.plus(pick, earlier, times)),
-            };
             match solved {
                 Solved::Sum { linear, products, .. } => {
-                    linear.iter().for_each(|&(of, number)| quantity(row, of, coefficient(number)));
+                    for &(of, number) in linear {
+                        row.take(pick, known, of, moving, coefficient(number));
+                    }
                     for &(product, number) in products {
                         let ([a, b], times) = (self.law.products[product], coefficient(number));
-                        quantity(row, a, times * at(b));
-                        quantity(row, b, times * at(a));
+                        row.take(pick, known, a, moving, times * at(b));
+                        row.take(pick, known, b, moving, times * at(a));
                         row.products[product / 8 % G].0[product % 8] += times;
                     }
                 }
                 Solved::Reciprocal { of, product } => {
                     let own = at(moving + number);
-                    quantity(row, *of, -own * own);
+                    row.take(pick, known, *of, moving, -own * own);
                     row.products[product / 8 % G].0[product % 8] -= own;
                 }
                 Solved::Root { of, product } => {
                     let half = 0.5 / at(moving + number);
-                    quantity(row, *of, half);
+                    row.take(pick, known, *of, moving, half);
                     row.products[product / 8 % G].0[product % 8] -= half;
                 }
             }
         }
-        self.gains = self.weights;
-        for (number, row) in self.rows.iter().enumerate() {
-            let quantity = moving + number;
-            let own = std::mem::replace(&mut self.jacobian[quantity / 8 % B][quantity % 8], [ZERO; B]);
-            let columns =
-                self.jacobian.as_flattened_mut()[..moving].iter_mut().zip(row.moving.iter().flat_map(|eight| eight.0));
-            let gains = self.gains.as_flattened_mut()[..self.law.products.len()].iter_mut();
-            for (column, times) in columns.chain(gains.zip(row.products.iter().flat_map(|eight| eight.0))) {
-                for (sum, own) in column.iter_mut().zip(&own) {
-                    *sum = sum.plus(pick, own, times);
-                }
-                column[quantity / 8 % B].0[quantity % 8] = times;
-            }
+        // its own column has a one in its own row: so the rows are put in by the way
+        let Kernel { law, rows, jacobian, gains, weights, .. } = self;
+        let (columns, solved) = jacobian.as_flattened_mut().split_at_mut(moving);
+        for (number, column) in columns.iter_mut().enumerate() {
+            let times = rows.iter().map(|row| row.moving[number / 8 % B].0[number % 8]);
+            *column = put(pick, *column, times.zip(&*solved));
+        }
+        let products = gains.as_flattened_mut().iter_mut().zip(weights.as_flattened()).take(law.products.len());
+        for (number, (gain, weight)) in products.enumerate() {
+            let times = rows.iter().map(|row| row.products[number / 8 % G].0[number % 8]);
+            *gain = put(pick, *weight, times.zip(&*solved));
+        }
+        solved[..law.solved.len()].fill([ZERO; B]);
+    }
+}
+
+/// A column with what is solved for put into it, so many times each.
+#[inline(always)]
+fn put<'a, P: Pick<f64>, const B: usize>(
+    pick: P,
+    mut column: [Wide; B],
+    solved: impl Iterator<Item = (f64, &'a [Wide; B])>,
+) -> [Wide; B] {
+    for (times, own) in solved {
+        for block in 0..B {
+            column[block] = column[block].plus(pick, &own[block], times);
         }
     }
+    column
 }
