@@ -28,14 +28,28 @@ pub(super) const CHAINS: usize = 2;
 /// Higher orders are for more digits than `f64` has.
 pub(in crate::recurrence) const MOST_ORDER: usize = 64;
 
+/// Columns are taken four at a time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fours {
+    pub count: usize,
+    /// A bit for each four that counts in more rows than the first eight.
+    pub far: u8,
+}
+
+impl Fours {
+    fn new(count: usize, far: impl Iterator<Item = usize>) -> Self {
+        Fours { count: count.div_ceil(4), far: far.fold(0, |bits, column| bits | 1 << (column / 4)) }
+    }
+}
+
 /// The quantities in B groups of eight, the products in G.
 #[derive(Clone, Debug)]
 pub struct Kernel<const B: usize, const G: usize> {
     pub(super) law: Law,
     /// The coefficients of what is solved for.
     pub(super) values: Vec<f64>,
-    /// Columns are taken four at a time: so many fours of quantities, of those that move, and of products.
-    pub(super) fours: [usize; 3],
+    /// Of the columns of quantities, of those that move, and of products.
+    pub(super) fours: [Fours; 3],
     pub(super) constants: [Wide; B],
     /// The rates by the quantities, and what is solved for by itself.
     pub(super) linear: Matrix<B, B>,
@@ -76,12 +90,22 @@ impl<const B: usize, const G: usize> Kernel<B, G> {
             }
             ends.push(partners.len() as u8);
         }
+        let far = |product: &usize| law.quadratic.iter().any(|(row, of, _)| of == product && *row >= 8);
+        let products = (0..law.products.len()).filter(|product| far(product) || !law.solved.is_empty());
+        let factors = products.clone().flat_map(|product| law.products[product]);
+        let linear = law.linear.iter().filter(|(row, ..)| *row >= 8).map(|(_, quantity, _)| *quantity);
+        let quantities = Fours::new(law.quantities(), linear.chain(factors).chain(law.moving..law.quantities()));
+        let fours = [
+            quantities,
+            Fours { count: law.moving.div_ceil(4), far: if law.solved.is_empty() { quantities.far } else { u8::MAX } },
+            Fours::new(law.products.len(), products),
+        ];
         let mut is_solved = [0; B];
         (law.moving..law.quantities()).for_each(|quantity| is_solved[quantity / 8] |= 1 << (quantity % 8));
         Box::new(Kernel {
             law: law.clone(),
             values: Vec::new(),
-            fours: [law.quantities(), law.moving, law.products.len()].map(|count| count.div_ceil(4)),
+            fours,
             constants: [ZERO; B],
             linear: [[[ZERO; B]; 8]; B],
             weights: [[[ZERO; B]; 8]; G],

@@ -7,7 +7,7 @@
 //! with J the Jacobian of f at y_0. An order waits for y_k only by way of J; W m_k is summed meanwhile, as soon as y_(k-1) is
 //! known. Of what a processor does in one order of a small system most is waiting, and this halves it.
 
-use super::kernel::{CHAINS, Kernel, MOST_ORDER, Matrix, Wide, ZERO};
+use super::kernel::{CHAINS, Fours, Kernel, MOST_ORDER, Matrix, Wide, ZERO};
 use crate::recurrence::fused::Task;
 use crate::recurrence::layout::Lanes;
 use crate::recurrence::pick::Pick;
@@ -58,7 +58,7 @@ fn times<P: Pick<f64>, const B: usize, const C: usize>(
     pick: P,
     matrix: &Matrix<B, C>,
     x: &[P::Eight; C],
-    fours: usize,
+    fours: Fours,
 ) -> [P::Eight; B] {
     let mut sums = [[pick.load(&ZERO.0); B]; 4];
     // written out: as loops they would not be unrolled, and the sums not kept in registers
@@ -79,21 +79,30 @@ fn four<P: Pick<f64>, const B: usize, const C: usize, const FOUR: usize>(
     [a, b, c, d]: &mut [[P::Eight; B]; 4],
     matrix: &Matrix<B, C>,
     x: &[P::Eight; C],
-    fours: usize,
+    fours: Fours,
 ) {
-    if FOUR < 2 * C && FOUR < fours {
-        let (columns, x, first) = (&matrix[FOUR / 2 % C], x[FOUR / 2 % C], FOUR % 2 * 4);
-        column(pick, a, &columns[first], pick.spread(x, first));
-        column(pick, b, &columns[first + 1], pick.spread(x, first + 1));
-        column(pick, c, &columns[first + 2], pick.spread(x, first + 2));
-        column(pick, d, &columns[first + 3], pick.spread(x, first + 3));
+    if FOUR >= 2 * C || FOUR >= fours.count {
+        return;
+    }
+    let (columns, x, first) = (&matrix[FOUR / 2 % C], x[FOUR / 2 % C], FOUR % 2 * 4);
+    let x = [0, 1, 2, 3].map(|chain| pick.spread(x, first + chain));
+    if B == 1 || fours.far >> FOUR & 1 == 0 {
+        column(pick, &mut a[..1], &columns[first], x[0]);
+        column(pick, &mut b[..1], &columns[first + 1], x[1]);
+        column(pick, &mut c[..1], &columns[first + 2], x[2]);
+        column(pick, &mut d[..1], &columns[first + 3], x[3]);
+    } else {
+        column(pick, a, &columns[first], x[0]);
+        column(pick, b, &columns[first + 1], x[1]);
+        column(pick, c, &columns[first + 2], x[2]);
+        column(pick, d, &columns[first + 3], x[3]);
     }
 }
 
 #[inline(always)]
-fn column<P: Pick<f64>, const B: usize>(pick: P, sums: &mut [P::Eight; B], column: &[Wide; B], x: P::Eight) {
-    for block in 0..B {
-        sums[block] = pick.plus_product(sums[block], pick.load(&column[block].0), x);
+fn column<P: Pick<f64>>(pick: P, sums: &mut [P::Eight], column: &[Wide], x: P::Eight) {
+    for (sum, own) in sums.iter_mut().zip(column) {
+        *sum = pick.plus_product(*sum, pick.load(&own.0), x);
     }
 }
 
