@@ -241,14 +241,14 @@ impl<S: Fused, const W: usize, const N: usize> Task<S> for Sum<'_, S, W, N> {
                 term
             };
             let mut sums = [[S::zero(); W]; APART];
-            for chain in 0..APART {
+            for (chain, sum) in sums.iter_mut().enumerate() {
                 if chain < over {
-                    sums[chain] = term(terms - over + chain);
+                    *sum = term(terms - over + chain);
                 }
             }
             for four in (0..terms / APART).rev() {
-                for chain in 0..APART {
-                    sums[chain] = add::<P, S, W>(term(four * APART + chain), sums[chain], fourth);
+                for (chain, sum) in sums.iter_mut().enumerate() {
+                    *sum = add::<P, S, W>(term(four * APART + chain), *sum, fourth);
                 }
             }
             let [even, odd, more, most] = sums;

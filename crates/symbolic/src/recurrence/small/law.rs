@@ -37,6 +37,9 @@ pub(in crate::recurrence) enum Solved {
     Root { of: usize, product: usize },
 }
 
+/// The coefficients of a sum by number: of its constant, of quantities, of products.
+type Terms = (Option<u32>, Vec<(usize, u32)>, Vec<(usize, u32)>);
+
 /// What an atom of the builder has become.
 #[derive(Clone, Copy)]
 enum Role {
@@ -135,7 +138,7 @@ impl Law {
         let both = |[a, b]: [Role; 2]| Some([quantity(a)?, quantity(b)?]);
         let mut law =
             Law { moving, products: products.into_iter().map(both).collect::<Option<_>>()?, ..Law::default() };
-        let mut terms = |form: &Form| -> Option<(Option<u32>, Vec<(usize, u32)>, Vec<(usize, u32)>)> {
+        let mut terms = |form: &Form| -> Option<Terms> {
             let constant = (form.constant.0 != Sym::ZERO).then(|| coefficients.number(form.constant.0));
             let (mut linear, mut products) = (Vec::new(), Vec::new());
             for (&atom, c) in &form.linear {
