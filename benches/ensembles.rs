@@ -2,7 +2,7 @@
 //! on one thread: trajectories of two seconds in each second, with the largest error of any member against a run to 1e-15,
 //! and steps of the classical Runge-Kutta method times systems in each second, by the law that runs, evaluated in lanes.
 //!
-//! `cargo bench --bench ensembles`; beside others by `benches/ensembles_against.py`.
+//! `cargo bench --bench ensembles`; beside others by `benches/peers/ensembles.py`.
 
 use derivations::ensemble::kind::{Kind, form_parameters};
 use derivations::machines::multi_current::{MultiCurrent, Windings};

@@ -64,13 +64,13 @@ pub(crate) fn drive<S: Real>(
     meter: &Meter<S>,
     mut watch: Watch<'_, '_, S>,
 ) -> Outcome<S> {
-    let (mut before, mut after) = (watch.state().to_vec(), watch.state().to_vec());
+    let (mut after, mut between) = (watch.state().to_vec(), watch.state().to_vec());
     let (mut tau, mut proposed, mut last_cause) = (S::zero(), first, Cause::Error);
     let mut even = Even { plan: None, all: 0, done: 0 };
     while watch.goes_on() {
         let stop = if stepper.reads_between() { watch.length() } else { watch.stop() };
         let remaining = stop - tau;
-        if let Some(reach) = stepper.reach(tau, &before, meter) {
+        if let Some(reach) = stepper.reach(tau, watch.state(), meter) {
             proposed = reach;
         }
         let step = match stepper.fixed() {
@@ -82,7 +82,7 @@ pub(crate) fn drive<S: Real>(
         if !lands && (step.approx() <= 4.0 * S::EPSILON * at.abs() || tau + step == tau) || !step.finite() {
             return watch.fail(last_cause.failure(at, step.approx()), meter);
         }
-        let attempt = stepper.attempt(tau, &before, step, &mut after, meter);
+        let attempt = stepper.attempt(tau, watch.state(), step, &mut after, meter);
         if let Some(failure) = meter.exhausted(at) {
             return watch.fail(failure, meter);
         }
@@ -97,15 +97,14 @@ pub(crate) fn drive<S: Real>(
                     && let Some(output) = watch.output_up_to(end)
                     && output < end
                 {
-                    stepper.between(output - tau, &mut before);
-                    watch.sample(&before);
+                    stepper.between(output - tau, &mut between);
+                    watch.sample(&between);
                 }
                 if stepper.reads_between() {
                     watch.look_between(end, |passed, state| stepper.between(passed, state));
                 }
                 tau = end;
-                before.copy_from_slice(&after);
-                watch.accept(tau, &before);
+                watch.take(tau, &mut after);
                 proposed = if lands { next.max(proposed) } else { next };
             }
             Attempt::Accepted { .. } if stepper.fixed().is_some() => {

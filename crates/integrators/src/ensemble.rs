@@ -90,6 +90,12 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         }
     }
 
+    /// The same with series of another order.
+    pub fn with_order(mut self, order: usize) -> Self {
+        self.order = order.max(2);
+        self
+    }
+
     /// With so many steps for each member at most.
     pub fn with_most_steps(mut self, most_steps: u64) -> Self {
         self.most_steps = most_steps;

@@ -96,19 +96,29 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
 
     /// Takes the state after an accepted step; shows it if an output lies exactly here.
     pub fn accept(&mut self, tau: S, state: &[S]) {
-        self.tau = tau;
         self.state.copy_from_slice(state);
+        self.accepted(tau);
+    }
+
+    /// The same, leaving the state before in its place: nothing is copied.
+    pub fn take(&mut self, tau: S, state: &mut Vec<S>) {
+        std::mem::swap(&mut self.state, state);
+        self.accepted(tau);
+    }
+
+    fn accepted(&mut self, tau: S) {
+        self.tau = tau;
         self.steps += 1;
         self.sample_if_at(tau);
         let time = self.time();
         for (monitor, (first, deviation)) in self.span.monitors.iter().zip(&mut self.deviations) {
-            let distance = ((monitor.value)(time, state) - *first).magnitude().approx();
+            let distance = ((monitor.value)(time, &self.state) - *first).magnitude().approx();
             let distance = if distance.is_nan() { f64::INFINITY } else { distance };
             if distance > deviation.largest {
                 (deviation.largest, deviation.at) = (distance, time);
             }
         }
-        self.observer.step(time, state);
+        self.observer.step(time, &self.state);
         self.observer.progress(((tau / self.length).approx()).min(1.0));
     }
 

@@ -136,24 +136,58 @@ fn second_degree(states: usize, products: usize) -> (Vec<Sym>, Vec<Sym>) {
     (state, rates)
 }
 
+/// The same with a reciprocal of a square, a product with it, a quotient, and a root of a product, each in some rate.
+fn with_quotients(states: usize, products: usize) -> (Vec<Sym>, Vec<Sym>) {
+    let (state, mut rates) = second_degree(states, products);
+    let [first, second, third] = [state[0], state[1], state[2]];
+    let divisor = Sym::ratio(5, 4) + first * first;
+    rates[1] += Sym::ratio(3, 4) * second / divisor;
+    rates[2] -= Sym::ratio(1, 3) / (Sym::int(2) + second - third);
+    rates[0] += (Sym::int(2) + second * third).sqrt() * third;
+    (state, rates)
+}
+
 #[test]
-fn small_systems_of_second_degree_have_the_series_of_their_stages_in_every_size() {
-    for (states, products) in [(3, 5), (5, 13), (6, 20), (9, 6), (10, 14), (12, 21)] {
-        let (state, rates) = second_degree(states, products);
-        let recurrence = record(&state, None, &[], &rates).unwrap();
-        for order in [2, 3, 7, 30] {
-            let mut small = recurrence.expansion::<f64, 8, 256>(&[], order).unwrap();
-            let mut stages = recurrence.expansion::<f64, 4, 256>(&[], order).unwrap();
-            for start in [f64::NAN, 0.3, -0.4] {
-                let start: Vec<f64> = (0..states).map(|i| start / (1.0 + i as f64)).collect();
-                small.expand(&start, 0.0);
-                stages.expand(&start, 0.0);
-                for k in (0..=order).filter(|_| !start[0].is_nan()) {
-                    for (a, b) in small.coefficients(k).iter().zip(stages.coefficients(k)) {
-                        assert!((a - b).abs() <= 1e-12 * b.abs().max(1e-3), "{states} {products}: order {k}: {a} {b}");
-                    }
+fn small_systems_have_the_series_of_their_stages_in_every_size() {
+    for (states, products) in [(3, 5), (5, 13), (6, 20), (9, 6), (10, 14), (12, 21), (18, 10), (20, 22)] {
+        same_series(second_degree(states, products));
+    }
+    for (states, products) in [(3, 2), (3, 5), (6, 8), (9, 10), (12, 14), (16, 6)] {
+        same_series(with_quotients(states, products));
+    }
+}
+
+fn same_series((state, rates): (Vec<Sym>, Vec<Sym>)) {
+    let states = state.len();
+    let recurrence = record(&state, None, &[], &rates).unwrap();
+    for order in [2, 3, 7, 30] {
+        let mut small = recurrence.expansion::<f64, 8, 256>(&[], order).unwrap();
+        let mut stages = recurrence.expansion::<f64, 4, 256>(&[], order).unwrap();
+        for start in [f64::NAN, 0.3, -0.4] {
+            let start: Vec<f64> = (0..states).map(|i| start / (1.0 + i as f64)).collect();
+            small.expand(&start, 0.0);
+            stages.expand(&start, 0.0);
+            for k in (0..=order).filter(|_| !start[0].is_nan()) {
+                for (a, b) in small.coefficients(k).iter().zip(stages.coefficients(k)) {
+                    assert!((a - b).abs() <= 1e-12 * b.abs().max(1e-3), "{states}: order {k}: {a} {b}");
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn a_sum_is_that_of_horner_for_any_number_of_terms() {
+    let (state, rates) = second_degree(9, 6);
+    let recurrence = record(&state, None, &[], &rates).unwrap();
+    for order in 4..=12 {
+        let mut series = recurrence.expansion::<f64, 8, 256>(&[], order).unwrap();
+        series.expand(&[0.3; 9], 0.0);
+        let mut sum = [0.0; 9];
+        series.sum(0.25, &mut sum);
+        for (i, sum) in sum.into_iter().enumerate() {
+            let horner = (0..=order).rev().fold(0.0, |sum, k| sum * 0.25 + series.coefficients(k)[i]);
+            assert!((sum - horner).abs() <= 1e-15 * horner.abs().max(1.0), "order {order}: {sum} {horner}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::collect::{Uses, common_factor, whole_sums};
 use super::form::{Atom, Form};
 use super::plan::Plan;
-use super::small::SecondDegree;
+use super::small::Law;
 use super::{Equations, Recurrence, Reduced};
 use crate::graph::Node;
 use crate::{Sym, Tape, Untapeable};
@@ -245,9 +245,9 @@ impl<'a> Builder<'a> {
         let (plan, coefficients) = Plan::new(&self);
         let Equations { state, time, parameters, .. } = *self.equations;
         let inputs: Vec<Sym> = state.iter().chain(&time).chain(parameters).copied().collect();
-        let small = SecondDegree::of(&self).map(|(degree, coefficients, points)| -> Result<Reduced, Untapeable> {
+        let small = Law::of(&self).map(|(law, coefficients, points)| -> Result<Reduced, Untapeable> {
             let coefficients = Tape::record(parameters, &coefficients)?;
-            Ok(Reduced { degree, coefficients, points: Tape::record(&inputs, &points)? })
+            Ok(Reduced { law, coefficients, points: Tape::record(&inputs, &points)? })
         });
         Ok(Recurrence {
             plan,

@@ -61,11 +61,11 @@ impl Recurrence {
             return None;
         }
         let small = self.small.as_ref().filter(|_| W == GROUP && (2..=MOST_ORDER).contains(&order));
-        let small = small.and_then(|small| Some((small, S::Small::new(&small.degree)?)));
+        let small = small.and_then(|small| Some((small, S::Small::new(&small.law)?)));
         let (way, moving, points, coefficients, count) = match small {
             Some((small, series)) => {
-                let Reduced { degree, coefficients, points } = small;
-                (Way::Small(series), degree.moving, points, coefficients, degree.coefficients)
+                let Reduced { law, coefficients, points } = small;
+                (Way::Small(series), law.quantities(), points, coefficients, law.coefficients)
             }
             None => {
                 let [now, then] = [(); 2].map(|()| Box::new(Columns([S::zero(); N])));
@@ -118,7 +118,7 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
     /// Expands the solution through `state` at `time`.
     pub fn expand(&mut self, state: &[S], time: S) {
         let n = self.states.min(state.len());
-        self.series[..n].copy_from_slice(&state[..n]);
+        copy::<S, W>(&state[..n], &mut self.series);
         let mut moving = self.states;
         if self.time {
             self.series[moving] = time;
@@ -143,6 +143,24 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
     #[inline]
     pub fn sum(&self, h: S, out: &mut [S]) {
         S::run(Sum { expansion: self, h, out }, W);
+    }
+}
+
+/// A few numbers: to call what copies memory would take longer than this.
+#[inline(always)]
+fn copy<S: Copy, const W: usize>(from: &[S], to: &mut [S]) {
+    for (to, from) in to.chunks_mut(W).zip(from.chunks(W)) {
+        match (<&mut [S; W]>::try_from(&mut *to), <&[S; W]>::try_from(from)) {
+            (Ok(to), Ok(from)) => *to = *from,
+            _ => {
+                let few = to.len().min(from.len());
+                for lane in 0..W {
+                    if lane < few {
+                        to[lane] = from[lane];
+                    }
+                }
+            }
+        }
     }
 }
 
@@ -205,18 +223,38 @@ struct Sum<'a, S: Fused, const W: usize, const N: usize> {
     out: &'a mut [S],
 }
 
+/// Every so many terms are summed by themselves: Horner's scheme waits for each of its steps.
+const APART: usize = 4;
+
 impl<S: Fused, const W: usize, const N: usize> Task<S> for Sum<'_, S, W, N> {
     #[inline(always)]
     fn run<P: Pick<S>>(self, _: P) {
         let Expansion { series, width, states, .. } = self.expansion;
+        let h = self.h;
+        let square = h * h;
+        let [h, square, fourth] = [h, square, square * square].map(|power| [power; W]);
+        let (terms, over) = (self.expansion.order + 1, (self.expansion.order + 1) % APART);
         for (first, out) in (0..*states).step_by(W).zip(self.out.chunks_mut(W)) {
-            let mut sum = [S::zero(); W];
-            for row in series.chunks_exact(*width).rev() {
-                let mut next = [S::zero(); W];
-                next.copy_from_slice(&row[first..first + W]);
-                sum = add::<P, S, W>(next, sum, [self.h; W]);
+            let term = |k: usize| -> [S; W] {
+                let mut term = [S::zero(); W];
+                term.copy_from_slice(&series[k * width + first..][..W]);
+                term
+            };
+            let mut sums = [[S::zero(); W]; APART];
+            for (chain, sum) in sums.iter_mut().enumerate() {
+                if chain < over {
+                    *sum = term(terms - over + chain);
+                }
             }
-            out.copy_from_slice(&sum[..out.len()]);
+            for four in (0..terms / APART).rev() {
+                for (chain, sum) in sums.iter_mut().enumerate() {
+                    *sum = add::<P, S, W>(term(four * APART + chain), *sum, fourth);
+                }
+            }
+            let [even, odd, more, most] = sums;
+            let (low, high) = (add::<P, S, W>(even, odd, h), add::<P, S, W>(more, most, h));
+            let sum = add::<P, S, W>(low, high, square);
+            copy::<S, W>(&sum, out);
         }
     }
 }

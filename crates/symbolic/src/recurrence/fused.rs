@@ -11,7 +11,7 @@ pub trait Fused: Analytic + Over<f64> {
     /// Whether it holds more digits than `f64`.
     const FINER: bool = false;
 
-    /// How small right-hand sides of second degree are expanded.
+    /// How small right-hand sides are expanded.
     #[doc(hidden)]
     #[allow(private_bounds)]
     type Small: SmallSeries<Self>;

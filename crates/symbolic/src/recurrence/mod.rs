@@ -31,7 +31,7 @@ pub use fused::Fused;
 use crate::{Sym, Tape, Untapeable};
 use build::Builder;
 use plan::Plan;
-use small::SecondDegree;
+use small::Law;
 
 /// y' = f(t, y; parameters), written down over expressions.
 #[derive(Clone, Copy, Debug)]
@@ -54,14 +54,14 @@ pub struct Recurrence {
     coefficients: Tape,
     /// From state, time and parameters to the circle points, which are states of their own.
     points: Tape,
-    /// Where it is of second degree and small.
+    /// Where it is small.
     small: Option<Reduced>,
 }
 
-/// A small right-hand side of second degree.
+/// A small right-hand side.
 #[derive(Clone, Debug)]
 struct Reduced {
-    degree: SecondDegree,
+    law: Law,
     /// From the parameters to its coefficients.
     coefficients: Tape,
     /// From state, time and parameters to what moves beside them.

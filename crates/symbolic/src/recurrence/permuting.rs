@@ -1,6 +1,7 @@
 //! Taking numbers by permutations of registers of eight, where the processor has them.
 
 use super::pick::{Columns, Pick, Selection, Shuffle};
+use std::arch::x86_64::__m512d;
 
 /// Columns to be taken, as permutations of blocks of eight.
 #[derive(Clone, Debug)]
@@ -47,6 +48,7 @@ pub(super) struct Permuting(pub pulp::x86::V4);
 
 impl Pick<f64> for Permuting {
     const FUSED: bool = true;
+    type Eight = __m512d;
 
     #[inline(always)]
     fn pick<const W: usize, const N: usize>(self, from: &Columns<f64, N>, selection: &Selection<W>) -> [f64; W] {
@@ -64,18 +66,49 @@ impl Pick<f64> for Permuting {
     }
 
     #[inline(always)]
-    fn shuffle(self, from: [&[f64; 8]; 2], shuffle: &Shuffle) -> [f64; 8] {
-        let [low, high] = from.map(|&eight| pulp::cast(eight));
-        pulp::cast(self.0.avx512f._mm512_permutex2var_pd(low, pulp::cast(*shuffle), high))
+    fn load(self, from: &[f64; 8]) -> __m512d {
+        pulp::cast(*from)
+    }
+
+    #[inline(always)]
+    fn store(self, eight: __m512d) -> [f64; 8] {
+        pulp::cast(eight)
+    }
+
+    #[inline(always)]
+    fn shuffle(self, [low, high]: [__m512d; 2], shuffle: &Shuffle) -> __m512d {
+        self.0.avx512f._mm512_permutex2var_pd(low, pulp::cast(*shuffle), high)
+    }
+
+    /// Read from memory it would wait until the eight are written.
+    #[inline(always)]
+    fn spread(self, from: __m512d, number: usize) -> __m512d {
+        self.0.avx512f._mm512_permutexvar_pd(pulp::cast([number as u64; 8]), from)
+    }
+
+    #[inline(always)]
+    fn blend(self, bits: u8, a: __m512d, b: __m512d) -> __m512d {
+        self.0.avx512f._mm512_mask_blend_pd(bits, a, b)
+    }
+
+    #[inline(always)]
+    fn plus_product(self, sum: __m512d, a: __m512d, b: __m512d) -> __m512d {
+        self.0.avx512f._mm512_fmadd_pd(a, b, sum)
+    }
+
+    #[inline(always)]
+    fn plus(self, a: __m512d, b: __m512d) -> __m512d {
+        self.0.avx512f._mm512_add_pd(a, b)
+    }
+
+    #[inline(always)]
+    fn product(self, a: __m512d, b: __m512d) -> __m512d {
+        self.0.avx512f._mm512_mul_pd(a, b)
     }
 }
 
 #[inline(always)]
-fn permuted<const N: usize>(
-    simd: pulp::x86::V4,
-    from: &Columns<f64, N>,
-    permutation: &Permutation,
-) -> std::arch::x86_64::__m512d {
+fn permuted<const N: usize>(simd: pulp::x86::V4, from: &Columns<f64, N>, permutation: &Permutation) -> __m512d {
     let [low, high] = permutation.blocks;
     let (low, high) = (eight(from, low), eight(from, high));
     simd.avx512f._mm512_permutex2var_pd(pulp::cast(low), pulp::cast(permutation.of), pulp::cast(high))

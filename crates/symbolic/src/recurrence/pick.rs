@@ -3,7 +3,8 @@
 //! Of all that is done for one order this would take longest: loading eight numbers one by one costs as much as all sums.
 //! Where the processor permutes whole registers, two of them hold sixteen columns, and a permutation is one instruction.
 
-use field::Scalar;
+use super::fused::Fused;
+use super::order::add;
 
 /// The numbers of one order, by column.
 #[derive(Clone, Debug)]
@@ -35,8 +36,28 @@ pub(super) trait Pick<S>: Copy {
 
     fn pick<const W: usize, const N: usize>(self, from: &Columns<S, N>, selection: &Selection<W>) -> [S; W];
 
+    /// Eight numbers in one register, where there is one so wide.
+    type Eight: Copy;
+
+    fn load(self, from: &[S; 8]) -> Self::Eight;
+
+    fn store(self, eight: Self::Eight) -> [S; 8];
+
     /// Of two groups of eight.
-    fn shuffle(self, from: [&[S; 8]; 2], shuffle: &Shuffle) -> [S; 8];
+    fn shuffle(self, from: [Self::Eight; 2], shuffle: &Shuffle) -> Self::Eight;
+
+    /// One of eight, in all places.
+    fn spread(self, from: Self::Eight, number: usize) -> Self::Eight;
+
+    /// The second where the bit is set, else the first.
+    fn blend(self, bits: u8, a: Self::Eight, b: Self::Eight) -> Self::Eight;
+
+    /// sum + a b
+    fn plus_product(self, sum: Self::Eight, a: Self::Eight, b: Self::Eight) -> Self::Eight;
+
+    fn plus(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
+
+    fn product(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
 }
 
 /// For each of eight places a number from 0 to 15 in two groups of eight.
@@ -46,8 +67,9 @@ pub(super) type Shuffle = [u64; 8];
 #[derive(Clone, Copy)]
 pub(super) struct OneByOne<const FUSED: bool>;
 
-impl<S: Scalar, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
+impl<S: Fused, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
     const FUSED: bool = FUSED;
+    type Eight = [S; 8];
 
     #[inline(always)]
     fn pick<const W: usize, const N: usize>(self, from: &Columns<S, N>, selection: &Selection<W>) -> [S; W] {
@@ -59,7 +81,42 @@ impl<S: Scalar, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
     }
 
     #[inline(always)]
-    fn shuffle(self, from: [&[S; 8]; 2], shuffle: &Shuffle) -> [S; 8] {
+    fn load(self, from: &[S; 8]) -> [S; 8] {
+        *from
+    }
+
+    #[inline(always)]
+    fn store(self, eight: [S; 8]) -> [S; 8] {
+        eight
+    }
+
+    #[inline(always)]
+    fn shuffle(self, from: [[S; 8]; 2], shuffle: &Shuffle) -> [S; 8] {
         shuffle.map(|number| from[number as usize / 8 % 2][number as usize % 8])
+    }
+
+    #[inline(always)]
+    fn spread(self, from: [S; 8], number: usize) -> [S; 8] {
+        [from[number % 8]; 8]
+    }
+
+    #[inline(always)]
+    fn blend(self, bits: u8, a: [S; 8], b: [S; 8]) -> [S; 8] {
+        std::array::from_fn(|lane| if bits >> lane & 1 == 1 { b[lane] } else { a[lane] })
+    }
+
+    #[inline(always)]
+    fn plus_product(self, sum: [S; 8], a: [S; 8], b: [S; 8]) -> [S; 8] {
+        add::<Self, S, 8>(sum, a, b)
+    }
+
+    #[inline(always)]
+    fn plus(self, a: [S; 8], b: [S; 8]) -> [S; 8] {
+        std::array::from_fn(|lane| a[lane] + b[lane])
+    }
+
+    #[inline(always)]
+    fn product(self, a: [S; 8], b: [S; 8]) -> [S; 8] {
+        std::array::from_fn(|lane| a[lane] * b[lane])
     }
 }

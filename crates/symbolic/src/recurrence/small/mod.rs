@@ -1,12 +1,13 @@
-//! Small right-hand sides of second degree, y' = c + L y + sum_p w_p a_p b_p: what most scenes come to, and where an order of
-//! the series is so little work that waiting is most of it.
+//! Small right-hand sides, y' = c + L y + sum_p w_p a_p b_p with few quantities: what most scenes come to, and where an order
+//! of the series is so little work that waiting is most of it.
 
-mod degree;
 mod kernel;
+mod law;
 mod orders;
+mod solved;
 
-pub(super) use degree::SecondDegree;
 pub(super) use kernel::MOST_ORDER;
+pub(super) use law::Law;
 
 use super::fused::Fused;
 use kernel::Kernel;
@@ -21,6 +22,8 @@ pub enum Small {
     TwoOne(Box<Kernel<2, 1>>),
     TwoTwo(Box<Kernel<2, 2>>),
     TwoThree(Box<Kernel<2, 3>>),
+    ThreeTwo(Box<Kernel<3, 2>>),
+    ThreeThree(Box<Kernel<3, 3>>),
 }
 
 /// The same for each size.
@@ -33,14 +36,16 @@ macro_rules! for_kernel {
             Small::TwoOne($kernel) => $what,
             Small::TwoTwo($kernel) => $what,
             Small::TwoThree($kernel) => $what,
+            Small::ThreeTwo($kernel) => $what,
+            Small::ThreeThree($kernel) => $what,
         }
     };
 }
 
-/// A way of expanding small right-hand sides of second degree.
+/// A way of expanding small right-hand sides.
 pub(super) trait SmallSeries<S>: Clone + std::fmt::Debug {
     /// Room for one, without its coefficients; `None` where there is no such way.
-    fn new(degree: &SecondDegree) -> Option<Self>;
+    fn new(law: &Law) -> Option<Self>;
 
     /// Takes the values of the coefficients.
     fn set(&mut self, values: &[S]);
@@ -51,14 +56,16 @@ pub(super) trait SmallSeries<S>: Clone + std::fmt::Debug {
 }
 
 impl SmallSeries<f64> for Small {
-    fn new(degree: &SecondDegree) -> Option<Self> {
-        Some(match (degree.moving > 8, degree.products.len().div_ceil(8)) {
-            (false, 0 | 1) => Small::OneOne(Kernel::new(degree)),
-            (false, 2) => Small::OneTwo(Kernel::new(degree)),
-            (false, _) => Small::OneThree(Kernel::new(degree)),
-            (true, 0 | 1) => Small::TwoOne(Kernel::new(degree)),
-            (true, 2) => Small::TwoTwo(Kernel::new(degree)),
-            (true, _) => Small::TwoThree(Kernel::new(degree)),
+    fn new(law: &Law) -> Option<Self> {
+        Some(match (law.quantities().div_ceil(8), law.products.len().div_ceil(8)) {
+            (0 | 1, 0 | 1) => Small::OneOne(Kernel::new(law)),
+            (0 | 1, 2) => Small::OneTwo(Kernel::new(law)),
+            (0 | 1, _) => Small::OneThree(Kernel::new(law)),
+            (2, 0 | 1) => Small::TwoOne(Kernel::new(law)),
+            (2, 2) => Small::TwoTwo(Kernel::new(law)),
+            (2, _) => Small::TwoThree(Kernel::new(law)),
+            (_, 0..=2) => Small::ThreeTwo(Kernel::new(law)),
+            _ => Small::ThreeThree(Kernel::new(law)),
         })
     }
 
@@ -76,7 +83,7 @@ impl SmallSeries<f64> for Small {
 pub enum Never {}
 
 impl<S> SmallSeries<S> for Never {
-    fn new(_: &SecondDegree) -> Option<Self> {
+    fn new(_: &Law) -> Option<Self> {
         None
     }
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Ensembles of gyrostats: dalembert beside heyoka's batch integrator, JAX and a vectorised C loop, in one run.
 
-    python3 benches/ensembles_against.py
+    python3 benches/peers/ensembles.py
 
-needs cargo, gcc, and from pip numpy, heyoka, jax; what is missing is said. Prints a table, and writes it beside itself as
-ensembles_against.md. The sides take turns, three rounds; figures are medians, on one thread. All take the members of
+needs cargo and gcc; numpy, heyoka and jax come into target/peers (install.py), and what is missing is said. Prints a table,
+and writes it beside itself as ensembles.md. The sides take turns, three rounds; figures are medians, on one thread. All take the members of
 benches/ensembles.rs: a percent of spread in every datum and in every start. The peers' equations are the second form
 written out by hand; that all agree is checked on the end of the first member.
 
@@ -20,12 +20,19 @@ import pathlib
 import platform
 import statistics
 import subprocess
+import sys
 import tempfile
 import time
 
+import install
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+FOLDER = ROOT / "target" / "peers"
+if __name__ == "__main__" and pathlib.Path(sys.prefix) != FOLDER / "venv":
+    sys.exit(subprocess.run([install.environment(FOLDER)[0], __file__]).returncode)
+
 import numpy as np
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 SPAN, ROUNDS, LANES = 2.0, 3, 8
 TOLERANCES, ERRORS = [1e-6, 1e-8, 1e-10, 1e-12, 1e-14], [1e-6, 1e-9, 1e-12]
 
@@ -308,7 +315,7 @@ def main():
     lines = ["| states | what, beside whom | dalembert, 1/s | peer, 1/s | ratio |", "|---|---|---|---|---|"]
     lines += [f"| {n} | {what} | {own:.3g} | {peer:.3g} | {own / peer:.2f} |" for n, what, own, peer in rows]
     print("\n".join(lines))
-    head = f"# Ensembles beside others\n\n{platform.machine()}, one thread, {ROUNDS} rounds, by `python3 benches/ensembles_against.py`.\n\n"
+    head = f"# Ensembles beside others\n\n{platform.machine()}, one thread, {ROUNDS} rounds, by `python3 benches/peers/ensembles.py`.\n\n"
     pathlib.Path(__file__).with_suffix(".md").write_text(head + "\n".join(lines) + "\n")
 
 
