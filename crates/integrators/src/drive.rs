@@ -22,7 +22,7 @@ pub(crate) enum Cause {
 }
 
 impl Cause {
-    fn failure(self, at: f64, step: f64) -> Failure {
+    pub(crate) fn failure(self, at: f64, step: f64) -> Failure {
         match self {
             Cause::Error => Failure::StepCollapsed { at, step },
             Cause::Newton => Failure::NewtonFailed { at, step },

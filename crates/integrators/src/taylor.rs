@@ -173,6 +173,16 @@ impl<T> Taylor<T> {
         reach(self.order, s_last, s_before)
     }
 
+    /// Why the last expansion has terms that are no numbers: where the rates are some, those of high order are beyond them because a
+    /// singularity is nearer than any step.
+    fn beyond<S: Real>(&self) -> Cause
+    where
+        T: TaylorSeries<S>,
+    {
+        let rates = self.source.coefficients(1);
+        if rates.iter().all(|rate| rate.finite()) { Cause::Error } else { Cause::Undefined }
+    }
+
     /// Carries the state from one time to another, forwards or backwards, and returns the number of steps.
     ///
     /// # Errors
@@ -188,7 +198,7 @@ impl<T> Taylor<T> {
         while at != to {
             let reach = self.reach(at, state);
             if reach.is_nan() {
-                return Err(Failure::LeftTheNumbers { at });
+                return Err(self.beyond().failure(at, 0.0));
             }
             let lands = reach >= (to - at).abs();
             let next = if lands { to } else { at + direction * reach };
@@ -229,7 +239,7 @@ impl<S: Real, T: TaylorSeries<S>> Stepper<S> for TaylorStepper<S, T> {
 
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &Meter<S>) -> Attempt {
         if self.reach(tau, before, meter).is_none() {
-            return Attempt::Rejected { next: step.approx() / 4.0, cause: Cause::Undefined };
+            return Attempt::Rejected { next: step.approx() / 4.0, cause: self.method.beyond() };
         }
         self.method.source.sum(step * self.direction, after);
         Attempt::Accepted { next: self.reach }
