@@ -73,7 +73,7 @@ def beside(own, other):
 
 
 def pair(ours, theirs):
-    shown = lambda took: "-" if took is None else f"{took * 1e3:.3g}"
+    shown = lambda took: "-" if took is None else f"{took * 1e3:.3g}" if took < 1 else f"{took * 1e3:.0f}"
     ratio = f" ({theirs / ours:.2f})" if ours and theirs else ""
     return f"{shown(ours)}, {shown(theirs)}{ratio}"
 
