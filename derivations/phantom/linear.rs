@@ -12,7 +12,8 @@ use super::written::Linearise;
 use crate::scene::Scene;
 use crate::stationary::motor::{Motor, NoMotor};
 use field::Rational;
-use mechanics::discrete::{Mode, Place, Spectrum, characteristic};
+use mechanics::discrete::{Mode, Place, Spectrum};
+use mechanics::first_approximation::characteristic;
 use symbolic::real::Enclosure;
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
@@ -93,7 +94,8 @@ impl Linearised {
         let places = self.places(at, bits)?;
         let row = |row: &Vec<Sym>| row.iter().map(|entry| value(*entry, &self.symbols, &places, bits)).collect();
         let matrix: Vec<Vec<Enclosure>> = self.matrix.iter().map(row).collect::<Option<_>>()?;
-        let mut polynomial = characteristic(&matrix, bits)?;
+        let mut polynomial: Vec<Enclosure> =
+            characteristic(&matrix, &Enclosure::integer(1, bits)).into_iter().rev().collect();
         let rest = polynomial.split_off(self.integrals);
         polynomial.iter().all(|c| c.sign().is_none_or(|sign| sign == 0)).then_some(rest)
     }

@@ -1,7 +1,8 @@
 //! Steps of methods on modes whose thresholds textbooks know.
 
 use field::Rational;
-use mechanics::discrete::{Fates, Judgement, Place, Spectrum, StabilityFunction, Steps, characteristic};
+use mechanics::discrete::{Fates, Judgement, Place, Spectrum, StabilityFunction, Steps};
+use mechanics::first_approximation::characteristic;
 use symbolic::complex::Rectangle;
 use symbolic::real::Enclosure;
 
@@ -73,7 +74,7 @@ fn a_fading_mode_grows_under_explicit_methods_from_their_textbook_thresholds_on(
 #[test]
 fn all_modes_together_have_the_least_threshold_and_every_stretch_its_judgement() {
     let matrix = [[0, 1, 0], [0, 0, 1], [-5, -7, -3]].map(|row| row.map(number).to_vec());
-    let polynomial = characteristic(&matrix, BITS).expect("it is square");
+    let polynomial: Vec<Enclosure> = characteristic(&matrix, &number(1)).into_iter().rev().collect();
     let spectrum = Spectrum::of(&polynomial, false).expect("all are simple");
     assert_eq!(spectrum.growing(), [0, 0]);
     let steps = Steps::of(&spectrum.modes, &euler()).expect("thresholds are apart");

@@ -26,5 +26,5 @@ mod steps;
 
 pub use fates::{Fates, UndecidedFate};
 pub use function::StabilityFunction;
-pub use spectrum::{Mode, Place, Spectrum, characteristic};
+pub use spectrum::{Mode, Place, Spectrum};
 pub use steps::{Judgement, Steps, Stretch};

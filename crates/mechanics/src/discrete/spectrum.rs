@@ -116,25 +116,3 @@ impl Place {
         }
     }
 }
-
-/// det(mu - A), coefficients from the constant upwards, by Faddeev and Leverrier: it divides by 1, ..., n only, so that
-/// it does not need to know of any entry whether it is zero. `None` for a matrix that is not square.
-pub fn characteristic(matrix: &[Vec<Enclosure>], bits: usize) -> Option<Vec<Enclosure>> {
-    let n = matrix.len();
-    if matrix.iter().any(|row| row.len() != n) {
-        return None;
-    }
-    let zero = || Enclosure::integer(0, bits);
-    let mut power = vec![vec![zero(); n]; n];
-    let mut falling = vec![Enclosure::integer(1, bits)];
-    for k in 1..=n {
-        let last = falling.last()?.clone();
-        power.iter_mut().enumerate().for_each(|(i, row)| row[i] = &row[i] + &last);
-        let entry = |i: usize, j: usize| (0..n).fold(zero(), |sum, l| &sum + &(&matrix[i][l] * &power[l][j]));
-        power = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
-        let trace = (0..n).fold(zero(), |sum, i| &sum + &power[i][i]);
-        falling.push((-&trace).over(&Enclosure::integer(k as i64, bits))?);
-    }
-    falling.reverse();
-    Some(falling)
-}
