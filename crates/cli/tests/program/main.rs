@@ -1,5 +1,6 @@
 //! The program as its users meet it: what it prints, what it writes, how it ends.
 
+mod answers;
 mod book;
 mod ensembles;
 mod formats;

@@ -1,0 +1,147 @@
+//! What the program answers about motions, motors, failures and models: in JSON, with what makes it believed.
+
+use crate::{json, run, temporary};
+use serde_json::Value;
+
+#[test]
+fn stationary_motions_come_with_their_certificates() {
+    let output = run(&["stationary", "scenes/spin_up.toml", "--omega0", "40", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let all = json(&output);
+    let case = &all["cases"][0];
+    let (motions, certificate) = (case["motions"].as_array().expect("a list"), &case["certificate"]);
+    assert_eq!(
+        (case["complete"].as_bool(), certificate["real_roots"].as_u64()),
+        (Some(true), Some(motions.len() as u64))
+    );
+    assert_eq!(
+        (certificate["by_sturm"].clone(), certificate["morse"].as_i64()),
+        (certificate["real_roots"].clone(), Some(2))
+    );
+    assert_eq!(all["motor"]["angles"].as_array().map(Vec::len), Some(2));
+    for motion in motions {
+        for (value, ends) in motion["direction"].as_array().unwrap().iter().zip(motion["box"].as_array().unwrap()) {
+            let (value, low, high) = (value.as_f64(), ends[0].as_f64(), ends[1].as_f64());
+            assert!(low <= value && value <= high);
+        }
+    }
+    let cone = json(&run(&["stationary", "scenes/spin_up.toml", "--cone", "--format", "json"]));
+    assert_eq!(cone["cone"][0]["complete"], true);
+}
+
+#[test]
+fn a_motor_under_load_has_a_pull_in_below_its_pull_out() {
+    let output = run(&["motor", "scenes/bench.toml", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let all = json(&output);
+    let pull_out = all["pull_out"]["load"].as_f64().expect("a load");
+    assert!((pull_out - 0.135).abs() < 1e-13, "{pull_out}");
+    let motors = all["motors"].as_array().expect("a list");
+    assert_eq!(motors.len(), 5, "with 0, 1, 2, 3 and its own 8 bars");
+    for motor in motors {
+        let pull_in = motor["pull_in"].as_f64().expect("a load");
+        assert!(pull_in < pull_out);
+        let shares = motor["shares"].as_array().expect("a list");
+        assert_eq!(shares.last().expect("a load beyond the pull-out")["in_step"], 0);
+        for share in shares {
+            // below the pull-in every start comes into step, if there is time
+            let (load, slipping) = (share["load"].as_f64().expect("a load"), share["slipping"].as_u64());
+            assert!(load >= pull_in || slipping == Some(0) || motor["bars"] == 0, "{motor}");
+        }
+    }
+}
+
+#[test]
+fn a_way_to_fail_is_told_with_thresholds_that_agree() {
+    let output = run(&["failures", "gains", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let ways = json(&output);
+    let [way] = &ways.as_array().expect("a list")[..] else { panic!("one way: {ways}") };
+    assert_eq!((&way["name"], &way["scene"]), (&Value::from("gains"), &Value::from("drive/euler_overdamped.toml")));
+    let thresholds = way["thresholds"].as_array().expect("a list");
+    assert!(thresholds.len() == 2 && thresholds.iter().all(|it| it["agrees"] == true), "{way}");
+    assert!(way["trials"].as_array().is_some_and(|all| all.iter().any(|it| it["fate"] == "holds")), "{way}");
+}
+
+#[test]
+fn each_stationary_motion_has_a_verdict_for_each_angle_of_the_rotor() {
+    let all = json(&run(&["stationary", "scenes/spin_up.toml", "--omega0", "20", "--format", "json"]));
+    let motions = all["cases"][0]["motions"].as_array().expect("a list");
+    let mut asymptotically = 0;
+    for motion in motions {
+        let [driven_away, held] = &motion["stability"].as_array().expect("a list")[..] else { panic!("two angles") };
+        assert_eq!(driven_away["verdict"], "unstable");
+        assert_eq!(held["structural_zeros"], serde_json::json!(["|v|", "x.v"]));
+        // with a motor no root is on the axis, and the energy's negative squares are the roots to the right
+        let (roots, energy) = (&held["roots"], &held["energy"]);
+        assert_eq!((roots["axis"].as_u64(), &roots["right"]), (Some(0), &energy["negative"]));
+        asymptotically += usize::from(held["verdict"] == "asymptotically stable modulo the integrals");
+    }
+    assert_eq!((motions.len(), asymptotically), (4, 1));
+    let text = run(&["stationary", "scenes/constant_speed.toml", "--omega0", "20"]);
+    let text = String::from_utf8_lossy(&text.stdout).into_owned();
+    for words in [
+        "stable: E - W p' at fixed integrals is definite",
+        "not decided: no root to the right",
+        "unstable: 2 of 4 roots",
+    ] {
+        assert!(text.contains(words), "{words} in {text}");
+    }
+}
+
+#[test]
+fn a_receipt_names_what_was_taken_and_what_it_promises() {
+    let output = run(&["choose", "scenes/stiff_damper.toml", "--tol", "1e-3", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let receipt = json(&output);
+    let models = receipt["models"].as_array().expect("a list");
+    assert_eq!((&models[0]["model"], &models[0]["loss"]), (&Value::from("multi_current"), &Value::from("own")));
+    assert_eq!(models[1]["loss"]["exact"], true);
+    let taken = models.iter().find(|model| model["model"] == receipt["taken"]).expect("it is one of them");
+    for number in ["promised", "measured"] {
+        assert!(taken["run"][number].as_f64().is_some_and(|error| error <= 1e-3), "{number}: {taken}");
+    }
+    let far = models.iter().find(|model| model["model"] == "synchronous").expect("it is on the ladder");
+    assert!(far["run"].is_null() && far["verdict"] == "too far", "{far}");
+}
+
+#[test]
+fn a_receipt_of_rough_contacts_says_where_a_regime_is_left_and_what_friction_does() {
+    let asked =
+        ["choose", "scenes/friction/pushed_ladder.toml", "--tol", "1e-3", "--outputs", "angle", "--format", "json"];
+    let output = run(&asked);
+    assert_eq!(output.status.code(), Some(0));
+    let receipt = json(&output);
+    assert_eq!(receipt["taken"], "friction");
+    let models = receipt["models"].as_array().expect("a list");
+    assert!(models[1]["why_not"].as_str().is_some_and(|why| why.starts_with("left at 0.23")), "{}", models[1]);
+    let without = models.last().expect("a model");
+    assert_eq!((&without["model"], &without["verdict"]), (&Value::from("no friction"), &Value::from("too far")));
+    assert!(without["estimate"]["first"].as_f64().is_some_and(|error| error > 0.1), "{without}");
+    let stops = run(&["choose", "scenes/friction/painleve.toml"]);
+    assert_ne!(stops.status.code(), Some(0));
+    assert!(String::from_utf8_lossy(&stops.stdout).contains("no regime is consistent"));
+}
+
+#[test]
+fn a_family_has_a_verdict_and_a_map_has_the_columns_of_its_data() {
+    let top = "scenes/closed_forms/lagrange_top.toml";
+    let all = json(&run(&["stationary", top, "--omega0", "20", "--format", "json"]));
+    let circle = &all["cases"][0]["motions"][2];
+    assert_eq!(circle["shape"], "circle");
+    let arcs = circle["stability"][0]["arcs"].as_array().expect("arcs");
+    assert_eq!((arcs.len(), &arcs[0]["judged"]["verdict"]), (1, &"stable".into()));
+    let scene = "scenes/closed_forms/upright_rotation.toml";
+    let picture = temporary("map.svg");
+    let path = picture.to_str().expect("a path is text");
+    let ranges = ["--map", "load=-0.15..0.15", "--map", "carrier.centre.3=-0.3..0.3"];
+    let asked = [&["stationary", scene, "--upright", "--out", path, "--format", "json"], &ranges[..]].concat();
+    let map = json(&run(&asked));
+    let columns = map["columns"].as_array().expect("columns");
+    // b0 = 1/8 N m
+    let pulled_out = |column: &&serde_json::Value| column["pulled_out"] == true;
+    let beyond = |column: &&serde_json::Value| column["value"].as_f64().is_some_and(|load| load.abs() > 0.125);
+    assert!(columns.iter().filter(pulled_out).eq(columns.iter().filter(beyond)));
+    assert!(std::fs::read_to_string(&picture).expect("the picture was written").contains("pull-out"));
+    let _ = std::fs::remove_file(picture);
+}
