@@ -3,8 +3,8 @@
 use crate::systems::elastic_governor::ElasticGovernor;
 use crate::systems::governor::constant::ConstantMoments;
 use crate::systems::governor::{Gearing, Governor, Moment};
+use integrators::spectrum;
 use mechanics::stability::{characteristic, hurwitz};
-use nalgebra::SMatrix;
 
 /// Stability of the stationary motion over two parameters.
 #[derive(Clone, Debug)]
@@ -25,8 +25,6 @@ const COLUMNS: usize = 90;
 const ROWS: usize = 75;
 /// omega1 of the stationary motion, rad/s.
 pub const SPEED: f64 = 2.0;
-/// Of the search for eigenvalues.
-const MOST_SWEEPS: usize = 1000;
 
 /// The governor of the maps, with a stiffness across and a load: SI units; the disc is touched at 0.5 m from its axis.
 pub fn governor(stiffness: f64, load: f64) -> ElasticGovernor<f64> {
@@ -68,9 +66,7 @@ pub fn has_positive_minors(data: &ElasticGovernor<f64>, speed: f64) -> bool {
 /// The largest real part of an eigenvalue of the first approximation, 1/s; `None` where none was found.
 pub fn growth(data: &ElasticGovernor<f64>, speed: f64) -> Option<f64> {
     let matrix = data.first_approximation(speed).ok()?;
-    // a bounded search: on what is no number it would not end
-    let schur = SMatrix::<f64, 5, 5>::from_fn(|i, j| matrix[i][j]).try_schur(f64::EPSILON, MOST_SWEEPS)?;
-    schur.complex_eigenvalues().iter().map(|root| root.re).max_by(f64::total_cmp)
+    spectrum(matrix.len(), matrix.as_flattened())?.first().map(|root| root.re)
 }
 
 /// Load against the stiffness of the rim, and against how its angle bends the line of rolling.

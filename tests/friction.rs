@@ -2,6 +2,7 @@
 
 use derivations::friction::log::describe;
 use derivations::friction::run::Plan;
+use derivations::friction::smoothed::Smoothed;
 use derivations::friction::stretch::Watched;
 use derivations::friction::{Cause, Ending, Run, closed, run};
 use derivations::systems::climbed_ladder::ClimbedLadder;
@@ -46,9 +47,26 @@ fn run_ladder(friction: f64, alpha: f64, spin: f64, end: f64) -> Run<4, 2> {
 }
 
 #[test]
+fn a_smoothed_contact_has_no_friction_and_the_others_keep_theirs() {
+    let start = leaning(1.0, 0.7, 0.0);
+    let floor_alone = Ladder { friction: [0.0, 0.3], ..ladder(0.3) };
+    let smoothed = Smoothed { system: ladder(0.3), smooth: [true, false] };
+    let [of_data, of_smoothed] = [
+        run::<_, 4, 1, 2>(&floor_alone, &start, &Plan::until(0.5), &mut ()),
+        run::<_, 4, 1, 2>(&smoothed, &start, &Plan::until(0.5), &mut ()),
+    ];
+    assert_eq!(of_data.state, of_smoothed.state);
+    assert_ne!(of_data.state, run_ladder(0.3, 0.7, 0.0, 0.5).state);
+    assert_ne!(of_data.state, run_ladder(0.0, 0.7, 0.0, 0.5).state);
+}
+
+#[test]
 fn the_frictionless_ladder_leaves_the_wall_at_two_thirds_of_its_height() {
-    for alpha in [0.1, 0.3, 0.7, 1.0] {
-        let found = run_ladder(0.0, alpha, 0.0, 5.0);
+    let smoothed = Smoothed { system: ladder(0.3), smooth: [true; 2] };
+    for (alpha, found) in [0.1, 0.3, 0.7, 1.0].into_iter().flat_map(|alpha| {
+        let smoothed = run::<_, 4, 1, 2>(&smoothed, &leaning(1.0, alpha, 0.0), &Plan::until(5.0), &mut ());
+        [(alpha, run_ladder(0.0, alpha, 0.0, 5.0)), (alpha, smoothed)]
+    }) {
         let entry = &found.entries[1];
         assert_eq!(entry.regime[0], Mode::Apart);
         close(entry.place[2], alpha.cos() * 2.0 / 3.0, "height at which it detaches");

@@ -16,7 +16,6 @@ use derivations::stationary::motions::Stationary;
 use field::{DoubleDouble, Scalar};
 use integrators::{Collocation, Family, Jacobian, Real, Splitting, compose};
 use mechanics::discrete::{Judgement, Place};
-use nalgebra::DMatrix;
 use std::path::Path;
 
 fn scene(name: &str) -> Scene {
@@ -113,8 +112,7 @@ fn the_exact_eigenvalues_are_those_of_the_law_that_runs() {
             let n = problem.state.len();
             let mut matrix = vec![0.0; n * n];
             Jacobian::new(&*problem.law).matrix(0.0, &problem.state, &mut matrix);
-            let mut left: Vec<_> =
-                DMatrix::from_row_slice(n, n, &matrix).complex_eigenvalues().iter().copied().collect();
+            let mut left = integrators::spectrum(n, &matrix).expect("the iteration ends");
             let integrals = chart.all.linear.integrals;
             let exact = spectrum.modes.iter().flat_map(|mode| {
                 let [re, im] = mode.place.point();

@@ -4,7 +4,8 @@ use derivations::machines::{Machine, RotorState};
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::{Form, SecondForm};
 use field::Tangent;
-use nalgebra::{DMatrix, Vector3};
+use integrators::spectrum;
+use nalgebra::Vector3;
 
 pub type Law<M> = Driven<f64, SecondForm<f64>, M>;
 
@@ -24,15 +25,15 @@ pub fn state<M: Machine<f64>>(law: &Law<M>, v: Vector3<f64>, w0: f64, rotor_spee
 /// The eigenvalues of the law's Jacobian, (real, imaginary).
 pub fn eigenvalues<M: Machine<f64>>(law: &Law<M>, state: &[f64]) -> Vec<(f64, f64)> {
     let size = state.len();
-    let mut jacobian = DMatrix::zeros(size, size);
+    let mut jacobian = vec![0.0; size * size];
     for j in 0..size {
         let slope = |i: usize| if i == j { 1.0 } else { 0.0 };
         let moving: Vec<_> = state.iter().enumerate().map(|(i, &y)| Tangent::moving(y, slope(i))).collect();
         let mut rates = vec![Tangent::fixed(0.0); size];
         law.rates(&moving, &mut rates);
-        rates.iter().enumerate().for_each(|(i, rate)| jacobian[(i, j)] = rate.slope);
+        rates.iter().enumerate().for_each(|(i, rate)| jacobian[i * size + j] = rate.slope);
     }
-    jacobian.complex_eigenvalues().iter().map(|z| (z.re, z.im)).collect()
+    spectrum(size, &jacobian).expect("the iteration ends").iter().map(|z| (z.re, z.im)).collect()
 }
 
 /// The classical Runge-Kutta method: the state after so many steps.

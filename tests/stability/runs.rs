@@ -9,8 +9,8 @@ use derivations::stationary::motions::Stationary;
 use derivations::stationary::motor::Motor;
 use derivations::stationary::stability::{Judged, Reason, Verdict};
 use derivations::systems::gyrostat::forms::SecondForm;
-use integrators::Jacobian;
-use nalgebra::{DMatrix, Vector3};
+use integrators::{Jacobian, spectrum};
+use nalgebra::Vector3;
 use std::path::Path;
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
@@ -119,7 +119,7 @@ fn beside_the_law(scene: &Scene) -> Vec<(Judged, usize)> {
             let n = problem.state.len();
             let mut matrix = vec![0.0; n * n];
             Jacobian::new(&*problem.law).matrix(0.0, &problem.state, &mut matrix);
-            let roots = DMatrix::from_row_slice(n, n, &matrix).complex_eigenvalues();
+            let roots = spectrum(n, &matrix).expect("the iteration ends");
             // the carrier swings are pumped at a few 1e-9 per second, the zeros of the integrals are rounded at 1e-13
             judged.push((one.clone(), roots.iter().filter(|root| root.re > 1e-10).count()));
         }

@@ -7,6 +7,9 @@ use crate::{
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use derivations::scene::run::check_tolerance;
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
 
 /// Derives, proves and runs equations of motion.
 ///
@@ -87,6 +90,17 @@ pub fn finite(text: &str) -> Result<f64, String> {
         .ok()
         .filter(|value: &f64| value.is_finite())
         .ok_or_else(|| "a finite number such as 6.5 is accepted".to_owned())
+}
+
+/// A count within a range.
+pub fn whole<N>(range: RangeInclusive<N>) -> impl Fn(&str) -> Result<N, String> + Clone
+where
+    N: FromStr + PartialOrd + Display + Clone,
+{
+    move |text| {
+        let value = text.parse().ok().filter(|value| range.contains(value));
+        value.ok_or_else(|| format!("a whole number from {} to {} is accepted", range.start(), range.end()))
+    }
 }
 
 /// The error allowed in a step.

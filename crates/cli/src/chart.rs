@@ -1,6 +1,6 @@
 //! `dalembert chart`: speed against accuracy of one scene, in every formulation with every model.
 
-use crate::arguments::Format;
+use crate::arguments::{Format, whole};
 use crate::csv;
 use crate::ending::{Ending, print, save};
 use crate::report;
@@ -40,7 +40,7 @@ pub struct Asked {
     #[arg(long)]
     pub form: Option<Axes>,
     /// Time allowed for the reference, and again for the measurements
-    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=3600))]
+    #[arg(long, default_value_t = 10, value_parser = whole::<u32>(1..=3600))]
     pub seconds: u32,
 }
 

@@ -3,6 +3,7 @@
 //! The table holds whole rows in the order of the members, so what there is says where to go on. A line that was cut is
 //! taken away, and the last whole row is computed again: it must come out the same.
 
+use crate::arguments::whole;
 use crate::ending::{Ending, print};
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
@@ -26,7 +27,7 @@ pub struct Asked {
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
     /// Threads; without it as many as there are processors. The results do not depend on it
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
     pub threads: Option<u16>,
 }
 

@@ -1,5 +1,6 @@
 //! `dalembert reference`: a scene's solution to all digits that two methods share, kept in a file.
 
+use crate::arguments::whole;
 use crate::ending::{Ending, print, save};
 use clap::Args;
 use derivations::scene::{AnyScene, Axes, Family, Stored, stored};
@@ -19,7 +20,7 @@ pub struct Asked {
     #[arg(long, value_name = "T")]
     pub until: Option<f64>,
     /// Time allowed
-    #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    #[arg(long, default_value_t = 300, value_parser = whole::<u32>(1..=86_400))]
     pub seconds: u32,
 }
 

@@ -1,6 +1,6 @@
 //! `dalembert run`: one scene, one method.
 
-use crate::arguments::{Format, tolerance};
+use crate::arguments::{Format, tolerance, whole};
 use crate::csv;
 use crate::ending::{Ending, print};
 use crate::interrupt::Interrupt;
@@ -43,10 +43,10 @@ pub struct Asked {
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     /// Instants of the trajectory beside its start
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(1..=1_000_000))]
     pub samples: Option<u32>,
     /// Stops a run that takes longer, and keeps what there is
-    #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=86_400))]
+    #[arg(long, default_value_t = 300, value_parser = whole::<u32>(1..=86_400))]
     pub seconds: u32,
 }
 

@@ -12,10 +12,10 @@ impl<P: Base> Gyrostat<P> {
         self.carrier.inertia + points.inertia() + (Matrix3::identity() * h.dot(&h) - h * h.transpose()) * m
     }
 
-    /// A = A* - A' l l^T, the tensor without the rotor's moment about its own axis, kg m^2.
+    /// A = A* - A' l l^T, the tensor without the rotor's moment about its own axis, kg m^2: from the mass points of a rotor that has
+    /// none. The difference of two tensors would lose the digits of 1/D.
     pub fn reduced_tensor(&self) -> Matrix3<P> {
-        let l = self.rotor.axis;
-        self.full_tensor() - l * l.transpose() * self.rotor.axial
+        Gyrostat { rotor: Rotor { axial: P::zero(), ..self.rotor }, ..*self }.full_tensor()
     }
 
     /// Gamma e = g (m0 c0 + m' h), N m: the moment of the weight about O is (Gamma e) x v.

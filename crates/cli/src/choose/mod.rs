@@ -3,7 +3,7 @@
 mod picture;
 mod receipt;
 
-use crate::arguments::{Format, tolerance};
+use crate::arguments::{Format, tolerance, whole};
 use crate::ending::{Ending, print, save};
 use crate::run::{refuse, with_model};
 use clap::Args;
@@ -36,7 +36,7 @@ pub struct Asked {
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     /// Time allowed for taking times, and again for where to switch between models
-    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=3600))]
+    #[arg(long, default_value_t = 3, value_parser = whole::<u32>(1..=3600))]
     pub seconds: u32,
 }
 

@@ -42,7 +42,8 @@ fn line(place: usize, found: &Found) -> String {
         found.rotor_speed,
         found.momentum,
     ];
-    let numbers = numbers.map(|x| format!("{x:>13.8}")).concat();
+    // what rounds to nothing has no sign
+    let numbers = numbers.map(|x| format!("{:>13.8}", if x.abs() < 5e-9 { 0.0 } else { x })).concat();
     let mut out = format!("  {place} {:<10}{numbers}{:>13.1e}\n", kind(found.kind), found.residual);
     if let Some([low, high]) = found.multiplier {
         let _ = writeln!(out, "    lambda alone in [{low:.6e}, {high:.6e}] N m");

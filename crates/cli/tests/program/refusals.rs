@@ -66,6 +66,11 @@ fn a_tolerance_that_is_no_number() {
 }
 
 #[test]
+fn a_time_that_is_no_whole_number_of_seconds() {
+    refused("a_time_that_is_no_whole_number_of_seconds", &["run", "scenes/spin_up.toml", "--seconds", "0.2"]);
+}
+
+#[test]
 fn a_form_that_does_not_exist() {
     refused("a_form_that_does_not_exist", &["run", "scenes/spin_up.toml", "--form", "third"]);
 }

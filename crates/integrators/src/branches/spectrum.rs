@@ -5,6 +5,9 @@ use nalgebra::{Complex, DMatrix};
 
 /// Steps for each eigenvalue, beyond which the iteration counts as lost; it takes two or three.
 const MOST_STEPS: usize = 200;
+/// What counts as nothing beside its neighbours, in units of the last place. With one unit the rounding of multiple eigenvalues may turn
+/// the iteration round for ever; a few are still below what rounding has done to the matrix by then.
+const NOTHING: [f64; 3] = [1.0, 4.0, 16.0];
 
 /// The eigenvalues of an n x n matrix, row after row, the largest real part first; `None` where the iteration is lost, or
 /// an entry is not finite.
@@ -15,7 +18,9 @@ pub fn spectrum(n: usize, matrix: &[f64]) -> Option<Vec<Complex<f64>>> {
     if n == 0 {
         return Some(Vec::new());
     }
-    let schur = Schur::try_new(DMatrix::from_row_slice(n, n, matrix), f64::EPSILON, MOST_STEPS * n)?;
+    let matrix = DMatrix::from_row_slice(n, n, matrix);
+    let schur =
+        NOTHING.iter().find_map(|units| Schur::try_new(matrix.clone(), units * f64::EPSILON, MOST_STEPS * n))?;
     let mut found: Vec<Complex<f64>> = schur.complex_eigenvalues().iter().copied().collect();
     found.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
     Some(found)
