@@ -1,20 +1,27 @@
 //! Errors of energy (now, and the largest so far), v.v, x.v and phase after so many revolutions of a top in closed form, with
-//! the exponents of their growth: `cargo bench --bench long_runs [-- REVOLUTIONS]`, a million by default.
+//! the exponents of their growth: `cargo bench --bench long_runs [-- REVOLUTIONS]`, a million by default, ten minutes; these go into
+//! long_runs.json, which the report draws.
 
-use derivations::long_runs::{LongRun, PACES, Sample};
+use derivations::long_runs::{Course, LongRun, PACES, Sample};
+use derivations::scene::methods::written;
+use serde_json::{Value, json};
 use std::time::Instant;
+
+const MILLION: u32 = 1_000_000;
+const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/long_runs.json");
 
 const QUANTITIES: [fn(&Sample) -> Option<f64>; 5] =
     [|s| Some(s.energy), |s| Some(s.swing), |s| Some(s.length), |s| Some(s.momentum), |s| s.phase];
 
 fn main() {
     let given = std::env::args().filter_map(|word| word.parse().ok()).next();
-    let revolutions = given.unwrap_or(1_000_000);
+    let revolutions = given.unwrap_or(MILLION);
     let Some(run) = LongRun::new() else { return };
     println!(
         "{:<44} {:>9} {:>8}  error [growth] of energy, its largest, v.v, x.v, phase",
         "method", "work/rev", "seconds"
     );
+    let mut runs = Vec::new();
     for pace in PACES {
         let start = Instant::now();
         let course = run.course(pace, revolutions);
@@ -32,5 +39,24 @@ fn main() {
             }
             (failure, _) => println!(" {failure:?}"),
         }
+        runs.push(kept(&course));
     }
+    if revolutions == MILLION {
+        let lines: Vec<String> = runs.iter().map(Value::to_string).collect();
+        match std::fs::write(FILE, format!("[\n{}\n]\n", lines.join(",\n"))) {
+            Ok(()) => println!("written: {FILE}"),
+            Err(error) => println!("{FILE}: {error}"),
+        }
+    }
+}
+
+/// What the report needs of a course.
+fn kept(course: &Course) -> Value {
+    let sample = |s: &Sample| json!([s.revolutions, s.energy, s.swing, s.length, s.momentum, s.phase]);
+    json!({
+        "method": written(course.method),
+        "tolerance": course.tolerance,
+        "steps": course.work.steps,
+        "samples": course.samples.iter().map(sample).collect::<Vec<_>>(),
+    })
 }

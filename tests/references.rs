@@ -37,6 +37,11 @@ fn every_scene_has_a_reference_of_24_digits_or_more_that_is_its_own() {
     for (name, problem, kept) in all {
         assert!(kept.reference.digits >= DIGITS, "{name}: {} digits", kept.reference.digits);
         assert!(kept.belongs_to(&problem), "{name} has changed: `dalembert reference {name}` makes its reference anew");
+        for (time, state) in kept.reference.times.iter().zip(&kept.reference.states) {
+            let state: Vec<f64> = state.iter().map(|y| y.hi()).collect();
+            let left = (problem.outside)(&state);
+            assert_eq!(left, None, "{name}, t = {time}: a reference ends before its law does");
+        }
     }
 }
 

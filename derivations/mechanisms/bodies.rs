@@ -3,6 +3,7 @@
 //! A charted system needs nothing but names: its law is Appell's equations, its energy T, its power that of the given
 //! forces.
 
+use super::points::{self, Turning};
 use super::rewritten::{Rewritten, redundant};
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::machines::Quantity;
@@ -10,11 +11,12 @@ use crate::stabilisation::law::Stabilised;
 use crate::systems::crank_slider::CrankSlider;
 use crate::systems::disc::Disc;
 use crate::systems::knife_edge::KnifeEdge;
-use field::{Analytic, Over, Scalar};
+use field::{Analytic, Over, Scalar, Tangent};
 use mechanics::constrained::appell::rates;
 use mechanics::constrained::energies::{self, Reduced};
 use mechanics::constrained::motion::{Motion, velocity};
 use mechanics::constrained::{Charted, State, kinetic_energy};
+use mechanics::differentiate::along;
 
 /// (q, p) of a slice.
 fn parts<S: Copy, const K: usize, const R: usize>(y: &[S]) -> ([S; K], [S; R]) {
@@ -91,9 +93,50 @@ impl Mechanism for Disc<f64> {
         (y[3].sin() <= 0.0).then_some("the disc is not above the plane: it lies flat or beyond")
     }
 
+    fn rewritten(&self, start: &[f64]) -> Vec<Rewritten> {
+        let (q, p) = parts::<f64, 5, 3>(start);
+        points::redundant::<_, 9, 6, 5, 3, 2>(self, (q, p, [q[2], q[4]]), |at, [psi, phi]| {
+            let ([.., up], [e, f]) = leaning(at);
+            let sine = e.value.hypot(f.value);
+            let ([dpsi, dphi], theta) = (turning_of_the_disc(at), sine.atan2(up.value));
+            vec![at.place[0], at.place[1], psi, theta, phi, dpsi, -up.slope / sine, dphi]
+        })
+    }
+
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {
         let what = "the disc lies flat, where it touches the plane with its whole rim and Euler's angles are none";
         (run.left || run.last[3].sin() < 1e-2).then_some(Diagnosis { what, at: None })
+    }
+}
+
+/// The axis n = e x e', and the heights of e and e', with their rates.
+fn leaning<S: Scalar>(at: &State<S, 9>) -> ([Tangent<S>; 3], [Tangent<S>; 2]) {
+    let [_, _, _, ex, ey, ez, fx, fy, fz] = along(at.place, at.velocity);
+    ([ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx], [ez, fz])
+}
+
+/// psi' and phi': n is along (sin psi, -cos psi), the heights of e and e' are as sin phi and cos phi.
+fn turning_of_the_disc<S: Scalar>(at: &State<S, 9>) -> [S; 2] {
+    let ([nx, ny, _], [e, f]) = leaning(at);
+    [turn(nx, -ny), turn(e, f)]
+}
+
+/// The rate of the angle whose sine and cosine these are, but for a common factor.
+fn turn<S: Scalar>(sine: Tangent<S>, cosine: Tangent<S>) -> S {
+    let area = sine.slope * cosine.value - sine.value * cosine.slope;
+    area / (sine.value.squared() + cosine.value.squared())
+}
+
+impl Turning<9, 2> for Disc<f64> {
+    fn turning<S: Over<f64>>(&self, at: &State<S, 9>) -> [S; 2] {
+        turning_of_the_disc(at)
+    }
+}
+
+impl Turning<4, 1> for KnifeEdge<f64> {
+    fn turning<S: Over<f64>>(&self, at: &State<S, 4>) -> [S; 1] {
+        let [_, _, c, s] = along(at.place, at.velocity);
+        [turn(s, c)]
     }
 }
 
@@ -124,6 +167,14 @@ impl Mechanism for KnifeEdge<f64> {
 
     fn power<S: Over<f64> + Analytic>(&self, time: S, y: &[S]) -> S {
         balance::<_, S, 4, 3, 2>(self, time, y)[1]
+    }
+
+    fn rewritten(&self, start: &[f64]) -> Vec<Rewritten> {
+        let ((q, p), d) = (parts::<f64, 3, 2>(start), self.offset);
+        points::redundant::<_, 4, 2, 3, 2, 1>(self, (q, p, [q[2]]), move |at, [theta]| {
+            let ([x, y, c, s], [dx, dy, dc, ds]) = (at.place, at.velocity);
+            vec![x, y, theta, c * (dx - d * dc) + s * (dy - d * ds), c * ds - s * dc]
+        })
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`mechanism`]: what a mechanism says of itself, and the law with its work that is made of it;
-//! * [`rewritten`]: other formulations of the same mechanism, for the atlas;
+//! * [`rewritten`], [`points`]: other formulations of the same mechanism, for the atlas;
 //! * [`scene`]: the family of scenes: reading, the problem, what theory says of a run;
 //! * [`governors`], [`elastic`], [`prescribed_top`], [`drive`], [`bodies`]: the mechanisms.
 //!
@@ -14,6 +14,7 @@ pub mod elastic;
 mod erased;
 pub mod governors;
 pub mod mechanism;
+pub mod points;
 pub mod prescribed_top;
 pub mod rewritten;
 pub mod scene;

@@ -27,15 +27,13 @@ pub type Whole = dyn Fn(&[f64]) -> Vec<f64> + Send + Sync;
 #[derive(Clone, Debug)]
 struct Redundant<Q, const N: usize, const C: usize> {
     system: Q,
-    /// b, 1/s
-    damping: f64,
-    /// k, 1/s^2
-    stiffness: f64,
+    /// w of f'' = -2 w f' - w^2 f, 1/s
+    gain: f64,
 }
 
 impl<Q, const N: usize, const C: usize> Redundant<Q, N, C> {
     fn led(&self) -> Stabilised<'_, Q, N, C> {
-        Stabilised { system: &self.system, damping: self.damping, stiffness: self.stiffness }
+        Stabilised { system: &self.system, damping: 2.0 * self.gain, stiffness: self.gain * self.gain }
     }
 }
 
@@ -94,10 +92,19 @@ pub fn redundant<Q, const N: usize, const C: usize>(
 where
     Q: Energies<N, C, Given = f64> + Clone + Send + Sync + 'static,
 {
-    let law = |damping, stiffness| Redundant::<Q, N, C> { system: system.clone(), damping, stiffness };
-    let reduced = ready(law(0.0, 0.0));
-    let held = Arc::new(law(0.0, 0.0));
-    let led = ready(law(2.0 * MODERATE, MODERATE * MODERATE));
+    treated(|gain| Redundant::<Q, N, C> { system: system.clone(), gain }, state, whole)
+}
+
+/// Every treatment, by a law that leads its constraints with a gain w, 1/s, or is held to them.
+pub(super) fn treated<L>(
+    law: impl Fn(f64) -> L,
+    state: &[f64],
+    whole: impl Fn(&[f64]) -> Vec<f64> + Clone + Send + Sync + 'static,
+) -> Vec<Rewritten>
+where
+    L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Ode<Sym> + HeldSystem + Send + Sync + 'static,
+{
+    let (reduced, led, held) = (ready(law(0.0)), ready(law(MODERATE)), Arc::new(law(0.0)));
     let treated = [
         (Formulation::IndexReduced, Treated::Free(Arc::clone(&reduced))),
         (Formulation::Led, Treated::Free(led)),

@@ -10,7 +10,7 @@ use charts::Table;
 use clap::{Args, ValueEnum};
 use derivations::ladder::Ladder;
 use derivations::scene::atlas::{Formulation, Way};
-use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, System, Trials, judged};
+use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, System, Trajectory, Trials, judged};
 use integrators::{Failure, Point};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -78,6 +78,11 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     ways.extend(smaller(&scene, &ways));
     ways.retain(|way| asked.form.is_none_or(|form| written_in(way, form)));
     let kept = Stored::beside(&asked.scene);
+    // beyond the end of its law there is no motion for methods to find
+    let run = problem.simulate(&smooth.run().choice(), |_| ());
+    if run.left.is_some() {
+        return no_reference(smooth, &run, &run.stopped().unwrap_or_default());
+    }
     match judged(smooth, &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, allowed / 2);
@@ -90,14 +95,15 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
             }
             Ok(Ending::Done)
         }
-        Err(failure) => {
-            let run = problem.simulate(&smooth.run().choice(), |_| ());
-            let diagnosis = smooth.told(&smooth.run().choice(), &run).diagnosis;
-            let diagnosis = diagnosis.map_or_else(String::new, |diagnosis| format!("{diagnosis}\n"));
-            print(&format!("{}\n\nno reference: {failure}\n{diagnosis}", smooth.title()))?;
-            Ok(Ending::Stopped)
-        }
+        Err(failure) => no_reference(smooth, &run, &failure.to_string()),
     }
+}
+
+fn no_reference(scene: &dyn Smooth, run: &Trajectory, reason: &str) -> Result<Ending, Ending> {
+    let diagnosis = scene.told(&scene.run().choice(), run).diagnosis;
+    let diagnosis = diagnosis.map_or_else(String::new, |diagnosis| format!("{diagnosis}\n"));
+    print(&format!("{}\n\nno reference: {reason}\n{diagnosis}", scene.title()))?;
+    Ok(Ending::Stopped)
 }
 
 /// The models of the ladder that are no machines of their own: windings lumped, currents that are not followed.

@@ -44,6 +44,12 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
         }
         problem.span = end;
     }
+    let run = problem.simulate(&smooth.run().choice(), |_| ());
+    if run.left.is_some() {
+        let (why, last) = (run.stopped().unwrap_or_default(), run.outcome.time);
+        let accepted = format!("--until with a time up to {last} s is accepted");
+        return Err(Ending::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
+    }
     match problem.reference(Duration::from_secs(asked.seconds.into())) {
         Ok(found) => {
             let [one, other] = found.methods;

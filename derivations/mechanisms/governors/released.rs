@@ -1,6 +1,8 @@
 //! The wheel pushed along its axle by a constant force.
 
 use super::super::bodies::balance;
+use super::super::points::{self, Turning};
+use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism};
 use super::NEAR;
 use super::gear::{Gear, amiss, governor, left, without_friction};
@@ -8,6 +10,7 @@ use crate::ladder::{Rung, Written};
 use crate::machines::Quantity;
 use crate::systems::governor::{Gearing, Governor};
 use field::{Analytic, Over};
+use mechanics::constrained::State;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -24,6 +27,13 @@ const PUSH: &Quantity = &Quantity::any("push", "N", "u, force along the axle");
 fn whole<S: Over<f64>>(y: &[S]) -> [S; 6] {
     let zero = S::zero();
     [zero, zero, zero, y[1], y[0], y[2]]
+}
+
+/// No equation sees an angle.
+impl Turning<7, 0> for Governor<f64> {
+    fn turning<S: Over<f64>>(&self, _at: &State<S, 7>) -> [S; 0] {
+        []
+    }
 }
 
 impl<G: Gear> Mechanism for Released<G> {
@@ -71,6 +81,15 @@ impl<G: Gear> Mechanism for Released<G> {
         let smooth = Released { governor: Governor { lateral: 0.0, ..self.governor }, ..*self };
         let smooth = (self.governor.lateral != 0.0).then(|| without_friction(smooth, start, written));
         smooth.flatten().into_iter().collect()
+    }
+
+    fn rewritten(&self, start: &[f64]) -> Vec<Rewritten> {
+        let [_, _, _, rho, speed, drift] = whole(start);
+        let start = ([0.0, 0.0, 0.0, rho], [speed, drift], []);
+        points::redundant::<_, 7, 5, 4, 2, 0>(&self.governor, start, |at, []| {
+            let ([_, _, c, s, _, _, rho], [_, _, dc, ds, _, _, drift]) = (at.place, at.velocity);
+            vec![c * ds - s * dc, rho, drift]
+        })
     }
 
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {

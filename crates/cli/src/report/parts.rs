@@ -142,7 +142,7 @@ impl Parts {
             atlas,
             self.gains.study(),
             self.drive.study(),
-            self.endurance.study(),
+            self.endurance.study(folder),
             self.phantom.study(),
         ]);
         report.studies.extend(self.failures.study());

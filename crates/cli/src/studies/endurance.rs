@@ -1,12 +1,13 @@
 //! Long runs: how errors grow with the number of revolutions.
 
-use super::extent;
+use super::{extent, million};
 use crate::crew::Crew;
 use charts::{AreaCurve, Areas, Study, Table, significant};
 use derivations::long_runs::{Course, LongRun, PACES, Sample};
 use integrators::Means;
+use std::path::Path;
 
-/// In the report; `cargo bench --bench long_runs` goes on to a million.
+/// Run for the report; a million, which take minutes, are read.
 const REVOLUTIONS: u32 = 2_000;
 
 /// Below this an error is shown as this: rounding.
@@ -26,29 +27,43 @@ impl Endurance {
         }
     }
 
-    /// All of it, for the page.
-    pub fn study(self) -> Study {
+    /// All of it, for the page; what was kept of longer runs is beside the folder of scenes.
+    pub fn study(self, scenes: &Path) -> Study {
         let courses: Vec<Course> = self.courses.into_iter().flatten().flatten().collect();
         let mut study = Study {
             id: "long-runs".into(),
             title: "Long runs".into(),
             lead: r"A heavy symmetric top with a free rotor, whose nutation is known in closed form: $u=\nu\cdot l=u_3-(u_3-u_2)\,\mathrm{sn}^2$. What is left of the exact motion after $n$ periods and a quarter, by methods that take about 320 evaluations of the law, or flows of all pieces, for a period. The splitting methods turn $\nu$ and $x$ by exact rotations, so that $|\nu|$ and $x\cdot\nu$ err by rounding alone.".into(),
-            note: r"Theory, for order $p$ and $n$ revolutions: the law is reversible, so that the error of the energy of order $h^p$ swings back in every nutation, and what is lost is $h^{p+1}n$ (for even $p$; the phase then errs as $h^pn$ and, since the frequency goes with the energy, as $h^{p+1}n^2$); a splitting keeps an energy near the true one, so that the error of the energy is bounded and that of the phase grows as $h^pn$; what rounding adds to an invariant walks at random, $\sqrt n$, and to the phase as $n^{3/2}$ (Brouwer). The exponents of the table are measured between a hundredth of the run and its end, or the loss of the phase. The implicit midpoint rule keeps quadratic invariants but for the tolerance of its iteration, whose rest has a direction. A million revolutions: cargo bench --bench long_runs.".into(),
+            note: r"Theory, for order $p$ and $n$ revolutions: the law is reversible, so that the error of the energy of order $h^p$ swings back in every nutation, and what is lost is $h^{p+1}n$ (for even $p$; the phase then errs as $h^pn$ and, since the frequency goes with the energy, as $h^{p+1}n^2$); a splitting keeps an energy near the true one, so that the error of the energy is bounded and that of the phase grows as $h^pn$; what rounding adds to an invariant walks at random, $\sqrt n$, and to the phase as $n^{3/2}$ (Brouwer). The exponents of the table are measured between a hundredth of the run and its end, or the loss of the phase. The implicit midpoint rule keeps quadratic invariants but for the tolerance of its iteration, whose rest has a direction.".into(),
             ..Study::default()
         };
         if courses.is_empty() {
             study.note = "The top has no nutation.".into();
             return study;
         }
-        study.pictures = vec![
-            picture(&courses, "Energy", "log₁₀ of the largest relative error so far", |sample| Some(sample.swing)),
-            picture(&courses, "Length of the vertical", "log₁₀ of |ν² − 1|", |sample| Some(sample.length)),
-            picture(&courses, "Vertical momentum", "log₁₀ of the relative error of x·ν", |sample| {
-                Some(sample.momentum)
-            }),
-            picture(&courses, "Phase", "log₁₀ of the error, revolutions", |sample| sample.phase),
-        ];
         study.tables.push(table(&courses));
+        let drawn = match million::courses(scenes) {
+            Ok(longer) => {
+                study.tables.push(table(&longer));
+                study.note += &format!(
+                    " A million revolutions, which the pictures show, are from the last {}.",
+                    million::COMMAND
+                );
+                longer
+            }
+            Err(reason) => {
+                study.note += &format!(" {reason}");
+                courses
+            }
+        };
+        let energy = "log₁₀ of the largest relative error so far";
+        let momentum = "log₁₀ of the relative error of x·ν";
+        study.pictures = vec![
+            picture(&drawn, "Energy", energy, |sample| Some(sample.swing)),
+            picture(&drawn, "Length of the vertical", "log₁₀ of |ν² − 1|", |sample| Some(sample.length)),
+            picture(&drawn, "Vertical momentum", momentum, |sample| Some(sample.momentum)),
+            picture(&drawn, "Phase", "log₁₀ of the error, revolutions", |sample| sample.phase),
+        ];
         study
     }
 }
@@ -62,11 +77,15 @@ fn picture(courses: &[Course], title: &str, label: &str, of: impl Fn(&Sample) ->
     let curves: Vec<AreaCurve> = courses.iter().map(curve).collect();
     Areas {
         title: title.into(),
-        x: ("log₁₀ of the revolutions".into(), [0.0, f64::from(REVOLUTIONS).log10() + 0.1]),
+        x: ("log₁₀ of the revolutions".into(), [0.0, revolutions(courses).log10() + 0.1]),
         y: (label.into(), extent(&curves, |point| point.1)),
         curves,
         ..Areas::default()
     }
+}
+
+fn revolutions(courses: &[Course]) -> f64 {
+    courses.iter().flat_map(|course| &course.samples).fold(1.0, |most, sample| most.max(sample.revolutions))
 }
 
 fn name(course: &Course) -> String {
@@ -108,6 +127,6 @@ fn table(courses: &[Course]) -> Table {
         }
         cells
     };
-    let caption = format!("After {REVOLUTIONS} revolutions");
+    let caption = format!("After {:.0} revolutions", revolutions(courses).floor());
     Table { caption, head: head.map(String::from).into(), rows: courses.iter().map(row).collect() }
 }

@@ -6,6 +6,7 @@ mod drive;
 mod endurance;
 mod failures;
 mod gains;
+mod million;
 pub mod peers;
 mod phantom;
 pub mod synchronism;

@@ -280,4 +280,12 @@ fn a_chart_of_a_mechanism_lists_every_method_and_says_why_there_is_none() {
     let table = String::from_utf8(output.stdout).expect("text");
     assert_eq!(output.status.code(), Some(1), "{table}");
     assert!(table.contains("no reference") && table.contains("blow-up in finite time"), "{table}");
+    let output = run(&["chart", "scenes/bodies/falling_disc.toml"]);
+    let table = String::from_utf8(output.stdout).expect("text");
+    assert_eq!(output.status.code(), Some(1), "{table}");
+    assert!(table.contains("left its law") && table.contains("the disc lies flat"), "{table}");
+    let output = run(&["reference", "scenes/bodies/falling_disc.toml", "--out", "/dev/null"]);
+    let message = String::from_utf8(output.stderr).expect("text");
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("--until with a time up to 0.8"), "{message}");
 }
