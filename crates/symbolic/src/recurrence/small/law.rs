@@ -51,23 +51,147 @@ enum Role {
 }
 
 /// The law in the making: what is solved for has its final number only when all that moves is known.
-#[derive(Default)]
-struct Making {
+struct Making<'a> {
+    builder: &'a Builder<'a>,
+    /// Of the atoms of the states, of time and of the circle points.
+    symbols: Vec<Sym>,
     roles: Vec<Role>,
+    /// The rates of all that moves, and the expressions of what moves beside the states and time.
+    rows: Vec<Form>,
+    points: Vec<Sym>,
     solved: Vec<Solved>,
+    /// The sums among them.
+    sums: Vec<(usize, &'a Form)>,
     products: Vec<[Role; 2]>,
     coefficients: Coefficients,
 }
 
-impl Making {
+impl<'a> Making<'a> {
+    fn new(builder: &'a Builder<'a>) -> Self {
+        let symbols = builder.equations.state.iter().chain(&builder.equations.time).chain(&builder.points);
+        let symbols: Vec<Sym> = symbols.copied().collect();
+        Making {
+            builder,
+            roles: (0..symbols.len()).map(Role::Moving).collect(),
+            symbols,
+            rows: builder.rates.clone(),
+            points: builder.points.clone(),
+            solved: Vec::new(),
+            sums: Vec::new(),
+            products: Vec::new(),
+            coefficients: Coefficients::default(),
+        }
+    }
+
+    /// What the next definition becomes; `None` where it can be nothing.
+    fn role(&mut self, definition: &'a Definition) -> Option<Role> {
+        match definition {
+            Definition::State => None,
+            Definition::Sum(form) if form.linear.keys().all(|part| *part < self.symbols.len()) => {
+                Some(self.moving(form))
+            }
+            Definition::Sum(form) => {
+                self.sums.push((self.solved.len(), form));
+                Some(self.solve(Solved::Sum { constant: None, linear: Vec::new(), products: Vec::new() }))
+            }
+            Definition::Product(a, b) => {
+                let factors = [self.factor(*a), self.factor(*b)];
+                Some(self.product(factors))
+            }
+            Definition::Reciprocal(of) => self.implicit(*of, true),
+            Definition::Root(of) => self.implicit(*of, false),
+        }
+    }
+
+    /// A sum of what moves: it moves as its parts do.
+    fn moving(&mut self, form: &Form) -> Role {
+        let parts = || form.linear.iter().map(|(&part, c)| (part, c.0));
+        self.points.push(parts().fold(form.constant.0, |sum, (part, c)| sum + self.symbols[part] * c));
+        self.rows.push(parts().fold(Form::default(), |sum, (part, c)| sum.plus(&self.builder.rates[part], c)));
+        Role::Moving(self.rows.len() - 1)
+    }
+
+    fn solve(&mut self, solved: Solved) -> Role {
+        self.solved.push(solved);
+        Role::Solved(self.solved.len() - 1)
+    }
+
+    fn product(&mut self, factors: [Role; 2]) -> Role {
+        self.products.push(factors);
+        Role::Product(self.products.len() - 1)
+    }
+
     /// A quantity that can be a factor; a product becomes one that is solved for.
     fn factor(&mut self, atom: Atom) -> Role {
-        if let Role::Product(product) = self.roles[atom] {
-            let one = self.coefficients.number(Sym::ONE);
-            self.solved.push(Solved::Sum { constant: None, linear: Vec::new(), products: vec![(product, one)] });
-            return Role::Solved(self.solved.len() - 1);
+        match self.roles[atom] {
+            Role::Product(product) => {
+                let one = self.coefficients.number(Sym::ONE);
+                self.solve(Solved::Sum { constant: None, linear: Vec::new(), products: vec![(product, one)] })
+            }
+            role => role,
         }
-        self.roles[atom]
+    }
+
+    /// A reciprocal or a root, with the product that it solves.
+    fn implicit(&mut self, of: Atom, reciprocal: bool) -> Option<Role> {
+        let (of, own, product) = (self.factor(of), Role::Solved(self.solved.len()), self.products.len());
+        self.product([own, if reciprocal { of } else { own }]);
+        // beyond all that moves, whose number is not known yet
+        let of = match of {
+            Role::Moving(number) => number,
+            Role::Solved(number) => MOST_QUANTITIES + number,
+            _ => return None,
+        };
+        Some(self.solve(if reciprocal { Solved::Reciprocal { of, product } } else { Solved::Root { of, product } }))
+    }
+
+    /// The final number of a quantity.
+    fn quantity(&self, role: Role) -> Option<usize> {
+        match role {
+            Role::Moving(number) => Some(number),
+            Role::Solved(number) => Some(self.rows.len() + number),
+            Role::Unused | Role::Product(_) => None,
+        }
+    }
+
+    fn terms(&mut self, form: &Form) -> Option<Terms> {
+        let constant = (form.constant.0 != Sym::ZERO).then(|| self.coefficients.number(form.constant.0));
+        let (mut linear, mut products) = (Vec::new(), Vec::new());
+        for (&atom, c) in &form.linear {
+            let number = self.coefficients.number(c.0);
+            match self.roles[atom] {
+                Role::Product(product) => products.push((product, number)),
+                role => linear.push((self.quantity(role)?, number)),
+            }
+        }
+        Some((constant, linear, products))
+    }
+
+    /// The law, when all definitions have their roles.
+    fn law(&mut self) -> Option<Law> {
+        let moving = self.rows.len();
+        let products = self.products.iter().map(|[a, b]| Some([self.quantity(*a)?, self.quantity(*b)?]));
+        let mut law = Law { moving, products: products.collect::<Option<_>>()?, ..Law::default() };
+        for (row, form) in self.rows.clone().iter().enumerate() {
+            let (constant, linear, products) = self.terms(form)?;
+            law.constants.extend(constant.map(|number| (row, number)));
+            law.linear.extend(linear.into_iter().map(|(quantity, number)| (row, quantity, number)));
+            law.quadratic.extend(products.into_iter().map(|(product, number)| (row, product, number)));
+        }
+        for (number, form) in std::mem::take(&mut self.sums) {
+            let (constant, linear, products) = self.terms(form)?;
+            self.solved[number] = Solved::Sum { constant, linear, products };
+        }
+        law.solved = std::mem::take(&mut self.solved);
+        for each in &mut law.solved {
+            if let Solved::Reciprocal { of, .. } | Solved::Root { of, .. } = each
+                && *of >= MOST_QUANTITIES
+            {
+                *of = *of - MOST_QUANTITIES + moving;
+            }
+        }
+        law.coefficients = self.coefficients.all.len();
+        Some(law)
     }
 }
 
@@ -75,101 +199,18 @@ impl Law {
     /// With the expressions of its coefficients, and of what moves beside the states; `None` where there are too many
     /// quantities.
     pub fn of(builder: &Builder<'_>) -> Option<(Self, Vec<Sym>, Vec<Sym>)> {
-        let used = builder.used();
-        let (mut rows, mut points) = (builder.rates.clone(), builder.points.clone());
-        let symbols = builder.equations.state.iter().chain(&builder.equations.time).chain(&builder.points);
-        let symbols: Vec<Sym> = symbols.copied().collect();
-        let mut making = Making { roles: (0..symbols.len()).map(Role::Moving).collect(), ..Making::default() };
-        // which atoms a sum that is solved for is made of: their numbers come last
-        let mut sums: Vec<(usize, &Form)> = Vec::new();
-        for (definition, used) in builder.definitions.iter().zip(used).skip(symbols.len()) {
-            let role = match definition {
-                _ if !used => Role::Unused,
-                Definition::State => return None,
-                Definition::Sum(form) if form.linear.keys().all(|part| *part < symbols.len()) => {
-                    let parts = || form.linear.iter().map(|(&part, c)| (part, c.0));
-                    points.push(parts().fold(form.constant.0, |sum, (part, c)| sum + symbols[part] * c));
-                    rows.push(parts().fold(Form::default(), |sum, (part, c)| sum.plus(&builder.rates[part], c)));
-                    Role::Moving(rows.len() - 1)
-                }
-                Definition::Sum(form) => {
-                    sums.push((making.solved.len(), form));
-                    making.solved.push(Solved::Sum { constant: None, linear: Vec::new(), products: Vec::new() });
-                    Role::Solved(making.solved.len() - 1)
-                }
-                Definition::Product(a, b) => {
-                    let factors = [making.factor(*a), making.factor(*b)];
-                    making.products.push(factors);
-                    Role::Product(making.products.len() - 1)
-                }
-                Definition::Reciprocal(of) | Definition::Root(of) => {
-                    let (of, number) = (making.factor(*of), making.solved.len());
-                    let product = making.products.len();
-                    let reciprocal = matches!(definition, Definition::Reciprocal(_));
-                    making.products.push([Role::Solved(number), if reciprocal { of } else { Role::Solved(number) }]);
-                    // of whom: put in below, where its number is known
-                    let of = match of {
-                        Role::Moving(number) => number,
-                        Role::Solved(number) => MOST_QUANTITIES + number,
-                        _ => return None,
-                    };
-                    making.solved.push(match reciprocal {
-                        true => Solved::Reciprocal { of, product },
-                        false => Solved::Root { of, product },
-                    });
-                    Role::Solved(number)
-                }
-            };
+        let mut making = Making::new(builder);
+        let begin = making.symbols.len();
+        for (definition, used) in builder.definitions.iter().zip(builder.used()).skip(begin) {
+            let role = if used { making.role(definition)? } else { Role::Unused };
             making.roles.push(role);
         }
-        let moving = rows.len();
-        if moving + making.solved.len() > MOST_QUANTITIES || making.products.len() > MOST_PRODUCTS {
+        let few = making.rows.len() + making.solved.len() <= MOST_QUANTITIES && making.products.len() <= MOST_PRODUCTS;
+        if !few || making.products.is_empty() {
             return None;
         }
-        if making.products.is_empty() {
-            return None;
-        }
-        let Making { roles, mut solved, products, mut coefficients } = making;
-        let quantity = |role: Role| match role {
-            Role::Moving(number) => Some(number),
-            Role::Solved(number) => Some(moving + number),
-            Role::Unused | Role::Product(_) => None,
-        };
-        let both = |[a, b]: [Role; 2]| Some([quantity(a)?, quantity(b)?]);
-        let mut law =
-            Law { moving, products: products.into_iter().map(both).collect::<Option<_>>()?, ..Law::default() };
-        let mut terms = |form: &Form| -> Option<Terms> {
-            let constant = (form.constant.0 != Sym::ZERO).then(|| coefficients.number(form.constant.0));
-            let (mut linear, mut products) = (Vec::new(), Vec::new());
-            for (&atom, c) in &form.linear {
-                let number = coefficients.number(c.0);
-                match roles[atom] {
-                    Role::Product(product) => products.push((product, number)),
-                    role => linear.push((quantity(role)?, number)),
-                }
-            }
-            Some((constant, linear, products))
-        };
-        for (row, form) in rows.iter().enumerate() {
-            let (constant, linear, products) = terms(form)?;
-            law.constants.extend(constant.map(|number| (row, number)));
-            law.linear.extend(linear.into_iter().map(|(quantity, number)| (row, quantity, number)));
-            law.quadratic.extend(products.into_iter().map(|(product, number)| (row, product, number)));
-        }
-        for (number, form) in sums {
-            let (constant, linear, products) = terms(form)?;
-            solved[number] = Solved::Sum { constant, linear, products };
-        }
-        for each in &mut solved {
-            if let Solved::Reciprocal { of, .. } | Solved::Root { of, .. } = each
-                && *of >= MOST_QUANTITIES
-            {
-                *of = *of - MOST_QUANTITIES + moving;
-            }
-        }
-        law.solved = solved;
-        law.coefficients = coefficients.all.len();
-        Some((law, coefficients.all, points))
+        let law = making.law()?;
+        Some((law, making.coefficients.all, making.points))
     }
 
     /// How many quantities there are.
