@@ -25,10 +25,11 @@ pub struct Program {
     exact: Vec<DoubleDouble>,
 }
 
-/// Registers: of small laws, of usual ones and of the largest. Clearing them costs, so that a program has hardly more than it
-/// needs.
+/// Registers: of small laws, of usual ones and of the largest. Clearing them costs, most of all over numbers with slopes, so that
+/// a program has hardly more than it needs.
 const FEW: usize = 64;
-const SOME: usize = 256;
+const SOME: usize = 128;
+const MORE: usize = 256;
 const MANY: usize = 1024;
 /// States and the time.
 const INPUTS: usize = 64;
@@ -88,6 +89,7 @@ impl Program {
         match self.tape.registers() {
             few if few <= FEW => self.tape.evaluate::<S, FEW>(constants, inputs, dy),
             some if some <= SOME => self.tape.evaluate::<S, SOME>(constants, inputs, dy),
+            more if more <= MORE => self.tape.evaluate::<S, MORE>(constants, inputs, dy),
             _ => self.tape.evaluate::<S, MANY>(constants, inputs, dy),
         }
     }

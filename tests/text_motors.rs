@@ -9,7 +9,6 @@ use derivations::scene::{Axes, Family, Scene, System};
 use derivations::systems::gyrostat::driven::Driven;
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Directions, Ode};
-use num_dual::DualNum;
 use physical::rounded;
 use std::f64::consts::PI;
 use symbolic::{Equations, Language, Recurrence, Sym, Tape};
@@ -219,7 +218,7 @@ fn as_a_scene_it_runs_by_one_program_to_the_same_rates_over_every_field() {
                 [
                     run_rates::<f64>(scene, &y, |rate| vec![rate]),
                     run_rates::<DoubleDouble>(scene, &y, |rate| vec![rate.hi(), rate.lo()]),
-                    run_rates::<Directions>(scene, &y, |rate| vec![rate.re()]),
+                    run_rates::<Directions>(scene, &y, |rate| vec![rate.re]),
                 ]
             });
             for (ours, theirs) in ours.iter().flatten().zip(theirs.iter().flatten()) {
