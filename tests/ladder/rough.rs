@@ -72,9 +72,9 @@ fn a_regime_that_is_never_left_is_the_motion_and_one_that_is_left_is_refused() {
 }
 
 /// The rod's guide slides ever faster, then slower: over a long run the end comes closest to rest, over a short one the first place
-/// that is looked at behind the start. Both by rows of the scene's own model.
+/// that is looked at behind the start. Both beside rows of the scene's own model.
 #[test]
-fn the_margin_of_a_regime_is_the_least_speed_by_one_measure() {
+fn the_margin_of_a_regime_is_the_least_speed_of_its_run() {
     let run = |span: f64| {
         let ladder = RoughLadder::of(&scene("steered_rod", "", &format!("{span} s")));
         let wish = Wish { tolerance: 1e-8, outputs: names(&["sliding_guide"]), allowed: Duration::ZERO };
@@ -89,7 +89,8 @@ fn the_margin_of_a_regime_is_the_least_speed_by_one_measure() {
     let (short, between, _) = run(0.1);
     assert!(between > 0.0 && between < 0.01, "{between}");
     let (_, _, then) = run(between);
-    assert!((short / margin - then / speed).abs() < 1e-5, "{short} {margin}, {then} {speed}");
+    // each is measured by the largest speed of its own run, and these differ by less than a thousandth
+    assert!((short / margin - then / speed).abs() < 1e-3, "{short} {margin}, {then} {speed}");
 }
 
 #[test]
