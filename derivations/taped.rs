@@ -58,7 +58,7 @@ impl Program {
     }
 
     /// The right-hand side of a law, which in `f64` runs as sums of multiples of monomials where these are fewer than the steps of
-    /// the tape: eight at a time, that is as fast as compiled code.
+    /// the tape: eight at a time, that is nearly as fast as compiled code.
     pub fn of_law(law: &impl Ode<Sym>) -> Option<Self> {
         let n = law.dimension();
         let mut written = None;

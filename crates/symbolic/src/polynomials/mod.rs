@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 /// How many numbers stand side by side.
 const WIDTH: usize = 8;
 
-/// Rows of polynomials in the inputs and in the [`Parts`] of them that are none.
+/// Rows of polynomials in the inputs and in circle points, roots and reciprocals of them.
 #[derive(Clone, Debug)]
 pub struct Polynomials {
     parts: Parts,
