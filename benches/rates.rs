@@ -65,7 +65,7 @@ fn recorded<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(T
     let mut rates = vec![Sym::ZERO; n];
     law.rates(&state, &mut rates);
     let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
-    let jacobian = (Tape::record(&state, &entries).ok()?, Polynomials::record(&state, &entries, n).ok()?);
+    let jacobian = (Tape::record(&state, &entries).ok()?, Polynomials::record(&state, &entries, n)?);
     Some((Tape::record(&state, &rates).ok()?, jacobian))
 }
 
@@ -124,9 +124,9 @@ fn thousand_values<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) {
 #[inline(never)]
 fn thousand_jacobians(jacobian: &Polynomials, n: usize) {
     let state: Vec<f64> = (0..n).map(|i| 0.1 + 0.05 * i as f64).collect();
-    let (mut matrix, mut evaluation) = (vec![0.0; n * n], jacobian.ready());
+    let mut matrix = vec![0.0; n * n];
     for _ in 0..1000 {
-        evaluation.evaluate(black_box(&state), &mut matrix);
+        jacobian.evaluate(black_box(&state), &mut matrix);
         black_box(&mut matrix);
     }
 }
@@ -134,9 +134,9 @@ fn thousand_jacobians(jacobian: &Polynomials, n: usize) {
 /// The median over repeats of the mean over calls of the whole Jacobian.
 fn whole(jacobian: &Polynomials, n: usize) -> f64 {
     let mut state: Vec<f64> = (0..n).map(|i| 0.1 + 0.05 * i as f64).collect();
-    let (mut matrix, mut evaluation) = (vec![0.0; n * n], jacobian.ready());
+    let mut matrix = vec![0.0; n * n];
     median(|| {
-        evaluation.evaluate(&state, &mut matrix);
+        jacobian.evaluate(&state, &mut matrix);
         state[0] += matrix[1] * 1e-15;
     })
 }

@@ -1,48 +1,79 @@
-//! A motor that is written in a scene beside the compiled one, in turns: right-hand sides of the gyrostat in the second form
-//! over `f64`, by the laws' own programs and by the tape of the whole law; then whole runs of both as scenes
-//! of a bench. Ratios of medians.
+//! A motor that is written in a scene beside the compiled one, in turns: one right-hand side over `f64`, over a value with its
+//! slopes in eight directions and over double-double, and whole runs by one method of each kind. Ratios of medians.
 //!
 //! `cargo bench --bench text_motors`
 
-use derivations::machines::multi_current::MultiCurrent;
+use derivations::machines::AnyMachine;
+use derivations::machines::kloss::Kloss;
+use derivations::machines::multi_current::{MultiCurrent, Windings};
 use derivations::machines::synchronous::Synchronous;
-use derivations::machines::{AnyMachine, Catalogued, ForMachine, Machine};
-use derivations::scene::{Axes, Family, Scene};
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::{Form, SecondForm};
-use derivations::taped::Taped;
-use integrators::{Method, Ode, Span, Tolerance, integrate};
+use derivations::scene::{Axes, Family, Problem, Scene, System};
+use field::{DoubleDouble, Over};
+use integrators::{Directions, Method, Ode, Span, Splitting, Tolerance, integrate};
+use std::cell::RefCell;
 use std::hint::black_box;
-use std::sync::Arc;
 use std::time::Instant;
 
 mod gyrostat;
 
 const TURNS: usize = 41;
-const CALLS: u32 = 20_000;
+const CALLS: u32 = 5_000;
+const METHODS: [Method; 5] = [
+    Method::DormandPrince8,
+    Method::GraggBulirschStoer,
+    Method::RadauIIA { stages: 5 },
+    Method::Split { splitting: Splitting::Strang, steps: 500 },
+    Method::Taylor,
+];
 
 fn main() {
-    let (gyrostat, windings) = (gyrostat::gyrostat(), gyrostat::windings());
-    let form = gyrostat.second_form().0;
-    let single = Synchronous { field_speed: windings.field_speed, b0: windings.b0, f: windings.f };
-    println!(
-        "motor         written over compiled   its tape over compiled   a run by Dormand-Prince 8   one by Taylor"
-    );
-    for (name, compiled, bars) in [
-        ("no currents", AnyMachine::Synchronous(single), 0),
-        ("six bars", AnyMachine::MultiCurrent(MultiCurrent::evenly(windings, 6)), 6),
+    println!("written over compiled");
+    println!("system    motor          value  slopes   exact  Dormand-Prince 8     GBS   Radau  splitting  Taylor");
+    let windings = gyrostat::windings();
+    let Windings { field_speed, b0, f, .. } = windings;
+    for (name, compiled, scene) in [
+        ("no currents", AnyMachine::Synchronous(Synchronous { field_speed, b0, f }), written(&windings, 0)),
+        ("six bars", AnyMachine::MultiCurrent(MultiCurrent::evenly(windings, 6)), written(&windings, 6)),
+        ("twelve bars", AnyMachine::MultiCurrent(MultiCurrent::evenly(windings, 12)), written(&windings, 12)),
+        ("Kloss", AnyMachine::Kloss(kloss()), kloss_written()),
     ] {
-        let scene = written(&windings, bars);
-        let text = scene.machine.clone();
-        let times = [compiled.clone().apply(Law(form)), text.clone().apply(Law(form)), text.apply(OnTape(form))];
-        let Some([own, interpreted, taped]) = in_turns(&times) else { return println!("nothing was measured") };
-        let runs = [Method::DormandPrince8, Method::Taylor].map(|method| {
-            let sides = [compiled.clone(), scene.machine.clone()].map(|machine| run(&scene, machine, method));
-            in_turns(&sides).map_or(f64::NAN, |[own, text]| text / own)
-        });
-        let [explicit, taylor] = runs;
-        println!("{name:<12} {:>21.2} {:>24.2} {explicit:>26.2} {taylor:>15.2}", interpreted / own, taped / own);
+        for (system, place) in
+            [("bench", scene.system.clone()), ("gyrostat", System::Gyrostat(Box::new(gyrostat::gyrostat())))]
+        {
+            let problem = |machine: &AnyMachine| {
+                Scene { machine: machine.clone(), system: place.clone(), ..scene.clone() }.problem(Axes::Second)
+            };
+            let each =
+                |call: fn(Problem) -> Call| [&compiled, &scene.machine].map(|machine| call(problem(machine)).into());
+            let mut cells =
+                [value::<f64>, value::<Directions>, value::<DoubleDouble>].map(|call| ratio(&each(call))).to_vec();
+            for method in METHODS {
+                cells.push(ratio(&[&compiled, &scene.machine].map(|machine| run(problem(machine), method).into())));
+            }
+            let [value, slopes, exact, explicit, extrapolated, implicit, split, taylor] = cells[..] else { return };
+            println!(
+                "{system:<9} {name:<12} {value:>7.2} {slopes:>7.2} {exact:>7.2} {explicit:>17.2} {extrapolated:>7.2} \
+                 {implicit:>7.2} {split:>10.2} {taylor:>7.2}"
+            );
+        }
     }
+}
+
+const KLOSS: [f64; 4] = [30.0, 0.05, 0.2, 1e-4];
+
+fn kloss() -> Kloss<f64> {
+    let [field_speed, pull_out, pull_out_slip, f] = KLOSS;
+    Kloss { field_speed, pull_out, pull_out_slip, f }
+}
+
+fn kloss_written() -> Scene {
+    let [field_speed, pull_out, pull_out_slip, f] = KLOSS;
+    scene(&format!(
+        "model = \"text\"\nfield_speed = \"{field_speed} rad/s\"\n\
+         moment_law = \"2*pull_out*(-g'/field_speed)*pull_out_slip/((-g'/field_speed)*(-g'/field_speed) \
+         + pull_out_slip*pull_out_slip) - f*phi'\"\n[machine.parameters]\npull_out = \"{pull_out} N m\"\n\
+         pull_out_slip = \"{pull_out_slip}\"\nf = \"{f} N m s\"\n"
+    ))
 }
 
 /// A scene of a bench with this table `[machine]`.
@@ -55,7 +86,7 @@ fn scene(machine: &str) -> Scene {
 }
 
 /// The same motor as text.
-fn written(windings: &derivations::machines::multi_current::Windings<f64>, bars: usize) -> Scene {
+fn written(windings: &Windings<f64>, bars: usize) -> Scene {
     let w = windings;
     let mut text = format!(
         "model = \"text\"\nfield_speed = \"{} rad/s\"\nfield_energy = \"-b0*cos(g)\"\n\
@@ -86,57 +117,37 @@ fn written(windings: &derivations::machines::multi_current::Windings<f64>, bars:
     scene(&text)
 }
 
-/// A run of a scene by a method.
-fn run(scene: &Scene, machine: AnyMachine, method: Method) -> std::cell::RefCell<Call> {
-    let problem = Scene { machine, ..scene.clone() }.problem(Axes::First);
-    let call: Call = Box::new(move || {
-        let span = Span::new(0.0, problem.span, &problem.state);
-        black_box(integrate(&*problem.law, method, &Tolerance::both(1e-9), &span, &mut ()));
-    });
-    call.into()
-}
-
 type Call = Box<dyn FnMut()>;
 
+/// A run by a method.
+fn run(problem: Problem, method: Method) -> Call {
+    Box::new(move || {
+        let span = Span::new(0.0, problem.span, &problem.state);
+        black_box(integrate(&*problem.law, method, &Tolerance::both(1e-9), &span, &mut ()));
+    })
+}
+
 /// A right-hand side, each call after the one before.
-fn call(law: impl Ode<f64> + 'static) -> Call {
-    let mut state: Vec<f64> = (0..law.dimension()).map(|i| 0.1 + 0.05 * i as f64).collect();
-    let mut rates = state.clone();
+fn value<S: Over<f64>>(problem: Problem) -> Call
+where
+    dyn derivations::scene::problem::Law: Ode<S>,
+{
+    let n = problem.state.len();
+    let mut state: Vec<S> = (0..n).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();
+    let (mut rates, little) = (state.clone(), S::lift(1e-15));
     Box::new(move || {
         for _ in 0..CALLS {
-            law.rates(0.0, black_box(&state), &mut rates);
-            state[0] += rates[0] * 1e-15;
+            problem.law.rates(S::zero(), black_box(&state), &mut rates);
+            for (state, rate) in state.iter_mut().zip(&rates) {
+                *state += *rate * little;
+            }
         }
     })
 }
 
-struct Law(SecondForm<f64>);
-
-impl ForMachine for Law {
-    type Output = std::cell::RefCell<Call>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
-        call(driven(self.0, machine)).into()
-    }
-}
-
-struct OnTape(SecondForm<f64>);
-
-impl ForMachine for OnTape {
-    type Output = std::cell::RefCell<Call>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
-        call(Taped::new(Arc::new(driven(self.0, machine)))).into()
-    }
-}
-
-fn driven<F: Form<f64>, M: Machine<f64>>(form: F, machine: M) -> Driven<f64, F, M> {
-    Driven::new(form, machine)
-}
-
-/// The median time of each, s, all taken in turns.
-fn in_turns<const N: usize>(calls: &[std::cell::RefCell<Call>; N]) -> Option<[f64; N]> {
-    let mut times = [const { Vec::new() }; N];
+/// The median time of the second over that of the first, taken in turns.
+fn ratio(calls: &[RefCell<Call>; 2]) -> f64 {
+    let mut times = [const { Vec::new() }; 2];
     for _ in 0..TURNS {
         for (call, times) in calls.iter().zip(&mut times) {
             let start = Instant::now();
@@ -144,7 +155,9 @@ fn in_turns<const N: usize>(calls: &[std::cell::RefCell<Call>; N]) -> Option<[f6
             times.push(start.elapsed().as_secs_f64());
         }
     }
-    times.iter_mut().for_each(|times| times.sort_by(f64::total_cmp));
-    let medians: Vec<f64> = times.iter().filter_map(|times| times.get(TURNS / 2).copied()).collect();
-    medians.try_into().ok()
+    let [compiled, written] = times.map(|mut times: Vec<f64>| {
+        times.sort_by(f64::total_cmp);
+        times[TURNS / 2]
+    });
+    written / compiled
 }

@@ -3,7 +3,7 @@
 use field::{DoubleDouble, Scalar};
 use integrators::{Composed, Directions, Ode, Slopes, Splitting, System, TaylorSeries};
 use std::sync::{Arc, OnceLock};
-use symbolic::{Evaluation, Polynomials, Sym};
+use symbolic::{Polynomials, Sym};
 
 /// A system and the Jacobian of its right-hand side: the same laws, evaluated once over expressions and differentiated
 /// exactly. The data of the system are in it as numbers.
@@ -11,7 +11,7 @@ use symbolic::{Evaluation, Polynomials, Sym};
 pub struct Differentiated<S, L> {
     system: S,
     law: Arc<L>,
-    /// Made when it is first asked for; `None` where an entry is no polynomial: then the law is run over dual numbers.
+    /// Made when it is first asked for; `None` where they cannot be recorded: then the law is run over dual numbers.
     entries: OnceLock<Option<Polynomials>>,
 }
 
@@ -28,7 +28,7 @@ impl<S, L: Ode<Sym>> Differentiated<S, L> {
             let mut rates = vec![Sym::ZERO; state.len()];
             self.law.rates(Sym::ZERO, &state, &mut rates);
             let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
-            Polynomials::record(&state, &entries, state.len()).ok()
+            Polynomials::record(&state, &entries, state.len())
         });
         made.as_ref()
     }
@@ -69,11 +69,11 @@ where
     }
 
     fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
-        Some(Box::new(Entries(self.entries()?.ready())))
+        Some(Box::new(Entries(self.entries()?)))
     }
 }
 
-struct Entries<'a>(Evaluation<'a>);
+struct Entries<'a>(&'a Polynomials);
 
 impl Slopes for Entries<'_> {
     fn matrix(&mut self, y: &[f64], matrix: &mut [f64]) {

@@ -3,11 +3,12 @@
 use derivations::machines::multi_current::{MultiCurrent, Windings};
 use derivations::machines::{AnyMachine, Bench, Catalogued, ForMachine};
 use derivations::papers::konosevich2022::gyrostats;
+use derivations::scene::problem::Law;
 use derivations::scene::state::names;
-use derivations::scene::{Family, Scene};
+use derivations::scene::{Axes, Family, Scene, System};
 use derivations::systems::gyrostat::driven::Driven;
-use field::Analytic;
-use integrators::Ode;
+use field::{Analytic, DoubleDouble, Over};
+use integrators::{Directions, Ode};
 use physical::rounded;
 use std::f64::consts::PI;
 use symbolic::{Equations, Language, Recurrence, Sym, Tape};
@@ -183,6 +184,46 @@ fn its_rates_are_those_of_the_compiled_machine_to_rounding() {
             let (ours, theirs) = (text.clone().apply(Rates(&y)), compiled.clone().apply(Rates(&y)));
             for (ours, theirs) in ours.iter().zip(&theirs) {
                 assert!((ours - theirs).abs() <= 1e-13 * theirs.abs().max(1.0), "{name}: {ours} for {theirs}");
+            }
+        }
+    }
+}
+
+/// The rates of a scene as it runs, over a field, by their approximations.
+fn run_rates<S: Over<f64>>(scene: &Scene, y: &[f64], approximate: impl Fn(S) -> Vec<f64>) -> Vec<Vec<f64>>
+where
+    dyn Law: Ode<S>,
+{
+    let state: Vec<S> = y.iter().map(|y| S::lift(*y)).collect();
+    let mut rates = vec![S::zero(); y.len()];
+    scene.problem(Axes::Second).law.rates(S::zero(), &state, &mut rates);
+    rates.into_iter().map(approximate).collect()
+}
+
+#[test]
+fn as_a_scene_it_runs_by_one_program_to_the_same_rates_over_every_field() {
+    let gyrostat = System::Gyrostat(Box::new(rounded(&gyrostats::opposite_sign().gyrostat)));
+    for (compiled, text) in twins() {
+        for system in [System::Bench { axial: 0.3 }, gyrostat.clone()] {
+            let name = compiled.name();
+            let scenes = [text.clone(), compiled.clone()].map(|machine| Scene {
+                machine,
+                system: system.clone(),
+                ..scene("[machine]\nmodel = \"free_rotor\"\n")
+            });
+            let y: Vec<f64> = (0..names(matches!(system, System::Bench { .. }), &compiled).len())
+                .map(|i| 2.0 * (1.0 + 3.0 * i as f64).sin())
+                .collect();
+            let [ours, theirs] = scenes.each_ref().map(|scene| {
+                [
+                    run_rates::<f64>(scene, &y, |rate| vec![rate]),
+                    run_rates::<DoubleDouble>(scene, &y, |rate| vec![rate.hi(), rate.lo()]),
+                    run_rates::<Directions>(scene, &y, |rate| vec![rate.re]),
+                ]
+            });
+            for (ours, theirs) in ours.iter().flatten().zip(theirs.iter().flatten()) {
+                let off = (ours[0] - theirs[0]).abs();
+                assert!(off <= 1e-13 * theirs[0].abs().max(1.0), "{name}: {ours:?} for {theirs:?}");
             }
         }
     }

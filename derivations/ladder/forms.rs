@@ -4,6 +4,7 @@ use super::choose::{MOST, Mixed, Models, OF_METHOD};
 use super::estimate::Estimate;
 use super::plan::{FINEST, PILOTS, Plan, Runnable, plans};
 use super::receipt::{Line, OF_MODEL, Verdict, Wish};
+use super::switching::LOOKING;
 use super::watched::Watched;
 use super::{Ladder, Loss, Rung};
 use crate::scene::{Axes, Stored};
@@ -79,9 +80,10 @@ impl Models for Forms {
         // the law that the rungs are derived from is the exact one next to the scene's own, or that
         let rich = usize::from(ladder.lumping.is_some());
         let plan = Plan { axes: Axes::First, ..found.iter().find(|(line, _)| *line == rich)?.1.clone() };
-        // along stiff windings an explicit method does not switch
+        // along stiff windings an explicit method does not switch; and looking for where is dearer than a short run
         let whole = |line: &Line| line.verdict == Verdict::Suffices && matches!(line.loss, Loss::Small { .. });
-        if wish.allowed.is_zero() || plan.method.traits().implicit || lines.iter().any(whole) {
+        let short = plan.foretold < LOOKING as f64;
+        if wish.allowed.is_zero() || short || plan.method.traits().implicit || lines.iter().any(whole) {
             return None;
         }
         let far = |line: &Line| matches!(line.verdict, Verdict::TooFar | Verdict::NotBelieved);

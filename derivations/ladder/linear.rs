@@ -27,16 +27,31 @@ pub fn propagator(jacobian: &mut Jacobian<'_>, begin: &Knot, end: &Knot) -> DMat
         DMatrix::from_row_slice(n, n, &rows)
     };
     let norm = |j: &DMatrix<f64>| j.row_iter().map(|row| row.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
-    let steps = (span.abs() * norm(&at(0.5)) / SHORT).ceil().clamp(1.0, MOST);
-    let h = span / steps;
     let offset = 3.0_f64.sqrt() / 6.0;
-    let mut whole = DMatrix::identity(n, n);
-    for step in 0..steps as usize {
-        let [a, b] = [0.5 - offset, 0.5 + offset].map(|point| at((step as f64 + point) / steps));
-        let bent = (&b * &a - &a * &b) * (3.0_f64.sqrt() * h * h / 12.0);
-        whole = ((a + b) * (0.5 * h) + bent).exp() * whole;
+    let points = [0.5 - offset, 0.5 + offset];
+    let whole = points.map(&mut at);
+    let steps = (span.abs() * norm(&whole[0]).max(norm(&whole[1])) / SHORT).ceil().clamp(1.0, MOST);
+    if steps == 1.0 {
+        return over(&whole, span);
     }
-    whole
+    (0..steps as usize).fold(DMatrix::identity(n, n), |before, step| {
+        over(&points.map(|point| at((step as f64 + point) / steps)), span / steps) * before
+    })
+}
+
+/// Over one step, with the Jacobians at its points.
+fn over([a, b]: &[DMatrix<f64>; 2], h: f64) -> DMatrix<f64> {
+    exponential(&((a + b) * (0.5 * h) + (b * a - a * b) * (3.0_f64.sqrt() * h * h / 12.0)))
+}
+
+/// exp(X) by Pade's approximant of order 6, (120 + 12 X^2 + X (60 + X^2)) / (120 + 12 X^2 - X (60 + X^2)): one solution, and what
+/// fades quickly is small after it. Infinite where that cannot be solved.
+fn exponential(x: &DMatrix<f64>) -> DMatrix<f64> {
+    let unit = DMatrix::identity(x.nrows(), x.ncols());
+    let square = x * x;
+    let even = &unit * 120.0 + &square * 12.0;
+    let odd = x * (&unit * 60.0 + &square);
+    (&even - &odd).lu().solve(&(even + odd)).unwrap_or_else(|| unit * f64::INFINITY)
 }
 
 /// The cubic through states and rates at both ends.

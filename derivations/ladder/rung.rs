@@ -9,10 +9,10 @@
 
 use crate::recorded::Recorded;
 use crate::scene::problem::Law;
-use crate::taped::Program;
+use crate::taped::{Program, Running};
 use field::{Analytic, DoubleDouble, Over, Tangent};
 use integrators::{Directions, Ode, System};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use symbolic::{Hypotheses, Sym, decide};
 
 /// A law over numbers, expressions and their derivatives up to the second: what lower models and their errors are derived
@@ -112,7 +112,11 @@ impl Lower {
 
     /// What is followed, as it runs; `None` where it cannot be recorded.
     pub fn law(&self) -> Option<Arc<dyn Law>> {
-        let straight = Straight::new(self.dimension, Arc::clone(&self.rates))?.with_plain(self.plain.clone());
+        let (dimension, rates) = (self.dimension, Arc::clone(&self.rates));
+        let straight = match &self.plain {
+            Some(plain) => Straight::beside(Arc::clone(plain), dimension, rates),
+            None => Straight::new(dimension, rates)?,
+        };
         Some(Arc::new(Recorded::new(Arc::new(straight))))
     }
 
@@ -140,7 +144,8 @@ pub fn symbols(letter: &str, count: usize) -> Vec<Sym> {
 
 /// A law of expressions, run as the straight-line code that they come to.
 pub struct Straight {
-    program: Program,
+    /// Made when it is first run; at once where nothing else runs.
+    program: OnceLock<Option<Program>>,
     dimension: usize,
     rates: Arc<Expressed>,
     plain: Option<Arc<Plain>>,
@@ -149,13 +154,24 @@ pub struct Straight {
 impl Straight {
     /// `None` where it cannot be recorded.
     pub fn new(dimension: usize, rates: Arc<Expressed>) -> Option<Self> {
-        let program = Program::of(dimension, |time, state| rates(time, state))?;
-        Some(Straight { program, dimension, rates, plain: None })
+        let law = Straight { program: OnceLock::new(), dimension, rates, plain: None };
+        law.program().is_some().then_some(law)
     }
 
-    /// The same that runs in numbers as its law was compiled.
-    pub fn with_plain(self, plain: Option<Arc<Plain>>) -> Self {
-        Straight { plain, ..self }
+    /// What runs in numbers as its law was compiled, and over other fields as straight-line code.
+    pub fn beside(plain: Arc<Plain>, dimension: usize, rates: Arc<Expressed>) -> Self {
+        Straight { program: OnceLock::new(), dimension, rates, plain: Some(plain) }
+    }
+
+    fn program(&self) -> Option<&Program> {
+        let made = || Program::of(self.dimension, |time, state| (self.rates)(time, state));
+        self.program.get_or_init(made).as_ref()
+    }
+
+    fn run<S: Running>(&self, t: S, y: &[S], dy: &mut [S]) {
+        if self.program().and_then(|program| program.run(t, y, dy)).is_none() {
+            dy.fill(S::zero() / S::zero());
+        }
     }
 }
 
@@ -167,8 +183,7 @@ impl Ode<f64> for Straight {
     fn rates(&self, t: f64, y: &[f64], dy: &mut [f64]) {
         match &self.plain {
             Some(plain) => plain(t, y, dy),
-            // a program that was recorded has registers enough
-            None => self.program.run(t, y, dy).unwrap_or(()),
+            None => self.run(t, y, dy),
         }
     }
 }
@@ -181,8 +196,7 @@ macro_rules! runs {
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                // a program that was recorded has registers enough
-                self.program.run(t, y, dy).unwrap_or(());
+                self.run(t, y, dy);
             }
         }
     )*};

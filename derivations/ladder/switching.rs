@@ -19,6 +19,8 @@ use std::time::Instant;
 pub const STRETCHES: usize = 64;
 /// States along each that its matrix is made of.
 const KNOTS: usize = 4;
+/// Jacobians along a course, each dearer than an evaluation.
+pub const LOOKING: usize = 2 * STRETCHES * KNOTS;
 /// How far above the threshold the smaller model is left.
 const HYSTERESIS: f64 = 4.0;
 /// Of the run on which the decision rests.

@@ -1,8 +1,7 @@
 //! A system whose law is text, run by one program of the whole law.
 //!
 //! The laws of a written motor are programs of their own, which any field evaluates one by one; put together in a right-hand
-//! side they share nothing. Recorded once as a whole they do. That is for a motor alone: with a gyrostat around it, whose law is
-//! compiled, a program of all would lose more than it wins.
+//! side they share nothing. Recorded once as a whole, with the gyrostat around the motor, they do, and the data are constants.
 
 use super::problem::Law;
 use crate::taped::Program;
@@ -19,13 +18,7 @@ struct ByProgram {
 
 /// The system as it was where its law cannot be recorded.
 pub fn by_program(system: Arc<dyn Law>, law: &impl Ode<Sym>) -> Arc<dyn Law> {
-    let n = law.dimension();
-    let program = Program::of(n, |time, state| {
-        let mut rates = vec![Sym::ZERO; n];
-        law.rates(time, state, &mut rates);
-        rates
-    });
-    match program {
+    match Program::of_law(law) {
         Some(program) => Arc::new(ByProgram { system, program }),
         None => system,
     }

@@ -25,11 +25,11 @@ impl Scene {
         Tape::record(&state, &entries)
     }
 
-    /// Additions and multiplications of the Jacobian as it runs, sums of monomials; circle points apart. `None` where an
-    /// entry is no polynomial in states and circle points.
+    /// Additions and multiplications of the Jacobian as it runs, sums of monomials; circle points apart. `None` where the
+    /// entries cannot be recorded so.
     pub fn jacobian_flops(&self, axes: Axes) -> Option<usize> {
         let (state, entries) = self.entries(axes);
-        Polynomials::record(&state, &entries, state.len()).ok().map(|all| all.flops())
+        Polynomials::record(&state, &entries, state.len()).map(|all| all.flops())
     }
 
     /// The states and the Jacobian's entries, row after row.

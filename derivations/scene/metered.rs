@@ -1,5 +1,6 @@
 //! A motor's scene with the work of its supply metered: a run then shows whether energy went where the laws send it.
 
+use super::by_program::by_program;
 use super::problem::{Invariant, Law, Problem};
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
@@ -49,16 +50,17 @@ impl ForMachine for Metering<'_> {
             return None;
         }
         Some(match (self.system, self.axes) {
-            (System::Gyrostat(bodies), Axes::First) => metered(Driven::new(bodies.first_form().0, machine)),
-            (System::Gyrostat(bodies), Axes::Second) => metered(Driven::new(bodies.second_form().0, machine)),
-            (System::Bench { axial }, _) => metered(Bench { machine, axial: *axial }),
+            (System::Gyrostat(bodies), Axes::First) => metered::<M, _>(Driven::new(bodies.first_form().0, machine)),
+            (System::Gyrostat(bodies), Axes::Second) => metered::<M, _>(Driven::new(bodies.second_form().0, machine)),
+            (System::Bench { axial }, _) => metered::<M, _>(Bench { machine, axial: *axial }),
         })
     }
 }
 
-fn metered<L: Powered + Send + Sync + 'static>(law: L) -> (Arc<dyn Law>, Invariant) {
+fn metered<M: Catalogued, L: Powered + Send + Sync + 'static>(law: L) -> (Arc<dyn Law>, Invariant) {
     let law = Arc::new(Metered(law));
     let balancing = Arc::clone(&law);
     let balance = Invariant { name: "jacobi_less_work", value: Box::new(move |_, y| balancing.balance(y)) };
-    (Arc::new(Differentiated::new(Recorded::new(Arc::clone(&law)), law)), balance)
+    let system: Arc<dyn Law> = Arc::new(Differentiated::new(Recorded::new(Arc::clone(&law)), Arc::clone(&law)));
+    (if M::WRITTEN { by_program(system, &*law) } else { system }, balance)
 }

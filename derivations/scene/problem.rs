@@ -5,11 +5,14 @@ use super::state::outputs;
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
 use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
-use crate::separated::Separated;
+use crate::separated::{Separable, Separated};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::Form;
+use field::DoubleDouble;
+use integrators::{Directions, Ode};
 use std::sync::Arc;
+use symbolic::Sym;
 
 /// A law with its state at time zero, what it conserves, and what a run shows of it.
 pub struct Problem {
@@ -95,7 +98,16 @@ where
     if conserved.spin {
         invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
     }
-    (Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), law)), invariants)
+    (running::<M, _>(law), invariants)
+}
+
+/// A law as it runs.
+fn running<M: Catalogued, L>(law: Arc<L>) -> Arc<dyn Law>
+where
+    L: Separable + Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Send + Sync + 'static,
+{
+    let system: Arc<dyn Law> = Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), Arc::clone(&law)));
+    if M::WRITTEN { by_program(system, &*law) } else { system }
 }
 
 struct OnBench {
@@ -115,8 +127,7 @@ impl ForMachine for OnBench {
         if conserved.spin {
             invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
         }
-        let system: Arc<dyn Law> = Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), Arc::clone(&law)));
-        (if M::WRITTEN { by_program(system, &*law) } else { system }, invariants)
+        (running::<M, _>(law), invariants)
     }
 }
 

@@ -71,6 +71,28 @@ fn a_regime_that_is_never_left_is_the_motion_and_one_that_is_left_is_refused() {
     assert!(stays.lines[1].verdict == Verdict::NotHeld && why.contains("sliding at"), "{why}");
 }
 
+/// The rod's guide slides ever faster, then slower: over a long run the end comes closest to rest, over a short one the first place
+/// that is looked at behind the start. Both beside rows of the scene's own model.
+#[test]
+fn the_margin_of_a_regime_is_the_least_speed_of_its_run() {
+    let run = |span: f64| {
+        let ladder = RoughLadder::of(&scene("steered_rod", "", &format!("{span} s")));
+        let wish = Wish { tolerance: 1e-8, outputs: names(&["sliding_guide"]), allowed: Duration::ZERO };
+        let receipt = choose(&ladder, &wish).expect("it runs");
+        let Loss::Held { margin, at } = receipt.lines[1].loss else { panic!("{:?}", receipt.lines[1]) };
+        let own = receipt.lines[0].choice.as_ref().expect("it serves");
+        let (_, end) = own.rows.last().expect("a row");
+        (margin, at, end[ladder.columns().iter().position(|name| name == "sliding_guide").expect("a column")].abs())
+    };
+    let (margin, at, speed) = run(0.2);
+    assert_eq!(at, 0.2);
+    let (short, between, _) = run(0.1);
+    assert!(between > 0.0 && between < 0.01, "{between}");
+    let (_, _, then) = run(between);
+    // each is measured by the largest speed of its own run, and these differ by less than a thousandth
+    assert!((short / margin - then / speed).abs() < 1e-3, "{short} {margin}, {then} {speed}");
+}
+
 #[test]
 fn friction_that_is_small_is_left_out_and_friction_that_stops_is_not() {
     let taken = |friction: &str, tolerance: f64| {

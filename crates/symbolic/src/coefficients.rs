@@ -25,23 +25,24 @@ impl std::error::Error for NotPolynomial {}
 type Terms = BTreeMap<Reverse<Vec<u32>>, Sym>;
 
 /// The coefficients with respect to the symbols, as they are written, each with the exponents of its monomial; highest
-/// powers of the first symbol first. A coefficient that is the constant 0 is left out; one that merely vanishes is not.
+/// powers of the first symbol first. A symbol may be a reciprocal: what is divided by the same is a multiple of it. A coefficient that is the constant 0 is left out; one that merely vanishes is not.
 ///
 /// # Errors
 /// [`NotPolynomial`] names a part in which a symbol stands in a denominator, an angle, a root or a function.
 pub fn coefficients(expression: Sym, symbols: &[Sym]) -> Result<Vec<(Vec<u32>, Sym)>, NotPolynomial> {
     let unit = Reverse(vec![0; symbols.len()]);
     let fixed = |value: Sym| Terms::from([(unit.clone(), value)]);
+    let single = |place: usize| {
+        let mut exponents = unit.clone();
+        exponents.0[place] = 1;
+        Terms::from([(exponents, Sym::one())])
+    };
     let mut all: FxHashMap<Sym, Terms> = FxHashMap::default();
     for each in Sym::ascending(&[expression]) {
         let of = |a: &Sym| &all[a];
         let is_fixed = |a: &Sym| of(a).keys().all(|exponents| *exponents == unit);
         let terms = match (symbols.iter().position(|symbol| *symbol == each), each.node()) {
-            (Some(place), _) => {
-                let mut exponents = unit.clone();
-                exponents.0[place] = 1;
-                Terms::from([(exponents, Sym::one())])
-            }
+            (Some(place), _) => single(place),
             (None, node) if node.children().all(|child| is_fixed(&child)) => fixed(each),
             (None, Node::Sum(a, b)) => sum(of(&a), of(&b), |a, b| a + b),
             (None, Node::Difference(a, b)) => sum(of(&a), of(&b), |a, b| a - b),
@@ -50,6 +51,10 @@ pub fn coefficients(expression: Sym, symbols: &[Sym]) -> Result<Vec<(Vec<u32>, S
             (None, Node::Power(a, n)) => (1..n).fold(of(&a).clone(), |power, _| product(&power, of(&a))),
             (None, Node::Quotient(a, b)) if is_fixed(&b) => {
                 of(&a).iter().map(|(exponents, value)| (exponents.clone(), *value / b)).collect()
+            }
+            (None, Node::Quotient(a, b)) if symbols.contains(&(Sym::ONE / b)) => {
+                let place = symbols.iter().position(|symbol| *symbol == Sym::ONE / b);
+                product(of(&a), &place.map_or_else(Terms::new, single))
             }
             _ => return Err(NotPolynomial(each)),
         };

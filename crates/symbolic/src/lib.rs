@@ -58,7 +58,7 @@ pub use evaluate::Unbound;
 pub use formulas::Formulas;
 pub use graph::{Node, Sym};
 pub use parse::{NotExpression, Reason, Vocabulary, parse, parse_in};
-pub use polynomials::{Evaluation, Polynomials};
+pub use polynomials::Polynomials;
 pub use prove::{Decision, Hypotheses, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, normal};
 pub use recurrence::{Abreast, Equations, Expansion, Fused, Recurrence};
 pub use sym::symbols;

@@ -32,7 +32,7 @@ pub trait Fused: Analytic + Over<f64> {
 }
 
 /// Work that is compiled once for each set of instructions.
-pub(super) trait Task<S> {
+pub(crate) trait Task<S> {
     fn run<P: Pick<S>>(self, pick: P);
 }
 

@@ -9,14 +9,14 @@ use super::order::add;
 /// The numbers of one order, by column.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
-pub(super) struct Columns<S, const N: usize>(pub [S; N]);
+pub(crate) struct Columns<S, const N: usize>(pub [S; N]);
 
 /// W columns to be taken, in two ways of writing.
 #[derive(Clone, Debug)]
-pub(super) struct Selection<const W: usize> {
+pub(crate) struct Selection<const W: usize> {
     columns: [u16; W],
     #[cfg(target_arch = "x86_64")]
-    pub by_blocks: super::permuting::ByBlocks,
+    pub(super) by_blocks: super::permuting::ByBlocks,
 }
 
 impl<const W: usize> Selection<W> {
@@ -30,7 +30,7 @@ impl<const W: usize> Selection<W> {
 }
 
 /// A way of taking, and of adding products.
-pub(super) trait Pick<S>: Copy {
+pub(crate) trait Pick<S>: Copy {
     /// Whether a product and a sum are rounded once.
     const FUSED: bool;
 
@@ -61,7 +61,7 @@ pub(super) trait Pick<S>: Copy {
 }
 
 /// For each of eight places a number from 0 to 15 in two groups of eight.
-pub(super) type Shuffle = [u64; 8];
+pub(crate) type Shuffle = [u64; 8];
 
 /// One by one.
 #[derive(Clone, Copy)]

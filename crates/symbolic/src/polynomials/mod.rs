@@ -1,0 +1,170 @@
+//! Polynomials in states and circle points, evaluated side by side.
+//!
+//! A right-hand side and the entries of its Jacobian are sums of multiples of few monomials: f = C m(x) with constant C.
+//! Straight-line code has an operation for each term; here eight outputs that stand side by side share one, eight products
+//! share one, and a monomial is computed once.
+
+mod evaluate;
+mod monomials;
+mod parts;
+
+use crate::Sym;
+use crate::coefficients::coefficients;
+use crate::recurrence::Selection;
+use evaluate::MOST;
+use monomials::Monomials;
+use parts::Parts;
+use std::collections::BTreeMap;
+
+/// How many numbers stand side by side.
+const WIDTH: usize = 8;
+
+/// Rows of polynomials in the inputs and in circle points, roots and reciprocals of them.
+#[derive(Clone, Debug)]
+pub struct Polynomials {
+    parts: Parts,
+    /// Where the products begin: behind whole groups of inputs and parts.
+    first: usize,
+    /// The factors of eight monomials of degree two and more, each an earlier one and a variable; and how many these are.
+    products: Vec<[Selection<WIDTH>; 2]>,
+    multiplied: usize,
+    blocks: Vec<Block>,
+    /// Of all blocks: the places of the monomials, and their coefficients in each output.
+    terms: Vec<u32>,
+    factors: Vec<Lanes>,
+}
+
+/// Eight outputs, from one on; the end of a row may reach into the next, which is written after it.
+#[derive(Clone, Debug)]
+struct Block {
+    first: usize,
+    constants: Lanes,
+    /// Where its terms end.
+    end: usize,
+}
+
+/// Numbers side by side, a register whole.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Lanes([f64; WIDTH]);
+
+impl Polynomials {
+    /// From expressions in the inputs, in rows of equal length; `None` where a part has no value, or where there are more
+    /// monomials than there is room for.
+    pub fn record(inputs: &[Sym], outputs: &[Sym], columns: usize) -> Option<Self> {
+        let (parts, others) = Parts::of(inputs, outputs)?;
+        let variables = [inputs, &others].concat();
+        let mut expanded = Vec::new();
+        for &output in outputs {
+            let terms = coefficients(output, &variables).ok()?.into_iter();
+            let value = |(exponents, coefficient): (Vec<u32>, Sym)| {
+                let number = coefficient.evaluate_analytic(&|_| None::<f64>).ok();
+                Some((exponents, number.filter(|number| number.is_finite())?))
+            };
+            expanded.push(terms.map(value).collect::<Option<Vec<_>>>()?);
+        }
+        let occurring = expanded.iter().flatten().map(|(exponents, _)| exponents.as_slice());
+        let monomials = Monomials::of(occurring, inputs.len(), others.len());
+        if monomials.end() > MOST {
+            return None;
+        }
+        let (mut blocks, mut terms, mut factors) = (Vec::new(), Vec::new(), Vec::new());
+        for (row, expanded) in expanded.chunks(columns.max(1)).enumerate() {
+            for (place, eight) in expanded.chunks(WIDTH).enumerate() {
+                let mut constants = Lanes([0.0; WIDTH]);
+                let mut lanes: BTreeMap<_, Lanes> = BTreeMap::new();
+                for (lane, output) in eight.iter().enumerate() {
+                    for (exponents, value) in output {
+                        let own = match monomials.place(exponents) {
+                            Some(known) => lanes.entry(known).or_insert(Lanes([0.0; WIDTH])),
+                            None => &mut constants,
+                        };
+                        own.0[lane] = *value;
+                    }
+                }
+                terms.extend(lanes.keys().map(|known| known.place));
+                factors.extend(lanes.values());
+                blocks.push(Block { first: row * columns + place * WIDTH, constants, end: terms.len() });
+            }
+        }
+        let (first, products, multiplied) = (monomials.first(), monomials.products(), monomials.multiplied());
+        Some(Polynomials { parts, first, products, multiplied, blocks, terms, factors })
+    }
+
+    /// Instructions of one evaluation, what is no polynomial apart: products and sums, each of eight.
+    pub fn instructions(&self) -> usize {
+        3 * self.products.len() + self.terms.len()
+    }
+
+    /// Additions and multiplications of one evaluation, lanes that hold nothing left out; circle points apart.
+    pub fn flops(&self) -> usize {
+        let filled = |lanes: &Lanes| lanes.0.iter().filter(|value| **value != 0.0).count();
+        self.multiplied + self.parts.flops() + self.factors.iter().map(|lanes| 2 * filled(lanes)).sum::<usize>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Polynomials;
+    use crate::{Sym, symbols};
+    use field::{Analytic, Scalar};
+
+    /// The largest error over the outputs, and how many there are.
+    fn off(inputs: &[(Sym, f64)], outputs: &[Sym], columns: usize) -> f64 {
+        let (symbols, at): (Vec<Sym>, Vec<f64>) = inputs.iter().copied().unzip();
+        let value =
+            |name: &str| symbols.iter().zip(&at).find(|(known, _)| **known == Sym::symbol(name)).map(|it| *it.1);
+        let Some(polynomials) = Polynomials::record(&symbols, outputs, columns) else { panic!("polynomials") };
+        let mut values = vec![f64::NAN; outputs.len()];
+        polynomials.evaluate(&at, &mut values);
+        let exact = outputs.iter().map(|output| output.evaluate_analytic(&value).unwrap_or(f64::NAN));
+        // no number where one of them is none
+        exact.zip(&values).fold(0.0, |most, (exact, value)| {
+            let error = (value - exact).abs();
+            if error <= most { most } else { error }
+        })
+    }
+
+    #[test]
+    fn rows_of_any_length_have_the_values_of_their_expressions() {
+        let [x, y, z] = symbols(["x", "y", "z"]);
+        let (two, point) = (Sym::int(2), (x / Sym::int(3)).circle());
+        let parts = [x * y, z, point.cos * y * y, two, x + point.sin * point.cos, Sym::ZERO, z.powi(5) / two];
+        for columns in 1..20 {
+            let outputs: Vec<Sym> =
+                (0..3 * columns).map(|i| parts[i % 7] - parts[i % 3] * Sym::int(i as i64)).collect();
+            assert!(off(&[(x, 0.7), (y, -1.3), (z, 0.4)], &outputs, columns) < 1e-13, "rows of {columns}");
+        }
+    }
+
+    #[test]
+    fn more_variables_than_registers_hold_find_their_factors() {
+        for count in [7, 8, 9, 15, 16, 17, 23, 24, 25, 40] {
+            let inputs: Vec<(Sym, f64)> =
+                (0..count).map(|i| (Sym::symbol(&format!("x{i}")), (1.0 + i as f64).sin())).collect();
+            let (first, turned) = (inputs[0].0.circle(), inputs[count - 1].0.circle());
+            let each = |i: usize| {
+                let (x, y) = (inputs[i].0, inputs[(5 * i + 3) % count].0);
+                x * y - Sym::int(i as i64) * x * first.cos + x * y * turned.sin * first.sin
+            };
+            let outputs: Vec<Sym> = (0..count).map(each).collect();
+            assert!(off(&inputs, &outputs, count) < 1e-12, "{count} variables");
+        }
+    }
+
+    #[test]
+    fn what_is_divided_by_and_roots_are_parts() {
+        let [x, y] = symbols(["x", "y"]);
+        let point = y.circle();
+        let divisor = x * x + Sym::int(2) + point.cos;
+        let outputs = [x / divisor, y * point.sin / (divisor * divisor), (x * x + y).sqrt() * y, x / (y / divisor + x)];
+        assert!(off(&[(x, 0.7), (y, 1.3)], &outputs, 4) < 1e-14);
+    }
+
+    #[test]
+    fn what_has_no_value_has_no_polynomials() {
+        let [x, y] = symbols(["x", "y"]);
+        assert!(Polynomials::record(&[x], &[x * y], 1).is_none());
+        assert!(Polynomials::record(&[x], &[x / Sym::ZERO], 1).is_none());
+    }
+}

@@ -1,0 +1,108 @@
+//! What of the inputs is no polynomial in them: circle points, roots, reciprocals.
+
+use super::WIDTH;
+use crate::graph::Node;
+use crate::recurrence::Pick;
+use crate::{Sym, Tape};
+use field::{Analytic, Circle};
+use std::collections::BTreeSet;
+
+/// Registers of the program of parts.
+const REGISTERS: usize = 256;
+
+/// The parts of expressions that are variables of their own, behind whole groups of inputs.
+#[derive(Clone, Debug)]
+pub(super) struct Parts {
+    inputs: usize,
+    /// The inputs whose circle points occur: cosines and sines in turn.
+    angles: Vec<usize>,
+    /// From the inputs, zeros up to the first part, and those points: all others.
+    others: Tape,
+    constants: Vec<f64>,
+}
+
+impl Parts {
+    /// With the expressions, in their order; `None` where a part has no value, or is too long.
+    pub fn of(inputs: &[Sym], outputs: &[Sym]) -> Option<(Self, Vec<Sym>)> {
+        let (angles, others) = found(inputs, outputs);
+        let first = Self::first(inputs.len());
+        let points = angles.iter().flat_map(|&angle| {
+            let point = inputs[angle].circle();
+            [point.cos, point.sin]
+        });
+        let points: Vec<Sym> = points.collect();
+        // between the inputs and the points there are zeros, and are read as that
+        let zeros = vec![Sym::ZERO; first - inputs.len()];
+        let tape = Tape::record(&[inputs, &zeros, &points].concat(), &others).ok()?;
+        if tape.registers() > REGISTERS {
+            return None;
+        }
+        let parts = Parts { inputs: inputs.len(), angles, constants: tape.constants(), others: tape };
+        Some((parts, points.into_iter().chain(others).collect()))
+    }
+
+    /// Where they begin among the numbers of an evaluation.
+    pub fn first(inputs: usize) -> usize {
+        inputs.next_multiple_of(WIDTH)
+    }
+
+    pub fn flops(&self) -> usize {
+        self.others.flops()
+    }
+
+    /// Writes the inputs and their parts.
+    #[inline(always)]
+    pub fn fill<P: Pick<f64>>(&self, pick: P, inputs: &[f64], values: &mut [f64]) {
+        let inputs = &inputs[..self.inputs.min(inputs.len())];
+        let (whole, rest) = inputs.as_chunks::<WIDTH>();
+        let (groups, _) = values.as_chunks_mut::<WIDTH>();
+        for (group, eight) in groups.iter_mut().zip(whole) {
+            *group = *eight;
+        }
+        if let Some(group) = groups.get_mut(whole.len()) {
+            // eight at most: a call that copies takes longer
+            *group = std::array::from_fn(|number| rest.get(number).copied().unwrap_or(0.0));
+        }
+        let first = Self::first(self.inputs);
+        for (group, four) in groups.iter_mut().skip(first / WIDTH).zip(self.angles.chunks(WIDTH / 2)) {
+            // written as one, or what reads all eight would wait
+            let mut eight = pick.load(&[0.0; WIDTH]);
+            for (number, &angle) in four.iter().enumerate() {
+                let point = inputs.get(angle).map_or(Circle::zero(), |angle| angle.circle());
+                eight = pick.blend(1 << (2 * number), eight, pick.load(&[point.cos; WIDTH]));
+                eight = pick.blend(2 << (2 * number), eight, pick.load(&[point.sin; WIDTH]));
+            }
+            *group = pick.store(eight);
+        }
+        if self.others.outputs() > 0 {
+            let (known, others) = values.split_at_mut((first + 2 * self.angles.len()).min(values.len()));
+            // its registers were counted when it was recorded
+            self.others.evaluate::<f64, REGISTERS>(&self.constants, known, others).unwrap_or(());
+        }
+    }
+}
+
+/// The inputs of which circle points occur, and all other parts that move with the inputs.
+fn found(inputs: &[Sym], outputs: &[Sym]) -> (Vec<usize>, Vec<Sym>) {
+    let mut moving: BTreeSet<Sym> = inputs.iter().copied().collect();
+    let (mut angles, mut others) = (BTreeSet::new(), Vec::new());
+    for each in Sym::ascending(outputs) {
+        let node = each.node();
+        if !node.children().any(|child| moving.contains(&child)) {
+            continue;
+        }
+        moving.insert(each);
+        let other = match node {
+            Node::Cos(angle) | Node::Sin(angle) => {
+                let input = inputs.iter().position(|input| *input == angle);
+                angles.extend(input);
+                input.is_none().then_some(each)
+            }
+            Node::Root(_) => Some(each),
+            Node::Quotient(_, divisor) if moving.contains(&divisor) => Some(Sym::ONE / divisor),
+            _ => None,
+        };
+        others.extend(other.filter(|other| !others.contains(other)));
+    }
+    (angles.into_iter().collect(), others)
+}
