@@ -11,12 +11,11 @@ use derivations::scene::{Axes, Family as _, Scene};
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::SecondForm;
 use field::Lanes;
-use integrators::{Ensemble, Failure, Members, Ode, SideBySide, fuses, taylor_order};
+use integrators::{Ensemble, Failure, Members, Ode, SideBySide, fuses, lanes_order};
 use nalgebra::Vector3;
 use std::time::Instant;
 
-const LANES: usize = 8;
-/// For Runge-Kutta: two registers a number, so that one is computed while the other is waited for.
+/// Two registers a number, so that one is computed while the other is waited for.
 const WIDE: usize = 16;
 const MEMBERS: u64 = 2048;
 const SPAN: f64 = 2.0;
@@ -109,7 +108,7 @@ fn trajectories(scene: &Scene, axes: Axes) {
     let ends = vec![0.0; n * MEMBERS as usize];
     let mut spread = Spread { next: 0, parameters: &parameters, state: &state, steps: 0, failed: 0, ends };
     let mut run = |tolerance: f64, repeats: usize| {
-        let series = kind.series::<LANES>(taylor_order(tolerance))?;
+        let series = kind.series::<WIDE>(lanes_order(tolerance))?;
         let mut ensemble = Ensemble::new(series, tolerance, SPAN, n, kind.parameters());
         let time = median(repeats, || {
             (spread.next, spread.steps, spread.failed) = (0, 0, 0);

@@ -7,7 +7,9 @@ use derivations::scene::{Axes, Family, Scene};
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::SecondForm;
 use field::Lanes;
-use integrators::{Ensemble, Failure, LaneSeries, Members, Ode, SideBySide, Taylor, Tolerance, runge_kutta_4_step};
+use integrators::{
+    Ensemble, Failure, LaneSeries, Members, Ode, SideBySide, Taylor, Tolerance, lanes_order, runge_kutta_4_step,
+};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 
@@ -63,7 +65,8 @@ fn every_member_is_the_single_run_of_its_scene() {
         let one = single(&scene, &row);
         let mut problem = one.problem(Axes::Second);
         let series = problem.law.taylor().expect("its law is recorded");
-        let mut taylor = Taylor::new(series, &Tolerance::both(one.run.tolerance));
+        let mut taylor =
+            Taylor::new(series, &Tolerance::both(one.run.tolerance)).with_order(lanes_order(one.run.tolerance));
         let steps = taylor.propagate(0.0, one.run.span, &mut problem.state).expect("it arrives");
         assert_eq!((steps, &row.stopped), (row.steps, &None));
         one.back(Axes::Second)(&mut problem.state);
@@ -226,6 +229,10 @@ impl LaneSeries<4> for Growth {
         self.rates.0[lane] = parameters[0];
     }
 
+    fn order(&self) -> usize {
+        self.series.len() - 1
+    }
+
     fn expand(&mut self, _: Lanes<4>, states: &[Lanes<4>]) {
         let mut term = states[0];
         for (k, row) in self.series.iter_mut().enumerate() {
@@ -267,7 +274,7 @@ fn a_member_that_fails_disturbs_no_other_and_nobody_waits_for_the_slowest() {
     let rates = [1.0, -2.0, f64::NAN, 300.0, 0.0, 5e5, -1.0, 2.0, 3.0, -1e6];
     // the last one would be infinite after the one step that takes it to the end
     let starts: Vec<(f64, f64)> = rates.iter().map(|rate| (*rate, 1.0)).chain([(1.0, 1e308)]).collect();
-    let series = vec![[Lanes::all(0.0)]; integrators::taylor_order(1e-12) + 1];
+    let series = vec![[Lanes::all(0.0)]; lanes_order(1e-12) + 1];
     let mut members = Starts { starts: &starts, next: 0, ended: Vec::new() };
     let source = Growth { rates: Lanes::all(0.0), series };
     Ensemble::new(source, 1e-12, 1.0, 1, 1).with_most_steps(10_000).run(&mut members);

@@ -197,6 +197,10 @@ impl<const L: usize, const N: usize> LaneSeries<L> for Series<'_, L, N> {
         self.0.set(lane, parameters);
     }
 
+    fn order(&self) -> usize {
+        self.0.order()
+    }
+
     fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]) {
         self.0.expand(states, times);
     }

@@ -11,8 +11,8 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc;
 use symbolic::Program;
 
-/// As many as a register of today holds.
-const LANES: usize = 8;
+/// Two registers of today: one is computed while the other is waited for.
+const LANES: usize = 16;
 
 /// What takes longer is given up: a million steps are more than a million oscillations.
 const MOST_STEPS: u64 = 1_000_000;
@@ -108,7 +108,7 @@ struct Worker<'a> {
 impl Worker<'_> {
     fn work(mut self) {
         let tolerance = self.scene.scene.run.tolerance;
-        let order = integrators::taylor_order(tolerance);
+        let order = integrators::lanes_order(tolerance);
         let Some(series) = self.scene.kind.series::<LANES>(order) else { return };
         let (kind, end) = (&self.scene.kind, self.scene.scene.run.span);
         Ensemble::new(series, tolerance, end, kind.states(), kind.parameters())

@@ -1,6 +1,6 @@
 //! Taylor series of solutions: sums and products for every law, whatever the width of a group.
 
-use field::{Analytic, DoubleDouble, Scalar};
+use field::{Analytic, DoubleDouble, Lanes, Scalar};
 use symbolic::{Equations, Fused, Recurrence, Sym, Untapeable, symbols};
 
 fn record(state: &[Sym], time: Option<Sym>, parameters: &[Sym], rates: &[Sym]) -> Result<Recurrence, Untapeable> {
@@ -197,4 +197,50 @@ fn time_moves_in_a_small_system_too() {
     // y' = t y: exp(t^2/2)
     let found = solution(|y, t| y * t, 1.0, 0.0, 6);
     assert_eq!(found, [1.0, 0.0, 0.5, 0.0, 0.125, 0.0, 1.0 / 48.0]);
+}
+
+/// Every kind of step, squares and products with common factors among them.
+fn mixed() -> Recurrence {
+    let ([x, y, z], [a, b], time) = (symbols(["x", "y", "z"]), symbols(["a", "b"]), Sym::symbol("t"));
+    let root = (Sym::int(3) + x * x * a).sqrt();
+    let point = (y + time * b).circle();
+    let rates = [
+        x * y - y * z * a + point.cos * x - b,
+        x * z + y * y - z * z * b + root * point.sin,
+        (x - y * a + z) / root + x * x * y - point.cos * z,
+    ];
+    record(&[x, y, z], Some(time), &[a, b], &rates).unwrap()
+}
+
+#[test]
+fn every_lane_has_the_last_terms_and_the_sum_of_its_own_series_at_any_order() {
+    let recurrence = mixed();
+    let lanes = |from: f64, by: f64| Lanes::<3>([from, from + by, from - 2.0 * by]);
+    let (states, times, h) =
+        ([lanes(0.4, 0.1), lanes(-0.3, 0.2), lanes(0.2, -0.1)], lanes(0.5, 0.3), lanes(0.02, 0.005));
+    let parameters = |lane: usize| [0.7 - 0.2 * lane as f64, 0.3 + 0.4 * lane as f64];
+    for order in 2..=17 {
+        let mut abreast = recurrence.abreast::<3, 64>(order).unwrap();
+        (0..3).for_each(|lane| abreast.set(lane, &parameters(lane)));
+        // a first expansion leaves nothing behind
+        abreast.expand(&[Lanes::all(f64::NAN); 3], times);
+        abreast.expand(&states, times);
+        let mut sums = [Lanes::all(0.0); 3];
+        abreast.sum(h, &mut sums);
+        for lane in 0..3 {
+            let mut single = recurrence.expansion::<f64, 4, 256>(&parameters(lane), order).unwrap();
+            single.expand(&states.map(|y| y.0[lane]), times.0[lane]);
+            let mut sum = [0.0; 3];
+            single.sum(h.0[lane], &mut sum);
+            let near = |found: &[Lanes<3>], known: &[f64]| {
+                let size = known.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+                found.len() == 3 && found.iter().zip(known).all(|(a, b)| (a.0[lane] - b).abs() <= 1e-12 * size)
+            };
+            assert!(near(&sums, &sum), "order {order}: {sums:?} for {sum:?}");
+            for k in [order - 1, order] {
+                let (found, known) = (abreast.coefficients(k), &single.coefficients(k)[..3]);
+                assert!(near(found, known), "{k} of {order}: {found:?} for {known:?}");
+            }
+        }
+    }
 }

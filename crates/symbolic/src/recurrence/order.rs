@@ -77,15 +77,14 @@ impl<S: Analytic, const W: usize> Laid<S, W> {
     /// Rare, and kept out of the loop over the orders, which is short without it.
     #[inline(never)]
     pub fn implicit(&mut self, k: usize, now: &mut [S]) {
-        self.reciprocals.iter_mut().for_each(|each| each.reciprocal(k, now));
-        self.roots.iter_mut().for_each(|each| each.root(k, now));
+        self.reciprocals.iter_mut().for_each(|each| now[each.column] = each.reciprocal(k, now[each.of]));
+        self.roots.iter_mut().for_each(|each| now[each.column] = each.root(k, now[each.of]));
     }
 }
 
 impl<S: Analytic> Implicit<S> {
     /// r_k from (r b)_k = 0, and r_0 = 1 / b_0.
-    pub fn reciprocal(&mut self, k: usize, now: &mut [S]) {
-        let newest = now[self.of];
+    pub fn reciprocal(&mut self, k: usize, newest: S) -> S {
         self.series[k][1] = newest;
         let result = if k == 0 {
             S::one() / newest
@@ -94,12 +93,11 @@ impl<S: Analytic> Implicit<S> {
             -pairs.fold(S::zero(), |sum, (r, b)| sum + r[0] * b[1]) * self.series[0][0]
         };
         self.series[k][0] = result;
-        now[self.column] = result;
+        result
     }
 
     /// r_k from (r r)_k = a_k, and r_0 the non-negative root of a_0.
-    pub fn root(&mut self, k: usize, now: &mut [S]) {
-        let newest = now[self.of];
+    pub fn root(&mut self, k: usize, newest: S) -> S {
         let result = if k == 0 {
             newest.sqrt()
         } else {
@@ -108,6 +106,6 @@ impl<S: Analytic> Implicit<S> {
             (newest - known) / (self.series[0][0] + self.series[0][0])
         };
         self.series[k][0] = result;
-        now[self.column] = result;
+        result
     }
 }

@@ -1,19 +1,23 @@
 //! The series of many systems of one kind at once, each with data of its own.
 //!
-//! All numbers are lanes, and every quantity is computed by itself. What costs is bringing the numbers to the processor,
-//! so the series of a factor is held once for all its products, near the processor, and a product is formed for two
-//! orders at a time: each number that is brought is used twice.
+//! All numbers are lanes, and every quantity is computed by itself. What costs is bringing the numbers to the processor, and
+//! saying which: so products are formed for four orders at a time, two of them together where they share a factor, and
+//! so are sums of the same quantities.
 
 mod parts;
+mod products;
+mod sums;
 mod work;
 
 use super::Recurrence;
 use super::plan::{Place, Stage};
 use crate::tape::Program;
 use field::Lanes;
-use parts::{Rows, Side, Slots};
+use parts::{Side, Slots};
+use products::{Factor, Histories, Quantity};
 use pulp::Arch;
-use work::{CHAINS, Expand, Sum};
+use sums::Rows;
+use work::{Expand, Sum};
 
 /// L systems that differ in their parameters, states and times, one in each lane. Nothing is allocated, and what one lane
 /// holds does not depend on another. `N` is a power of two above the number of quantities, so that no index needs a
@@ -25,14 +29,11 @@ pub struct Abreast<'a, const L: usize, const N: usize = 256> {
     time: bool,
     stages: Vec<Side<L>>,
     rates: Rows<L>,
-    /// The coefficients of the order at hand of all quantities.
-    now: Box<[Lanes<L>; N]>,
-    /// The coefficients of all orders of what has a rate; so long is one order.
-    series: Vec<Lanes<L>>,
-    width: usize,
-    /// The series of all factors, one after the other; so long is one.
-    factors: Vec<Lanes<L>>,
-    length: usize,
+    quantities: Box<[Quantity<L>; N]>,
+    /// The states' coefficients of the last order, and of the one before.
+    last: [Vec<Lanes<L>>; 2],
+    factors: Vec<Factor>,
+    histories: Histories<L>,
     points: Program<'a, Lanes<L>>,
     inputs: Vec<Lanes<L>>,
     circle: Vec<Lanes<L>>,
@@ -55,19 +56,24 @@ impl Recurrence {
         }
         let zero = Lanes::all(0.0);
         let inputs = plan.states + usize::from(plan.time);
-        let mut slots = Slots { of: vec![None; N], next: 0 };
+        let mut slots = Slots { of: vec![None; N], factors: Vec::new() };
+        // of what has a rate the series are needed in any case
+        for place in 0..plan.moving as Place {
+            slots.factor(place);
+        }
         let stages: Vec<Side<L>> = plan.stages.iter().map(|stage| Side::new(stage, order, &mut slots)).collect();
+        let each = order / 4 + 1;
+        let quantities = vec![Quantity::ZERO; N].into_boxed_slice();
         Some(Abreast {
             order,
             states: plan.states,
             time: plan.time,
             stages,
             rates: Rows::new(&plan.rates, &(0..plan.moving as Place).collect::<Vec<_>>()),
-            now: Box::new([zero; N]),
-            series: vec![zero; plan.moving.next_multiple_of(CHAINS) * (order + 1)],
-            width: plan.moving.next_multiple_of(CHAINS),
-            factors: vec![zero; slots.next * (order + 2)],
-            length: order + 2,
+            quantities: quantities.try_into().ok()?,
+            last: [(); 2].map(|()| vec![zero; plan.states]),
+            histories: Histories { fours: vec![[zero; 4]; slots.factors.len() * each], each },
+            factors: slots.factors,
             points: self.points.over(),
             inputs: vec![zero; self.points.inputs()],
             circle: vec![zero; plan.moving - inputs],
@@ -83,6 +89,11 @@ impl Recurrence {
 }
 
 impl<const L: usize, const N: usize> Abreast<'_, L, N> {
+    /// The order of the last coefficients.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
     /// Gives the system in a lane its parameters.
     pub fn set(&mut self, lane: usize, parameters: &[f64]) {
         self.coefficients.evaluate(parameters, &mut self.values);
@@ -100,18 +111,20 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
         }
     }
 
-    /// The coefficients a_k of the states.
+    /// The coefficients a_k of the states, for k the order or one less; others are not kept in one piece.
     #[inline]
     pub fn coefficients(&self, k: usize) -> &[Lanes<L>] {
-        &self.series[k * self.width..][..self.states]
+        self.order.checked_sub(k).and_then(|before| self.last.get(before)).map_or(&[], |last| last)
     }
 
     /// The sums of the series, each at its h, by Horner's scheme.
     pub fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
-        let (series, width) = (&self.series[..], self.width);
+        let (histories, order) = (&self.histories, self.order);
+        let states = self.states.min(out.len());
+        let out = &mut out[..states];
         match Arch::new() {
-            Arch::Scalar => Sum::<L, false> { series, width, h, out }.run(),
-            wide => wide.dispatch(Sum::<L, true> { series, width, h, out }),
+            Arch::Scalar => Sum::<L, false> { histories, order, h, out }.run(),
+            wide => wide.dispatch(Sum::<L, true> { histories, order, h, out }),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! All orders of a series, and its sum: what is compiled for each set of instructions.
 
 use super::Abreast;
+use super::products::{Fan, Histories, Quantity};
 use field::Lanes;
 use pulp::{Simd, WithSimd};
 
@@ -14,79 +15,128 @@ pub(super) struct Expand<'a, 'b, 'c, const L: usize, const N: usize, const FUSED
 impl<const L: usize, const N: usize, const FUSED: bool> Expand<'_, '_, '_, L, N, FUSED> {
     #[inline(always)]
     pub fn run(self) {
-        let Abreast { order, stages, rates, now, series, width, factors, length, points, inputs, circle, .. } =
-            self.abreast;
-        let n = self.abreast.states.min(self.states.len());
-        inputs[..n].copy_from_slice(&self.states[..n]);
-        let mut moving = self.abreast.states;
-        if self.abreast.time {
-            inputs[moving] = self.time;
+        let order = self.abreast.order;
+        self.abreast.start(self.states, self.time);
+        for k in (0..order).step_by(4) {
+            if k == 0 {
+                self.abreast.four::<FUSED, true>(k, order);
+            } else {
+                self.abreast.begin::<FUSED>(k / 4);
+                self.abreast.four::<FUSED, false>(k, order);
+            }
+        }
+        self.abreast.end();
+    }
+}
+
+impl<const L: usize, const N: usize> Abreast<'_, L, N> {
+    /// Order zero of all that has a rate.
+    #[inline(always)]
+    fn start(&mut self, states: &[Lanes<L>], time: Lanes<L>) {
+        let n = self.states.min(states.len());
+        self.inputs[..n].copy_from_slice(&states[..n]);
+        let mut moving = self.states;
+        if self.time {
+            self.inputs[moving] = time;
             moving += 1;
         }
-        series[..moving].copy_from_slice(&inputs[..moving]);
-        if !circle.is_empty() {
-            points.evaluate(inputs, circle);
-            series[moving..][..circle.len()].copy_from_slice(circle);
+        if !self.circle.is_empty() {
+            self.points.evaluate(&self.inputs, &mut self.circle);
         }
-        for k in 0..*order {
-            let (known, next) = series.split_at_mut((k + 1) * *width);
-            now[..*width].copy_from_slice(&known[k * *width..]);
-            for stage in &mut *stages {
-                stage.sums.sums::<FUSED, N>(k, now, |now, place, sum| now[place] = sum);
-                for (place, slot) in &stage.factors {
-                    let factor = &mut factors[usize::from(*slot) * *length..][..*length];
-                    // nothing is known of what is newer
-                    (factor[k], factor[k + 1]) = (now[usize::from(*place) % N], Lanes::all(0.0));
-                }
-                for product in &mut stage.products {
-                    let [a, b] = [product.a, product.b].map(|slot| &factors[usize::from(slot) * *length..][..k + 2]);
-                    let value = if k % 2 == 0 {
-                        let [value, next] = two_orders::<L, FUSED>(a, &b[..=k]);
-                        product.next = next;
-                        value
-                    } else {
-                        product.next.plus_product(a[0], b[k], FUSED).plus_product(a[k], b[0], FUSED)
-                    };
-                    now[usize::from(product.place) % N] = value;
-                }
-                stage.reciprocals.iter_mut().for_each(|each| each.reciprocal(k, &mut now[..]));
-                stage.roots.iter_mut().for_each(|each| each.root(k, &mut now[..]));
+        let starts = self.inputs[..moving].iter().chain(&self.circle);
+        for (quantity, start) in self.quantities.iter_mut().zip(starts) {
+            quantity.newest[0] = *start;
+        }
+    }
+
+    /// The last orders in their places.
+    #[inline(always)]
+    fn end(&mut self) {
+        let [last, before] = &mut self.last;
+        for (number, (last, before)) in last.iter_mut().zip(before).enumerate() {
+            let newest = self.quantities[number % N].newest;
+            (*last, *before) = (newest[self.order % 4], newest[(self.order + 3) % 4]);
+            self.histories.fours[number * self.histories.each + self.order / 4] = newest;
+        }
+    }
+
+    /// What the first orders, so many fours of them, bring to the next four.
+    #[inline(always)]
+    fn begin<const FUSED: bool>(&mut self, fours: usize) {
+        for stage in &mut self.stages {
+            for fan in &mut stage.pairs {
+                fan.begin::<FUSED>(&self.histories, fours);
             }
-            // x_(k+1) = (x')_k / (k + 1)
-            let reciprocal = Lanes::all(1.0 / (k + 1) as f64);
-            let next = &mut next[..*width];
-            rates.sums::<FUSED, N>(k, now, |_, place, sum| next[place] = sum * reciprocal);
+            for fan in &mut stage.alone {
+                fan.begin::<FUSED>(&self.histories, fours);
+            }
+        }
+    }
+
+    /// Four orders from k on, as far as there are so many.
+    #[inline(always)]
+    fn four<const FUSED: bool, const FIRST: bool>(&mut self, k: usize, order: usize) {
+        self.next::<FUSED, FIRST, 0>(k);
+        if k + 1 < order {
+            self.next::<FUSED, FIRST, 1>(k + 1);
+        }
+        if k + 2 < order {
+            self.next::<FUSED, FIRST, 2>(k + 2);
+        }
+        if k + 3 < order {
+            self.next::<FUSED, FIRST, 3>(k + 3);
+        }
+    }
+
+    /// From order k of all that has a rate to the next.
+    #[inline(always)]
+    fn next<const FUSED: bool, const FIRST: bool, const I: usize>(&mut self, k: usize) {
+        let quantities = &mut *self.quantities;
+        for stage in &mut self.stages {
+            if FIRST && I == 0 {
+                stage.sums.sums::<FUSED, true, I, N>(quantities, |to, place, sum| to[place].newest[I] = sum);
+            } else {
+                stage.sums.sums::<FUSED, false, I, N>(quantities, |to, place, sum| to[place].newest[I] = sum);
+            }
+            finish::<L, 2, N, FUSED, FIRST, I>(&stage.pairs, quantities);
+            finish::<L, 1, N, FUSED, FIRST, I>(&stage.alone, quantities);
+            for each in &mut stage.reciprocals {
+                quantities[each.column % N].newest[I] = each.reciprocal(k, quantities[each.of % N].newest[I]);
+            }
+            for each in &mut stage.roots {
+                quantities[each.column % N].newest[I] = each.root(k, quantities[each.of % N].newest[I]);
+            }
+        }
+        if I == 3 {
+            let histories = self.histories.fours.chunks_exact_mut(self.histories.each);
+            for (factor, history) in self.factors.iter().zip(histories) {
+                let quantity = &mut quantities[usize::from(factor.place) % N];
+                history[k / 4] = quantity.newest;
+                if FIRST {
+                    quantity.oldest = quantity.newest;
+                }
+            }
+        }
+        // x_(k+1) = (x')_k / (k + 1)
+        let reciprocal = Lanes::all(1.0 / (k + 1) as f64);
+        let put =
+            |to: &mut [Quantity<L>; N], place: usize, sum: Lanes<L>| to[place].newest[(I + 1) % 4] = sum * reciprocal;
+        if FIRST && I == 0 {
+            self.rates.sums::<FUSED, true, I, N>(quantities, put);
+        } else {
+            self.rates.sums::<FUSED, false, I, N>(quantities, put);
         }
     }
 }
 
-/// Sums that run side by side: none waits for the addition before.
-pub(super) const CHAINS: usize = 4;
-
-/// sum_j a_j b_(k-j), and of the next order what the same numbers give: sum_j a_(j+1) b_(k-j), where a_(k+1) is zero.
 #[inline(always)]
-fn two_orders<const L: usize, const FUSED: bool>(a: &[Lanes<L>], b: &[Lanes<L>]) -> [Lanes<L>; 2] {
-    let zero = Lanes::all(0.0);
-    let (mut sums, mut nexts) = ([zero; CHAINS], [zero; CHAINS]);
-    let mut newer = a[1..=b.len()].chunks_exact(CHAINS);
-    let mut older = b.rchunks_exact(CHAINS);
-    let mut first = a[0];
-    for (x, y) in (&mut newer).zip(&mut older) {
-        let before = [first, x[0], x[1], x[2]];
-        for chain in 0..CHAINS {
-            sums[chain] = sums[chain].plus_product(before[chain], y[CHAINS - 1 - chain], FUSED);
-            nexts[chain] = nexts[chain].plus_product(x[chain], y[CHAINS - 1 - chain], FUSED);
-        }
-        first = x[CHAINS - 1];
+fn finish<const L: usize, const M: usize, const N: usize, const FUSED: bool, const FIRST: bool, const I: usize>(
+    fans: &[Fan<L, M>],
+    quantities: &mut [Quantity<L>; N],
+) {
+    for fan in fans {
+        fan.finish::<FUSED, FIRST, I, N>(quantities);
     }
-    // the few that are left: an index that is not known beforehand would bring all sums into memory
-    for (x, y) in newer.remainder().iter().zip(older.remainder().iter().rev()) {
-        sums[0] = sums[0].plus_product(first, *y, FUSED);
-        nexts[0] = nexts[0].plus_product(*x, *y, FUSED);
-        first = *x;
-    }
-    let together = |[a, b, c, d]: [Lanes<L>; CHAINS]| (a + b) + (c + d);
-    [together(sums), together(nexts)]
 }
 
 impl<const L: usize, const N: usize> WithSimd for Expand<'_, '_, '_, L, N, true> {
@@ -99,8 +149,8 @@ impl<const L: usize, const N: usize> WithSimd for Expand<'_, '_, '_, L, N, true>
 }
 
 pub(super) struct Sum<'a, const L: usize, const FUSED: bool> {
-    pub series: &'a [Lanes<L>],
-    pub width: usize,
+    pub histories: &'a Histories<L>,
+    pub order: usize,
     pub h: Lanes<L>,
     pub out: &'a mut [Lanes<L>],
 }
@@ -108,15 +158,18 @@ pub(super) struct Sum<'a, const L: usize, const FUSED: bool> {
 impl<const L: usize, const FUSED: bool> Sum<'_, L, FUSED> {
     #[inline(always)]
     pub fn run(self) {
-        for (block, out) in self.out.chunks_mut(CHAINS).enumerate() {
-            let mut sums = [Lanes::all(0.0); CHAINS];
-            for row in self.series.chunks_exact(self.width).rev() {
-                let terms = &row[block * CHAINS..][..CHAINS];
-                for chain in 0..CHAINS {
-                    sums[chain] = terms[chain].plus_product(sums[chain], self.h, FUSED);
-                }
+        for (slot, out) in (0..).zip(self.out) {
+            let fours = self.histories.of(slot, self.order / 4 + 1);
+            let Some((last, before)) = fours.split_last() else { continue };
+            let mut sum = Lanes::all(0.0);
+            for term in last[..=self.order % 4].iter().rev() {
+                sum = term.plus_product(sum, self.h, FUSED);
             }
-            out.iter_mut().zip(sums).for_each(|(out, sum)| *out = sum);
+            for [a, b, c, d] in before.iter().rev() {
+                sum = c.plus_product(d.plus_product(sum, self.h, FUSED), self.h, FUSED);
+                sum = a.plus_product(b.plus_product(sum, self.h, FUSED), self.h, FUSED);
+            }
+            *out = sum;
         }
     }
 }
