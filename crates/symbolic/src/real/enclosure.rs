@@ -152,7 +152,7 @@ impl Enclosure {
     }
 
     /// The same interval in finer multiples.
-    pub(super) fn finer(self, bits: usize) -> Self {
+    pub fn finer(self, bits: usize) -> Self {
         let more = bits.saturating_sub(self.bits);
         Enclosure { low: self.low << more, high: self.high << more, bits: self.bits + more }
     }
