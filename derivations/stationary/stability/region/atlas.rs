@@ -74,7 +74,8 @@ impl Atlas {
         let mut order: Vec<usize> = (0..branches.len()).collect();
         order.sort_by_key(|&k| (branches[k].state, std::cmp::Reverse(branches[k].nodes)));
         let rank = |k: usize| order.iter().position(|&other| other == k).unwrap_or(k);
-        let of_branch = |((column, row, place), border): (At, Border)| Some((rank(number[column][row][place]?), border));
+        let of_branch =
+            |((column, row, place), border): (At, Border)| Some((rank(number[column][row][place]?), border));
         let borders = borders.into_iter().filter_map(of_branch).collect();
         let branches = order.iter().map(|&k| branches[k].clone()).collect();
         Atlas { columns, branches, borders, lost }

@@ -155,7 +155,8 @@ impl ForMachine for &Written<'_> {
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
         let name = AnyMachine::name(&self.scene.machine);
-        let datum = self.machine.and_then(|place| self.data.numbers.get(place)).map(|(quantity, _)| quantity.name.as_ref());
+        let datum =
+            self.machine.and_then(|place| self.data.numbers.get(place)).map(|(quantity, _)| quantity.name.as_ref());
         let mut source = WithLetter { rest: Decimals(self.data, name), datum };
         let machine = M::read::<Sym, _>(&mut source).map_err(NoMotor::Data)?;
         let load = if self.load { Sym::symbol("load") } else { Sym::ZERO };

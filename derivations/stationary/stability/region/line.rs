@@ -123,8 +123,9 @@ impl<'a> Line<'a> {
         let last = a.iter().chain(b).map(|here| here.state).max();
         for state in 0..=last.unwrap_or(0) {
             let of_state = |all: &[Here]| -> Vec<usize> { (0..all.len()).filter(|&k| all[k].state == state).collect() };
-            let alone = [(0, of_state(a)), (1, of_state(b))]
-                .map(|(side, all)| all.into_iter().filter(|k| link.joined.iter().all(|pair| pair[side] != *k)).collect());
+            let alone = [(0, of_state(a)), (1, of_state(b))].map(|(side, all)| {
+                all.into_iter().filter(|k| link.joined.iter().all(|pair| pair[side] != *k)).collect()
+            });
             let [of_first, of_second]: [Vec<usize>; 2] = alone;
             let counts = [of_state(a).len(), of_state(b).len()];
             if counts[0] == counts[1] {
@@ -152,7 +153,9 @@ impl<'a> Line<'a> {
             let ground = self.region.ground(values[0])?;
             let Some(spot) = Spot::of(self.region, &ground, values) else { break };
             let held = spot.held();
-            let Some((motions, _)) = held.get(here.state).and_then(|held| spot.motions(here.state, held)) else { break };
+            let Some((motions, _)) = held.get(here.state).and_then(|held| spot.motions(here.state, held)) else {
+                break;
+            };
             let Some(value) = motions.first().map(|raw| raw.value.clone()) else { break };
             let stop = Stop { values, value };
             let Some(place) = self.followed(&low.1, &low.0, &stop) else { break };

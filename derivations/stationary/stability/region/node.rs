@@ -168,11 +168,7 @@ impl<'a> Spot<'a> {
     }
 
     /// All isolated ones with one state of the rotor, and the families.
-    pub fn motions<'b>(
-        &self,
-        state: usize,
-        held: &'b Held<'b>,
-    ) -> Option<(Vec<Raw<'b>>, Vec<(Shape, Vec<Verdict>)>)> {
+    pub fn motions<'b>(&self, state: usize, held: &'b Held<'b>) -> Option<(Vec<Raw<'b>>, Vec<(Shape, Vec<Verdict>)>)> {
         if held.value.as_rational().is_none()
             && let Some(carried) = self.carried(state, held)
         {
