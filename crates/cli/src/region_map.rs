@@ -8,7 +8,7 @@ use derivations::scene::Scene;
 use derivations::stationary::motor::NoMotor;
 use derivations::stationary::stability::datum::Datum;
 use derivations::stationary::stability::region::line::Link;
-use derivations::stationary::stability::region::{Atlas, Branch, Change, Class, NoRegion, Node, Place, Region};
+use derivations::stationary::stability::region::{Atlas, Border, Branch, Change, Class, NoRegion, Node, Place, Region};
 use mechanics::uniform::Kind;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -23,7 +23,8 @@ const NODES: f64 = 3.0;
 /// What is claimed.
 const NOTE: &str = "In the middle of each cell the motion is isolated and judged exactly. Between neighbours it is followed \
     with proof, and where its verdict changes, or it merges with another, the place is bracketed: a dot lies between two points \
-    1/32 of a cell apart that are judged exactly too. Nothing is interpolated, and an island smaller than a cell may be missed.";
+    1/32 of a cell apart that are judged exactly too; where omega0 is the second datum, merging motions are roots of a polynomial \
+    up each column. Nothing is interpolated, and an island smaller than a cell may be missed.";
 
 /// A scene over two data, each in its range.
 pub struct Asked<'a> {
@@ -87,14 +88,19 @@ impl Asked<'_> {
         let borders = |name: &str, wanted: fn(Change) -> bool| {
             let of_branch = atlas.borders.iter().filter(|(of, border)| *of == number && wanted(border.change));
             let middle = |[a, b]: [[f64; 2]; 2]| (0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]));
-            let points = of_branch.map(|(_, border)| middle(border.between)).collect();
+            let place = |border: &Border| match border.exactly {
+                Some(w) => (border.between[0][0], w),
+                None => middle(border.between),
+            };
+            let points = of_branch.map(|(_, border)| place(border)).collect();
             AreaCurve { name: name.into(), points }
         };
         let dots = [
             borders("the verdict changes: bracketed", |change| change == Change::Verdict),
-            borders("the motion merges with another, or the motor is pulled out: bracketed", |change| {
-                change != Change::Verdict
-            }),
+            borders(
+                "the motion merges with another, or the motor is pulled out: bracketed; up columns over omega0 exact",
+                |change| change != Change::Verdict,
+            ),
         ];
         let names = Class::ALL.iter().map(|class| name(*class).to_owned());
         Areas {
@@ -127,6 +133,17 @@ impl Asked<'_> {
                 let [a, b] = border.between;
                 let (datum, other) = if a[0] == b[0] { (1, 0) } else { (0, 1) };
                 let names = [&first.name, &second.name];
+                if let Some(w) = border.exactly {
+                    let _ = writeln!(
+                        out,
+                        "  at {} = {}: {} at {} = {w}, exactly",
+                        names[0],
+                        a[0],
+                        changes(border.change),
+                        names[1]
+                    );
+                    continue;
+                }
                 let _ = writeln!(
                     out,
                     "  at {} = {}: {} between {} = {} and {}",
@@ -176,7 +193,8 @@ impl Asked<'_> {
             json!({ "rotor_state": branch.state + 1, "nodes": branch.nodes, "verdicts": verdicts })
         });
         let borders = atlas.borders.iter().map(|(branch, border)| {
-            json!({ "branch": branch + 1, "change": changes(border.change), "between": border.between })
+            json!({ "branch": branch + 1, "change": changes(border.change), "between": border.between,
+                    "exactly": border.exactly })
         });
         json!({ "scene": self.scene.title, "model": self.scene.machine.name(), "first": first.name, "second": second.name,
                 "note": NOTE, "nodes": nodes.collect::<Vec<_>>(), "branches": branches.collect::<Vec<_>>(),

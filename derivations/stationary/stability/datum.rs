@@ -103,6 +103,10 @@ impl Datum {
         matches!(self.place, Where::Load)
     }
 
+    pub(super) fn is_speed(&self) -> bool {
+        matches!(self.place, Where::Speed)
+    }
+
     pub(super) fn is_rotor_speed(&self) -> bool {
         matches!(self.place, Where::RotorSpeed)
     }

@@ -5,6 +5,7 @@ use super::node::{BITS, Class, Here, Node, Place, Raw, Spot};
 use super::{Region, decimal};
 use crate::stationary::motor::NoMotor;
 use mechanics::uniform::{self, Data, followed};
+use std::cell::OnceCell;
 use symbolic::real::Enclosure;
 use symbolic::{Formulas, Sym, symbols};
 
@@ -23,6 +24,8 @@ pub struct Link {
 pub struct Border {
     pub change: Change,
     pub between: [[f64; 2]; 2],
+    /// The value of the second datum, w0, where it is a root of a polynomial that was isolated.
+    pub exactly: Option<f64>,
     /// The motion to which it happens: of the first neighbour or of the second, and its place there.
     pub of: (usize, usize),
 }
@@ -46,6 +49,8 @@ struct Line<'a> {
     region: &'a Region<'a>,
     moving: usize,
     formulas: Formulas,
+    /// Where motions merge, of a line over w0.
+    folds: OnceCell<Vec<f64>>,
 }
 
 /// A point of the line, with what the rotor keeps there.
@@ -81,7 +86,7 @@ impl<'a> Line<'a> {
         let vector = share * (speed * kept) + energies.weight;
         // the matrix is symmetric, so that columns are rows
         let all: Vec<Sym> = matrix.iter().chain(vector.iter()).copied().collect();
-        Some(Line { region, moving, formulas: Formulas::of(&all, &unknowns).ok()? })
+        Some(Line { region, moving, formulas: Formulas::of(&all, &unknowns).ok()?, folds: OnceCell::new() })
     }
 
     /// Where a motion of one stop is at another.
@@ -117,7 +122,7 @@ impl<'a> Line<'a> {
         for &[i, j] in &link.joined {
             if Class::from(a[i].verdict) != Class::from(b[j].verdict) {
                 let between = self.changed(first, &a[i], second)?;
-                link.borders.push(Border { change: Change::Verdict, between, of: (0, i) });
+                link.borders.push(Border { change: Change::Verdict, between, exactly: None, of: (0, i) });
             }
         }
         let last = a.iter().chain(b).map(|here| here.state).max();
@@ -136,7 +141,8 @@ impl<'a> Line<'a> {
                 continue;
             }
             let (between, change) = self.counted(first, second, state, counts[0])?;
-            let border = |side: usize| move |k: usize| Border { change, between, of: (side, k) };
+            let exactly = if change == Change::Fold { self.fold(state, between)? } else { None };
+            let border = |side: usize| move |k: usize| Border { change, between, exactly, of: (side, k) };
             link.borders.extend(of_first.into_iter().map(border(0)));
             link.borders.extend(of_second.into_iter().map(border(1)));
         }
@@ -194,6 +200,25 @@ impl<'a> Line<'a> {
             *(if side == 0 { &mut low } else { &mut high }) = values;
         }
         Ok(([low, high], if held[0] == held[1] { Change::Fold } else { Change::PullOut }))
+    }
+
+    /// The only fold between two points of a line over w0.
+    fn fold(&self, state: usize, between: [[f64; 2]; 2]) -> Result<Option<f64>, NoMotor> {
+        if self.moving == 0 || !self.region.data[1].is_speed() {
+            return Ok(None);
+        }
+        let folds = match self.folds.get() {
+            Some(folds) => folds,
+            None => {
+                let ground = self.region.ground(between[0][0])?;
+                let spot = Spot::of(self.region, &ground, between[0]);
+                let all = spot.and_then(|spot| Some(spot.folds(spot.held().get(state)?)));
+                self.folds.get_or_init(|| all.flatten().unwrap_or_default())
+            }
+        };
+        let [[_, a], [_, b]] = between;
+        let mut inside = folds.iter().copied().filter(|w| (a.min(b)..=a.max(b)).contains(w));
+        Ok(inside.next().filter(|_| inside.next().is_none()))
     }
 
     fn middle(&self, low: [f64; 2], high: [f64; 2]) -> [f64; 2] {

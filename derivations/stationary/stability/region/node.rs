@@ -192,6 +192,15 @@ impl<'a> Spot<'a> {
         Body::new(&tensor, &share, value, &self.energies.weight)
     }
 
+    /// The angular velocities at which motions merge, where all are known; not of an irrational W, whose field would take long.
+    pub fn folds(&self, held: &Held<'_>) -> Option<Vec<f64>> {
+        held.value.as_rational()?;
+        let folds = self.body(held, &held.value)?.folds();
+        let all =
+            folds.motions.iter().map(|fold| Some(fold.direction_and_speed(BITS)?.1.to_f64())).collect::<Option<_>>();
+        all.filter(|_| folds.undecided.is_none())
+    }
+
     /// An irrational W beside a fraction: the motions there, followed to W, are all if as many are there for everything between
     /// both. `None` where that is not known.
     fn carried<'b>(&self, state: usize, held: &'b Held<'b>) -> Option<Vec<Raw<'b>>> {
