@@ -176,7 +176,7 @@ impl Areas {
 
 /// Full or empty.
 fn dot(drawing: &mut Drawing, number: usize, at: (f64, f64)) {
-    drawing.circle(at, 1.4, if number % 2 == 0 { "spot" } else { "spot hollow" });
+    drawing.circle(at, 1.4, if number.is_multiple_of(2) { "spot" } else { "spot hollow" });
 }
 
 #[cfg(test)]

@@ -38,7 +38,7 @@ pub struct Node {
 #[derive(Clone, Debug)]
 pub enum Place {
     /// Isolated ones, and families of which each is judged as a whole.
-    Motions { isolated: Vec<Here>, families: Vec<(Shape, Vec<Verdict>)> },
+    Motions { isolated: Vec<Here>, families: Vec<Family> },
     /// The motor holds no speed or angle.
     PulledOut,
     /// No bodies have these data.
@@ -46,6 +46,9 @@ pub enum Place {
     /// More bits than are tried would be needed to tell motions apart.
     TooFine,
 }
+
+/// A connected family, and the verdicts along it, one for each stretch.
+pub type Family = (Shape, Vec<Verdict>);
 
 /// An isolated motion.
 #[derive(Clone, Debug)]
@@ -168,7 +171,7 @@ impl<'a> Spot<'a> {
     }
 
     /// All isolated ones with one state of the rotor, and the families.
-    pub fn motions<'b>(&self, state: usize, held: &'b Held<'b>) -> Option<(Vec<Raw<'b>>, Vec<(Shape, Vec<Verdict>)>)> {
+    pub fn motions<'b>(&self, state: usize, held: &'b Held<'b>) -> Option<(Vec<Raw<'b>>, Vec<Family>)> {
         if held.value.as_rational().is_none()
             && let Some(carried) = self.carried(state, held)
         {
