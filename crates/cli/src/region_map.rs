@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Columns and rows of nodes.
-const CELLS: [usize; 2] = [36, 27];
+const CELLS: [usize; 2] = [28, 21];
 /// Branches that are drawn.
 const DRAWN: usize = 8;
 /// What a column of nodes costs beside a line of links.
@@ -97,10 +97,7 @@ impl Asked<'_> {
         };
         let dots = [
             borders("the verdict changes: bracketed", |change| change == Change::Verdict),
-            borders(
-                "the motion merges with another, or the motor is pulled out: bracketed; up columns over omega0 exact",
-                |change| change != Change::Verdict,
-            ),
+            borders("motions merge, or pull-out: bracketed; up omega0 exact", |change| change != Change::Verdict),
         ];
         let names = Class::ALL.iter().map(|class| name(*class).to_owned());
         Areas {

@@ -89,8 +89,10 @@ enum Found {
     Carried,
 }
 
-/// Bits to which places are enclosed.
-pub(super) const BITS: usize = 96;
+/// Bits to which places are enclosed: products of two still fit into two words of the processor.
+pub(super) const BITS: usize = 56;
+/// Bits where motions are counted and folds isolated.
+const FINE: usize = 96;
 /// Bits at which signs are looked for first.
 const FINENESS: [usize; 5] = [128, 256, 512, 1024, 2048];
 
@@ -200,25 +202,33 @@ impl<'a> Spot<'a> {
         held.value.as_rational()?;
         let folds = self.body(held, &held.value)?.folds();
         let all =
-            folds.motions.iter().map(|fold| Some(fold.direction_and_speed(BITS)?.1.to_f64())).collect::<Option<_>>();
+            folds.motions.iter().map(|fold| Some(fold.direction_and_speed(FINE)?.1.to_f64())).collect::<Option<_>>();
         all.filter(|_| folds.undecided.is_none())
     }
 
     /// An irrational W beside a fraction: the motions there, followed to W, are all if as many are there for everything between
     /// both. `None` where that is not known.
     fn carried<'b>(&self, state: usize, held: &'b Held<'b>) -> Option<Vec<Raw<'b>>> {
-        let value = held.value.enclosure(BITS);
+        let value = held.value.enclosure(FINE);
         let beside = Rational::exactly(held.value.to_f64());
         let between = |t: &Enclosure| {
-            let from = Enclosure::rational(beside, BITS)?;
+            let from = Enclosure::rational(beside, FINE)?;
             self.data(held, &(&from + &(t * &(&value - &from))))
         };
         let all = self.body(held, &Root::rational(beside)?)?.rotations(decimal(self.setting.speed))?;
-        let whole = Enclosure::integer(0, BITS).hull(&Enclosure::integer(1, BITS));
+        let whole = Enclosure::integer(0, FINE).hull(&Enclosure::integer(1, FINE));
         let same = count(&between(&whole)?)? == all.motions.len();
         let raw = |motion: &uniform::Motion| {
-            let place = followed(&between, &enclosed(motion, BITS)?)?;
-            Some(Raw { state, kind: motion.kind, place, value: value.clone(), found: Found::Carried, held })
+            let place = followed(&between, &enclosed(motion, FINE)?)?;
+            let place = place.each_ref().map(|z| z * &Enclosure::integer(1, BITS));
+            Some(Raw {
+                state,
+                kind: motion.kind,
+                place,
+                value: held.value.enclosure(BITS),
+                found: Found::Carried,
+                held,
+            })
         };
         if same { all.motions.iter().map(raw).collect() } else { None }
     }
