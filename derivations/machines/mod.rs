@@ -15,6 +15,7 @@ mod bench_pieces;
 mod borrowed;
 mod conserved;
 mod kick;
+mod loaded;
 mod machine;
 mod metered;
 mod quantity;
@@ -25,6 +26,7 @@ pub use bench::Bench;
 pub use bench_pieces::BenchFlows;
 pub use conserved::{Conserved, ConservedBy};
 pub use kick::{Kick, Law, Point, Rule, decay_quotient, fading_slip, fastest_current, has_known_flow, kick, solved};
+pub use loaded::Loaded;
 pub use machine::{
     Circuit, Machine, RotorState, drive, drive_circuits, heat, is_fed, motional_moment, state_names, stored_energy,
     supplied,

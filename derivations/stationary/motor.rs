@@ -2,7 +2,7 @@
 
 use crate::machines::text::Laws;
 use crate::machines::{
-    AnyMachine, Catalogued, ForMachine, Machine, Quantity, RotorState, Source, drive, is_fed, resting_currents,
+    AnyMachine, Catalogued, ForMachine, Loaded, Machine, Quantity, RotorState, Source, drive, is_fed, resting_currents,
 };
 use crate::scene::{MachineData, NoModel};
 use field::{Circle, Rational, Scalar};
@@ -159,16 +159,17 @@ impl ForMachine for States<'_> {
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
         let machine = M::read::<Sym, _>(&mut Decimals(self.data, self.name)).map_err(NoMotor::Data)?;
-        let (field_speed, load) = (machine.frame_speed(), Sym::constant(Rational::decimal(self.load)));
+        let machine = Loaded { machine, load: Sym::constant(Rational::decimal(self.load)) };
+        let field_speed = machine.frame_speed();
         let kept = field_speed.as_constant().and_then(Root::rational);
         let kept = kept.ok_or_else(|| NoMotor::NotAlgebraic("the field's speed is no fraction".into()));
         match M::ROTOR {
             RotorState::Prescribed => Ok(Motor::Kept { speed: kept? }),
-            RotorState::AngleAndSpeed => in_step(kept?, |angle| Resting::of(&machine, angle, Sym::ZERO, load)),
+            RotorState::AngleAndSpeed => in_step(kept?, |angle| Resting::of(&machine, angle, Sym::ZERO)),
             RotorState::Speed => {
                 let speed = Sym::symbol("speed");
                 let angle = Circle { cos: Sym::int(1), sin: Sym::ZERO };
-                slipping(&Resting::of(&machine, angle, speed - field_speed, load)?, speed)
+                slipping(&Resting::of(&machine, angle, speed - field_speed)?, speed)
             }
         }
     }
@@ -181,9 +182,9 @@ struct Resting {
 }
 
 impl Resting {
-    fn of(machine: &impl Machine<Sym>, angle: Circle<Sym>, slip: Sym, load: Sym) -> Result<Self, NoMotor> {
+    fn of(machine: &impl Machine<Sym>, angle: Circle<Sym>, slip: Sym) -> Result<Self, NoMotor> {
         let mut currents = resting_currents(machine, angle, slip).ok_or(NoMotor::NoRest)?;
-        let moment = drive(machine, angle, slip, &currents, &mut vec![Sym::ZERO; currents.len()]) - load;
+        let moment = drive(machine, angle, slip, &currents, &mut vec![Sym::ZERO; currents.len()]);
         currents.retain(|_| is_fed(machine));
         Ok(Resting { moment, currents })
     }

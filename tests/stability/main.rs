@@ -7,5 +7,6 @@ mod identities;
 #[path = "../physical/mod.rs"]
 mod physical;
 mod plane;
+mod region;
 mod running;
 mod runs;

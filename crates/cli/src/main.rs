@@ -32,6 +32,7 @@ mod pictures;
 mod progress;
 mod reference;
 mod regimes;
+mod region_map;
 mod report;
 mod review;
 mod rough;

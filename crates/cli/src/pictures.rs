@@ -101,6 +101,7 @@ pub fn stability(map: StabilityMap) -> Areas {
         kinds: vec!["every eigenvalue has a negative real part".into(), "some has not".into()],
         rows: map.rows.iter().map(|row| row.iter().map(|stable| usize::from(!stable)).collect()).collect(),
         curves: vec![AreaCurve { name: "Hurwitz' boundary, exact".into(), points: map.curve }],
+        dots: Vec::new(),
         marks: Vec::new(),
         note: format!("{} The boundary by eigenvalues is within {distance} of it.", map.note),
     }
@@ -136,6 +137,7 @@ pub fn areas(map: Map) -> Areas {
         kinds: Kind::ALL.iter().map(|kind| kind.name().into()).collect(),
         rows: map.rows.iter().map(|row| row.iter().map(place).collect()).collect(),
         curves: vec![AreaCurve { name: "critical friction, exact".into(), points: map.curve }],
+        dots: Vec::new(),
         marks: vec![(at, least, name.into())],
         note: format!("{} The boundary found by decisions alone is within {distance} of it.", map.note),
     }

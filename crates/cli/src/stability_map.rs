@@ -6,14 +6,14 @@ use derivations::stationary::stability::datum::Datum;
 use derivations::stationary::stability::map::Column;
 use derivations::stationary::stability::plane::{Cell, NoPlane, Plane};
 use derivations::stationary::stability::reduced::Fate;
+use derivations::stationary::stability::region::nodes;
 use derivations::systems::gyrostat::Gyrostat;
 
 /// Columns and rows.
 const CELLS: (usize, usize) = (96, 72);
 
-/// What a motor does not bear, and what is not decided.
-const BEYOND: [&str; 2] =
-    ["no stationary motion: the motor is pulled out", "not decided: the rotor's speed is irrational"];
+/// What a motor does not bear.
+const BEYOND: &str = "no stationary motion: the motor is pulled out";
 
 /// A scene over two data, each in its range; upright is against the weight that the scene has.
 pub struct Asked<'a> {
@@ -90,9 +90,7 @@ impl Asked<'_> {
         let [(first, [low, high]), (second, range)] = self.data;
         let along = self.weighs_along() == self.hanging;
         let plane = Plane::of(self.scene, [first, second], self.speed, along)?;
-        let value =
-            |k: usize| rounded_within(low + (high - low) * (2 * k + 1) as f64 / (2 * CELLS.0) as f64, high - low);
-        (0..CELLS.0).map(|k| Ok((value(k), plane.cell(value(k), range)?))).collect()
+        nodes([low, high], CELLS.0).into_iter().map(|value| Ok((value, plane.cell(value, range)?))).collect()
     }
 
     /// Whether the scene's own weight points along the axis.
@@ -119,7 +117,6 @@ impl Asked<'_> {
         let kind = |cell: &Cell, at: f64| match cell {
             Cell::Decided(column) => Fate::ALL.iter().position(|known| *known == column.at(at)).unwrap_or(0),
             Cell::PulledOut => beyond,
-            Cell::Irrational => beyond + 1,
         };
         let row = |k: usize| {
             let at = range[0] + (range[1] - range[0]) * (2 * k + 1) as f64 / (2 * CELLS.1) as f64;
@@ -127,9 +124,8 @@ impl Asked<'_> {
         };
         let rows: Vec<Vec<usize>> = (0..CELLS.1).map(row).collect();
         let mut kinds: Vec<String> = Fate::ALL.iter().map(|fate| fate.name().into()).collect();
-        // only what is there
-        let used = |kind: usize| rows.iter().flatten().any(|one| *one == kind);
-        kinds.extend(BEYOND.iter().enumerate().filter(|(k, _)| used(beyond + k)).map(|(_, name)| (*name).to_owned()));
+        // only where it is
+        kinds.extend(rows.iter().flatten().any(|one| *one == beyond).then(|| BEYOND.to_owned()));
         let place = if self.hanging { "hanging" } else { "upright" };
         let turning = [first, second].iter().all(|datum| datum.name != "omega0");
         let turning = if turning { format!(" Angular velocity: {} rad/s.", self.speed) } else { String::new() };
@@ -144,6 +140,7 @@ impl Asked<'_> {
                 .into_iter()
                 .chain(self.pull_out())
                 .collect(),
+            dots: Vec::new(),
             marks: Vec::new(),
             note: format!(
                 "The gyrostat of: {}.{turning} In each column the edges are the real roots, isolated exactly, of two \
@@ -156,14 +153,8 @@ impl Asked<'_> {
     }
 }
 
-/// A value with four digits more than the range has places.
-fn rounded_within(value: f64, range: f64) -> f64 {
-    let step = 10f64.powf(range.abs().log10().floor() - 5.0);
-    let rounded = (value / step).round() * step;
-    format!("{rounded:.6e}").parse().unwrap_or(rounded)
-}
-
-fn labelled(datum: &Datum) -> String {
+/// A datum with its unit.
+pub fn labelled(datum: &Datum) -> String {
     format!("{}, {}", datum.name, datum.unit)
 }
 

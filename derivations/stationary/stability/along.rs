@@ -51,16 +51,18 @@ const MEMBER: usize = 512;
 impl Judge<'_> {
     /// For each angle of a motor in step, else once.
     pub fn along(&self, known: &Known<'_>) -> Vec<Along> {
-        let of_angle = |angle: Option<&Angle>| {
-            if self.merges(angle) {
-                return self.whole(known, Judged::cannot_tell(self.approximation, Reason::PullOut));
-            }
-            let exactly = self.exactly_along(known, angle);
-            exactly
-                .or_else(|| self.by_symmetry(known, angle))
-                .unwrap_or_else(|| self.whole(known, Judged::cannot_tell(self.approximation, Reason::Family)))
-        };
-        self.angles().into_iter().map(of_angle).collect()
+        self.angles().into_iter().map(|angle| self.along_at(known, angle)).collect()
+    }
+
+    /// With one angle of a motor in step.
+    pub(super) fn along_at(&self, known: &Known<'_>, angle: Option<&Angle>) -> Along {
+        if self.merges(angle) {
+            return self.whole(known, Judged::cannot_tell(self.approximation, Reason::PullOut));
+        }
+        let exactly = self.exactly_along(known, angle);
+        exactly
+            .or_else(|| self.by_symmetry(known, angle))
+            .unwrap_or_else(|| self.whole(known, Judged::cannot_tell(self.approximation, Reason::Family)))
     }
 
     /// One verdict for all.

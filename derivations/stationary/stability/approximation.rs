@@ -8,6 +8,7 @@ use crate::stationary::energies::Energies;
 use crate::stationary::motor::{Decimals, NoMotor};
 use field::{Circle, Rational, Tangent};
 use nalgebra::Vector3;
+use std::sync::Arc;
 use symbolic::real::Ordered;
 use symbolic::{Formulas, Hypotheses, Sym, decide, symbols};
 
@@ -25,7 +26,9 @@ pub struct Approximation {
     pub fed: bool,
     /// Whether no weight acts, so that the angular momentum stays in space: roots at +-i w0.
     pub balanced: bool,
-    formulas: Formulas,
+    formulas: Arc<Formulas>,
+    /// What the formulas know by letters: the bodies, the load, a datum of the machine.
+    letters: Vec<Rational>,
 }
 
 impl Approximation {
@@ -42,7 +45,15 @@ impl Approximation {
     /// # Errors
     /// [`NoMotor::NotAlgebraic`].
     pub fn with(energies: &Energies<Rational>, machine: &impl Machine<Sym>) -> Result<Self, NoMotor> {
-        let energies = energies.written();
+        Self::lettered(&energies.written(), machine, &[])
+    }
+
+    /// The same, with letters among the data of bodies and machine that are given later.
+    pub(super) fn lettered(
+        energies: &Energies<Sym>,
+        machine: &impl Machine<Sym>,
+        letters: &[Sym],
+    ) -> Result<Self, NoMotor> {
         let unknowns = symbols(["w0", "v1", "v2", "v3", "W", "c", "s"]);
         let [speed, v1, v2, v3, rotor_speed, cos, sin] = unknowns;
         let place = Place { speed, vertical: Vector3::new(v1, v2, v3), rotor_speed, angle: Circle { cos, sin } };
@@ -50,10 +61,11 @@ impl Approximation {
         if resting_currents(machine, place.angle, slip).is_none() {
             return Err(NoMotor::NoRest);
         }
-        let linear = Linear::at(&energies, machine, &place, is_free(machine));
+        let linear = Linear::at(energies, machine, &place, is_free(machine));
         let all = linear.rates.iter().chain(&linear.energy).chain(&linear.integrals).chain(&linear.turning).flatten();
         let all: Vec<Sym> =
             all.chain(&linear.missing).chain(&linear.momentum).chain(&linear.damping).copied().collect();
+        let unknowns = [&unknowns[..], letters].concat();
         let formulas = Formulas::of(&all, &unknowns).map_err(|reason| NoMotor::NotAlgebraic(reason.to_string()))?;
         let integrals = [Integral::Vertical, Integral::Momentum, Integral::RotorMomentum];
         let steady = is_steady(machine);
@@ -63,14 +75,22 @@ impl Approximation {
             conservative: steady && !fed && linear.damping.iter().all(|&one| vanishes(one)),
             steady,
             fed,
-            formulas,
+            formulas: Arc::new(formulas),
+            letters: Vec::new(),
             balanced: energies.weight.iter().all(|&one| vanishes(one)),
         })
     }
 
+    /// With values for its letters, those of the bodies among them.
+    pub(super) fn given(&self, letters: Vec<Rational>, energies: &Energies<Rational>) -> Self {
+        let balanced = energies.weight.iter().all(|one| one.sign() == Some(0));
+        Approximation { letters, balanced, ..self.clone() }
+    }
+
     /// The matrices at a place; `None` where a number may be undefined, or is not in the field.
     pub fn at<R: Ordered>(&self, place: &[R; 7], one: &R) -> Option<Linear<R>> {
-        let values = self.formulas.values(place, one)?;
+        let letters: Vec<R> = self.letters.iter().map(|value| one.fraction(*value)).collect::<Option<_>>()?;
+        let values = self.formulas.values(&[&place[..], &letters].concat(), one)?;
         let size = self.layout.size();
         let square = size * size;
         let rows = |from: usize, count: usize| -> Vec<Vec<R>> {

@@ -99,6 +99,26 @@ impl Datum {
         all
     }
 
+    pub(super) fn is_load(&self) -> bool {
+        matches!(self.place, Where::Load)
+    }
+
+    pub(super) fn is_speed(&self) -> bool {
+        matches!(self.place, Where::Speed)
+    }
+
+    pub(super) fn is_rotor_speed(&self) -> bool {
+        matches!(self.place, Where::RotorSpeed)
+    }
+
+    /// Its place among the data of the machine.
+    pub(super) fn of_machine(&self) -> Option<usize> {
+        match self.place {
+            Where::Data { place: Place::Machine(place), .. } => Some(place),
+            _ => None,
+        }
+    }
+
     pub(super) fn is_of_motor(&self) -> bool {
         matches!(self.place, Where::Load | Where::Data { place: Place::Machine(_), .. })
     }

@@ -38,7 +38,7 @@ pub(super) const BITS: [usize; 4] = [256, 512, 1024, 2048];
 impl Judge<'_> {
     /// One verdict for each angle of a motor in step, else one.
     pub fn verdicts(&self, enclosed: &Enclosed<'_>) -> Vec<Judged> {
-        self.angles().into_iter().map(|angle| self.verdict(enclosed, angle)).collect()
+        self.angles().into_iter().map(|angle| self.verdict(enclosed, angle, &BITS)).collect()
     }
 
     /// Those of a motor in step, else none at all, once.
@@ -60,13 +60,14 @@ impl Judge<'_> {
         Root::rational(value)?.compare(self.value).is_eq().then_some(value)
     }
 
-    fn verdict(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>) -> Judged {
+    /// With an angle of a motor in step, at so many bits one after the other.
+    pub(super) fn verdict(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>, fineness: &[usize]) -> Judged {
         if self.merges(angle) {
             return Judged::cannot_tell(self.approximation, Reason::PullOut);
         }
         let too_fine = Verdict::CannotTell(Reason::TooFine);
         let mut last = Judged::cannot_tell(self.approximation, Reason::TooFine);
-        for bits in BITS {
+        for &bits in fineness {
             let one = Enclosure::integer(1, bits);
             let Some(place) = self.place(enclosed, angle, &one, bits) else { continue };
             last = Judged::at(self.approximation, &place, &one, Enclosure::to_f64);

@@ -8,8 +8,8 @@ use super::reduced::{Fate, Reduced};
 use crate::stationary::energies::Energies;
 use field::{Rational, Scalar};
 use nalgebra::Vector3;
-use symbolic::real::Polynomial;
-use symbolic::{Hypotheses, NotPolynomial, Sym, normal, univariate};
+use symbolic::real::{Field, Number, Polynomial, Root};
+use symbolic::{Hypotheses, NotPolynomial, Sym, coefficients, normal, univariate};
 
 /// A gyrostat whose rotor and weight lie along one principal axis of A*, and which end of it points down.
 #[derive(Clone, Copy, Debug)]
@@ -81,18 +81,57 @@ impl Column {
     pub fn of(
         over: &Reduced<Sym>,
         unknown: Sym,
-        [low, high]: [f64; 2],
+        range: [f64; 2],
         motion: &dyn Fn(Rational) -> Option<Reduced<Rational>>,
+    ) -> Result<Option<Self>, NotPolynomial> {
+        let roots = |decisive: Sym| -> Result<Vec<Root>, NotPolynomial> {
+            let form = normal(decisive, &Hypotheses::none()).map_err(|_| NotPolynomial(decisive))?;
+            let polynomial = Polynomial::from_rationals(&univariate(form.to_sym(), unknown)?).unwrap_or_default();
+            Ok(polynomial.real_roots())
+        };
+        // the data are defined, and so are all signs
+        let fate = |at: Rational| Some(Fate::of(&motion(at)?, |x: Rational| x.sign().unwrap_or(0)));
+        Column::cut(over, range, &roots, &fate)
+    }
+
+    /// The same where the rotor's speed is an irrational number, a second unknown in the law: coefficients and signs are computed
+    /// with in the field of that number.
+    ///
+    /// # Errors
+    /// [`NotPolynomial`].
+    pub fn with_kept(
+        over: &Reduced<Sym>,
+        unknowns: [Sym; 2],
+        kept: &Root,
+        range: [f64; 2],
+    ) -> Result<Option<Self>, NotPolynomial> {
+        let parts = over.deciding().map(|decisive| OverKept::of(decisive, unknowns));
+        let [a, b, apart, trace] = parts;
+        let deciding = [a?, b?, apart?, trace?];
+        let roots = |decisive: Sym| -> Result<Vec<Root>, NotPolynomial> {
+            let polynomial = OverKept::of(decisive, unknowns)?.over_field(kept);
+            Ok(polynomial.ok_or(NotPolynomial(decisive))?.real_roots())
+        };
+        let fate = |at: Rational| {
+            let signs: Option<Vec<i32>> = deciding.iter().map(|part| part.sign(at, kept)).collect();
+            Some(Fate::by_signs(signs?.try_into().ok()?))
+        };
+        Column::cut(over, range, &roots, &fate)
+    }
+
+    fn cut(
+        over: &Reduced<Sym>,
+        [low, high]: [f64; 2],
+        roots: &dyn Fn(Sym) -> Result<Vec<Root>, NotPolynomial>,
+        fate: &dyn Fn(Rational) -> Option<Fate>,
     ) -> Result<Option<Self>, NotPolynomial> {
         let [_, _, apart, _] = over.deciding();
         let [_, _, neutral] = over.polynomial();
-        let roots = |decisive: Sym, neutral: bool| -> Result<Vec<Edge>, NotPolynomial> {
-            let form = normal(decisive, &Hypotheses::none()).map_err(|_| NotPolynomial(decisive))?;
-            let polynomial = Polynomial::from_rationals(&univariate(form.to_sym(), unknown)?).unwrap_or_default();
-            let all = polynomial.real_roots().into_iter().map(|root| Edge { at: root.to_f64(), neutral });
+        let edges = |decisive: Sym, neutral: bool| -> Result<Vec<Edge>, NotPolynomial> {
+            let all = roots(decisive)?.into_iter().map(|root| Edge { at: root.to_f64(), neutral });
             Ok(all.filter(|edge| low < edge.at && edge.at < high).collect())
         };
-        let mut edges = [roots(neutral, true)?, roots(apart, false)?].concat();
+        let mut edges = [edges(neutral, true)?, edges(apart, false)?].concat();
         edges.sort_by(|a, b| a.at.total_cmp(&b.at));
         let ends = [&[low], &edges.iter().map(|edge| edge.at).collect::<Vec<_>>()[..], &[high]].concat();
         let between = |pair: &[f64]| match (pair[0].is_finite(), pair[1].is_finite()) {
@@ -101,9 +140,7 @@ impl Column {
             (false, true) => pair[1] - pair[1].abs() - 1.0,
             (false, false) => 0.0,
         };
-        // the data are defined, and so are all signs
-        let fate = |at: f64| Some(Fate::of(&motion(Rational::decimal(at))?, |x: Rational| x.sign().unwrap_or(0)));
-        let fates: Option<Vec<Fate>> = ends.windows(2).map(|pair| fate(between(pair))).collect();
+        let fates: Option<Vec<Fate>> = ends.windows(2).map(|pair| fate(Rational::decimal(between(pair)))).collect();
         Ok(fates.map(|fates| Column { edges, fates }))
     }
 
@@ -111,5 +148,55 @@ impl Column {
     pub fn at(&self, value: f64) -> Fate {
         let below = self.edges.iter().filter(|edge| edge.at < value).count();
         self.fates.get(below).copied().unwrap_or(Fate::Edge)
+    }
+}
+
+/// A fraction of polynomials in the second datum and the rotor's speed: (their powers, coefficient).
+struct OverKept {
+    numerator: Vec<([usize; 2], Rational)>,
+    denominator: Vec<([usize; 2], Rational)>,
+}
+
+impl OverKept {
+    fn of(decisive: Sym, unknowns: [Sym; 2]) -> Result<Self, NotPolynomial> {
+        let form = normal(decisive, &Hypotheses::none()).map_err(|_| NotPolynomial(decisive))?;
+        let terms = |part: Sym| -> Result<Vec<([usize; 2], Rational)>, NotPolynomial> {
+            let of = |(powers, c): (Vec<u32>, Sym)| {
+                let value = c.as_constant().ok_or(NotPolynomial(c))?;
+                Ok(([powers[0] as usize, powers[1] as usize], value))
+            };
+            coefficients(part, &unknowns)?.into_iter().map(of).collect()
+        };
+        let [numerator, denominator] = [terms(form.numerator())?, terms(form.denominator())?];
+        Ok(OverKept { numerator, denominator })
+    }
+
+    /// The numerator with coefficients in the field of the speed, t = a W: each term times a power of a that is the same for all.
+    fn over_field(&self, kept: &Root) -> Option<Polynomial> {
+        let (generator, lead) = Field::of(kept)?;
+        let values: Vec<Rational> = self.numerator.iter().map(|(_, value)| *value).collect();
+        let (whole, _) = Number::over_common(&values)?;
+        let most = self.numerator.iter().map(|([_, power], _)| *power).max().unwrap_or(0);
+        let degree = self.numerator.iter().map(|([power, _], _)| *power).max().unwrap_or(0);
+        let power = |base: &Number, n: usize| (0..n).fold(Number::from(1), |power, _| &power * base);
+        let mut dense = vec![Number::zero(); degree + 1];
+        for (([of_datum, of_speed], _), c) in self.numerator.iter().zip(&whole) {
+            let term = &(c * &power(&generator, *of_speed)) * &power(&lead, most - of_speed);
+            dense[*of_datum] = &dense[*of_datum] + &term;
+        }
+        Some(Polynomial::new(dense))
+    }
+
+    /// At a value of the datum; `None` where the fraction is undefined there.
+    fn sign(&self, at: Rational, kept: &Root) -> Option<i32> {
+        let sign = |terms: &[([usize; 2], Rational)]| {
+            let mut dense = vec![Rational::int(0); 1 + terms.iter().map(|([_, power], _)| *power).max().unwrap_or(0)];
+            for ([of_datum, of_speed], value) in terms {
+                dense[*of_speed] += (0..*of_datum).fold(*value, |term, _| term * at);
+            }
+            Some(kept.sign_of(&Polynomial::from_rationals(&dense)?))
+        };
+        let (above, below) = (sign(&self.numerator)?, sign(&self.denominator)?);
+        (below != 0).then_some(above * below)
     }
 }

@@ -11,7 +11,7 @@
 //! * [`reduced`]: the two classical gyrostats in three unknowns, for theorems, maps and pictures;
 //! * [`cone`]: the same for every point of the cone, exactly;
 //! * [`map`]: where rotation about the axis of everything is stable, over two speeds; [`plane`]: over any two data
-//!   ([`datum`]);
+//!   ([`datum`]); [`region`]: of every motion of any gyrostat, judged at nodes and followed between them;
 //! * `claims`: the theorems, in letters: structural zeros, polynomials, what motors have in common, closed forms.
 
 pub mod along;
@@ -27,6 +27,7 @@ pub mod linear;
 pub mod map;
 pub mod plane;
 pub mod reduced;
+pub mod region;
 pub mod state;
 pub mod symmetry;
 pub mod verdict;

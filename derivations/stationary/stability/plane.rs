@@ -14,6 +14,7 @@ use crate::stationary::energies::Energies;
 use crate::stationary::motor::{Bears, Motor};
 use field::{Rational, Scalar};
 use std::fmt;
+use symbolic::real::Root;
 use symbolic::{Hypotheses, NotPolynomial, Sym, normal};
 
 /// Why there is no map.
@@ -41,8 +42,6 @@ pub enum Cell {
     Decided(Column),
     /// The motor keeps no speed: it is pulled out.
     PulledOut,
-    /// The speed that it keeps is no fraction.
-    Irrational,
 }
 
 /// A scene over two data.
@@ -93,15 +92,23 @@ impl<'a> Plane<'a> {
         let unknown = Sym::symbol("x");
         let set = here.with(self.second, f64::NAN);
         let number = |x: f64| if x.is_nan() { unknown } else { Sym::constant(Rational::decimal(x)) };
+        // an irrational speed is a second unknown
+        let (own, fraction) = (Sym::symbol("W"), rotor_speed.as_rational());
         let speeds = match self.second.place {
             Where::RotorSpeed => [number(set.speed), unknown],
-            _ => [number(set.speed), Sym::constant(rotor_speed)],
+            _ => [number(set.speed), fraction.map_or(own, Sym::constant)],
         };
         let along = set.energies_in(unknown).and_then(tidy).and_then(|energies| OneAxis::about(&energies, self.along));
         let Some(along) = along else {
             let mut values = (0..=LOOKED).map(|k| low + (high - low) * f64::from(k) / f64::from(LOOKED));
             let value = values.find(|at| axis_at(*at).is_none()).unwrap_or(low);
             return Err(NoPlane::Oblique { name: self.second.name.clone(), value });
+        };
+        let [speed, kept] = speeds;
+        let over = along.motion(speed, kept);
+        let Some(rotor_speed) = fraction else {
+            let column = Column::with_kept(&over, [unknown, own], &rotor_speed, [low, high]);
+            return self.decided(column, low);
         };
         let motion = |at: Rational| -> Option<Reduced<Rational>> {
             let value = at.to_f64();
@@ -110,31 +117,38 @@ impl<'a> Plane<'a> {
             let kept = if matches!(self.second.place, Where::RotorSpeed) { at } else { rotor_speed };
             Some(axis_at(value)?.motion(speed, kept))
         };
-        let [speed, kept] = speeds;
-        let column = Column::of(&along.motion(speed, kept), unknown, [low, high], &motion);
+        self.decided(Column::of(&over, unknown, [low, high], &motion), low)
+    }
+
+    fn decided(&self, column: Result<Option<Column>, NotPolynomial>, low: f64) -> Result<Cell, NoPlane> {
         let column = column
             .map_err(|NotPolynomial(part)| NoPlane::Bent { name: self.second.name.clone(), part: part.to_string() })?;
         column.map(Cell::Decided).ok_or_else(|| NoPlane::Oblique { name: self.second.name.clone(), value: low })
     }
 
     /// W, or why there is none.
-    fn kept(&self, here: &Setting) -> Result<Result<Rational, Cell>, NoPlane> {
-        if let Some(speed) = here.rotor_speed.filter(|_| !matches!(self.second.place, Where::RotorSpeed)) {
-            return Ok(Ok(Rational::decimal(speed)));
-        }
+    fn kept(&self, here: &Setting) -> Result<Result<Root, Cell>, NoPlane> {
+        let fraction = |value: Rational| {
+            let undefined = || NoPlane::NoMotor("the rotor's speed is no number".into());
+            Root::rational(value).map(Ok).ok_or_else(undefined)
+        };
         if matches!(self.second.place, Where::RotorSpeed) {
-            return Ok(Ok(Rational::int(0)));
+            return fraction(Rational::int(0));
+        }
+        if let Some(speed) = here.rotor_speed {
+            return fraction(Rational::decimal(speed));
         }
         let speed = match self.motor(here)? {
-            Motor::Free => return Ok(Ok(Rational::decimal(here.data.start.rotor_speed))),
+            Motor::Free => return fraction(Rational::decimal(here.data.start.rotor_speed)),
             Motor::Kept { speed } => Some(speed),
             Motor::InStep { speed, angles, .. } => Some(speed).filter(|_| !angles.is_empty()),
             Motor::Slipping { speeds, .. } => speeds.into_iter().find(|slip| slip.slope < 0).map(|slip| slip.speed),
         };
         let Some(speed) = speed else { return Ok(Err(Cell::PulledOut)) };
-        let fraction = speed.enclosure(256).simplest();
-        let same = symbolic::real::Root::rational(fraction).is_some_and(|root| root.compare(&speed).is_eq());
-        Ok(if same { Ok(fraction) } else { Err(Cell::Irrational) })
+        // a fraction that its polynomial does not show
+        let simplest = speed.enclosure(256).simplest();
+        let same = Root::rational(simplest).filter(|root| root.compare(&speed).is_eq());
+        Ok(Ok(same.unwrap_or(speed)))
     }
 
     fn motor(&self, here: &Setting) -> Result<Motor, NoPlane> {

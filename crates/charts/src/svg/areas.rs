@@ -21,6 +21,8 @@ pub struct Areas {
     /// The kind of each cell by its place in `kinds`, row by row from the lowest; all rows have one length.
     pub rows: Vec<Vec<usize>>,
     pub curves: Vec<AreaCurve>,
+    /// Single points, many of one name.
+    pub dots: Vec<AreaCurve>,
     /// Points with their labels.
     pub marks: Vec<(f64, f64, String)>,
     /// Text below.
@@ -55,6 +57,18 @@ impl Areas {
         self.drawing().standalone(&self.title)
     }
 
+    /// Several pictures as one SVG file, one below the other, each under its title; a note below all of them.
+    pub fn sheet(pictures: &[Areas], title: &str, note: &str) -> String {
+        let mut sheet = Drawing::default();
+        for picture in pictures {
+            sheet.height += LINE;
+            sheet.text((8.0, sheet.height - 4.0), Anchor::Start, "", &picture.title);
+            sheet.below(&picture.drawing());
+        }
+        sheet.paragraph(note, "");
+        sheet.standalone(title)
+    }
+
     pub(crate) fn drawing(&self) -> Drawing {
         let mut y = Axis::linear(self.y.1.into_iter(), BOTTOM, TOP, 50.0, 0.0);
         if !self.names.is_empty() {
@@ -84,6 +98,9 @@ impl Areas {
                 let points: Vec<_> = piece.iter().map(|(a, b)| (x.place(*a), y.place(*b))).collect();
                 self.stroke(&mut drawing, number, &polyline(&points), points.len(), &curve.name);
             }
+        }
+        for (number, dots) in self.dots.iter().enumerate() {
+            dots.points.iter().for_each(|(a, b)| dot(&mut drawing, number, (x.place(*a), y.place(*b))));
         }
         for (a, b, label) in &self.marks {
             let at = (x.place(*a), y.place(*b));
@@ -147,8 +164,19 @@ impl Areas {
             drawing.text((LEFT + 30.0, drawing.height + 13.0), Anchor::Start, "", &curve.name);
             drawing.height += LINE;
         }
+        for (number, dots) in self.dots.iter().enumerate() {
+            let middle = drawing.height + 8.0;
+            (0..4).for_each(|k| dot(drawing, number, (LEFT + 2.0 + 6.0 * f64::from(k), middle)));
+            drawing.text((LEFT + 30.0, drawing.height + 13.0), Anchor::Start, "", &dots.name);
+            drawing.height += LINE;
+        }
         drawing.height += 4.0;
     }
+}
+
+/// Full or empty.
+fn dot(drawing: &mut Drawing, number: usize, at: (f64, f64)) {
+    drawing.circle(at, 1.4, if number.is_multiple_of(2) { "spot" } else { "spot hollow" });
 }
 
 #[cfg(test)]
@@ -164,6 +192,25 @@ mod tests {
         let svg = areas.svg();
         assert!(["first", "second", "third"].iter().all(|name| svg.contains(&format!(">{name}<"))), "{svg}");
         assert!(!svg.contains(">2<") && !svg.contains(">3<"), "{svg}");
+    }
+
+    #[test]
+    fn a_sheet_has_every_picture_once_and_its_dots() {
+        let dots = vec![AreaCurve { name: "between".into(), points: vec![(0.5, 0.5)] }];
+        let one = |title: &str| Areas {
+            title: title.into(),
+            x: ("x".into(), [0.0, 1.0]),
+            y: ("y".into(), [0.0, 1.0]),
+            dots: dots.clone(),
+            ..Areas::default()
+        };
+        let svg = Areas::sheet(&[one("first"), one("second")], "both", "a note");
+        assert!(
+            ["first", "second", "both", "a note"].iter().all(|text| svg.matches(&format!(">{text}<")).count() == 1),
+            "{svg}"
+        );
+        // one in each plane and four in each legend
+        assert_eq!(svg.matches("class=\"spot\"").count(), 10, "{svg}");
     }
 
     #[test]

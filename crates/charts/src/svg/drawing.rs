@@ -110,6 +110,12 @@ impl Drawing {
             write!(self.body, "<text text-anchor=\"middle\" transform=\"translate({x} {y})rotate(-90)\">{text}</text>");
     }
 
+    /// Another drawing below everything drawn so far.
+    pub fn below(&mut self, other: &Drawing) {
+        let _ = write!(self.body, "<g transform=\"translate(0 {})\">{}</g>", coordinate(self.height), other.body);
+        self.height += other.height;
+    }
+
     /// A paragraph below everything drawn so far.
     pub fn paragraph(&mut self, text: &str, class: &str) {
         for line in wrap(text, 74) {

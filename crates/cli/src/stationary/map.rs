@@ -1,12 +1,14 @@
-//! `dalembert stationary --map A=FROM..TO --map B=FROM..TO`: where the rotation about the rotor's axis is stable.
+//! `dalembert stationary --map A=FROM..TO --map B=FROM..TO`: where the rotation about the rotor's axis is stable, exactly; where
+//! there is no such axis, or every motion is asked for, all of them from node to node.
 
 use super::{Asked, Ranged};
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
-use crate::{stability_map, whole};
+use crate::{region_map, stability_map, whole};
 use derivations::scene::Scene;
 use derivations::stationary::stability::datum::{Datum, Unknown};
 use derivations::stationary::stability::plane::{Cell, NoPlane};
+use derivations::stationary::stability::region::NoRegion;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -25,7 +27,16 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
         speed: asked.omega0.unwrap_or(0.0),
         hanging: !asked.upright,
     };
-    let columns = map.columns().map_err(refused)?;
+    let columns = if asked.every { None } else { Some(map.columns()) };
+    let columns = match columns {
+        Some(Err(NoPlane::Oblique { .. } | NoPlane::Bent { .. })) if !asked.upright => None,
+        Some(columns) => Some(columns.map_err(refused)?),
+        None => None,
+    };
+    let Some(columns) = columns else {
+        let data = map.data;
+        return every(asked, &region_map::Asked { scene, data, speed: map.speed });
+    };
     if let Some(path) = &asked.out {
         let picture = map.map(&columns).svg();
         whole::write(path, |out| out.write_all(picture.as_bytes()))?;
@@ -37,6 +48,21 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
     Ok(Ending::Done)
 }
 
+/// Of all motions.
+fn every(asked: &Asked, map: &region_map::Asked<'_>) -> Result<Ending, Ending> {
+    let refused = |reason: NoRegion| Ending::refused(format!("{}: {reason}", asked.scene.display()));
+    let atlas = map.atlas().map_err(refused)?;
+    if let Some(path) = &asked.out {
+        let sheet = map.sheet(&atlas);
+        whole::write(path, |out| out.write_all(sheet.as_bytes()))?;
+    }
+    print(&match asked.format {
+        Format::Text => map.text(&atlas),
+        Format::Json => format!("{:#}\n", map.object(&atlas)),
+    })?;
+    Ok(Ending::Done)
+}
+
 fn text(scene: &Scene, [first, second]: &[Datum; 2], columns: &[(f64, Cell)]) -> String {
     let mut out = format!("{}\n", scene.title);
     for (value, cell) in columns {
@@ -44,7 +70,6 @@ fn text(scene: &Scene, [first, second]: &[Datum; 2], columns: &[(f64, Cell)]) ->
         let _ = write!(out, "{} = {value}: ", first.name);
         let _ = match cell {
             Cell::PulledOut => writeln!(out, "the motor is pulled out"),
-            Cell::Irrational => writeln!(out, "not decided: the rotor's speed is irrational"),
             Cell::Decided(column) => {
                 let mut line = column.fates.first().map_or("", |fate| fate.name()).to_owned();
                 for (edge, fate) in column.edges.iter().zip(column.fates.iter().skip(1)) {
@@ -65,7 +90,6 @@ fn object(scene: &Scene, [first, second]: &[Datum; 2], columns: &[(f64, Cell)]) 
             "verdicts": column.fates.iter().map(|fate| fate.name()).collect::<Vec<_>>(),
         }),
         Cell::PulledOut => json!({ "value": value, "pulled_out": true }),
-        Cell::Irrational => json!({ "value": value, "verdicts": null }),
     });
     json!({ "scene": scene.title, "model": scene.machine.name(), "first": first.name, "second": second.name,
             "columns": each.collect::<Vec<_>>() })

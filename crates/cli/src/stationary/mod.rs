@@ -30,12 +30,16 @@ pub struct Asked {
     /// How many there are for every angular velocity, and where two merge
     #[arg(long)]
     pub cone: bool,
-    /// Twice: where the rotation about the rotor's axis is stable, over two data in SI units, such as load and carrier.centre.3
+    /// Twice: where the rotation about the rotor's axis is stable, over two data in SI units, such as load and carrier.centre.3; where
+    /// this is no axis of all bodies, every motion
     #[arg(long, value_name = "DATUM=FROM..TO", value_parser = ranged, num_args = 1, conflicts_with_all = ["momentum", "cone"])]
     pub map: Vec<Ranged>,
     /// Of a map: the axis against the weight
     #[arg(long, requires = "map")]
     pub upright: bool,
+    /// Of a map: every stationary motion, not that about the axis alone
+    #[arg(long, requires = "map", conflicts_with = "upright")]
+    pub every: bool,
     /// Of a map: the picture
     #[arg(long, value_name = "FILE.svg", requires = "map")]
     pub out: Option<PathBuf>,

@@ -105,6 +105,7 @@ fn map(map: Map) -> Areas {
             .zip(map.edges)
             .map(|(name, points)| AreaCurve { name: name.into(), points })
             .collect(),
+        dots: Vec::new(),
         marks: best.into_iter().collect(),
         note: format!(
             "{note} {} of {cells} cells are on the other side of the exact edge than their run.",

@@ -26,6 +26,7 @@ pub fn scanned(scans: &[&Scan], title: &str, label: &str, value: impl Fn(&Measur
         x: ("log₁₀ w (1/s), gains b = 2 w, k = w²".into(), extent(&curves, |point| point.0)),
         y: (format!("log₁₀ {label}"), extent(&curves, |point| point.1)),
         curves,
+        dots: Vec::new(),
         marks: scans.iter().step_by(2).filter_map(|scan| scan.best()).map(mark).collect(),
         note: format!(
             "Critically damped, {SPAN} s of the crank and slider. An explicit method's curve ends where it bears no more, an \

@@ -82,6 +82,11 @@ impl HalfPlanes {
     }
 }
 
+/// How many different real roots a polynomial with these coefficients has, the highest first. `None` where a sign is not known.
+pub fn real_roots<R: Ordered>(coefficients: &[R]) -> Option<usize> {
+    usize::try_from(index(&chain(coefficients.to_vec(), derivative(coefficients))?)?).ok()
+}
+
 /// Sturm's chain: each member is the negative remainder of the two before, divided by a positive number.
 fn chain<R: Ordered>(first: Vec<R>, second: Vec<R>) -> Option<Vec<Vec<R>>> {
     let mut chain = vec![scaled(trimmed(first)?)?];
@@ -195,6 +200,18 @@ mod tests {
         assert_eq!(counted(&[vec![1, 0, -1], vec![1, 3]]), [2, 0, 1, 0]);
         assert_eq!(counted(&[vec![1, 0, 0, 0, 4]]), [2, 0, 2, 0]);
         assert_eq!(counted(&[vec![1, 0, 1], vec![1, 0, -1], vec![1, 0, 0, 0, 4], vec![1, -2]]), [3, 2, 4, 2]);
+    }
+
+    #[test]
+    fn different_real_roots_are_counted_unless_an_enclosure_cannot_tell() {
+        use symbolic::real::Enclosure;
+        let count = |factors: &[Vec<i64>]| real_roots(&product(factors));
+        assert_eq!(count(&[vec![1, -1], vec![1, -1], vec![1, 2], vec![1, 0, 4]]), Some(2));
+        assert_eq!(count(&[vec![1, 1, 5]]), Some(0));
+        // y^2 - 2 y + c for all c from 1/2 to 3/4, and to 3/2
+        let number = |x: f64| Enclosure::float(x, 64).unwrap();
+        let with = |high: f64| [number(1.0), number(-2.0), number(0.5).hull(&number(high))];
+        assert_eq!([real_roots(&with(0.75)), real_roots(&with(1.5))], [Some(2), None]);
     }
 
     #[test]

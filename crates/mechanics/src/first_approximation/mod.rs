@@ -4,6 +4,7 @@
 //! * [`characteristic`]: det(mu - A) without a division, for any size;
 //! * [`HalfPlanes`]: how many roots lie to the left of the imaginary axis, on it and to the right of it, by Routh's array as
 //!   the remainders of Euclid's algorithm, so that rows that vanish or begin with zero are no exception;
+//! * [`real_roots`]: how many different real ones, by Sturm's theorem over the same numbers;
 //! * [`Inertia`]: the signs of a quadratic form, also on the subspace where given linear forms vanish;
 //! * [`resultant`]: where polynomials over a ring have a common root.
 //!
@@ -20,6 +21,6 @@ mod inertia;
 mod resultant;
 
 pub use characteristic::characteristic;
-pub use half_planes::HalfPlanes;
+pub use half_planes::{HalfPlanes, real_roots};
 pub use inertia::Inertia;
 pub use resultant::{derivative, resultant};

@@ -14,7 +14,8 @@
 //! * [`Rotations`] ([`Body::rotations`]): all v for a given w;
 //! * [`Selected`]: all (v, w) for a given angular momentum about the vertical ([`Body::at_momentum`]), and where rotations
 //!   merge ([`Body::folds`]);
-//! * [`Census`] ([`Body::census`]): how many there are, for every w.
+//! * [`Census`] ([`Body::census`]): how many there are, for every w;
+//! * [`followed`]: one of them along a path of data, proved to be the same at both ends.
 //!
 //! # Key results
 //! In general position there are two, four or six directions for a given w: one for lambda below and one above all
@@ -26,11 +27,13 @@
 
 mod body;
 mod census;
+mod followed;
 mod rotations;
 mod selected;
 mod spectrum;
 
 pub use body::Body;
 pub use census::{Census, Stretch};
+pub use followed::{Data, Path, Place, count, followed, sharpened};
 pub use rotations::{Kind, Motion, Rotations, Shape};
 pub use selected::{Selected, Turning, Undecided};

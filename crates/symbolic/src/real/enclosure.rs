@@ -3,6 +3,7 @@
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
 use field::Rational;
+use std::borrow::Cow;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// [low, high] / 2^bits. Every operation rounds outwards, so that it holds every value that the operands allow. Operands
@@ -81,7 +82,7 @@ impl Enclosure {
     /// The least enclosure of both.
     pub fn hull(&self, other: &Self) -> Self {
         let (a, b) = self.level(other);
-        Enclosure { low: a.low.min(b.low), high: a.high.max(b.high), bits: a.bits }
+        Enclosure { low: a.low.clone().min(b.low.clone()), high: a.high.clone().max(b.high.clone()), bits: a.bits }
     }
 
     /// The number in its middle, rounded to a multiple of 2^-bits.
@@ -93,6 +94,12 @@ impl Enclosure {
     /// Its greatest value.
     pub fn upper(&self) -> Self {
         Enclosure { low: self.high.clone(), ..self.clone() }
+    }
+
+    /// Whether all of it lies between the ends of another, and neither end is one of those.
+    pub fn is_inside(&self, other: &Self) -> bool {
+        let (a, b) = self.level(other);
+        b.low < a.low && a.high < b.high
     }
 
     /// Whether no value lies in both.
@@ -145,7 +152,7 @@ impl Enclosure {
     }
 
     /// The same interval in finer multiples.
-    pub(super) fn finer(self, bits: usize) -> Self {
+    pub fn finer(self, bits: usize) -> Self {
         let more = bits.saturating_sub(self.bits);
         Enclosure { low: self.low << more, high: self.high << more, bits: self.bits + more }
     }
@@ -164,15 +171,21 @@ impl Enclosure {
         [cell, beside]
     }
 
-    /// Both at the coarser of their finenesses.
-    fn level(&self, other: &Self) -> (Self, Self) {
+    /// Both at the coarser of their finenesses; a copy only of one that is finer, as most are alike.
+    fn level<'a>(&'a self, other: &'a Self) -> (Cow<'a, Self>, Cow<'a, Self>) {
         let bits = self.bits.min(other.bits);
         (self.coarser(bits), other.coarser(bits))
     }
 
-    fn coarser(&self, bits: usize) -> Self {
-        let off = self.bits - bits;
-        Enclosure { low: &self.low >> off, high: -(-&self.high >> off), bits }
+    fn coarser(&self, bits: usize) -> Cow<'_, Self> {
+        match self.bits - bits {
+            0 => Cow::Borrowed(self),
+            off => Cow::Owned(Enclosure { low: &self.low >> off, high: -(-&self.high >> off), bits }),
+        }
+    }
+
+    fn is_zero(&self) -> bool {
+        self.low.is_zero() && self.high.is_zero()
     }
 }
 
@@ -180,7 +193,7 @@ impl Add for &Enclosure {
     type Output = Enclosure;
     fn add(self, b: &Enclosure) -> Enclosure {
         let (a, b) = self.level(b);
-        Enclosure { low: a.low + b.low, high: a.high + b.high, bits: a.bits }
+        Enclosure { low: &a.low + &b.low, high: &a.high + &b.high, bits: a.bits }
     }
 }
 
@@ -202,9 +215,23 @@ impl Mul for &Enclosure {
     type Output = Enclosure;
     fn mul(self, b: &Enclosure) -> Enclosure {
         let (a, b) = self.level(b);
-        let mut ends = [&a.low * &b.low, &a.low * &b.high, &a.high * &b.low, &a.high * &b.high];
-        ends.sort();
-        let [low, .., high] = ends;
-        Enclosure { low: low >> a.bits, high: -(-high >> a.bits), bits: a.bits }
+        let bits = a.bits;
+        if a.is_zero() || b.is_zero() {
+            return Enclosure { low: IBig::ZERO, high: IBig::ZERO, bits };
+        }
+        // the signs tell which ends make the least and the greatest product, unless zero lies within both
+        let side = |x: &Enclosure| i32::from(x.low >= IBig::ZERO) - i32::from(x.high <= IBig::ZERO);
+        let (low, high) = match (side(&a), side(&b)) {
+            (1, 1) => (&a.low * &b.low, &a.high * &b.high),
+            (1, -1) => (&a.high * &b.low, &a.low * &b.high),
+            (1, _) => (&a.high * &b.low, &a.high * &b.high),
+            (-1, 1) => (&a.low * &b.high, &a.high * &b.low),
+            (-1, -1) => (&a.high * &b.high, &a.low * &b.low),
+            (-1, _) => (&a.low * &b.high, &a.low * &b.low),
+            (_, 1) => (&a.low * &b.high, &a.high * &b.high),
+            (_, -1) => (&a.high * &b.low, &a.low * &b.low),
+            _ => ((&a.low * &b.high).min(&a.high * &b.low), (&a.low * &b.low).max(&a.high * &b.high)),
+        };
+        Enclosure { low: low >> bits, high: -(-high >> bits), bits }
     }
 }

@@ -79,6 +79,7 @@ pub fn areas() -> Vec<Areas> {
             name: "the parabola".into(),
             points: (0..=40).map(|k| (f64::from(k) / 40.0, (f64::from(k) / 40.0).powi(2))).collect(),
         }],
+        dots: Vec::new(),
         marks: vec![(0.5, 0.25, "a point".into())],
         note: "Nothing is meant.".into(),
         ..Areas::default()

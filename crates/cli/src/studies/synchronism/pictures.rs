@@ -32,6 +32,7 @@ pub fn standing(all: &[Standing], pull_out: f64) -> Areas {
         title: "In step: the angle over the load".into(),
         x: ("load M, N m".into(), [least, most]),
         y: ("angle γ, degrees".into(), [-190.0, 190.0]),
+        dots: Vec::new(),
         marks: folds
             .map(|one| {
                 (

@@ -1,0 +1,64 @@
+//! A machine whose rotor carries a constant load.
+
+use super::{Machine, RotorState};
+use field::{Base, Circle, Over};
+
+/// A machine with a constant moment against the rotor's turning, N m.
+#[derive(Clone, Copy, Debug)]
+pub struct Loaded<M, P> {
+    pub machine: M,
+    pub load: P,
+}
+
+impl<P: Base, M: Machine<P>> Machine<P> for Loaded<M, P> {
+    const ROTOR: RotorState = M::ROTOR;
+
+    #[inline(always)]
+    fn frame_speed(&self) -> P {
+        self.machine.frame_speed()
+    }
+
+    #[inline(always)]
+    fn windings(&self) -> usize {
+        self.machine.windings()
+    }
+
+    fn current_name(&self, winding: usize) -> String {
+        self.machine.current_name(winding)
+    }
+
+    #[inline(always)]
+    fn inductance(&self, winding: usize) -> P {
+        self.machine.inductance(winding)
+    }
+
+    #[inline(always)]
+    fn resistance(&self, winding: usize) -> P {
+        self.machine.resistance(winding)
+    }
+
+    #[inline(always)]
+    fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
+        self.machine.linkage(winding, angle)
+    }
+
+    #[inline(always)]
+    fn supply<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> Option<S> {
+        self.machine.supply(winding, angle)
+    }
+
+    #[inline(always)]
+    fn motional<S: Over<P>>(&self, winding: usize, currents: &[S]) -> Option<S> {
+        self.machine.motional(winding, currents)
+    }
+
+    #[inline(always)]
+    fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
+        self.machine.field_energy(angle)
+    }
+
+    #[inline(always)]
+    fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
+        self.machine.moment_law(slip, speed) - S::lift(self.load)
+    }
+}

@@ -1,0 +1,233 @@
+//! Neighbours on a line of the map: which of their motions are one, and where between them one ends or changes its verdict.
+
+use super::law::Ground;
+use super::node::{BITS, Class, Here, Node, Place, Raw, Spot};
+use super::{Region, decimal};
+use crate::stationary::motor::NoMotor;
+use mechanics::uniform::{self, Data, followed};
+use std::cell::OnceCell;
+use symbolic::real::Enclosure;
+use symbolic::{Formulas, Sym, symbols};
+
+/// What two neighbours have to do with each other.
+#[derive(Clone, Debug, Default)]
+pub struct Link {
+    /// Places of one motion among those of the first and of the second.
+    pub joined: Vec<[usize; 2]>,
+    pub borders: Vec<Border>,
+    /// Motions of either that the other has not, though both have equally many: they could not be followed.
+    pub lost: usize,
+}
+
+/// Something between two points, both judged as nodes are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Border {
+    pub change: Change,
+    pub between: [[f64; 2]; 2],
+    /// The value of the second datum, w0, where it is a root of a polynomial that was isolated.
+    pub exactly: Option<f64>,
+    /// The motion to which it happens: of the first neighbour or of the second, and its place there.
+    pub of: (usize, usize),
+}
+
+/// What happens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// The verdict on one motion.
+    Verdict,
+    /// Their number: two motions merge.
+    Fold,
+    /// The motor holds no speed or angle beyond.
+    PullOut,
+}
+
+/// So many times the way between two neighbours is halved: to a third of the width of a printed line.
+const HALVINGS: usize = 5;
+
+/// K and b along a line on which one datum moves.
+struct Line<'a> {
+    region: &'a Region<'a>,
+    moving: usize,
+    formulas: Formulas,
+    /// Where motions merge, of a line over w0.
+    folds: OnceCell<Vec<f64>>,
+}
+
+/// A point of the line, with what the rotor keeps there.
+#[derive(Clone)]
+struct Stop {
+    values: [f64; 2],
+    value: Enclosure,
+}
+
+impl Region<'_> {
+    /// Of a row of nodes (`moving` 0) or a column (1), each with the next.
+    ///
+    /// # Errors
+    /// [`NoMotor`] where the motor has no stationary state that is known.
+    pub fn links(&self, nodes: &[&Node], moving: usize) -> Result<Vec<Link>, NoMotor> {
+        let Some(first) = nodes.first() else { return Ok(Vec::new()) };
+        let ground = self.ground(first.values[0])?;
+        let Some(line) = Line::of(self, &ground, first.values, moving) else {
+            return Ok(vec![Link::default(); nodes.len().saturating_sub(1)]);
+        };
+        nodes.windows(2).map(|pair| line.link(pair[0], pair[1])).collect()
+    }
+}
+
+impl<'a> Line<'a> {
+    fn of(region: &'a Region<'a>, ground: &Ground, values: [f64; 2], moving: usize) -> Option<Self> {
+        let unknowns = symbols(["x", "w0", "kept"]);
+        let [x, speed, kept] = unknowns;
+        let fixed = region.general.with(region.data[1 - moving], values[1 - moving]);
+        let energies = fixed.with(region.data[moving], f64::NAN).energies_in(x)?;
+        let (tensor, share) = energies.quadratic(region.kept(ground));
+        let matrix = tensor * (speed * speed);
+        let vector = share * (speed * kept) + energies.weight;
+        // the matrix is symmetric, so that columns are rows
+        let all: Vec<Sym> = matrix.iter().chain(vector.iter()).copied().collect();
+        Some(Line { region, moving, formulas: Formulas::of(&all, &unknowns).ok()?, folds: OnceCell::new() })
+    }
+
+    /// Where a motion of one stop is at another.
+    fn followed(&self, place: &uniform::Place, from: &Stop, to: &Stop) -> Option<uniform::Place> {
+        let number = |x: f64| Enclosure::rational(decimal(x), BITS);
+        let speed = |stop: &Stop| number(self.region.setting(stop.values).speed);
+        let ends = |a: Enclosure, b: Enclosure| (a.clone(), &b - &a);
+        let x = ends(number(from.values[self.moving])?, number(to.values[self.moving])?);
+        let all = [x, ends(speed(from)?, speed(to)?), ends(from.value.clone(), to.value.clone())];
+        let one = Enclosure::integer(1, BITS);
+        let path = |t: &Enclosure| -> Option<Data> {
+            let at = all.each_ref().map(|(from, way)| from + &(t * way));
+            let values = self.formulas.values(&at, &one)?;
+            let entry = |k: usize| values[k].clone();
+            let row = |i: usize| [entry(3 * i), entry(3 * i + 1), entry(3 * i + 2)];
+            Some(([row(0), row(1), row(2)], row(3)))
+        };
+        followed(&path, place)
+    }
+
+    fn link(&self, first: &Node, second: &Node) -> Result<Link, NoMotor> {
+        let [a, b] = [first, second].map(Node::isolated);
+        let mut link = Link::default();
+        let stop = |node: &Node, here: &Here| Stop { values: node.values, value: here.value.clone() };
+        for (i, here) in a.iter().enumerate() {
+            let Some(other) = b.iter().find(|there| there.state == here.state) else { continue };
+            let Some(end) = self.followed(&here.place, &stop(first, here), &stop(second, other)) else { continue };
+            let mut all = (0..b.len()).filter(|&j| b[j].state == here.state && b[j].is_in(&end));
+            if let (Some(j), None) = (all.next(), all.next()) {
+                link.joined.push([i, j]);
+            }
+        }
+        for &[i, j] in &link.joined {
+            if Class::from(a[i].verdict) != Class::from(b[j].verdict) {
+                let between = self.changed(first, &a[i], second)?;
+                link.borders.push(Border { change: Change::Verdict, between, exactly: None, of: (0, i) });
+            }
+        }
+        let last = a.iter().chain(b).map(|here| here.state).max();
+        for state in 0..=last.unwrap_or(0) {
+            let of_state = |all: &[Here]| -> Vec<usize> { (0..all.len()).filter(|&k| all[k].state == state).collect() };
+            let alone = [(0, of_state(a)), (1, of_state(b))].map(|(side, all)| {
+                all.into_iter().filter(|k| link.joined.iter().all(|pair| pair[side] != *k)).collect()
+            });
+            let [of_first, of_second]: [Vec<usize>; 2] = alone;
+            let counts = [of_state(a).len(), of_state(b).len()];
+            if counts[0] == counts[1] {
+                link.lost += of_first.len() + of_second.len();
+                continue;
+            }
+            if [first, second].iter().any(|node| matches!(node.place, Place::NoBodies | Place::TooFine)) {
+                continue;
+            }
+            let (between, change) = self.counted(first, second, state, counts[0])?;
+            let exactly = if change == Change::Fold { self.fold(state, between)? } else { None };
+            let border = |side: usize| move |k: usize| Border { change, between, exactly, of: (side, k) };
+            link.borders.extend(of_first.into_iter().map(border(0)));
+            link.borders.extend(of_second.into_iter().map(border(1)));
+        }
+        Ok(link)
+    }
+
+    /// Between which two points the verdict on a motion changes.
+    fn changed(&self, first: &Node, here: &Here, second: &Node) -> Result<[[f64; 2]; 2], NoMotor> {
+        let class = Class::from(here.verdict);
+        let mut low = (Stop { values: first.values, value: here.value.clone() }, here.place.clone());
+        let mut high = second.values;
+        for _ in 0..HALVINGS {
+            let values = self.middle(low.0.values, high);
+            let ground = self.region.ground(values[0])?;
+            let Some(spot) = Spot::of(self.region, &ground, values) else { break };
+            let held = spot.held();
+            let Some((motions, _)) = held.get(here.state).and_then(|held| spot.motions(here.state, held)) else {
+                break;
+            };
+            let Some(value) = motions.first().map(|raw| raw.value.clone()) else { break };
+            let stop = Stop { values, value };
+            let Some(place) = self.followed(&low.1, &low.0, &stop) else { break };
+            let mut all = motions.iter().filter(|raw| raw.is_in(&place));
+            let (Some(raw), None) = (all.next(), all.next()) else { break };
+            match Class::from(spot.judged(raw).verdict) == class {
+                true => low = (stop, raw.place.clone()),
+                false => high = values,
+            }
+        }
+        Ok([low.0.values, high])
+    }
+
+    /// Between which two points the number of motions with one state of the rotor changes.
+    fn counted(
+        &self,
+        first: &Node,
+        second: &Node,
+        state: usize,
+        number: usize,
+    ) -> Result<([[f64; 2]; 2], Change), NoMotor> {
+        let (mut low, mut high) = (first.values, second.values);
+        let mut held = [first, second].map(|node| !matches!(node.place, Place::PulledOut));
+        for _ in 0..HALVINGS {
+            let values = self.middle(low, high);
+            let ground = self.region.ground(values[0])?;
+            let Some(spot) = Spot::of(self.region, &ground, values) else { break };
+            let all = spot.held();
+            let found: Option<Vec<Raw<'_>>> = match all.get(state) {
+                None => Some(Vec::new()),
+                Some(one) => spot.motions(state, one).map(|(motions, _)| motions),
+            };
+            let Some(found) = found else { break };
+            let side = usize::from(found.len() != number);
+            held[side] = state < all.len();
+            *(if side == 0 { &mut low } else { &mut high }) = values;
+        }
+        Ok(([low, high], if held[0] == held[1] { Change::Fold } else { Change::PullOut }))
+    }
+
+    /// The only fold between two points of a line over w0.
+    fn fold(&self, state: usize, between: [[f64; 2]; 2]) -> Result<Option<f64>, NoMotor> {
+        if self.moving == 0 || !self.region.data[1].is_speed() {
+            return Ok(None);
+        }
+        let folds = match self.folds.get() {
+            Some(folds) => folds,
+            None => {
+                let ground = self.region.ground(between[0][0])?;
+                let spot = Spot::of(self.region, &ground, between[0]);
+                let all = spot.and_then(|spot| Some(spot.folds(spot.held().get(state)?)));
+                self.folds.get_or_init(|| all.flatten().unwrap_or_default())
+            }
+        };
+        let [[_, a], [_, b]] = between;
+        let mut inside = folds.iter().copied().filter(|w| (a.min(b)..=a.max(b)).contains(w));
+        Ok(inside.next().filter(|_| inside.next().is_none()))
+    }
+
+    fn middle(&self, low: [f64; 2], high: [f64; 2]) -> [f64; 2] {
+        std::array::from_fn(|k| if k == self.moving { 0.5 * (low[k] + high[k]) } else { low[k] })
+    }
+}
+
+impl Here {
+    fn is_in(&self, place: &uniform::Place) -> bool {
+        self.place.iter().zip(place).all(|(a, b)| !a.is_apart_from(b))
+    }
+}

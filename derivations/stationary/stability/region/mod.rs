@@ -1,0 +1,116 @@
+//! Maps over any two data of a scene, of all stationary motions: a rotor's axis may be oblique, a kept speed irrational.
+//!
+//! # Overview
+//! * [`Region`]: a scene, two data with their ranges, and how finely they are gone through;
+//! * `law`: the law of small deviations, written once with letters for all that varies over the map;
+//! * [`node`]: at two values of the data all motions, each judged as for a scene that had these data;
+//! * [`line`]: which motions of two neighbours are one, proved; where between them one ends or its verdict changes;
+//! * [`atlas`]: branches, each with at most one motion at a node.
+//!
+//! At the nodes all is proved. Between two neighbours a motion is followed by Krawczyk's operator over the whole of the way,
+//! and where its verdict changes, or it merges with another, the place is halved between points that are judged as nodes
+//! are. That nothing else happens between neighbours, as an island smaller than the mesh, is not claimed.
+
+pub mod atlas;
+mod law;
+pub mod line;
+pub mod node;
+
+pub use atlas::{Atlas, Branch};
+pub use line::{Border, Change};
+pub use node::{Class, Node, Place};
+
+use super::datum::{Datum, Setting};
+use crate::ensemble::known::Data;
+use crate::scene::Scene;
+use crate::stationary::motor::NoMotor;
+use field::Rational;
+use law::{Ground, Letters};
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+/// A scene over two data.
+pub struct Region<'a> {
+    scene: &'a Scene,
+    data: [&'a Datum; 2],
+    /// The nodes' values of both.
+    pub values: [Vec<f64>; 2],
+    general: Setting,
+    letters: Letters,
+    common: OnceLock<Result<Arc<Ground>, NoMotor>>,
+}
+
+/// Why there is no map.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoRegion {
+    Bench,
+    /// Only the first of the two data may change what the motor keeps.
+    OfMotor(String),
+    Motor(NoMotor),
+    /// No moment of the motor's would leave the rotor's speed as it is given.
+    NotFinite(f64),
+}
+
+impl<'a> Region<'a> {
+    /// Over two data in their ranges, in so many columns and rows, with w0, rad/s, unless that is one of both.
+    ///
+    /// # Errors
+    /// [`NoRegion`].
+    pub fn of(
+        scene: &'a Scene,
+        data: [(&'a Datum, [f64; 2]); 2],
+        speed: f64,
+        cells: [usize; 2],
+    ) -> Result<Self, NoRegion> {
+        if scene.on_bench() {
+            return Err(NoRegion::Bench);
+        }
+        let [(first, _), (second, _)] = data;
+        if second.is_of_motor() {
+            return Err(NoRegion::OfMotor(second.name.clone()));
+        }
+        let ends = data.iter().flat_map(|(_, range)| range).chain([&speed]);
+        if let Some(wrong) = ends.into_iter().find(|x| !x.is_finite()) {
+            return Err(NoRegion::NotFinite(*wrong));
+        }
+        let values = [0, 1].map(|k| nodes(data[k].1, cells[k]));
+        let general = Setting { data: Data::of(scene), load: 0.0, speed, rotor_speed: None };
+        let letters = Letters::of(scene, [first, second]).map_err(NoRegion::Motor)?;
+        Ok(Region { scene, data: [first, second], values, general, letters, common: OnceLock::new() })
+    }
+
+    fn setting(&self, [first, second]: [f64; 2]) -> Setting {
+        self.general.with(self.data[0], first).with(self.data[1], second)
+    }
+}
+
+/// The middles of cells, rounded to four digits more than the range has, lest the decimals that are computed with be long.
+pub fn nodes([low, high]: [f64; 2], cells: usize) -> Vec<f64> {
+    let step = 10f64.powf((high - low).abs().log10().floor() - 5.0);
+    let rounded = |value: f64| {
+        let rounded = (value / step).round() * step;
+        format!("{rounded:.6e}").parse().unwrap_or(rounded)
+    };
+    (0..cells).map(|k| rounded(low + (high - low) * (2 * k + 1) as f64 / (2 * cells) as f64)).collect()
+}
+
+fn decimal(value: f64) -> Rational {
+    Rational::decimal(value)
+}
+
+impl fmt::Display for NoRegion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Bench => {
+                write!(f, "a motor on a bench has no carrier; a scene with system = \"gyrostat\" is accepted")
+            }
+            Self::OfMotor(name) => {
+                write!(f, "`{name}` changes what the motor keeps; it is accepted as the first of the two data")
+            }
+            Self::Motor(reason) => reason.fmt(f),
+            Self::NotFinite(value) => write!(f, "{value} is not finite; a finite number is accepted"),
+        }
+    }
+}
+
+impl std::error::Error for NoRegion {}
