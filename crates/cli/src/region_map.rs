@@ -3,7 +3,7 @@
 use crate::crew::Crew;
 use crate::progress::Progress;
 use crate::stability_map::labelled;
-use charts::{AreaCurve, Areas};
+use charts::{AreaCurve, Areas, significant};
 use derivations::scene::Scene;
 use derivations::stationary::motor::NoMotor;
 use derivations::stationary::stability::datum::Datum;
@@ -130,27 +130,11 @@ impl Asked<'_> {
                 let [a, b] = border.between;
                 let (datum, other) = if a[0] == b[0] { (1, 0) } else { (0, 1) };
                 let names = [&first.name, &second.name];
-                if let Some(w) = border.exactly {
-                    let _ = writeln!(
-                        out,
-                        "  at {} = {}: {} at {} = {w}, exactly",
-                        names[0],
-                        a[0],
-                        changes(border.change),
-                        names[1]
-                    );
-                    continue;
-                }
-                let _ = writeln!(
-                    out,
-                    "  at {} = {}: {} between {} = {} and {}",
-                    names[other],
-                    a[other],
-                    changes(border.change),
-                    names[datum],
-                    a[datum],
-                    b[datum]
-                );
+                let (at, where_else) = match border.exactly {
+                    Some(w) => (0, format!("at {} = {}, a root", names[1], shown(w))),
+                    None => (other, format!("between {} = {} and {}", names[datum], shown(a[datum]), shown(b[datum]))),
+                };
+                let _ = writeln!(out, "  at {} = {}: {} {where_else}", names[at], shown(a[at]), changes(border.change));
             }
         }
         for node in atlas.columns.iter().flatten() {
@@ -158,7 +142,10 @@ impl Asked<'_> {
                 let _ = writeln!(
                     out,
                     "at {} = {}, {} = {}: {why}",
-                    first.name, node.values[0], second.name, node.values[1]
+                    first.name,
+                    shown(node.values[0]),
+                    second.name,
+                    shown(node.values[1])
                 );
             }
         }
@@ -197,6 +184,11 @@ impl Asked<'_> {
                 "note": NOTE, "nodes": nodes.collect::<Vec<_>>(), "branches": branches.collect::<Vec<_>>(),
                 "borders": borders.collect::<Vec<_>>(), "lost": atlas.lost })
     }
+}
+
+/// A place: brackets are told apart by far fewer digits.
+fn shown(value: f64) -> String {
+    significant(value, 9)
 }
 
 /// Where a branch lies, and what it is.

@@ -11,7 +11,7 @@ use pulp::{Arch, Simd, WithSimd};
 /// The order of series in lanes for a tolerance.
 ///
 /// As [`taylor_order`](crate::taylor_order), with what a step costs there: b + p + c p^2 with b = 2, c = 0.01 (measured from order 8 to 32
-/// on gyrostats with 8 and 15 states: c = 0.012 and 0.006), to which p = 3 + 0.78 L is near. Orders are formed four at a time, so it is
+/// on systems with 8 and 15 states: c = 0.012 and 0.006), to which p = 3 + 0.78 L is near. Orders are formed four at a time, so it is
 /// the multiple of four that is nearest.
 pub fn lanes_order(tolerance: f64) -> usize {
     let fours = (3.0 - 0.78 * tolerance.ln()) / 4.0;

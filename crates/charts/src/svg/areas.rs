@@ -57,19 +57,35 @@ impl Areas {
         self.drawing().standalone(&self.title)
     }
 
-    /// Several pictures as one SVG file, one below the other, each under its title; a note below all of them.
+    /// Several pictures as one SVG file, two in a row, each under its title; below all of them their legend, which is that of the
+    /// first, and a note.
     pub fn sheet(pictures: &[Areas], title: &str, note: &str) -> String {
         let mut sheet = Drawing::default();
-        for picture in pictures {
-            sheet.height += LINE;
-            sheet.text((8.0, sheet.height - 4.0), Anchor::Start, "", &picture.title);
-            sheet.below(&picture.drawing());
+        for row in pictures.chunks(2) {
+            let titled = |picture: &Areas| {
+                let mut panel = Drawing::default();
+                panel.height += LINE;
+                panel.text((8.0, LINE - 4.0), Anchor::Start, "", &picture.title);
+                panel.below(&[picture.plane()]);
+                panel
+            };
+            sheet.below(&row.iter().map(titled).collect::<Vec<_>>());
+        }
+        if let Some(first) = pictures.first() {
+            first.legend(&mut sheet);
         }
         sheet.paragraph(note, "");
         sheet.standalone(title)
     }
 
     pub(crate) fn drawing(&self) -> Drawing {
+        let mut drawing = self.plane();
+        self.legend(&mut drawing);
+        drawing
+    }
+
+    /// Without its legend.
+    fn plane(&self) -> Drawing {
         let mut y = Axis::linear(self.y.1.into_iter(), BOTTOM, TOP, 50.0, 0.0);
         if !self.names.is_empty() {
             let [low, high] = self.y.1;
@@ -111,7 +127,6 @@ impl Areas {
         drawing.text((0.5 * (left + RIGHT), BOTTOM + 38.0), Anchor::Middle, "", &self.x.0);
         drawing.upward((16.0, 0.5 * (TOP + BOTTOM)), &self.y.0);
         drawing.height = BOTTOM + 50.0;
-        self.legend(&mut drawing);
         drawing
     }
 
@@ -209,8 +224,8 @@ mod tests {
             ["first", "second", "both", "a note"].iter().all(|text| svg.matches(&format!(">{text}<")).count() == 1),
             "{svg}"
         );
-        // one in each plane and four in each legend
-        assert_eq!(svg.matches("class=\"spot\"").count(), 10, "{svg}");
+        // one in each plane and four in the legend
+        assert_eq!(svg.matches("class=\"spot\"").count(), 6, "{svg}");
     }
 
     #[test]

@@ -25,6 +25,8 @@ pub(crate) enum Anchor {
 pub(crate) struct Drawing {
     body: String,
     pub height: f64,
+    /// How many widths it is wide, if more than one.
+    columns: usize,
 }
 
 impl Drawing {
@@ -110,15 +112,19 @@ impl Drawing {
             write!(self.body, "<text text-anchor=\"middle\" transform=\"translate({x} {y})rotate(-90)\">{text}</text>");
     }
 
-    /// Another drawing below everything drawn so far.
-    pub fn below(&mut self, other: &Drawing) {
-        let _ = write!(self.body, "<g transform=\"translate(0 {})\">{}</g>", coordinate(self.height), other.body);
-        self.height += other.height;
+    /// Drawings below everything drawn so far, side by side.
+    pub fn below(&mut self, others: &[Drawing]) {
+        for (column, other) in others.iter().enumerate() {
+            let (x, y) = (coordinate(column as f64 * WIDTH), coordinate(self.height));
+            let _ = write!(self.body, "<g transform=\"translate({x} {y})\">{}</g>", other.body);
+        }
+        self.columns = self.columns.max(others.len());
+        self.height += others.iter().map(|other| other.height).fold(0.0, f64::max);
     }
 
     /// A paragraph below everything drawn so far.
     pub fn paragraph(&mut self, text: &str, class: &str) {
-        for line in wrap(text, 74) {
+        for line in wrap(text, 74 * self.columns.max(1)) {
             self.height += LINE - 1.0;
             self.text((8.0, self.height - 5.0), Anchor::Start, class, &line);
         }
@@ -138,7 +144,8 @@ impl Drawing {
     fn element(&self, label: &str, namespace: &str, style: &str) -> String {
         let label = html! { i title=(label) {} }.0;
         let label = label.trim_start_matches("<i title=").trim_end_matches("></i>");
-        let (width, heading) = (coordinate(WIDTH), if style.is_empty() { 0.0 } else { 24.0 });
+        let (width, heading) =
+            (coordinate(self.columns.max(1) as f64 * WIDTH), if style.is_empty() { 0.0 } else { 24.0 });
         let (top, height) = (coordinate(-heading), coordinate(self.height.ceil() + heading));
         let title = if style.is_empty() {
             String::new()

@@ -1,9 +1,11 @@
 //! Neighbours on a line of the map: which of their motions are one, and where between them one ends or changes its verdict.
 
+use super::Region;
 use super::law::Ground;
-use super::node::{BITS, Class, Here, Node, Place, Raw, Spot};
-use super::{Region, decimal};
+use super::node::{Class, Here, Node, Place};
+use super::spot::{BITS, Raw, Spot};
 use crate::stationary::motor::NoMotor;
+use field::Rational;
 use mechanics::uniform::{self, Data, followed};
 use std::cell::OnceCell;
 use symbolic::real::Enclosure;
@@ -91,7 +93,7 @@ impl<'a> Line<'a> {
 
     /// Where a motion of one stop is at another.
     fn followed(&self, place: &uniform::Place, from: &Stop, to: &Stop) -> Option<uniform::Place> {
-        let number = |x: f64| Enclosure::rational(decimal(x), BITS);
+        let number = |x: f64| Enclosure::rational(Rational::decimal(x), BITS);
         let speed = |stop: &Stop| number(self.region.setting(stop.values).speed);
         let ends = |a: Enclosure, b: Enclosure| (a.clone(), &b - &a);
         let x = ends(number(from.values[self.moving])?, number(to.values[self.moving])?);

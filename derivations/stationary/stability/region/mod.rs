@@ -3,7 +3,7 @@
 //! # Overview
 //! * [`Region`]: a scene, two data with their ranges, and how finely they are gone through;
 //! * `law`: the law of small deviations, written once with letters for all that varies over the map;
-//! * [`node`]: at two values of the data all motions, each judged as for a scene that had these data;
+//! * [`node`]: at two values of the data all motions, each judged as for a scene that had these data, by a `spot`;
 //! * [`line`]: which motions of two neighbours are one, proved; where between them one ends or its verdict changes;
 //! * [`atlas`]: branches, each with at most one motion at a node.
 //!
@@ -15,6 +15,7 @@ pub mod atlas;
 mod law;
 pub mod line;
 pub mod node;
+mod spot;
 
 pub use atlas::{Atlas, Branch};
 pub use line::{Border, Change};
@@ -24,7 +25,6 @@ use super::datum::{Datum, Setting};
 use crate::ensemble::known::Data;
 use crate::scene::Scene;
 use crate::stationary::motor::NoMotor;
-use field::Rational;
 use law::{Ground, Letters};
 use std::fmt;
 use std::sync::{Arc, OnceLock};
@@ -92,10 +92,6 @@ pub fn nodes([low, high]: [f64; 2], cells: usize) -> Vec<f64> {
         format!("{rounded:.6e}").parse().unwrap_or(rounded)
     };
     (0..cells).map(|k| rounded(low + (high - low) * (2 * k + 1) as f64 / (2 * cells) as f64)).collect()
-}
-
-fn decimal(value: f64) -> Rational {
-    Rational::decimal(value)
 }
 
 impl fmt::Display for NoRegion {
