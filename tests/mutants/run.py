@@ -49,7 +49,7 @@ RUNS = ["failures", "friction", "governors", "ladder", "mechanism_scenes", "phan
 LAWS = sorted(programs_in(ROOT / "tests") - OTHERS - {LEDGER, *RUNS})
 # the programs whose subject these files are: the others, and the ledger, are asked only where these notice nothing
 SUBJECT_OF = {
-    "crates/symbolic/src/polynomials.rs": ["jacobians"],
+    "crates/symbolic/src/polynomials/": ["jacobians"],
     "crates/integrators/src/ensemble.rs": ["ensembles"],
     "derivations/ensemble/": ["ensembles"],
     "crates/integrators/src/transition.rs": ["transition"],

@@ -4,7 +4,7 @@
 //! * [`Region`]: a scene, two data with their ranges, and how finely they are gone through;
 //! * `law`: the law of small deviations, written once with letters for all that varies over the map;
 //! * [`node`]: at two values of the data all motions, each judged as for a scene that had these data, by a `spot`;
-//! * [`line`]: which motions of two neighbours are one, proved; where between them one ends or its verdict changes;
+//! * [`line`](mod@line): which motions of two neighbours are one, proved; where between them one ends or its verdict changes;
 //! * [`atlas`]: branches, each with at most one motion at a node.
 //!
 //! At the nodes all is proved. Between two neighbours a motion is followed by Krawczyk's operator over the whole of the way,
