@@ -145,3 +145,15 @@ fn a_family_has_a_verdict_and_a_map_has_the_columns_of_its_data() {
     assert!(std::fs::read_to_string(&picture).expect("the picture was written").contains("pull-out"));
     let _ = std::fs::remove_file(picture);
 }
+
+#[test]
+fn a_map_says_at_each_node_why_nothing_moves_there() {
+    let data = ["--map", "carrier.mass=-2..-1", "--map", "omega0=5..6"];
+    let output = run(&[&["stationary", "scenes/spin_up.toml", "--every", "--format", "json"], &data[..]].concat());
+    let map = json(&output);
+    let nodes = map["nodes"].as_array().expect("a list");
+    assert_eq!(nodes.len(), 28 * 21);
+    let empty =
+        |node: &Value| node["unusual"] == "no bodies have these data" && node["motions"] == Value::Array(vec![]);
+    assert!(nodes.iter().all(empty), "{}", nodes[0]);
+}
