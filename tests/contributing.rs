@@ -137,6 +137,11 @@ fn the_motor_of_the_documentation_and_a_new_one_can_be_added_as_it_says() {
             "test",
             "--offline",
             "--workspace",
+            // built once and run for seconds: what is shared stays optimised
+            "--config",
+            "profile.dev.package.dalembert.opt-level=0",
+            "--config",
+            "profile.dev.package.dalembert.debug=0",
             "--test",
             name,
             "--test",

@@ -32,11 +32,14 @@ fn components(values: &[(String, String)]) -> usize {
     numbered.take_while(|((name, _), k)| name.strip_suffix(&k.to_string()) == Some(stem)).count()
 }
 
-/// A name as the paper prints it; circle coordinates are named `cos x` and `sin x`.
+/// A name as the paper prints it; circle coordinates are named `cos x` and `sin x`, or `cos(x)` and `sin(x)`.
 fn latex(name: &str) -> String {
-    match name.split_once(' ') {
-        Some((function @ ("cos" | "sin"), argument)) => format!("\\{function} {}", latex(argument)),
-        _ => Sym::symbol(name).latex(),
+    let whole = |name: &str| Sym::symbol(name).latex();
+    match name.split_once([' ', '(']) {
+        Some((function @ ("cos" | "sin"), argument)) => {
+            format!("\\{function} {}", whole(argument.trim_end_matches(')')))
+        }
+        _ => whole(name),
     }
 }
 
@@ -50,8 +53,20 @@ mod tests {
 
     #[test]
     fn components_of_a_vector_stand_together() {
-        let values = shown(&[("g", "2"), ("l1", "0"), ("l2", "3/5"), ("l3", "4/5"), ("b1", "7"), ("cos omega", "1")]);
-        let expected = [("$g$", "2"), ("$l$", "(0, 3/5, 4/5)"), ("$b_1$", "7"), ("$\\cos \\omega$", "1")];
-        assert_eq!(values, expected.map(|(name, value)| (name.to_owned(), value.to_owned())));
+        let values = shown(&[
+            ("g", "2"),
+            ("l1", "0"),
+            ("l2", "3/5"),
+            ("l3", "4/5"),
+            ("b1", "7"),
+            ("cos omega", "1"),
+            ("sin(x)", "0"),
+        ]);
+        let circle = [("$\\cos \\omega$", "1"), ("$\\sin x$", "0")];
+        let expected = [&[("$g$", "2"), ("$l$", "(0, 3/5, 4/5)"), ("$b_1$", "7")][..], &circle].concat();
+        assert_eq!(
+            values,
+            expected.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect::<Vec<_>>()
+        );
     }
 }
