@@ -102,3 +102,39 @@ fn motions_from_two_points_of_one_curve_are_one() {
     let second = Quadrature::new(f, u, slope(u));
     close(second.at(Exact::ratio(4, 10)), first.at(Exact::ratio(7, 10)), 29.0);
 }
+
+/// u'' = f'(u)/2 in many small steps of Runge and Kutta.
+fn stepped(f: [f64; 5], [mut u, mut v]: [f64; 2], time: f64) -> f64 {
+    let (steps, slope) = (4000, |u: f64| (1..5).rev().fold(0.0, |sum, k| sum * u + k as f64 * f[k]) / 2.0);
+    let h = time / f64::from(steps);
+    for _ in 0..steps {
+        let (k1, l1) = (v, slope(u));
+        let (k2, l2) = (v + 0.5 * h * l1, slope(u + 0.5 * h * k1));
+        let (k3, l3) = (v + 0.5 * h * l2, slope(u + 0.5 * h * k2));
+        let (k4, l4) = (v + h * l3, slope(u + h * k3));
+        (u, v) = (u + h / 6.0 * (k1 + 2.0 * (k2 + k3) + k4), v + h / 6.0 * (l1 + 2.0 * (l2 + l3) + l4));
+    }
+    u
+}
+
+#[test]
+fn a_quartic_without_symmetry_has_the_solution_that_small_steps_find() {
+    let f = [2.0, 0.7, -1.3, 0.4, -0.6];
+    for (u, sign) in [(0.2, 1.0), (0.5, -1.0), (-0.4, 1.0)] {
+        let speed = sign * f64::sqrt(f.iter().rev().fold(0.0, |sum, c| sum * u + c));
+        let solution = Quadrature::new(f, u, speed);
+        for time in [0.1, 0.7, 1.9] {
+            let off = solution.at(time) - stepped(f, [u, speed], time);
+            assert!(off.abs() < 1e-10, "{u} {sign} {time}: {off:e}");
+        }
+    }
+}
+
+#[test]
+fn half_a_period_leads_from_one_turning_point_to_the_other() {
+    // (1 - u^2)(2 + u^2) and (1 - u^2)(4 - u^2): two real roots, and four
+    for f in [[2.0, 0.0, -1.0, 0.0, -1.0], [4.0, 0.0, -5.0, 0.0, 1.0]] {
+        let solution = Quadrature::new(f, 1.0, 0.0);
+        assert!((solution.at(0.5 * solution.period()) + 1.0).abs() < 1e-12, "{f:?}");
+    }
+}

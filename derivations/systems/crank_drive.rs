@@ -58,9 +58,6 @@ crate::quantities! {
     }
 }
 
-/// The places of q1, q2, q4, q5, q6, q7 among the coordinates of L.
-pub const COORDINATES: [&str; 6] = ["q1", "q2", "q4", "q5", "q6", "q7"];
-
 /// Circuit and mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrankDrive<P> {

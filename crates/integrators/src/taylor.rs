@@ -135,11 +135,6 @@ impl<T> Taylor<T> {
         self
     }
 
-    /// The source of the coefficients, to give it other parameters.
-    pub fn source_mut(&mut self) -> &mut T {
-        &mut self.source
-    }
-
     /// The longest step that the series through (t, y) allows; not a number where the series is undefined.
     ///
     /// With s_k the largest coefficient of order k in units of what is allowed: the smaller one of s_k^(-1/k), k = p - 1, p.

@@ -123,3 +123,12 @@ fn an_irrational_speed_and_irrational_moments_leave_nothing_open() {
         assert!((x.dot(&v) - 12.0).abs() < 1e-12 && (x * *w + Vector3::z()).cross(&v).norm() < 1e-12);
     }
 }
+
+#[test]
+fn a_double_moment_that_the_weight_sees_counts_twice() {
+    // W = v.M v/2 + G.v with a long G has one minimum and one maximum
+    let zero = r(0, 1);
+    let long = body([1, 1, 2], [zero; 3], [r(3, 1), zero, r(4, 1)]);
+    let found = long.rotations(r(1, 1)).unwrap();
+    assert_eq!(found.motions.iter().map(|one| one.kind).collect::<Vec<_>>(), [Kind::Minimum, Kind::Maximum]);
+}

@@ -228,6 +228,28 @@ fn common_divisors_of_written_out_polynomials_are_found() {
 }
 
 #[test]
+fn a_divisor_that_all_coefficients_share_is_divided_out_too() {
+    let [x, y] = symbols(["x", "y"]);
+    let one = Sym::int(1);
+    let common = (x + one) * (y + one);
+    let (p, q) = (x + y * Sym::int(2) + Sym::int(3), x + y * Sym::int(5) + Sym::int(7));
+    let form = |e: Sym| normal(e, &Hypotheses::none()).unwrap();
+    let written_out = |e: Sym| form(e).to_sym();
+    assert_eq!(form(written_out(common * p) / written_out(common * q)).to_string(), form(p / q).to_string());
+}
+
+#[test]
+fn a_power_is_rewritten_by_its_rule_as_often_as_it_holds_that() {
+    let [x, y] = symbols(["x", "y"]);
+    let square = (y + Sym::int(3)).half();
+    let rule = Hypotheses::none().rule(x, 2, square);
+    let form = |e: Sym, hypotheses: &Hypotheses| normal(e, hypotheses).unwrap().to_string();
+    let even = square.powi(2) + square * y.powi(2) * Sym::int(6) + y.powi(4);
+    let odd = (square * y + y.powi(3)) * x * Sym::int(4);
+    assert_eq!(form((x + y).powi(4), &rule), form(even + odd, &Hypotheses::none()));
+}
+
+#[test]
 fn a_function_is_a_generator_for_every_argument() {
     let [s, t] = symbols(["s", "t"]);
     let moment = Sym::function("M2", s * t);

@@ -151,3 +151,33 @@ proptest! {
         prop_assert!(roots.iter().all(|root| root.sign_of(&p) == 0));
     }
 }
+
+/// With three bits, where almost every result must be rounded.
+#[test]
+fn every_operation_on_enclosures_rounds_outwards() {
+    const COARSE: usize = 3;
+    const FINE: usize = 32;
+    let eighths = |n: i64, bits: usize| Enclosure::rational(Rational::new(n, 8), bits).unwrap();
+    let holds = |all: &Enclosure, one: &Enclosure| !all.clone().finer(FINE).is_apart_from(one);
+    let ranges: Vec<[i64; 2]> = (-5..=5).flat_map(|a| [0, 1, 4].map(|width| [a, a + width])).collect();
+    for [a, b] in ranges.iter().copied() {
+        let x = eighths(a, COARSE).hull(&eighths(b, COARSE));
+        for p in [a, b].map(|p| eighths(p, FINE)) {
+            assert!(holds(&-&x, &-&p), "-{x:?}");
+            assert!(x.sqrt().is_none_or(|root| holds(&(&root.clone().finer(FINE) * &root.finer(FINE)), &p)), "{x:?}");
+        }
+        for [c, d] in ranges.iter().copied() {
+            let y = eighths(c, COARSE).hull(&eighths(d, COARSE));
+            for (p, q) in [(a, c), (a, d), (b, c), (b, d)].map(|(p, q)| (eighths(p, FINE), eighths(q, FINE))) {
+                assert!(holds(&(&x + &y), &(&p + &q)) && holds(&(&x - &y), &(&p - &q)), "{x:?} {y:?}");
+                assert!(holds(&(&x * &y), &(&p * &q)), "{x:?} * {y:?}");
+                assert!(x.over(&y).is_none_or(|ratio| holds(&(&ratio.finer(FINE) * &q), &p)), "{x:?} / {y:?}");
+            }
+        }
+    }
+    let zero = Enclosure::integer(0, COARSE);
+    for n in -9..=9 {
+        let fine = Enclosure::rational(Rational::new(n, 64), FINE).unwrap();
+        assert!(holds(&(&zero + &fine), &fine), "{n}/64");
+    }
+}

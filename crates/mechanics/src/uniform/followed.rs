@@ -240,6 +240,19 @@ mod tests {
     }
 
     #[test]
+    fn a_box_about_another_middle_is_mapped_to_what_holds_its_solution() {
+        let law = path(SMALL, SMALL);
+        let still = law(&Enclosure::integer(0, BITS)).unwrap();
+        let solution = sharpened(&still, start(&law, [0.0, 1.0, 0.0, 2.05])).unwrap();
+        let beside = |z: &Enclosure| {
+            let [low, high] = [-0.01, 0.03].map(|off| Enclosure::float(off, BITS).unwrap());
+            z + &low.hull(&high)
+        };
+        let mapped = held(&still, &solution.each_ref().map(beside)).unwrap();
+        assert!(mapped.iter().zip(&solution).all(|(held, z)| z.is_inside(held)), "{mapped:?}");
+    }
+
+    #[test]
     fn a_direction_that_ends_in_a_fold_is_not_followed_across_it() {
         // with b ten times as long only the least and the greatest multiplier are left
         let law = path(SMALL, SMALL.map(|b| 10.0 * b));

@@ -84,13 +84,6 @@ impl Tape {
 }
 
 impl<S> Program<'_, S> {
-    /// The program with a tape of its own.
-    pub fn into_owned(self) -> Program<'static, S> {
-        Program { tape: Cow::Owned(self.tape.into_owned()), registers: self.registers }
-    }
-}
-
-impl<S> Program<'_, S> {
     /// The program with a tape of its own, to be kept.
     pub fn kept(self) -> Program<'static, S> {
         Program { tape: Cow::Owned(self.tape.into_owned()), registers: self.registers }
