@@ -21,6 +21,7 @@ mod circle;
 mod decimal;
 mod duals;
 mod lanes;
+mod quarters;
 mod rational;
 mod scalar;
 mod tangent;

@@ -6,6 +6,7 @@ use std::ops::Neg;
 use xprec::Df64;
 
 use crate::Circle;
+use crate::quarters::{far, is_near, near, plus};
 
 /// A number of some field: operations and exact constants, no order, no rounding to `f64`.
 pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + NumAssignOps + Neg<Output = Self> {
@@ -93,10 +94,24 @@ pub trait Analytic: Scalar {
 }
 
 impl Scalar for f64 {
+    #[inline(always)]
     fn ratio(numerator: i64, denominator: i64) -> Self {
         numerator as f64 / denominator as f64
     }
+
+    #[inline(always)]
+    fn and_product(self, a: Self, b: Self) -> Self {
+        plus::<FUSED>(self, a, b)
+    }
+
+    #[inline(always)]
+    fn less_product(self, a: Self, b: Self) -> Self {
+        plus::<FUSED>(self, -a, b)
+    }
 }
+
+/// Whether all processors that this is compiled for round a product and a sum once in one instruction.
+const FUSED: bool = cfg!(target_feature = "fma");
 
 impl Base for f64 {}
 
@@ -113,10 +128,9 @@ impl Over<f64> for f64 {
 }
 
 impl Analytic for f64 {
-    #[inline]
+    #[inline(always)]
     fn circle(self) -> Circle<Self> {
-        let (sin, cos) = self.sin_cos();
-        Circle { cos, sin }
+        if is_near(self) { near::<FUSED>(self) } else { far(self) }
     }
 
     fn sqrt(self) -> Self {

@@ -9,29 +9,41 @@ use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
 /// value + slope e with e^2 = 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// That a number rests is known beside its slope, since over numbers that round no compiler may leave out a product with
+/// zero: a law differentiated by one variable costs what is written down by hand, as far as it is inlined.
+#[derive(Clone, Copy, Debug)]
 pub struct Tangent<S> {
     pub value: S,
     pub slope: S,
+    /// Whether the slope may be other than zero.
+    moves: bool,
 }
 
 impl<S: Scalar> Tangent<S> {
     /// A number that does not move.
     #[inline(always)]
     pub fn fixed(value: S) -> Self {
-        Tangent { value, slope: S::zero() }
+        Tangent { value, slope: S::zero(), moves: false }
     }
 
     /// A number that moves at the rate `slope`.
     #[inline(always)]
     pub fn moving(value: S, slope: S) -> Self {
-        Tangent { value, slope }
+        Tangent { value, slope, moves: true }
     }
 
     /// The variable of differentiation: slope 1.
     #[inline(always)]
     pub fn variable(value: S) -> Self {
-        Tangent { value, slope: S::one() }
+        Tangent::moving(value, S::one())
+    }
+}
+
+impl<S: PartialEq> PartialEq for Tangent<S> {
+    #[inline(always)]
+    fn eq(&self, b: &Self) -> bool {
+        self.value == b.value && self.slope == b.slope
     }
 }
 
@@ -39,7 +51,13 @@ impl<S: Scalar> Add for Tangent<S> {
     type Output = Self;
     #[inline(always)]
     fn add(self, b: Self) -> Self {
-        Tangent { value: self.value + b.value, slope: self.slope + b.slope }
+        let value = self.value + b.value;
+        match (self.moves, b.moves) {
+            (true, true) => Tangent::moving(value, self.slope + b.slope),
+            (true, false) => Tangent::moving(value, self.slope),
+            (false, true) => Tangent::moving(value, b.slope),
+            (false, false) => Tangent::fixed(value),
+        }
     }
 }
 
@@ -47,7 +65,13 @@ impl<S: Scalar> Sub for Tangent<S> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, b: Self) -> Self {
-        Tangent { value: self.value - b.value, slope: self.slope - b.slope }
+        let value = self.value - b.value;
+        match (self.moves, b.moves) {
+            (true, true) => Tangent::moving(value, self.slope - b.slope),
+            (true, false) => Tangent::moving(value, self.slope),
+            (false, true) => Tangent::moving(value, -b.slope),
+            (false, false) => Tangent::fixed(value),
+        }
     }
 }
 
@@ -55,7 +79,13 @@ impl<S: Scalar> Mul for Tangent<S> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, b: Self) -> Self {
-        Tangent { value: self.value * b.value, slope: (self.slope * b.value).and_product(self.value, b.slope) }
+        let value = self.value * b.value;
+        match (self.moves, b.moves) {
+            (true, true) => Tangent::moving(value, (self.slope * b.value).and_product(self.value, b.slope)),
+            (true, false) => Tangent::moving(value, self.slope * b.value),
+            (false, true) => Tangent::moving(value, self.value * b.slope),
+            (false, false) => Tangent::fixed(value),
+        }
     }
 }
 
@@ -64,7 +94,11 @@ impl<S: Scalar> Div for Tangent<S> {
     #[inline]
     fn div(self, b: Self) -> Self {
         let value = self.value / b.value;
-        Tangent { value, slope: (self.slope - value * b.slope) / b.value }
+        match (self.moves, b.moves) {
+            (_, true) => Tangent::moving(value, (self.slope - value * b.slope) / b.value),
+            (true, false) => Tangent::moving(value, self.slope / b.value),
+            (false, false) => Tangent::fixed(value),
+        }
     }
 }
 
@@ -72,7 +106,7 @@ impl<S: Scalar> Div for Tangent<S> {
 impl<S: Scalar> Rem for Tangent<S> {
     type Output = Self;
     fn rem(self, b: Self) -> Self {
-        Tangent { value: self.value % b.value, slope: S::zero() }
+        Tangent::fixed(self.value % b.value)
     }
 }
 
@@ -80,7 +114,7 @@ impl<S: Scalar> Neg for Tangent<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Tangent { value: -self.value, slope: -self.slope }
+        if self.moves { Tangent::moving(-self.value, -self.slope) } else { Tangent::fixed(-self.value) }
     }
 }
 
@@ -97,6 +131,7 @@ macro_rules! assign {
 assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /, RemAssign rem_assign %);
 
 impl<S: Scalar> Zero for Tangent<S> {
+    #[inline(always)]
     fn zero() -> Self {
         Self::fixed(S::zero())
     }
@@ -107,14 +142,39 @@ impl<S: Scalar> Zero for Tangent<S> {
 }
 
 impl<S: Scalar> One for Tangent<S> {
+    #[inline(always)]
     fn one() -> Self {
         Self::fixed(S::one())
     }
 }
 
 impl<S: Scalar> Scalar for Tangent<S> {
+    #[inline(always)]
     fn ratio(numerator: i64, denominator: i64) -> Self {
         Self::fixed(S::ratio(numerator, denominator))
+    }
+
+    #[inline(always)]
+    fn and_product(self, a: Self, b: Self) -> Self {
+        let value = self.value.and_product(a.value, b.value);
+        let slope = if self.moves { Some(self.slope) } else { None };
+        let slope = if a.moves { Some(and(slope, a.slope, b.value)) } else { slope };
+        let slope = if b.moves { Some(and(slope, a.value, b.slope)) } else { slope };
+        slope.map_or(Tangent::fixed(value), |slope| Tangent::moving(value, slope))
+    }
+
+    #[inline(always)]
+    fn less_product(self, a: Self, b: Self) -> Self {
+        self.and_product(-a, b)
+    }
+}
+
+/// sum + a b, where nothing was summed yet a b.
+#[inline(always)]
+fn and<S: Scalar>(sum: Option<S>, a: S, b: S) -> S {
+    match sum {
+        Some(sum) => sum.and_product(a, b),
+        None => a * b,
     }
 }
 
@@ -126,18 +186,19 @@ impl<P: Base, S: Over<P>> Over<P> for Tangent<S> {
 
     #[inline(always)]
     fn divided_by(self, divisor: Divisor<P>) -> Self {
-        Tangent { value: self.value.divided_by(divisor), slope: self.slope.divided_by(divisor) }
+        let value = self.value.divided_by(divisor);
+        if self.moves { Tangent::moving(value, self.slope.divided_by(divisor)) } else { Tangent::fixed(value) }
     }
 }
 
 impl<S: Analytic> Analytic for Tangent<S> {
     #[inline]
     fn circle(self) -> Circle<Self> {
-        self.value.circle().moving(self.slope)
+        if self.moves { self.value.circle().moving(self.slope) } else { self.value.circle().map(Tangent::fixed) }
     }
 
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        Tangent { value: root, slope: self.slope / (root + root) }
+        if self.moves { Tangent::moving(root, self.slope / (root + root)) } else { Tangent::fixed(root) }
     }
 }

@@ -12,7 +12,7 @@
 use super::Gyrostat;
 use super::momenta::Momenta;
 use super::tensors::Principal;
-use super::vectors::{by_component, dot, lift, plus, two_crosses};
+use super::vectors::{by_component, dot, less, less_dot, lift, plus, two_crosses};
 use field::{Base, Divisor, Over, Scalar};
 use nalgebra::{Matrix3, Vector3};
 
@@ -102,9 +102,9 @@ impl<P: Base> Form<P> for FirstForm<P> {
     #[inline(always)]
     fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S) {
         let axis = lift(self.data.axis);
-        let free = plus(self.data.gain(self.momentum(w, rotor_speed), w, v), axis, -moment);
+        let free = less(self.data.gain(self.momentum(w, rotor_speed), w, v), axis, moment);
         let w_rate = by_component(free, lift(self.data.mobility));
-        (w_rate, moment.divided_by(self.data.axial) - dot(axis, w_rate))
+        (w_rate, less_dot(moment.divided_by(self.data.axial), axis, w_rate))
     }
 
     #[inline(always)]
@@ -112,7 +112,7 @@ impl<P: Base> Form<P> for FirstForm<P> {
         let (free, free_rotor) = self.accelerations(w, v, rotor_speed, S::zero());
         let moment = -free_rotor * S::lift(self.reaction);
         let oblique = by_component(self.data.axis, self.data.mobility);
-        (plus(free, lift(oblique), -moment), moment)
+        (less(free, lift(oblique), moment), moment)
     }
 
     #[inline(always)]
@@ -150,8 +150,8 @@ impl<P: Base> Form<P> for SecondForm<P> {
         let axial = S::lift(self.data.axial.value());
         let response = lift(self.response);
         let free = self.data.gain(self.momentum(w, rotor_speed), w, v);
-        let rotor_acceleration = (moment.divided_by(self.data.axial) - dot(response, free)) * S::lift(self.inverse_d);
-        let w_rate = plus(by_component(free, lift(self.data.mobility)), response, -(axial * rotor_acceleration));
+        let rotor_acceleration = less_dot(moment.divided_by(self.data.axial), response, free) * S::lift(self.inverse_d);
+        let w_rate = less(by_component(free, lift(self.data.mobility)), response, axial * rotor_acceleration);
         (w_rate, rotor_acceleration)
     }
 

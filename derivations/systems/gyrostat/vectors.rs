@@ -11,6 +11,12 @@ pub(super) fn dot<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> S {
     (a[0] * b[0]).and_product(a[1], b[1]).and_product(a[2], b[2])
 }
 
+/// s - a.b, from both ends
+#[inline(always)]
+pub(super) fn less_dot<S: Scalar>(s: S, a: Vector3<S>, b: Vector3<S>) -> S {
+    s.less_product(a[0], b[0]) - (a[1] * b[1]).and_product(a[2], b[2])
+}
+
 /// a x b
 #[inline(always)]
 pub(super) fn cross<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> Vector3<S> {
@@ -20,13 +26,13 @@ pub(super) fn cross<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> Vector3<S> {
     })
 }
 
-/// a x b + c x d
+/// a x b + c x d, the second first: a momentum a is known last.
 #[inline(always)]
 pub(super) fn two_crosses<S: Scalar>(a: Vector3<S>, b: Vector3<S>, c: Vector3<S>, d: Vector3<S>) -> Vector3<S> {
-    let first = cross(a, b);
+    let second = cross(c, d);
     each(|i| {
         let [j, k] = [(i + 1) % 3, (i + 2) % 3];
-        first[i].and_product(c[j], d[k]).less_product(c[k], d[j])
+        second[i].and_product(a[j], b[k]).less_product(a[k], b[j])
     })
 }
 
@@ -40,6 +46,12 @@ pub(super) fn by_component<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> Vector3<S
 #[inline(always)]
 pub(super) fn plus<S: Scalar>(a: Vector3<S>, b: Vector3<S>, s: S) -> Vector3<S> {
     each(|i| a[i].and_product(b[i], s))
+}
+
+/// a - b s
+#[inline(always)]
+pub(super) fn less<S: Scalar>(a: Vector3<S>, b: Vector3<S>, s: S) -> Vector3<S> {
+    each(|i| a[i].less_product(b[i], s))
 }
 
 /// The same vector, seen in the larger field.
