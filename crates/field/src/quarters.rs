@@ -12,8 +12,8 @@ pub(crate) fn is_near(angle: f64) -> bool {
 /// 1.5 2^52: added to a number below 2^51 it leaves the nearest integer in the last bits.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// pi/2 in three parts: the first two have 33 bits, so that 2^20 times each is exact.
-const QUARTER: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_711_166_5e-21];
+/// pi/2 in three parts: the first two have 33 bits, so that 2^20 times each is exact (Sun's fdlibm).
+const QUARTER: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 
 /// (sin r - r)/r^3 and (cos r - 1 + r^2/2)/r^4 in powers of r^2, for |r| <= pi/4 (Sun's fdlibm, errors below 2^-57).
 const SINE: [f64; 6] = [
@@ -39,15 +39,19 @@ pub(crate) fn near<const FUSED: bool>(angle: f64) -> Circle<f64> {
     let sum = plus::<FUSED>;
     let counted = sum(ROUNDER, angle, std::f64::consts::FRAC_2_PI);
     let quarters = counted - ROUNDER;
-    let r = sum(sum(sum(angle, quarters, -QUARTER[0]), quarters, -QUARTER[1]), quarters, -QUARTER[2]);
+    // what is left of the angle is r and, below its last digit, tail
+    let first = sum(angle, quarters, -QUARTER[0]);
+    let second = sum(first, quarters, -QUARTER[1]);
+    let r = sum(second, quarters, -QUARTER[2]);
+    let tail = sum(second - r, quarters, -QUARTER[2]) + sum(first - second, quarters, -QUARTER[1]);
     let z = r * r;
     let z2 = z * z;
     // in pairs, so that fewer sums wait for each other
     let series = |c: &[f64; 6]| sum(sum(c[0], c[1], z), sum(sum(c[2], c[3], z), sum(c[4], c[5], z), z2), z2);
-    let sine = sum(r, r * z, series(&SINE));
     let half = 0.5 * z;
     let near = 1.0 - half;
-    let cosine = near + sum((1.0 - near) - half, z2, series(&COSINE));
+    let sine = r + sum(tail * near, r * z, series(&SINE));
+    let cosine = near + sum(sum((1.0 - near) - half, -r, tail), z2, series(&COSINE));
     let turned = counted.to_bits();
     let (cos, sin) = if turned & 1 == 0 { (cosine, sine) } else { (sine, cosine) };
     Circle {

@@ -11,9 +11,9 @@ use pulp::{Arch, Simd, WithSimd};
 /// The law must be `#[inline(always)]` throughout, or it is compiled for narrow registers: six times slower.
 #[derive(Clone, Debug)]
 pub struct SideBySide<const L: usize, const FUSED: bool> {
-    slope: Vec<Lanes<L, FUSED>>,
+    /// k1, k2, k3, k4: kept until the step is complete, which takes fewer stores than a sum that grows with each.
+    slopes: [Vec<Lanes<L, FUSED>>; 4],
     stage: Vec<Lanes<L, FUSED>>,
-    sum: Vec<Lanes<L, FUSED>>,
 }
 
 /// Whether this processor rounds a product and a sum once in one instruction.
@@ -25,7 +25,7 @@ impl<const L: usize, const FUSED: bool> SideBySide<L, FUSED> {
     /// For so many states.
     pub fn new(dimension: usize) -> Self {
         let room = || vec![Lanes::all(0.0); dimension];
-        SideBySide { slope: room(), stage: room(), sum: room() }
+        SideBySide { slopes: std::array::from_fn(|_| room()), stage: room() }
     }
 
     /// So many steps from the time `start`, in s if the law's time is; allocates nothing. States beyond the room are left.
@@ -55,26 +55,31 @@ impl<O: Ode<Lanes<L, FUSED>>, const L: usize, const FUSED: bool> WithSimd for St
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let SideBySide { slope, stage, sum } = self.room;
-        let (n, h) = (self.state.len().min(slope.len()), self.step);
-        let state = &mut self.state[..n];
-        // where the next slope is taken, and the share of this one
-        let stages = [(h / 2.0, h / 6.0), (h / 2.0, h / 3.0), (h, h / 3.0), (0.0, h / 6.0)];
+        let SideBySide { slopes, stage } = self.room;
+        let (n, h) = (self.state.len().min(stage.len()), self.step);
+        let (state, stage) = (&mut self.state[..n], &mut stage[..n]);
+        stage.copy_from_slice(state);
         for number in 0..self.steps {
             let begin = self.start + number as f64 * h;
             let mut time = begin;
-            stage.copy_from_slice(state);
-            sum.copy_from_slice(state);
             // one call of the law, so that it is compiled once
-            for (reach, share) in stages {
+            for (slope, reach) in slopes.iter_mut().zip([h / 2.0, h / 2.0, h, 0.0]) {
                 self.law.rates(Lanes::all(time), stage, slope);
-                for (((stage, sum), state), slope) in stage.iter_mut().zip(&mut *sum).zip(&*state).zip(&*slope) {
-                    *stage = plus(simd, state, reach, slope);
-                    *sum = plus(simd, sum, share, slope);
-                }
                 time = begin + reach;
+                if reach != 0.0 {
+                    for ((stage, state), slope) in stage.iter_mut().zip(&*state).zip(&*slope) {
+                        *stage = plus(simd, state, reach, slope);
+                    }
+                }
             }
-            state.copy_from_slice(sum);
+            let [k1, k2, k3, k4] = &*slopes;
+            let inner = k2.iter().zip(k3);
+            for ((((state, stage), k1), (k2, k3)), k4) in state.iter_mut().zip(&mut *stage).zip(k1).zip(inner).zip(k4) {
+                let outer = plus(simd, k1, 1.0, k4);
+                let slope = plus(simd, &plus(simd, &outer, 2.0, k2), 2.0, k3);
+                *state = plus(simd, state, h / 6.0, &slope);
+                *stage = *state;
+            }
         }
     }
 }
