@@ -1,15 +1,17 @@
 //! Nanoseconds for one right-hand side, for its whole Jacobian as sums of monomials, and for eight directions of it by
 //! num-dual, of the gyrostat with 8 states (synchronous motor) and 15 (six damper bars), in both forms; operations, circle
-//! points apart, and what share they are of the most that this processor can; the second form beside straight-line C.
+//! points apart, and what share they are of the most that this processor can; the second form beside straight-line C, compiled
+//! for any processor of this kind, as ours is, and for this one.
 //!
-//! `cargo bench --bench rates`. Instructions of 1000 right-hand sides and 1000 Jacobians of the second form with 15 states:
+//! `cargo bench --bench rates`; ours for this processor too: `RUSTFLAGS="-C target-cpu=native"` before it. Instructions of
+//! 1000 right-hand sides and 1000 Jacobians of the second form with 15 states, or with 8:
 //!
 //! ```text
 //! CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_RUNNER="valgrind --tool=callgrind --callgrind-out-file=/dev/null \\
-//!   --toggle-collect=*thousand_values*" cargo bench --bench rates -- thousand
+//!   --toggle-collect=*thousand_values*" cargo bench --bench rates -- thousand 15
 //! ```
 //!
-//! and the same with `thousand_jacobians`.
+//! and the same with `thousand_jacobians`. (callgrind knows no AVX-512: under it the Jacobian takes narrower registers.)
 
 use derivations::machines::Machine;
 use derivations::machines::multi_current::MultiCurrent;
@@ -35,12 +37,10 @@ fn main() {
     let bars = MultiCurrent::evenly(windings, 6);
     let (first, second) = (gyrostat.first_form().0, gyrostat.second_form().0);
     if std::env::args().any(|argument| argument == "thousand") {
-        let law = Driven::new(second, bars);
-        thousand_values(&law);
-        if let Some((_, jacobian)) = recorded(&law) {
-            thousand_jacobians(&jacobian.1, law.dimension());
-        }
-        return;
+        return match std::env::args().any(|argument| argument == "8") {
+            true => thousand(&Driven::new(second, single)),
+            false => thousand(&Driven::new(second, bars)),
+        };
     }
     let peak = peak::flops_per_nanosecond();
     println!("the most that one core can, by products and sums rounded once: {peak:.1} flops/ns");
@@ -52,10 +52,19 @@ fn main() {
     row("first", &Driven::new(first, bars.clone()), peak);
     row("second", &Driven::new(second, bars.clone()), peak);
     println!(
-        "states  value: ours, exported C, C by hand [ns]   ratios         Jacobian: ours, exported C [ns]   in values"
+        "states  C for         value: ours, exported C, C by hand [ns]   ratios         Jacobian: ours, exported C [ns]   in values"
     );
-    beside(&Driven::new(second, single), &gyrostat, &windings);
-    beside(&Driven::new(second, bars), &gyrostat, &windings);
+    for native in [false, true] {
+        beside(native, &Driven::new(second, single), &gyrostat, &windings);
+        beside(native, &Driven::new(second, bars.clone()), &gyrostat, &windings);
+    }
+}
+
+fn thousand<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) {
+    thousand_values(law);
+    if let Some((_, (_, jacobian))) = recorded(law) {
+        thousand_jacobians(&jacobian, law.dimension());
+    }
 }
 
 /// The right-hand side and the Jacobian, as tapes, and the Jacobian as polynomials.
@@ -84,6 +93,7 @@ fn row<F: Form<f64>, M: Machine<f64>>(form: &str, law: &Driven<f64, F, M>, peak:
 
 /// Ours and C take turns; medians.
 fn beside<F: Form<f64>, M: Machine<f64>>(
+    native: bool,
     law: &Driven<f64, F, M>,
     gyrostat: &derivations::systems::gyrostat::Gyrostat<f64>,
     windings: &derivations::machines::multi_current::Windings<f64>,
@@ -92,7 +102,7 @@ fn beside<F: Form<f64>, M: Machine<f64>>(
     let Some((tape, (entries, jacobian))) = recorded(law) else { return };
     let turns: Option<Vec<[f64; 5]>> = (0..5)
         .map(|_| {
-            let c = straight_line::in_c(n, gyrostat, windings, &tape, &entries)?;
+            let c = straight_line::in_c(native, n, gyrostat, windings, &tape, &entries)?;
             let own = [nanoseconds::<f64, F, M>(law), whole(&jacobian, n)];
             Some([own[0], c.exported, c.by_hand, own[1], c.jacobian])
         })
@@ -104,7 +114,8 @@ fn beside<F: Form<f64>, M: Machine<f64>>(
         column[column.len() / 2]
     });
     println!(
-        "{n:>6} {own:>14.1} {exported:>10.1} {by_hand:>10.1} {:>16.2} {:.2} {whole:>17.1} {in_c:>10.1} {:>18.1}",
+        "{n:>6}  {:<14} {own:>10.1} {exported:>10.1} {by_hand:>10.1} {:>16.2} {:.2} {whole:>17.1} {in_c:>10.1} {:>18.1}",
+        if native { "this processor" } else { "any" },
         own / exported,
         own / by_hand,
         whole / own,

@@ -1,5 +1,5 @@
 //! The same right-hand side as straight-line C: exported from the recorded law, and written by hand; compiled by
-//! `gcc -O3 -march=native`, where there is one.
+//! `gcc -O3`, where there is one, for any processor of this kind or for this one (`-march=native`).
 
 use derivations::machines::multi_current::Windings;
 use derivations::systems::gyrostat::Gyrostat;
@@ -14,8 +14,9 @@ pub struct InC {
     pub jacobian: f64,
 }
 
-/// Of the second form; `None` without a compiler, or where the two do not agree.
+/// Of the second form, for any processor or for this one; `None` without a compiler, or where the two do not agree.
 pub fn in_c(
+    native: bool,
     n: usize,
     gyrostat: &Gyrostat<f64>,
     windings: &Windings<f64>,
@@ -49,6 +50,7 @@ pub fn in_c(
     let (source, program) = (folder.join("law.c"), folder.join("law"));
     std::fs::write(&source, text).ok()?;
     let flags = ["-O3", "-march=native"];
+    let flags = if native { &flags[..] } else { &flags[..1] };
     let made = Command::new("gcc").args(flags).arg(&source).arg("-o").arg(&program).arg("-lm").status();
     let output = made.is_ok_and(|status| status.success()).then(|| Command::new(&program).output());
     std::fs::remove_dir_all(&folder).ok()?;

@@ -24,9 +24,8 @@ pub fn carried(written: &Arc<dyn Written>, lower: &Lower) -> Option<Straight> {
         let (z, errors) = state.split_at(kept);
         let (a, b) = errors.split_at(n);
         let y = (lower.lift)(time, z);
-        let point: Vec<Tangent<Tangent<Sym>>> = (0..n)
-            .map(|i| Tangent { value: Tangent::moving(y[i], a[i]), slope: Tangent::moving(a[i], b[i] + b[i]) })
-            .collect();
+        let point: Vec<Tangent<Tangent<Sym>>> =
+            (0..n).map(|i| Tangent::moving(Tangent::moving(y[i], a[i]), Tangent::moving(a[i], b[i] + b[i]))).collect();
         let mut moved = vec![Tangent::lift(0.0); n];
         written.rates(Tangent::fixed(Tangent::fixed(time)), &point, &mut moved);
         // the defect is differentiated along symbols of its own: the state here may be any expressions

@@ -108,7 +108,7 @@ impl<S: Scalar> Kick<S> {
             Law::Linear => {
                 let frame_speed = Tangent::fixed(S::lift(machine.frame_speed()));
                 let slip = Tangent::variable(S::zero());
-                let Tangent { value, slope } = machine.moment_law(slip, slip + frame_speed);
+                let Tangent { value, slope, .. } = machine.moment_law(slip, slip + frame_speed);
                 let rate = -compliance * slope;
                 let pushed = |k| compliance * length * quotient(ratio(k) * length, rate * length);
                 let lasting = length * quotient(S::zero(), rate * length);
@@ -143,7 +143,7 @@ pub fn kick<P: Base, S: Over<P> + Analytic, M: Machine<P>>(
     let windings = rotor.fluxes.iter_mut().zip(&by.losses).enumerate();
     // psi_k' i_k(0), and the fluxes after
     let couplings = windings.map(|(k, (flux, loss))| {
-        let Tangent { value, slope } = machine.linkage(k, varied);
+        let Tangent { value, slope, .. } = machine.linkage(k, varied);
         let own = *flux - value;
         *flux -= own * *loss;
         slope * own / S::lift(machine.inductance(k))

@@ -73,9 +73,10 @@ impl<S: Analytic> Circle<S> {
 }
 
 impl Circle<f64> {
-    /// The fraction `part / whole` of a full turn.
+    /// The fraction `part / whole` of a full turn, as datum: to half a unit of rounding.
     pub fn turn(part: u32, whole: u32) -> Self {
-        (std::f64::consts::TAU * f64::from(part) / f64::from(whole)).circle()
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(part) / f64::from(whole)).sin_cos();
+        Circle { cos, sin }
     }
 }
 

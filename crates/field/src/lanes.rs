@@ -1,6 +1,6 @@
 //! Many numbers side by side: one law evaluated for as many systems at once as a register is wide.
 
-use crate::quarters::{is_near, near, plus};
+use crate::quarters::{far, is_near, near, plus};
 use crate::{Analytic, Base, Circle, Divisor, Over, Scalar};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
@@ -141,16 +141,11 @@ impl<const L: usize, const FUSED: bool> Over<f64> for Lanes<L, FUSED> {
 impl<const L: usize, const FUSED: bool> Analytic for Lanes<L, FUSED> {
     #[inline(always)]
     fn circle(self) -> Circle<Self> {
-        let (mut point, mut all_near) = (Circle { cos: self, sin: self }, true);
-        for lane in 0..L {
-            let Circle { cos, sin } = near::<FUSED>(self.0[lane]);
-            (point.cos.0[lane], point.sin.0[lane]) = (cos, sin);
-            all_near &= is_near(self.0[lane]);
+        let mut all_near = true;
+        for angle in self.0 {
+            all_near &= is_near(angle);
         }
-        if !all_near {
-            one_by_one(self, &mut point);
-        }
-        point
+        if all_near { each(self, near::<FUSED>) } else { one_by_one(self) }
     }
 
     #[inline(always)]
@@ -162,11 +157,22 @@ impl<const L: usize, const FUSED: bool> Analytic for Lanes<L, FUSED> {
     }
 }
 
-/// The lanes whose angles are far away, or not finite.
+/// Where angles are far away, or not finite.
 #[cold]
 #[inline(never)]
-fn one_by_one<const L: usize, const FUSED: bool>(angle: Lanes<L, FUSED>, point: &mut Circle<Lanes<L, FUSED>>) {
-    for lane in (0..L).filter(|lane| !is_near(angle.0[*lane])) {
-        (point.sin.0[lane], point.cos.0[lane]) = angle.0[lane].sin_cos();
+fn one_by_one<const L: usize, const FUSED: bool>(angle: Lanes<L, FUSED>) -> Circle<Lanes<L, FUSED>> {
+    each(angle, |angle| if is_near(angle) { near::<FUSED>(angle) } else { far(angle) })
+}
+
+#[inline(always)]
+fn each<const L: usize, const FUSED: bool>(
+    angle: Lanes<L, FUSED>,
+    point: impl Fn(f64) -> Circle<f64>,
+) -> Circle<Lanes<L, FUSED>> {
+    let mut points = Circle { cos: Lanes::all(0.0), sin: Lanes::all(0.0) };
+    for lane in 0..L {
+        let Circle { cos, sin } = point(angle.0[lane]);
+        (points.cos.0[lane], points.sin.0[lane]) = (cos, sin);
     }
+    points
 }
