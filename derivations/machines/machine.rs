@@ -146,7 +146,7 @@ pub fn drive_circuits<P: Base, S: Over<P>>(
     currents: &[S],
     current_rates: &mut [S],
 ) -> S {
-    let varied = angle.moving(S::one());
+    let varied = angle.varied();
     let speed = slip + S::lift(machine.frame_speed());
     let mut moment = machine.moment_law(slip, speed) - machine.field_energy(varied).slope;
     for (k, ((&current, rate), circuit)) in currents.iter().zip(current_rates).zip(circuits).enumerate() {

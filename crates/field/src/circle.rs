@@ -35,6 +35,12 @@ impl<S: Scalar> Circle<S> {
         Circle { cos: Tangent::moving(self.cos, -self.sin * speed), sin: Tangent::moving(self.sin, self.cos * speed) }
     }
 
+    /// The same angle as the one variable of a short law: what does not depend on it is known to rest.
+    #[inline(always)]
+    pub fn varied(self) -> Circle<Tangent<S, bool>> {
+        Circle { cos: Tangent::at_rate(self.cos, -self.sin), sin: Tangent::at_rate(self.sin, self.cos) }
+    }
+
     /// The same point with its coordinates seen in another field.
     #[inline(always)]
     pub fn map<T>(self, f: impl Fn(S) -> T) -> Circle<T> {

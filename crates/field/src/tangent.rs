@@ -6,31 +6,65 @@
 
 use crate::{Analytic, Base, Circle, Divisor, Over, Scalar};
 use num_traits::{One, Zero};
+use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
-/// value + slope e with e^2 = 0.
+/// Whether a number moves, as far as this is known beside its slope.
 ///
-/// That a number rests is known beside its slope, since over numbers that round no compiler may leave out a product with
-/// zero: a law differentiated by one variable costs what is written down by hand, as far as it is inlined.
+/// With `()` nothing is known, and all products with slopes that are zero are formed. With `bool` they are left out, which no
+/// compiler may do where numbers round: a short law that is inlined whole then costs what is written down by hand. (A long
+/// one, or one differentiated twice, would be compiled for every combination of what rests.)
+pub trait Motion: Copy + Debug + 'static {
+    const KNOWN: bool;
+    fn of(moves: bool) -> Self;
+    fn moves(self) -> bool;
+}
+
+impl Motion for () {
+    const KNOWN: bool = false;
+
+    #[inline(always)]
+    fn of(_: bool) {}
+
+    #[inline(always)]
+    fn moves(self) -> bool {
+        true
+    }
+}
+
+impl Motion for bool {
+    const KNOWN: bool = true;
+
+    #[inline(always)]
+    fn of(moves: bool) -> bool {
+        moves
+    }
+
+    #[inline(always)]
+    fn moves(self) -> bool {
+        self
+    }
+}
+
+/// value + slope e with e^2 = 0.
 #[derive(Clone, Copy, Debug)]
-pub struct Tangent<S> {
+pub struct Tangent<S, M = ()> {
     pub value: S,
     pub slope: S,
-    /// Whether the slope may be other than zero.
-    moves: bool,
+    motion: M,
 }
 
 impl<S: Scalar> Tangent<S> {
     /// A number that does not move.
     #[inline(always)]
     pub fn fixed(value: S) -> Self {
-        Tangent { value, slope: S::zero(), moves: false }
+        Tangent::at_rest(value)
     }
 
     /// A number that moves at the rate `slope`.
     #[inline(always)]
     pub fn moving(value: S, slope: S) -> Self {
-        Tangent { value, slope, moves: true }
+        Tangent::at_rate(value, slope)
     }
 
     /// The variable of differentiation: slope 1.
@@ -40,87 +74,112 @@ impl<S: Scalar> Tangent<S> {
     }
 }
 
-impl<S: PartialEq> PartialEq for Tangent<S> {
+impl<S: Scalar, M: Motion> Tangent<S, M> {
+    #[inline(always)]
+    fn at_rest(value: S) -> Self {
+        Tangent { value, slope: S::zero(), motion: M::of(false) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn at_rate(value: S, slope: S) -> Self {
+        Tangent { value, slope, motion: M::of(true) }
+    }
+
+    #[inline(always)]
+    fn rests(&self) -> bool {
+        !self.motion.moves()
+    }
+}
+
+impl<S: PartialEq, M> PartialEq for Tangent<S, M> {
     #[inline(always)]
     fn eq(&self, b: &Self) -> bool {
         self.value == b.value && self.slope == b.slope
     }
 }
 
-impl<S: Scalar> Add for Tangent<S> {
+impl<S: Scalar, M: Motion> Add for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn add(self, b: Self) -> Self {
         let value = self.value + b.value;
-        match (self.moves, b.moves) {
-            (true, true) => Tangent::moving(value, self.slope + b.slope),
-            (true, false) => Tangent::moving(value, self.slope),
-            (false, true) => Tangent::moving(value, b.slope),
-            (false, false) => Tangent::fixed(value),
+        if M::KNOWN {
+            match (self.rests(), b.rests()) {
+                (true, true) => return Tangent::at_rest(value),
+                (true, false) => return Tangent::at_rate(value, b.slope),
+                (false, true) => return Tangent::at_rate(value, self.slope),
+                (false, false) => {}
+            }
         }
+        Tangent::at_rate(value, self.slope + b.slope)
     }
 }
 
-impl<S: Scalar> Sub for Tangent<S> {
+impl<S: Scalar, M: Motion> Sub for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, b: Self) -> Self {
         let value = self.value - b.value;
-        match (self.moves, b.moves) {
-            (true, true) => Tangent::moving(value, self.slope - b.slope),
-            (true, false) => Tangent::moving(value, self.slope),
-            (false, true) => Tangent::moving(value, -b.slope),
-            (false, false) => Tangent::fixed(value),
+        if M::KNOWN {
+            match (self.rests(), b.rests()) {
+                (true, true) => return Tangent::at_rest(value),
+                (true, false) => return Tangent::at_rate(value, -b.slope),
+                (false, true) => return Tangent::at_rate(value, self.slope),
+                (false, false) => {}
+            }
         }
+        Tangent::at_rate(value, self.slope - b.slope)
     }
 }
 
-impl<S: Scalar> Mul for Tangent<S> {
+impl<S: Scalar, M: Motion> Mul for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, b: Self) -> Self {
         let value = self.value * b.value;
-        match (self.moves, b.moves) {
-            (true, true) => Tangent::moving(value, (self.slope * b.value).and_product(self.value, b.slope)),
-            (true, false) => Tangent::moving(value, self.slope * b.value),
-            (false, true) => Tangent::moving(value, self.value * b.slope),
-            (false, false) => Tangent::fixed(value),
+        if M::KNOWN {
+            match (self.rests(), b.rests()) {
+                (true, true) => return Tangent::at_rest(value),
+                (true, false) => return Tangent::at_rate(value, self.value * b.slope),
+                (false, true) => return Tangent::at_rate(value, self.slope * b.value),
+                (false, false) => {}
+            }
         }
+        Tangent::at_rate(value, (self.slope * b.value).and_product(self.value, b.slope))
     }
 }
 
-impl<S: Scalar> Div for Tangent<S> {
+impl<S: Scalar, M: Motion> Div for Tangent<S, M> {
     type Output = Self;
     #[inline]
     fn div(self, b: Self) -> Self {
         let value = self.value / b.value;
-        match (self.moves, b.moves) {
-            (_, true) => Tangent::moving(value, (self.slope - value * b.slope) / b.value),
-            (true, false) => Tangent::moving(value, self.slope / b.value),
-            (false, false) => Tangent::fixed(value),
+        if M::KNOWN && b.rests() {
+            return if self.rests() { Tangent::at_rest(value) } else { Tangent::at_rate(value, self.slope / b.value) };
         }
+        Tangent::at_rate(value, (self.slope - value * b.slope) / b.value)
     }
 }
 
 /// In a field every remainder is zero (nalgebra and num-traits ask for the operator).
-impl<S: Scalar> Rem for Tangent<S> {
+impl<S: Scalar, M: Motion> Rem for Tangent<S, M> {
     type Output = Self;
     fn rem(self, b: Self) -> Self {
-        Tangent::fixed(self.value % b.value)
+        Tangent::at_rest(self.value % b.value)
     }
 }
 
-impl<S: Scalar> Neg for Tangent<S> {
+impl<S: Scalar, M: Motion> Neg for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        if self.moves { Tangent::moving(-self.value, -self.slope) } else { Tangent::fixed(-self.value) }
+        Tangent { value: -self.value, slope: -self.slope, motion: self.motion }
     }
 }
 
 macro_rules! assign {
     ($($op:ident $method:ident $sign:tt),*) => {$(
-        impl<S: Scalar> $op for Tangent<S> {
+        impl<S: Scalar, M: Motion> $op for Tangent<S, M> {
             #[inline]
             fn $method(&mut self, b: Self) {
                 *self = *self $sign b;
@@ -130,10 +189,9 @@ macro_rules! assign {
 }
 assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /, RemAssign rem_assign %);
 
-impl<S: Scalar> Zero for Tangent<S> {
-    #[inline(always)]
+impl<S: Scalar, M: Motion> Zero for Tangent<S, M> {
     fn zero() -> Self {
-        Self::fixed(S::zero())
+        Self::at_rest(S::zero())
     }
 
     fn is_zero(&self) -> bool {
@@ -141,64 +199,46 @@ impl<S: Scalar> Zero for Tangent<S> {
     }
 }
 
-impl<S: Scalar> One for Tangent<S> {
-    #[inline(always)]
+impl<S: Scalar, M: Motion> One for Tangent<S, M> {
     fn one() -> Self {
-        Self::fixed(S::one())
+        Self::at_rest(S::one())
     }
 }
 
-impl<S: Scalar> Scalar for Tangent<S> {
-    #[inline(always)]
+impl<S: Scalar, M: Motion> Scalar for Tangent<S, M> {
     fn ratio(numerator: i64, denominator: i64) -> Self {
-        Self::fixed(S::ratio(numerator, denominator))
-    }
-
-    #[inline(always)]
-    fn and_product(self, a: Self, b: Self) -> Self {
-        let value = self.value.and_product(a.value, b.value);
-        let slope = if self.moves { Some(self.slope) } else { None };
-        let slope = if a.moves { Some(and(slope, a.slope, b.value)) } else { slope };
-        let slope = if b.moves { Some(and(slope, a.value, b.slope)) } else { slope };
-        slope.map_or(Tangent::fixed(value), |slope| Tangent::moving(value, slope))
-    }
-
-    #[inline(always)]
-    fn less_product(self, a: Self, b: Self) -> Self {
-        self.and_product(-a, b)
+        Self::at_rest(S::ratio(numerator, denominator))
     }
 }
 
-/// sum + a b, where nothing was summed yet a b.
-#[inline(always)]
-fn and<S: Scalar>(sum: Option<S>, a: S, b: S) -> S {
-    match sum {
-        Some(sum) => sum.and_product(a, b),
-        None => a * b,
-    }
-}
-
-impl<P: Base, S: Over<P>> Over<P> for Tangent<S> {
+impl<P: Base, S: Over<P>, M: Motion> Over<P> for Tangent<S, M> {
     #[inline(always)]
     fn lift(parameter: P) -> Self {
-        Self::fixed(S::lift(parameter))
+        Self::at_rest(S::lift(parameter))
     }
 
     #[inline(always)]
     fn divided_by(self, divisor: Divisor<P>) -> Self {
-        let value = self.value.divided_by(divisor);
-        if self.moves { Tangent::moving(value, self.slope.divided_by(divisor)) } else { Tangent::fixed(value) }
+        let [value, slope] = [self.value, self.slope].map(|number| number.divided_by(divisor));
+        Tangent { value, slope, motion: self.motion }
     }
 }
 
-impl<S: Analytic> Analytic for Tangent<S> {
+impl<S: Analytic, M: Motion> Analytic for Tangent<S, M> {
     #[inline]
     fn circle(self) -> Circle<Self> {
-        if self.moves { self.value.circle().moving(self.slope) } else { self.value.circle().map(Tangent::fixed) }
+        let Circle { cos, sin } = self.value.circle();
+        if M::KNOWN && self.rests() {
+            return Circle { cos, sin }.map(Tangent::at_rest);
+        }
+        Circle { cos: Tangent::at_rate(cos, -sin * self.slope), sin: Tangent::at_rate(sin, cos * self.slope) }
     }
 
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        if self.moves { Tangent::moving(root, self.slope / (root + root)) } else { Tangent::fixed(root) }
+        if M::KNOWN && self.rests() {
+            return Tangent::at_rest(root);
+        }
+        Tangent::at_rate(root, self.slope / (root + root))
     }
 }
