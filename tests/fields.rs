@@ -2,7 +2,7 @@
 //! few units of its own rounding.
 
 use field::laws::{analytic_laws, circle_laws, field_laws};
-use field::{Analytic, Circle, DoubleDouble, Lanes, Rational, Scalar, Tangent};
+use field::{Analytic, Circle, DoubleDouble, Lanes, Over, Rational, Scalar, Tangent};
 use num_dual::{Dual, Dual2, DualSVec, HyperDual};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
@@ -264,6 +264,49 @@ fn a_point_turns_at_the_rate_of_its_angle() {
     let angle = Tangent::moving(0.7, 3.0).circle();
     assert!((angle.cos.slope + 3.0 * 0.7f64.sin()).abs() < 1e-15);
     assert!((angle.sin.slope - 3.0 * 0.7f64.cos()).abs() < 1e-15);
+}
+
+/// A law of one varied angle with data that rest, by every operation, each of two ways round.
+fn of_one_angle<T: Over<Rational>>(angle: Circle<T>, [p, q]: [Rational; 2]) -> Vec<T> {
+    let (Circle { cos, sin }, [p, q], four) = (angle, [p, q].map(T::lift), T::int(4));
+    let rest = [p + q, p - q, p * q, p / four, -p, T::zero(), T::one(), p.and_product(p, q), p % four];
+    let moving = [sin + cos, sin - cos, sin * cos, sin / (cos + four), -sin, sin.less_product(sin, cos)];
+    let both = [p + cos, cos + p, p - cos, cos - p, p * cos, cos * p, p / (cos + four), cos / four];
+    let sums = [p.and_product(q, cos), p.less_product(sin, q), cos.and_product(p, q), sin.less_product(cos, p)];
+    rest.into_iter().chain(moving).chain(both).chain(sums).collect()
+}
+
+proptest! {
+    #![proptest_config(fixed(64))]
+    #[test]
+    fn what_is_known_to_rest_is_left_out_and_nothing_else(t in rational(), p in rational(), q in rational()) {
+        let angle = Circle::from_half_tangent(t);
+        let all = of_one_angle(angle.moving(Rational::one()), [p, q]);
+        for (all, known) in all.into_iter().zip(of_one_angle(angle.varied(), [p, q])) {
+            prop_assert_eq!((all.value, all.slope), (known.value, known.slope));
+        }
+    }
+}
+
+/// Beside double-double: near quarter turns too, where little of an angle is left.
+#[test]
+fn cosine_and_sine_are_off_by_less_than_a_unit_of_the_last_place() {
+    let many = (-4000..4000).map(|n| f64::from(n) * 0.39 + 1e-9 * f64::from(n * n));
+    let quarters = (1..600_000).step_by(59).map(|n| f64::from(n) * std::f64::consts::FRAC_PI_2);
+    for angle in many.chain(quarters).chain([1e6, -1e6, 1e-300, f64::MIN_POSITIVE]) {
+        let exact = DoubleDouble::from(angle).circle();
+        let (single, fused) = (angle.circle(), Lanes::<1, true>([angle]).circle());
+        let numbers = [
+            (single.cos, exact.cos),
+            (single.sin, exact.sin),
+            (fused.cos.0[0], exact.cos),
+            (fused.sin.0[0], exact.sin),
+        ];
+        for (number, exact) in numbers {
+            let off = (DoubleDouble::from(number) - exact).hi().abs();
+            assert!(off <= 0.8 * f64::EPSILON * exact.hi().abs(), "{angle}: {number:e} is off by {off:e}");
+        }
+    }
 }
 
 /// The laws of the circle would hold for any other unit of angle too.
