@@ -26,14 +26,11 @@ pub(super) fn cross<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> Vector3<S> {
     })
 }
 
-/// a x b + c x d, the second first: a momentum a is known last.
+/// a x b + c x d, each by itself: a momentum a is known last, and little then waits for it.
 #[inline(always)]
 pub(super) fn two_crosses<S: Scalar>(a: Vector3<S>, b: Vector3<S>, c: Vector3<S>, d: Vector3<S>) -> Vector3<S> {
-    let second = cross(c, d);
-    each(|i| {
-        let [j, k] = [(i + 1) % 3, (i + 2) % 3];
-        second[i].and_product(a[j], b[k]).less_product(a[k], b[j])
-    })
+    let (first, second) = (cross(a, b), cross(c, d));
+    each(|i| first[i] + second[i])
 }
 
 /// (a1 b1, a2 b2, a3 b3)
