@@ -143,7 +143,8 @@ mod tests {
     #[test]
     fn a_zero_that_may_be_real_is_no_answer_unless_it_is_proved_to_be() {
         let [zero, one] = [0, 1].map(|n| Enclosure::integer(n, 64));
-        let beside = |im: &Enclosure| proved(&[zero.clone()], &[Rectangle { re: zero.clone(), im: im.clone() }], 64);
+        let beside =
+            |im: &Enclosure| proved(std::slice::from_ref(&zero), &[Rectangle { re: zero.clone(), im: im.clone() }], 64);
         assert!(beside(&zero).is_some_and(|found| found[0].real));
         assert!(beside(&one).is_none());
     }
