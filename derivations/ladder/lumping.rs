@@ -193,6 +193,18 @@ pub struct Winding<P> {
     shares: Vec<(usize, P)>,
 }
 
+impl<P: Base, M: Machine<P>> Lumped<P, M> {
+    /// A machine with the windings that it has.
+    pub fn unchanged(machine: M) -> Self {
+        let winding = |k: usize| Winding {
+            inductance: machine.inductance(k),
+            resistance: machine.resistance(k),
+            shares: vec![(k, P::one())],
+        };
+        Lumped { windings: (0..machine.windings()).map(winding).collect(), machine }
+    }
+}
+
 impl<P: Base, M: Machine<P>> Machine<P> for Lumped<P, M> {
     const ROTOR: RotorState = M::ROTOR;
 

@@ -8,7 +8,9 @@
 //! * [`chart`]: every method on every such motion, every step judged;
 //! * [`measured`]: the same thresholds by runs, each as long as [`crossing`] says it must be;
 //! * [`oscillator`], [`splittings`]: compositions of flows, on one mode exactly, on a motion by their own step;
-//! * [`enclosed`]: the same for every step between two where all pieces rest, proved from the `pieces` that run;
+//! * [`enclosed`]: the same for every step between two on a bench, where all pieces rest, proved from the `pieces` that run;
+//! * [`turning`]: the same near a gyrostat's motions, on the `surface` of the integrals, about the motion of a splitting's own;
+//! * `multipliers`: whether they leave the unit circle, over a range of steps; [`stretches`]: ranges, halved until that is known;
 //! * [`survey`]: some motions with all of this, for the report.
 
 mod alphabet;
@@ -20,10 +22,14 @@ pub mod linear;
 pub mod measured;
 pub mod methods;
 pub mod motions;
+mod multipliers;
 pub mod oscillator;
 mod pieces;
 pub mod splittings;
+pub mod stretches;
+mod surface;
 pub mod survey;
+pub mod turning;
 mod written;
 
 use crate::papers::Paper;

@@ -4,6 +4,7 @@
 //! q = sum psi_k' c_k / L_k, so that the deviations (g, p, q_1, q_2, ..) are mapped among themselves, which is decided exactly; what
 //! else their fluxes do fades. Where every piece rests, these matrices are all that a step is made of.
 
+use super::multipliers::Matrix;
 use super::written::keeps_energy;
 use crate::machines::{
     BenchFlows, Catalogued, ForMachine, Kick, Law, Machine, Point, RotorState, Rule, has_known_flow,
@@ -26,22 +27,12 @@ pub(super) struct Piece {
     decays: Vec<[Rational; 2]>,
 }
 
-/// Of a matrix, row after row.
-pub(super) type Matrix = Vec<Vec<TaylorModel>>;
-
 impl Piece {
     /// The matrix of the flow of a length, s, at the point of the angle.
     pub fn over(&self, angle: &[TaylorModel; 2], length: &TaylorModel) -> Option<Matrix> {
-        // the slower decay, times what fades beside it: neither grows, whichever way time goes
         let decay = |[a, b]: &[Rational; 2]| {
-            let part = |rate: Rational| Some(length.times(&length.fraction(rate)?));
-            let beside = part(*b - *a)?;
-            let [slower, beside] = match beside.sign() {
-                Some(-1) => [part(*b)?, part(*a - *b)?],
-                _ => [part(*a)?, beside],
-            };
-            let left = length.integer(0).minus(&slower).exp()?;
-            if a == b { Some(left) } else { Some(left.times(&beside.faded()?)) }
+            let part = |rate: &Rational| Some(length.times(&length.fraction(*rate)?));
+            TaylorModel::between_decays(&part(a)?, &part(b)?)
         };
         let mut unknowns = vec![angle[0], angle[1], *length];
         unknowns.extend(self.decays.iter().map(decay).collect::<Option<Vec<_>>>()?);

@@ -3,14 +3,16 @@
 //! The pieces of a law do not rest where their sum does, so that a splitting has a stationary motion of its own near the
 //! true one, with the error of its order; where all pieces rest (the carrier at rest, a motor on its bench) it is the
 //! same. There the map is differentiated by central differences in double-double, which leave 18 digits. A splitting keeps |v|
-//! and x.v, so that its matrix is looked at on the surface of these alone. So it is tested at each step that is asked for; on a
-//! bench what it does at every step between them is proved besides, and the edges are those of the proof.
+//! and x.v, so that its matrix is looked at on the surface of these alone. So it is tested at each step that is asked for; what
+//! it does at every step between them is proved besides, and the edges are those of the proof where that comes to them.
 
 use super::crossing::Crossing;
-use super::enclosed::{Proved, Resting, does};
+use super::enclosed::Resting;
 use super::motions::Stationed;
+use super::stretches::{Proved, does};
+use super::turning::{Turning, Unproved};
 use crate::scene::problem::Law;
-use crate::scene::{Axes, Invariant, Scene};
+use crate::scene::{Axes, Invariant, Problem, Scene};
 use field::DoubleDouble;
 use integrators::{Composed, Real, Splitting};
 use nalgebra::{DMatrix, DVector};
@@ -20,10 +22,16 @@ use std::sync::Arc;
 pub struct SplitRuns {
     law: Arc<dyn Law>,
     state: Vec<f64>,
-    /// Columns that span the surface of the integrals.
-    surface: DMatrix<f64>,
-    /// Where all pieces rest on a bench.
-    resting: Option<Resting>,
+    /// All but the energy, which is an integral of the law and not of a splitting.
+    kept: Vec<Invariant>,
+    /// What is known of every step.
+    provable: Result<Provable, Unproved>,
+}
+
+/// What a proof starts from.
+enum Provable {
+    Resting(Resting),
+    Turning(Turning),
 }
 
 /// A splitting's own stationary motion, and what its step makes of it.
@@ -46,8 +54,8 @@ pub struct Tested {
     pub grows: Vec<(f64, Option<bool>)>,
     /// Between them, where that changes, s: by the proof where there is one.
     pub edges: Vec<f64>,
-    /// What it does at every step between the first and the last, where that can be proved.
-    pub proved: Option<Proved>,
+    /// What it does at every step between the first and the last, or why nothing is proved of that.
+    pub proved: Result<Proved, Unproved>,
     /// The longest step that the program takes, s.
     pub longest: f64,
 }
@@ -61,18 +69,31 @@ impl Tested {
         };
         let longest =
             if self.longest.is_finite() { format!("; no step beyond {:.4e}", self.longest) } else { String::new() };
-        let (by, told) = match &self.proved {
-            Some(proved) => ("proved", proved.told()),
-            None => {
+        match &self.proved {
+            Ok(proved) => {
+                let alone = proved.open().into_iter().map(|ends| self.tested_alone(ends)).collect::<String>();
+                format!("proved from {from:.1e} to {to:.1e}: the map {}{alone}{longest}", proved.told())
+            }
+            Err(reason) => {
                 let turns = self
                     .edges
                     .iter()
                     .enumerate()
                     .map(|(place, edge)| format!(", {} from h = {edge:.4e} on", does(*grows != (place % 2 == 0))));
-                ("tested", turns.fold(does(*grows).to_owned(), |told, turn| told + &turn))
+                let told = turns.fold(does(*grows).to_owned(), |told, turn| told + &turn);
+                format!("tested from {from:.1e} to {to:.1e}, since {reason}: the map {told}{longest}")
             }
-        };
-        format!("{by} from {from:.1e} to {to:.1e}: the map {told}{longest}")
+        }
+    }
+
+    /// What was seen where the proof leaves something open.
+    fn tested_alone(&self, [low, high]: [f64; 2]) -> String {
+        let inside = self.grows.iter().filter(|(step, _)| (low..=high).contains(step));
+        let seen: Vec<bool> = inside.filter_map(|(_, grows)| *grows).collect();
+        match (seen.len(), seen.iter().filter(|grows| **grows).count()) {
+            (0, _) => String::new(),
+            (steps, growing) => format!("; tested from {low:.4e} to {high:.4e}: grows at {growing} of {steps} steps"),
+        }
     }
 }
 
@@ -92,12 +113,20 @@ impl SplitRuns {
     /// Near a motion of a scene.
     pub fn near(scene: &Scene, motion: &Stationed) -> Self {
         let scene = Scene { start: motion.start.clone(), ..scene.clone() };
-        let problem = scene.problem(Axes::Second);
-        // the energy is an integral of the law, not of a splitting
-        let kept = problem.invariants.iter().filter(|invariant| invariant.name != "jacobi");
-        let gradients: Vec<DVector<f64>> = kept.map(|invariant| gradient(invariant, &problem.state)).collect();
-        let surface = complement(&gradients, problem.state.len());
-        SplitRuns { law: problem.law, state: problem.state, surface, resting: Resting::of(&scene, motion) }
+        let Problem { law, state, invariants, .. } = scene.problem(Axes::Second);
+        let kept = invariants.into_iter().filter(|invariant| invariant.name != "jacobi").collect();
+        let provable = match Resting::of(&scene, motion) {
+            Some(resting) => Ok(Provable::Resting(resting)),
+            None => Turning::of(&scene, motion).map(Provable::Turning),
+        };
+        SplitRuns { law, state, kept, provable }
+    }
+
+    /// Columns that span the surface of the integrals at a state.
+    fn surface(&self, place: &[DoubleDouble]) -> DMatrix<f64> {
+        let place: Vec<f64> = place.iter().map(|y| y.hi()).collect();
+        let gradients: Vec<DVector<f64>> = self.kept.iter().map(|invariant| gradient(invariant, &place)).collect();
+        complement(&gradients, place.len())
     }
 
     /// With steps of a length, s. `None` where the law has no pieces, the step leads nowhere, or no stationary motion is
@@ -106,20 +135,22 @@ impl SplitRuns {
         let mut map = self.law.composed_exact(splitting)?;
         map.prepare(DoubleDouble::from(step));
         let mut place: Vec<DoubleDouble> = self.state.iter().map(|y| DoubleDouble::from(*y)).collect();
-        let mut matrix = self.matrix(&mut *map, &place)?;
+        let mut surface = self.surface(&place);
+        let mut matrix = derivative(&mut *map, &place, &surface)?;
         for _ in 0..ITERATIONS {
             let end = after(&mut *map, &place)?;
             let missing = DVector::from_iterator(end.len(), end.iter().zip(&place).map(|(end, y)| (*end - *y).hi()));
             if missing.amax() < CONVERGED {
                 break;
             }
-            let within = self.surface.transpose() * &missing;
+            let within = surface.transpose() * &missing;
             let identity = DMatrix::<f64>::identity(within.len(), within.len());
-            let correction = &self.surface * (identity - &matrix).lu().solve(&within)?;
+            let correction = &surface * (identity - &matrix).lu().solve(&within)?;
             for (y, by) in place.iter_mut().zip(correction.iter()) {
                 *y += DoubleDouble::from(*by);
             }
-            matrix = self.matrix(&mut *map, &place)?;
+            surface = self.surface(&place);
+            matrix = derivative(&mut *map, &place, &surface)?;
         }
         let off = place.iter().zip(&self.state).map(|(own, law)| (own.hi() - law).abs()).fold(0.0, f64::max);
         let radius = spectral_radius(matrix.clone());
@@ -150,12 +181,20 @@ impl SplitRuns {
             }
             0.5 * (low + high)
         };
-        let ends = known.first().zip(known.last()).map(|(first, last)| [first.0, last.0]);
-        let proved = self.resting.as_ref().zip(ends).map(|(resting, ends)| resting.course(splitting, ends));
-        let edges = match &proved {
-            Some(proved) => proved.edges().into_iter().map(|(at, _)| at).collect(),
-            None => turns.map(edge).collect(),
+        let proved = match (&self.provable, known.first().zip(known.last())) {
+            (Ok(provable), Some((first, last))) => Ok(provable.course(splitting, [first.0, last.0])),
+            (Ok(_), None) => Err(Unproved::Fed),
+            (Err(reason), _) => Err(*reason),
         };
+        let mut edges: Vec<f64> = match &proved {
+            Ok(proved) => {
+                let open = proved.open();
+                let alone = turns.map(edge).filter(|at| open.iter().any(|[low, high]| (low..=high).contains(&at)));
+                proved.edges().into_iter().map(|(at, _)| at).chain(alone).collect()
+            }
+            Err(_) => turns.map(edge).collect(),
+        };
+        edges.sort_by(f64::total_cmp);
         Tested { splitting, edges, longest, grows: each, proved }
     }
 
@@ -169,23 +208,14 @@ impl SplitRuns {
         let steepness = (above.radius / below.radius).ln().abs() / (2.0 * BESIDE);
         rests.then_some(Crossing { steepness, rest: -rest.ln() })
     }
+}
 
-    /// The derivative of a step on the surface of the integrals.
-    fn matrix(&self, map: &mut dyn Composed<DoubleDouble>, place: &[DoubleDouble]) -> Option<DMatrix<f64>> {
-        let n = place.len();
-        let mut whole = DMatrix::zeros(n, n);
-        for column in 0..n {
-            let by = DoubleDouble::from(DIFFERENCE * place[column].hi().abs().max(1.0));
-            let mut moved = place.to_vec();
-            moved[column] = place[column] + by;
-            let above = after(map, &moved)?;
-            moved[column] = place[column] - by;
-            let below = after(map, &moved)?;
-            for row in 0..n {
-                whole[(row, column)] = ((above[row] - below[row]) / (by + by)).hi();
-            }
+impl Provable {
+    fn course(&self, splitting: Splitting, ends: [f64; 2]) -> Proved {
+        match self {
+            Provable::Resting(resting) => resting.course(splitting, ends),
+            Provable::Turning(turning) => turning.course(splitting, ends),
         }
-        Some(self.surface.transpose() * whole * &self.surface)
     }
 }
 
@@ -229,6 +259,28 @@ fn next_to(matrix: &DMatrix<f64>) -> Option<f64> {
     }
     let beside = DMatrix::from_columns(&beside);
     Some(spectral_radius(beside.transpose() * matrix * beside))
+}
+
+/// The derivative of a step on the surface that columns span.
+fn derivative(
+    map: &mut dyn Composed<DoubleDouble>,
+    place: &[DoubleDouble],
+    surface: &DMatrix<f64>,
+) -> Option<DMatrix<f64>> {
+    let n = place.len();
+    let mut whole = DMatrix::zeros(n, n);
+    for column in 0..n {
+        let by = DoubleDouble::from(DIFFERENCE * place[column].hi().abs().max(1.0));
+        let mut moved = place.to_vec();
+        moved[column] = place[column] + by;
+        let above = after(map, &moved)?;
+        moved[column] = place[column] - by;
+        let below = after(map, &moved)?;
+        for row in 0..n {
+            whole[(row, column)] = ((above[row] - below[row]) / (by + by)).hi();
+        }
+    }
+    Some(surface.transpose() * whole * surface)
 }
 
 /// One step.

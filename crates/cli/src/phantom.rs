@@ -98,7 +98,7 @@ fn method(row: &Row) -> Value {
 
 fn splitting(tested: &Tested) -> Value {
     let grows = tested.grows.iter().map(|(step, grows)| json!({ "step": step, "grows": grows }));
-    let proved = tested.proved.as_ref().map(|proved| {
+    let proved = tested.proved.as_ref().ok().map(|proved| {
         let each = proved.stretches.iter().map(|(from, to, grows)| json!({ "from": from, "to": to, "grows": grows }));
         each.collect::<Vec<_>>()
     });

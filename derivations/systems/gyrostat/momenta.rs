@@ -168,6 +168,22 @@ impl<S: Analytic> Flows<S> {
         left
     }
 
+    /// The flow of a piece, the push first and then the squares. Gives what is left, as the push does.
+    #[inline]
+    pub fn flow<P: Base, M: Machine<P>>(&self, machine: &M, piece: usize, lapse: &Lapse<S>, at: &mut Point<S>) -> S
+    where
+        S: Over<P>,
+    {
+        match (piece, lapse) {
+            (_, Lapse::Push(kick)) => return self.push(machine, kick, at),
+            (1, Lapse::Turn(length)) => self.turn(0, *length, at),
+            (2, Lapse::Turn(length)) => self.turn(1, *length, at),
+            (3, Lapse::Turn(length)) => self.turn(2, *length, at),
+            (_, Lapse::Turn(length)) => self.turn_oblique(*length, at),
+        }
+        S::zero()
+    }
+
     /// From a state (w, v, rotor, currents) of the law.
     pub fn enter<P: Base, M: Machine<P>>(&self, form: &impl Form<P>, machine: &M, y: &[S]) -> Point<S>
     where
@@ -246,14 +262,7 @@ impl<S: Real, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPieces<'_, S,
 
     #[inline]
     fn flow(&self, piece: usize, lapse: &Lapse<S>, point: &mut Point<S>) -> bool {
-        match (piece, lapse) {
-            (_, Lapse::Push(kick)) => return solved(self.flows.push(self.machine, kick, point)),
-            (1, Lapse::Turn(length)) => self.flows.turn(0, *length, point),
-            (2, Lapse::Turn(length)) => self.flows.turn(1, *length, point),
-            (3, Lapse::Turn(length)) => self.flows.turn(2, *length, point),
-            (_, Lapse::Turn(length)) => self.flows.turn_oblique(*length, point),
-        }
-        true
+        solved(self.flows.flow(self.machine, piece, lapse, point))
     }
 }
 

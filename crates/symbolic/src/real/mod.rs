@@ -8,6 +8,7 @@
 //! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number once more, by Sturm's theorem;
 //! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards;
 //! * [`TaylorModel`]: a function of a parameter as a polynomial and a bound of the rest, in floats rounded outwards;
+//! * [`FixedPoint`]: of a map that depends on a parameter, enclosed for every value of a range;
 //! * [`Surd`]: a fraction and a multiple of one square root;
 //! * [`Tower`]: the same with two square roots;
 //! * [`Conic`]: functions on a conic, and the points at which one vanishes;
@@ -27,11 +28,12 @@
 //! ```
 //!
 //! # References
-//! Collins, Akritas 1976 (isolation by Descartes' rule); Makino, Berz 2003 (Taylor models); von zur Gathen, Gerhard 2013 (remainders, subresultants).
+//! Collins, Akritas 1976 (isolation by Descartes' rule); Krawczyk 1969 (enclosed fixed points); Makino, Berz 2003 (Taylor models); von zur Gathen, Gerhard 2013 (remainders, subresultants).
 
 mod conic;
 mod enclosure;
 mod isolate;
+mod krawczyk;
 mod nested;
 mod number;
 mod ordered;
@@ -45,6 +47,7 @@ mod tower;
 
 pub use conic::{Conic, ConicPoint};
 pub use enclosure::Enclosure;
+pub use krawczyk::{FixedPoint, Mapped};
 pub use nested::Nested;
 pub use number::{Field, Number};
 pub use ordered::Ordered;

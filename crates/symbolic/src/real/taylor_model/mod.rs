@@ -5,6 +5,9 @@
 //! sums of large terms that cancel stay wide; a model forgets only r, a high power of the width, and wide ranges of a parameter are
 //! settled at once.
 
+mod functions;
+mod scalar;
+
 use super::{Enclosure, Ordered};
 use field::Rational;
 
@@ -19,14 +22,6 @@ pub struct TaylorModel {
 const DEGREE: usize = 8;
 /// The relative error of one operation, rounded up.
 const ROUNDING: f64 = f64::EPSILON;
-/// Series are taken of what is no larger, to so many terms: twice the next one, x^13/13!, is above what they leave out.
-const SMALL: f64 = 0.25;
-const TERMS: i32 = 12;
-const LEFT: f64 = 5e-18;
-/// Below -MOST the exponential is no larger than GONE; exponents beyond are refused from somewhat more on, so that no range lies
-/// across both.
-const MOST: f64 = 600.0;
-const GONE: f64 = 3e-261;
 
 /// A sum of at most some tens of numbers that are not negative, itself rounded up.
 fn up(sum: f64) -> f64 {
@@ -55,6 +50,35 @@ impl TaylorModel {
         range
     }
 
+    /// Where a polynomial of this degree is known by its values: Chebyshev's points.
+    pub fn nodes() -> [f64; DEGREE + 1] {
+        std::array::from_fn(|k| (std::f64::consts::PI * (2 * k + 1) as f64 / (2 * DEGREE + 2) as f64).cos())
+    }
+
+    /// The polynomial through values there, by Newton's divided differences; of what it was taken from nothing is claimed.
+    pub fn through(values: [f64; DEGREE + 1]) -> Self {
+        let (nodes, mut divided) = (Self::nodes(), values);
+        for order in 1..=DEGREE {
+            for k in (order..=DEGREE).rev() {
+                divided[k] = (divided[k] - divided[k - 1]) / (nodes[k] - nodes[k - order]);
+            }
+        }
+        let mut coefficients = [0.0; DEGREE + 1];
+        for k in (0..=DEGREE).rev() {
+            // times tau - node, and the next difference
+            for place in (0..=DEGREE).rev() {
+                let lower = if place == 0 { divided[k] } else { coefficients[place - 1] };
+                coefficients[place] = lower - nodes[k] * coefficients[place];
+            }
+        }
+        TaylorModel { coefficients, off: 0.0 }
+    }
+
+    /// The polynomial's value.
+    pub fn at(&self, tau: f64) -> f64 {
+        self.coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + c)
+    }
+
     /// No value is larger.
     pub fn size(&self) -> f64 {
         up(self.coefficients.iter().map(|c| c.abs()).sum::<f64>() + self.off)
@@ -69,7 +93,8 @@ impl TaylorModel {
         self.off == 0.0 && self.coefficients == [0.0; DEGREE + 1]
     }
 
-    fn wider(mut self, by: f64) -> Self {
+    /// The same with so much more around it.
+    pub fn wider(mut self, by: f64) -> Self {
         self.off = up(self.off + by);
         self
     }
@@ -87,6 +112,10 @@ impl TaylorModel {
         let one = Self::constant(1.0);
         let (mut sum, mut left) = (one, size);
         for _ in 0..DEGREE {
+            // beyond is less than rounding
+            if left < ROUNDING * ROUNDING {
+                break;
+            }
             sum = one.minus(&part.times(&sum));
             left = up(left * size);
         }
@@ -96,43 +125,6 @@ impl TaylorModel {
     fn rest(mut coefficients: [f64; DEGREE + 1]) -> [f64; DEGREE + 1] {
         coefficients[0] = 0.0;
         coefficients
-    }
-
-    /// exp f; `None` where f may be beyond some hundreds, or from there to far below.
-    pub fn exp(&self) -> Option<Self> {
-        let size = self.size();
-        if self.coefficients[0] + self.spread() < -MOST {
-            return Some(Self::constant(0.0).wider(GONE));
-        }
-        if size.is_nan() || size > 1.1 * MOST {
-            return None;
-        }
-        let halvings = (size / SMALL).log2().ceil().max(0.0) as i32;
-        // a power of two: exact
-        let part = self.times(&Self::constant(0.5f64.powi(halvings)));
-        let mut sum = Self::constant(1.0);
-        for k in (1..=TERMS).rev() {
-            sum = Self::constant(1.0).plus(&part.times(&sum).over(&Self::constant(k.into()))?);
-        }
-        let mut power = sum.wider(LEFT);
-        for _ in 0..halvings {
-            power = power.times(&power);
-        }
-        Some(power)
-    }
-
-    /// (1 - exp(-f))/f, also where f is small or vanishes.
-    pub fn faded(&self) -> Option<Self> {
-        let negative = Self::constant(0.0).minus(self);
-        if self.size() > SMALL {
-            return Self::constant(1.0).minus(&negative.exp()?).over(self);
-        }
-        // sum (-f)^k/(k + 1)!
-        let mut sum = Self::constant(1.0);
-        for k in (2..=TERMS + 1).rev() {
-            sum = Self::constant(1.0).plus(&negative.times(&sum).over(&Self::constant(k.into()))?);
-        }
-        Some(sum.wider(LEFT))
     }
 }
 
@@ -163,25 +155,30 @@ impl Ordered for TaylorModel {
     }
 
     fn times(&self, b: &Self) -> Self {
-        if self.is_zero() || b.is_zero() {
+        // what is no number is none however often it is taken
+        if (self.is_zero() && b.off.is_finite()) || (b.is_zero() && self.off.is_finite()) {
             return Self::constant(0.0);
         }
         let mut coefficients = [0.0; DEGREE + 1];
-        let (mut beyond, mut rounded) = (0.0, 0.0);
         for (i, x) in self.coefficients.iter().enumerate() {
-            for (j, y) in b.coefficients.iter().enumerate() {
-                let product = x * y;
-                match coefficients.get_mut(i + j) {
-                    // the sum of k + 1 products is off by as many roundings of their sizes at most
-                    Some(c) => (*c, rounded) = (*c + product, rounded + (i + j + 1) as f64 * product.abs()),
-                    None => beyond += product.abs(),
-                }
+            for (c, y) in coefficients[i..].iter_mut().zip(&b.coefficients) {
+                *c += x * y;
             }
         }
         let sizes = |model: &Self| model.coefficients.iter().map(|c| c.abs()).sum::<f64>();
-        let open = sizes(self) * b.off + sizes(b) * self.off + self.off * b.off;
+        let [own, other] = [sizes(self), sizes(b)];
+        // beyond the degree: each coefficient with those that are too high for it
+        let (mut high, mut beyond) = (0.0, 0.0);
+        for (x, y) in self.coefficients[1..].iter().zip(b.coefficients[1..].iter().rev()) {
+            high += y.abs();
+            beyond += x.abs() * high;
+        }
+        let open = own * b.off + other * self.off + self.off * b.off;
+        // coefficient i + j is a sum of i + j + 1 <= (i + 1)(j + 1) products, each rounded with its sums
+        let weighed = |model: &Self| (1..).zip(&model.coefficients).map(|(k, c)| f64::from(k) * c.abs()).sum::<f64>();
+        let rounded = ROUNDING * weighed(self) * weighed(b);
         // products that are too small for floats leave less than the smallest normal one
-        let off = up(up(open) + beyond + ROUNDING * rounded) + f64::MIN_POSITIVE;
+        let off = up(up(open) + up(beyond) + rounded) + f64::MIN_POSITIVE;
         TaylorModel { coefficients, off }
     }
 
@@ -190,7 +187,7 @@ impl Ordered for TaylorModel {
     }
 
     fn root(&self) -> Option<Self> {
-        None
+        self.square_root()
     }
 
     fn sign(&self) -> Option<i32> {
@@ -206,12 +203,6 @@ impl Ordered for TaylorModel {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    impl TaylorModel {
-        fn at(&self, tau: f64) -> f64 {
-            self.coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + c)
-        }
-    }
 
     /// At points of the range, against the function by floats; what is left out is as small as is said.
     fn holds(model: &TaylorModel, f: impl Fn(f64) -> f64, [low, high]: [f64; 2], most: f64) {

@@ -1,0 +1,120 @@
+//! Fixed points of maps that depend on a parameter, for every value of a range at once.
+//!
+//! With c a curve near the fixed points of R and Y near (1 - DR)^-1, both polynomials in the parameter, Krawczyk's operator on the
+//! boxes X = c + [-r, r] is
+//!
+//!   K(X) = c + Y (R(c) - c) + (1 - Y (1 - DR(X))) [-r, r] .
+//!
+//! Where K(X) lies inside X for every value of the parameter, R has one fixed point in X for each, and it lies in K(X). R(c) and DR(X)
+//! are Taylor models in the parameter, and so is K.
+
+use super::{Ordered, TaylorModel};
+
+/// One fixed point for each value of the parameter.
+#[derive(Clone, Debug)]
+pub struct FixedPoint {
+    /// It lies in these; no other one does.
+    pub place: Vec<TaylorModel>,
+    /// The derivative of the map there, row after row.
+    pub slopes: Vec<Vec<TaylorModel>>,
+}
+
+/// The values of a map, and its derivative row after row.
+pub type Mapped<S> = (Vec<S>, Vec<Vec<S>>);
+
+/// Boxes that are tried, each larger than the one before.
+const TRIALS: usize = 3;
+
+impl FixedPoint {
+    /// Near `centre`, with `inverse` near (1 - DR)^-1, row after row. `value` gives R, `derivative` DR too. `None` where K(X) does not
+    /// lie inside X.
+    pub fn near(
+        centre: &[TaylorModel],
+        inverse: &[Vec<TaylorModel>],
+        value: impl Fn(&[TaylorModel]) -> Option<Vec<TaylorModel>>,
+        derivative: impl Fn(&[TaylorModel]) -> Option<Mapped<TaylorModel>>,
+    ) -> Option<Self> {
+        let zero = TaylorModel::constant(0.0);
+        let missing: Vec<TaylorModel> = value(centre)?.iter().zip(centre).map(|(end, c)| end.minus(c)).collect();
+        let newton: Vec<TaylorModel> = inverse.iter().map(|row| dot(row, &missing, zero)).collect();
+        let newton_size: Vec<f64> = newton.iter().map(TaylorModel::size).collect();
+        let mut radius: Vec<f64> = newton_size.iter().map(|size| 2.0 * size + f64::MIN_POSITIVE).collect();
+        for _ in 0..TRIALS {
+            let boxes: Vec<TaylorModel> = centre.iter().zip(&radius).map(|(c, r)| c.wider(*r)).collect();
+            let (_, slopes) = derivative(&boxes)?;
+            let shares = inverse.iter().enumerate().map(|(i, row)| {
+                // row i of 1 - Y (1 - DR), by size, on [-r, r]
+                let share = |j: usize| {
+                    let unit = |k: usize| TaylorModel::constant(if k == j { 1.0 } else { 0.0 });
+                    let left: Vec<TaylorModel> = (0..row.len()).map(|k| unit(k).minus(&slopes[k][j])).collect();
+                    unit(i).minus(&dot(row, &left, zero)).size() * radius[j]
+                };
+                (0..row.len()).map(share).sum::<f64>().next_up() * (1.0 + 1e-12)
+            });
+            let shares: Vec<f64> = shares.collect();
+            let reach: Vec<f64> = newton_size.iter().zip(&shares).map(|(n, share)| (n + share).next_up()).collect();
+            // not by negation: what is no number lies nowhere
+            if reach.iter().zip(&radius).all(|(reach, radius)| reach < radius) {
+                let step = |k: usize| centre[k].plus(&newton[k]).wider(shares[k]);
+                return Some(FixedPoint { place: (0..centre.len()).map(step).collect(), slopes });
+            }
+            radius = reach.iter().map(|reach| 2.0 * reach).collect();
+        }
+        None
+    }
+}
+
+fn dot(a: &[TaylorModel], b: &[TaylorModel], zero: TaylorModel) -> TaylorModel {
+    a.iter().zip(b).fold(zero, |sum, (x, y)| sum.plus(&x.times(y)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// R(x, y) = (x - (x^2 - h)/4, (x + y)/2 - h/5) on x about the root of h: y = x - 2 h/5.
+    fn enclosed(low: f64, high: f64, slope: f64) -> Option<FixedPoint> {
+        let h = TaylorModel::over_range(low, high);
+        let number = TaylorModel::constant;
+        let value = |at: &[TaylorModel]| {
+            let x = at[0].minus(&at[0].times(&at[0]).minus(&h).times(&number(0.25)));
+            let y = at[0].plus(&at[1]).times(&number(0.5)).minus(&h.times(&number(0.2)));
+            Some(vec![x, y])
+        };
+        let derivative = |at: &[TaylorModel]| {
+            let own = number(1.0).minus(&at[0].times(&number(slope)));
+            Some((value(at)?, vec![vec![own, number(0.0)], vec![number(0.5), number(0.5)]]))
+        };
+        let at_nodes = |f: &dyn Fn(f64) -> f64| TaylorModel::through(TaylorModel::nodes().map(|tau| f(h.at(tau))));
+        let root = |h: f64| h.abs().sqrt();
+        let centre = [at_nodes(&root), at_nodes(&|h| root(h) - 0.4 * h)];
+        // (1 - DR)^-1 with DR = [[1 - x/2, 0], [1/2, 1/2]]
+        let inverse =
+            [vec![at_nodes(&|h| 2.0 / root(h)), number(0.0)], vec![at_nodes(&|h| 2.0 / root(h)), number(2.0)]];
+        FixedPoint::near(&centre, &inverse, value, derivative)
+    }
+
+    #[test]
+    fn a_fixed_point_is_held_for_every_value_of_the_parameter() {
+        let found = enclosed(1.0, 1.5, 0.5).expect("it is simple");
+        for k in -10..=10 {
+            let tau = f64::from(k) / 10.0;
+            let h = 1.25 + 0.25 * tau;
+            for (place, exact) in found.place.iter().zip([h.sqrt(), h.sqrt() - 0.4 * h]) {
+                let (off, most) = (
+                    (place.at(tau) - exact).abs(),
+                    place.minus(&TaylorModel::through(TaylorModel::nodes().map(|t| place.at(t)))).size(),
+                );
+                assert!(off <= most && most < 1e-6, "{off:e} against {most:e}");
+            }
+            assert!((found.slopes[0][0].at(tau) - (1.0 - 0.5 * h.sqrt())).abs() < 1e-6);
+        }
+    }
+
+    /// At h = 0 two fixed points meet; and with a derivative that is not the map's nothing is inside.
+    #[test]
+    fn where_it_is_not_simple_or_the_derivative_is_wrong_nothing_is_said() {
+        assert!(enclosed(-0.1, 0.1, 0.5).is_none());
+        assert!(enclosed(1.0, 1.5, -0.5).is_none());
+    }
+}

@@ -1,0 +1,171 @@
+//! Exponentials, angles and roots of Taylor models.
+
+use super::{DEGREE, ROUNDING, TaylorModel, up};
+use crate::real::Ordered;
+
+/// Series are taken of what is no larger, to so many terms: twice the next one, x^13/13!, is above what they leave out.
+const SMALL: f64 = 0.25;
+const TERMS: i32 = 12;
+const LEFT: f64 = 5e-18;
+/// Below -MOST the exponential is no larger than GONE; exponents beyond are refused from somewhat more on, so that no range lies
+/// across both.
+const MOST: f64 = 600.0;
+const GONE: f64 = 3e-261;
+/// Angles beyond are refused: the digits of their sines are lost.
+const MOST_ANGLE: f64 = 1e5;
+
+impl TaylorModel {
+    /// Divided by a number that is not zero.
+    fn shared(&self, by: f64) -> Self {
+        let coefficients = self.coefficients.map(|c| c / by);
+        let rounded: f64 = coefficients.iter().map(|c| c.abs()).sum();
+        let open = (self.off / by).abs() + ROUNDING * rounded;
+        // quotients that are too small for floats too
+        TaylorModel { coefficients, off: up(up(open)) + f64::MIN_POSITIVE }
+    }
+
+    /// exp f; `None` where f may be beyond some hundreds, or from there to far below.
+    pub fn exp(&self) -> Option<Self> {
+        let size = self.size();
+        if self.coefficients[0] + self.spread() < -MOST {
+            return Some(Self::constant(0.0).wider(GONE));
+        }
+        if size.is_nan() || size > 1.1 * MOST {
+            return None;
+        }
+        let halvings = (size / SMALL).log2().ceil().max(0.0) as i32;
+        // a power of two: exact
+        let part = self.times(&Self::constant(0.5f64.powi(halvings)));
+        let mut sum = Self::constant(1.0);
+        for k in (1..=TERMS).rev() {
+            sum = Self::constant(1.0).plus(&part.times(&sum).shared(k.into()));
+        }
+        let mut power = sum.wider(LEFT);
+        for _ in 0..halvings {
+            power = power.times(&power);
+        }
+        Some(power)
+    }
+
+    /// (1 - exp(-f))/f, also where f is small or vanishes.
+    pub fn faded(&self) -> Option<Self> {
+        let negative = Self::constant(0.0).minus(self);
+        if self.size() > SMALL {
+            return Self::constant(1.0).minus(&negative.exp()?).over(self);
+        }
+        // sum (-f)^k/(k + 1)!
+        let mut sum = Self::constant(1.0);
+        for k in (2..=TERMS + 1).rev() {
+            sum = Self::constant(1.0).plus(&negative.times(&sum).shared(k.into()));
+        }
+        Some(sum.wider(LEFT))
+    }
+
+    /// (exp(-a) - exp(-b))/(b - a), also where a and b are near each other; `None` where a decay that is longer than some hundreds
+    /// goes back.
+    pub fn between_decays(a: &Self, b: &Self) -> Option<Self> {
+        let gap = b.minus(a);
+        // the slower decay, times what fades beside it: neither grows, whichever way time goes
+        let [slower, gap] = if gap.coefficients[0] < 0.0 { [b, &a.minus(b)] } else { [a, &gap] };
+        Some(Self::constant(0.0).minus(slower).exp()?.times(&gap.faded()?))
+    }
+
+    /// [cos f, sin f]; `None` where f may be large.
+    pub fn cos_sin(&self) -> Option<[Self; 2]> {
+        let size = self.size();
+        if size.is_nan() || size > MOST_ANGLE {
+            return None;
+        }
+        let halvings = (size / SMALL).log2().ceil().max(0.0) as i32;
+        let part = self.times(&Self::constant(0.5f64.powi(halvings)));
+        let square = part.times(&part);
+        let (mut cos, mut sine) = (Self::constant(1.0), Self::constant(1.0));
+        for k in (1..=TERMS / 2).rev().map(f64::from) {
+            cos = Self::constant(1.0).minus(&square.times(&cos).shared(2.0 * k * (2.0 * k - 1.0)));
+            sine = Self::constant(1.0).minus(&square.times(&sine).shared(2.0 * k * (2.0 * k + 1.0)));
+        }
+        let (mut cos, mut sin) = (cos.wider(LEFT), part.times(&sine.wider(LEFT)));
+        for _ in 0..halvings {
+            let half = sin.times(&cos);
+            // 1 - 2 sin^2: no error of cos^2 + sin^2 enters
+            let square = sin.times(&sin);
+            cos = Self::constant(1.0).minus(&square.plus(&square));
+            sin = half.plus(&half);
+        }
+        Some([cos, sin])
+    }
+
+    /// The square root; `None` where f may not be positive.
+    pub(super) fn square_root(&self) -> Option<Self> {
+        let middle = self.coefficients[0];
+        if !(middle > 0.0 && middle.is_finite()) {
+            return None;
+        }
+        // the constant's root, times that of 1 + u by the binomial series, whose coefficients shrink
+        let part = Self { coefficients: Self::rest(self.coefficients), ..*self }.over(&Self::constant(middle))?;
+        let size = part.size();
+        if !(size < 1.0) {
+            return None;
+        }
+        let ratio = |k: usize| (1.0 - 2.0 * k as f64, 2.0 * k as f64 + 2.0);
+        let mut sum = Self::constant(1.0);
+        for (over, under) in (0..DEGREE).rev().map(ratio) {
+            sum = Self::constant(1.0).plus(&part.times(&sum).times(&Self::constant(over)).shared(under));
+        }
+        let left = (0..=DEGREE).map(ratio).fold(1.0, |left, (over, under)| up(left * size * over.abs() / under));
+        let root = middle.sqrt();
+        Some(sum.wider(up(left / (1.0 - size).next_down())).times(&Self::constant(root).wider(ROUNDING * root)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// At points of a range, against the function by floats.
+    fn holds(model: &TaylorModel, f: impl Fn(f64) -> f64, [low, high]: [f64; 2], most: f64) {
+        for k in 0..=20 {
+            let tau = f64::from(k) / 10.0 - 1.0;
+            let x = 0.5 * (low + high) + 0.5 * (high - low) * tau;
+            let off = (model.at(tau) - f(x)).abs();
+            assert!(off <= model.off + 1e-14, "at {x}: {off:e} against {:e}", model.off);
+        }
+        assert!(model.off <= most, "{:e}", model.off);
+    }
+
+    #[test]
+    fn angles_and_roots_hold_their_functions() {
+        for middle in [0.0, 0.1, -3.0, 20.0] {
+            let ends = [middle - 0.2, middle + 0.2];
+            let x = TaylorModel::over_range(ends[0], ends[1]);
+            let [cos, sin] = x.cos_sin().expect("it is small");
+            holds(&cos, f64::cos, ends, 1e-8);
+            holds(&sin, f64::sin, ends, 1e-8);
+            let point = TaylorModel::constant(middle).cos_sin().expect("it is small");
+            assert!(point.iter().all(|value| value.off < 1e-12), "{point:?}");
+        }
+        let x = TaylorModel::over_range(1.8, 2.2);
+        holds(&x.square_root().expect("it is positive"), f64::sqrt, [1.8, 2.2], 1e-9);
+        let four = TaylorModel::constant(4.0).square_root().expect("it is positive");
+        assert!(four.off < 1e-14 && four.at(0.0) == 2.0);
+        assert_eq!(TaylorModel::over_range(-0.1, 2.0).square_root(), None);
+        assert_eq!(TaylorModel::constant(1e6).cos_sin(), None);
+    }
+
+    #[test]
+    fn the_quotient_of_decays_does_not_mind_their_order_nor_that_they_meet() {
+        let ends = [0.5, 0.6];
+        let x = TaylorModel::over_range(ends[0], ends[1]);
+        for rate in [0.0, 1.0, 1.0 + 1e-9, 40.0] {
+            let other = x.times(&TaylorModel::constant(rate));
+            let exact = |x: f64| {
+                let gap = (rate - 1.0) * x;
+                (-x).exp() * if gap.abs() < 1e-6 { 1.0 - 0.5 * gap } else { -(-gap).exp_m1() / gap }
+            };
+            for pair in [[x, other], [other, x]] {
+                let quotient = TaylorModel::between_decays(&pair[0], &pair[1]).expect("they are small");
+                holds(&quotient, exact, ends, 1e-4);
+            }
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! What a splitting does at every step between two, proved stretch by stretch.
+//!
+//! An interval of steps is looked at as one, and halved where something stays open; what is open still when it is narrow holds a
+//! threshold, or touches one, and stays open.
+
+/// All steps from one to another, s, with whether the map grows at each of them: `None` where that is open.
+pub type Stretch = (f64, f64, Option<bool>);
+
+/// What is proved of all steps between two.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Proved {
+    /// Neighbours.
+    pub stretches: Vec<Stretch>,
+    /// Those of them in which no stationary motion of the splitting's own could be enclosed.
+    pub lost: Vec<(f64, f64)>,
+    /// How many intervals were looked at.
+    pub looked: usize,
+}
+
+/// What is found of all steps of an interval.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Found {
+    Grows(bool),
+    /// A sign stays open.
+    Open,
+    /// No stationary motion of the splitting's own is enclosed.
+    Lost,
+}
+
+/// How far intervals are halved.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// Intervals with an open sign, as shares of their steps.
+    pub sign: f64,
+    /// Those without a motion.
+    pub motion: f64,
+    /// Intervals that are looked at in all: what is left then stays open.
+    pub most: usize,
+}
+
+/// Edges known to this share are told by one number.
+const SHARP: f64 = 3e-5;
+
+impl Proved {
+    /// By looking at intervals.
+    pub(super) fn by(look: impl Fn([f64; 2]) -> Found, [from, to]: [f64; 2], limits: Limits) -> Self {
+        let known = |low: f64, high: f64| (low, high, look([low, high]));
+        let (mut all, mut looked) = (vec![known(from, to)], 1);
+        // the widest first: what no halving settles must not cost the others their turn
+        while looked < limits.most {
+            let open = |low: f64, high: f64, found: Found| match found {
+                Found::Grows(_) => false,
+                Found::Open => high - low > limits.sign * low,
+                Found::Lost => high - low > limits.motion * low,
+            };
+            let before = looked;
+            let halved = all.iter().flat_map(|&(low, high, found)| {
+                let middle = (low * high).sqrt();
+                if !open(low, high, found) || looked >= limits.most {
+                    return vec![(low, high, found)];
+                }
+                looked += 2;
+                vec![known(low, middle), known(middle, high)]
+            });
+            all = halved.collect();
+            if looked == before {
+                break;
+            }
+        }
+        let mut merged = Vec::<(f64, f64, Found)>::new();
+        for (low, high, found) in all {
+            match merged.last_mut() {
+                Some((_, end, known)) if *known == found => *end = high,
+                _ => merged.push((low, high, found)),
+            }
+        }
+        let grows = |found: Found| if let Found::Grows(grows) = found { Some(grows) } else { None };
+        Proved {
+            lost: merged
+                .iter()
+                .filter(|(.., found)| *found == Found::Lost)
+                .map(|(low, high, _)| (*low, *high))
+                .collect(),
+            stretches: merged.into_iter().map(|(low, high, found)| (low, high, grows(found))).collect(),
+            looked,
+        }
+    }
+
+    /// Whether the map grows at a step, s.
+    pub fn at(&self, step: f64) -> Option<bool> {
+        self.stretches.iter().find(|(low, high, _)| (*low..=*high).contains(&step)).and_then(|(.., grows)| *grows)
+    }
+
+    /// The steps at which that changes, s, each with the width of the interval in which it does so.
+    pub fn edges(&self) -> Vec<(f64, f64)> {
+        let between = self.stretches.windows(3).filter(|three| {
+            let changes =
+                matches!((three[0].2, three[1].2, three[2].2), (Some(before), None, Some(after)) if before != after);
+            changes && three[1].1 - three[1].0 < SHARP * three[1].0
+        });
+        between.map(|three| (0.5 * (three[1].0 + three[1].1), three[1].1 - three[1].0)).collect()
+    }
+
+    /// What is open but for its edges, s, from, to.
+    pub fn open(&self) -> Vec<[f64; 2]> {
+        let edges = self.edges();
+        let open = self
+            .stretches
+            .iter()
+            .filter(|(low, high, grows)| grows.is_none() && !edges.iter().any(|(at, _)| (low..=high).contains(&at)));
+        open.map(|(low, high, _)| [*low, *high]).collect()
+    }
+
+    /// In words, after "the map".
+    pub fn told(&self) -> String {
+        let mut known = None;
+        let mut told = Vec::new();
+        for (low, high, grows) in &self.stretches {
+            let narrow = high - low < SHARP * low;
+            match (grows, known) {
+                (Some(grows), Some(last)) if *grows == last => {}
+                (Some(grows), Some(_)) => told.push(format!("{} from h = {low:.4e} on", does(*grows))),
+                (Some(grows), None) if told.is_empty() => told.push(does(*grows).to_owned()),
+                (Some(grows), None) => told.push(format!("then {}", does(*grows))),
+                (None, _) if self.lost.contains(&(*low, *high)) => {
+                    told.push(format!("has no enclosed motion of its own from {low:.4e} to {high:.4e}"));
+                }
+                (None, _) if !narrow => told.push(format!("is undecided from {low:.4e} to {high:.4e}")),
+                (None, _) if self.open().contains(&[*low, *high]) => told.push(format!("undecided at h = {low:.6e}")),
+                (None, _) => {}
+            }
+            known = grows.or(known);
+        }
+        told.join(", ")
+    }
+}
+
+/// What the map does.
+pub(super) fn does(grows: bool) -> &'static str {
+    if grows { "grows" } else { "does not grow" }
+}
