@@ -9,7 +9,7 @@
 //! * [`measured`]: the same thresholds by runs, each as long as [`crossing`] says it must be;
 //! * [`oscillator`], [`splittings`]: compositions of flows, on one mode exactly, on a motion by their own step;
 //! * [`enclosed`]: the same for every step between two on a bench, where all pieces rest, proved from the `pieces` that run;
-//! * [`turning`]: the same near a gyrostat's motions, on the `surface` of the integrals, about the motion of a splitting's own;
+//! * [`turning`]: the same near a gyrostat's motions, on the `surface` of the integrals (`stepped` over it), about the motion of a splitting's own;
 //! * `multipliers`: whether they leave the unit circle, over a range of steps; [`stretches`]: ranges, halved until that is known;
 //! * [`survey`]: some motions with all of this, for the report.
 
@@ -26,6 +26,7 @@ mod multipliers;
 pub mod oscillator;
 mod pieces;
 pub mod splittings;
+mod stepped;
 pub mod stretches;
 mod surface;
 pub mod survey;

@@ -10,6 +10,7 @@ use field::Rational;
 use mechanics::discrete::{Mode, Place as Location, Spectrum};
 use mechanics::uniform::{Kind, Shape};
 use nalgebra::Vector3;
+use num_traits::Zero;
 use std::fmt;
 use symbolic::real::{Enclosure, Root};
 
@@ -19,6 +20,8 @@ pub struct Stationed {
     /// The carrier: what W is there; `None` on a bench.
     pub kind: Option<Kind>,
     pub rotor: Rotor,
+    /// Whether the carrier rests, exactly.
+    pub rests: bool,
     /// v, where it is one of a family whose members behave alike.
     pub member: Option<Vector3<f64>>,
     pub at: At,
@@ -89,6 +92,7 @@ impl AllStationed {
         let linear = Linearised::of(scene, &all.motor).map_err(NoMotions::Linear)?;
         let speed = Rational::decimal(w);
         let w_exact = Enclosure::rational(speed, BITS).ok_or(NoAnswer::NotFinite(w))?;
+        let rests = speed.is_zero();
         let (mut motions, mut families) = (Vec::new(), 0);
         for case in &all.cases {
             let rotations = case.body.rotations(speed).ok_or(NoAnswer::NotFinite(w))?;
@@ -101,7 +105,8 @@ impl AllStationed {
                 };
                 if !matches!(motion.shape, Shape::Circle { .. } | Shape::Sphere) {
                     let w = turning(&vertical);
-                    let own = Own { kind: Some(motion.kind), vertical: &vertical, angular_velocity: &w, family: None };
+                    let own =
+                        Own { kind: Some(motion.kind), rests, vertical: &vertical, angular_velocity: &w, family: None };
                     motions.extend(places_at(&w)?.into_iter().map(|place| place.motion(&own, &linear)));
                     continue;
                 }
@@ -112,7 +117,8 @@ impl AllStationed {
                     for arc in along.arcs.iter().filter(|arc| arc.judged.verdict != unknown) {
                         let w = turning(&arc.member);
                         let family = arc.judged.zeros.checked_sub(linear.integrals);
-                        let own = Own { kind: Some(motion.kind), vertical: &arc.member, angular_velocity: &w, family };
+                        let own =
+                            Own { kind: Some(motion.kind), rests, vertical: &arc.member, angular_velocity: &w, family };
                         let place = places_at(&w)?.into_iter().nth(angle);
                         motions.extend(place.map(|place| place.motion(&own, &linear)));
                     }
@@ -134,7 +140,7 @@ impl AllStationed {
         for speed in speeds {
             for place in places(&motor, &speed.enclosure(BITS)) {
                 let place = place.ok_or(NoAnswer::TooFine)?;
-                let own = Own { kind: None, vertical: &rests(), angular_velocity: &rests(), family: None };
+                let own = Own { kind: None, rests: true, vertical: &rests(), angular_velocity: &rests(), family: None };
                 motions.push(place.motion(&own, &linear));
             }
         }
@@ -191,6 +197,7 @@ fn places(motor: &Motor, speed: &Enclosure) -> Vec<Option<Place>> {
 /// The carrier's part of a motion.
 struct Own<'a> {
     kind: Option<Kind>,
+    rests: bool,
     vertical: &'a [Enclosure; 3],
     angular_velocity: &'a [Enclosure; 3],
     /// Of a family: how many eigenvalues are zero beside those of the integrals, by the family and what is conserved with it.
@@ -219,7 +226,15 @@ impl Place {
             None => linear.spectrum(&at, BITS),
             Some(zeros) => across(linear, &at, zeros),
         };
-        Stationed { kind: own.kind, rotor: self.rotor, member: own.family.map(|_| vertical), at, start, spectrum }
+        Stationed {
+            kind: own.kind,
+            rotor: self.rotor,
+            rests: own.rests,
+            member: own.family.map(|_| vertical),
+            at,
+            start,
+            spectrum,
+        }
     }
 }
 

@@ -137,10 +137,12 @@ impl SplitRuns {
         let mut place: Vec<DoubleDouble> = self.state.iter().map(|y| DoubleDouble::from(*y)).collect();
         let mut surface = self.surface(&place);
         let mut matrix = derivative(&mut *map, &place, &surface)?;
+        let mut found = false;
         for _ in 0..ITERATIONS {
             let end = after(&mut *map, &place)?;
             let missing = DVector::from_iterator(end.len(), end.iter().zip(&place).map(|(end, y)| (*end - *y).hi()));
-            if missing.amax() < CONVERGED {
+            found = missing.amax() < CONVERGED;
+            if found {
                 break;
             }
             let within = surface.transpose() * &missing;
@@ -155,7 +157,7 @@ impl SplitRuns {
         let off = place.iter().zip(&self.state).map(|(own, law)| (own.hi() - law).abs()).fold(0.0, f64::max);
         let radius = spectral_radius(matrix.clone());
         let next = next_to(&matrix);
-        radius.is_finite().then_some(Own { off, radius, next })
+        (found && radius.is_finite()).then_some(Own { off, radius, next })
     }
 
     /// The longest step, s, with which the program takes the splitting at all: what fades must not grow on the way back.

@@ -86,7 +86,8 @@ impl<P: Base> Surface<P> {
         positive(&if self.upwards { size } else { -size }).then(|| self.chosen(point))
     }
 
-    fn chosen<S: Scalar>(&self, point: &Point<S>) -> Vec<S> {
+    /// The coordinates of a state, or of deviations.
+    pub fn chosen<S: Scalar>(&self, point: &Point<S>) -> Vec<S> {
         let Point { momentum, vertical, rotor } = point;
         let [b, c] = [1, 2].map(|k| (self.largest + k) % 3);
         let carrier = [momentum[b], momentum[c], vertical[b], vertical[c]];

@@ -3,30 +3,29 @@
 //! Where the carrier turns the pieces do not rest, and the splitting has a stationary motion of its own, another one for each step h:
 //! a fixed point of its step in the body's axes, in which turning about the vertical changes nothing. Krawczyk's operator encloses
 //! it over an interval of steps as Taylor models in h ([`FixedPoint`]), with the derivative of the step there. Where the carrier
-//! rests and with it every piece, the fixed point is the law's and does not depend on h. What grows is decided by [`grows`].
+//! rests with its rotor in balance every piece does: no square of the energy turns anything, and weight and motor push nothing. Then
+//! the fixed point is the law's, whatever the step. It is enclosed once, and the derivative of a step is the product of those of its
+//! flows at this one point. What grows is decided by [`grows`]; where it stays open or nothing is enclosed, it is said to be tested.
 //!
 //! A step is taken over [`Surface`], which leaves the multipliers out that are one by structure. The step is that which runs, its
-//! laws over models: of the bodies it has the floats that run, of the motor the decimals, windings that act as fewer as these.
+//! laws over models: of the bodies and the integrals it has the floats that run, of the motor the decimals, with windings lumped.
 
 use super::motions::Stationed;
 use super::multipliers::grows;
+use super::stepped::{Both, Enclosed, OnSurface, Steps};
 use super::stretches::{Found, Limits, Proved};
 use super::surface::{Step, Surface};
 use super::written::keeps_energy;
 use crate::ladder::{Lumped, Lumping};
-use crate::machines::{
-    Catalogued, ForMachine, Kick, Law, Machine, Quantity, Rule, Source, decay_quotient, has_known_flow, text::Laws,
-};
-use crate::scene::{Axes, MachineData, NoModel, Scene, System};
+use crate::machines::{Catalogued, ForMachine, Law, has_known_flow};
+use crate::scene::{Axes, MachineData, Scene, System};
 use crate::stationary::motor::Decimals;
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::forms::SecondForm;
-use crate::systems::gyrostat::momenta::{Flows, Lapse};
-use field::{Analytic, Base, Over, Rational, Tangent};
+use field::{Rational, Scalar, Tangent};
 use integrators::Splitting;
 use nalgebra::{DMatrix, DVector};
 use std::fmt;
-use std::sync::Arc;
 use symbolic::Sym;
 use symbolic::real::{FixedPoint, Mapped, Ordered, TaylorModel};
 
@@ -35,6 +34,8 @@ pub struct Turning {
     steps: Box<dyn Steps>,
     /// The law's motion.
     start: Vec<f64>,
+    /// The same, enclosed, where the carrier rests.
+    rest: Option<Vec<TaylorModel>>,
     /// Nothing takes energy: every piece is Hamilton's, and with a multiplier z there is 1/z.
     symmetric: bool,
 }
@@ -52,6 +53,8 @@ pub enum Unproved {
     Fed,
     /// A datum of the motor is missing, or is no number.
     Data,
+    /// The law's rest is not enclosed: it is degenerate.
+    Rest,
     /// More unknowns than are enclosed.
     Many(usize),
 }
@@ -64,6 +67,7 @@ impl fmt::Display for Unproved {
             Self::Curved => write!(f, "the moment is not linear in the slip"),
             Self::Fed => write!(f, "the flow of the motor's piece is not known"),
             Self::Data => write!(f, "a datum of the motor is missing"),
+            Self::Rest => write!(f, "the rest is not enclosed"),
             Self::Many(unknowns) => write!(f, "{unknowns} unknowns are more than {MOST_UNKNOWNS}"),
         }
     }
@@ -71,10 +75,13 @@ impl fmt::Display for Unproved {
 
 const MOST_UNKNOWNS: usize = 12;
 /// A place without an enclosed motion is not searched to the last digit, nor is an edge.
-const LIMITS: Limits = Limits { sign: 1e-5, motion: 1e-3, most: 600 };
+const LIMITS: Limits = Limits { sign: 1e-5, motion: 1e-2, most: 200 };
 /// Of Newton's iteration in floats towards the own motion, and when the next correction is rounding.
 const ITERATIONS: usize = 12;
 const CONVERGED: f64 = 1e-9;
+/// s, and how far about the floats of a rest it is looked for; they are off by their rounding.
+const SHORT: f64 = 0.01;
+const REST: f64 = 1e-9;
 
 impl Turning {
     /// Of a gyrostat at a stationary motion.
@@ -87,26 +94,32 @@ impl Turning {
             return Err(Unproved::Family);
         }
         let state = Scene { start: motion.start.clone(), ..scene.clone() }.state(Axes::Second);
-        scene.machine.clone().apply(Near {
-            bodies,
-            data: &scene.machine_data,
-            name: scene.machine.name(),
-            state: &state,
-        })
+        let near = Near { bodies, data: &scene.machine_data, name: scene.machine.name(), state: &state };
+        let mut turning = scene.machine.clone().apply(near)?;
+        if motion.rests {
+            // whatever the step, so by a short one; no other fixed point is near
+            let step = TaylorModel::constant(SHORT);
+            turning.rest = Some(turning.own(Splitting::Strang, &step, REST).ok_or(Unproved::Rest)?.place);
+        }
+        Ok(turning)
     }
 
     /// Whether the map grows, for every step between two, s.
     pub fn course(&self, splitting: Splitting, ends: [f64; 2]) -> Proved {
         let look = |[low, high]: [f64; 2]| {
             let step = TaylorModel::over_range(low, high);
-            let Some(own) = self.own(splitting, &step) else { return Found::Lost };
-            grows(&own.slopes, &step, self.symmetric).map_or(Found::Open, Found::Grows)
+            let slopes = match &self.rest {
+                Some(rest) => derivative(&*self.steps.at_rest(splitting, &step), rest).map(|(_, slopes)| slopes),
+                None => self.own(splitting, &step, 0.0).map(|own| own.slopes),
+            };
+            let Some(slopes) = slopes else { return Found::Lost };
+            grows(&slopes, &step, self.symmetric).map_or(Found::Open, Found::Grows)
         };
         Proved::by(look, ends, LIMITS)
     }
 
     /// The splitting's own motion for every step of a range; `None` where it is not enclosed.
-    fn own(&self, splitting: Splitting, step: &TaylorModel) -> Option<FixedPoint> {
+    fn own(&self, splitting: Splitting, step: &TaylorModel, least: f64) -> Option<FixedPoint> {
         let mut near = self.start.clone();
         let (mut places, mut inverses) = (Vec::new(), Vec::new());
         for node in TaylorModel::nodes() {
@@ -126,12 +139,12 @@ impl Turning {
             let fixed: Vec<Tangent<TaylorModel>> = at.iter().copied().map(Tangent::fixed).collect();
             Some(over(&fixed)?.into_iter().map(|end| end.value).collect())
         };
-        FixedPoint::near(&centre, &inverse, value, |at| derivative(&*over, at))
+        FixedPoint::near(&centre, &inverse, least, value, |at| derivative(&*over, at))
     }
 }
 
 /// The values of a step and its derivative, a column after the other.
-fn derivative<S: field::Scalar>(step: &Step<'_, Tangent<S>>, at: &[S]) -> Option<Mapped<S>> {
+fn derivative<S: Scalar>(step: &Step<'_, Tangent<S>>, at: &[S]) -> Option<Mapped<S>> {
     let column = |moved: usize| {
         let moving = |(k, y): (usize, &S)| if k == moved { Tangent::variable(*y) } else { Tangent::fixed(*y) };
         step(&at.iter().enumerate().map(moving).collect::<Vec<_>>())
@@ -156,69 +169,6 @@ fn approached(step: &Step<'_, Tangent<f64>>, near: Vec<f64>) -> Option<(Vec<f64>
         }
     }
     None
-}
-
-/// A step of a length, s, over both fields.
-trait Steps {
-    fn over_floats(&self, splitting: Splitting, step: f64) -> Box<Step<'_, Tangent<f64>>>;
-    fn over_models(&self, splitting: Splitting, step: &TaylorModel) -> Box<Step<'_, Tangent<TaylorModel>>>;
-}
-
-/// The same gyrostat with its data in both fields.
-struct Both<M, N> {
-    floats: OnSurface<f64, M>,
-    models: OnSurface<TaylorModel, N>,
-}
-
-/// A form with a motor on the surface of the integrals.
-struct OnSurface<P: Base, M> {
-    form: SecondForm<P>,
-    machine: Lumped<P, M>,
-    surface: Surface<P>,
-}
-
-impl<P: Base, M: Machine<P>> OnSurface<P, M> {
-    /// `quotient(a, b)` is (exp(-a) - exp(-b))/(b - a), `positive` whether a number is.
-    fn step<'a, S: Over<P> + Over<f64> + Analytic>(
-        &'a self,
-        splitting: Splitting,
-        step: S,
-        quotient: fn(S, S) -> S,
-        positive: fn(&S) -> bool,
-    ) -> Box<Step<'a, S>> {
-        let flows = Flows::<S>::new(&self.form, &self.machine);
-        // a moment that is linear needs no collocation
-        let rule = Rule { nodes: [S::zero(); 4], weights: [S::zero(); 4], matrix: [[S::zero(); 4]; 4] };
-        let lapse = |(piece, share): (usize, f64)| {
-            let length = step * <S as Over<f64>>::lift(share);
-            let of_push = || Kick::new(&self.machine, Law::Linear, length, flows.compliance(), quotient, rule);
-            (piece, if piece == 0 { Lapse::Push(of_push()) } else { Lapse::Turn(length) })
-        };
-        let schedule = splitting.schedule::<f64>(1 + flows.squares());
-        let lapses: Vec<(usize, Lapse<S>)> = schedule.into_iter().map(lapse).collect();
-        Box::new(move |at| {
-            let mut point = self.surface.point(at)?;
-            for (piece, lapse) in &lapses {
-                flows.flow(&self.machine, *piece, lapse, &mut point);
-            }
-            self.surface.coordinates(&point, positive)
-        })
-    }
-}
-
-impl<M: Machine<f64>, N: Machine<TaylorModel>> Steps for Both<M, N> {
-    fn over_floats(&self, splitting: Splitting, step: f64) -> Box<Step<'_, Tangent<f64>>> {
-        let quotient = |a: Tangent<f64>, b: Tangent<f64>| Tangent::fixed(decay_quotient(a.value, b.value));
-        self.floats.step(splitting, Tangent::fixed(step), quotient, |x| x.value > 0.0)
-    }
-
-    fn over_models(&self, splitting: Splitting, step: &TaylorModel) -> Box<Step<'_, Tangent<TaylorModel>>> {
-        let quotient = |a: Tangent<TaylorModel>, b: Tangent<TaylorModel>| {
-            let known = TaylorModel::between_decays(&a.value, &b.value);
-            Tangent::fixed(known.unwrap_or(TaylorModel::constant(f64::NAN)))
-        };
-        self.models.step(splitting, Tangent::fixed(*step), quotient, |x| x.value.sign() == Some(1))
-    }
 }
 
 /// Puts the motor into it.
@@ -264,26 +214,7 @@ impl ForMachine for Near<'_> {
         }
         let models = OnSurface { form: form_of_models, machine: models, surface: surface.map(number) };
         let floats = OnSurface { form, machine: floats, surface };
-        Ok(Turning { steps: Box::new(Both { floats, models }), start, symmetric: keeps_energy(&exact, M::ROTOR) })
-    }
-}
-
-/// The data of a machine, its decimals enclosed.
-struct Enclosed<'a>(&'a MachineData, &'static str);
-
-impl Source<TaylorModel> for Enclosed<'_> {
-    type Error = NoModel;
-
-    fn quantity(&mut self, quantity: &Quantity) -> Result<TaylorModel, NoModel> {
-        let decimal = Rational::decimal(self.0.number(self.1, quantity)?);
-        Ok(TaylorModel::constant(0.0).fraction(decimal).unwrap_or(TaylorModel::constant(f64::NAN)))
-    }
-
-    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
-        self.0.count(self.1, name, meaning)
-    }
-
-    fn laws(&mut self) -> Option<Arc<Laws>> {
-        self.0.laws.clone()
+        let symmetric = keeps_energy(&exact, M::ROTOR);
+        Ok(Turning { steps: Box::new(Both { floats, models }), start, rest: None, symmetric })
     }
 }

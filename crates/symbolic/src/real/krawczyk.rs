@@ -23,14 +23,15 @@ pub struct FixedPoint {
 pub type Mapped<S> = (Vec<S>, Vec<Vec<S>>);
 
 /// Boxes that are tried, each larger than the one before.
-const TRIALS: usize = 3;
+const TRIALS: usize = 2;
 
 impl FixedPoint {
-    /// Near `centre`, with `inverse` near (1 - DR)^-1, row after row. `value` gives R, `derivative` DR too. `None` where K(X) does not
-    /// lie inside X.
+    /// Near `centre`, with `inverse` near (1 - DR)^-1, row after row, in boxes of this radius at least. `value` gives R, `derivative`
+    /// DR too. `None` where K(X) does not lie inside X.
     pub fn near(
         centre: &[TaylorModel],
         inverse: &[Vec<TaylorModel>],
+        least: f64,
         value: impl Fn(&[TaylorModel]) -> Option<Vec<TaylorModel>>,
         derivative: impl Fn(&[TaylorModel]) -> Option<Mapped<TaylorModel>>,
     ) -> Option<Self> {
@@ -38,7 +39,7 @@ impl FixedPoint {
         let missing: Vec<TaylorModel> = value(centre)?.iter().zip(centre).map(|(end, c)| end.minus(c)).collect();
         let newton: Vec<TaylorModel> = inverse.iter().map(|row| dot(row, &missing, zero)).collect();
         let newton_size: Vec<f64> = newton.iter().map(TaylorModel::size).collect();
-        let mut radius: Vec<f64> = newton_size.iter().map(|size| 2.0 * size + f64::MIN_POSITIVE).collect();
+        let mut radius: Vec<f64> = newton_size.iter().map(|size| 2.0 * size + least.max(f64::MIN_POSITIVE)).collect();
         for _ in 0..TRIALS {
             let boxes: Vec<TaylorModel> = centre.iter().zip(&radius).map(|(c, r)| c.wider(*r)).collect();
             let (_, slopes) = derivative(&boxes)?;
@@ -87,11 +88,12 @@ mod tests {
         };
         let at_nodes = |f: &dyn Fn(f64) -> f64| TaylorModel::through(TaylorModel::nodes().map(|tau| f(h.at(tau))));
         let root = |h: f64| h.abs().sqrt();
-        let centre = [at_nodes(&root), at_nodes(&|h| root(h) - 0.4 * h)];
+        // off by what Newton's step has to mend
+        let centre = [at_nodes(&|h| root(h) + 1e-5), at_nodes(&|h| root(h) - 0.4 * h)];
         // (1 - DR)^-1 with DR = [[1 - x/2, 0], [1/2, 1/2]]
         let inverse =
             [vec![at_nodes(&|h| 2.0 / root(h)), number(0.0)], vec![at_nodes(&|h| 2.0 / root(h)), number(2.0)]];
-        FixedPoint::near(&centre, &inverse, value, derivative)
+        FixedPoint::near(&centre, &inverse, 0.0, value, derivative)
     }
 
     #[test]
@@ -101,13 +103,10 @@ mod tests {
             let tau = f64::from(k) / 10.0;
             let h = 1.25 + 0.25 * tau;
             for (place, exact) in found.place.iter().zip([h.sqrt(), h.sqrt() - 0.4 * h]) {
-                let (off, most) = (
-                    (place.at(tau) - exact).abs(),
-                    place.minus(&TaylorModel::through(TaylorModel::nodes().map(|t| place.at(t)))).size(),
-                );
-                assert!(off <= most && most < 1e-6, "{off:e} against {most:e}");
+                let (off, most) = ((place.at(tau) - exact).abs(), place.left());
+                assert!(off <= most && most < 1e-5, "{off:e} against {most:e}");
             }
-            assert!((found.slopes[0][0].at(tau) - (1.0 - 0.5 * h.sqrt())).abs() < 1e-6);
+            assert!((found.slopes[0][0].at(tau) - (1.0 - 0.5 * h.sqrt())).abs() < 1e-3);
         }
     }
 

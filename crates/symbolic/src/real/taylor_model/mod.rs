@@ -84,6 +84,11 @@ impl TaylorModel {
         up(self.coefficients.iter().map(|c| c.abs()).sum::<f64>() + self.off)
     }
 
+    /// How far values may be from the polynomial.
+    pub fn left(&self) -> f64 {
+        self.off
+    }
+
     /// How far values may be from the constant term.
     fn spread(&self) -> f64 {
         up(self.coefficients[1..].iter().map(|c| c.abs()).sum::<f64>() + self.off)
