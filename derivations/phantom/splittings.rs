@@ -30,7 +30,7 @@ pub struct SplitRuns {
 
 /// What a proof starts from.
 enum Provable {
-    Resting(Resting),
+    Resting(Box<Resting>),
     Turning(Turning),
 }
 
@@ -116,7 +116,7 @@ impl SplitRuns {
         let Problem { law, state, invariants, .. } = scene.problem(Axes::Second);
         let kept = invariants.into_iter().filter(|invariant| invariant.name != "jacobi").collect();
         let provable = match Resting::of(&scene, motion) {
-            Some(resting) => Ok(Provable::Resting(resting)),
+            Some(resting) => Ok(Provable::Resting(Box::new(resting))),
             None => Turning::of(&scene, motion).map(Provable::Turning),
         };
         SplitRuns { law, state, kept, provable }

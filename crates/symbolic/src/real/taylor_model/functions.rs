@@ -98,13 +98,13 @@ impl TaylorModel {
     /// The square root; `None` where f may not be positive.
     pub(super) fn square_root(&self) -> Option<Self> {
         let middle = self.coefficients[0];
-        if !(middle > 0.0 && middle.is_finite()) {
+        if middle.is_nan() || middle <= 0.0 || middle.is_infinite() {
             return None;
         }
         // the constant's root, times that of 1 + u by the binomial series, whose coefficients shrink
         let part = Self { coefficients: Self::rest(self.coefficients), ..*self }.over(&Self::constant(middle))?;
         let size = part.size();
-        if !(size < 1.0) {
+        if size.is_nan() || size >= 1.0 {
             return None;
         }
         let ratio = |k: usize| (1.0 - 2.0 * k as f64, 2.0 * k as f64 + 2.0);
