@@ -1,7 +1,7 @@
 //! What a splitting does at every step between two, proved: a motor on its bench, at an angle that it keeps.
 //!
 //! There every piece rests, so that a step is the product M(h) of the pieces' matrices, whatever its length: over an interval of
-//! steps its entries are Taylor models in h, and what grows is decided by [`grows`].
+//! steps its entries are Taylor models in h, and what grows is decided by `grows`.
 
 use super::motions::{Rotor, Stationed};
 use super::multipliers::{Matrix, grows};

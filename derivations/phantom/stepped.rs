@@ -1,4 +1,4 @@
-//! A step of a gyrostat in the coordinates of [`Surface`], over floats and over Taylor models, its motor forgotten.
+//! A step of a gyrostat in the coordinates of `Surface`, over floats and over Taylor models, its motor forgotten.
 
 use super::surface::{Step, Surface};
 use crate::ladder::Lumped;

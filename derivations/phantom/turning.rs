@@ -5,9 +5,9 @@
 //! it over an interval of steps as Taylor models in h ([`FixedPoint`]), with the derivative of the step there. Where the carrier
 //! rests with its rotor in balance every piece does: no square of the energy turns anything, and weight and motor push nothing. Then
 //! the fixed point is the law's, whatever the step. It is enclosed once, and the derivative of a step is the product of those of its
-//! flows at this one point. What grows is decided by [`grows`]; where it stays open or nothing is enclosed, it is said to be tested.
+//! flows at this one point. What grows is decided by `grows`; where it stays open or nothing is enclosed, it is said to be tested.
 //!
-//! A step is taken over [`Surface`], which leaves the multipliers out that are one by structure. The step is that which runs, its
+//! A step is taken over `Surface`, which leaves the multipliers out that are one by structure. The step is that which runs, its
 //! laws over models: of the bodies and the integrals it has the floats that run, of the motor the decimals, with windings lumped.
 
 use super::motions::Stationed;
