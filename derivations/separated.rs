@@ -1,15 +1,25 @@
 //! A system with the pieces of its law, for the splitting methods.
 
+use crate::machines::Programs;
 use crate::recorded::Recorded;
+use crate::taped::Running;
 use field::{DoubleDouble, Scalar};
 use integrators::{Composed, Directions, Ode, Pieces, Real, Splitting, System, TaylorSeries, compose};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use symbolic::Sym;
 
 /// A law that is a sum of fields whose flows are known.
 pub trait Separable {
-    /// The pieces over a field; none where the law cannot be taken apart.
-    fn pieces<S: Real>(&self) -> Option<impl Pieces<S>>;
+    /// What the pieces of a written machine run by.
+    fn programs(&self) -> Option<Programs>;
+
+    /// The pieces over a field, by these programs where there are some; none where the law cannot be taken apart.
+    fn pieces_by<'a, S: Real + Running>(&'a self, programs: Option<&'a Programs>) -> Option<impl Pieces<S> + 'a>;
+
+    /// The pieces law by law.
+    fn pieces<S: Real + Running>(&self) -> Option<impl Pieces<S>> {
+        self.pieces_by(None)
+    }
 }
 
 /// A law recorded for the Taylor method, and taken apart for the splitting methods.
@@ -17,12 +27,21 @@ pub trait Separable {
 pub struct Separated<L> {
     law: Arc<L>,
     recorded: Recorded<L>,
+    /// Made when they are first asked for.
+    programs: OnceLock<Option<Programs>>,
 }
 
 impl<L: Ode<Sym>> Separated<L> {
     /// Records an autonomous system.
     pub fn new(law: Arc<L>) -> Self {
-        Separated { recorded: Recorded::new(Arc::clone(&law)), law }
+        Separated { recorded: Recorded::new(Arc::clone(&law)), law, programs: OnceLock::new() }
+    }
+}
+
+impl<L: Separable> Separated<L> {
+    fn composed_in<S: Real + Running>(&self, splitting: Splitting) -> Option<Box<dyn Composed<S> + '_>> {
+        let programs = self.programs.get_or_init(|| self.law.programs()).as_ref();
+        Some(compose(self.law.pieces_by(programs)?, splitting))
     }
 }
 
@@ -50,10 +69,10 @@ impl<L: Separable + Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> S
     }
 
     fn composed(&self, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
-        Some(compose(self.law.pieces()?, splitting))
+        self.composed_in(splitting)
     }
 
     fn composed_exact(&self, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
-        Some(compose(self.law.pieces()?, splitting))
+        self.composed_in(splitting)
     }
 }

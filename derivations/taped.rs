@@ -27,22 +27,19 @@ pub struct Program {
 
 /// Registers: of small laws, of usual ones and of the largest. Clearing them costs, most of all over numbers with slopes, so that
 /// a program has hardly more than it needs.
+const LEAST: usize = 16;
+const LESS: usize = 32;
 const FEW: usize = 64;
 const SOME: usize = 128;
 const MORE: usize = 256;
 const MANY: usize = 1024;
-/// States and the time.
-const INPUTS: usize = 64;
+/// What it costs to begin with monomials, in steps of a tape.
+const BEGINNING: usize = 8;
 
 impl<L: Ode<Sym>> Taped<L> {
     /// Records a law, which may depend on time.
     pub fn new(law: Arc<L>) -> Self {
-        let n = law.dimension();
-        let program = Program::of(n, |time, state| {
-            let mut rates = vec![Sym::ZERO; n];
-            law.rates(time, state, &mut rates);
-            rates
-        });
+        let program = Program::of(law.dimension(), |time, state| rates(&*law, time, state));
         Taped { law, program }
     }
 }
@@ -50,49 +47,67 @@ impl<L: Ode<Sym>> Taped<L> {
 impl Program {
     /// Of a state of `n` components; `None` where it cannot be recorded or is long.
     pub fn of(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym>) -> Option<Self> {
-        let inputs: Vec<Sym> = (0..=n).map(|i| Sym::symbol(&format!("y{i}"))).collect();
-        let outputs = function(inputs[n], &inputs[..n]);
-        let tape = Tape::record(&inputs, &outputs).ok().filter(|tape| tape.registers() <= MANY && n < INPUTS)?;
+        let (inputs, outputs) = written(n, function);
+        Program::taped(&inputs, &outputs)
+    }
+
+    /// The same, which in `f64` runs as sums of multiples of monomials where these are fewer than the steps of the tape: eight at a
+    /// time, that is nearly as fast as compiled code.
+    pub fn of_monomials(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym>) -> Option<Self> {
+        let (inputs, outputs) = written(n, function);
+        let mut program = Program::taped(&inputs, &outputs)?;
+        // what knows the time is no function of the state alone, and is not recorded
+        let monomials = Polynomials::record(&inputs[..n], &outputs, outputs.len());
+        program.monomials = monomials.filter(|all| all.instructions() + BEGINNING < program.tape.operations());
+        Some(program)
+    }
+
+    /// The right-hand side of a law, by monomials.
+    pub fn of_law(law: &impl Ode<Sym>) -> Option<Self> {
+        Program::of_monomials(law.dimension(), |time, state| rates(law, time, state))
+    }
+
+    fn taped(inputs: &[Sym], outputs: &[Sym]) -> Option<Self> {
+        let tape = Tape::record(inputs, outputs).ok().filter(|tape| tape.registers() <= MANY)?;
         let (plain, slopes, exact) = (tape.constants(), tape.constants(), tape.constants());
         Some(Program { plain, slopes, exact, tape, monomials: None })
     }
 
-    /// The right-hand side of a law, which in `f64` runs as sums of multiples of monomials where these are fewer than the steps of
-    /// the tape: eight at a time, that is nearly as fast as compiled code.
-    pub fn of_law(law: &impl Ode<Sym>) -> Option<Self> {
-        let n = law.dimension();
-        let mut written = None;
-        let mut program = Program::of(n, |time, state| {
-            let mut rates = vec![Sym::ZERO; n];
-            law.rates(time, state, &mut rates);
-            written = Some((state.to_vec(), rates.clone()));
-            rates
-        })?;
-        // a law of time is none of the states alone, and is not recorded
-        let monomials = written.and_then(|(state, rates)| Polynomials::record(&state, &rates, n));
-        program.monomials = monomials.filter(|all| all.instructions() < program.tape.operations());
-        Some(program)
-    }
-
-    /// The values at a time and a state; none where the state is longer than what was recorded.
+    /// The values at a time and a state; none where the state is not as long as what was recorded.
     #[inline]
     pub fn run<S: Running>(&self, t: S, y: &[S], values: &mut [S]) -> Option<()> {
         S::run(self, t, y, values)
     }
 
     #[inline]
-    fn rates<S: Analytic>(&self, constants: &[S], t: S, y: &[S], dy: &mut [S]) -> Option<()> {
-        let mut inputs = [S::zero(); INPUTS];
-        inputs.get_mut(..y.len())?.copy_from_slice(y);
-        *inputs.get_mut(y.len())? = t;
-        let inputs = &inputs[..=y.len()];
+    fn follow<S: Analytic>(&self, constants: &[S], t: S, y: &[S], values: &mut [S]) -> Option<()> {
+        if y.len() + 1 != self.tape.inputs() {
+            return None;
+        }
+        let inputs = y.iter().copied().chain([t]);
         match self.tape.registers() {
-            few if few <= FEW => self.tape.evaluate::<S, FEW>(constants, inputs, dy),
-            some if some <= SOME => self.tape.evaluate::<S, SOME>(constants, inputs, dy),
-            more if more <= MORE => self.tape.evaluate::<S, MORE>(constants, inputs, dy),
-            _ => self.tape.evaluate::<S, MANY>(constants, inputs, dy),
+            least if least <= LEAST => self.tape.evaluate::<S, LEAST>(constants, inputs, values),
+            less if less <= LESS => self.tape.evaluate::<S, LESS>(constants, inputs, values),
+            few if few <= FEW => self.tape.evaluate::<S, FEW>(constants, inputs, values),
+            some if some <= SOME => self.tape.evaluate::<S, SOME>(constants, inputs, values),
+            more if more <= MORE => self.tape.evaluate::<S, MORE>(constants, inputs, values),
+            _ => self.tape.evaluate::<S, MANY>(constants, inputs, values),
         }
     }
+}
+
+/// What a function of a state and the time comes to: these, and its values.
+fn written(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym>) -> (Vec<Sym>, Vec<Sym>) {
+    let inputs: Vec<Sym> = (0..=n).map(|i| Sym::symbol(&format!("y{i}"))).collect();
+    let outputs = function(inputs[n], &inputs[..n]);
+    (inputs, outputs)
+}
+
+/// The rates of a law at a time and a state.
+fn rates(law: &impl Ode<Sym>, time: Sym, state: &[Sym]) -> Vec<Sym> {
+    let mut rates = vec![Sym::ZERO; state.len()];
+    law.rates(time, state, &mut rates);
+    rates
 }
 
 /// A field in which programs run.
@@ -106,7 +121,7 @@ impl Running for f64 {
     fn run(program: &Program, t: f64, y: &[f64], values: &mut [f64]) -> Option<()> {
         match &program.monomials {
             Some(monomials) => monomials.evaluate(y, values),
-            None => program.rates(&program.plain, t, y, values)?,
+            None => program.follow(&program.plain, t, y, values)?,
         }
         Some(())
     }
@@ -114,13 +129,13 @@ impl Running for f64 {
 
 impl Running for Directions {
     fn run(program: &Program, t: Self, y: &[Self], values: &mut [Self]) -> Option<()> {
-        program.rates(&program.slopes, t, y, values)
+        program.follow(&program.slopes, t, y, values)
     }
 }
 
 impl Running for DoubleDouble {
     fn run(program: &Program, t: Self, y: &[Self], values: &mut [Self]) -> Option<()> {
-        program.rates(&program.exact, t, y, values)
+        program.follow(&program.exact, t, y, values)
     }
 }
 

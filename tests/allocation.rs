@@ -13,6 +13,7 @@ use derivations::systems::disc::Disc;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::{Form, SecondForm};
 use derivations::systems::ladder::Ladder;
+use derivations::taped::Running;
 use field::{Analytic, DoubleDouble, Lanes, Over};
 use integrators::{
     Directions, Ensemble, Failure, Members, Ode, Real, SideBySide, Signal, Splitting, Switches, compose, lanes_order,
@@ -142,9 +143,10 @@ impl<F: Form<f64>> ForMachine for Advance<F> {
     type Output = usize;
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
-        fn over<S: Real>(driven: &Driven<f64, impl Form<f64>, impl Catalogued>) -> usize {
+        fn over<S: Real + Running>(driven: &Driven<f64, impl Form<f64>, impl Catalogued>) -> usize {
             let mut y: Vec<S> = (0..driven.dimension()).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();
-            let Some(pieces) = driven.pieces::<S>() else {
+            let programs = driven.programs();
+            let Some(pieces) = driven.pieces_by::<S>(programs.as_ref()) else {
                 assert!(!has_known_flow(&driven.machine), "a known flow makes pieces");
                 return 0;
             };
@@ -173,6 +175,14 @@ fn a_step_of_a_composition_allocates_nothing() {
             assert_eq!(machine.apply(Advance(g.second_form().0)), 0, "{name} with {bars} bars, second form");
         }
     }
+}
+
+#[test]
+fn a_step_by_the_programs_of_a_written_motor_allocates_nothing() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/machines/reluctance.toml");
+    let machine = Scene::open(&path).expect("it is in order").machine;
+    let g = rounded(&gyrostats::opposite_sign().gyrostat);
+    assert_eq!(machine.apply(Advance(g.first_form().0)), 0);
 }
 
 /// The uniform ladder on wall and floor, with the direction from which it is seen.

@@ -1,14 +1,16 @@
 //! A motor whose laws stand in a scene is the compiled one: the same programs, and the same messages for what is wrong.
 
 use derivations::machines::multi_current::{MultiCurrent, Windings};
-use derivations::machines::{AnyMachine, Bench, Catalogued, ForMachine};
+use derivations::machines::{AnyMachine, Bench, Catalogued, ForMachine, Programs};
 use derivations::papers::konosevich2022::gyrostats;
 use derivations::scene::problem::Law;
 use derivations::scene::state::names;
 use derivations::scene::{Axes, Family, Scene, System};
+use derivations::separated::Separable;
 use derivations::systems::gyrostat::driven::Driven;
+use derivations::taped::Running;
 use field::{Analytic, DoubleDouble, Over};
-use integrators::{Directions, Ode};
+use integrators::{Directions, Ode, Real, Splitting, compose};
 use physical::rounded;
 use std::f64::consts::PI;
 use symbolic::{Equations, Language, Recurrence, Sym, Tape};
@@ -262,4 +264,56 @@ fn with_the_same_bits_for_the_bars_the_recorded_law_is_the_same_expression() {
     };
     let [ours, theirs] = tapes.each_ref().map(code);
     assert_eq!(ours, theirs);
+}
+
+/// Steps by the programs of a written motor and by its laws one by one.
+struct Kicked<'a>(&'a [f64]);
+
+impl ForMachine for Kicked<'_> {
+    type Output = ();
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) {
+        let g = rounded(&gyrostats::opposite_sign().gyrostat);
+        let driven = Driven::new(g.second_form().0, machine.clone());
+        by_both(&driven, &self.0[..driven.dimension()]);
+        let bench = Bench { machine, axial: 0.3 };
+        by_both(&bench, &self.0[6..6 + bench.dimension()]);
+    }
+}
+
+fn by_both(law: &impl Separable, state: &[f64]) {
+    let programs = law.programs().expect("its laws are recorded");
+    let plain = off_by::<f64>(law, &programs, state);
+    let exact = off_by::<DoubleDouble>(law, &programs, state);
+    assert!(plain < 1e-13 && exact < 1e-28, "{plain:e} {exact:e}");
+}
+
+/// The largest difference after a few steps, relative to a number or to one; none of a law without pieces.
+fn off_by<S: Real + Running>(law: &impl Separable, programs: &Programs, state: &[f64]) -> f64 {
+    let start: Vec<S> = state.iter().map(|y| S::lift(*y)).collect();
+    let after = |programs: Option<&Programs>| {
+        let mut composed = compose(law.pieces_by::<S>(programs)?, Splitting::KahanLi8);
+        composed.prepare(S::ratio(1, 100));
+        composed.enter(&start);
+        let mut end = start.clone();
+        assert!((0..3).all(|_| composed.advance()), "it goes on");
+        composed.leave(&mut end);
+        Some(end)
+    };
+    let (Some(ours), Some(theirs)) = (after(Some(programs)), after(None)) else { return 0.0 };
+    assert_ne!(theirs, start, "it moves");
+    let off = |(a, b): (&S, &S)| ((*a - *b).magnitude() / (S::one() + b.magnitude())).approx();
+    ours.iter().zip(&theirs).map(off).fold(0.0, f64::max)
+}
+
+#[test]
+fn its_kicks_by_programs_are_those_of_its_laws_one_by_one() {
+    let y: Vec<f64> = (0..20).map(|i| (1.0 + 3.0 * f64::from(i)).sin()).collect();
+    // a moment that bends, with windings
+    let bent = "field_energy = \"-b0*cos(g)\"\nmoment_law = \"-mu*g'/(1 + g'*g'*s*s) - f*phi'\"\n";
+    let with_time = format!("{WINDINGS}s = \"0.3 s\"\nt = \"20 deg\"\n");
+    let bent = written(DATA, bent, &with_time, &(winding("a1*cos(g)", 1) + &winding("-a2*sin(2*g + t)", 2)));
+    for text in twins().into_iter().map(|(_, text)| text).chain([bent]) {
+        text.apply(Kicked(&y));
+    }
 }

@@ -1,9 +1,11 @@
 //! A motor on its bench in pieces: the kick at a resting angle, and the drift at a constant spin.
 
 use super::{
-    Bench, Kick, Law, Machine, Point, Rule, decay_quotient, fading_slip, fastest_current, has_known_flow, kick, solved,
+    Acting, Bench, Kick, Law, Machine, Point, Programmed, Programs, Rule, decay_quotient, fading_slip, fastest_current,
+    has_known_flow, kick, solved,
 };
 use crate::separated::Separable;
+use crate::taped::Running;
 use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
 
@@ -29,7 +31,7 @@ impl<S: Analytic> BenchFlows<S> {
 
     /// The kick at a resting angle. Gives what is left of the equation that it solves by iteration.
     #[inline]
-    pub fn push<P: Base, M: Machine<P>>(&self, machine: &M, by: &Kick<S>, point: &mut Point<S>) -> S
+    pub fn push<P: Base, A: Acting<P, S>>(&self, machine: &A, by: &Kick<S>, point: &mut Point<S>) -> S
     where
         S: Over<P>,
     {
@@ -46,6 +48,7 @@ impl<S: Analytic> BenchFlows<S> {
 /// H = p^2/(2 A') - W p + U(g) and the circuits, in two pieces.
 struct BenchPieces<'a, S: Scalar, M> {
     machine: &'a M,
+    acting: Programmed<'a, M>,
     flows: BenchFlows<S>,
     law: Law,
     rule: Rule<S>,
@@ -53,7 +56,7 @@ struct BenchPieces<'a, S: Scalar, M> {
     fastest: S,
 }
 
-impl<S: Real, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
+impl<S: Real + Running, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
     type Point = Point<S>;
     type Lapse = Kick<S>;
 
@@ -68,7 +71,7 @@ impl<S: Real, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
     }
 
     fn leave(&self, point: &Point<S>, y: &mut [S]) {
-        point.leave(self.machine, self.flows.slip(point), y);
+        point.leave(&self.acting, self.flows.slip(point), y);
     }
 
     fn lapse(&self, _piece: usize, length: S) -> Kick<S> {
@@ -82,7 +85,7 @@ impl<S: Real, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
 
     fn flow(&self, piece: usize, lapse: &Kick<S>, point: &mut Point<S>) -> bool {
         if piece == 0 {
-            return solved(self.flows.push(self.machine, lapse, point));
+            return solved(self.flows.push(&self.acting, lapse, point));
         }
         self.flows.drift(lapse.length, point);
         true
@@ -90,11 +93,16 @@ impl<S: Real, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
 }
 
 impl<M: Machine<f64>> Separable for Bench<f64, M> {
-    fn pieces<S: Real>(&self) -> Option<impl Pieces<S>> {
+    fn programs(&self) -> Option<Programs> {
+        Programs::of(&self.machine)
+    }
+
+    fn pieces_by<'a, S: Real + Running>(&'a self, programs: Option<&'a Programs>) -> Option<impl Pieces<S> + 'a> {
         let machine = &self.machine;
         let known = has_known_flow(machine);
         known.then(|| BenchPieces {
             machine,
+            acting: Programmed { machine, programs },
             flows: BenchFlows { axial: S::lift(self.axial), frame_speed: S::lift(machine.frame_speed()) },
             law: Law::of(machine),
             rule: Rule::gauss(),

@@ -5,6 +5,7 @@ use field::{Base, Circle, Over};
 
 impl<P: Base, M: Machine<P>> Machine<P> for &M {
     const ROTOR: RotorState = M::ROTOR;
+    const WRITTEN: bool = M::WRITTEN;
 
     #[inline(always)]
     fn frame_speed(&self) -> P {

@@ -11,15 +11,12 @@
 //! A supply or conductors that slide break this: c_k phi' ties the currents to the slip at a resting angle too, and the
 //! flow is none of these. Such machines are refused ([`has_known_flow`]).
 
+use super::acting::Acting;
+use super::rule::{Rule, STAGES};
 use super::{Machine, RotorState, is_fed};
 use field::{Analytic, Base, Circle, Over, Scalar, Tangent};
-use integrators::{Collocation, Family, Real};
+use integrators::Real;
 use symbolic::{Hypotheses, Sym, decide};
-
-/// Stages of the collocation: its order, 8, is not below that of any composition.
-const STAGES: usize = 4;
-/// Of Newton's iteration, whose error is squared each time.
-const ITERATIONS: usize = 4;
 
 /// The rotor in the coordinates in which pieces flow.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,18 +49,10 @@ pub struct Kick<S> {
 
 #[derive(Clone, Debug)]
 enum Moment<S> {
-    /// m(0); K b; the integral of exp(-K b t) over h; what a unit of each psi_k' i_k(0) adds to the slip.
+    /// m(0); K b; the integral of exp(-K b t) over h; what a unit of each psi_k' L_k i_k(0) adds to the slip.
     Linear { at_zero: S, rate: S, lasting: S, pushes: Vec<S> },
-    /// exp(-r_k c_i h) at each node.
+    /// exp(-r_k c_i h) / L_k at each node.
     Curved { rule: Rule<S>, left: Vec<[S; STAGES]> },
-}
-
-/// Nodes, weights and matrix of a collocation.
-#[derive(Clone, Copy, Debug)]
-pub struct Rule<S> {
-    pub nodes: [S; STAGES],
-    pub weights: [S; STAGES],
-    pub matrix: [[S; STAGES]; STAGES],
 }
 
 impl Law {
@@ -73,18 +62,6 @@ impl Law {
         let moment = machine.moment_law(slip, slip + Sym::lift(machine.frame_speed()));
         let bend = moment.diff(slip).diff(slip);
         if decide(bend, &Hypotheses::none()).is_zero() { Law::Linear } else { Law::Curved }
-    }
-}
-
-impl<S: Real> Rule<S> {
-    /// Gauss' collocation.
-    pub fn gauss() -> Self {
-        let table = Collocation::<S>::new(Family::Gauss, STAGES);
-        Rule {
-            nodes: std::array::from_fn(|i| table.nodes[i]),
-            weights: std::array::from_fn(|i| table.weights[i]),
-            matrix: std::array::from_fn(|i| std::array::from_fn(|j| table.matrix[i][j])),
-        }
     }
 }
 
@@ -101,21 +78,20 @@ impl<S: Scalar> Kick<S> {
     where
         S: Over<P>,
     {
-        let ratio = |k| S::lift(machine.resistance(k)) / S::lift(machine.inductance(k));
+        let inductance = |k| S::lift(machine.inductance(k));
+        let ratio = |k| S::lift(machine.resistance(k)) / inductance(k);
         let loss = |exponent: S| exponent * quotient(S::zero(), exponent);
         let windings = 0..machine.windings();
         let moment = match law {
             Law::Linear => {
-                let frame_speed = Tangent::fixed(S::lift(machine.frame_speed()));
-                let slip = Tangent::variable(S::zero());
-                let Tangent { value, slope, .. } = machine.moment_law(slip, slip + frame_speed);
+                let Tangent { value, slope, .. } = moment_at(machine, S::zero());
                 let rate = -compliance * slope;
-                let pushed = |k| compliance * length * quotient(ratio(k) * length, rate * length);
+                let pushed = |k| compliance * length * quotient(ratio(k) * length, rate * length) / inductance(k);
                 let lasting = length * quotient(S::zero(), rate * length);
                 Moment::Linear { at_zero: value, rate, lasting, pushes: windings.clone().map(pushed).collect() }
             }
             Law::Curved => {
-                let left = |k| rule.nodes.map(|node| S::one() - loss(ratio(k) * node * length));
+                let left = |k| rule.nodes.map(|node| (S::one() - loss(ratio(k) * node * length)) / inductance(k));
                 Moment::Curved { rule, left: windings.clone().map(left).collect() }
             }
         };
@@ -128,89 +104,78 @@ pub fn has_known_flow<P: Base, M: Machine<P>>(machine: &M) -> bool {
     machine.windings() == 0 || M::ROTOR == RotorState::AngleAndSpeed && !is_fed(machine)
 }
 
+/// The laws of the angle, one by one: psi_k(g) with its slope is handed on, winding by winding; gives -U'(g).
+#[inline(always)]
+pub fn laws_at<P: Base, S: Over<P>, M: Machine<P>>(
+    machine: &M,
+    angle: Circle<S>,
+    mut each: impl FnMut(usize, Tangent<S>),
+) -> S {
+    let varied = angle.moving(S::one());
+    let force = -machine.field_energy(varied).slope;
+    (0..machine.windings()).for_each(|k| each(k, machine.linkage(k, varied)));
+    force
+}
+
+/// m at a slip, with its slope.
+#[inline(always)]
+pub fn moment_at<P: Base, S: Over<P>>(machine: &impl Machine<P>, slip: S) -> Tangent<S> {
+    let slip = Tangent::variable(slip);
+    machine.moment_law(slip, slip + Tangent::fixed(S::lift(machine.frame_speed())))
+}
+
 /// The flow: moves the rotor's momentum and the fluxes. Gives what is left of the equation that is solved by iteration.
 #[inline]
-pub fn kick<P: Base, S: Over<P> + Analytic, M: Machine<P>>(
-    machine: &M,
+pub fn kick<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
+    machine: &A,
     by: &Kick<S>,
     slip: S,
     pull: S,
     rotor: &mut Point<S>,
 ) -> S {
-    let angle = if M::ROTOR == RotorState::AngleAndSpeed { rotor.angle.circle() } else { Circle::zero() };
-    let varied = angle.moving(S::one());
-    let force = -machine.field_energy(varied).slope;
-    let windings = rotor.fluxes.iter_mut().zip(&by.losses).enumerate();
-    // psi_k' i_k(0), and the fluxes after
-    let couplings = windings.map(|(k, (flux, loss))| {
-        let Tangent { value, slope, .. } = machine.linkage(k, varied);
+    let fluxes = &mut rotor.fluxes;
+    // psi_k' L_k i_k(0), and the flux after
+    let mut fade = |k: usize, Tangent { value, slope, .. }: Tangent<S>| {
+        let (flux, loss) = (&mut fluxes[k], &by.losses[k]);
         let own = *flux - value;
         *flux -= own * *loss;
-        slope * own / S::lift(machine.inductance(k))
-    });
+        slope * own
+    };
     let steady = |force: S| by.compliance * force + pull;
     let (gain, left) = match &by.moment {
         Moment::Linear { at_zero, rate, lasting, pushes } => {
-            let start = *lasting * (steady(force + *at_zero) - *rate * slip);
-            (couplings.zip(pushes).fold(start, |gain, (coupling, push)| gain + coupling * *push), S::zero())
+            let mut pushed = S::zero();
+            let force = force(machine, rotor.angle, |k, linkage| pushed += fade(k, linkage) * pushes[k]);
+            (pushed + *lasting * (steady(force + *at_zero) - *rate * slip), S::zero())
         }
         Moment::Curved { rule, left } => {
-            let mut forces = [force; STAGES];
-            for (coupling, left) in couplings.zip(left) {
-                forces.iter_mut().zip(left).for_each(|(force, left)| *force += coupling * *left);
-            }
-            let rate = |i: usize, slip: Tangent<S>| {
-                let speed = slip + Tangent::fixed(S::lift(machine.frame_speed()));
-                let moment = machine.moment_law(slip, speed);
-                Tangent::moving(steady(forces[i] + moment.value), by.compliance * moment.slope)
+            let mut forces = [S::zero(); STAGES];
+            let force = force(machine, rotor.angle, |k, linkage| {
+                let coupling = fade(k, linkage);
+                forces.iter_mut().zip(&left[k]).for_each(|(force, left)| *force += coupling * *left);
+            });
+            let rates = |slips: &[S; STAGES]| {
+                let moments = machine.moments(slips);
+                std::array::from_fn(|i| {
+                    let Tangent { value, slope } = moments[i];
+                    Tangent::moving(steady(force + forces[i] + value), by.compliance * slope)
+                })
             };
-            rule.solve(by.length, slip, rate)
+            rule.solve(by.length, slip, rates)
         }
     };
     rotor.momentum += (gain - by.length * pull) / by.compliance;
     left
 }
 
-impl<S: Scalar> Rule<S> {
-    /// What s' = f_i(s) adds to s over a length of time, f_i the rate at node i with its slope; and the last correction
-    /// of Newton's iteration, squared.
-    fn solve(&self, length: S, start: S, rate: impl Fn(usize, Tangent<S>) -> Tangent<S>) -> (S, S) {
-        let mut stages = [start; STAGES];
-        let mut left = S::zero();
-        for _ in 0..ITERATIONS {
-            let rates: [Tangent<S>; STAGES] = std::array::from_fn(|i| rate(i, Tangent::variable(stages[i])));
-            let mut rows: [[S; STAGES]; STAGES] = std::array::from_fn(|i| {
-                std::array::from_fn(|j| {
-                    let unit = if i == j { S::one() } else { S::zero() };
-                    unit - length * self.matrix[i][j] * rates[j].slope
-                })
-            });
-            let mut residuals: [S; STAGES] = std::array::from_fn(|i| {
-                let slopes = self.matrix[i].iter().zip(&rates);
-                slopes.fold(start - stages[i], |sum, (a, rate)| sum + length * *a * rate.value)
-            });
-            eliminate(&mut rows, &mut residuals);
-            stages.iter_mut().zip(residuals).for_each(|(stage, correction)| *stage += correction);
-            left = residuals.iter().fold(S::zero(), |sum, correction| sum + *correction * *correction);
-        }
-        let gain = (0..STAGES)
-            .fold(S::zero(), |sum, i| sum + length * self.weights[i] * rate(i, Tangent::variable(stages[i])).value);
-        (gain, left)
-    }
-}
-
-/// Solves in place; without a choice of pivots, which laws over any field cannot make: the matrix is near one.
-fn eliminate<S: Scalar>(rows: &mut [[S; STAGES]; STAGES], right: &mut [S; STAGES]) {
-    for k in 0..STAGES {
-        for i in (0..STAGES).filter(|i| *i != k) {
-            let factor = rows[i][k] / rows[k][k];
-            let above = rows[k];
-            rows[i].iter_mut().zip(above).for_each(|(entry, above)| *entry -= factor * above);
-            let above = right[k];
-            right[i] -= factor * above;
-        }
-    }
-    (0..STAGES).for_each(|k| right[k] /= rows[k][k]);
+/// [`Acting::at_angle`] of a machine whose laws know the angle: the others have no energy of it, and no windings.
+#[inline(always)]
+fn force<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
+    machine: &A,
+    angle: S,
+    each: impl FnMut(usize, Tangent<S>),
+) -> S {
+    if A::Machine::ROTOR == RotorState::AngleAndSpeed { machine.at_angle(angle.circle(), each) } else { S::zero() }
 }
 
 impl<S: Analytic> Point<S> {
@@ -230,17 +195,17 @@ impl<S: Analytic> Point<S> {
 
     /// To the rotor's part of a law's state, and the currents.
     #[inline]
-    pub fn leave<P: Base, M: Machine<P>>(&self, machine: &M, slip: S, y: &mut [S])
+    pub fn leave<P: Base, A: Acting<P, S>>(&self, acting: &A, slip: S, y: &mut [S])
     where
         S: Over<P>,
     {
-        let (rotor, currents) = y.split_at_mut(M::ROTOR.dimension());
-        M::ROTOR.write(self.angle, slip, rotor);
+        let (machine, state) = (acting.machine(), A::Machine::ROTOR);
+        let (rotor, currents) = y.split_at_mut(state.dimension());
+        state.write(self.angle, slip, rotor);
         if !currents.is_empty() {
-            let point = self.angle.circle();
-            for (k, (i, flux)) in currents.iter_mut().zip(&self.fluxes).enumerate() {
-                *i = (*flux - machine.linkage(k, point)) / S::lift(machine.inductance(k));
-            }
+            acting.linkages(self.angle.circle(), |k, linkage| {
+                currents[k] = (self.fluxes[k] - linkage) / S::lift(machine.inductance(k));
+            });
         }
     }
 }
@@ -253,8 +218,7 @@ pub fn fastest_current<S: Real>(machine: &impl Machine<f64>) -> S {
 
 /// The rate at which a slip fades by the moment m alone: -K dm/ds.
 pub fn fading_slip<S: Real>(machine: &impl Machine<f64>, compliance: S, slip: S) -> S {
-    let slip = Tangent::variable(slip);
-    -compliance * machine.moment_law(slip, slip + Tangent::fixed(S::lift(machine.frame_speed()))).slope
+    -compliance * moment_at(machine, slip).slope
 }
 
 /// Whether Newton's iteration came close enough for its next step to end in rounding, slips being of any size.

@@ -12,6 +12,7 @@ pub struct Loaded<M, P> {
 
 impl<P: Base, M: Machine<P>> Machine<P> for Loaded<M, P> {
     const ROTOR: RotorState = M::ROTOR;
+    const WRITTEN: bool = M::WRITTEN;
 
     #[inline(always)]
     fn frame_speed(&self) -> P {

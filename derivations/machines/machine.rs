@@ -37,6 +37,9 @@ pub trait Machine<P: Base> {
     /// What the laws need to know of the rotor.
     const ROTOR: RotorState;
 
+    /// Whether its laws are programs that are followed, not compiled: then programs of all that is asked at once pay.
+    const WRITTEN: bool = false;
+
     /// W, rad/s.
     fn frame_speed(&self) -> P;
 

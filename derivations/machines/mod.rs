@@ -10,6 +10,7 @@
 //!
 //! To add a motor: one file here, and one line in the list below; or its laws as [`text`] in a scene.
 
+mod acting;
 mod bench;
 mod bench_pieces;
 mod borrowed;
@@ -20,12 +21,14 @@ mod machine;
 mod metered;
 mod quantity;
 mod resting;
+mod rule;
 pub mod text;
 
+pub use acting::{Acting, Programmed, Programs};
 pub use bench::Bench;
 pub use bench_pieces::BenchFlows;
 pub use conserved::{Conserved, ConservedBy};
-pub use kick::{Kick, Law, Point, Rule, decay_quotient, fading_slip, fastest_current, has_known_flow, kick, solved};
+pub use kick::{Kick, Law, Point, decay_quotient, fading_slip, fastest_current, has_known_flow, kick, solved};
 pub use loaded::Loaded;
 pub use machine::{
     Circuit, Machine, RotorState, drive, drive_circuits, heat, is_fed, motional_moment, state_names, stored_energy,
@@ -34,6 +37,7 @@ pub use machine::{
 pub use metered::{Metered, Powered, feeding};
 pub use quantity::Quantity;
 pub use resting::resting_currents;
+pub use rule::Rule;
 
 use field::{Analytic, Base, Over};
 use std::sync::Arc;
@@ -61,8 +65,6 @@ pub trait Source<P = f64> {
 pub trait Catalogued: Machine<f64> + Sized {
     /// One line for lists and reports.
     const SUMMARY: &'static str;
-    /// Whether its laws are programs: then a bench with it runs by a program of the whole.
-    const WRITTEN: bool = false;
     /// The same machine with its parameters in another field.
     type Over<P: Datum>: Machine<P>;
     /// Reads the parameters.

@@ -145,7 +145,7 @@ fn without_friction_a_step_keeps_the_bracket() {
     let AnyMachine::Synchronous(motor) = &mut scene.machine else { panic!("it is synchronous") };
     motor.f = 0.0;
     let law = Driven::new(bodies.first_form().0, *motor);
-    let pieces = law.in_momenta::<DoubleDouble>().expect("it has pieces");
+    let pieces = law.in_momenta::<DoubleDouble>(None).expect("it has pieces");
     let state = [0.3, -0.2, 4.0, 0.6, 0.0, 0.8, 0.7, -11.0].map(DoubleDouble::from);
     let start = flat(&pieces.enter(&state));
     for splitting in Splitting::ALL {

@@ -61,6 +61,7 @@ impl<P: Datum, K: Knows> Text<P, K> {
 
 impl<P: Base, K: Knows> Machine<P> for Text<P, K> {
     const ROTOR: RotorState = K::ROTOR;
+    const WRITTEN: bool = true;
 
     #[inline(always)]
     fn frame_speed(&self) -> P {
@@ -114,7 +115,6 @@ impl<P: Base, K: Knows> Machine<P> for Text<P, K> {
 
 impl<K: Knows> Catalogued for Text<f64, K> {
     const SUMMARY: &'static str = "its laws are written in the scene";
-    const WRITTEN: bool = true;
     type Over<P: Datum> = Text<P, K>;
 
     /// From a source without laws: a rotor that is left alone.

@@ -23,10 +23,11 @@
 use super::driven::Driven;
 use super::forms::Form;
 use crate::machines::{
-    Kick, Law, Machine, Point as RotorPoint, RotorState, Rule, decay_quotient, fading_slip, fastest_current,
-    has_known_flow, kick, solved,
+    Acting, Kick, Law, Machine, Point as RotorPoint, Programmed, Programs, RotorState, Rule, decay_quotient,
+    fading_slip, fastest_current, has_known_flow, kick, solved,
 };
 use crate::separated::Separable;
+use crate::taped::Running;
 use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
 use mechanics::rotation::{turned_about, turned_along};
@@ -153,13 +154,13 @@ impl<S: Analytic> Flows<S> {
     /// The flow at resting v and g: the weight moves x, the machine the rest. Gives what is left of the equation it
     /// solves by iteration.
     #[inline]
-    pub fn push<P: Base, M: Machine<P>>(&self, machine: &M, by: &Kick<S>, at: &mut Point<S>) -> S
+    pub fn push<P: Base, A: Acting<P, S>>(&self, machine: &A, by: &Kick<S>, at: &mut Point<S>) -> S
     where
         S: Over<P>,
     {
         let moment = self.momenta.weight.cross(&at.vertical);
         let mut left = S::zero();
-        if M::ROTOR != RotorState::Prescribed {
+        if A::Machine::ROTOR != RotorState::Prescribed {
             let (_, slip) = self.velocities(at);
             let pull = -self.momenta.axis.dot(&self.angular_velocity(moment));
             left = kick(machine, by, slip, pull, &mut at.rotor);
@@ -170,7 +171,7 @@ impl<S: Analytic> Flows<S> {
 
     /// The flow of a piece, the push first and then the squares. Gives what is left, as the push does.
     #[inline]
-    pub fn flow<P: Base, M: Machine<P>>(&self, machine: &M, piece: usize, lapse: &Lapse<S>, at: &mut Point<S>) -> S
+    pub fn flow<P: Base, A: Acting<P, S>>(&self, machine: &A, piece: usize, lapse: &Lapse<S>, at: &mut Point<S>) -> S
     where
         S: Over<P>,
     {
@@ -203,7 +204,7 @@ impl<S: Analytic> Flows<S> {
 
     /// To a state of the law.
     #[inline]
-    pub fn leave<P: Base, M: Machine<P>>(&self, machine: &M, at: &Point<S>, y: &mut [S])
+    pub fn leave<P: Base, A: Acting<P, S>>(&self, machine: &A, at: &Point<S>, y: &mut [S])
     where
         S: Over<P>,
     {
@@ -221,6 +222,7 @@ impl<S: Analytic> Flows<S> {
 pub struct GyrostatPieces<'a, S: Scalar, F, M> {
     form: &'a F,
     machine: &'a M,
+    acting: Programmed<'a, M>,
     flows: Flows<S>,
     law: Law,
     rule: Rule<S>,
@@ -228,7 +230,7 @@ pub struct GyrostatPieces<'a, S: Scalar, F, M> {
     fastest: S,
 }
 
-impl<S: Real, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPieces<'_, S, F, M> {
+impl<S: Real + Running, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPieces<'_, S, F, M> {
     type Point = Point<S>;
     type Lapse = Lapse<S>;
 
@@ -241,7 +243,7 @@ impl<S: Real, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPieces<'_, S,
     }
 
     fn leave(&self, point: &Point<S>, y: &mut [S]) {
-        self.flows.leave(self.machine, point, y);
+        self.flows.leave(&self.acting, point, y);
     }
 
     fn lapse(&self, piece: usize, length: S) -> Lapse<S> {
@@ -262,7 +264,7 @@ impl<S: Real, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPieces<'_, S,
 
     #[inline]
     fn flow(&self, piece: usize, lapse: &Lapse<S>, point: &mut Point<S>) -> bool {
-        solved(self.flows.flow(self.machine, piece, lapse, point))
+        solved(self.flows.flow(&self.acting, piece, lapse, point))
     }
 }
 
@@ -274,13 +276,14 @@ pub enum Lapse<S> {
 }
 
 impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
-    /// The pieces over a field; none where the flow of the [`Kick`] is not known.
-    pub fn in_momenta<S: Real>(&self) -> Option<GyrostatPieces<'_, S, F, M>> {
+    /// The pieces over a field, by programs where there are some; none where the flow of the [`Kick`] is not known.
+    pub fn in_momenta<'a, S: Real>(&'a self, programs: Option<&'a Programs>) -> Option<GyrostatPieces<'a, S, F, M>> {
         let Driven { form, machine, .. } = self;
         let flows = Flows::new(form, machine);
         has_known_flow(machine).then(|| GyrostatPieces {
             form,
             machine,
+            acting: Programmed { machine, programs },
             flows,
             law: Law::of(machine),
             rule: Rule::gauss(),
@@ -290,7 +293,11 @@ impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
 }
 
 impl<F: Form<f64>, M: Machine<f64>> Separable for Driven<f64, F, M> {
-    fn pieces<S: Real>(&self) -> Option<impl Pieces<S>> {
-        self.in_momenta()
+    fn programs(&self) -> Option<Programs> {
+        Programs::of(&self.machine)
+    }
+
+    fn pieces_by<'a, S: Real + Running>(&'a self, programs: Option<&'a Programs>) -> Option<impl Pieces<S> + 'a> {
+        self.in_momenta(programs)
     }
 }

@@ -5,7 +5,8 @@ use crate::recurrence::{Columns, Fused, Pick, Task};
 
 /// Numbers of an evaluation: inputs, parts, products. What is cleared and not needed costs.
 const FEW: usize = 64;
-const SOME: usize = 256;
+const SOME: usize = 128;
+const MORE: usize = 256;
 const MANY: usize = 1024;
 pub(super) const MOST: usize = 4096;
 
@@ -16,6 +17,7 @@ impl Polynomials {
         match self.numbers() {
             few if few <= FEW => f64::run(Evaluation::<FEW> { of: self, inputs, outputs }, WIDTH),
             some if some <= SOME => f64::run(Evaluation::<SOME> { of: self, inputs, outputs }, WIDTH),
+            more if more <= MORE => f64::run(Evaluation::<MORE> { of: self, inputs, outputs }, WIDTH),
             many if many <= MANY => f64::run(Evaluation::<MANY> { of: self, inputs, outputs }, WIDTH),
             _ => f64::run(Evaluation::<MOST> { of: self, inputs, outputs }, WIDTH),
         }

@@ -7,8 +7,10 @@ use crate::{Sym, Tape};
 use field::{Analytic, Circle};
 use std::collections::BTreeSet;
 
-/// Registers of the program of parts.
-const REGISTERS: usize = 256;
+/// Registers of the program of parts: of a quotient or two, and of the longest. To clear them takes longer than the program.
+const FEW: usize = 32;
+const SOME: usize = 64;
+const MANY: usize = 256;
 
 /// The parts of expressions that are variables of their own, behind whole groups of inputs.
 #[derive(Clone, Debug)]
@@ -34,7 +36,7 @@ impl Parts {
         // between the inputs and the points there are zeros, and are read as that
         let zeros = vec![Sym::ZERO; first - inputs.len()];
         let tape = Tape::record(&[inputs, &zeros, &points].concat(), &others).ok()?;
-        if tape.registers() > REGISTERS {
+        if tape.registers() > MANY {
             return None;
         }
         let parts = Parts { inputs: inputs.len(), angles, constants: tape.constants(), others: tape };
@@ -76,8 +78,14 @@ impl Parts {
         }
         if self.others.outputs() > 0 {
             let (known, others) = values.split_at_mut((first + 2 * self.angles.len()).min(values.len()));
+            let known = known.iter().copied();
+            let written = match self.others.registers() {
+                few if few <= FEW => self.others.evaluate::<f64, FEW>(&self.constants, known, others),
+                some if some <= SOME => self.others.evaluate::<f64, SOME>(&self.constants, known, others),
+                _ => self.others.evaluate::<f64, MANY>(&self.constants, known, others),
+            };
             // its registers were counted when it was recorded
-            self.others.evaluate::<f64, REGISTERS>(&self.constants, known, others).unwrap_or(());
+            written.unwrap_or(());
         }
     }
 }

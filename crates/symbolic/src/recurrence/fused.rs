@@ -5,6 +5,7 @@ use super::permuting::Permuting;
 use super::pick::{OneByOne, Pick};
 use super::small::{Never, Small, SmallSeries};
 use field::{Analytic, DoubleDouble, Over};
+use std::sync::OnceLock;
 
 /// A field with a product added to a sum as fast as the processor can.
 pub trait Fused: Analytic + Over<f64> {
@@ -57,17 +58,22 @@ impl Fused for f64 {
     #[allow(private_bounds)]
     #[inline]
     fn run<T: Task<f64>>(task: T, group: usize) {
-        #[cfg(target_arch = "x86_64")]
-        if group == 8
-            && let Some(widest) = pulp::x86::V4::try_new()
-        {
-            return pulp::Simd::vectorize(widest, With(task, Permuting(widest)));
-        }
-        match pulp::Arch::new() {
+        match widest() {
+            #[cfg(target_arch = "x86_64")]
+            pulp::Arch::V4(widest) if group == 8 => {
+                pulp::Simd::vectorize(widest, With(task, Permuting(widest)));
+            }
             pulp::Arch::Scalar => task.run(OneByOne::<false>),
             wide => wide.dispatch(With(task, OneByOne::<true>)),
         }
     }
+}
+
+/// What the processor has, asked once: to ask takes as long as a small task.
+#[inline]
+fn widest() -> pulp::Arch {
+    static FOUND: OnceLock<pulp::Arch> = OnceLock::new();
+    *FOUND.get_or_init(pulp::Arch::new)
 }
 
 struct With<T, P>(T, P);

@@ -38,7 +38,7 @@ impl Tape {
     pub fn evaluate<S: Analytic, const N: usize>(
         &self,
         constants: &[S],
-        inputs: &[S],
+        inputs: impl Iterator<Item = S>,
         outputs: &mut [S],
     ) -> Option<()> {
         let mut registers = [S::zero(); N];
@@ -49,10 +49,10 @@ impl Tape {
     }
 
     #[inline(always)]
-    fn follow<S: Analytic>(&self, registers: &mut [S], inputs: &[S], outputs: &mut [S]) {
+    fn follow<S: Analytic>(&self, registers: &mut [S], inputs: impl Iterator<Item = S>, outputs: &mut [S]) {
         let Tape { inputs: count, constants, operations, outputs: results, .. } = self;
         for (register, input) in registers[..*count].iter_mut().zip(inputs) {
-            *register = *input;
+            *register = input;
         }
         let mut next = count + constants.len();
         for &operation in operations {
@@ -96,6 +96,6 @@ impl<S: Analytic> Program<'_, S> {
     // always inlined: whoever is compiled for wide registers evaluates with them
     #[inline(always)]
     pub fn evaluate(&mut self, inputs: &[S], outputs: &mut [S]) {
-        self.tape.follow(&mut self.registers, inputs, outputs);
+        self.tape.follow(&mut self.registers, inputs.iter().copied(), outputs);
     }
 }

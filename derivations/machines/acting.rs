@@ -1,0 +1,190 @@
+//! The laws of a machine as a kick asks for them: those of the angle at once, the moment at all stages at once.
+//!
+//! A compiled machine answers law by law. The laws of a written one are programs, which share nothing when they are followed one by
+//! one; its [`Programs`] are all of them, recorded together with the data as constants.
+
+use super::kick::{Law, laws_at, moment_at};
+use super::rule::STAGES;
+use super::{Machine, RotorState};
+use crate::taped::{Program, Running};
+use field::{Base, Circle, Over, Tangent};
+use symbolic::Sym;
+
+/// A machine at a resting angle.
+pub trait Acting<P: Base, S: Over<P>> {
+    type Machine: Machine<P>;
+
+    fn machine(&self) -> &Self::Machine;
+
+    /// Hands on psi_k(g) with its slope, winding by winding; gives -U'(g).
+    fn at_angle(&self, angle: Circle<S>, each: impl FnMut(usize, Tangent<S>)) -> S;
+
+    /// Hands on psi_k(g), winding by winding.
+    fn linkages(&self, angle: Circle<S>, each: impl FnMut(usize, S));
+
+    /// m with its slope at each of the slips.
+    fn moments(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES];
+}
+
+/// Law by law.
+impl<P: Base, S: Over<P>, M: Machine<P>> Acting<P, S> for M {
+    type Machine = M;
+
+    #[inline(always)]
+    fn machine(&self) -> &M {
+        self
+    }
+
+    #[inline(always)]
+    fn at_angle(&self, angle: Circle<S>, each: impl FnMut(usize, Tangent<S>)) -> S {
+        laws_at(self, angle, each)
+    }
+
+    #[inline(always)]
+    fn linkages(&self, angle: Circle<S>, mut each: impl FnMut(usize, S)) {
+        (0..self.windings()).for_each(|k| each(k, self.linkage(k, angle)));
+    }
+
+    #[inline(always)]
+    fn moments(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES] {
+        slips.map(|slip| moment_at(self, slip))
+    }
+}
+
+/// What a kick asks of a written machine.
+#[derive(Clone, Debug)]
+pub struct Programs {
+    /// psi_k, -U', psi_k' of the angle's cosine and sine; where the laws know it
+    angle: Option<Program>,
+    /// m at all stages, then m', of the slips there; where m is curved
+    moments: Option<Program>,
+}
+
+impl Programs {
+    /// Records the laws of a machine; none of one that is compiled.
+    pub fn of<M: Machine<f64>>(machine: &M) -> Option<Self> {
+        if !M::WRITTEN {
+            return None;
+        }
+        let angle = || {
+            Program::of_monomials(2, |_, point| {
+                let point = Circle { cos: point[0], sin: point[1] };
+                let (mut values, mut slopes) = (Vec::new(), Vec::new());
+                let force = laws_at(machine, point, |_, Tangent { value, slope, .. }| {
+                    values.push(value);
+                    slopes.push(slope);
+                });
+                values.push(force);
+                [values, slopes].concat()
+            })
+        };
+        let moments = || {
+            Program::of_monomials(STAGES, |_, slips| {
+                let moments = slips.iter().map(|slip| moment_at(machine, *slip));
+                let (values, slopes): (Vec<Sym>, Vec<Sym>) =
+                    moments.map(|Tangent { value, slope, .. }| (value, slope)).unzip();
+                [values, slopes].concat()
+            })
+        };
+        Some(Programs {
+            angle: if M::ROTOR == RotorState::AngleAndSpeed { angle() } else { None },
+            moments: if Law::of(machine) == Law::Curved { moments() } else { None },
+        })
+    }
+}
+
+/// A machine with its programs, where it has any.
+#[derive(Clone, Copy, Debug)]
+pub struct Programmed<'a, M> {
+    pub machine: &'a M,
+    pub programs: Option<&'a Programs>,
+}
+
+/// Room for the numbers of no winding to three, of fifteen, and of more than a scene may have.
+const FEW: usize = 8;
+const SOME: usize = 32;
+const MANY: usize = 256;
+
+impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, M> {
+    type Machine = M;
+
+    #[inline(always)]
+    fn machine(&self) -> &M {
+        self.machine
+    }
+
+    #[inline(always)]
+    fn at_angle(&self, angle: Circle<S>, each: impl FnMut(usize, Tangent<S>)) -> S {
+        let windings = self.machine.windings();
+        match self.angle() {
+            Some(program) if windings <= FEW / 2 - 1 => followed::<S, FEW>(program, windings, angle, each),
+            Some(program) if windings <= SOME / 2 - 1 => followed::<S, SOME>(program, windings, angle, each),
+            Some(program) if windings <= MANY / 2 - 1 => followed::<S, MANY>(program, windings, angle, each),
+            _ => laws_at(self.machine, angle, each),
+        }
+    }
+
+    #[inline(always)]
+    fn linkages(&self, angle: Circle<S>, each: impl FnMut(usize, S)) {
+        let windings = self.machine.windings();
+        match self.angle() {
+            Some(program) if windings <= FEW => linked::<S, FEW>(program, windings, angle, each),
+            Some(program) if windings <= SOME => linked::<S, SOME>(program, windings, angle, each),
+            Some(program) if windings <= MANY => linked::<S, MANY>(program, windings, angle, each),
+            _ => self.machine.linkages(angle, each),
+        }
+    }
+
+    #[inline(always)]
+    fn moments(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES] {
+        let mut values = [S::zero(); 2 * STAGES];
+        let program = self.programs.filter(|_| M::WRITTEN).and_then(|all| all.moments.as_ref());
+        match program.and_then(|program| program.run(S::zero(), slips, &mut values)) {
+            Some(()) => std::array::from_fn(|i| Tangent::moving(values[i], values[STAGES + i])),
+            None => self.machine.moments(slips),
+        }
+    }
+}
+
+impl<'a, M: Machine<f64>> Programmed<'a, M> {
+    /// None of a compiled machine: known before it runs.
+    #[inline(always)]
+    fn angle(&self) -> Option<&'a Program> {
+        if M::WRITTEN { self.programs.and_then(|all| all.angle.as_ref()) } else { None }
+    }
+}
+
+/// [`Acting::at_angle`] by a program, in room for N numbers.
+#[inline]
+fn followed<S: Running, const N: usize>(
+    program: &Program,
+    windings: usize,
+    angle: Circle<S>,
+    mut each: impl FnMut(usize, Tangent<S>),
+) -> S {
+    let mut values = [S::zero(); N];
+    let values = &mut values[..2 * windings + 1];
+    // it was recorded for an angle
+    program.run(S::zero(), &[angle.cos, angle.sin], values).unwrap_or(());
+    let (linkages, rest) = values.split_at(windings);
+    let (force, slopes) = rest.split_at(1);
+    for (k, (value, slope)) in linkages.iter().zip(slopes).enumerate() {
+        each(k, Tangent::moving(*value, *slope));
+    }
+    force[0]
+}
+
+/// [`Acting::linkages`] by a program: of its values the first.
+#[inline]
+fn linked<S: Running, const N: usize>(
+    program: &Program,
+    windings: usize,
+    angle: Circle<S>,
+    mut each: impl FnMut(usize, S),
+) {
+    let mut values = [S::zero(); N];
+    let values = &mut values[..windings];
+    // it was recorded for an angle
+    program.run(S::zero(), &[angle.cos, angle.sin], values).unwrap_or(());
+    values.iter().enumerate().for_each(|(k, value)| each(k, *value));
+}
