@@ -62,8 +62,7 @@ impl Parts {
             *group = *eight;
         }
         if let Some(group) = groups.get_mut(whole.len()) {
-            // eight at most: a call that copies takes longer
-            *group = std::array::from_fn(|number| rest.get(number).copied().unwrap_or(0.0));
+            *group = pick.store(pick.load_some(rest));
         }
         let first = Self::first(self.inputs);
         for (group, four) in groups.iter_mut().skip(first / WIDTH).zip(self.angles.chunks(WIDTH / 2)) {
@@ -94,7 +93,8 @@ impl Parts {
 fn found(inputs: &[Sym], outputs: &[Sym]) -> (Vec<usize>, Vec<Sym>) {
     let mut moving: BTreeSet<Sym> = inputs.iter().copied().collect();
     let (mut angles, mut others) = (BTreeSet::new(), Vec::new());
-    for each in Sym::ascending(outputs) {
+    let all = Sym::ascending(outputs);
+    for &each in &all {
         let node = each.node();
         if !node.children().any(|child| moving.contains(&child)) {
             continue;
@@ -107,7 +107,12 @@ fn found(inputs: &[Sym], outputs: &[Sym]) -> (Vec<usize>, Vec<Sym>) {
                 input.is_none().then_some(each)
             }
             Node::Root(_) => Some(each),
-            Node::Quotient(_, divisor) if moving.contains(&divisor) => Some(Sym::ONE / divisor),
+            // what alone is divided by something needs no product after it
+            Node::Quotient(_, divisor) if moving.contains(&divisor) => {
+                let shares = |other: &Sym| matches!(other.node(), Node::Quotient(_, by) if by == divisor);
+                let alone = all.iter().filter(|other| shares(other)).count() == 1;
+                Some(if alone { each } else { Sym::ONE / divisor })
+            }
             _ => None,
         };
         others.extend(other.filter(|other| !others.contains(other)));
