@@ -313,7 +313,8 @@ fn its_kicks_by_programs_are_those_of_its_laws_one_by_one() {
     let bent = "field_energy = \"-b0*cos(g)\"\nmoment_law = \"-mu*g'/(1 + g'*g'*s*s) - f*phi'\"\n";
     let with_time = format!("{WINDINGS}s = \"0.3 s\"\nt = \"20 deg\"\n");
     let bent = written(DATA, bent, &with_time, &(winding("a1*cos(g)", 1) + &winding("-a2*sin(2*g + t)", 2)));
-    for text in twins().into_iter().map(|(_, text)| text).chain([bent]) {
+    // the first is left alone: on a bench it does not move
+    for text in twins().into_iter().skip(1).map(|(_, text)| text).chain([bent]) {
         text.apply(Kicked(&y));
     }
 }
