@@ -117,9 +117,9 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
     fn at_angle(&self, angle: Circle<S>, each: impl FnMut(usize, Tangent<S>)) -> S {
         let windings = self.machine.windings();
         match self.angle() {
-            Some(program) if windings <= FEW / 2 - 1 => followed::<S, FEW>(program, windings, angle, each),
-            Some(program) if windings <= SOME / 2 - 1 => followed::<S, SOME>(program, windings, angle, each),
-            Some(program) if windings <= MANY / 2 - 1 => followed::<S, MANY>(program, windings, angle, each),
+            Some(program) if windings < FEW / 2 => followed::<S, FEW>(program, windings, angle, each),
+            Some(program) if windings < SOME / 2 => followed::<S, SOME>(program, windings, angle, each),
+            Some(program) if windings < MANY / 2 => followed::<S, MANY>(program, windings, angle, each),
             _ => laws_at(self.machine, angle, each),
         }
     }
@@ -164,7 +164,7 @@ fn followed<S: Running, const N: usize>(
 ) -> S {
     let mut values = [S::zero(); N];
     let values = &mut values[..2 * windings + 1];
-    // it was recorded for an angle
+    // recorded for an angle, it runs
     program.run(S::zero(), &[angle.cos, angle.sin], values).unwrap_or(());
     let (linkages, rest) = values.split_at(windings);
     let (force, slopes) = rest.split_at(1);
@@ -184,7 +184,7 @@ fn linked<S: Running, const N: usize>(
 ) {
     let mut values = [S::zero(); N];
     let values = &mut values[..windings];
-    // it was recorded for an angle
+    // recorded for an angle, it runs
     program.run(S::zero(), &[angle.cos, angle.sin], values).unwrap_or(());
     values.iter().enumerate().for_each(|(k, value)| each(k, *value));
 }
