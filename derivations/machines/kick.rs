@@ -157,7 +157,7 @@ pub fn kick<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
             let rates = |slips: &[S; STAGES]| {
                 let moments = machine.moments(slips);
                 std::array::from_fn(|i| {
-                    let Tangent { value, slope } = moments[i];
+                    let Tangent { value, slope, .. } = moments[i];
                     Tangent::moving(steady(force + forces[i] + value), by.compliance * slope)
                 })
             };
