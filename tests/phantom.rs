@@ -283,20 +283,30 @@ fn beside_the_map_that_runs(near: &SplitRuns, splitting: Splitting, motion: &str
     (tested, proved)
 }
 
-/// Carriers at rest, where all pieces rest, and turning, where a splitting has a motion of its own; each row says what is proved of it
-/// and what is tested alone.
+/// Carriers at rest, where all pieces rest, and turning, where a splitting has a motion of its own. How far a proof reaches between
+/// two tested steps goes with rounding, and no page of review says it.
 #[test]
 fn near_gyrostats_what_a_splitting_does_between_the_tested_steps_is_proved_as_far_as_its_row_says() {
     let rows = |(name, scene, w): &(&str, Scene, f64)| {
-        let mut page = String::new();
+        let ends = [steps()[0], steps()[steps().len() - 1]];
+        let mut page = format!("at {} steps from {:.1e} to {:.1e} s: ", steps().len(), ends[0], ends[1]);
+        page += "G grows, S stays, proved; g grows, s stays, tested alone; . nothing\n";
         for (place, motion) in chart(scene, *w).all.motions.iter().enumerate() {
             let near = SplitRuns::near(scene, motion);
-            page += &format!("{}{} {motion}\n", if place == 0 { "" } else { "\n" }, place + 1);
+            page += &format!("\n{} {motion}\n", place + 1);
             for splitting in Splitting::ALL {
                 let (tested, proved) = beside_the_map_that_runs(&near, splitting, &format!("{name}, {motion}"));
                 let known = proved.stretches.iter().filter(|(.., grows)| grows.is_some());
                 assert!(known.map(|(low, high, _)| high / low).product::<f64>() > 10.0, "{name}, {motion}: {proved:?}");
-                page += &format!("  {:<20} {}\n", splitting.name(), tested.told());
+                let letter = |(step, seen): &(f64, Option<bool>)| match (proved.at(*step), seen) {
+                    (Some(true), _) => 'G',
+                    (Some(false), _) => 'S',
+                    (None, Some(true)) => 'g',
+                    (None, Some(false)) => 's',
+                    (None, None) => '.',
+                };
+                let letters: String = tested.grows.iter().map(letter).collect();
+                page += &format!("  {:<20} {letters}\n", splitting.name());
             }
         }
         page
