@@ -2,9 +2,8 @@
 """Breaks every law once and tells what notices: writes snapshots/mutants/, a page for each crate and folder.
 
 Each mutant of mutants.toml is one replacement in one file of a copy of the project, outside of it. The ledger, the laws
-and what the file's own crate tests are built there and run; what fails has caught the mutant. Whole motions run only where
-nothing else has. Half a minute of a core each, two hours for all; the copy stays, so that the next run builds only what
-differs.
+and what the file's own crate tests are built there, once for all mutants (together.py), and run; what fails has caught the
+mutant. Whole motions run only where nothing else has. The copy stays, so that the next run builds only what differs.
 
     tests/mutants/run.py              all mutants
     tests/mutants/run.py forms kloss  those whose file or name contains a word: their rows alone are written anew
@@ -17,6 +16,7 @@ nothing is caught.
 """
 
 import filecmp
+import json
 import os
 import re
 import shutil
@@ -26,17 +26,20 @@ import tempfile
 import time
 import tomllib
 from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import generated
+import together
 
 ROOT = Path(__file__).resolve().parents[2]
 TABLES = ROOT / "snapshots" / "mutants"
 COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-mutants"))
 PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches"]
 LEDGER = "ledger"
-# what else is tested: the house, its pages, what choices cost, and the program
-OTHERS = {"allocation", "atlas", "contributing", "house", "motor_pages", "mutants", "pages", "rough_scenes", "scene_messages", "scenes", "units"}
+# what else is tested: the house, its pages, and the program
+OTHERS = {"allocation", "contributing", "house", "motor_pages", "mutants", "pages", "rough_scenes", "scene_messages", "scenes", "units"}
 
 
 def programs_in(tests: Path) -> set[str]:
@@ -45,11 +48,16 @@ def programs_in(tests: Path) -> set[str]:
 
 
 # whole motions, minutes of them: asked only of what nothing else notices
-RUNS = ["failures", "friction", "governors", "ladder", "mechanism_scenes", "phantom", "stabilisation", "stability", "stationary", "synchronism"]
+RUNS = ["atlas", "failures", "friction", "governors", "ladder", "mechanism_scenes", "phantom", "stabilisation", "stability", "stationary", "synchronism"]
 LAWS = sorted(programs_in(ROOT / "tests") - OTHERS - {LEDGER, *RUNS})
 # the programs whose subject these files are: the others, and the ledger, are asked only where these notice nothing
 SUBJECT_OF = {
     "crates/symbolic/src/polynomials/": ["jacobians"],
+    "crates/symbolic/src/real/": ["real", "symbolic"],
+    "crates/symbolic/src/complex/": ["symbolic"],
+    "crates/symbolic/src/poly/": ["algebra", "decisions", "symbolic"],
+    "crates/symbolic/src/prove/": ["algebra", "decisions", "symbolic"],
+    "crates/symbolic/src/tape/": ["programs"],
     "crates/integrators/src/ensemble.rs": ["ensembles"],
     "derivations/ensemble/": ["ensembles"],
     "crates/integrators/src/transition.rs": ["transition"],
@@ -70,13 +78,16 @@ SUBJECT_OF = {
     "derivations/machines/permanent_magnet.rs": ["machines", "conformance"],
     "derivations/machines/brushed.rs": ["machines", "conformance"],
     "derivations/stationary/stability/": ["stability"],
+    "derivations/stationary/": ["stationary", "stability"],
     "derivations/phantom/": ["phantom"],
     "derivations/synchronism/": ["synchronism"],
     "crates/integrators/src/branches/repeating.rs": ["synchronism"],
     "crates/integrators/src/branches/": ["methods"],
     "crates/mechanics/src/discrete/": ["discrete", "mechanics"],
     "crates/mechanics/src/first_approximation/": ["mechanics"],
-    "crates/mechanics/src/uniform/selected/": ["selected"],
+    "crates/mechanics/src/uniform/": ["mechanics", "selected"],
+    "derivations/closed_forms/": ["closed_forms"],
+    "derivations/mechanisms/points.rs": ["atlas"],
     "crates/symbolic/src/recurrence/small/": ["series"],
     "crates/symbolic/src/parse/": ["parsing"],
     "crates/symbolic/src/print/": ["printing"],
@@ -84,7 +95,8 @@ SUBJECT_OF = {
 }
 # quick to build: only what proves and what multiplies big numbers is optimised, and a little all that runs whole motions
 OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
-SETTINGS = {"CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
+# what is built once for all gains nothing by parts, which do not survive a kill
+SETTINGS = {"CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_INCREMENTAL": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
 # that a law fails is enough: no search for its smallest failure; pages stay behind, and are not compared
 RUNNING = {"CARGO_MANIFEST_DIR": str(COPY), "PROPTEST_MAX_SHRINK_ITERS": "0", "INSTA_FORCE_PASS": "1", "INSTA_UPDATE": "no"}
 # what a program took of the project itself, in seconds: ten times as long, and it does not end
@@ -93,11 +105,25 @@ TOOK: dict[str, float] = {}
 STOPPED = ("stops", "does not end")
 
 
+@dataclass(frozen=True)
+class Mutant:
+    """One file of the project, broken in one place; the reason why nothing can notice it, if there is one."""
+
+    file: str
+    name: str
+    text: str
+    reason: str = ""
+
+
+@dataclass
 class Outcome:
     """What became of one mutant."""
 
-    def __init__(self, name: str, reason: str, claims: list[str], laws: list[str], compiles: bool) -> None:
-        self.name, self.reason, self.claims, self.laws, self.compiles = name, reason, claims, laws, compiles
+    name: str
+    reason: str
+    claims: list[str] = field(default_factory=list)
+    laws: list[str] = field(default_factory=list)
+    compiles: bool = True
 
     def caught(self) -> bool:
         return bool(self.claims or self.laws)
@@ -128,6 +154,36 @@ def prepare() -> None:
             shutil.copyfile(source, target)
 
 
+def prepare_together(mutants: list[Mutant]) -> list[int]:
+    """As many of these as compile together into the copy; which they are, by their numbers from 1."""
+    left_out: set[int] = set()
+    while True:
+        held: dict[str, list[int]] = {}
+        for file in dict.fromkeys(mutant.file for mutant in mutants):
+            numbered = [(number, mutant.text) for number, mutant in enumerate(mutants, 1)
+                        if mutant.file == file and number not in left_out]
+            text, held[file] = together.joined((ROOT / file).read_text(), numbered)
+            if (COPY / file).read_text() != text:
+                (COPY / file).write_text(text)
+        wrong: set[int] = set()
+        for file, line in errors(crates_of([mutant.file for mutant in mutants])):
+            number = together.holds((COPY / file).read_text(), line)
+            wrong |= {number} if number else set(held.get(file, []))
+        if not wrong:
+            return sorted(number for of_file in held.values() for number in of_file)
+        left_out |= wrong
+
+
+def errors(crates: list[str]) -> set[tuple[str, int]]:
+    """In which lines of which files the copy does not compile."""
+    packages = [word for crate in ["", *(f"-{crate}" for crate in crates)] for word in ("--package", f"dalembert{crate}")]
+    command = ["cargo", "check", "--quiet", "--keep-going", "--message-format=json", "--lib", *packages]
+    done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS, capture_output=True, text=True)
+    said = [json.loads(line).get("message", {}) for line in done.stdout.splitlines() if line.startswith("{")]
+    spans = [span for message in said if message.get("level") == "error" for span in message["spans"]]
+    return {(span["file_name"], span["line_start"]) for span in spans if span["is_primary"]}
+
+
 def crates_of(files: list[str]) -> list[str]:
     """The crates in which these files lie, without the project's own."""
     return sorted({Path(file).parts[1] for file in files if file.startswith("crates/")})
@@ -141,34 +197,26 @@ def laws_of(crates: list[str]) -> list[str]:
 def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
     """These test programs by name, of the project and of these crates; None where the copy does not compile. What a crate
     tests within itself goes by the crate's name."""
-    own = {test for crate in crates for test in programs_in(ROOT / "crates" / crate / "tests")} | set(crates)
-    packages = [*(f"-{crate}" for crate in crates), *([""] if set(tests) - own else [])]
-    command = ["cargo", "test", "--quiet", "--no-run", "--message-format=json"]
-    command += [argument for name in packages for argument in ["--package", f"dalembert{name}"]]
-    command += [argument for test in tests for argument in (["--lib"] if test in crates else ["--test", test])]
-    # what a crate tests alone is small
-    optimised = OPTIMISED if "" in packages else []
-    command += [argument for crate in optimised for argument in ["--config", f"profile.dev.package.{crate}.opt-level=2"]]
+    own = {test for crate in crates for test in programs_in(ROOT / "crates" / crate / "tests")}
+    within = [f"dalembert-{test}" for test in tests if test in crates]
+    beside = [test for test in tests if test not in crates]
+    packages = [*(f"dalembert-{crate}" for crate in crates), *(["dalembert"] if set(beside) - own else [])]
     level = {"CARGO_PROFILE_DEV_OPT_LEVEL": "1" if set(tests) & set(RUNS) else "0"}
-    done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS | level, capture_output=True, text=True)
-    if done.returncode != 0:
-        return None
-    found = re.findall(r'"executable":"([^"]+/deps/([a-z_]+)-[0-9a-f]+)"', done.stdout)
-    return {name: Path(path) for path, name in found}
-
-
-def failures(test: str, programs: dict[str, Path]) -> list[str]:
-    """The names of the tests that fail, in their order; the program's where it does not come to its tests."""
-    command = [programs[test], "--test-threads=2"]
-    seconds = 10 * TOOK[test] + 30 if test in TOOK else None
-    begin = time.monotonic()
-    try:
-        done = subprocess.run(command, cwd=COPY, env=os.environ | RUNNING, capture_output=True, text=True, timeout=seconds)
-    except subprocess.TimeoutExpired:
-        return [f"{test} {STOPPED[1]}"]
-    TOOK.setdefault(test, time.monotonic() - begin)
-    names = re.findall(r"^test (\S.*?)\s+\.\.\. FAILED$", done.stdout, re.MULTILINE)
-    return names or ([f"{test} {STOPPED[0]}"] if done.returncode != 0 else [])
+    found: dict[str, Path] = {}
+    for of_packages, chosen in [(within, ["--lib"]), (packages, [word for test in beside for word in ("--test", test)])]:
+        if not of_packages or not chosen:
+            continue
+        command = ["cargo", "test", "--quiet", "--no-run", "--message-format=json", *chosen]
+        command += [word for name in of_packages for word in ("--package", name)]
+        # what a crate tests alone is small
+        optimised = OPTIMISED if "dalembert" in of_packages else []
+        command += [word for crate in optimised for word in ("--config", f"profile.dev.package.{crate}.opt-level=2")]
+        done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS | level, capture_output=True, text=True)
+        if done.returncode != 0:
+            return None
+        every = re.findall(r'"executable":"([^"]+/deps/([a-z_]+)-[0-9a-f]+)"', done.stdout)
+        found |= {name: Path(path) for path, name in every}
+    return found
 
 
 def near(file: str) -> list[str]:
@@ -176,57 +224,101 @@ def near(file: str) -> list[str]:
     return next((programs for start, programs in SUBJECT_OF.items() if file.startswith(start)), [])
 
 
-def examine_by(tests: list[str], name: str, reason: str, crates: list[str]) -> Outcome:
-    """Builds and runs the copy as it stands, with these tests alone."""
-    programs = build(tests, crates)
-    laws = failing_laws(tests, programs) if programs else []
-    return Outcome(name, reason, [], laws, compiles=programs is not None)
-
-
-def examine(name: str, reason: str, crates: list[str]) -> Outcome:
-    """Builds and runs the copy as it stands, with the tests of these crates."""
-    programs = build([LEDGER, *laws_of(crates)], crates)
-    if programs is None:
-        return Outcome(name, reason, [], [], compiles=False)
-    claims = [claim.removeprefix("konosevich2022/") for claim in failures(LEDGER, programs)]
-    outcome = Outcome(name, reason, claims, failing_laws(laws_of(crates), programs), compiles=True)
-    if name and not outcome.caught() and (runs := build(RUNS, [])):
-        outcome.laws = failing_laws(RUNS, runs)
-    return outcome
-
-
-def failing_laws(tests: list[str], programs: dict[str, Path]) -> list[str]:
-    """In words."""
-    return [law.split("::")[-1].replace("_", " ") for test in tests for law in failures(test, programs)]
-
-
-def examine_mutant(file: str, name: str, old: str, new: str, reason: str = "", alone: bool = False) -> Outcome:
-    """Alone: by nothing but the programs whose subject the file is, where that is said."""
-    path = COPY / file
-    sound = path.read_text()
-    path.write_text(sound.replace(old, new))
+def failures(test: str, programs: dict[str, Path], number: int) -> list[str]:
+    """The names of the tests that fail with a mutant, in their order; the program's where it does not come to its tests."""
+    command = [programs[test], "--test-threads=2"]
+    seconds = 10 * TOOK[test] + 30 if test in TOOK else None
+    running = os.environ | RUNNING | {together.VARIABLE: str(number)}
+    begin = time.monotonic()
     try:
-        if near(file):
-            outcome = examine_by(near(file), name, reason, crates_of([file]))
-            if alone or outcome.caught() or not outcome.compiles:
-                return outcome
-        return examine(name, reason, crates_of([file]))
-    finally:
-        path.write_text(sound)
+        done = subprocess.run(command, cwd=COPY, env=running, capture_output=True, text=True, timeout=seconds)
+    except subprocess.TimeoutExpired:
+        return [f"{test} {STOPPED[1]}"]
+    if number == 0:
+        TOOK[test] = time.monotonic() - begin
+    names = re.findall(r"^test (\S.*?)\s+\.\.\. FAILED$", done.stdout, re.MULTILINE)
+    return names or ([f"{test} {STOPPED[0]}"] if done.returncode != 0 else [])
+
+
+class Examined:
+    """The copy as it stands, and what its tests say of each mutant in it. Programs are built when they are first asked."""
+
+    def __init__(self, mutants: list[Mutant], sound: bool) -> None:
+        """Sound: it holds no mutant unless one is chosen."""
+        self.sound, self.crates = sound, crates_of([mutant.file for mutant in mutants])
+        self.near = sorted({test for mutant in mutants for test in near(mutant.file)})
+        self.programs: dict[str, Path] = {}
+
+    def has(self, tests: list[str]) -> bool:
+        """Whether these programs compile. Each is run once without any mutant."""
+        wanted = [test for test in tests if test not in self.programs]
+        for slow in (False, True):
+            some = [test for test in wanted if (test in RUNS) == slow]
+            if not some:
+                continue
+            programs = build(some, self.crates)
+            if programs is None:
+                return False
+            self.programs |= programs
+            for test in some if self.sound else []:
+                if failed := failures(test, programs, 0):
+                    sys.exit(f"without any mutant: {failed}")
+        return True
+
+    def outcome(self, mutant: Mutant, number: int, alone: bool = False) -> Outcome:
+        """Alone: by nothing but the programs whose subject the file is, where that is said."""
+        outcome = Outcome(mutant.name, mutant.reason)
+        of_subject, others = near(mutant.file), [LEDGER, *laws_of(crates_of([mutant.file]))]
+        stages = [(of_subject, self.near), (others, [LEDGER, *laws_of(self.crates)]), (RUNS, RUNS)]
+        for tests, with_them in stages[:1] if alone else stages:
+            if not self.has(with_them if tests else []):
+                outcome.compiles = False
+                break
+            for test in tests:
+                failed = failures(test, self.programs, number)
+                if test == LEDGER:
+                    outcome.claims += [claim.removeprefix("konosevich2022/") for claim in failed]
+                else:
+                    outcome.laws += [law.split("::")[-1].replace("_", " ") for law in failed]
+            if outcome.caught():
+                break
+        return outcome
+
+
+def examined(mutants: list[Mutant], alone: bool = False) -> Iterator[tuple[Mutant, Outcome]]:
+    """Each mutant with what became of it: first those that are built together, then the others one by one."""
+    prepare()
+    held = prepare_together(mutants)
+    copy = Examined([mutants[number - 1] for number in held], sound=True)
+    # all the others are built for what is left by those whose subject it is
+    left = []
+    for number in held:
+        outcome = copy.outcome(mutants[number - 1], number, alone=True)
+        if outcome.caught() or alone and near(mutants[number - 1].file):
+            yield mutants[number - 1], outcome
+        else:
+            left.append(number)
+    for number in left:
+        yield mutants[number - 1], copy.outcome(mutants[number - 1], number)
+    prepare()
+    for number, mutant in enumerate(mutants, 1):
+        if number not in held:
+            (COPY / mutant.file).write_text(mutant.text)
+            yield mutant, Examined([mutant], sound=False).outcome(mutant, number, alone and bool(near(mutant.file)))
+            shutil.copyfile(ROOT / mutant.file, COPY / mutant.file)
 
 
 def examine_generated(most: int, words: list[str]) -> None:
     """Breaks files by rule, and tells what nothing notices."""
     known = [path.relative_to(ROOT) for part in ("crates", "derivations") for path in sorted((ROOT / part).rglob("*.rs"))]
     files = [str(path) for path in known if "tests" not in path.parts and any(word in str(path) for word in words)]
-    every = [(file, *mutant) for file in files for mutant in generated.mutants(COPY / file)]
+    every = [Mutant(file, *mutant) for file in files for mutant in generated.mutants(ROOT / file)]
     chosen = generated.spread(every, most)
     print(f"{len(chosen)} of {len(every)} mutants of {len(files)} files", flush=True)
     verdicts: Counter[str] = Counter()
-    for number, (file, name, text) in enumerate(chosen, 1):
-        outcome = examine_mutant(file, name, (COPY / file).read_text(), text, alone=True)
+    for number, (mutant, outcome) in enumerate(examined(chosen, alone=True), 1):
         verdicts[outcome.verdict()] += 1
-        print(f"{number:3}/{len(chosen)} {outcome.verdict():17} {file}: {name}", flush=True)
+        print(f"{number:3}/{len(chosen)} {outcome.verdict():17} {mutant.file}: {mutant.name}", flush=True)
     print(", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()))
 
 
@@ -281,39 +373,36 @@ def write_tables(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]
         (TABLES / f"{folder[1]}.md").write_text(table(of_folder, rows))
 
 
+def listed(words: list[str]) -> tuple[list[tuple[str, str]], list[Mutant]]:
+    """All mutants of the list by file and name, and those whose file or name contains a word."""
+    mutants = tomllib.loads((Path(__file__).parent / "mutants.toml").read_text())
+    every, chosen = [], []
+    for file, of_file in mutants.items():
+        sound = (ROOT / file).read_text()
+        for name, (old, new, *reason) in of_file.items():
+            every.append((file, name))
+            if words and not any(word in f"{file} {name}" for word in words):
+                continue
+            if (count := sound.count(old)) != 1:
+                sys.exit(f"{file}: {name}: `{old}` stands there {count} times, not once")
+            chosen.append(Mutant(file, name, sound.replace(old, new), *reason))
+    return every, chosen
+
+
 def main() -> None:
     words = sys.argv[1:]
     if words[:1] == ["--generate"]:
-        prepare()
         return examine_generated(int(words[1]), words[2:])
-    mutants = tomllib.loads((Path(__file__).parent / "mutants.toml").read_text())
-    chosen = [(file, name, *texts) for file, of_file in mutants.items() for name, texts in of_file.items()
-              if not words or any(word in f"{file} {name}" for word in words)]
-    prepare()
-    for file, name, old, *_ in chosen:
-        if (count := (COPY / file).read_text().count(old)) != 1:
-            sys.exit(f"{file}: {name}: `{old}` stands there {count} times, not once")
-    begin = time.monotonic()
-    if all(near(file) for file, *_ in chosen):
-        few = sorted({test for file, *_ in chosen for test in near(file)})
-        sound = examine_by(few, "", "", crates_of([file for file, *_ in chosen]))
-    else:
-        sound = examine("", "", crates_of([file for file, *_ in chosen]))
-    if not sound.compiles or sound.caught():
-        sys.exit(f"without any mutant: {sound.verdict()}: {sound.claims + sound.laws}")
-    print(f"the project itself: {time.monotonic() - begin:.0f} s", flush=True)
-
+    every, chosen = listed(words)
     begin = time.monotonic()
     outcomes: dict[str, list[Outcome]] = {}
-    for number, (file, name, *texts) in enumerate(chosen, 1):
-        outcome = examine_mutant(file, name, *texts)
-        outcomes.setdefault(file, []).append(outcome)
+    for number, (mutant, outcome) in enumerate(examined(chosen), 1):
+        outcomes.setdefault(mutant.file, []).append(outcome)
         tally = f"{len(outcome.claims)} claims, {len(outcome.laws)} laws"
-        print(f"{number:3}/{len(chosen)} {time.monotonic() - begin:5.0f} s  {outcome.verdict():10} {file}: {name}: {tally}", flush=True)
+        print(f"{number:3}/{len(chosen)} {time.monotonic() - begin:5.0f} s  {outcome.verdict():10} {mutant.file}: {mutant.name}: {tally}", flush=True)
         if words:
             print("".join(f"        {catcher}\n" for catcher in outcome.claims + outcome.laws), end="", flush=True)
-    listed = [(file, name) for file, of_file in mutants.items() for name in of_file]
-    write_tables(listed, known_rows() | rows(outcomes))
+    write_tables(every, known_rows() | rows(outcomes))
     wrong = [f"{file}: {outcome.name}: {outcome.verdict()}" for file, of_file in outcomes.items()
              for outcome in of_file if not outcome.right()]
     sys.exit("\n".join(wrong) or None)
