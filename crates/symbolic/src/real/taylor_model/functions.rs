@@ -120,18 +120,8 @@ impl TaylorModel {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::holds;
     use super::*;
-
-    /// At points of a range, against the function by floats.
-    fn holds(model: &TaylorModel, f: impl Fn(f64) -> f64, [low, high]: [f64; 2], most: f64) {
-        for k in 0..=20 {
-            let tau = f64::from(k) / 10.0 - 1.0;
-            let x = 0.5 * (low + high) + 0.5 * (high - low) * tau;
-            let off = (model.at(tau) - f(x)).abs();
-            assert!(off <= model.off + 1e-14, "at {x}: {off:e} against {:e}", model.off);
-        }
-        assert!(model.off <= most, "{:e}", model.off);
-    }
 
     #[test]
     fn angles_and_roots_hold_their_functions() {

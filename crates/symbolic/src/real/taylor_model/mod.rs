@@ -210,7 +210,7 @@ mod tests {
     use super::*;
 
     /// At points of the range, against the function by floats; what is left out is as small as is said.
-    fn holds(model: &TaylorModel, f: impl Fn(f64) -> f64, [low, high]: [f64; 2], most: f64) {
+    pub(super) fn holds(model: &TaylorModel, f: impl Fn(f64) -> f64, [low, high]: [f64; 2], most: f64) {
         for k in 0..=20 {
             let tau = f64::from(k) / 10.0 - 1.0;
             let x = 0.5 * (low + high) + 0.5 * (high - low) * tau;
