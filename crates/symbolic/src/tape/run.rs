@@ -44,17 +44,16 @@ impl Tape {
         let mut registers = [S::zero(); N];
         let registers = registers.get_mut(..self.registers)?;
         registers.get_mut(self.inputs..self.inputs + constants.len())?.copy_from_slice(constants);
-        self.follow(registers, inputs, outputs);
+        registers[..self.inputs].iter_mut().zip(inputs).for_each(|(register, input)| *register = input);
+        self.follow(registers, outputs);
         Some(())
     }
 
+    /// The outputs by registers that hold the inputs.
     #[inline(always)]
-    fn follow<S: Analytic>(&self, registers: &mut [S], inputs: impl Iterator<Item = S>, outputs: &mut [S]) {
-        let Tape { inputs: count, constants, operations, outputs: results, .. } = self;
-        for (register, input) in registers[..*count].iter_mut().zip(inputs) {
-            *register = input;
-        }
-        let mut next = count + constants.len();
+    fn follow<S: Analytic>(&self, registers: &mut [S], outputs: &mut [S]) {
+        let Tape { inputs, constants, operations, outputs: results, .. } = self;
+        let mut next = inputs + constants.len();
         for &operation in operations {
             let [a, b] = operation.operands().map(|operand| registers[operand as usize]);
             registers[next] = match operation {
@@ -96,6 +95,9 @@ impl<S: Analytic> Program<'_, S> {
     // always inlined: whoever is compiled for wide registers evaluates with them
     #[inline(always)]
     pub fn evaluate(&mut self, inputs: &[S], outputs: &mut [S]) {
-        self.tape.follow(&mut self.registers, inputs.iter().copied(), outputs);
+        // as a whole: wide numbers taken one by one out of an iterator go through memory, and are waited for there
+        let given = inputs.len().min(self.tape.inputs);
+        self.registers[..given].copy_from_slice(&inputs[..given]);
+        self.tape.follow(&mut self.registers, outputs);
     }
 }

@@ -88,15 +88,19 @@ impl<const L: usize, const M: usize> Fan<L, M> {
         &self,
         quantities: &mut [Quantity<L>; N],
     ) {
+        // all are computed before one is written, or the common factor would be brought again for each
+        let one = &quantities[usize::from(self.one.place) % N];
+        let mut values = [Lanes::all(0.0); M];
         for number in 0..M {
-            let one = &quantities[usize::from(self.one.place) % N];
             let other = &quantities[usize::from(self.others[number].place) % N];
-            let value = if FIRST {
+            values[number] = if FIRST {
                 among::<L, FUSED, I>(one, other)
             } else {
                 newest::<L, FUSED, I>(self.known[number][I], one, other)
             };
-            quantities[usize::from(self.places[number]) % N].newest[I] = value;
+        }
+        for (place, value) in self.places.iter().zip(values) {
+            quantities[usize::from(*place) % N].newest[I] = value;
         }
     }
 }

@@ -9,7 +9,9 @@ use field::Lanes;
 pub(super) struct Rows<const L: usize> {
     twos: Vec<Bunch<L, 1, [Term<L, 1>; 2]>>,
     fours: Vec<Bunch<L, 1, [Term<L, 1>; 4]>>,
-    long: Vec<Bunch<L, 4, Vec<Term<L, 4>>>>,
+    long: Vec<Bunch<L, 1, Vec<Term<L, 1>>>>,
+    long_pairs: Vec<Bunch<L, 2, Vec<Term<L, 2>>>>,
+    long_fours: Vec<Bunch<L, 4, Vec<Term<L, 4>>>>,
 }
 
 /// R sums of the same quantities.
@@ -46,7 +48,7 @@ impl<const L: usize> Rows<L> {
             constant: sums.constants.iter().find(|constant| constant.0 == number).map(|constant| constant.1),
             terms: sums.terms.iter().filter(|term| term.0 == number).map(|term| (term.1, term.2)).collect(),
         };
-        let mut rows = Rows { twos: Vec::new(), fours: Vec::new(), long: Vec::new() };
+        let mut rows = Rows { twos: Vec::new(), fours: Vec::new(), long: Vec::new(), long_pairs: Vec::new(), long_fours: Vec::new() };
         let (short, mut long): (Vec<Row>, Vec<Row>) = (0..).zip(places).map(row).partition(|row| row.terms.len() < 4);
         for row in &short {
             let (places, terms) = ([row.place as u16], terms(&[row]));
@@ -59,13 +61,18 @@ impl<const L: usize> Rows<L> {
             }
         }
         while !long.is_empty() {
-            let own: Vec<Row> = alike(&long).into_iter().rev().map(|number| long.remove(number)).collect();
-            // where there are fewer than four, the same again
-            let four: [&Row; 4] = std::array::from_fn(|number| &own[number % own.len()]);
-            let (places, constant_of) = (four.map(|row| row.place as u16), four.map(|row| row.constant));
-            let mut terms = terms(&four);
-            terms.resize(terms.len().next_multiple_of(2), Term::NONE);
-            rows.long.push(Bunch { places, constants: [Lanes::all(0.0); 4], constant_of, terms });
+            let mut own: Vec<Row> = alike(&long).into_iter().rev().map(|number| long.remove(number)).collect();
+            if let [a, b, c, d] = &own[..] {
+                rows.long_fours.push(Bunch::long([a, b, c, d]));
+                continue;
+            }
+            // three are two and one
+            if own.len() == 3 { long.extend(own.pop()); }
+            if let [a, b] = &own[..] {
+                rows.long_pairs.push(Bunch::long([a, b]));
+            } else {
+                rows.long.extend(own.iter().map(|row| Bunch::long([row])));
+            }
         }
         rows
     }
@@ -74,6 +81,8 @@ impl<const L: usize> Rows<L> {
         self.twos.iter_mut().for_each(|bunch| bunch.set(lane, values));
         self.fours.iter_mut().for_each(|bunch| bunch.set(lane, values));
         self.long.iter_mut().for_each(|bunch| bunch.set(lane, values));
+        self.long_pairs.iter_mut().for_each(|bunch| bunch.set(lane, values));
+        self.long_fours.iter_mut().for_each(|bunch| bunch.set(lane, values));
     }
 
     /// Each sum of the order at hand, given to `put` with its place; of order zero where `FIRST`.
@@ -83,17 +92,21 @@ impl<const L: usize> Rows<L> {
         quantities: &mut [Quantity<L>; N],
         mut put: impl FnMut(&mut [Quantity<L>; N], usize, Lanes<L>),
     ) {
+        for bunch in &self.long_fours {
+            let [a, b, c, d] = bunch.long_sums::<FUSED, FIRST, I, N>(quantities);
+            put(quantities, usize::from(bunch.places[0]) % N, a);
+            put(quantities, usize::from(bunch.places[1]) % N, b);
+            put(quantities, usize::from(bunch.places[2]) % N, c);
+            put(quantities, usize::from(bunch.places[3]) % N, d);
+        }
+        for bunch in &self.long_pairs {
+            let [a, b] = bunch.long_sums::<FUSED, FIRST, I, N>(quantities);
+            put(quantities, usize::from(bunch.places[0]) % N, a);
+            put(quantities, usize::from(bunch.places[1]) % N, b);
+        }
         for bunch in &self.long {
-            let [mut even, mut odd] =
-                [if FIRST { bunch.constants } else { [Lanes::all(0.0); 4] }, [Lanes::all(0.0); 4]];
-            for two in bunch.terms.as_chunks::<2>().0 {
-                two[0].add::<FUSED, I, N>(&mut even, quantities);
-                two[1].add::<FUSED, I, N>(&mut odd, quantities);
-            }
-            put(quantities, usize::from(bunch.places[0]) % N, even[0] + odd[0]);
-            put(quantities, usize::from(bunch.places[1]) % N, even[1] + odd[1]);
-            put(quantities, usize::from(bunch.places[2]) % N, even[2] + odd[2]);
-            put(quantities, usize::from(bunch.places[3]) % N, even[3] + odd[3]);
+            let [a] = bunch.long_sums::<FUSED, FIRST, I, N>(quantities);
+            put(quantities, usize::from(bunch.places[0]) % N, a);
         }
         for bunch in &self.twos {
             let mut sum = if FIRST { bunch.constants } else { [Lanes::all(0.0)] };
@@ -125,6 +138,32 @@ impl<const L: usize, const R: usize> Term<L, R> {
         for (sum, times) in sums.iter_mut().zip(&self.times) {
             *sum = sum.plus_product(x, *times, FUSED);
         }
+    }
+}
+
+impl<const L: usize, const R: usize> Bunch<L, R, Vec<Term<L, R>>> {
+    fn long(rows: [&Row; R]) -> Self {
+        let mut terms = terms(&rows);
+        terms.resize(terms.len().next_multiple_of(2), Term::NONE);
+        let (places, constant_of) = (rows.map(|row| row.place as u16), rows.map(|row| row.constant));
+        Bunch { places, constants: [Lanes::all(0.0); R], constant_of, terms }
+    }
+
+    /// Every other term in a sum of its own: none waits for the addition before.
+    #[inline(always)]
+    fn long_sums<const FUSED: bool, const FIRST: bool, const I: usize, const N: usize>(
+        &self,
+        quantities: &[Quantity<L>; N],
+    ) -> [Lanes<L>; R] {
+        let [mut even, mut odd] = [if FIRST { self.constants } else { [Lanes::all(0.0); R] }, [Lanes::all(0.0); R]];
+        for two in self.terms.as_chunks::<2>().0 {
+            two[0].add::<FUSED, I, N>(&mut even, quantities);
+            two[1].add::<FUSED, I, N>(&mut odd, quantities);
+        }
+        for (even, odd) in even.iter_mut().zip(odd) {
+            *even += odd;
+        }
+        even
     }
 }
 
