@@ -117,7 +117,7 @@ fn trajectories(scene: &Scene, axes: Axes) {
         Some((time, spread.steps, spread.failed, spread.ends.clone()))
     };
     let Some((.., exact)) = run(1e-15, 1) else { return };
-    for tolerance in [1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
+    for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
         let Some((time, steps, failed, ends)) = run(tolerance, REPEATS) else { continue };
         let off = |(a, b): (&f64, &f64)| (a - b).abs() / b.abs().max(1.0);
         let error = ends.iter().zip(&exact).map(off).fold(0.0, f64::max);

@@ -46,10 +46,14 @@ impl<const N: usize> Task<f64> for Evaluation<'_, N> {
             let place = (of.first + group * WIDTH) % N;
             values.0[place..place + WIDTH].copy_from_slice(&pick.store(pick.product(a, b)));
         }
+        let blocks = &of.blocks;
+        for (output, constant) in outputs.iter_mut().zip(&blocks.constants) {
+            *output = *constant;
+        }
         let mut begin = 0;
-        for block in &of.blocks {
-            let (terms, rest) = of.terms[begin..block.end].as_chunks::<4>();
-            let (factors, factors_left) = of.factors[begin..block.end].as_chunks::<4>();
+        for block in &blocks.all {
+            let (terms, rest) = blocks.places[begin..block.end].as_chunks::<4>();
+            let (factors, factors_left) = blocks.factors[begin..block.end].as_chunks::<4>();
             // four sums: none waits for the addition before
             let zero = pick.load(&[0.0; WIDTH]);
             let (mut a, mut b, mut c, mut d) = (pick.load(&block.constants.0), zero, zero, zero);
@@ -64,14 +68,18 @@ impl<const N: usize> Task<f64> for Evaluation<'_, N> {
             }
             begin = block.end;
             let sums = pick.store(pick.plus(pick.plus(a, b), pick.plus(c, d)));
-            let Some(room) = outputs.get_mut(block.first..) else { return };
+            if !blocks.are_neighbours() {
+                for (to, sum) in block.to.into_iter().zip(sums) {
+                    if let Some(output) = outputs.get_mut(to as usize) {
+                        *output = sum;
+                    }
+                }
+                continue;
+            }
+            let Some(room) = outputs.get_mut(block.to[0] as usize..) else { return };
             match room.first_chunk_mut() {
                 Some(whole) => *whole = sums,
-                None => (0..WIDTH).for_each(|lane| {
-                    if let Some(output) = room.get_mut(lane) {
-                        *output = sums[lane];
-                    }
-                }),
+                None => room.iter_mut().zip(sums).for_each(|(output, sum)| *output = sum),
             }
         }
     }

@@ -4,6 +4,7 @@
 //! Straight-line code has an operation for each term; here eight outputs that stand side by side share one, eight products
 //! share one, and a monomial is computed once.
 
+mod blocks;
 mod evaluate;
 mod monomials;
 mod parts;
@@ -11,10 +12,10 @@ mod parts;
 use crate::Sym;
 use crate::coefficients::coefficients;
 use crate::recurrence::Selection;
+use blocks::{Blocks, Output};
 use evaluate::MOST;
 use monomials::Monomials;
 use parts::Parts;
-use std::collections::BTreeMap;
 
 /// How many numbers stand side by side.
 const WIDTH: usize = 8;
@@ -28,19 +29,7 @@ pub struct Polynomials {
     /// The factors of eight monomials of degree two and more, each an earlier one and a variable; and how many these are.
     products: Vec<[Selection<WIDTH>; 2]>,
     multiplied: usize,
-    blocks: Vec<Block>,
-    /// Of all blocks: the places of the monomials, and their coefficients in each output.
-    terms: Vec<u32>,
-    factors: Vec<Lanes>,
-}
-
-/// Eight outputs, from one on; the end of a row may reach into the next, which is written after it.
-#[derive(Clone, Debug)]
-struct Block {
-    first: usize,
-    constants: Lanes,
-    /// Where its terms end.
-    end: usize,
+    blocks: Blocks,
 }
 
 /// Numbers side by side, a register whole.
@@ -54,7 +43,7 @@ impl Polynomials {
     pub fn record(inputs: &[Sym], outputs: &[Sym], columns: usize) -> Option<Self> {
         let (parts, others) = Parts::of(inputs, outputs)?;
         let variables = [inputs, &others].concat();
-        let mut expanded = Vec::new();
+        let mut expanded: Vec<Output> = Vec::new();
         for &output in outputs {
             let terms = coefficients(output, &variables).ok()?.into_iter();
             let value = |(exponents, coefficient): (Vec<u32>, Sym)| {
@@ -68,38 +57,19 @@ impl Polynomials {
         if monomials.end() > MOST {
             return None;
         }
-        let (mut blocks, mut terms, mut factors) = (Vec::new(), Vec::new(), Vec::new());
-        for (row, expanded) in expanded.chunks(columns.max(1)).enumerate() {
-            for (place, eight) in expanded.chunks(WIDTH).enumerate() {
-                let mut constants = Lanes([0.0; WIDTH]);
-                let mut lanes: BTreeMap<_, Lanes> = BTreeMap::new();
-                for (lane, output) in eight.iter().enumerate() {
-                    for (exponents, value) in output {
-                        let own = match monomials.place(exponents) {
-                            Some(known) => lanes.entry(known).or_insert(Lanes([0.0; WIDTH])),
-                            None => &mut constants,
-                        };
-                        own.0[lane] = *value;
-                    }
-                }
-                terms.extend(lanes.keys().map(|known| known.place));
-                factors.extend(lanes.values());
-                blocks.push(Block { first: row * columns + place * WIDTH, constants, end: terms.len() });
-            }
-        }
+        let blocks = Blocks::of(&expanded, columns, &monomials);
         let (first, products, multiplied) = (monomials.first(), monomials.products(), monomials.multiplied());
-        Some(Polynomials { parts, first, products, multiplied, blocks, terms, factors })
+        Some(Polynomials { parts, first, products, multiplied, blocks })
     }
 
     /// Instructions of one evaluation, what is no polynomial apart: products and sums, each of eight.
     pub fn instructions(&self) -> usize {
-        3 * self.products.len() + self.terms.len()
+        3 * self.products.len() + self.blocks.terms()
     }
 
     /// Additions and multiplications of one evaluation, lanes that hold nothing left out; circle points apart.
     pub fn flops(&self) -> usize {
-        let filled = |lanes: &Lanes| lanes.0.iter().filter(|value| **value != 0.0).count();
-        self.multiplied + self.parts.flops() + self.factors.iter().map(|lanes| 2 * filled(lanes)).sum::<usize>()
+        self.multiplied + self.parts.flops() + self.blocks.flops()
     }
 }
 

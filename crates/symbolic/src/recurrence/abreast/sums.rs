@@ -48,7 +48,13 @@ impl<const L: usize> Rows<L> {
             constant: sums.constants.iter().find(|constant| constant.0 == number).map(|constant| constant.1),
             terms: sums.terms.iter().filter(|term| term.0 == number).map(|term| (term.1, term.2)).collect(),
         };
-        let mut rows = Rows { twos: Vec::new(), fours: Vec::new(), long: Vec::new(), long_pairs: Vec::new(), long_fours: Vec::new() };
+        let mut rows = Rows {
+            twos: Vec::new(),
+            fours: Vec::new(),
+            long: Vec::new(),
+            long_pairs: Vec::new(),
+            long_fours: Vec::new(),
+        };
         let (short, mut long): (Vec<Row>, Vec<Row>) = (0..).zip(places).map(row).partition(|row| row.terms.len() < 4);
         for row in &short {
             let (places, terms) = ([row.place as u16], terms(&[row]));
@@ -67,7 +73,9 @@ impl<const L: usize> Rows<L> {
                 continue;
             }
             // three are two and one
-            if own.len() == 3 { long.extend(own.pop()); }
+            if own.len() == 3 {
+                long.extend(own.pop());
+            }
             if let [a, b] = &own[..] {
                 rows.long_pairs.push(Bunch::long([a, b]));
             } else {
