@@ -33,8 +33,6 @@ const FEW: usize = 64;
 const SOME: usize = 128;
 const MORE: usize = 256;
 const MANY: usize = 1024;
-/// What it costs to begin with monomials, in steps of a tape.
-const BEGINNING: usize = 8;
 
 impl<L: Ode<Sym>> Taped<L> {
     /// Records a law, which may depend on time.
@@ -58,7 +56,7 @@ impl Program {
         let mut program = Program::taped(&inputs, &outputs)?;
         // what knows the time is no function of the state alone, and is not recorded
         let monomials = Polynomials::record(&inputs[..n], &outputs, outputs.len());
-        program.monomials = monomials.filter(|all| all.instructions() + BEGINNING < program.tape.operations());
+        program.monomials = monomials.filter(|all| all.instructions() < program.tape.operations());
         Some(program)
     }
 

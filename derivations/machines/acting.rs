@@ -1,14 +1,15 @@
 //! The laws of a machine as a kick asks for them: those of the angle at once, the moment at all stages at once.
 //!
 //! A compiled machine answers law by law. The laws of a written one are programs, which share nothing when they are followed one by
-//! one; its [`Programs`] are all of them, recorded together with the data as constants.
+//! one; its [`Programs`] are all of them, recorded together with the data as constants. The moment, which a kick asks for at four slips
+//! five times over, is one [`Fraction`] of the slip.
 
 use super::kick::{Law, laws_at, moment_at};
 use super::rule::STAGES;
 use super::{Machine, RotorState};
 use crate::taped::{Program, Running};
-use field::{Base, Circle, Over, Tangent};
-use symbolic::Sym;
+use field::{Base, Circle, Over, Rational, Tangent};
+use symbolic::{Fraction, Sym};
 
 /// A machine at a resting angle.
 pub trait Acting<P: Base, S: Over<P>> {
@@ -56,8 +57,8 @@ impl<P: Base, S: Over<P>, M: Machine<P>> Acting<P, S> for M {
 pub struct Programs {
     /// psi_k, -U', psi_k' of the angle's cosine and sine; where the laws know it
     angle: Option<Program>,
-    /// m at all stages, then m', of the slips there; where m is curved
-    moments: Option<Program>,
+    /// m of the slip, where it is curved; none where that would be longer than the law itself
+    moment: Option<Fraction<Rational>>,
 }
 
 impl Programs {
@@ -78,26 +79,23 @@ impl Programs {
                 [values, slopes].concat()
             })
         };
-        let moments = || {
-            Program::of_monomials(STAGES, |_, slips| {
-                let moments = slips.iter().map(|slip| moment_at(machine, *slip));
-                let (values, slopes): (Vec<Sym>, Vec<Sym>) =
-                    moments.map(|Tangent { value, slope, .. }| (value, slope)).unzip();
-                [values, slopes].concat()
-            })
+        let moment = || {
+            let slip = Sym::symbol("slip");
+            Fraction::record(moment_at(machine, slip).value, slip)
         };
         Some(Programs {
             angle: if M::ROTOR == RotorState::AngleAndSpeed { angle() } else { None },
-            moments: if Law::of(machine) == Law::Curved { moments() } else { None },
+            moment: if Law::of(machine) == Law::Curved { moment() } else { None },
         })
     }
 }
 
-/// A machine with its programs, where it has any.
-#[derive(Clone, Copy, Debug)]
-pub struct Programmed<'a, M> {
-    pub machine: &'a M,
-    pub programs: Option<&'a Programs>,
+/// A machine with its programs over a field, where it has any.
+#[derive(Clone, Debug)]
+pub struct Programmed<'a, S, M> {
+    machine: &'a M,
+    angle: Option<&'a Program>,
+    moment: Option<Fraction<S>>,
 }
 
 /// Room for the numbers of no winding to three, of fifteen, and of more than a scene may have.
@@ -105,7 +103,7 @@ const FEW: usize = 8;
 const SOME: usize = 32;
 const MANY: usize = 256;
 
-impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, M> {
+impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, S, M> {
     type Machine = M;
 
     #[inline(always)]
@@ -116,7 +114,7 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
     #[inline(always)]
     fn at_angle(&self, angle: Circle<S>, each: impl FnMut(usize, Tangent<S>)) -> S {
         let windings = self.machine.windings();
-        match self.angle() {
+        match self.angle.filter(|_| M::WRITTEN) {
             Some(program) if windings < FEW / 2 => followed::<S, FEW>(program, windings, angle, each),
             Some(program) if windings < SOME / 2 => followed::<S, SOME>(program, windings, angle, each),
             Some(program) if windings < MANY / 2 => followed::<S, MANY>(program, windings, angle, each),
@@ -127,7 +125,7 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
     #[inline(always)]
     fn linkages(&self, angle: Circle<S>, each: impl FnMut(usize, S)) {
         let windings = self.machine.windings();
-        match self.angle() {
+        match self.angle.filter(|_| M::WRITTEN) {
             Some(program) if windings <= FEW => linked::<S, FEW>(program, windings, angle, each),
             Some(program) if windings <= SOME => linked::<S, SOME>(program, windings, angle, each),
             Some(program) if windings <= MANY => linked::<S, MANY>(program, windings, angle, each),
@@ -137,20 +135,21 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
 
     #[inline(always)]
     fn moments(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES] {
-        let mut values = [S::zero(); 2 * STAGES];
-        let program = self.programs.filter(|_| M::WRITTEN).and_then(|all| all.moments.as_ref());
-        match program.and_then(|program| program.run(S::zero(), slips, &mut values)) {
-            Some(()) => std::array::from_fn(|i| Tangent::moving(values[i], values[STAGES + i])),
+        match self.moment.as_ref().filter(|_| M::WRITTEN) {
+            Some(moment) => moment.moving(slips),
             None => self.machine.moments(slips),
         }
     }
 }
 
-impl<'a, M: Machine<f64>> Programmed<'a, M> {
-    /// None of a compiled machine: known before it runs.
-    #[inline(always)]
-    fn angle(&self) -> Option<&'a Program> {
-        if M::WRITTEN { self.programs.and_then(|all| all.angle.as_ref()) } else { None }
+impl<'a, S: Over<f64>, M> Programmed<'a, S, M> {
+    /// A machine, and the programs of it that were recorded.
+    pub fn new(machine: &'a M, programs: Option<&'a Programs>) -> Self {
+        Programmed {
+            machine,
+            angle: programs.and_then(|all| all.angle.as_ref()),
+            moment: programs.and_then(|all| all.moment.as_ref()).map(Fraction::over),
+        }
     }
 }
 

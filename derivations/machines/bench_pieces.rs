@@ -48,7 +48,7 @@ impl<S: Analytic> BenchFlows<S> {
 /// H = p^2/(2 A') - W p + U(g) and the circuits, in two pieces.
 struct BenchPieces<'a, S: Scalar, M> {
     machine: &'a M,
-    acting: Programmed<'a, M>,
+    acting: Programmed<'a, S, M>,
     flows: BenchFlows<S>,
     law: Law,
     rule: Rule<S>,
@@ -102,7 +102,7 @@ impl<M: Machine<f64>> Separable for Bench<f64, M> {
         let known = has_known_flow(machine);
         known.then(|| BenchPieces {
             machine,
-            acting: Programmed { machine, programs },
+            acting: Programmed::new(machine, programs),
             flows: BenchFlows { axial: S::lift(self.axial), frame_speed: S::lift(machine.frame_speed()) },
             law: Law::of(machine),
             rule: Rule::gauss(),

@@ -222,7 +222,7 @@ impl<S: Analytic> Flows<S> {
 pub struct GyrostatPieces<'a, S: Scalar, F, M> {
     form: &'a F,
     machine: &'a M,
-    acting: Programmed<'a, M>,
+    acting: Programmed<'a, S, M>,
     flows: Flows<S>,
     law: Law,
     rule: Rule<S>,
@@ -283,7 +283,7 @@ impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
         has_known_flow(machine).then(|| GyrostatPieces {
             form,
             machine,
-            acting: Programmed { machine, programs },
+            acting: Programmed::new(machine, programs),
             flows,
             law: Law::of(machine),
             rule: Rule::gauss(),

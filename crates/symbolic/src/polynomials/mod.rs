@@ -19,6 +19,8 @@ use parts::Parts;
 
 /// How many numbers stand side by side.
 const WIDTH: usize = 8;
+/// What it takes to begin with registers so wide, in instructions.
+const BEGINNING: usize = 8;
 
 /// Rows of polynomials in the inputs and in circle points, roots and reciprocals of them.
 #[derive(Clone, Debug)]
@@ -29,6 +31,7 @@ pub struct Polynomials {
     /// The factors of eight monomials of degree two and more, each an earlier one and a variable; and how many these are.
     products: Vec<[Selection<WIDTH>; 2]>,
     multiplied: usize,
+    outputs: usize,
     blocks: Blocks,
 }
 
@@ -59,12 +62,13 @@ impl Polynomials {
         }
         let blocks = Blocks::of(&expanded, columns, &monomials);
         let (first, products, multiplied) = (monomials.first(), monomials.products(), monomials.multiplied());
-        Some(Polynomials { parts, first, products, multiplied, blocks })
+        Some(Polynomials { parts, first, products, multiplied, outputs: outputs.len(), blocks })
     }
 
-    /// Instructions of one evaluation, what is no polynomial apart: products and sums, each of eight.
+    /// Instructions of one evaluation, what is no polynomial apart: products and sums, each of eight where there are so many.
     pub fn instructions(&self) -> usize {
-        3 * self.products.len() + self.blocks.terms()
+        let begin = if self.is_narrow() { 0 } else { BEGINNING };
+        begin + 3 * self.products.len() + self.blocks.terms()
     }
 
     /// Additions and multiplications of one evaluation, lanes that hold nothing left out; circle points apart.
@@ -129,6 +133,25 @@ mod tests {
         let divisor = x * x + Sym::int(2) + point.cos;
         let outputs = [x / divisor, y * point.sin / (divisor * divisor), (x * x + y).sqrt() * y, x / (y / divisor + x)];
         assert!(off(&[(x, 0.7), (y, 1.3)], &outputs, 4) < 1e-14);
+    }
+
+    #[test]
+    fn few_outputs_with_their_products_points_and_fractions_have_the_values_of_their_expressions() {
+        let [x, y] = symbols(["x", "y"]);
+        let (two, point) = (Sym::int(2), y.circle());
+        let alone = x / (x * x + two);
+        let all = [alone + y * point.sin, two - x * y, alone * alone - point.cos, x + two * y];
+        for count in 1..=4 {
+            assert!(off(&[(x, 0.7), (y, -1.3)], &all[..count], count) < 1e-15, "{count} outputs");
+        }
+    }
+
+    #[test]
+    fn what_is_divided_by_two_powers_of_one_input_is_a_product_of_its_reciprocal() {
+        let [x, y] = symbols(["x", "y"]);
+        let divisor = x * x + Sym::int(2);
+        let outputs = [x / divisor, y / (divisor * divisor), y / divisor, x * y, x, y];
+        assert!(off(&[(x, 0.7), (y, 1.3)], &outputs, 6) < 1e-15);
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use super::WIDTH;
 use crate::graph::Node;
 use crate::recurrence::Pick;
-use crate::{Sym, Tape};
-use field::{Analytic, Circle};
+use crate::{Fraction, Sym, Tape};
+use field::Analytic;
 use std::collections::BTreeSet;
 
 /// Registers of the program of parts: of a quotient or two, and of the longest. To clear them takes longer than the program.
@@ -18,7 +18,9 @@ pub(super) struct Parts {
     inputs: usize,
     /// The inputs whose circle points occur: cosines and sines in turn.
     angles: Vec<usize>,
-    /// From the inputs, zeros up to the first part, and those points: all others.
+    /// The inputs of which fractions occur, and these.
+    fractions: Vec<(usize, Fraction<f64>)>,
+    /// From the inputs, zeros up to the first part, and those points and fractions: all others.
     others: Tape,
     constants: Vec<f64>,
 }
@@ -26,21 +28,30 @@ pub(super) struct Parts {
 impl Parts {
     /// With the expressions, in their order; `None` where a part has no value, or is too long.
     pub fn of(inputs: &[Sym], outputs: &[Sym]) -> Option<(Self, Vec<Sym>)> {
-        let (angles, others) = found(inputs, outputs);
+        let (angles, mut others) = found(inputs, outputs);
         let first = Self::first(inputs.len());
         let points = angles.iter().flat_map(|&angle| {
             let point = inputs[angle].circle();
             [point.cos, point.sin]
         });
-        let points: Vec<Sym> = points.collect();
+        let mut known: Vec<Sym> = points.collect();
+        let mut fractions = Vec::new();
+        others.retain(|&other| match fraction(inputs, other) {
+            Some(own) => {
+                known.push(other);
+                fractions.push(own);
+                false
+            }
+            None => true,
+        });
         // between the inputs and the points there are zeros, and are read as that
         let zeros = vec![Sym::ZERO; first - inputs.len()];
-        let tape = Tape::record(&[inputs, &zeros, &points].concat(), &others).ok()?;
+        let tape = Tape::record(&[inputs, &zeros, &known].concat(), &others).ok()?;
         if tape.registers() > MANY {
             return None;
         }
-        let parts = Parts { inputs: inputs.len(), angles, constants: tape.constants(), others: tape };
-        Some((parts, points.into_iter().chain(others).collect()))
+        known.extend(others);
+        Some((Parts { inputs: inputs.len(), angles, fractions, constants: tape.constants(), others: tape }, known))
     }
 
     /// Where they begin among the numbers of an evaluation.
@@ -49,7 +60,7 @@ impl Parts {
     }
 
     pub fn flops(&self) -> usize {
-        self.others.flops()
+        self.others.flops() + self.fractions.iter().map(|(_, fraction)| fraction.flops()).sum::<usize>()
     }
 
     /// Writes the inputs and their parts.
@@ -69,14 +80,24 @@ impl Parts {
             // written as one, or what reads all eight would wait
             let mut eight = pick.load(&[0.0; WIDTH]);
             for (number, &angle) in four.iter().enumerate() {
-                let point = inputs.get(angle).map_or(Circle::zero(), |angle| angle.circle());
-                eight = pick.blend(1 << (2 * number), eight, pick.load(&[point.cos; WIDTH]));
-                eight = pick.blend(2 << (2 * number), eight, pick.load(&[point.sin; WIDTH]));
+                let Some(angle) = inputs.get(angle) else { continue };
+                let point = angle.circle();
+                eight = match number {
+                    0 => pick.load(&[point.cos, point.sin, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]),
+                    _ => {
+                        let with = pick.blend(1 << (2 * number), eight, pick.load(&[point.cos; WIDTH]));
+                        pick.blend(2 << (2 * number), with, pick.load(&[point.sin; WIDTH]))
+                    }
+                };
             }
             *group = pick.store(eight);
         }
+        let fractions = first + 2 * self.angles.len();
+        for ((input, fraction), value) in self.fractions.iter().zip(values.iter_mut().skip(fractions)) {
+            *value = inputs.get(*input).map_or(0.0, |at| fraction.value(*at));
+        }
         if self.others.outputs() > 0 {
-            let (known, others) = values.split_at_mut((first + 2 * self.angles.len()).min(values.len()));
+            let (known, others) = values.split_at_mut((fractions + self.fractions.len()).min(values.len()));
             let known = known.iter().copied();
             let written = match self.others.registers() {
                 few if few <= FEW => self.others.evaluate::<f64, FEW>(&self.constants, known, others),
@@ -118,4 +139,12 @@ fn found(inputs: &[Sym], outputs: &[Sym]) -> (Vec<usize>, Vec<Sym>) {
         others.extend(other.filter(|other| !others.contains(other)));
     }
     (angles.into_iter().collect(), others)
+}
+
+/// Where a part is a fraction in one input alone: that input, and the fraction.
+fn fraction(inputs: &[Sym], part: Sym) -> Option<(usize, Fraction<f64>)> {
+    let leaves = part.leaves_of();
+    let [leaf] = leaves[..] else { return None };
+    let input = inputs.iter().position(|input| *input == leaf)?;
+    Some((input, Fraction::record(part, leaf)?.over()))
 }

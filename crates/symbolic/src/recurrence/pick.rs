@@ -68,7 +68,7 @@ pub(crate) type Shuffle = [u64; 8];
 
 /// One by one.
 #[derive(Clone, Copy)]
-pub(super) struct OneByOne<const FUSED: bool>;
+pub(crate) struct OneByOne<const FUSED: bool>;
 
 impl<S: Fused, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
     const FUSED: bool = FUSED;
