@@ -25,7 +25,7 @@ impl Polynomials {
 
     /// Whether so few numbers are asked for that to begin with registers of eight would take longer than all of it.
     pub(super) fn is_narrow(&self) -> bool {
-        self.outputs <= 4 && self.blocks.all.len() == 1 && self.numbers() <= LEAST
+        self.outputs <= 4 && self.blocks.are_neighbours() && self.blocks.all.len() == 1 && self.numbers() <= LEAST
     }
 
     /// All in one block, of which L lanes hold outputs.
