@@ -113,9 +113,10 @@ fn two_routes_to_an_error_agree() {
 #[test]
 fn shares_add_up_to_what_the_richer_run_is_above_the_lower_one_with_its_sign() {
     for (name, model) in [
-        // from another start, by what is lost on the way
         ("hanging_rest", "currents at the present slip"),
         ("hanging_rest", "constant_speed"),
+        // a linear law, from currents that its windings do not have at once
+        ("machines/brushed_bench", "currents at rest"),
     ] {
         let scene = scene(name);
         let ladder = ladder(&scene);
