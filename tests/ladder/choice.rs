@@ -2,6 +2,7 @@
 
 use super::{ladder, path, scene};
 use derivations::ladder::linear::propagator;
+use derivations::ladder::switching::Schedule;
 use derivations::ladder::{Forms, Ladder, Receipt, Wish, choose};
 use derivations::scene::{Axes, Stored};
 use integrators::{Jacobian, transition};
@@ -101,4 +102,26 @@ fn what_a_stretch_loses_is_its_share_of_the_error() {
     let dual: f64 = (0..64).map(largest).sum();
     // of all instants the worst, where the dual looks at the end
     assert!((1.0..20.0).contains(&(all.promised / dual)), "{:e} {dual:e}", all.promised);
+}
+
+/// Each alone on the smaller model, and the rest of the run after it on the richer one.
+#[test]
+fn what_all_stretches_lose_is_the_sum_of_what_each_alone_makes_of_the_run() {
+    let scene = scene("hanging_rest");
+    let ladder = ladder(&scene);
+    let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+    let rung = ladder.rungs.iter().find(|rung| rung.name == "currents at the present slip").expect("on the ladder");
+    let course = ladder.course(&watched, None).expect("it runs");
+    let all = ladder.schedule(rung, &course, f64::INFINITY).expect("everywhere");
+    let sides = [(integrators::Method::DormandPrince8, 1e-11); 2];
+    let exact = super::exactly(&ladder);
+    let alone = |k: usize| {
+        let stretches = all.stretches.iter().enumerate().map(|(j, (end, _))| (*end, j == k)).collect();
+        let run = ladder.run_switching(rung, &Schedule { stretches, promised: 0.0 }, sides, 1_000_000);
+        let rows = run.expect("it reaches its end").rows;
+        let off = rows.iter().zip(exact.times.iter().zip(&exact.states));
+        off.map(|((_, row), (time, y))| watched.off(row, &ladder.row(*time, y))).fold(0.0, f64::max)
+    };
+    let sum: f64 = (0..all.stretches.len()).map(alone).sum();
+    assert!((all.promised / sum - 1.0).abs() < 1e-3, "{:e} {sum:e}", all.promised);
 }

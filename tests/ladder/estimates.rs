@@ -1,7 +1,8 @@
 //! What an estimate is worth: beside the true error, and by a second route.
 
-use super::{drawn, exactly, ladder, scene, truly};
+use super::{drawn, exactly, ladder, scene, tight, truly};
 use derivations::ladder::Loss;
+use derivations::ladder::followed::followed;
 use derivations::scene::{Family, Scene};
 
 /// Where the second order is small beside the first, the estimate is the error up to that.
@@ -105,6 +106,35 @@ fn two_routes_to_an_error_agree() {
         }
         let sum: f64 = shares.parts[0].iter().sum::<f64>() + shares.start[0];
         assert!((sum - shares.errors[0][7]).abs() <= 1e-12 + 1e-9 * sum.abs());
+    }
+}
+
+/// Both routes above know the size of an error alone.
+#[test]
+fn shares_add_up_to_what_the_richer_run_is_above_the_lower_one_with_its_sign() {
+    for (name, model) in [
+        ("hanging_rest", "currents at the present slip"),
+        ("hanging_rest", "constant_speed"),
+        // a linear law, from currents that its windings do not have at once
+        ("machines/brushed_bench", "currents at rest"),
+    ] {
+        let scene = scene(name);
+        let ladder = ladder(&scene);
+        let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+        let rung = ladder.rungs.iter().find(|rung| rung.name == model).expect("it is on the ladder");
+        let shares = ladder.shares(rung, &watched, &*ladder.law, 256, 1e-11).expect("a series");
+        let (low, _) = followed(&*rung.law, &tight(), ladder.own.span, &rung.start).expect("it reaches its end");
+        let exact = exactly(&ladder);
+        let (mut largest, mut apart) = (0.0f64, 0.0f64);
+        for (k, (time, y)) in exact.times.iter().zip(&exact.states).enumerate() {
+            let rich = ladder.row(*time, y);
+            let poor = ladder.row(*time, &rung.lifted(*time, &low.states[k], y.len()));
+            for (output, (&column, size)) in watched.columns.iter().zip(&watched.sizes).enumerate() {
+                let (above, found) = ((rich[column] - poor[column]) / size, shares.errors[output][k]);
+                (largest, apart) = (largest.max(above.abs()), apart.max((above - found).abs()));
+            }
+        }
+        assert!(largest > 0.0 && apart < 0.01 * largest, "{name}, {model}: {apart:e} of {largest:e}");
     }
 }
 

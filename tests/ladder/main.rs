@@ -3,6 +3,7 @@
 mod choice;
 mod drawn;
 mod estimates;
+mod fed;
 mod governors;
 mod lumping;
 mod rough;

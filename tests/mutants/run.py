@@ -88,6 +88,7 @@ SUBJECT_OF = {
     "crates/mechanics/src/uniform/": ["mechanics", "selected"],
     "derivations/closed_forms/": ["closed_forms"],
     "derivations/mechanisms/points.rs": ["atlas"],
+    "crates/symbolic/src/recurrence/abreast/": ["series"],
     "crates/symbolic/src/recurrence/small/": ["series"],
     "crates/symbolic/src/parse/": ["parsing"],
     "crates/symbolic/src/print/": ["printing"],

@@ -1,176 +1,16 @@
 //! Families of motions of degenerate gyrostats: their verdicts beside the eigenvalues of the equations that run.
 
 use crate::running::{Law, eigenvalues, run, state};
-use derivations::machines::Machine;
-use derivations::machines::asynchronous::Asynchronous;
+use crate::tops::{
+    Top, along, at_constant_speed, by_slip, circling, free, in_step, lagrange, oblique, r, without_friction,
+};
 use derivations::machines::constant_speed::ConstantSpeed;
-use derivations::machines::free_rotor::FreeRotor;
-use derivations::machines::synchronous::Synchronous;
-use derivations::stationary::energies::{Energies, Kept};
-use derivations::stationary::motor::{Angle, Motor, Slip};
-use derivations::stationary::stability::along::{Along, Known};
-use derivations::stationary::stability::judge::{Given, Judge};
-use derivations::stationary::stability::{Approximation, Reason, Verdict};
+use derivations::stationary::stability::along::Along;
+use derivations::stationary::stability::{Reason, Verdict};
 use derivations::systems::gyrostat::forms::SecondForm;
-use field::{Rational, Scalar};
-use mechanics::uniform::{Body, Shape};
-use nalgebra::{Matrix3, Vector3};
-use symbolic::Sym;
-use symbolic::real::{Enclosure, Root};
-
-fn r(n: i64, d: i64) -> Rational {
-    Rational::new(n, d)
-}
-
-/// A gyrostat in the principal axes of A*, with A' = 1/2.
-#[derive(Clone, Copy)]
-struct Top {
-    moments: [i64; 3],
-    axis: [Rational; 3],
-    weight: [Rational; 3],
-}
-
-/// A rotor's machine: as formulas, as it runs, and its stationary states.
-struct Driven<E, M> {
-    exact: E,
-    running: M,
-    motor: Motor,
-    kept: Kept,
-    value: Rational,
-}
-
-fn constant(value: Rational) -> Sym {
-    Sym::constant(value)
-}
-
-fn at_constant_speed(speed: Rational) -> Driven<ConstantSpeed<Sym>, ConstantSpeed<f64>> {
-    Driven {
-        exact: ConstantSpeed { speed: constant(speed) },
-        running: ConstantSpeed { speed: speed.to_f64() },
-        motor: Motor::Kept { speed: Root::rational(speed).unwrap() },
-        kept: Kept::RelativeSpeed,
-        value: speed,
-    }
-}
-
-fn free(momentum: Rational) -> Driven<FreeRotor<Sym>, FreeRotor<f64>> {
-    let (exact, running) = (FreeRotor::default(), FreeRotor::default());
-    Driven { exact, running, motor: Motor::Free, kept: Kept::Momentum, value: momentum }
-}
-
-fn by_slip(speed: Rational) -> Driven<Asynchronous<Sym>, Asynchronous<f64>> {
-    let slip = Slip { speed: Root::rational(speed).unwrap(), slope: -1, currents: Vec::new() };
-    Driven {
-        exact: Asynchronous { field_speed: constant(speed), k: Sym::ratio(3, 4), f: Sym::int(0) },
-        running: Asynchronous { field_speed: speed.to_f64(), k: 0.75, f: 0.0 },
-        motor: Motor::Slipping { speeds: vec![slip], extremes: Vec::new() },
-        kept: Kept::RelativeSpeed,
-        value: speed,
-    }
-}
-
-/// With b0 = 1 and sin g = -3/5 at the angle that holds, 4/5 its cosine.
-fn in_step(speed: Rational) -> Driven<Synchronous<Sym>, Synchronous<f64>> {
-    let f = r(3, 5) / speed;
-    let angle = |t: Rational, slope: i32| Angle { half_tangent: Root::rational(t), slope, currents: Vec::new() };
-    Driven {
-        exact: Synchronous { field_speed: constant(speed), b0: Sym::int(1), f: constant(f) },
-        running: Synchronous { field_speed: speed.to_f64(), b0: 1.0, f: f.to_f64() },
-        motor: Motor::InStep {
-            speed: Root::rational(speed).unwrap(),
-            angles: vec![angle(r(-1, 3), -1), angle(r(-3, 1), 1)],
-            bears: None,
-        },
-        kept: Kept::RelativeSpeed,
-        value: speed,
-    }
-}
-
-const AXIAL: (i64, i64) = (1, 2);
-
-impl Top {
-    fn energies(&self) -> Energies<Rational> {
-        let axial = r(AXIAL.0, AXIAL.1);
-        Energies {
-            tensor: Matrix3::from_diagonal(&Vector3::from(self.moments).map(Rational::int)),
-            mixed: Vector3::from(self.axis) * axial,
-            axial,
-            weight: self.weight.into(),
-        }
-    }
-
-    /// The families with one angular velocity; every arc and every edge is compared with the eigenvalues.
-    fn families<E: Machine<Sym>, M: Machine<f64>>(
-        &self,
-        driven: Driven<E, M>,
-        w: Rational,
-    ) -> Vec<(Shape, Vec<Along>)> {
-        let energies = self.energies();
-        let (tensor, share) = energies.quadratic(driven.kept);
-        let value = Root::rational(driven.value).unwrap();
-        let body = Body::new(&tensor, &share, &value, &energies.weight).unwrap();
-        let approximation = Approximation::with(&energies, &driven.exact).unwrap();
-        let judge = Judge {
-            approximation: &approximation,
-            energies: &energies,
-            motor: &driven.motor,
-            kept: driven.kept,
-            value: &value,
-            given: Given::Speed(w),
-        };
-        let floats = |v: [Rational; 3]| Vector3::from(v).map(Rational::to_f64);
-        let moments = Vector3::from(self.moments).map(|n| n as f64);
-        let form = SecondForm::new(moments, floats(self.axis), 0.5, floats(self.weight));
-        let law = Law::new(form, driven.running);
-        let all = body.rotations(w).unwrap();
-        let families = all.motions.iter().filter(|one| matches!(one.shape, Shape::Circle { .. } | Shape::Sphere));
-        let each = families.map(|family| {
-            let enclosed = |bits| Some((family.direction(bits)?, Enclosure::rational(w, bits)?));
-            let axis = |bits| family.axis(bits);
-            let along = judge.along(&Known { shape: family.shape, enclosed: &enclosed, axis: &axis });
-            for (place, one) in along.iter().enumerate() {
-                let angle = match &driven.motor {
-                    Motor::InStep { angles, .. } => angles[place].radians(),
-                    _ => 0.0,
-                };
-                for arc in &one.arcs {
-                    let v = Vector3::from(arc.member.each_ref().map(Enclosure::to_f64));
-                    let rotor_speed = match driven.kept {
-                        Kept::RelativeSpeed => driven.value.to_f64(),
-                        Kept::Momentum => {
-                            let carried = energies.mixed.map(Rational::to_f64).dot(&v) * w.to_f64();
-                            (driven.value.to_f64() - carried) / 0.5
-                        }
-                    };
-                    let state = state(&law, v, w.to_f64(), rotor_speed, angle);
-                    let found = eigenvalues(&law, &state);
-                    let roots = arc.judged.roots.unwrap();
-                    // a zero that is repeated is no better than this
-                    let count = |side: f64| found.iter().filter(|(re, _)| side * re > 1e-6).count();
-                    assert_eq!((count(-1.0), count(1.0)), (roots.left, roots.right), "{:?} {found:?}", arc.judged);
-                }
-            }
-            (family.shape, along)
-        });
-        each.collect()
-    }
-}
-
-fn along(axis: [i64; 3]) -> [Rational; 3] {
-    axis.map(|n| r(n, 1))
-}
-
-/// Rotor and weight along the axis of symmetry: on a circle with 2 w^2 cos = w A'W + 1.
-fn lagrange() -> Top {
-    Top { moments: [4, 4, 2], axis: along([0, 0, 1]), weight: along([0, 0, 1]) }
-}
-
-/// The rotor oblique to the axis of symmetry, the weight such that w = 2 and A'W = 5/2 leave the circle v3 = 3/5.
-fn oblique(moments: [i64; 3]) -> Top {
-    // w^2 (A3 - A1) v3 + w A'W l3 + G3 = 0
-    let along = r(4 * (moments[0] - moments[2]) * 3, 5) - r(4, 1);
-    Top { moments, axis: [r(3, 5), r(0, 1), r(4, 5)], weight: [r(-3, 1), r(0, 1), along] }
-}
+use field::Rational;
+use mechanics::uniform::Shape;
+use nalgebra::Vector3;
 
 /// The verdicts on all arcs with one angle, and the directions that are apart.
 fn told(along: &Along) -> (Vec<Verdict>, Vec<([f64; 3], Verdict)>) {
@@ -217,6 +57,34 @@ fn beside_an_oblique_rotor_a_circle_is_stable_where_its_axis_has_the_smaller_mom
     assert_eq!(told(&top.families(in_step(r(5, 1)), r(2, 1))[0].1[0]).0, [ASYMPTOTIC; 2]);
     let flat = oblique([4, 4, 7]).families(at_constant_speed(r(5, 1)), r(2, 1));
     assert!(told(&flat[0].1[0]).0.iter().all(|one| matches!(one, Verdict::Unstable { .. })), "{flat:?}");
+}
+
+/// With the rotor across the axis of symmetry and v3 = 0 the body nutates without turning about the rotor's axis where
+/// A1 w l.v = A'W: no motor damps that.
+#[test]
+fn beside_a_rotor_that_does_not_feel_the_nutation_two_directions_of_a_circle_are_not_asymptotically_stable() {
+    let top = circling([5, 5, 2], along([1, 0, 0]), r(0, 1), [r(1, 1), r(3, 1)]);
+    let all = top.families(by_slip(r(6, 1)), r(1, 1));
+    let (arcs, edges) = told(&all[0].1[0]);
+    let mut apart: Vec<[f64; 3]> =
+        edges.into_iter().filter(|edge| edge.1 == Verdict::Stable).map(|edge| edge.0).collect();
+    apart.sort_by(|a, b| a[1].total_cmp(&b[1]));
+    assert_eq!((&arcs[..], &apart[..]), (&[ASYMPTOTIC; 4][..], &[[0.6, -0.8, 0.0], [0.6, 0.8, 0.0]][..]));
+}
+
+/// Where the angle is no minimum of the energy and the circle none either, both may be kept by gyroscopes, on a part of the circle.
+#[test]
+fn along_a_circle_two_pairs_meet_and_what_gyroscopes_keep_is_lost() {
+    let top = circling([4, 4, 7], [r(3, 5), r(0, 1), r(4, 5)], r(4, 5), [r(3, 1), r(1, 1)]);
+    let all = top.families(without_friction(r(2, 1), r(1, 100)), r(3, 1));
+    let arcs = told(&all[0].1[1]).0;
+    let kept = |one: &&Verdict| **one == Verdict::CannotTell(Reason::Gyroscopic { negative: 2 });
+    let lost = |one: &&Verdict| **one == Verdict::Unstable { right: 2 };
+    assert_eq!(
+        (arcs.iter().filter(kept).count(), arcs.iter().filter(lost).count(), arcs.len()),
+        (2, 8, 10),
+        "{arcs:?}"
+    );
 }
 
 #[test]

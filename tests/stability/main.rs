@@ -10,3 +10,4 @@ mod plane;
 mod region;
 mod running;
 mod runs;
+mod tops;

@@ -7,6 +7,7 @@ use derivations::stationary::motor::Motor;
 use derivations::stationary::stability::datum::Datum;
 use derivations::stationary::stability::plane::{Cell, Plane};
 use derivations::stationary::stability::reduced::Fate;
+use derivations::stationary::stability::region::line::Link;
 use derivations::stationary::stability::region::{Atlas, Border, Change, Class, Node, Place, Region};
 use derivations::systems::gyrostat::Gyrostat;
 use field::{Rational, Scalar};
@@ -173,6 +174,22 @@ fn a_load_moves_no_axis_and_no_verdict_up_to_the_pull_out() {
     assert!(border.change == Change::PullOut && low <= 0.135 && 0.135 <= high && high - low < 0.006, "{border:?}");
     let atlas = Atlas::of(vec![vec![held], vec![lost]], vec![vec![]], vec![vec![], vec![]]);
     assert_eq!(atlas.branches.iter().map(|branch| branch.nodes).collect::<Vec<_>>(), [1, 1]);
+}
+
+#[test]
+fn a_branch_that_folds_back_is_one_and_a_border_lies_on_the_motion_to_which_it_happens() {
+    let (nodes, _) = column(&scene("free_rotor"), ["omega0", "gravity"], [[6.0, 8.0], [9.8, 9.82]], 0.0, 1);
+    let [node] = &nodes[..] else { panic!("one row") };
+    let joined = |borders| Link { joined: vec![[0, 0]], borders, lost: 0 };
+    let border = Border { change: Change::Verdict, between: [node.values; 2], exactly: None, of: (1, 1) };
+    // (0, 1) - (1, 1) - (1, 0): the second column is gone through downwards
+    let rows = vec![vec![Link::default()], vec![joined(vec![])]];
+    let upwards = vec![vec![Link::default()], vec![joined(vec![border])]];
+    let atlas = Atlas::of(vec![vec![node.clone(); 2]; 2], rows, upwards);
+    assert_eq!(atlas.branches[0].places, [[None, Some(0)], [Some(0), Some(0)]]);
+    assert_eq!(atlas.branches.len(), 1 + 4 * node.isolated().len() - 3);
+    let [(branch, _)] = &atlas.borders[..] else { panic!("one border") };
+    assert_eq!(atlas.branches[*branch].places, [[None, None], [None, Some(1)]]);
 }
 
 #[test]
