@@ -244,3 +244,35 @@ fn every_lane_has_the_last_terms_and_the_sum_of_its_own_series_at_any_order() {
         }
     }
 }
+
+/// x_i' = c_i + sum_j c_ij x_j for the first states, so many long sums of the same quantities; the others turn into each other.
+fn alike(sums: usize) -> (Vec<Sym>, Vec<Sym>) {
+    let state: Vec<Sym> = (0..9).map(|i| Sym::symbol(&format!("x{i}"))).collect();
+    let all = |i: usize| {
+        let term = |j: usize| state[j] * Sym::ratio(1 + ((3 * i + 5 * j) % 7) as i64, 8 + j as i64);
+        (0..8).fold(Sym::ratio(1 + i as i64, 5), |sum, j| sum + term(j))
+    };
+    let rate = |i: usize| if i < sums { all(i) } else { state[(i + 1) % 9] * Sym::ratio(1, 2) };
+    (state.clone(), (0..9).map(rate).collect())
+}
+
+#[test]
+fn long_sums_abreast_are_each_their_own_whether_one_stands_alone_or_five_are_alike() {
+    let start: Vec<f64> = (0..9).map(|i| 0.3 + 0.1 * f64::from(i)).collect();
+    for sums in 1..=5 {
+        let (state, rates) = alike(sums);
+        let equations = Equations { state: &state, time: None, parameters: &[], rates: &rates };
+        let recurrence = Recurrence::record(&equations).unwrap();
+        let mut abreast = recurrence.abreast::<2, 64>(6).unwrap();
+        (0..2).for_each(|lane| abreast.set(lane, &[]));
+        let mut single = recurrence.expansion::<f64, 4, 256>(&[], 6).unwrap();
+        single.expand(&start, 0.0);
+        let lanes: Vec<Lanes<2>> = start.iter().map(|y| Lanes([*y, 0.0])).collect();
+        abreast.expand(&lanes, Lanes::all(0.0));
+        for k in [5, 6] {
+            for (number, (found, known)) in abreast.coefficients(k).iter().zip(single.coefficients(k)).enumerate() {
+                assert!((found.0[0] - known).abs() <= 1e-14, "{sums} sums, x{number}: {} for {known}", found.0[0]);
+            }
+        }
+    }
+}
