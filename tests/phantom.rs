@@ -290,7 +290,8 @@ fn near_gyrostats_what_a_splitting_does_between_the_tested_steps_is_proved_as_fa
     let rows = |(name, scene, w): &(&str, Scene, f64)| {
         let ends = [steps()[0], steps()[steps().len() - 1]];
         let mut page = format!("at {} steps from {:.1e} to {:.1e} s: ", steps().len(), ends[0], ends[1]);
-        page += "G grows, S stays, proved; g grows, s stays, tested alone; . nothing\n";
+        page += "G grows, S stays, proved; g grows, s stays, tested alone; ";
+        page += "- no step is taken, since what fades would grow on its way back; . no motion of its own is found\n";
         for (place, motion) in chart(scene, *w).all.motions.iter().enumerate() {
             let near = SplitRuns::near(scene, motion);
             page += &format!("\n{} {motion}\n", place + 1);
@@ -303,6 +304,7 @@ fn near_gyrostats_what_a_splitting_does_between_the_tested_steps_is_proved_as_fa
                     (Some(false), _) => 'S',
                     (None, Some(true)) => 'g',
                     (None, Some(false)) => 's',
+                    (None, None) if tested.refuses(*step) => '-',
                     (None, None) => '.',
                 };
                 let letters: String = tested.grows.iter().map(letter).collect();

@@ -7,9 +7,9 @@
 //! * [`motions`]: the stationary motions of a scene with their eigenvalues;
 //! * [`chart`]: every method on every such motion, every step judged;
 //! * [`measured`]: the same thresholds by runs, each as long as [`crossing`] says it must be;
-//! * [`oscillator`], [`splittings`]: compositions of flows, on one mode exactly, on a motion by their own step;
+//! * [`oscillator`], [`splittings`]: compositions of flows, on one mode exactly, on a motion by their own step and what its matrix (`matrices`) tells;
 //! * [`enclosed`]: the same for every step between two on a bench, where all pieces rest, proved from the `pieces` that run;
-//! * [`turning`]: the same near a gyrostat's motions, on the `surface` of the integrals (`stepped` over it), about the motion of a splitting's own;
+//! * [`turning`]: the same near a gyrostat's motions, on the `surface` of the integrals (`stepped` over it), about the motion of a splitting's own, or why not ([`unproved`]);
 //! * `multipliers`: whether they leave the unit circle, over a range of steps; [`stretches`]: ranges, halved until that is known;
 //! * [`survey`]: some motions with all of this, for the report.
 
@@ -19,6 +19,7 @@ mod claims;
 pub mod crossing;
 pub mod enclosed;
 pub mod linear;
+mod matrices;
 pub mod measured;
 pub mod methods;
 pub mod motions;
@@ -31,6 +32,7 @@ pub mod stretches;
 mod surface;
 pub mod survey;
 pub mod turning;
+pub mod unproved;
 mod written;
 
 use crate::papers::Paper;

@@ -1,29 +1,30 @@
 //! Whether a step's multipliers leave the unit circle, for all steps of an interval at once.
 //!
-//! The matrix M(h) of a step has Taylor models in h for its entries. With s = (2/h)(z - 1)/(z + 1) for a multiplier z the unit disc is
+//! The matrix M(h) of a step has Taylor models in h for its entries, or enclosed numbers where h is one. With s = (2/h)(z - 1)/(z + 1) for a multiplier z the unit disc is
 //! the left half-plane, and Routh's chain counts. Where the chain has a zero that is no threshold, what grows is told by a multiplier
 //! beyond a line further out, and where it grows by much, by the size of a coefficient alone.
 
+use field::Rational;
 use mechanics::first_approximation::{HalfPlanes, characteristic};
 use symbolic::real::{Ordered, TaylorModel};
 
 /// Row after row.
-pub(super) type Matrix = Vec<Vec<TaylorModel>>;
+pub(super) type Matrix<R = TaylorModel> = Vec<Vec<R>>;
 
-/// Lines to the right of which a root is looked for, as shares of 1/h.
-const FURTHER: [f64; 3] = [0.003, 0.03, 0.3];
+/// Lines to the right of which a root is looked for, in thousandths of 1/h.
+const FURTHER: [i64; 3] = [3, 30, 300];
 
 /// Whether a multiplier lies outside of the unit circle at every step of the range, or none does at any; `None` where that is open.
 /// `symmetric`: with a multiplier z there is 1/z, as in steps made of Hamilton's flows.
-pub(super) fn grows(map: &Matrix, step: &TaylorModel, symmetric: bool) -> Option<bool> {
+pub(super) fn grows<R: Ordered>(map: &Matrix<R>, step: &R, symmetric: bool) -> Option<bool> {
     if leaves(&characteristic(map, step)) {
         return Some(true);
     }
-    let rate = |(i, row): (usize, &Vec<TaylorModel>)| -> Option<Vec<TaylorModel>> {
-        let less = |(j, entry): (usize, &TaylorModel)| entry.minus(&step.integer(i64::from(i == j))).over(step);
+    let rate = |(i, row): (usize, &Vec<R>)| -> Option<Vec<R>> {
+        let less = |(j, entry): (usize, &R)| entry.minus(&step.integer(i64::from(i == j))).over(step);
         row.iter().enumerate().map(less).collect()
     };
-    let rates: Matrix = map.iter().enumerate().map(rate).collect::<Option<_>>()?;
+    let rates: Matrix<R> = map.iter().enumerate().map(rate).collect::<Option<_>>()?;
     let mut plane = on_the_plane(&characteristic(&rates, step), step);
     if symmetric {
         // with s there is -s
@@ -32,35 +33,35 @@ pub(super) fn grows(map: &Matrix, step: &TaylorModel, symmetric: bool) -> Option
     match HalfPlanes::of(&plane) {
         Some(places) => Some(places.right > 0),
         None => FURTHER.iter().find_map(|share| {
-            let line = step.integer(1).over(step)?.times(&TaylorModel::constant(*share));
+            let line = step.fraction(Rational::new(*share, 1000))?.over(step)?;
             HalfPlanes::of(&shifted(&plane, &line)).filter(|places| places.right > 0).map(|_| true)
         }),
     }
 }
 
 /// Whether a coefficient of the polynomial of the multipliers is larger than any that are on the unit circle or inside could make.
-fn leaves(polynomial: &[TaylorModel]) -> bool {
+fn leaves<R: Ordered>(polynomial: &[R]) -> bool {
     let n = polynomial.len().saturating_sub(1) as i64;
     let mut choices = 1;
     (0..).zip(polynomial).any(|(k, c)| {
         let most = c.integer(choices);
         choices = choices * (n - k) / (k + 1);
-        [*c, c.integer(0).minus(c)].iter().any(|c| c.minus(&most).sign() == Some(1))
+        c.minus(&most).sign() == Some(1) || c.plus(&most).sign() == Some(-1)
     })
 }
 
 /// The polynomial in s = (2/h)(z - 1)/(z + 1) of one in w = (z - 1)/h, both with the highest power first: w = 2 s/(2 - h s).
-fn on_the_plane(rates: &[TaylorModel], step: &TaylorModel) -> Vec<TaylorModel> {
+fn on_the_plane<R: Ordered>(rates: &[R], step: &R) -> Vec<R> {
     let n = rates.len().saturating_sub(1);
     let (zero, two) = (step.integer(0), step.integer(2));
-    let mut sum = vec![zero; n + 1];
+    let mut sum = vec![zero.clone(); n + 1];
     for (k, rate) in rates.iter().rev().enumerate() {
         // rate (2 s)^k (2 - h s)^(n - k), the constant first
-        let mut term = vec![zero; k];
-        term.push((0..k).fold(*rate, |term, _| term.times(&two)));
+        let mut term = vec![zero.clone(); k];
+        term.push((0..k).fold(rate.clone(), |term, _| term.times(&two)));
         for _ in k..n {
-            let doubled = term.iter().map(|c| c.times(&two)).chain([zero]);
-            let turned = std::iter::once(zero).chain(term.iter().map(|c| c.times(step)));
+            let doubled = term.iter().map(|c| c.times(&two)).chain([zero.clone()]);
+            let turned = std::iter::once(zero.clone()).chain(term.iter().map(|c| c.times(step)));
             term = doubled.zip(turned).map(|(a, b)| a.minus(&b)).collect();
         }
         sum.iter_mut().rev().zip(&term).for_each(|(sum, c)| *sum = sum.plus(c));
@@ -69,7 +70,7 @@ fn on_the_plane(rates: &[TaylorModel], step: &TaylorModel) -> Vec<TaylorModel> {
 }
 
 /// p(s + line), by Horner's rule again and again.
-fn shifted(polynomial: &[TaylorModel], line: &TaylorModel) -> Vec<TaylorModel> {
+fn shifted<R: Ordered>(polynomial: &[R], line: &R) -> Vec<R> {
     let mut shifted = polynomial.to_vec();
     for end in (1..shifted.len()).rev() {
         for k in 1..=end {

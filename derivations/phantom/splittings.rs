@@ -8,9 +8,11 @@
 
 use super::crossing::Crossing;
 use super::enclosed::Resting;
+use super::matrices::{complement, next_to, spectral_radius};
 use super::motions::Stationed;
 use super::stretches::{Proved, does};
-use super::turning::{Turning, Unproved};
+use super::turning::Turning;
+use super::unproved::Unproved;
 use crate::scene::problem::Law;
 use crate::scene::{Axes, Invariant, Problem, Scene};
 use field::DoubleDouble;
@@ -56,13 +58,16 @@ pub struct Tested {
     pub edges: Vec<f64>,
     /// What it does at every step between the first and the last, or why nothing is proved of that.
     pub proved: Result<Proved, Unproved>,
-    /// The longest step that the program takes, s.
+    /// The longest step that the program takes, s; zero where the law has no splitting.
     pub longest: f64,
 }
 
 impl Tested {
     /// In a line.
     pub fn told(&self) -> String {
+        if self.longest == 0.0 {
+            return format!("there is none, since {}", Unproved::Fed);
+        }
         let known: Vec<(f64, bool)> = self.grows.iter().filter_map(|(step, grows)| Some((*step, (*grows)?))).collect();
         let (Some((from, grows)), Some((to, _))) = (known.first(), known.last()) else {
             return "no step is taken, or no stationary motion of its own is found".to_owned();
@@ -71,7 +76,7 @@ impl Tested {
             if self.longest.is_finite() { format!("; no step beyond {:.4e}", self.longest) } else { String::new() };
         match &self.proved {
             Ok(proved) => {
-                let alone = proved.open().into_iter().map(|ends| self.tested_alone(ends)).collect::<String>();
+                let alone = proved.open().into_iter().map(|ends| self.tested_alone(proved, ends)).collect::<String>();
                 format!("proved from {from:.1e} to {to:.1e}: the map {}{alone}{longest}", proved.told())
             }
             Err(reason) => {
@@ -87,13 +92,25 @@ impl Tested {
     }
 
     /// What was seen where the proof leaves something open.
-    fn tested_alone(&self, [low, high]: [f64; 2]) -> String {
+    fn tested_alone(&self, proved: &Proved, [low, high]: [f64; 2]) -> String {
         let inside = self.grows.iter().filter(|(step, _)| (low..=high).contains(step));
-        let seen: Vec<bool> = inside.filter_map(|(_, grows)| *grows).collect();
-        match (seen.len(), seen.iter().filter(|grows| **grows).count()) {
-            (0, _) => String::new(),
-            (steps, growing) => format!("; tested from {low:.4e} to {high:.4e}: grows at {growing} of {steps} steps"),
+        let seen: Vec<(f64, bool)> = inside.filter_map(|(step, grows)| Some((*step, (*grows)?))).collect();
+        let steps = seen.len();
+        let growing = seen.iter().filter(|(_, grows)| *grows).count();
+        let says = match seen.iter().filter(|(step, _)| proved.at(*step).is_some()).count() {
+            0 => "tested".to_owned(),
+            known if known == steps => "proved step by step".to_owned(),
+            known => format!("tested, {known} proved,"),
+        };
+        if steps == 0 {
+            return String::new();
         }
+        format!("; {says} from {low:.4e} to {high:.4e}: grows at {growing} of {steps} steps")
+    }
+
+    /// Whether a step is refused, since what fades would grow on its way back.
+    pub fn refuses(&self, step: f64) -> bool {
+        step > self.longest
     }
 }
 
@@ -137,11 +154,13 @@ impl SplitRuns {
         let mut place: Vec<DoubleDouble> = self.state.iter().map(|y| DoubleDouble::from(*y)).collect();
         let mut surface = self.surface(&place);
         let mut matrix = derivative(&mut *map, &place, &surface)?;
+        // what keeps every piece needs no search, however fast rounding grows
+        let rests = matches!(&self.provable, Ok(Provable::Turning(turning)) if turning.rests());
         let mut found = false;
         for _ in 0..ITERATIONS {
             let end = after(&mut *map, &place)?;
             let missing = DVector::from_iterator(end.len(), end.iter().zip(&place).map(|(end, y)| (*end - *y).hi()));
-            found = missing.amax() < CONVERGED;
+            found = rests || missing.amax() < CONVERGED;
             if found {
                 break;
             }
@@ -184,8 +203,14 @@ impl SplitRuns {
             0.5 * (low + high)
         };
         let proved = match (&self.provable, known.first().zip(known.last())) {
-            (Ok(provable), Some((first, last))) => Ok(provable.course(splitting, [first.0, last.0])),
-            (Ok(_), None) => Err(Unproved::Fed),
+            (Ok(provable), Some((first, last))) => {
+                let mut proved = provable.course(splitting, [first.0, last.0]);
+                let open = known.iter().filter(|(step, _)| proved.at(*step).is_none());
+                let alone = open.filter_map(|(step, _)| Some((*step, provable.at(splitting, *step)?)));
+                proved.alone = alone.collect();
+                Ok(proved)
+            }
+            (Ok(_), None) => Err(Unproved::Motion),
             (Err(reason), _) => Err(*reason),
         };
         let mut edges: Vec<f64> = match &proved {
@@ -219,50 +244,18 @@ impl Provable {
             Provable::Turning(turning) => turning.course(splitting, ends),
         }
     }
+
+    /// At one step, s. On a bench ranges are narrowed down to thresholds.
+    fn at(&self, splitting: Splitting, step: f64) -> Option<bool> {
+        match self {
+            Provable::Resting(_) => None,
+            Provable::Turning(turning) => turning.at(splitting, step),
+        }
+    }
 }
 
 /// Halvings of a bracket.
 const HALVINGS: usize = 16;
-/// Squarings of a matrix towards its power.
-const SQUARINGS: i32 = 40;
-/// A singular value of the power, against the largest, is nothing: its multiplier is further in.
-const FADED: f64 = 1e-9;
-
-/// By Gelfand's formula with 2^40 for the power: what multiplies it besides has no weight left, and multiple eigenvalues, at
-/// which iterations for single ones do not end, are no worse than others.
-fn spectral_radius(mut power: DMatrix<f64>) -> f64 {
-    let mut logarithm = 0.0;
-    for squaring in 0..SQUARINGS {
-        let norm = power.norm();
-        if norm == 0.0 {
-            return 0.0;
-        }
-        logarithm += norm.ln() / f64::powi(2.0, squaring);
-        power /= norm;
-        power = &power * &power;
-    }
-    logarithm.exp()
-}
-
-/// The largest |multiplier| inside the radius: a high power maps onto the space of those on the radius, and beside that space
-/// the others are left, by themselves, whatever their multiplicities.
-fn next_to(matrix: &DMatrix<f64>) -> Option<f64> {
-    let mut power = matrix.clone();
-    for _ in 0..SQUARINGS {
-        power /= Some(power.norm()).filter(|norm| *norm > 0.0)?;
-        power = &power * &power;
-    }
-    let onto = power.svd(true, false);
-    let (space, sizes) = (onto.u?, onto.singular_values);
-    let beside: Vec<_> =
-        (0..sizes.len()).filter(|k| sizes[*k] < FADED * sizes.max()).map(|k| space.column(k)).collect();
-    if beside.is_empty() {
-        return Some(0.0);
-    }
-    let beside = DMatrix::from_columns(&beside);
-    Some(spectral_radius(beside.transpose() * matrix * beside))
-}
-
 /// The derivative of a step on the surface that columns span.
 fn derivative(
     map: &mut dyn Composed<DoubleDouble>,
@@ -304,15 +297,4 @@ fn gradient(invariant: &Invariant, state: &[f64]) -> DVector<f64> {
         0.5 * (at(1.0) - at(-1.0))
     };
     DVector::from_iterator(state.len(), (0..state.len()).map(slope))
-}
-
-/// An orthonormal basis of what is orthogonal to all of them.
-fn complement(gradients: &[DVector<f64>], n: usize) -> DMatrix<f64> {
-    let filler = |row: usize, column: usize| (1.0 + (row * n + column) as f64).sin();
-    let whole = DMatrix::from_fn(n, n, |row, column| match gradients.get(column) {
-        Some(gradient) => gradient[row] / gradient.norm(),
-        None => filler(row, column),
-    });
-    let orthonormal = whole.qr().q();
-    orthonormal.columns(gradients.len(), n - gradients.len()).into_owned()
 }

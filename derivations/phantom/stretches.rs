@@ -13,6 +13,8 @@ pub struct Proved {
     pub stretches: Vec<Stretch>,
     /// Those of them in which no stationary motion of the splitting's own could be enclosed.
     pub lost: Vec<(f64, f64)>,
+    /// Single steps, s, in what is open, with whether the map grows there.
+    pub alone: Vec<(f64, bool)>,
     /// How many intervals were looked at.
     pub looked: usize,
 }
@@ -81,6 +83,7 @@ impl Proved {
                 .filter(|(.., found)| *found == Found::Lost)
                 .map(|(low, high, _)| (*low, *high))
                 .collect(),
+            alone: Vec::new(),
             stretches: merged.into_iter().map(|(low, high, found)| (low, high, grows(found))).collect(),
             looked,
         }
@@ -88,7 +91,9 @@ impl Proved {
 
     /// Whether the map grows at a step, s.
     pub fn at(&self, step: f64) -> Option<bool> {
-        self.stretches.iter().find(|(low, high, _)| (*low..=*high).contains(&step)).and_then(|(.., grows)| *grows)
+        let single = self.alone.iter().find(|(at, _)| *at == step).map(|(_, grows)| *grows);
+        let stretch = self.stretches.iter().find(|(low, high, _)| (*low..=*high).contains(&step));
+        single.or(stretch.and_then(|(.., grows)| *grows))
     }
 
     /// The steps at which that changes, s, each with the width of the interval in which it does so.

@@ -7,17 +7,22 @@
 //! the fixed point is the law's, whatever the step. It is enclosed once, and the derivative of a step is the product of those of its
 //! flows at this one point. What grows is decided by `grows`; where it stays open or nothing is enclosed, it is said to be tested.
 //!
+//! A single step needs no range: over numbers that are enclosed to thirty digits what long compositions make of rounding lasts where
+//! models over floats have become too wide, and the steps that are tested are proved so, one by one.
+//!
 //! A step is taken over `Surface`, which leaves the multipliers out that are one by structure. The step is that which runs, its
-//! laws over models: of the bodies and the integrals it has the floats that run, of the motor the decimals, with windings lumped.
+//! laws over models: of the bodies, the integrals and the collocation it has the floats that run, of the motor the decimals, with
+//! windings lumped. A moment that is not linear in the slip takes as many of Newton's steps as it takes when it runs.
 
 use super::motions::Stationed;
-use super::multipliers::grows;
-use super::stepped::{Both, Enclosed, OnSurface, Steps};
+use super::multipliers::{Matrix, grows};
+use super::stepped::{Enclosed, OnSurface, Stepped, enclosed};
 use super::stretches::{Found, Limits, Proved};
 use super::surface::{Step, Surface};
+use super::unproved::{MOST_UNKNOWNS, Unproved};
 use super::written::keeps_energy;
 use crate::ladder::{Lumped, Lumping};
-use crate::machines::{Catalogued, ForMachine, Law, has_known_flow};
+use crate::machines::{Catalogued, ForMachine, Law, Rule, has_known_flow};
 use crate::scene::{Axes, MachineData, Scene, System};
 use crate::stationary::motor::Decimals;
 use crate::systems::gyrostat::Gyrostat;
@@ -25,55 +30,27 @@ use crate::systems::gyrostat::forms::SecondForm;
 use field::{Rational, Scalar, Tangent};
 use integrators::Splitting;
 use nalgebra::{DMatrix, DVector};
-use std::fmt;
 use symbolic::Sym;
-use symbolic::real::{FixedPoint, Mapped, Ordered, TaylorModel};
+use symbolic::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
 
 /// A gyrostat near a stationary motion, its motor forgotten.
 pub struct Turning {
-    steps: Box<dyn Steps>,
+    floats: Box<dyn Stepped<f64>>,
+    ranges: Over<TaylorModel>,
+    points: Over<Ball>,
     /// The law's motion.
     start: Vec<f64>,
-    /// The same, enclosed, where the carrier rests.
-    rest: Option<Vec<TaylorModel>>,
     /// Nothing takes energy: every piece is Hamilton's, and with a multiplier z there is 1/z.
     symmetric: bool,
 }
 
-/// Why nothing is proved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unproved {
-    /// On a bench, for a motor without an angle that it keeps, or one whose flow is not written down.
-    Bench,
-    /// A member of a family: others are its neighbours, and no operator contracts.
-    Family,
-    /// The flow of the push is found by collocation.
-    Curved,
-    /// The flow of the push is not known.
-    Fed,
-    /// A datum of the motor is missing, or is no number.
-    Data,
-    /// The law's rest is not enclosed: it is degenerate.
-    Rest,
-    /// More unknowns than are enclosed.
-    Many(usize),
+/// Its steps over enclosures.
+struct Over<F> {
+    steps: Box<dyn Stepped<F>>,
+    /// The law's motion where the carrier rests.
+    rest: Option<Vec<F>>,
 }
 
-impl fmt::Display for Unproved {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Bench => write!(f, "the motor keeps no angle, or its flow is not written down"),
-            Self::Family => write!(f, "the motion is one of a family"),
-            Self::Curved => write!(f, "the moment is not linear in the slip"),
-            Self::Fed => write!(f, "the flow of the motor's piece is not known"),
-            Self::Data => write!(f, "a datum of the motor is missing"),
-            Self::Rest => write!(f, "the rest is not enclosed"),
-            Self::Many(unknowns) => write!(f, "{unknowns} unknowns are more than {MOST_UNKNOWNS}"),
-        }
-    }
-}
-
-const MOST_UNKNOWNS: usize = 12;
 /// A place without an enclosed motion is not searched to the last digit, nor is an edge.
 const LIMITS: Limits = Limits { sign: 1e-5, motion: 1e-2, most: 200 };
 /// Of Newton's iteration in floats towards the own motion, and when the next correction is rounding.
@@ -97,46 +74,75 @@ impl Turning {
         let near = Near { bodies, data: &scene.machine_data, name: scene.machine.name(), state: &state };
         let mut turning = scene.machine.clone().apply(near)?;
         if motion.rests {
-            // whatever the step, so by a short one; no other fixed point is near
-            let step = TaylorModel::constant(SHORT);
-            turning.rest = Some(turning.own(Splitting::Strang, &step, REST).ok_or(Unproved::Rest)?.place);
+            turning.ranges.rest = Some(turning.resting(&turning.ranges).ok_or(Unproved::Rest)?);
+            turning.points.rest = Some(turning.resting(&turning.points).ok_or(Unproved::Rest)?);
         }
         Ok(turning)
+    }
+
+    /// Whether every piece rests.
+    pub fn rests(&self) -> bool {
+        self.points.rest.is_some()
     }
 
     /// Whether the map grows, for every step between two, s.
     pub fn course(&self, splitting: Splitting, ends: [f64; 2]) -> Proved {
         let look = |[low, high]: [f64; 2]| {
             let step = TaylorModel::over_range(low, high);
-            let slopes = match &self.rest {
-                Some(rest) => derivative(&*self.steps.at_rest(splitting, &step), rest).map(|(_, slopes)| slopes),
-                None => self.own(splitting, &step, 0.0).map(|own| own.slopes),
-            };
-            let Some(slopes) = slopes else { return Found::Lost };
+            let Some(slopes) = self.slopes(&self.ranges, splitting, step) else { return Found::Lost };
             grows(&slopes, &step, self.symmetric).map_or(Found::Open, Found::Grows)
         };
         Proved::by(look, ends, LIMITS)
     }
 
-    /// The splitting's own motion for every step of a range; `None` where it is not enclosed.
-    fn own(&self, splitting: Splitting, step: &TaylorModel, least: f64) -> Option<FixedPoint> {
+    /// Whether it grows at one step, s; `None` where that stays open.
+    pub fn at(&self, splitting: Splitting, step: f64) -> Option<bool> {
+        let step = Ball::constant(step);
+        grows(&self.slopes(&self.points, splitting, step)?, &step, self.symmetric)
+    }
+
+    /// The derivative of a step at its own motion; `None` where that is not enclosed.
+    fn slopes<C: Rounded, const N: usize>(
+        &self,
+        over: &Over<Model<C, N>>,
+        splitting: Splitting,
+        step: Model<C, N>,
+    ) -> Option<Matrix<Model<C, N>>> {
+        match &over.rest {
+            Some(rest) => derivative(&*over.steps.step(splitting, step, true), rest).map(|(_, slopes)| slopes),
+            None => self.own(over, splitting, step, 0.0).map(|own| own.slopes),
+        }
+    }
+
+    /// The law's rest, a fixed point whatever the step: so by a short one; no other fixed point is near.
+    fn resting<C: Rounded, const N: usize>(&self, over: &Over<Model<C, N>>) -> Option<Vec<Model<C, N>>> {
+        Some(self.own(over, Splitting::Strang, Model::constant(SHORT), REST)?.place)
+    }
+
+    /// The splitting's own motion for every step of a model; `None` where it is not enclosed.
+    fn own<C: Rounded, const N: usize>(
+        &self,
+        over: &Over<Model<C, N>>,
+        splitting: Splitting,
+        step: Model<C, N>,
+        least: f64,
+    ) -> Option<FixedPoint<Model<C, N>>> {
         let mut near = self.start.clone();
         let (mut places, mut inverses) = (Vec::new(), Vec::new());
-        for node in TaylorModel::nodes() {
-            let at_node = self.steps.over_floats(splitting, step.at(node));
+        for node in Model::<C, N>::nodes() {
+            let at_node = self.floats.step(splitting, step.at(node), false);
             let (place, inverse) = approached(&*at_node, near)?;
             near = place.clone();
             places.push(place);
             inverses.push(inverse);
         }
         let n = near.len();
-        let centre: Vec<TaylorModel> =
-            (0..n).map(|i| TaylorModel::through(std::array::from_fn(|k| places[k][i]))).collect();
-        let entry = |i: usize, j: usize| TaylorModel::through(std::array::from_fn(|k| inverses[k][(i, j)]));
-        let inverse: Vec<Vec<TaylorModel>> = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
-        let over = self.steps.over_models(splitting, step);
-        let value = |at: &[TaylorModel]| {
-            let fixed: Vec<Tangent<TaylorModel>> = at.iter().copied().map(Tangent::fixed).collect();
+        let centre: Vec<Model<C, N>> = (0..n).map(|i| Model::through(std::array::from_fn(|k| places[k][i]))).collect();
+        let entry = |i: usize, j: usize| Model::through(std::array::from_fn(|k| inverses[k][(i, j)]));
+        let inverse: Matrix<Model<C, N>> = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+        let over = over.steps.step(splitting, step, false);
+        let value = |at: &[Model<C, N>]| {
+            let fixed: Vec<Tangent<Model<C, N>>> = at.iter().copied().map(Tangent::fixed).collect();
             Some(over(&fixed)?.into_iter().map(|end| end.value).collect())
         };
         FixedPoint::near(&centre, &inverse, least, value, |at| derivative(&*over, at))
@@ -187,34 +193,45 @@ impl ForMachine for Near<'_> {
         if !has_known_flow(&machine) {
             return Err(Unproved::Fed);
         }
-        if Law::of(&machine) == Law::Curved {
-            return Err(Unproved::Curved);
-        }
+        let (law, rule) = (Law::of(&machine), Rule::gauss());
         let exact = M::read::<Sym, _>(&mut Decimals(self.data, self.name)).map_err(|_| Unproved::Data)?;
-        let enclosed = M::read::<TaylorModel, _>(&mut Enclosed(self.data, self.name)).map_err(|_| Unproved::Data)?;
         let lumping = Lumping::of(&exact);
-        let near_zero = TaylorModel::constant(0.0);
-        let fraction = |value: Rational| near_zero.fraction(value).unwrap_or(TaylorModel::constant(f64::NAN));
-        let (floats, models) = match &lumping {
-            Some(lumping) => (
-                Lumped { machine, windings: lumping.over(Rational::to_f64) },
-                Lumped { machine: enclosed, windings: lumping.over(fraction) },
-            ),
-            None => (Lumped::unchanged(machine), Lumped::unchanged(enclosed)),
+        let floats = match &lumping {
+            Some(lumping) => Lumped { machine, windings: lumping.over(Rational::to_f64) },
+            None => Lumped::unchanged(machine),
         };
-        let full = self.bodies.derived().full;
-        let (moments, axis, axial, weight) = self.bodies.form_data(&full);
+        let (moments, axis, axial, weight) = self.bodies.form_data(&self.bodies.derived().full);
         let form = SecondForm::new(moments, axis, axial, weight);
-        let number = TaylorModel::constant;
-        let form_of_models = SecondForm::new(moments.map(number), axis.map(number), number(axial), weight.map(number));
         let surface = Surface::at(&form, &floats, self.state);
         let start = surface.start(&form, &floats, self.state);
         if start.len() > MOST_UNKNOWNS {
             return Err(Unproved::Many(start.len()));
         }
-        let models = OnSurface { form: form_of_models, machine: models, surface: surface.map(number) };
-        let floats = OnSurface { form, machine: floats, surface };
+        let ranges = self.over::<M, _, _>(lumping.as_ref(), &surface, (law, rule))?;
+        let points = self.over::<M, _, _>(lumping.as_ref(), &surface, (law, rule))?;
+        let floats = Box::new(OnSurface { form, machine: floats, surface, law, rule });
         let symmetric = keeps_energy(&exact, M::ROTOR);
-        Ok(Turning { steps: Box::new(Both { floats, models }), start, rest: None, symmetric })
+        Ok(Turning { floats, ranges, points, start, symmetric })
+    }
+}
+
+impl Near<'_> {
+    /// Its steps over models.
+    fn over<M: Catalogued + 'static, C: Rounded, const N: usize>(
+        &self,
+        lumping: Option<&Lumping>,
+        surface: &Surface<f64>,
+        (law, rule): (Law, Rule<f64>),
+    ) -> Result<Over<Model<C, N>>, Unproved> {
+        let machine = M::read::<Model<C, N>, _>(&mut Enclosed(self.data, self.name)).map_err(|_| Unproved::Data)?;
+        let machine = match lumping {
+            Some(lumping) => Lumped { machine, windings: lumping.over(enclosed) },
+            None => Lumped::unchanged(machine),
+        };
+        let number = Model::constant;
+        let (moments, axis, axial, weight) = self.bodies.form_data(&self.bodies.derived().full);
+        let form = SecondForm::new(moments.map(number), axis.map(number), number(axial), weight.map(number));
+        let surface = surface.map(number);
+        Ok(Over { steps: Box::new(OnSurface { form, machine, surface, law, rule }), rest: None })
     }
 }

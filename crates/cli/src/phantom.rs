@@ -102,6 +102,11 @@ fn splitting(tested: &Tested) -> Value {
         let each = proved.stretches.iter().map(|(from, to, grows)| json!({ "from": from, "to": to, "grows": grows }));
         each.collect::<Vec<_>>()
     });
+    let alone = tested.proved.as_ref().ok().map(|proved| {
+        let each = proved.alone.iter().map(|(step, grows)| json!({ "step": step, "grows": grows }));
+        each.collect::<Vec<_>>()
+    });
     json!({ "method": tested.splitting.name(), "tested": grows.collect::<Vec<_>>(), "edges": tested.edges, "proved": proved,
+            "proved_alone": alone,
             "longest": tested.longest.is_finite().then_some(tested.longest) })
 }

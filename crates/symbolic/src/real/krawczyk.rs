@@ -8,46 +8,61 @@
 //! Where K(X) lies inside X for every value of the parameter, R has one fixed point in X for each, and it lies in K(X). R(c) and DR(X)
 //! are Taylor models in the parameter, and so is K.
 
-use super::{Ordered, TaylorModel};
+use super::{Model, Ordered, Rounded};
 
 /// One fixed point for each value of the parameter.
 #[derive(Clone, Debug)]
-pub struct FixedPoint {
-    /// It lies in these; no other one does.
-    pub place: Vec<TaylorModel>,
+pub struct FixedPoint<M> {
+    /// It lies in these.
+    pub place: Vec<M>,
     /// The derivative of the map there, row after row.
-    pub slopes: Vec<Vec<TaylorModel>>,
+    pub slopes: Vec<Vec<M>>,
 }
 
 /// The values of a map, and its derivative row after row.
 pub type Mapped<S> = (Vec<S>, Vec<Vec<S>>);
 
-/// Boxes that are tried, each larger than the one before.
+/// Boxes that are tried, each larger than the one before until one holds it, and smaller then.
 const TRIALS: usize = 2;
+/// A centre is moved as long as its distance shrinks to this part.
+const NEARER: f64 = 0.1;
 
-impl FixedPoint {
-    /// Near `centre`, with `inverse` near (1 - DR)^-1, row after row, in boxes of this radius at least. `value` gives R, `derivative`
-    /// DR too. `None` where K(X) does not lie inside X.
+impl<C: Rounded, const N: usize> FixedPoint<Model<C, N>> {
+    /// Near `centre`, with `inverse` near (1 - DR)^-1, row after row, in boxes of this radius at least: no other one is in them.
+    /// `value` gives R, `derivative` DR too. `None` where K(X) does not lie inside X.
     pub fn near(
-        centre: &[TaylorModel],
-        inverse: &[Vec<TaylorModel>],
+        centre: &[Model<C, N>],
+        inverse: &[Vec<Model<C, N>>],
         least: f64,
-        value: impl Fn(&[TaylorModel]) -> Option<Vec<TaylorModel>>,
-        derivative: impl Fn(&[TaylorModel]) -> Option<Mapped<TaylorModel>>,
+        value: impl Fn(&[Model<C, N>]) -> Option<Vec<Model<C, N>>>,
+        derivative: impl Fn(&[Model<C, N>]) -> Option<Mapped<Model<C, N>>>,
     ) -> Option<Self> {
-        let zero = TaylorModel::constant(0.0);
-        let missing: Vec<TaylorModel> = value(centre)?.iter().zip(centre).map(|(end, c)| end.minus(c)).collect();
-        let newton: Vec<TaylorModel> = inverse.iter().map(|row| dot(row, &missing, zero)).collect();
-        let newton_size: Vec<f64> = newton.iter().map(TaylorModel::size).collect();
+        let number = Model::<C, N>::constant;
+        let zero = number(0.0);
+        let correction = |at: &[Model<C, N>]| -> Option<Vec<Model<C, N>>> {
+            let missing: Vec<_> = value(at)?.iter().zip(at).map(|(end, c)| end.minus(c)).collect();
+            Some(inverse.iter().map(|row| dot(row, &missing, zero)).collect())
+        };
+        let sizes = |all: &[Model<C, N>]| all.iter().map(Model::size).collect::<Vec<f64>>();
+        let largest = |all: &[Model<C, N>]| sizes(all).into_iter().fold(0.0, f64::max);
+        let (mut centre, mut newton) = (centre.to_vec(), correction(centre)?);
+        // floats may have found it to fewer digits than these numbers have
+        loop {
+            let next: Vec<_> = centre.iter().zip(&newton).map(|(c, by)| c.plus(by).polynomial()).collect();
+            let Some(left) = correction(&next).filter(|left| largest(left) < NEARER * largest(&newton)) else { break };
+            (centre, newton) = (next, left);
+        }
+        let newton_size = sizes(&newton);
         let mut radius: Vec<f64> = newton_size.iter().map(|size| 2.0 * size + least.max(f64::MIN_POSITIVE)).collect();
+        let mut found = None;
         for _ in 0..TRIALS {
-            let boxes: Vec<TaylorModel> = centre.iter().zip(&radius).map(|(c, r)| c.wider(*r)).collect();
+            let boxes: Vec<_> = centre.iter().zip(&radius).map(|(c, r)| c.wider(*r)).collect();
             let (_, slopes) = derivative(&boxes)?;
             let shares = inverse.iter().enumerate().map(|(i, row)| {
                 // row i of 1 - Y (1 - DR), by size, on [-r, r]
                 let share = |j: usize| {
-                    let unit = |k: usize| TaylorModel::constant(if k == j { 1.0 } else { 0.0 });
-                    let left: Vec<TaylorModel> = (0..row.len()).map(|k| unit(k).minus(&slopes[k][j])).collect();
+                    let unit = |k: usize| number(if k == j { 1.0 } else { 0.0 });
+                    let left: Vec<_> = (0..row.len()).map(|k| unit(k).minus(&slopes[k][j])).collect();
                     unit(i).minus(&dot(row, &left, zero)).size() * radius[j]
                 };
                 (0..row.len()).map(share).sum::<f64>().next_up() * (1.0 + 1e-12)
@@ -55,26 +70,33 @@ impl FixedPoint {
             let shares: Vec<f64> = shares.collect();
             let reach: Vec<f64> = newton_size.iter().zip(&shares).map(|(n, share)| (n + share).next_up()).collect();
             // not by negation: what is no number lies nowhere
-            if reach.iter().zip(&radius).all(|(reach, radius)| reach < radius) {
+            if found.is_some() || reach.iter().zip(&radius).all(|(reach, radius)| reach < radius) {
                 let step = |k: usize| centre[k].plus(&newton[k]).wider(shares[k]);
-                return Some(FixedPoint { place: (0..centre.len()).map(step).collect(), slopes });
+                found = Some(FixedPoint { place: (0..centre.len()).map(step).collect(), slopes });
+                if shares.iter().zip(&newton_size).all(|(share, size)| share <= size) {
+                    break;
+                }
+                // it lies in K(X), and so in K of any box about that
+                radius = reach;
+            } else {
+                radius = reach.iter().map(|reach| 2.0 * reach).collect();
             }
-            radius = reach.iter().map(|reach| 2.0 * reach).collect();
         }
-        None
+        found
     }
 }
 
-fn dot(a: &[TaylorModel], b: &[TaylorModel], zero: TaylorModel) -> TaylorModel {
+fn dot<R: Ordered>(a: &[R], b: &[R], zero: R) -> R {
     a.iter().zip(b).fold(zero, |sum, (x, y)| sum.plus(&x.times(y)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::real::TaylorModel;
 
     /// R(x, y) = (x - (x^2 - h)/4, (x + y)/2 - h/5) on x about the root of h: y = x - 2 h/5.
-    fn enclosed(low: f64, high: f64, slope: f64) -> Option<FixedPoint> {
+    fn enclosed(low: f64, high: f64, slope: f64) -> Option<FixedPoint<TaylorModel>> {
         let h = TaylorModel::over_range(low, high);
         let number = TaylorModel::constant;
         let value = |at: &[TaylorModel]| {

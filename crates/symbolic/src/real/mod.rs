@@ -7,7 +7,7 @@
 //! * [`Nested`]: one real root of a polynomial whose coefficients are polynomials in another;
 //! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number once more, by Sturm's theorem;
 //! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards;
-//! * [`TaylorModel`]: a function of a parameter as a polynomial and a bound of the rest, in floats rounded outwards;
+//! * [`TaylorModel`]: a function of a parameter as a polynomial and a bound of the rest, in floats rounded outwards; [`Ball`]: one number so, to thirty digits;
 //! * [`FixedPoint`]: of a map that depends on a parameter, enclosed for every value of a range;
 //! * [`Surd`]: a fraction and a multiple of one square root;
 //! * [`Tower`]: the same with two square roots;
@@ -55,5 +55,5 @@ pub use polynomial::Polynomial;
 pub use resultant::subresultant;
 pub use root::Root;
 pub use surd::Surd;
-pub use taylor_model::TaylorModel;
+pub use taylor_model::{Ball, Model, Rounded, TaylorModel};
 pub use tower::Tower;

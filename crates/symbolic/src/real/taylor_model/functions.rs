@@ -1,12 +1,10 @@
 //! Exponentials, angles and roots of Taylor models.
 
-use super::{DEGREE, ROUNDING, TaylorModel, up};
+use super::{Model, Rounded, up};
 use crate::real::Ordered;
 
-/// Series are taken of what is no larger, to so many terms: twice the next one, x^13/13!, is above what they leave out.
-const SMALL: f64 = 0.25;
-const TERMS: i32 = 12;
-const LEFT: f64 = 5e-18;
+/// Series are taken of what is no larger.
+pub(super) const SMALL: f64 = 0.25;
 /// Below -MOST the exponential is no larger than GONE; exponents beyond are refused from somewhat more on, so that no range lies
 /// across both.
 const MOST: f64 = 600.0;
@@ -14,20 +12,20 @@ const GONE: f64 = 3e-261;
 /// Angles beyond are refused: the digits of their sines are lost.
 const MOST_ANGLE: f64 = 1e5;
 
-impl TaylorModel {
+impl<C: Rounded, const N: usize> Model<C, N> {
     /// Divided by a number that is not zero.
     fn shared(&self, by: f64) -> Self {
-        let coefficients = self.coefficients.map(|c| c / by);
-        let rounded: f64 = coefficients.iter().map(|c| c.abs()).sum();
-        let open = (self.off / by).abs() + ROUNDING * rounded;
+        let coefficients = self.coefficients.map(|c| c / C::lift(by));
+        let rounded: f64 = coefficients.iter().map(|c| c.size()).sum();
+        let open = (self.off / by).abs() + C::ROUNDING * rounded;
         // quotients that are too small for floats too
-        TaylorModel { coefficients, off: up(up(open)) + f64::MIN_POSITIVE }
+        Model { coefficients, off: up(up(open)) + f64::MIN_POSITIVE }
     }
 
     /// exp f; `None` where f may be beyond some hundreds, or from there to far below.
     pub fn exp(&self) -> Option<Self> {
         let size = self.size();
-        if self.coefficients[0] + self.spread() < -MOST {
+        if self.coefficients[0].near() + self.spread() < -MOST {
             return Some(Self::constant(0.0).wider(GONE));
         }
         if size.is_nan() || size > 1.1 * MOST {
@@ -37,10 +35,10 @@ impl TaylorModel {
         // a power of two: exact
         let part = self.times(&Self::constant(0.5f64.powi(halvings)));
         let mut sum = Self::constant(1.0);
-        for k in (1..=TERMS).rev() {
+        for k in (1..=C::TERMS).rev() {
             sum = Self::constant(1.0).plus(&part.times(&sum).shared(k.into()));
         }
-        let mut power = sum.wider(LEFT);
+        let mut power = sum.wider(C::LEFT);
         for _ in 0..halvings {
             power = power.times(&power);
         }
@@ -55,10 +53,10 @@ impl TaylorModel {
         }
         // sum (-f)^k/(k + 1)!
         let mut sum = Self::constant(1.0);
-        for k in (2..=TERMS + 1).rev() {
+        for k in (2..=C::TERMS + 1).rev() {
             sum = Self::constant(1.0).plus(&negative.times(&sum).shared(k.into()));
         }
-        Some(sum.wider(LEFT))
+        Some(sum.wider(C::LEFT))
     }
 
     /// (exp(-a) - exp(-b))/(b - a), also where a and b are near each other; `None` where a decay that is longer than some hundreds
@@ -66,7 +64,7 @@ impl TaylorModel {
     pub fn between_decays(a: &Self, b: &Self) -> Option<Self> {
         let gap = b.minus(a);
         // the slower decay, times what fades beside it: neither grows, whichever way time goes
-        let [slower, gap] = if gap.coefficients[0] < 0.0 { [b, &a.minus(b)] } else { [a, &gap] };
+        let [slower, gap] = if gap.coefficients[0].near() < 0.0 { [b, &a.minus(b)] } else { [a, &gap] };
         Some(Self::constant(0.0).minus(slower).exp()?.times(&gap.faded()?))
     }
 
@@ -80,11 +78,11 @@ impl TaylorModel {
         let part = self.times(&Self::constant(0.5f64.powi(halvings)));
         let square = part.times(&part);
         let (mut cos, mut sine) = (Self::constant(1.0), Self::constant(1.0));
-        for k in (1..=TERMS / 2).rev().map(f64::from) {
+        for k in (1..=C::TERMS / 2).rev().map(f64::from) {
             cos = Self::constant(1.0).minus(&square.times(&cos).shared(2.0 * k * (2.0 * k - 1.0)));
             sine = Self::constant(1.0).minus(&square.times(&sine).shared(2.0 * k * (2.0 * k + 1.0)));
         }
-        let (mut cos, mut sin) = (cos.wider(LEFT), part.times(&sine.wider(LEFT)));
+        let (mut cos, mut sin) = (cos.wider(C::LEFT), part.times(&sine.wider(C::LEFT)));
         for _ in 0..halvings {
             let half = sin.times(&cos);
             // 1 - 2 sin^2: no error of cos^2 + sin^2 enters
@@ -98,28 +96,29 @@ impl TaylorModel {
     /// The square root; `None` where f may not be positive.
     pub(super) fn square_root(&self) -> Option<Self> {
         let middle = self.coefficients[0];
-        if middle.is_nan() || middle <= 0.0 || middle.is_infinite() {
+        if !middle.size().is_finite() || middle.near() <= 0.0 {
             return None;
         }
         // the constant's root, times that of 1 + u by the binomial series, whose coefficients shrink
-        let part = Self { coefficients: Self::rest(self.coefficients), ..*self }.over(&Self::constant(middle))?;
+        let part = Self { coefficients: Self::rest(self.coefficients), ..*self }.over(&Self::number(middle))?;
         let size = part.size();
         if size.is_nan() || size >= 1.0 {
             return None;
         }
         let ratio = |k: usize| (1.0 - 2.0 * k as f64, 2.0 * k as f64 + 2.0);
         let mut sum = Self::constant(1.0);
-        for (over, under) in (0..DEGREE).rev().map(ratio) {
+        for (over, under) in (1..N).map(|k| k - 1).rev().map(ratio) {
             sum = Self::constant(1.0).plus(&part.times(&sum).times(&Self::constant(over)).shared(under));
         }
-        let left = (0..=DEGREE).map(ratio).fold(1.0, |left, (over, under)| up(left * size * over.abs() / under));
+        let left = (0..N).map(ratio).fold(1.0, |left, (over, under)| up(left * size * over.abs() / under));
         let root = middle.sqrt();
-        Some(sum.wider(up(left / (1.0 - size).next_down())).times(&Self::constant(root).wider(ROUNDING * root)))
+        Some(sum.wider(up(left / (1.0 - size).next_down())).times(&Self::number(root).wider(C::ROUNDING * root.size())))
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::TaylorModel;
     use super::super::tests::holds;
     use super::*;
 

@@ -5,83 +5,98 @@
 //! sums of large terms that cancel stay wide; a model forgets only r, a high power of the width, and wide ranges of a parameter are
 //! settled at once.
 
+//!
+//! With one coefficient a model is a number that is enclosed, and with one of twice the length it is so to thirty digits: where
+//! many operations follow on each other, what rounding takes grows as fast as they allow, and floats may not last.
+
 mod functions;
+mod rounded;
 mod scalar;
 
-use super::{Enclosure, Ordered};
-use field::Rational;
+pub use rounded::Rounded;
 
-/// p(tau) with [-off, off] around it.
+use super::{Enclosure, Ordered};
+use field::{DoubleDouble, Rational};
+
+/// p(tau), with N coefficients, and [-off, off] around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TaylorModel {
-    coefficients: [f64; DEGREE + 1],
+pub struct Model<C, const N: usize> {
+    coefficients: [C; N],
     off: f64,
 }
 
-/// Of the polynomials.
-const DEGREE: usize = 8;
-/// The relative error of one operation, rounded up.
-const ROUNDING: f64 = f64::EPSILON;
+/// A function over a range of the parameter, to the eighth degree.
+pub type TaylorModel = Model<f64, 9>;
+/// One number, to thirty digits.
+pub type Ball = Model<DoubleDouble, 1>;
 
 /// A sum of at most some tens of numbers that are not negative, itself rounded up.
 fn up(sum: f64) -> f64 {
-    if sum == 0.0 { 0.0 } else { sum * (1.0 + 64.0 * ROUNDING) + f64::MIN_POSITIVE }
+    if sum == 0.0 { 0.0 } else { sum * (1.0 + 64.0 * f64::EPSILON) + f64::MIN_POSITIVE }
 }
 
-impl TaylorModel {
+impl<C: Rounded, const N: usize> Model<C, N> {
     /// A number that does not depend on the parameter; the float itself.
     pub fn constant(value: f64) -> Self {
-        let mut coefficients = [0.0; DEGREE + 1];
+        Self::number(C::lift(value))
+    }
+
+    fn number(value: C) -> Self {
+        let mut coefficients = [C::zero(); N];
         coefficients[0] = value;
-        TaylorModel { coefficients, off: 0.0 }
+        Model { coefficients, off: 0.0 }
     }
 
     /// A number known to lie between two.
     pub fn enclosed(value: &Enclosure) -> Self {
         let [low, high] = value.ends();
         let middle = low + 0.5 * (high - low);
-        TaylorModel { off: up((high - middle).max(middle - low)), ..Self::constant(middle) }
+        Model { off: up((high - middle).max(middle - low)), ..Self::constant(middle) }
     }
 
     /// The parameter itself, with every number from `low` to `high` among its values.
     pub fn over_range(low: f64, high: f64) -> Self {
-        let mut range = Self::constant(low + 0.5 * (high - low));
-        range.coefficients[1] = up((high - range.coefficients[0]).max(range.coefficients[0] - low));
+        let middle = low + 0.5 * (high - low);
+        let (mut range, reach) = (Self::constant(middle), up((high - middle).max(middle - low)));
+        match range.coefficients.get_mut(1) {
+            Some(first) => *first = C::lift(reach),
+            None => range.off = reach,
+        }
         range
     }
 
     /// Where a polynomial of this degree is known by its values: Chebyshev's points.
-    pub fn nodes() -> [f64; DEGREE + 1] {
-        std::array::from_fn(|k| (std::f64::consts::PI * (2 * k + 1) as f64 / (2 * DEGREE + 2) as f64).cos())
+    pub fn nodes() -> [f64; N] {
+        std::array::from_fn(|k| (std::f64::consts::PI * (2 * k + 1) as f64 / (2 * N) as f64).cos())
     }
 
     /// The polynomial through values there, by Newton's divided differences; of what it was taken from nothing is claimed.
-    pub fn through(values: [f64; DEGREE + 1]) -> Self {
+    pub fn through(values: [f64; N]) -> Self {
         let (nodes, mut divided) = (Self::nodes(), values);
-        for order in 1..=DEGREE {
-            for k in (order..=DEGREE).rev() {
+        for order in 1..N {
+            for k in (order..N).rev() {
                 divided[k] = (divided[k] - divided[k - 1]) / (nodes[k] - nodes[k - order]);
             }
         }
-        let mut coefficients = [0.0; DEGREE + 1];
-        for k in (0..=DEGREE).rev() {
+        let mut coefficients = [0.0; N];
+        for k in (0..N).rev() {
             // times tau - node, and the next difference
-            for place in (0..=DEGREE).rev() {
+            for place in (0..N).rev() {
                 let lower = if place == 0 { divided[k] } else { coefficients[place - 1] };
                 coefficients[place] = lower - nodes[k] * coefficients[place];
             }
         }
-        TaylorModel { coefficients, off: 0.0 }
+        Model { coefficients: coefficients.map(C::lift), off: 0.0 }
     }
 
     /// The polynomial's value.
     pub fn at(&self, tau: f64) -> f64 {
-        self.coefficients.iter().rev().fold(0.0, |sum, c| sum * tau + c)
+        self.coefficients.iter().rev().fold(C::zero(), |sum, c| sum * C::lift(tau) + *c).near()
     }
 
     /// No value is larger.
     pub fn size(&self) -> f64 {
-        up(self.coefficients.iter().map(|c| c.abs()).sum::<f64>() + self.off)
+        up(self.coefficients.iter().map(|c| c.size()).sum::<f64>() + self.off)
     }
 
     /// How far values may be from the polynomial.
@@ -91,11 +106,17 @@ impl TaylorModel {
 
     /// How far values may be from the constant term.
     fn spread(&self) -> f64 {
-        up(self.coefficients[1..].iter().map(|c| c.abs()).sum::<f64>() + self.off)
+        up(self.coefficients[1..].iter().map(|c| c.size()).sum::<f64>() + self.off)
+    }
+
+    /// The polynomial alone.
+    pub fn polynomial(mut self) -> Self {
+        self.off = 0.0;
+        self
     }
 
     fn is_zero(&self) -> bool {
-        self.off == 0.0 && self.coefficients == [0.0; DEGREE + 1]
+        self.off == 0.0 && self.coefficients == [C::zero(); N]
     }
 
     /// The same with so much more around it.
@@ -107,18 +128,18 @@ impl TaylorModel {
     /// 1/f by the geometric series about the constant term; `None` where f may vanish, or may nearly.
     fn reciprocal(&self) -> Option<Self> {
         let middle = self.coefficients[0];
-        let about = TaylorModel { coefficients: Self::rest(self.coefficients), off: self.off };
-        let inverse = Self::constant(1.0 / middle).wider(ROUNDING / middle.abs());
+        let about = Model { coefficients: Self::rest(self.coefficients), off: self.off };
+        let inverse = Self::number(C::one() / middle).wider(C::ROUNDING / middle.size());
         let part = about.times(&inverse);
         let size = part.size();
-        if !(middle != 0.0 && size < 1.0) {
+        if middle.is_zero() || size.is_nan() || size >= 1.0 {
             return None;
         }
         let one = Self::constant(1.0);
         let (mut sum, mut left) = (one, size);
-        for _ in 0..DEGREE {
+        for _ in 1..N {
             // beyond is less than rounding
-            if left < ROUNDING * ROUNDING {
+            if left < C::ROUNDING * C::ROUNDING {
                 break;
             }
             sum = one.minus(&part.times(&sum));
@@ -127,22 +148,21 @@ impl TaylorModel {
         Some(sum.wider(up(left / (1.0 - size).next_down())).times(&inverse))
     }
 
-    fn rest(mut coefficients: [f64; DEGREE + 1]) -> [f64; DEGREE + 1] {
-        coefficients[0] = 0.0;
+    fn rest(mut coefficients: [C; N]) -> [C; N] {
+        coefficients[0] = C::zero();
         coefficients
     }
 }
 
-impl Ordered for TaylorModel {
+impl<C: Rounded, const N: usize> Ordered for Model<C, N> {
     fn fraction(&self, value: Rational) -> Option<Self> {
-        let near = value.to_f64();
-        let exact = Rational::exactly(near) == value;
-        near.is_finite().then(|| Self::constant(near).wider(if exact { 0.0 } else { ROUNDING * near.abs() }))
+        let (near, exact) = C::nearest(value);
+        near.size().is_finite().then(|| Self::number(near).wider(if exact { 0.0 } else { C::ROUNDING * near.size() }))
     }
 
     fn integer(&self, n: i64) -> Self {
         let exact = n.unsigned_abs() <= 1 << f64::MANTISSA_DIGITS;
-        Self::constant(n as f64).wider(if exact { 0.0 } else { ROUNDING * (n as f64).abs() })
+        Self::number(C::int(n)).wider(if exact { 0.0 } else { C::ROUNDING * (n as f64).abs() })
     }
 
     fn plus(&self, b: &Self) -> Self {
@@ -150,12 +170,12 @@ impl Ordered for TaylorModel {
         if self.is_zero() || b.is_zero() {
             return if self.is_zero() { *b } else { *self };
         }
-        let rounded: f64 = coefficients.iter().map(|c: &f64| c.abs()).sum();
-        TaylorModel { coefficients, off: up(self.off + b.off + ROUNDING * rounded) }
+        let rounded: f64 = coefficients.iter().map(|c: &C| c.size()).sum();
+        Model { coefficients, off: up(self.off + b.off + C::ROUNDING * rounded) }
     }
 
     fn minus(&self, b: &Self) -> Self {
-        let negative = TaylorModel { coefficients: b.coefficients.map(|c| -c), off: b.off };
+        let negative = Model { coefficients: b.coefficients.map(|c| -c), off: b.off };
         self.plus(&negative)
     }
 
@@ -164,27 +184,27 @@ impl Ordered for TaylorModel {
         if (self.is_zero() && b.off.is_finite()) || (b.is_zero() && self.off.is_finite()) {
             return Self::constant(0.0);
         }
-        let mut coefficients = [0.0; DEGREE + 1];
+        let mut coefficients = [C::zero(); N];
         for (i, x) in self.coefficients.iter().enumerate() {
             for (c, y) in coefficients[i..].iter_mut().zip(&b.coefficients) {
-                *c += x * y;
+                *c += *x * *y;
             }
         }
-        let sizes = |model: &Self| model.coefficients.iter().map(|c| c.abs()).sum::<f64>();
+        let sizes = |model: &Self| model.coefficients.iter().map(|c| c.size()).sum::<f64>();
         let [own, other] = [sizes(self), sizes(b)];
         // beyond the degree: each coefficient with those that are too high for it
         let (mut high, mut beyond) = (0.0, 0.0);
         for (x, y) in self.coefficients[1..].iter().zip(b.coefficients[1..].iter().rev()) {
-            high += y.abs();
-            beyond += x.abs() * high;
+            high += y.size();
+            beyond += x.size() * high;
         }
         let open = own * b.off + other * self.off + self.off * b.off;
         // coefficient i + j is a sum of i + j + 1 <= (i + 1)(j + 1) products, each rounded with its sums
-        let weighed = |model: &Self| (1..).zip(&model.coefficients).map(|(k, c)| f64::from(k) * c.abs()).sum::<f64>();
-        let rounded = ROUNDING * weighed(self) * weighed(b);
+        let weighed = |model: &Self| (1..).zip(&model.coefficients).map(|(k, c)| f64::from(k) * c.size()).sum::<f64>();
+        let rounded = C::ROUNDING * weighed(self) * weighed(b);
         // products that are too small for floats leave less than the smallest normal one
         let off = up(up(open) + up(beyond) + rounded) + f64::MIN_POSITIVE;
-        TaylorModel { coefficients, off }
+        Model { coefficients, off }
     }
 
     fn over(&self, b: &Self) -> Option<Self> {
@@ -196,7 +216,7 @@ impl Ordered for TaylorModel {
     }
 
     fn sign(&self) -> Option<i32> {
-        let (middle, spread) = (self.coefficients[0], self.spread());
+        let (middle, spread) = (self.coefficients[0].near(), self.spread());
         if self.is_zero() {
             return Some(0);
         }

@@ -3,40 +3,40 @@
 //! A law has no way to say that a denominator may vanish. What is not known to be a number then has no bound, nothing that comes of
 //! it has one, and it has no sign.
 
-use super::TaylorModel;
+use super::{Model, Rounded};
 use crate::real::Ordered;
 use field::{Analytic, Base, Circle, Over, Scalar};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
-impl TaylorModel {
+impl<C: Rounded, const N: usize> Model<C, N> {
     fn none() -> Self {
         Self::constant(0.0).wider(f64::NAN)
     }
 }
 
-impl Add for TaylorModel {
+impl<C: Rounded, const N: usize> Add for Model<C, N> {
     type Output = Self;
     fn add(self, b: Self) -> Self {
         self.plus(&b)
     }
 }
 
-impl Sub for TaylorModel {
+impl<C: Rounded, const N: usize> Sub for Model<C, N> {
     type Output = Self;
     fn sub(self, b: Self) -> Self {
         self.minus(&b)
     }
 }
 
-impl Mul for TaylorModel {
+impl<C: Rounded, const N: usize> Mul for Model<C, N> {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
         self.times(&b)
     }
 }
 
-impl Div for TaylorModel {
+impl<C: Rounded, const N: usize> Div for Model<C, N> {
     type Output = Self;
     fn div(self, b: Self) -> Self {
         self.over(&b).unwrap_or_else(Self::none)
@@ -44,23 +44,23 @@ impl Div for TaylorModel {
 }
 
 /// In a field every remainder is zero (nalgebra and num-traits ask for the operator).
-impl Rem for TaylorModel {
+impl<C: Rounded, const N: usize> Rem for Model<C, N> {
     type Output = Self;
     fn rem(self, b: Self) -> Self {
         if b.sign().is_some_and(|sign| sign != 0) { Self::zero() } else { Self::none() }
     }
 }
 
-impl Neg for TaylorModel {
+impl<C: Rounded, const N: usize> Neg for Model<C, N> {
     type Output = Self;
     fn neg(self) -> Self {
-        TaylorModel { coefficients: self.coefficients.map(|c| -c), off: self.off }
+        Model { coefficients: self.coefficients.map(|c| -c), off: self.off }
     }
 }
 
 macro_rules! assign {
     ($($op:ident $method:ident $sign:tt),*) => {$(
-        impl $op for TaylorModel {
+        impl<C: Rounded, const N: usize> $op for Model<C, N> {
             fn $method(&mut self, b: Self) {
                 *self = *self $sign b;
             }
@@ -69,23 +69,23 @@ macro_rules! assign {
 }
 assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /, RemAssign rem_assign %);
 
-impl Zero for TaylorModel {
+impl<C: Rounded, const N: usize> Zero for Model<C, N> {
     fn zero() -> Self {
         Self::constant(0.0)
     }
 
     fn is_zero(&self) -> bool {
-        TaylorModel::is_zero(self)
+        Model::is_zero(self)
     }
 }
 
-impl One for TaylorModel {
+impl<C: Rounded, const N: usize> One for Model<C, N> {
     fn one() -> Self {
         Self::constant(1.0)
     }
 }
 
-impl Scalar for TaylorModel {
+impl<C: Rounded, const N: usize> Scalar for Model<C, N> {
     fn ratio(numerator: i64, denominator: i64) -> Self {
         let unit = Self::one();
         unit.integer(numerator) / unit.integer(denominator)
@@ -93,26 +93,26 @@ impl Scalar for TaylorModel {
 
     fn half(self) -> Self {
         // exact but for what is too small for floats
-        let halved = TaylorModel { coefficients: self.coefficients.map(|c| 0.5 * c), off: 0.5 * self.off };
+        let halved = Model { coefficients: self.coefficients.map(|c| C::lift(0.5) * c), off: 0.5 * self.off };
         if self.is_zero() { self } else { halved.wider(f64::MIN_POSITIVE) }
     }
 }
 
-impl Base for TaylorModel {}
+impl<C: Rounded, const N: usize> Base for Model<C, N> {}
 
-impl Over<TaylorModel> for TaylorModel {
-    fn lift(parameter: TaylorModel) -> Self {
+impl<C: Rounded, const N: usize> Over<Model<C, N>> for Model<C, N> {
+    fn lift(parameter: Self) -> Self {
         parameter
     }
 }
 
-impl Over<f64> for TaylorModel {
+impl<C: Rounded, const N: usize> Over<f64> for Model<C, N> {
     fn lift(parameter: f64) -> Self {
         if parameter.is_finite() { Self::constant(parameter) } else { Self::none() }
     }
 }
 
-impl Analytic for TaylorModel {
+impl<C: Rounded, const N: usize> Analytic for Model<C, N> {
     fn circle(self) -> Circle<Self> {
         let [cos, sin] = self.cos_sin().unwrap_or_else(|| [Self::none(); 2]);
         Circle { cos, sin }
@@ -125,6 +125,7 @@ impl Analytic for TaylorModel {
 
 #[cfg(test)]
 mod tests {
+    use super::super::TaylorModel;
     use super::*;
 
     /// The same law over floats and over models, at points of the range.

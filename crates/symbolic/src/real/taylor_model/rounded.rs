@@ -1,0 +1,69 @@
+//! What models ask of their coefficients: numbers that are rounded, with a bound of that.
+
+use super::functions::SMALL;
+use field::{Analytic, DoubleDouble, Over, Rational};
+
+/// A number of so many digits.
+pub trait Rounded: Analytic + Over<f64> {
+    /// The relative error of one operation, rounded up.
+    const ROUNDING: f64;
+    /// Terms of the series of exponentials and angles, an even number, and twice the next one at the largest argument: more than all
+    /// that they leave out.
+    const TERMS: i32;
+    const LEFT: f64;
+
+    /// The nearest float; infinite or none where the number is.
+    fn near(self) -> f64;
+
+    /// The number nearest to a fraction, and whether it is the fraction itself.
+    fn nearest(value: Rational) -> (Self, bool);
+
+    /// |x|, off by the rounding of a float.
+    fn size(self) -> f64 {
+        self.near().abs()
+    }
+}
+
+impl Rounded for f64 {
+    const ROUNDING: f64 = f64::EPSILON;
+    const TERMS: i32 = 12;
+    const LEFT: f64 = twice_the_term(13);
+
+    fn near(self) -> f64 {
+        self
+    }
+
+    fn nearest(value: Rational) -> (Self, bool) {
+        let near = value.to_f64();
+        (near, Rational::exactly(near) == value)
+    }
+}
+
+/// The arithmetic of Joldes, Muller, Popescu 2017: a sum is off by 3 u^2, a product by 5 u^2, a quotient by 10 u^2, u = 2^-53, and
+/// as much is left for the root; the bound is many times that.
+impl Rounded for DoubleDouble {
+    const ROUNDING: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
+    const TERMS: i32 = 22;
+    const LEFT: f64 = twice_the_term(23);
+
+    fn near(self) -> f64 {
+        self.hi() + self.lo()
+    }
+
+    fn nearest(value: Rational) -> (Self, bool) {
+        let high = value.to_f64();
+        let rest = value - Rational::exactly(high);
+        let low = rest.to_f64();
+        (DoubleDouble::from(high) + DoubleDouble::from(low), Rational::exactly(low) == rest)
+    }
+}
+
+/// 2 x^k/k! at the largest x, and a little more.
+const fn twice_the_term(k: i32) -> f64 {
+    let (mut term, mut factor) = (2.0 + 1e-12, 1);
+    while factor <= k {
+        term *= SMALL / factor as f64;
+        factor += 1;
+    }
+    term
+}

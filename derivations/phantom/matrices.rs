@@ -1,0 +1,54 @@
+//! What is asked of a step's matrix in floats: its largest multipliers, and the space beside given directions.
+
+use nalgebra::{DMatrix, DVector};
+
+/// Squarings of a matrix towards its power.
+const SQUARINGS: i32 = 40;
+/// A singular value of the power, against the largest, is nothing: its multiplier is further in.
+const FADED: f64 = 1e-9;
+
+/// By Gelfand's formula with 2^40 for the power: what multiplies it besides has no weight left, and multiple eigenvalues, at
+/// which iterations for single ones do not end, are no worse than others.
+pub(super) fn spectral_radius(mut power: DMatrix<f64>) -> f64 {
+    let mut logarithm = 0.0;
+    for squaring in 0..SQUARINGS {
+        let norm = power.norm();
+        if norm == 0.0 {
+            return 0.0;
+        }
+        logarithm += norm.ln() / f64::powi(2.0, squaring);
+        power /= norm;
+        power = &power * &power;
+    }
+    logarithm.exp()
+}
+
+/// The largest |multiplier| inside the radius: a high power maps onto the space of those on the radius, and beside that space
+/// the others are left, by themselves, whatever their multiplicities.
+pub(super) fn next_to(matrix: &DMatrix<f64>) -> Option<f64> {
+    let mut power = matrix.clone();
+    for _ in 0..SQUARINGS {
+        power /= Some(power.norm()).filter(|norm| *norm > 0.0)?;
+        power = &power * &power;
+    }
+    let onto = power.svd(true, false);
+    let (space, sizes) = (onto.u?, onto.singular_values);
+    let beside: Vec<_> =
+        (0..sizes.len()).filter(|k| sizes[*k] < FADED * sizes.max()).map(|k| space.column(k)).collect();
+    if beside.is_empty() {
+        return Some(0.0);
+    }
+    let beside = DMatrix::from_columns(&beside);
+    Some(spectral_radius(beside.transpose() * matrix * beside))
+}
+
+/// An orthonormal basis of what is orthogonal to all of them.
+pub(super) fn complement(gradients: &[DVector<f64>], n: usize) -> DMatrix<f64> {
+    let filler = |row: usize, column: usize| (1.0 + (row * n + column) as f64).sin();
+    let whole = DMatrix::from_fn(n, n, |row, column| match gradients.get(column) {
+        Some(gradient) => gradient[row] / gradient.norm(),
+        None => filler(row, column),
+    });
+    let orthonormal = whole.qr().q();
+    orthonormal.columns(gradients.len(), n - gradients.len()).into_owned()
+}
