@@ -3,7 +3,8 @@
 use super::{ladder, path, scene};
 use derivations::ladder::linear::propagator;
 use derivations::ladder::switching::Schedule;
-use derivations::ladder::{Forms, Ladder, Receipt, Wish, choose};
+use derivations::ladder::watched::Watched;
+use derivations::ladder::{Forms, Ladder, Receipt, Rung, Wish, choose};
 use derivations::scene::{Axes, Stored};
 use integrators::{Jacobian, transition};
 use std::time::Duration;
@@ -14,6 +15,20 @@ fn receipt(name: &str, tolerance: f64) -> Receipt {
     let models = Forms { ladders, kept: Stored::beside(&path(name)) };
     let wish = Wish { tolerance, outputs: scene.run.outputs.clone(), allowed: Duration::ZERO };
     choose(&models, &wish).expect("it runs")
+}
+
+fn present_slip(ladder: &Ladder) -> &Rung {
+    ladder.rungs.iter().find(|rung| rung.name == "currents at the present slip").expect("on the ladder")
+}
+
+/// A scene's ladder, what is watched of it, and on which stretches its currents may be those of the present slip for so much of a loss.
+fn scheduled(name: &str, allowed: f64) -> (Ladder, Watched, Schedule) {
+    let scene = scene(name);
+    let ladder = ladder(&scene);
+    let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
+    let course = ladder.course(&watched, None).expect("it runs");
+    let schedule = ladder.schedule(present_slip(&ladder), &course, allowed).expect("somewhere");
+    (ladder, watched, schedule)
 }
 
 #[test]
@@ -42,12 +57,8 @@ fn a_tighter_tolerance_leaves_fewer_models() {
 /// Near the end of the run the rotor is in step, and its currents are those of the present slip.
 #[test]
 fn a_run_that_switches_is_as_good_as_it_promises() {
-    let scene = scene("spin_up");
-    let ladder = ladder(&scene);
-    let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
-    let rung = ladder.rungs.iter().find(|rung| rung.name == "currents at the present slip").expect("on the ladder");
-    let course = ladder.course(&watched, None).expect("it runs");
-    let schedule = ladder.schedule(rung, &course, 1e-2).expect("somewhere");
+    let (ladder, watched, schedule) = scheduled("spin_up", 1e-2);
+    let rung = present_slip(&ladder);
     assert!(schedule.share() > 0.1 && schedule.share() < 1.0, "{:?}", schedule.spans());
     let sides = [(integrators::Method::DormandPrince8, 1e-10); 2];
     let run = ladder.run_switching(rung, &schedule, sides, 1_000_000).expect("it reaches its end");
@@ -90,12 +101,8 @@ fn what_weighs_a_loss_is_the_transition_matrix() {
 /// No stretch is weighed less than the dual weighs it at the end, nor much more, where the error is small enough for both courses to be one.
 #[test]
 fn what_a_stretch_loses_is_its_share_of_the_error() {
-    let scene = scene("hanging_rest");
-    let ladder = ladder(&scene);
-    let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
-    let rung = ladder.rungs.iter().find(|rung| rung.name == "currents at the present slip").expect("on the ladder");
-    let course = ladder.course(&watched, None).expect("it runs");
-    let all = ladder.schedule(rung, &course, f64::INFINITY).expect("everywhere");
+    let (ladder, watched, all) = scheduled("hanging_rest", f64::INFINITY);
+    let rung = present_slip(&ladder);
     assert_eq!(all.share(), 1.0);
     let shares = ladder.shares(rung, &watched, &*ladder.law, 64, 1e-10).expect("a series");
     let largest = |k: usize| shares.parts.iter().map(|parts| parts[k].abs()).fold(0.0, f64::max);
@@ -107,12 +114,8 @@ fn what_a_stretch_loses_is_its_share_of_the_error() {
 /// Each alone on the smaller model, and the rest of the run after it on the richer one.
 #[test]
 fn what_all_stretches_lose_is_the_sum_of_what_each_alone_makes_of_the_run() {
-    let scene = scene("hanging_rest");
-    let ladder = ladder(&scene);
-    let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
-    let rung = ladder.rungs.iter().find(|rung| rung.name == "currents at the present slip").expect("on the ladder");
-    let course = ladder.course(&watched, None).expect("it runs");
-    let all = ladder.schedule(rung, &course, f64::INFINITY).expect("everywhere");
+    let (ladder, watched, all) = scheduled("hanging_rest", f64::INFINITY);
+    let rung = present_slip(&ladder);
     let sides = [(integrators::Method::DormandPrince8, 1e-11); 2];
     let exact = super::exactly(&ladder);
     let alone = |k: usize| {

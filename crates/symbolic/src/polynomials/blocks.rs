@@ -46,7 +46,7 @@ impl Blocks {
             return neighbours;
         }
         let mut alike = Self::gathered(outputs, alike(outputs, monomials), monomials);
-        alike.constants = outputs.iter().map(|output| constant(output, monomials)).collect();
+        alike.constants = outputs.iter().map(|output| monomials.constant(output)).collect();
         if alike.cost() < neighbours.cost() { alike } else { neighbours }
     }
 
@@ -92,12 +92,6 @@ impl Blocks {
         let alone = if self.are_neighbours() { 0 } else { 2 * WIDTH * self.all.len() + self.constants.len() / 4 };
         4 * self.terms() + 10 * self.all.len() + alone
     }
-}
-
-/// The constant term.
-fn constant(output: &Output, monomials: &Monomials) -> f64 {
-    let constants = output.iter().filter(|(exponents, _)| monomials.place(exponents).is_none());
-    constants.map(|(_, value)| *value).sum()
 }
 
 /// What moves, by eights: to the one with most monomials those that bring fewest new ones, the longest of them first.

@@ -1,10 +1,9 @@
 //! One evaluation, in registers of eight.
 
 use super::{Lanes, Polynomials, WIDTH};
-use crate::recurrence::{Columns, Fused, OneByOne, Pick, Task};
+use crate::recurrence::{Columns, Fused, Pick, Task};
 
 /// Numbers of an evaluation: inputs, parts, products. What is cleared and not needed costs.
-const LEAST: usize = 32;
 const FEW: usize = 64;
 const SOME: usize = 128;
 const MORE: usize = 256;
@@ -14,35 +13,12 @@ pub(super) const MOST: usize = 4096;
 impl Polynomials {
     /// The outputs at the inputs, row after row; inputs that are missing are zero, and of the outputs as many are written as
     /// there is room for. Allocates nothing.
+    #[inline]
     pub fn evaluate(&self, inputs: &[f64], outputs: &mut [f64]) {
-        match self.outputs {
-            1 if self.is_narrow() => self.narrow::<1>(inputs, outputs),
-            2 if self.is_narrow() => self.narrow::<2>(inputs, outputs),
-            3 | 4 if self.is_narrow() => self.narrow::<4>(inputs, outputs),
-            _ => self.wide(inputs, outputs),
+        match &self.narrow {
+            Some(narrow) => narrow.evaluate(&self.parts, inputs, outputs),
+            None => self.wide(inputs, outputs),
         }
-    }
-
-    /// Whether so few numbers are asked for that to begin with registers of eight would take longer than all of it.
-    pub(super) fn is_narrow(&self) -> bool {
-        self.outputs <= 4 && self.blocks.are_neighbours() && self.blocks.all.len() == 1 && self.numbers() <= LEAST
-    }
-
-    /// All in one block, of which L lanes hold outputs.
-    fn narrow<const L: usize>(&self, inputs: &[f64], outputs: &mut [f64]) {
-        let pick = OneByOne::<false>;
-        let mut values = Columns([0.0; LEAST]);
-        self.parts.fill(pick, inputs, &mut values.0);
-        self.multiply(pick, &mut values);
-        let mut sums = [0.0; L];
-        for block in &self.blocks.all {
-            sums.copy_from_slice(&block.constants.0[..L]);
-        }
-        for (term, factor) in self.blocks.places.iter().zip(&self.blocks.factors) {
-            let value = values.0[*term as usize % LEAST];
-            sums.iter_mut().zip(&factor.0).for_each(|(sum, factor)| *sum += factor * value);
-        }
-        outputs.iter_mut().zip(sums).take(self.outputs).for_each(|(output, sum)| *output = sum);
     }
 
     /// The products, each after its factors.
@@ -55,6 +31,7 @@ impl Polynomials {
         }
     }
 
+    #[inline]
     fn wide(&self, inputs: &[f64], outputs: &mut [f64]) {
         match self.numbers() {
             few if few <= FEW => f64::run(Evaluation::<FEW> { of: self, inputs, outputs }, WIDTH),

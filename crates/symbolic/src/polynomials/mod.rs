@@ -7,6 +7,7 @@
 mod blocks;
 mod evaluate;
 mod monomials;
+mod narrow;
 mod parts;
 
 use crate::Sym;
@@ -15,6 +16,7 @@ use crate::recurrence::Selection;
 use blocks::{Blocks, Output};
 use evaluate::MOST;
 use monomials::Monomials;
+use narrow::Narrow;
 use parts::Parts;
 
 /// How many numbers stand side by side.
@@ -31,8 +33,9 @@ pub struct Polynomials {
     /// The factors of eight monomials of degree two and more, each an earlier one and a variable; and how many these are.
     products: Vec<[Selection<WIDTH>; 2]>,
     multiplied: usize,
-    outputs: usize,
     blocks: Blocks,
+    /// The same one by one, where that is faster.
+    narrow: Option<Narrow>,
 }
 
 /// Numbers side by side, a register whole.
@@ -61,13 +64,19 @@ impl Polynomials {
             return None;
         }
         let blocks = Blocks::of(&expanded, columns, &monomials);
-        let (first, products, multiplied) = (monomials.first(), monomials.products(), monomials.multiplied());
-        Some(Polynomials { parts, first, products, multiplied, outputs: outputs.len(), blocks })
+        Some(Polynomials {
+            parts,
+            first: monomials.first(),
+            products: monomials.products(),
+            multiplied: monomials.each_product().count(),
+            blocks,
+            narrow: Narrow::of(&expanded, &monomials),
+        })
     }
 
     /// Instructions of one evaluation, what is no polynomial apart: products and sums, each of eight where there are so many.
     pub fn instructions(&self) -> usize {
-        let begin = if self.is_narrow() { 0 } else { BEGINNING };
+        let begin = if self.narrow.is_some() { 0 } else { BEGINNING };
         begin + 3 * self.products.len() + self.blocks.terms()
     }
 

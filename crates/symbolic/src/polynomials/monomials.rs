@@ -1,6 +1,7 @@
 //! Monomials, by eights that can be multiplied at once.
 
 use super::WIDTH;
+use super::blocks::Output;
 use super::parts::Parts;
 use crate::recurrence::Selection;
 use std::collections::{BTreeMap, BTreeSet};
@@ -68,6 +69,12 @@ impl Monomials {
         self.known.get(exponents).copied()
     }
 
+    /// The constant term of an output.
+    pub fn constant(&self, output: &Output) -> f64 {
+        let constants = output.iter().filter(|(exponents, _)| self.place(exponents).is_none());
+        constants.map(|(_, value)| *value).sum()
+    }
+
     /// Where products begin.
     pub fn first(&self) -> usize {
         self.first
@@ -78,9 +85,13 @@ impl Monomials {
         self.first + self.groups.len() * WIDTH
     }
 
-    /// How many products there are.
-    pub fn multiplied(&self) -> usize {
-        self.groups.iter().map(Vec::len).sum()
+    /// Each product: where it stands, and where its factors do.
+    pub fn each_product(&self) -> impl Iterator<Item = [usize; 3]> {
+        let begin = |number: usize| self.first + number * WIDTH;
+        let groups = self.groups.iter().enumerate();
+        groups.flat_map(move |(number, group)| {
+            group.iter().zip(begin(number)..).map(|([a, b], place)| [place, *a as usize, *b as usize])
+        })
     }
 
     /// The factors of all products; where eight are not full the last one is repeated.

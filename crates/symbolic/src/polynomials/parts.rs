@@ -63,6 +63,23 @@ impl Parts {
         self.others.flops() + self.fractions.iter().map(|(_, fraction)| fraction.flops()).sum::<usize>()
     }
 
+    /// Writes the inputs and their parts, one by one.
+    #[inline]
+    pub fn fill_singly<const N: usize>(&self, inputs: &[f64], values: &mut [f64; N]) {
+        let inputs = &inputs[..self.inputs.min(inputs.len())];
+        for (place, input) in inputs.iter().enumerate() {
+            values[place % N] = *input;
+        }
+        let points = Self::first(self.inputs)..;
+        for (&angle, place) in self.angles.iter().zip(points.step_by(2)) {
+            let Some(angle) = inputs.get(angle) else { continue };
+            let point = angle.circle();
+            values[place % N] = point.cos;
+            values[(place + 1) % N] = point.sin;
+        }
+        self.fill_others(inputs, values);
+    }
+
     /// Writes the inputs and their parts.
     #[inline(always)]
     pub fn fill<P: Pick<f64>>(&self, pick: P, inputs: &[f64], values: &mut [f64]) {
@@ -72,7 +89,7 @@ impl Parts {
         for (group, eight) in groups.iter_mut().zip(whole) {
             *group = *eight;
         }
-        if let Some(group) = groups.get_mut(whole.len()) {
+        if let Some(group) = groups.get_mut(whole.len()).filter(|_| !rest.is_empty()) {
             *group = pick.store(pick.load_some(rest));
         }
         let first = Self::first(self.inputs);
@@ -92,7 +109,13 @@ impl Parts {
             }
             *group = pick.store(eight);
         }
-        let fractions = first + 2 * self.angles.len();
+        self.fill_others(inputs, values);
+    }
+
+    /// Behind circle points: fractions, and what is left.
+    #[inline(always)]
+    fn fill_others(&self, inputs: &[f64], values: &mut [f64]) {
+        let fractions = Self::first(self.inputs) + 2 * self.angles.len();
         for ((input, fraction), value) in self.fractions.iter().zip(values.iter_mut().skip(fractions)) {
             *value = inputs.get(*input).map_or(0.0, |at| fraction.value(*at));
         }

@@ -63,9 +63,17 @@ impl Fused for f64 {
             pulp::Arch::V4(widest) if group == 8 => {
                 pulp::Simd::vectorize(widest, With(task, Permuting(widest)));
             }
-            pulp::Arch::Scalar => task.run(OneByOne::<false>),
-            wide => wide.dispatch(With(task, OneByOne::<true>)),
+            other => otherwise(other, task),
         }
+    }
+}
+
+/// Apart: what this needs of the stack is not taken where the widest registers are.
+#[inline(never)]
+fn otherwise(arch: pulp::Arch, task: impl Task<f64>) {
+    match arch {
+        pulp::Arch::Scalar => task.run(OneByOne::<false>),
+        wide => wide.dispatch(With(task, OneByOne::<true>)),
     }
 }
 
