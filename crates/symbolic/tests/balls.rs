@@ -103,3 +103,13 @@ fn a_fixed_point_is_held_to_all_digits_from_floats() {
         holds(&place, &two.root().expect("it is positive"));
     }
 }
+
+/// Half of the inverse goes half of the way: what is left is in the box, also in the narrower one.
+#[test]
+fn a_poor_inverse_widens_the_place_of_a_fixed_point_and_does_not_lose_it() {
+    let value = |at: &[Ball]| Some(vec![at[0].times(&Ball::constant(0.5))]);
+    let derivative = |at: &[Ball]| Some((value(at)?, vec![vec![Ball::constant(0.5)]]));
+    let found = FixedPoint::near(&[Ball::constant(1.0)], &[vec![Ball::constant(1.0)]], 1.0, value, derivative);
+    let place = found.expect("it contracts").place[0];
+    assert!(place.sign().is_none() && place.size() < 2.0, "zero is not in {place:?}");
+}
