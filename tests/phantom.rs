@@ -3,14 +3,16 @@
 use derivations::machines::{Bench, synchronous::Synchronous};
 use derivations::phantom::chart::{Chart, Motion, Row};
 use derivations::phantom::crossing::Crossing;
+use derivations::phantom::followed::{before, followed};
 use derivations::phantom::linear::Linearised;
 use derivations::phantom::measured::{APART, Run, Runs};
 use derivations::phantom::methods::OneStep;
 use derivations::phantom::motions::Stationed;
 use derivations::phantom::oscillator::bounds;
-use derivations::phantom::splittings::{SplitRuns, Tested};
+use derivations::phantom::splittings::SplitRuns;
 use derivations::phantom::stretches::Proved;
 use derivations::phantom::survey::steps;
+use derivations::phantom::tested::Tested;
 use derivations::scene::{Axes, Family as _, Scene};
 use derivations::separated::Separable;
 use derivations::stationary::motions::Stationary;
@@ -275,7 +277,8 @@ fn beside_the_map_that_runs(near: &SplitRuns, splitting: Splitting, motion: &str
     let sampled = tested.grows.iter().map(|(step, _)| *step);
     for step in beside.chain(inside).chain(sampled) {
         let Some(grows) = proved.at(step) else { continue };
-        let own = near.own(splitting, step).unwrap_or_else(|| panic!("{motion}, {splitting:?}: no motion at {step}"));
+        let own = near.own(splitting, step, tested.before(step));
+        let own = own.unwrap_or_else(|| panic!("{motion}, {splitting:?}: no motion at {step}"));
         // differences leave so much of a multiplier that is on the circle
         let leaves = own.radius > 1.0 + 1e-11;
         assert!(grows == leaves || (own.radius - 1.0).abs() < 1e-11, "{motion}, {splitting:?} at {step}: {own:?}");
@@ -352,4 +355,26 @@ fn a_member_of_a_family_is_judged_across_it() {
     let [mode] = &spectrum.modes[..] else { panic!("{spectrum:?}") };
     assert!(member.member.is_some() && matches!(mode.place, Place::Imaginary(_)), "{mode:?}");
     assert_eq!(Motion::of(spectrum), Motion::Stays { staying: 2 });
+}
+
+#[test]
+fn what_is_found_is_carried_on_over_steps_between_and_not_beyond_where_it_is_lost() {
+    // it is found where what was found before is near enough
+    let near = |step: f64, before: Option<&f64>| before.is_none_or(|before| step < 1.5 * before).then_some(step);
+    let found = followed(&[1.0, 1.4, 8.0], near);
+    assert!(found.iter().any(|(step, _)| *step == 8.0) && found.is_sorted_by(|(a, _), (b, _)| a < b), "{found:?}");
+    assert_eq!((before(&found, 1.3), before(&found, 8.5)), (Some(&1.0), Some(&8.0)));
+    let lost = followed(&[1.0, 1e9, 1.2], near);
+    assert!(lost.iter().all(|(step, _)| *step < 1e9 && *step != 1.2), "{lost:?}");
+}
+
+/// From the law's own motion, far away at so long a step, it is not found.
+#[test]
+fn a_splittings_own_motion_is_followed_from_short_steps() {
+    let scene = scene("permanent_rotation");
+    let chart = chart(&scene, 6.0);
+    let near = SplitRuns::near(&scene, &chart.all.motions[0]);
+    let tested = near.course(Splitting::Strang, &steps());
+    assert!(tested.grows.iter().all(|(_, grows)| *grows == Some(true)), "{:?}", tested.grows);
+    assert!(near.own(Splitting::Strang, 1.0, None).is_none());
 }

@@ -8,9 +8,11 @@
 
 use super::crossing::Crossing;
 use super::enclosed::Resting;
+use super::followed::followed;
 use super::matrices::{complement, next_to, spectral_radius};
 use super::motions::Stationed;
-use super::stretches::{Proved, does};
+use super::stretches::Proved;
+use super::tested::Tested;
 use super::turning::Turning;
 use super::unproved::Unproved;
 use crate::scene::problem::Law;
@@ -39,79 +41,13 @@ enum Provable {
 /// A splitting's own stationary motion, and what its step makes of it.
 #[derive(Clone, Debug)]
 pub struct Own {
+    pub place: Vec<DoubleDouble>,
     /// The largest distance from the law's, by component.
     pub off: f64,
     /// The largest |multiplier|.
     pub radius: f64,
     /// The largest that is no further out, where the multipliers could be told apart.
     pub next: Option<f64>,
-}
-
-/// What a splitting was seen to do near a motion.
-#[derive(Clone, Debug)]
-pub struct Tested {
-    pub splitting: Splitting,
-    /// Whether anything grows, at each step, s, that was asked for; `None` where no step is taken, or no motion of the
-    /// splitting's own is found.
-    pub grows: Vec<(f64, Option<bool>)>,
-    /// Between them, where that changes, s: by the proof where there is one.
-    pub edges: Vec<f64>,
-    /// What it does at every step between the first and the last, or why nothing is proved of that.
-    pub proved: Result<Proved, Unproved>,
-    /// The longest step that the program takes, s; zero where the law has no splitting.
-    pub longest: f64,
-}
-
-impl Tested {
-    /// In a line.
-    pub fn told(&self) -> String {
-        if self.longest == 0.0 {
-            return format!("there is none, since {}", Unproved::Fed);
-        }
-        let known: Vec<(f64, bool)> = self.grows.iter().filter_map(|(step, grows)| Some((*step, (*grows)?))).collect();
-        let (Some((from, grows)), Some((to, _))) = (known.first(), known.last()) else {
-            return "no step is taken, or no stationary motion of its own is found".to_owned();
-        };
-        let longest =
-            if self.longest.is_finite() { format!("; no step beyond {:.4e}", self.longest) } else { String::new() };
-        match &self.proved {
-            Ok(proved) => {
-                let alone = proved.open().into_iter().map(|ends| self.tested_alone(proved, ends)).collect::<String>();
-                format!("proved from {from:.1e} to {to:.1e}: the map {}{alone}{longest}", proved.told())
-            }
-            Err(reason) => {
-                let turns = self
-                    .edges
-                    .iter()
-                    .enumerate()
-                    .map(|(place, edge)| format!(", {} from h = {edge:.4e} on", does(*grows != (place % 2 == 0))));
-                let told = turns.fold(does(*grows).to_owned(), |told, turn| told + &turn);
-                format!("tested from {from:.1e} to {to:.1e}, since {reason}: the map {told}{longest}")
-            }
-        }
-    }
-
-    /// What was seen where the proof leaves something open.
-    fn tested_alone(&self, proved: &Proved, [low, high]: [f64; 2]) -> String {
-        let inside = self.grows.iter().filter(|(step, _)| (low..=high).contains(step));
-        let seen: Vec<(f64, bool)> = inside.filter_map(|(step, grows)| Some((*step, (*grows)?))).collect();
-        let steps = seen.len();
-        let growing = seen.iter().filter(|(_, grows)| *grows).count();
-        let says = match seen.iter().filter(|(step, _)| proved.at(*step).is_some()).count() {
-            0 => "tested".to_owned(),
-            known if known == steps => "proved step by step".to_owned(),
-            known => format!("tested, {known} proved,"),
-        };
-        if steps == 0 {
-            return String::new();
-        }
-        format!("; {says} from {low:.4e} to {high:.4e}: grows at {growing} of {steps} steps")
-    }
-
-    /// Whether a step is refused, since what fades would grow on its way back.
-    pub fn refuses(&self, step: f64) -> bool {
-        step > self.longest
-    }
 }
 
 /// Of a difference, relative to a component or one.
@@ -146,12 +82,13 @@ impl SplitRuns {
         complement(&gradients, place.len())
     }
 
-    /// With steps of a length, s. `None` where the law has no pieces, the step leads nowhere, or no stationary motion is
-    /// found near the law's.
-    pub fn own(&self, splitting: Splitting, step: f64) -> Option<Own> {
+    /// With steps of a length, s, looked for from that of another step, or from the law's. `None` where the law has no pieces, the
+    /// step leads nowhere, or no stationary motion is found.
+    pub fn own(&self, splitting: Splitting, step: f64, near: Option<&Own>) -> Option<Own> {
         let mut map = self.law.composed_exact(splitting)?;
         map.prepare(DoubleDouble::from(step));
-        let mut place: Vec<DoubleDouble> = self.state.iter().map(|y| DoubleDouble::from(*y)).collect();
+        let law = || self.state.iter().map(|y| DoubleDouble::from(*y)).collect();
+        let mut place: Vec<DoubleDouble> = near.map_or_else(law, |own| own.place.clone());
         let mut surface = self.surface(&place);
         let mut matrix = derivative(&mut *map, &place, &surface)?;
         // what keeps every piece needs no search, however fast rounding grows
@@ -176,7 +113,7 @@ impl SplitRuns {
         let off = place.iter().zip(&self.state).map(|(own, law)| (own.hi() - law).abs()).fold(0.0, f64::max);
         let radius = spectral_radius(matrix.clone());
         let next = next_to(&matrix);
-        (found && radius.is_finite()).then_some(Own { off, radius, next })
+        (found && radius.is_finite()).then_some(Own { place, off, radius, next })
     }
 
     /// The longest step, s, with which the program takes the splitting at all: what fades must not grow on the way back.
@@ -189,27 +126,15 @@ impl SplitRuns {
     /// What the map does with steps up to the longest of these, s, in ascending order.
     pub fn course(&self, splitting: Splitting, steps: &[f64]) -> Tested {
         let longest = self.longest(splitting);
-        let grows = |step: f64| self.own(splitting, step).map(|own| own.radius > 1.0 + ON_THE_CIRCLE);
-        let each: Vec<(f64, Option<bool>)> =
-            steps.iter().map(|step| (*step, if *step <= longest { grows(*step) } else { None })).collect();
-        let known: Vec<(f64, bool)> = each.iter().filter_map(|(step, grows)| Some((*step, (*grows)?))).collect();
-        let turns = known.windows(2).filter(|pair| pair[0].1 != pair[1].1);
-        let edge = |pair: &[(f64, bool)]| {
-            let (mut low, mut high) = (pair[0].0, pair[1].0);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if grows(middle).unwrap_or(pair[1].1) == pair[0].1 { low = middle } else { high = middle }
-            }
-            0.5 * (low + high)
-        };
+        let taken: Vec<f64> = steps.iter().copied().filter(|step| *step <= longest).collect();
+        let own = followed(&taken, |step, near| self.own(splitting, step, near));
+        let found = |step: &f64| own.iter().find(|(at, _)| at == step).map(|(_, own)| own.grows());
+        let grows = steps.iter().map(|step| (*step, found(step))).collect();
+        let turns = own.windows(2).filter(|pair| pair[0].1.grows() != pair[1].1.grows());
+        let edge = |pair: &[(f64, Own)]| self.edge(splitting, &pair[0], &pair[1]);
+        let known: Vec<f64> = taken.into_iter().filter(|step| found(step).is_some()).collect();
         let proved = match (&self.provable, known.first().zip(known.last())) {
-            (Ok(provable), Some((first, last))) => {
-                let mut proved = provable.course(splitting, [first.0, last.0]);
-                let open = known.iter().filter(|(step, _)| proved.at(*step).is_none());
-                let alone = open.filter_map(|(step, _)| Some((*step, provable.at(splitting, *step)?)));
-                proved.alone = alone.collect();
-                Ok(proved)
-            }
+            (Ok(provable), Some((first, last))) => Ok(provable.course(splitting, [*first, *last], &known)),
             (Ok(_), None) => Err(Unproved::Motion),
             (Err(reason), _) => Err(*reason),
         };
@@ -222,13 +147,24 @@ impl SplitRuns {
             Err(_) => turns.map(edge).collect(),
         };
         edges.sort_by(f64::total_cmp);
-        Tested { splitting, edges, longest, grows: each, proved }
+        Tested { splitting, own, grows, edges, proved, longest }
+    }
+
+    /// Between two steps, s, of which one grows.
+    fn edge(&self, splitting: Splitting, (from, below): &(f64, Own), (to, _): &(f64, Own)) -> f64 {
+        let (mut low, mut high) = (*from, *to);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            let grows = self.own(splitting, middle, Some(below)).map(|own| own.grows());
+            if grows == Some(below.grows()) { low = middle } else { high = middle }
+        }
+        0.5 * (low + high)
     }
 
     /// How a run can see an edge: by the growth beside it, which changes evenly there. `None` where the splitting does not rest with
     /// the law: then its runs see the motion of its own too.
     pub fn crossing(&self, splitting: Splitting, edge: f64) -> Option<Crossing> {
-        let beside = [1.0 - BESIDE, 1.0 + BESIDE].map(|side| self.own(splitting, side * edge));
+        let beside = [1.0 - BESIDE, 1.0 + BESIDE].map(|side| self.own(splitting, side * edge, None));
         let [Some(below), Some(above)] = beside else { return None };
         let rests = below.off.max(above.off) < RESTS;
         let rest = below.next?.max(above.next?);
@@ -237,19 +173,18 @@ impl SplitRuns {
     }
 }
 
+impl Own {
+    fn grows(&self) -> bool {
+        self.radius > 1.0 + ON_THE_CIRCLE
+    }
+}
+
 impl Provable {
-    fn course(&self, splitting: Splitting, ends: [f64; 2]) -> Proved {
+    /// Between two steps, s, and at those that are asked for, in ascending order.
+    fn course(&self, splitting: Splitting, ends: [f64; 2], steps: &[f64]) -> Proved {
         match self {
             Provable::Resting(resting) => resting.course(splitting, ends),
-            Provable::Turning(turning) => turning.course(splitting, ends),
-        }
-    }
-
-    /// At one step, s. On a bench ranges are narrowed down to thresholds.
-    fn at(&self, splitting: Splitting, step: f64) -> Option<bool> {
-        match self {
-            Provable::Resting(_) => None,
-            Provable::Turning(turning) => turning.at(splitting, step),
+            Provable::Turning(turning) => turning.course(splitting, ends, steps),
         }
     }
 }

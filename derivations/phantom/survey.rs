@@ -4,7 +4,8 @@ use super::chart::{Chart, Row};
 use super::crossing::Crossing;
 use super::measured::{Run, Runs};
 use super::motions::Rotor;
-use super::splittings::{SplitRuns, Tested};
+use super::splittings::SplitRuns;
+use super::tested::Tested;
 use crate::scene::Scene;
 use integrators::Splitting;
 

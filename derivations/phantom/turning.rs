@@ -14,6 +14,7 @@
 //! laws over models: of the bodies, the integrals and the collocation it has the floats that run, of the motor the decimals, with
 //! windings lumped. A moment that is not linear in the slip takes as many of Newton's steps as it takes when it runs.
 
+use super::followed::{before, followed};
 use super::motions::Stationed;
 use super::multipliers::{Matrix, grows};
 use super::stepped::{Enclosed, OnSurface, Stepped, enclosed};
@@ -85,20 +86,27 @@ impl Turning {
         self.points.rest.is_some()
     }
 
-    /// Whether the map grows, for every step between two, s.
-    pub fn course(&self, splitting: Splitting, ends: [f64; 2]) -> Proved {
+    /// Whether the map grows, for every step between two, s; what stays open at one of `steps`, in ascending order, is looked at there
+    /// alone.
+    pub fn course(&self, splitting: Splitting, ends: [f64; 2], steps: &[f64]) -> Proved {
+        // in floats, for the proof to begin with; a rest is the law's
+        let moving = if self.rests() { &[] } else { steps };
+        let followed = followed(moving, |step, near: Option<&Vec<f64>>| {
+            approached(&*self.floats.step(splitting, step, false), near.unwrap_or(&self.start).clone())
+                .map(|(place, _)| place)
+        });
         let look = |[low, high]: [f64; 2]| {
             let step = TaylorModel::over_range(low, high);
-            let Some(slopes) = self.slopes(&self.ranges, splitting, step) else { return Found::Lost };
+            let Some(slopes) = self.slopes(&self.ranges, splitting, step, &followed) else { return Found::Lost };
             grows(&slopes, &step, self.symmetric).map_or(Found::Open, Found::Grows)
         };
-        Proved::by(look, ends, LIMITS)
-    }
-
-    /// Whether it grows at one step, s; `None` where that stays open.
-    pub fn at(&self, splitting: Splitting, step: f64) -> Option<bool> {
-        let step = Ball::constant(step);
-        grows(&self.slopes(&self.points, splitting, step)?, &step, self.symmetric)
+        let mut proved = Proved::by(look, ends, LIMITS);
+        let alone = |step: &f64| {
+            let at = Ball::constant(*step);
+            Some((*step, grows(&self.slopes(&self.points, splitting, at, &followed)?, &at, self.symmetric)?))
+        };
+        proved.alone = steps.iter().filter(|step| proved.at(**step).is_none()).filter_map(alone).collect();
+        proved
     }
 
     /// The derivative of a step at its own motion; `None` where that is not enclosed.
@@ -107,16 +115,20 @@ impl Turning {
         over: &Over<Model<C, N>>,
         splitting: Splitting,
         step: Model<C, N>,
+        followed: &[(f64, Vec<f64>)],
     ) -> Option<Matrix<Model<C, N>>> {
         match &over.rest {
             Some(rest) => derivative(&*over.steps.step(splitting, step, true), rest).map(|(_, slopes)| slopes),
-            None => self.own(over, splitting, step, 0.0).map(|own| own.slopes),
+            None => {
+                let near = before(followed, step.at(Model::<C, N>::nodes()[0])).unwrap_or(&self.start);
+                self.own(over, splitting, step, near, 0.0).map(|own| own.slopes)
+            }
         }
     }
 
     /// The law's rest, a fixed point whatever the step: so by a short one; no other fixed point is near.
     fn resting<C: Rounded, const N: usize>(&self, over: &Over<Model<C, N>>) -> Option<Vec<Model<C, N>>> {
-        Some(self.own(over, Splitting::Strang, Model::constant(SHORT), REST)?.place)
+        Some(self.own(over, Splitting::Strang, Model::constant(SHORT), &self.start, REST)?.place)
     }
 
     /// The splitting's own motion for every step of a model; `None` where it is not enclosed.
@@ -125,9 +137,10 @@ impl Turning {
         over: &Over<Model<C, N>>,
         splitting: Splitting,
         step: Model<C, N>,
+        start: &[f64],
         least: f64,
     ) -> Option<FixedPoint<Model<C, N>>> {
-        let mut near = self.start.clone();
+        let mut near = start.to_vec();
         let (mut places, mut inverses) = (Vec::new(), Vec::new());
         for node in Model::<C, N>::nodes() {
             let at_node = self.floats.step(splitting, step.at(node), false);
