@@ -33,7 +33,7 @@ fn reached<T>(
     reached(found, middle, halvings - 1, find) && reached(found, step, halvings - 1, find)
 }
 
-/// The last up to a step, s.
+/// The last up to a step, s; the first where there is none.
 pub fn before<T>(found: &[(f64, T)], step: f64) -> Option<&T> {
     let up_to = found.partition_point(|(at, _)| *at <= step);
     found.get(up_to.saturating_sub(1)).map(|(_, own)| own)
