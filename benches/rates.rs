@@ -1,17 +1,16 @@
-//! Nanoseconds for one right-hand side, for its whole Jacobian as sums of monomials, and for eight directions of it by
-//! num-dual, of the gyrostat with 8 states (synchronous motor) and 15 (six damper bars), in both forms; operations, circle
-//! points apart, and what share they are of the most that this processor can; the second form beside straight-line C, compiled
-//! for any processor of this kind, as ours is, and for this one.
+//! Nanoseconds for one right-hand side and for its whole Jacobian as they run, machine code made at run time; for the same law
+//! compiled with the project, and for eight directions of it by num-dual. Of the gyrostat with 8 states (synchronous motor) and
+//! 15 (six damper bars), in both forms; operations, circle points apart, and what share they are of the most that this
+//! processor can; the second form beside straight-line C, compiled for any processor of this kind, and for this one.
 //!
-//! `cargo bench --bench rates`; ours for this processor too: `RUSTFLAGS="-C target-cpu=native"` before it. Instructions of
-//! 1000 right-hand sides and 1000 Jacobians of the second form with 15 states, or with 8:
+//! `cargo bench --bench rates`. Instructions of 1000 right-hand sides and 1000 Jacobians of the second form with 15 states, or with 8:
 //!
 //! ```text
 //! CARGO_TARGET_X86_64_UNKNOWN_LINUX_GNU_RUNNER="valgrind --tool=callgrind --callgrind-out-file=/dev/null \\
 //!   --toggle-collect=*thousand_values*" cargo bench --bench rates -- thousand 15
 //! ```
 //!
-//! and the same with `thousand_jacobians`. (callgrind knows no AVX-512: under it the Jacobian takes narrower registers.)
+//! and the same with `thousand_jacobians`.
 
 use derivations::machines::Machine;
 use derivations::machines::multi_current::MultiCurrent;
@@ -20,9 +19,10 @@ use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::Form;
 use field::{Analytic, Over};
 use integrators::Directions;
+use native::Code;
 use std::hint::black_box;
 use std::time::Instant;
-use symbolic::{Polynomials, Sym, Tape};
+use symbolic::{Sym, Tape};
 
 mod gyrostat;
 mod peak;
@@ -45,7 +45,7 @@ fn main() {
     let peak = peak::flops_per_nanosecond();
     println!("the most that one core can, by products and sums rounded once: {peak:.1} flops/ns");
     println!(
-        "states form    value [ns]  flops   of the most   Jacobian [ns]  flops   of the most   eight directions [ns]"
+        "states form    value [ns]  flops   of the most   Jacobian [ns]  flops   of the most   compiled: value [ns]   eight directions [ns]"
     );
     row("first", &Driven::new(first, single), peak);
     row("second", &Driven::new(second, single), peak);
@@ -61,31 +61,41 @@ fn main() {
 }
 
 fn thousand<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) {
-    thousand_values(law);
-    if let Some((_, (_, jacobian))) = recorded(law) {
+    if let Some((value, jacobian)) = written(law) {
+        thousand_values(&value, law.dimension());
         thousand_jacobians(&jacobian, law.dimension());
     }
 }
 
-/// The right-hand side and the Jacobian, as tapes, and the Jacobian as polynomials.
-fn recorded<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(Tape, (Tape, Polynomials))> {
+/// The right-hand side and the Jacobian.
+fn recorded<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(Tape, Tape)> {
     let n = law.dimension();
     let state: Vec<Sym> = (0..n).map(|i| Sym::symbol(&format!("y{i}"))).collect();
     let mut rates = vec![Sym::ZERO; n];
     law.rates(&state, &mut rates);
     let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
-    let jacobian = (Tape::record(&state, &entries).ok()?, Polynomials::record(&state, &entries, n)?);
-    Some((Tape::record(&state, &rates).ok()?, jacobian))
+    // code takes the time as well
+    let inputs = [state, vec![Sym::symbol("t")]].concat();
+    Some((Tape::record(&inputs, &rates).ok()?, Tape::record(&inputs, &entries).ok()?))
+}
+
+/// Both as machine code.
+fn written<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(Code, Code)> {
+    let (tape, entries) = recorded(law)?;
+    Some((Code::of(&tape)?, Code::of(&entries)?))
 }
 
 fn row<F: Form<f64>, M: Machine<f64>>(form: &str, law: &Driven<f64, F, M>, peak: f64) {
     let n = law.dimension();
-    let Some((tape, (_, jacobian))) = recorded(law) else { return println!("{n:>6} {form:<7} is no polynomial") };
-    let (value, directions) = (nanoseconds::<f64, F, M>(law), nanoseconds::<Directions, F, M>(law));
-    let (whole, of_value, of_whole) = (whole(&jacobian, n), tape.flops(), jacobian.flops());
+    let Some(((tape, entries), (value, jacobian))) = recorded(law).zip(written(law)) else {
+        return println!("{n:>6} {form:<7} cannot be written");
+    };
+    let (compiled, directions) = (nanoseconds::<f64, F, M>(law), nanoseconds::<Directions, F, M>(law));
+    let (value, of_value) = (one_call(&value, n, n), tape.flops());
+    let (whole, of_whole) = (one_call(&jacobian, n, n * n), entries.flops());
     let share = |flops: usize, time: f64| 100.0 * flops as f64 / time / peak;
     println!(
-        "{n:>6} {form:<7} {value:>10.1} {of_value:>6} {:>12.1}% {whole:>15.1} {of_whole:>6} {:>12.1}% {directions:>23.1}",
+        "{n:>6} {form:<7} {value:>10.1} {of_value:>6} {:>12.1}% {whole:>15.1} {of_whole:>6} {:>12.1}% {compiled:>22.1} {directions:>23.1}",
         share(of_value, value),
         share(of_whole, whole),
     );
@@ -99,11 +109,11 @@ fn beside<F: Form<f64>, M: Machine<f64>>(
     windings: &derivations::machines::multi_current::Windings<f64>,
 ) {
     let n = law.dimension();
-    let Some((tape, (entries, jacobian))) = recorded(law) else { return };
+    let Some(((tape, entries), (value, jacobian))) = recorded(law).zip(written(law)) else { return };
     let turns: Option<Vec<[f64; 5]>> = (0..5)
         .map(|_| {
             let c = straight_line::in_c(native, n, gyrostat, windings, &tape, &entries)?;
-            let own = [nanoseconds::<f64, F, M>(law), whole(&jacobian, n)];
+            let own = [one_call(&value, n, n), one_call(&jacobian, n, n * n)];
             Some([own[0], c.exported, c.by_hand, own[1], c.jacobian])
         })
         .collect();
@@ -123,38 +133,39 @@ fn beside<F: Form<f64>, M: Machine<f64>>(
 }
 
 #[inline(never)]
-fn thousand_values<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) {
-    let state: Vec<f64> = (0..law.dimension()).map(|i| 0.1 + 0.05 * i as f64).collect();
-    let mut rates = state.clone();
-    for _ in 0..1000 {
-        law.rates(black_box(&state), &mut rates);
-        black_box(&mut rates);
-    }
+fn thousand_values(value: &Code, n: usize) {
+    thousand_calls(value, n, n);
 }
 
 #[inline(never)]
-fn thousand_jacobians(jacobian: &Polynomials, n: usize) {
-    let state: Vec<f64> = (0..n).map(|i| 0.1 + 0.05 * i as f64).collect();
-    let mut matrix = vec![0.0; n * n];
+fn thousand_jacobians(jacobian: &Code, n: usize) {
+    thousand_calls(jacobian, n, n * n);
+}
+
+fn thousand_calls(code: &Code, n: usize, outputs: usize) {
+    let (state, mut values) = (start(n), vec![0.0; outputs]);
     for _ in 0..1000 {
-        jacobian.evaluate(black_box(&state), &mut matrix);
-        black_box(&mut matrix);
+        code.run(black_box(&state), 0.0, &mut values);
+        black_box(&mut values);
     }
 }
 
-/// The median over repeats of the mean over calls of the whole Jacobian.
-fn whole(jacobian: &Polynomials, n: usize) -> f64 {
-    let mut state: Vec<f64> = (0..n).map(|i| 0.1 + 0.05 * i as f64).collect();
-    let mut matrix = vec![0.0; n * n];
+fn start(n: usize) -> Vec<f64> {
+    (0..n).map(|i| 0.1 + 0.05 * i as f64).collect()
+}
+
+/// Nanoseconds of a call of machine code; each call depends on the one before.
+fn one_call(code: &Code, n: usize, outputs: usize) -> f64 {
+    let (mut state, mut values) = (start(n), vec![0.0; outputs]);
     median(|| {
-        jacobian.evaluate(&state, &mut matrix);
-        state[0] += matrix[1] * 1e-15;
+        code.run(&state, 0.0, &mut values);
+        state[0] += values[outputs.min(2) - 1] * 1e-15;
     })
 }
 
-/// The median over repeats of the mean over calls; each call depends on the one before.
+/// The same of a compiled law.
 fn nanoseconds<S: Over<f64> + Analytic, F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> f64 {
-    let mut state: Vec<S> = (0..law.dimension()).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();
+    let mut state: Vec<S> = start(law.dimension()).into_iter().map(S::lift).collect();
     let mut rates = state.clone();
     let tiny = S::lift(1e-15);
     median(|| {
@@ -163,6 +174,7 @@ fn nanoseconds<S: Over<f64> + Analytic, F: Form<f64>, M: Machine<f64>>(law: &Dri
     })
 }
 
+/// The median over repeats of the mean over calls.
 fn median(mut call: impl FnMut()) -> f64 {
     let mut times: Vec<f64> = (0..REPEATS)
         .map(|_| {

@@ -2,8 +2,9 @@
 
 use field::{Analytic, DoubleDouble};
 use integrators::{Directions, Ode};
+use native::Code;
 use std::sync::Arc;
-use symbolic::{Polynomials, Sym, Tape};
+use symbolic::{Sym, Tape};
 
 /// A law and its program. Laws made of masses and a chart build matrices and solve them at each evaluation; their program
 /// has each common part once and the data folded into constants.
@@ -18,8 +19,8 @@ pub struct Taped<L> {
 #[derive(Clone, Debug)]
 pub struct Program {
     tape: Tape,
-    /// In `f64`, where that is shorter than the tape.
-    monomials: Option<Polynomials>,
+    /// In `f64`, where this machine can be written for.
+    code: Option<Arc<Code>>,
     plain: Vec<f64>,
     slopes: Vec<Directions>,
     exact: Vec<DoubleDouble>,
@@ -37,7 +38,7 @@ const MANY: usize = 1024;
 impl<L: Ode<Sym>> Taped<L> {
     /// Records a law, which may depend on time.
     pub fn new(law: Arc<L>) -> Self {
-        let program = Program::of(law.dimension(), |time, state| rates(&*law, time, state));
+        let program = Program::of_law(&*law);
         Taped { law, program }
     }
 }
@@ -49,32 +50,29 @@ impl Program {
         Program::taped(&inputs, &outputs)
     }
 
-    /// The same, which in `f64` runs as sums of multiples of monomials where these are fewer than the steps of the tape: eight at a
-    /// time, that is nearly as fast as compiled code.
-    pub fn of_monomials(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym>) -> Option<Self> {
-        let (inputs, outputs) = written(n, function);
-        let mut program = Program::taped(&inputs, &outputs)?;
-        // what knows the time is no function of the state alone, and is not recorded
-        let monomials = Polynomials::record(&inputs[..n], &outputs, outputs.len());
-        program.monomials = monomials.filter(|all| all.instructions() < program.tape.operations());
-        Some(program)
-    }
-
-    /// The right-hand side of a law, by monomials.
+    /// The right-hand side of a law.
     pub fn of_law(law: &impl Ode<Sym>) -> Option<Self> {
-        Program::of_monomials(law.dimension(), |time, state| rates(law, time, state))
+        Program::of(law.dimension(), |time, state| rates(law, time, state))
     }
 
     fn taped(inputs: &[Sym], outputs: &[Sym]) -> Option<Self> {
         let tape = Tape::record(inputs, outputs).ok().filter(|tape| tape.registers() <= MANY)?;
         let (plain, slopes, exact) = (tape.constants(), tape.constants(), tape.constants());
-        Some(Program { plain, slopes, exact, tape, monomials: None })
+        let code = Code::of(&tape).map(Arc::new);
+        Some(Program { code, plain, slopes, exact, tape })
     }
 
-    /// The values at a time and a state; none where the state is not as long as what was recorded.
+    /// The values at a time and a state; none where the state is not as long as what was recorded, or where there is no room for
+    /// all values.
     #[inline]
     pub fn run<S: Running>(&self, t: S, y: &[S], values: &mut [S]) -> Option<()> {
         S::run(self, t, y, values)
+    }
+
+    /// What runs where there is no code; apart, so that its length costs the code nothing.
+    #[cold]
+    fn follow_table(&self, t: f64, y: &[f64], values: &mut [f64]) -> Option<()> {
+        self.follow(&self.plain, t, y, values)
     }
 
     #[inline]
@@ -117,11 +115,10 @@ pub trait Running: Analytic {
 impl Running for f64 {
     #[inline]
     fn run(program: &Program, t: f64, y: &[f64], values: &mut [f64]) -> Option<()> {
-        match &program.monomials {
-            Some(monomials) => monomials.evaluate(y, values),
-            None => program.follow(&program.plain, t, y, values)?,
+        match &program.code {
+            Some(code) => code.run(y, t, values),
+            None => program.follow_table(t, y, values),
         }
-        Some(())
     }
 }
 
@@ -162,5 +159,22 @@ impl<L: Ode<Sym>> Ode<Sym> for Taped<L> {
 
     fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
         self.law.rates(t, y, dy);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Program;
+    use field::{Analytic, Scalar};
+
+    #[test]
+    fn without_machine_code_a_program_has_the_same_bits() {
+        let made = Program::of(2, |t, y| vec![y[0] * y[1] - t, (y[0] + t).circle().sin / y[1], y[1].sqrt().half()]);
+        let written = made.expect("it has values");
+        let followed = Program { code: None, ..written.clone() };
+        let ([mut own, mut table], y) = ([[0.0_f64; 3]; 2], [0.7, 1.9]);
+        assert_eq!(written.run(0.3, &y, &mut own), Some(()));
+        assert_eq!(followed.run(0.3, &y, &mut table), Some(()));
+        assert_eq!(own.map(f64::to_bits), table.map(f64::to_bits));
     }
 }

@@ -9,6 +9,7 @@ use std::process::Command;
 const LAYERS: &[(&str, u32)] = &[
     ("dalembert-field", 0),
     ("dalembert-symbolic", 1),
+    ("dalembert-native", 2),
     ("dalembert-mechanics", 2),
     ("dalembert-integrators", 2),
     ("dalembert-claims", 3),
@@ -51,7 +52,7 @@ fn every_dependency_has_its_reason() {
 
 #[test]
 fn the_machinery_names_no_system() {
-    for folder in ["field", "symbolic", "mechanics", "integrators", "claims", "charts"] {
+    for folder in ["field", "symbolic", "native", "mechanics", "integrators", "claims", "charts"] {
         for file in rust_files(&root().join("crates").join(folder).join("src")) {
             let text = read(&file).to_lowercase();
             for system in ["gyrostat", "konosevich", "damper"] {
@@ -68,6 +69,17 @@ fn laws_do_not_branch_on_values() {
             let text = read(&file);
             let generic = text.contains("S: Over<P>") || text.contains("S: Scalar");
             assert!(!generic || !text.contains("PartialOrd"), "{} compares scalars", file.display());
+        }
+    }
+}
+
+#[test]
+fn unsafe_code_stands_in_one_place() {
+    let own = root().join("crates/native/src/lib.rs");
+    for folder in ["crates", "derivations"] {
+        let tested = |file: &Path| file.iter().any(|part| part == "tests");
+        for file in rust_files(&root().join(folder)).filter(|file| *file != own && !tested(file)) {
+            assert!(!read(&file).contains("unsafe {"), "{} has unsafe code", file.display());
         }
     }
 }

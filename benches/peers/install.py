@@ -36,17 +36,24 @@ def has(header, flags=()):
     return subprocess.run(command, input=f"#include <{header}>", capture_output=True, text=True).returncode == 0
 
 
+def unpacked(root):
+    """Flags by which compiler and program find what was unpacked, the libraries of its libraries too (hence no new dtags)."""
+    places = root.glob("usr/lib/*-linux-gnu")
+    libraries = (flag for place in places for flag in (f"-L{place}", f"-Wl,-rpath,{place},--disable-new-dtags"))
+    return [f"-I{root}/usr/include", *libraries]
+
+
 def debian(folder):
     """Flags for the C++ compiler, the headers that it finds, and what is missing."""
     if subprocess.run(["which", "g++"], capture_output=True).returncode:
         return [], [], {"g++": "not installed (Debian: g++): no rows of GSL, odeint and the exported C"}
     root = folder / "debian"
-    flags = [f"-I{root}/usr/include", *(flag for place in root.glob("usr/lib/*-linux-gnu") for flag in (f"-L{place}", f"-Wl,-rpath,{place}"))]
+    flags = unpacked(root)
     missing = {}
     for header, package in DEBIAN.items():
         if not has(header, flags):
             unpack(package, root)
-            flags = [f"-I{root}/usr/include", *(flag for place in root.glob("usr/lib/*-linux-gnu") for flag in (f"-L{place}", f"-Wl,-rpath,{place}"))]
+            flags = unpacked(root)
         if not has(header, flags):
             missing[package] = "apt-get cannot download it"
     return flags, [header for header in DEBIAN if has(header, flags)], missing

@@ -74,8 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             None if line == "setup" => println!("{setup}"),
             None if line == "operations" => {
-                let jacobian = scene.jacobian_flops(AXES).ok_or("the Jacobian is no polynomial")?;
-                println!("{} {jacobian}", scene.tape(AXES)?.flops());
+                println!("{} {}", scene.tape(AXES)?.flops(), scene.jacobian_tape(AXES)?.flops());
             }
             None if line == "peak" => println!("{}", peak::flops_per_nanosecond()),
             None => println!("{}", evaluations(law, &problem.state, &line)?),

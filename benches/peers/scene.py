@@ -25,6 +25,14 @@ class Server:
         self.process.stdin.flush()
         return self.read()
 
+    def alive(self):
+        """Itself, if it still runs a moment after its start: a program without its libraries does not."""
+        try:
+            code = self.process.wait(timeout=0.2)
+        except subprocess.TimeoutExpired:
+            return self
+        raise RuntimeError(f"{self.process.args[0]} ended at once, with {code}")
+
     def run(self, method):
         def run(tolerance):
             nanoseconds, *state = self.ask(f"{method} {tolerance!r}")

@@ -21,7 +21,7 @@ impl<'a, L: Ode<Tangent<f64>>> ByTangents<'a, L> {
 }
 
 impl<L: Ode<Tangent<f64>>> Slopes for ByTangents<'_, L> {
-    fn matrix(&mut self, y: &[f64], matrix: &mut [f64]) {
+    fn matrix(&mut self, _t: f64, y: &[f64], matrix: &mut [f64]) {
         let n = y.len();
         for column in 0..n {
             for (place, (to, from)) in self.y.iter_mut().zip(y).enumerate() {

@@ -127,13 +127,8 @@ pub fn series(law: &Programme<f64>, start: f64) -> Vec<Rung> {
             let sum = whole.iter().rev().fold(Sym::ZERO, |sum, term| sum * Sym::lift(epsilon) + value(term));
             vec![sum]
         };
-        let lower = Lower {
-            dimension: 1,
-            lift: Arc::new(lift),
-            rates: Arc::new(|_, _: &[Sym]| vec![Sym::int(1)]),
-            plain: Some(Arc::new(|_, _: &[f64], dz: &mut [f64]| dz[0] = 1.0)),
-            kept: None,
-        };
+        let lower =
+            Lower { dimension: 1, lift: Arc::new(lift), rates: Arc::new(|_, _: &[Sym]| vec![Sym::int(1)]), kept: None };
         let loss = Loss::Small { parameter: "eps (k1/rho0 + k2) t/rho0" };
         Rung::new(name, "the powers of the small parameter beyond", loss, lower, vec![0.0])
     };

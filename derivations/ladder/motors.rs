@@ -65,7 +65,7 @@ impl ForMachine for Under<'_> {
         let windings = machine.windings();
         let mechanical = start.len() - windings;
         let Some(lumping) = exact.and_then(|exact| Lumping::of(&exact)) else {
-            return unlumped(scene, axes, machine, start, !M::WRITTEN);
+            return unlumped(scene, axes, machine, start);
         };
         let lumped = Lumped { machine, windings: lumping.over(Rational::to_f64) };
         let written = written(&scene.system, axes, lumped.clone());
@@ -76,11 +76,11 @@ impl ForMachine for Under<'_> {
             windings - lumping.windings.len()
         );
         let loss = Loss::Nothing { claim: Some(CLOSURE) };
-        let lower = Lower::other(&written).unless_compiled(!M::WRITTEN);
+        let lower = Lower::other(&written);
         let Some(exact) = Rung::new("lumped windings", &dropped, loss, lower, inner.clone()) else {
-            return unlumped(scene, axes, lumped.machine, start, !M::WRITTEN);
+            return unlumped(scene, axes, lumped.machine, start);
         };
-        let rungs = std::iter::once(exact).chain(slaved::rungs(&lumped, &written, &inner, !M::WRITTEN)).collect();
+        let rungs = std::iter::once(exact).chain(slaved::rungs(&lumped, &written, &inner)).collect();
         let recovery = lumping.recovery(currents);
         let whole = move |time: f64, y: &[f64]| {
             let (mechanics, lumped) = y.split_at(mechanical);
@@ -91,12 +91,12 @@ impl ForMachine for Under<'_> {
 }
 
 /// What is derived from a machine as it is.
-fn unlumped<M>(scene: &Scene, axes: Axes, machine: M, start: &[f64], compiled: bool) -> Within
+fn unlumped<M>(scene: &Scene, axes: Axes, machine: M, start: &[f64]) -> Within
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
 {
     let written = written(&scene.system, axes, machine.clone());
-    let rungs = slaved::rungs(&machine, &written, start, compiled);
+    let rungs = slaved::rungs(&machine, &written, start);
     Within { written, start: start.to_vec(), whole: Box::new(|_, y| y.to_vec()), lumping: None, rungs }
 }
 

@@ -19,8 +19,7 @@ where
     let [angle, slip] = symbols(["g", "s"]);
     resting_currents(machine, angle.circle(), slip)?;
     let fill = Resting { machine: machine.clone(), rotor, currents: mechanical };
-    // what solves for them allocates: as straight-line code it is solved once
-    let lower = Lower { plain: None, ..Lower::keeping(written, (0..mechanical).collect(), fill) };
+    let lower = Lower::keeping(written, (0..mechanical).collect(), fill);
     let slowest = (0..windings).map(|k| machine.inductance(k) / machine.resistance(k)).fold(0.0, f64::max);
     let (angled, frame_speed) = (M::ROTOR == RotorState::AngleAndSpeed, machine.frame_speed());
     let parameter = if angled { "(L/R) |slip|" } else { "(L/R) |slip'|/|phi'|" };

@@ -9,10 +9,10 @@
 
 use crate::recorded::Recorded;
 use crate::scene::problem::Law;
-use crate::taped::{Program, Running};
+use crate::taped::Program;
 use field::{Analytic, DoubleDouble, Over, Tangent};
 use integrators::{Directions, Ode, System};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 use symbolic::{Hypotheses, Sym, decide};
 
 /// A law over numbers, expressions and their derivatives up to the second: what lower models and their errors are derived
@@ -23,9 +23,6 @@ impl<L: Ode<f64> + Ode<Sym> + Ode<Tangent<Tangent<Sym>>> + Send + Sync> Written 
 /// A function of time and state, over expressions.
 pub type Expressed = dyn Fn(Sym, &[Sym]) -> Vec<Sym> + Send + Sync;
 
-/// The same in numbers, which must not allocate: dz = f(t, z).
-pub type Plain = dyn Fn(f64, &[f64], &mut [f64]) + Send + Sync;
-
 /// A lift with the law of what is followed.
 #[derive(Clone)]
 pub struct Lower {
@@ -35,8 +32,6 @@ pub struct Lower {
     pub lift: Arc<Expressed>,
     /// f(t, z)
     pub rates: Arc<Expressed>,
-    /// f as the compiled law has it, where there is one; else it runs as straight-line code.
-    pub plain: Option<Arc<Plain>>,
     /// Where the states that are followed stand in the richer one, if they are some of its own: how a state is mapped down.
     pub kept: Option<Vec<usize>>,
 }
@@ -47,20 +42,16 @@ pub trait Fill: Send + Sync + 'static {
     fn fill<S: Over<f64> + Analytic>(&self, y: &mut [S]);
 }
 
-/// States of a richer law that are held on the stack.
-const MANY: usize = 64;
-
 impl Lower {
     /// The states at these places are followed by the richer law itself; `fill` completes the whole state.
     pub fn keeping(written: &Arc<dyn Written>, kept: Vec<usize>, fill: impl Fill) -> Self {
         let n = Ode::<Sym>::dimension(&**written);
-        let fill = Arc::new(fill);
         let places = kept.clone();
-        let (filling, expressed, running) = (Arc::clone(&fill), Arc::clone(written), Arc::clone(written));
+        let expressed = Arc::clone(written);
         let whole = move |z: &[Sym]| {
             let mut y = vec![Sym::ZERO; n];
             places.iter().zip(z).for_each(|(&place, &z)| y[place] = z);
-            filling.fill(&mut y);
+            fill.fill(&mut y);
             y
         };
         let whole = Arc::new(whole);
@@ -70,19 +61,10 @@ impl Lower {
             expressed.rates(time, &whole(z), &mut dy);
             followed.iter().map(|&place| dy[place]).collect()
         };
-        let places = kept.clone();
-        let plain = move |time: f64, z: &[f64], dz: &mut [f64]| {
-            let (mut y, mut dy) = ([0.0; MANY], [0.0; MANY]);
-            places.iter().zip(z).for_each(|(&place, &z)| y[place] = z);
-            fill.fill(&mut y[..n]);
-            running.rates(time, &y[..n], &mut dy[..n]);
-            places.iter().zip(dz).for_each(|(&place, dz)| *dz = dy[place]);
-        };
         Lower {
             dimension: kept.len(),
             lift: Arc::new(move |_, z: &[Sym]| lift(z)),
             rates: Arc::new(rates),
-            plain: (n <= MANY).then(|| Arc::new(plain) as Arc<Plain>),
             kept: Some(kept),
         }
     }
@@ -90,7 +72,7 @@ impl Lower {
     /// Another law of the same states.
     pub fn other(law: &Arc<dyn Written>) -> Self {
         let n = Ode::<Sym>::dimension(&**law);
-        let (expressed, running) = (Arc::clone(law), Arc::clone(law));
+        let expressed = Arc::clone(law);
         let rates = move |time: Sym, z: &[Sym]| {
             let mut dz = vec![Sym::ZERO; n];
             expressed.rates(time, z, &mut dz);
@@ -100,23 +82,13 @@ impl Lower {
             dimension: n,
             lift: Arc::new(|_, z: &[Sym]| z.to_vec()),
             rates: Arc::new(rates),
-            plain: Some(Arc::new(move |time: f64, z: &[f64], dz: &mut [f64]| running.rates(time, z, dz))),
             kept: Some((0..n).collect()),
         }
     }
 
-    /// As straight-line code, where the law is no compiled one either.
-    pub fn unless_compiled(self, compiled: bool) -> Self {
-        Lower { plain: self.plain.filter(|_| compiled), ..self }
-    }
-
     /// What is followed, as it runs; `None` where it cannot be recorded.
     pub fn law(&self) -> Option<Arc<dyn Law>> {
-        let (dimension, rates) = (self.dimension, Arc::clone(&self.rates));
-        let straight = match &self.plain {
-            Some(plain) => Straight::beside(Arc::clone(plain), dimension, rates),
-            None => Straight::new(dimension, rates)?,
-        };
+        let straight = Straight::new(self.dimension, Arc::clone(&self.rates))?;
         Some(Arc::new(Recorded::new(Arc::new(straight))))
     }
 
@@ -144,47 +116,16 @@ pub fn symbols(letter: &str, count: usize) -> Vec<Sym> {
 
 /// A law of expressions, run as the straight-line code that they come to.
 pub struct Straight {
-    /// Made when it is first run; at once where nothing else runs.
-    program: OnceLock<Option<Program>>,
+    program: Program,
     dimension: usize,
     rates: Arc<Expressed>,
-    plain: Option<Arc<Plain>>,
 }
 
 impl Straight {
     /// `None` where it cannot be recorded.
     pub fn new(dimension: usize, rates: Arc<Expressed>) -> Option<Self> {
-        let law = Straight { program: OnceLock::new(), dimension, rates, plain: None };
-        law.program().is_some().then_some(law)
-    }
-
-    /// What runs in numbers as its law was compiled, and over other fields as straight-line code.
-    pub fn beside(plain: Arc<Plain>, dimension: usize, rates: Arc<Expressed>) -> Self {
-        Straight { program: OnceLock::new(), dimension, rates, plain: Some(plain) }
-    }
-
-    fn program(&self) -> Option<&Program> {
-        let made = || Program::of(self.dimension, |time, state| (self.rates)(time, state));
-        self.program.get_or_init(made).as_ref()
-    }
-
-    fn run<S: Running>(&self, t: S, y: &[S], dy: &mut [S]) {
-        if self.program().and_then(|program| program.run(t, y, dy)).is_none() {
-            dy.fill(S::zero() / S::zero());
-        }
-    }
-}
-
-impl Ode<f64> for Straight {
-    fn dimension(&self) -> usize {
-        self.dimension
-    }
-
-    fn rates(&self, t: f64, y: &[f64], dy: &mut [f64]) {
-        match &self.plain {
-            Some(plain) => plain(t, y, dy),
-            None => self.run(t, y, dy),
-        }
+        let program = Program::of(dimension, |time, state| rates(time, state))?;
+        Some(Straight { program, dimension, rates })
     }
 }
 
@@ -196,12 +137,13 @@ macro_rules! runs {
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                self.run(t, y, dy);
+                // recorded for a state of this length
+                self.program.run(t, y, dy).unwrap_or(());
             }
         }
     )*};
 }
-runs!(Directions, DoubleDouble);
+runs!(f64, Directions, DoubleDouble);
 
 impl Ode<Sym> for Straight {
     fn dimension(&self) -> usize {

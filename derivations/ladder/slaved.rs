@@ -7,8 +7,8 @@ use crate::machines::{Machine, RotorState, is_fed};
 use field::{Analytic, Over};
 use std::sync::Arc;
 
-/// The fastest windings first. `compiled` says whether the machine's law is that, or text.
-pub(super) fn rungs<M>(machine: &M, written: &Arc<dyn Written>, start: &[f64], compiled: bool) -> Vec<Rung>
+/// The fastest windings first.
+pub(super) fn rungs<M>(machine: &M, written: &Arc<dyn Written>, start: &[f64]) -> Vec<Rung>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
 {
@@ -36,20 +36,13 @@ where
             &[Current::AtPresentSlip, Current::Resistive]
         };
         let suitable = kinds.iter().filter(|kind| slaved.iter().all(|&k| kind.suits(machine, k)));
-        rungs.extend(suitable.filter_map(|&kind| without(machine, written, start, &slaved, kind, compiled)));
+        rungs.extend(suitable.filter_map(|&kind| without(machine, written, start, &slaved, kind)));
     }
     rungs
 }
 
 /// The rung on which these windings have currents of a kind.
-fn without<M>(
-    machine: &M,
-    written: &Arc<dyn Written>,
-    start: &[f64],
-    slaved: &[usize],
-    kind: Current,
-    compiled: bool,
-) -> Option<Rung>
+fn without<M>(machine: &M, written: &Arc<dyn Written>, start: &[f64], slaved: &[usize], kind: Current) -> Option<Rung>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
 {
@@ -69,7 +62,7 @@ where
     let dropped = format!("of {}: {}", counted(slaved.len(), "current"), kind.dropped());
     let fill = Slaved { machine: machine.clone(), rotor, currents: mechanical, slaved: slaved.to_vec(), kind };
     let loss = Loss::Small { parameter: kind.parameter() };
-    let lower = Lower::keeping(written, kept, fill).unless_compiled(compiled);
+    let lower = Lower::keeping(written, kept, fill);
     let mut rung = Rung::new(name, &dropped, loss, lower, z0)?;
     rung.small = Some(Box::new(move |z, dz| kind.value(slowest, z[rotor + 1], dz[rotor + 1])));
     Some(rung)

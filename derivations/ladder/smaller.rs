@@ -20,7 +20,6 @@ pub(super) fn rung(scene: &Scene, axes: Axes, ladder: &Ladder, model: &'static s
     let (law, speed) = smaller.machine.clone().apply(Alone { system: &scene.system, axes });
     let (_, own_speed) = scene.machine.clone().apply(Alone { system: &scene.system, axes });
     let lag = speed - own_speed;
-    let running = Arc::clone(&law);
     let own = scene.names();
     let states = ladder.start.len();
     let count = names.len();
@@ -53,19 +52,7 @@ pub(super) fn rung(scene: &Scene, axes: Axes, ladder: &Ladder, model: &'static s
     };
     let mut start = smaller.state(axes);
     start.extend(turning.then_some(scene.start.rotor_angle));
-    let plain = move |time: f64, z: &[f64], dz: &mut [f64]| {
-        running.rates(time, &z[..count], &mut dz[..count]);
-        if turning {
-            dz[count] = slip.map_or(0.0, |slip| z[slip]) + lag;
-        }
-    };
-    let lower = Lower {
-        dimension: start.len(),
-        lift: Arc::new(lift),
-        rates: Arc::new(rates),
-        plain: Some(Arc::new(plain)),
-        kept: None,
-    };
+    let lower = Lower { dimension: start.len(), lift: Arc::new(lift), rates: Arc::new(rates), kept: None };
     let (dropped, parameter) = dropped(model);
     Rung::new(model, dropped, Loss::Small { parameter }, lower, start)
 }

@@ -68,7 +68,7 @@ impl Programs {
             return None;
         }
         let angle = || {
-            Program::of_monomials(2, |_, point| {
+            Program::of(2, |_, point| {
                 let point = Circle { cos: point[0], sin: point[1] };
                 let (mut values, mut slopes) = (Vec::new(), Vec::new());
                 let force = laws_at(machine, point, |_, Tangent { value, slope, .. }| {
@@ -126,9 +126,9 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
     fn linkages(&self, angle: Circle<S>, each: impl FnMut(usize, S)) {
         let windings = self.machine.windings();
         match self.angle.filter(|_| M::WRITTEN) {
-            Some(program) if windings <= FEW => linked::<S, FEW>(program, windings, angle, each),
-            Some(program) if windings <= SOME => linked::<S, SOME>(program, windings, angle, each),
-            Some(program) if windings <= MANY => linked::<S, MANY>(program, windings, angle, each),
+            Some(program) if windings < FEW / 2 => linked::<S, FEW>(program, windings, angle, each),
+            Some(program) if windings < SOME / 2 => linked::<S, SOME>(program, windings, angle, each),
+            Some(program) if windings < MANY / 2 => linked::<S, MANY>(program, windings, angle, each),
             _ => self.machine.linkages(angle, each),
         }
     }
@@ -182,8 +182,8 @@ fn linked<S: Running, const N: usize>(
     mut each: impl FnMut(usize, S),
 ) {
     let mut values = [S::zero(); N];
-    let values = &mut values[..windings];
+    let values = &mut values[..2 * windings + 1];
     // recorded for an angle, it runs
     program.run(S::zero(), &[angle.cos, angle.sin], values).unwrap_or(());
-    values.iter().enumerate().for_each(|(k, value)| each(k, *value));
+    values[..windings].iter().enumerate().for_each(|(k, value)| each(k, *value));
 }

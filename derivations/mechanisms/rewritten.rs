@@ -1,5 +1,6 @@
 //! Other ways to write the equations of a mechanism: redundant coordinates with each treatment of the constraints.
 
+use crate::differentiated::Differentiated;
 use crate::recorded::Recorded;
 use crate::scene::atlas::{Formulation, Treated};
 use crate::scene::problem::Law;
@@ -75,12 +76,13 @@ where
 
 impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> HeldSystem for Redundant<Q, N, C> {}
 
-/// A law as it is run: straight-line code with its series.
+/// A law as it is run: straight-line code with its series and its Jacobian.
 pub fn ready<L>(law: L) -> Arc<dyn Law>
 where
     L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Ode<Sym> + Send + Sync + 'static,
 {
-    Arc::new(Recorded::new(Arc::new(Taped::new(Arc::new(law)))))
+    let law = Arc::new(law);
+    Arc::new(Differentiated::new(Recorded::new(Arc::new(Taped::new(Arc::clone(&law)))), law))
 }
 
 /// Every treatment of the constraints of a system, from (q, q').

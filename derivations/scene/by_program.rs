@@ -1,46 +1,74 @@
-//! A system whose law is text, run by one program of the whole law.
+//! A system whose right-hand side is run by one program of the whole law.
 //!
-//! The laws of a written motor are programs of their own, which any field evaluates one by one; put together in a right-hand
-//! side they share nothing. Recorded once as a whole, with the gyrostat around the motor, they do, and the data are constants.
+//! Recorded once as a whole, a law has each common part once, its data are constants, and it is machine code: that is faster than
+//! the same law compiled with the rest of the project, and a motor as text runs like any other.
 
 use super::problem::Law;
 use crate::taped::Program;
 use field::DoubleDouble;
 use integrators::{Composed, Directions, Ode, Slopes, Splitting, System, TaylorSeries};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use symbolic::Sym;
 
 /// A system, and the program that stands for its right-hand side.
-struct ByProgram {
+struct ByProgram<L> {
     system: Arc<dyn Law>,
-    program: Program,
+    law: Arc<L>,
+    /// Then its program runs over dual and double-double numbers too, operation by operation: that is slower than what is compiled,
+    /// and faster than text.
+    is_text: bool,
+    /// Made when the law is first run; `None` where it cannot be recorded or is long: then the system's own rates are run.
+    program: OnceLock<Option<Program>>,
 }
 
-/// The system as it was where its law cannot be recorded.
-pub fn by_program(system: Arc<dyn Law>, law: &impl Ode<Sym>) -> Arc<dyn Law> {
-    match Program::of_law(law) {
-        Some(program) => Arc::new(ByProgram { system, program }),
-        None => system,
+/// A system that runs a law, by the law's program.
+pub fn by_program<L>(system: Arc<dyn Law>, law: Arc<L>, is_text: bool) -> Arc<dyn Law>
+where
+    L: Ode<Sym> + Send + Sync + 'static,
+{
+    Arc::new(ByProgram { system, law, is_text, program: OnceLock::new() })
+}
+
+impl<L: Ode<Sym>> ByProgram<L> {
+    #[inline]
+    fn program(&self) -> Option<&Program> {
+        self.program.get_or_init(|| Program::of_law(&*self.law)).as_ref()
+    }
+}
+
+impl<L: Ode<Sym>> Ode<f64> for ByProgram<L> {
+    fn dimension(&self) -> usize {
+        self.law.dimension()
+    }
+
+    fn rates(&self, t: f64, y: &[f64], dy: &mut [f64]) {
+        match self.program() {
+            // made for a state of this length
+            Some(program) => program.run(t, y, dy).unwrap_or(()),
+            None => Ode::<f64>::rates(&*self.system, t, y, dy),
+        }
     }
 }
 
 macro_rules! runs {
     ($($field:ty),*) => {$(
-        impl Ode<$field> for ByProgram {
+        impl<L: Ode<Sym>> Ode<$field> for ByProgram<L> {
             fn dimension(&self) -> usize {
-                Ode::<$field>::dimension(&*self.system)
+                self.law.dimension()
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                // a program that was recorded has registers enough
-                self.program.run(t, y, dy).unwrap_or(());
+                match self.program().filter(|_| self.is_text) {
+                    Some(program) => program.run(t, y, dy).unwrap_or(()),
+                    None => self.system.rates(t, y, dy),
+                }
             }
         }
     )*};
 }
-runs!(f64, Directions, DoubleDouble);
+runs!(Directions, DoubleDouble);
 
-impl System for ByProgram {
+impl<L: Ode<Sym>> System for ByProgram<L> {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         self.system.taylor()
     }

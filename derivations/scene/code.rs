@@ -4,7 +4,7 @@ use super::{Axes, Scene, System};
 use crate::machines::{Bench, Catalogued, ForMachine};
 use crate::systems::gyrostat::driven::Driven;
 use integrators::Ode;
-use symbolic::{Polynomials, Sym, Tape, Untapeable};
+use symbolic::{Sym, Tape, Untapeable};
 
 impl Scene {
     /// The rates of the states as a tape over the states, in the axes of a form; the scene's data are constants in it.
@@ -21,22 +21,9 @@ impl Scene {
     /// # Errors
     /// As [`Scene::tape`].
     pub fn jacobian_tape(&self, axes: Axes) -> Result<Tape, Untapeable> {
-        let (state, entries) = self.entries(axes);
-        Tape::record(&state, &entries)
-    }
-
-    /// Additions and multiplications of the Jacobian as it runs, sums of monomials; circle points apart. `None` where the
-    /// entries cannot be recorded so.
-    pub fn jacobian_flops(&self, axes: Axes) -> Option<usize> {
-        let (state, entries) = self.entries(axes);
-        Polynomials::record(&state, &entries, state.len()).map(|all| all.flops())
-    }
-
-    /// The states and the Jacobian's entries, row after row.
-    fn entries(&self, axes: Axes) -> (Vec<Sym>, Vec<Sym>) {
         let (state, rates) = self.machine.clone().apply(Writing { scene: self, axes });
-        let entries = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
-        (state, entries)
+        let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
+        Tape::record(&state, &entries)
     }
 }
 

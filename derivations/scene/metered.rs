@@ -62,5 +62,5 @@ fn metered<M: Catalogued, L: Powered + Send + Sync + 'static>(law: L) -> (Arc<dy
     let balancing = Arc::clone(&law);
     let balance = Invariant { name: "jacobi_less_work", value: Box::new(move |_, y| balancing.balance(y)) };
     let system: Arc<dyn Law> = Arc::new(Differentiated::new(Recorded::new(Arc::clone(&law)), Arc::clone(&law)));
-    (if M::WRITTEN { by_program(system, &*law) } else { system }, balance)
+    (by_program(system, law, M::WRITTEN), balance)
 }

@@ -107,7 +107,7 @@ where
     L: Separable + Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Send + Sync + 'static,
 {
     let system: Arc<dyn Law> = Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), Arc::clone(&law)));
-    if M::WRITTEN { by_program(system, &*law) } else { system }
+    by_program(system, law, M::WRITTEN)
 }
 
 struct OnBench {

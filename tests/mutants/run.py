@@ -53,7 +53,8 @@ LAWS = sorted(programs_in(ROOT / "tests") - OTHERS - {LEDGER, *RUNS})
 # the programs whose subject these files are: the others, and the ledger, are asked only where these notice nothing
 SUBJECT_OF = {
     "crates/symbolic/src/fraction.rs": ["symbolic"],
-    "crates/symbolic/src/polynomials/": ["programs", "symbolic"],
+    "crates/native/": ["code"],
+    "derivations/differentiated.rs": ["jacobians"],
     "crates/symbolic/src/real/": ["balls", "real", "symbolic"],
     "crates/symbolic/src/complex/": ["symbolic"],
     "crates/symbolic/src/poly/": ["algebra", "decisions", "symbolic"],
@@ -373,11 +374,11 @@ def table(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> st
 
 
 def write_tables(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> None:
-    """A page for the mutants of each crate, and of each folder of the derivations."""
+    """A page for the mutants of each crate, and of each folder and file of the derivations."""
     TABLES.mkdir(exist_ok=True)
     for folder in dict.fromkeys(Path(file).parts[:2] for file, _ in listed):
         of_folder = [(file, name) for file, name in listed if Path(file).parts[:2] == folder]
-        (TABLES / f"{folder[1]}.md").write_text(table(of_folder, rows))
+        (TABLES / f"{Path(folder[1]).stem}.md").write_text(table(of_folder, rows))
 
 
 def listed(words: list[str]) -> tuple[list[tuple[str, str]], list[Mutant]]:

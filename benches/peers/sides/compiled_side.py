@@ -23,6 +23,6 @@ def server(scene, flags, headers, casadi):
     program = scene.folder / "peers"
     command = ["g++", *FLAGS, *definitions, f"-I{scene.folder}", "-o", program, SOURCE, *extra, *flags, *libraries]
     subprocess.run(command, check=True)
-    started = Server([str(program), repr(float(scene.end)), *(repr(float(y)) for y in scene.start)])
+    started = Server([str(program), repr(float(scene.end)), *(repr(float(y)) for y in scene.start)]).alive()
     shown = {"gsl": "GSL", "odeint": "odeint"}
     return started, {" ".join([shown[name.split("_")[0]], name.split("_", 1)[1]]): started.run(name) for name in names}

@@ -27,7 +27,7 @@ impl<'a> Jacobian<'a> {
     /// `matrix[i * n + j]` = df_i / dy_j at (t, y).
     pub fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]) {
         if let Some(code) = &mut self.code {
-            return code.matrix(y, matrix);
+            return code.matrix(t, y, matrix);
         }
         let n = y.len();
         self.load(y);
@@ -50,8 +50,8 @@ impl<'a> Jacobian<'a> {
 
     /// `slopes[i]` = df_i / dt at (t, y).
     pub fn time_slopes(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
-        if self.code.is_some() {
-            return slopes.fill(0.0);
+        if let Some(code) = &mut self.code {
+            return code.by_time(t, y, slopes);
         }
         self.load(y);
         self.law.rates(variable(t, 0), &self.y, &mut self.dy);

@@ -56,10 +56,15 @@ pub trait System: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {
     }
 }
 
-/// The derivatives of a law that does not depend on time.
+/// The derivatives of a law. Neither may allocate.
 pub trait Slopes {
-    /// `matrix[i * n + j]` = df_i / dy_j at y. Must not allocate.
-    fn matrix(&mut self, y: &[f64], matrix: &mut [f64]);
+    /// `matrix[i * n + j]` = df_i / dy_j at (t, y).
+    fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]);
+
+    /// `slopes[i]` = df_i / dt at (t, y): none of a law that does not depend on time.
+    fn by_time(&mut self, _t: f64, _y: &[f64], slopes: &mut [f64]) {
+        slopes.fill(0.0);
+    }
 }
 
 /// A field in which a [`System`] can be integrated.

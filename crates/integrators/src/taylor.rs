@@ -42,11 +42,13 @@ impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
 ///   p^2 (1 + 2 c p) = L (b + p + c p^2) .
 ///
 /// In `f64` what a step costs beside its orders is worth about five of them, and eight terms of a product cost as much as
-/// one: b = 5, c = 0.015, and p = 4 + 0.8 L is near to that for all L from 7 to 33. A tolerance below the rounding of `f64`
-/// is for double-double, where the products are all that counts, and p = L / 2.
+/// one: b = 5, c = 0.015, and p = 4 + 0.8 L is near to that for all L from 7 to 33. But never below 16: where a decay and not
+/// the tolerance bounds the step, that of a series grows with its order (a third of it for each), and elsewhere 16 costs no more
+/// than the order that L would have (measured on every smooth scene). A tolerance below the rounding of `f64` is for
+/// double-double, where the products are all that counts, and p = L / 2.
 pub fn taylor_order(tolerance: f64) -> usize {
     let order = if tolerance < f64::EPSILON { 1.0 - 0.5 * tolerance.ln() } else { 4.0 - 0.8 * tolerance.ln() };
-    (order.ceil() as usize).clamp(4, 60)
+    (order.ceil() as usize).clamp(16, 60)
 }
 
 /// How far a series of order p reaches whose last two coefficients have these sizes, in units of what is allowed.

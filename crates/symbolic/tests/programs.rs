@@ -1,7 +1,7 @@
 //! Tapes: straight-line programs.
 
 use field::{Analytic, Scalar, Tangent};
-use symbolic::{Polynomials, Sym, Tape, Untapeable, symbols};
+use symbolic::{Sym, Tape, Untapeable, symbols};
 
 #[test]
 fn common_parts_are_computed_once_and_dead_ones_not_at_all() {
@@ -35,23 +35,4 @@ fn what_has_no_value_cannot_be_taped() {
     assert_eq!(Tape::record(&[x], &[x / Sym::int(0)]), Err(Untapeable::Undefined));
     // Given as an input, a function's value is as good as any.
     assert!(Tape::record(&[x, law], &[law * x]).is_ok());
-}
-
-#[test]
-fn of_many_outputs_that_rest_each_is_what_it_is_and_the_few_that_move_are_in_their_places() {
-    let [x, y] = symbols(["x", "y"]);
-    let output = |i: i64| match i % 5 {
-        0 => x * y * Sym::int(i + 1) + Sym::ratio(i, 7),
-        1 if i > 40 => y * Sym::int(i) - x,
-        _ => Sym::ratio(2 * i + 1, 3),
-    };
-    let outputs: Vec<Sym> = (0..64).map(output).collect();
-    let polynomials = Polynomials::record(&[x, y], &outputs, 16).unwrap();
-    let (at, mut values) = ([0.3, -1.7], vec![f64::NAN; 64]);
-    polynomials.evaluate(&at, &mut values);
-    let known = |symbol: &Sym| [x, y].iter().position(|each| each == symbol).map(|place| at[place]);
-    for (number, (output, value)) in outputs.iter().zip(&values).enumerate() {
-        let exact = output.evaluate_analytic(&|name: &str| known(&Sym::symbol(name))).unwrap();
-        assert!((value - exact).abs() <= 1e-14 * exact.abs(), "output {number}: {value} for {exact}");
-    }
 }

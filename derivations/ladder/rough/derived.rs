@@ -186,7 +186,7 @@ impl<const N: usize, const K: usize> Subject<N, K> {
             (Ok([first, ..]), _) => return Err(format!("left at {:.6} s: {}", first.until, first.cause)),
             _ => return Err("the model with friction has no run".to_owned()),
         };
-        let law = Lower { plain: None, ..Lower::other(&only.law) }.law().ok_or("it is too long to be recorded")?;
+        let law = Lower::other(&only.law).law().ok_or("it is too long to be recorded")?;
         let speed = |y: &Vec<f64>| y[N..2 * N].iter().map(|v| v.abs()).sum::<f64>();
         let speed = own.states.iter().map(|(_, y)| speed(y)).fold(Sizes::of(&self.start).speed, f64::max);
         let force: [f64; N] = system.force(&self.start);

@@ -27,8 +27,6 @@ mod small;
 pub use abreast::Abreast;
 pub use expand::Expansion;
 pub use fused::Fused;
-pub(crate) use fused::Task;
-pub(crate) use pick::{Columns, Pick, Selection};
 
 use crate::{Sym, Tape, Untapeable};
 use build::Builder;

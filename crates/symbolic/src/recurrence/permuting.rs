@@ -71,11 +71,6 @@ impl Pick<f64> for Permuting {
     }
 
     #[inline(always)]
-    fn load_some(self, from: &[f64]) -> __m512d {
-        pulp::cast(pulp::Simd::partial_load_f64s(self.0, &from[..from.len().min(8)]))
-    }
-
-    #[inline(always)]
     fn store(self, eight: __m512d) -> [f64; 8] {
         pulp::cast(eight)
     }

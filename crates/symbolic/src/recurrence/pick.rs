@@ -41,9 +41,6 @@ pub(crate) trait Pick<S>: Copy {
 
     fn load(self, from: &[S; 8]) -> Self::Eight;
 
-    /// At most eight, and zeros behind; as one, or what reads all eight would wait.
-    fn load_some(self, from: &[S]) -> Self::Eight;
-
     fn store(self, eight: Self::Eight) -> [S; 8];
 
     /// Of two groups of eight.
@@ -86,11 +83,6 @@ impl<S: Fused, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
     #[inline(always)]
     fn load(self, from: &[S; 8]) -> [S; 8] {
         *from
-    }
-
-    #[inline(always)]
-    fn load_some(self, from: &[S]) -> [S; 8] {
-        std::array::from_fn(|lane| from.get(lane).copied().unwrap_or_else(S::zero))
     }
 
     #[inline(always)]

@@ -28,11 +28,11 @@ pub struct Tape {
 }
 
 /// A place for a number: inputs first, then constants, then results in the order of the operations.
-type Register = u32;
+pub type Register = u32;
 
 /// What is computed from earlier registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Operation {
+pub enum Operation {
     Sum(Register, Register),
     Difference(Register, Register),
     Product(Register, Register),
@@ -49,7 +49,8 @@ enum Operation {
 
 impl Operation {
     #[inline(always)]
-    fn operands(self) -> [Register; 2] {
+    /// What it reads; the only one twice.
+    pub fn operands(self) -> [Register; 2] {
         match self {
             Operation::Sum(a, b)
             | Operation::Difference(a, b)
@@ -94,5 +95,20 @@ impl Tape {
     /// How many operations there are; a cosine with its sine is one.
     pub fn operations(&self) -> usize {
         self.operations.len()
+    }
+
+    /// The operations in their order: for whoever writes them in a language of its own.
+    pub fn steps(&self) -> &[Operation] {
+        &self.operations
+    }
+
+    /// The constants to the nearest `f64`.
+    pub fn rounded(&self) -> &[f64] {
+        &self.rounded
+    }
+
+    /// Where the outputs stand after the last operation.
+    pub fn results(&self) -> &[Register] {
+        &self.outputs
     }
 }

@@ -1,0 +1,181 @@
+//! The instructions of a tape.
+
+use cranelift_codegen::control::ControlPlane;
+use cranelift_codegen::ir::{
+    AbiParam, ConstantData, Function, InstBuilder, MemFlags, SigRef, Signature, UserFuncName, Value, types,
+};
+use cranelift_codegen::isa::OwnedTargetIsa;
+use cranelift_codegen::{Context, ir};
+use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
+use field::Analytic;
+use symbolic::{Operation, Register, Tape};
+
+/// Bytes of a number.
+const NUMBER: i32 = 8;
+/// The slices of the caller are aligned, and what is read is not written.
+const MEMORY: MemFlags = MemFlags::trusted();
+/// Two numbers at once are aligned as one.
+const TOGETHER: MemFlags = MemFlags::new().with_notrap();
+
+/// A function `(all inputs but the last, the last, outputs)` that refers to nothing but itself and [`circle`].
+pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Vec<u8>> {
+    let (pointer, convention) = (isa.pointer_type(), isa.default_call_conv());
+    let signature = |takes: &[ir::Type], gives: &[ir::Type]| {
+        let mut signature = Signature::new(convention);
+        signature.params.extend(takes.iter().map(|each| AbiParam::new(*each)));
+        signature.returns.extend(gives.iter().map(|each| AbiParam::new(*each)));
+        signature
+    };
+    let (entry, circle) =
+        (signature(&[pointer, types::F64, pointer], &[]), signature(&[types::F64], &[types::F64, types::F64]));
+    let mut context = Context::for_function(Function::with_name_signature(UserFuncName::default(), entry));
+    let mut room = FunctionBuilderContext::new();
+    let mut code = FunctionBuilder::new(&mut context.func, &mut room);
+    let angle_to_point = code.import_signature(circle);
+    let block = code.create_block();
+    code.append_block_params_for_function_params(block);
+    code.switch_to_block(block);
+    code.seal_block(block);
+    let &[state, time, values] = code.block_params(block) else { return None };
+
+    let mut writer =
+        Writer { code, pointer, state, values, angle_to_point, registers: Vec::with_capacity(tape.registers()) };
+    for place in 0..tape.inputs().checked_sub(1)? {
+        writer.registers.push(Place::Input(offset(place)?));
+    }
+    writer.registers.push(Place::Computed(time));
+    writer.registers.extend(tape.rounded().iter().map(|constant| Place::Constant(*constant)));
+    tape.steps().iter().for_each(|step| writer.step(*step));
+    writer.results(tape.results())?;
+    let Writer { mut code, .. } = writer;
+    code.ins().return_(&[]);
+    code.finalize();
+    let compiled = context.compile(&**isa, &mut ControlPlane::default()).ok()?;
+    // what would have to be filled in later is nothing that is written here
+    compiled.buffer.relocs().is_empty().then(|| compiled.code_buffer().to_vec())
+}
+
+/// Where a number of a tape is found.
+#[derive(Clone, Copy)]
+enum Place {
+    /// So many bytes behind the first input.
+    Input(i32),
+    Constant(f64),
+    Computed(Value),
+}
+
+struct Writer<'a> {
+    code: FunctionBuilder<'a>,
+    pointer: ir::Type,
+    state: Value,
+    values: Value,
+    angle_to_point: SigRef,
+    registers: Vec<Place>,
+}
+
+impl Writer<'_> {
+    /// A number for one operation. What is in memory is read where it is used, so that the reading is part of the operation: kept
+    /// in processor registers from the first use to the last, it would drive out what has been computed.
+    fn read(&mut self, register: Register) -> Value {
+        let code = self.code.ins();
+        match self.registers[register as usize] {
+            Place::Input(offset) => code.load(types::F64, MEMORY, self.state, offset),
+            Place::Constant(constant) => code.f64const(constant),
+            Place::Computed(value) => value,
+        }
+    }
+
+    /// Two operands that may be exchanged. The second one may come from memory, and a constant that comes first is made by two
+    /// instructions of its own.
+    fn either_way(&mut self, a: Register, b: Register) -> [Value; 2] {
+        let rank = |register: Register| match self.registers[register as usize] {
+            Place::Computed(_) => 0,
+            Place::Input(_) => 1,
+            Place::Constant(_) => 2,
+        };
+        let (a, b) = if rank(b) < rank(a) { (b, a) } else { (a, b) };
+        [a, b].map(|register| self.read(register))
+    }
+
+    fn step(&mut self, step: Operation) {
+        let result = match step {
+            Operation::Sum(a, b) => {
+                let [a, b] = self.either_way(a, b);
+                self.code.ins().fadd(a, b)
+            }
+            Operation::Product(a, b) | Operation::Multiple(a, b) => {
+                let [a, b] = self.either_way(a, b);
+                self.code.ins().fmul(a, b)
+            }
+            Operation::Difference(a, b) => {
+                let [a, b] = [a, b].map(|register| self.read(register));
+                self.code.ins().fsub(a, b)
+            }
+            Operation::Quotient(a, b) | Operation::Part(a, b) => {
+                let [a, b] = [a, b].map(|register| self.read(register));
+                self.code.ins().fdiv(a, b)
+            }
+            Operation::Negation(a) => {
+                let a = self.read(a);
+                self.code.ins().fneg(a)
+            }
+            Operation::Root(a) => {
+                let a = self.read(a);
+                self.code.ins().sqrt(a)
+            }
+            Operation::Circle(a) => return self.circle(a),
+        };
+        self.registers.push(Place::Computed(result));
+    }
+
+    /// Calls [`circle`].
+    fn circle(&mut self, angle: Register) {
+        let angle = self.read(angle);
+        let function = self.code.ins().iconst(self.pointer, circle as *const () as i64);
+        let call = self.code.ins().call_indirect(self.angle_to_point, function, &[angle]);
+        self.registers.extend(self.code.inst_results(call).iter().copied().map(Place::Computed));
+    }
+
+    /// Writes the outputs. Of a Jacobian most are constants: two that stand side by side are written at once, one alone as the
+    /// integer that has its bits.
+    fn results(&mut self, results: &[Register]) -> Option<()> {
+        let constant = |register: &Register| match self.registers[*register as usize] {
+            Place::Constant(constant) => Some(constant.to_bits()),
+            Place::Input(_) | Place::Computed(_) => None,
+        };
+        let constants: Vec<Option<u64>> = results.iter().map(constant).collect();
+        let mut place = 0;
+        while place < results.len() {
+            let (value, numbers) = match constants[place..] {
+                [Some(one), Some(other), ..] => {
+                    let both = [one.to_le_bytes(), other.to_le_bytes()].concat();
+                    let both = self.code.func.dfg.constants.insert(ConstantData::from(both));
+                    (self.code.ins().vconst(types::I64X2, both), 2)
+                }
+                [Some(one), ..] => (self.code.ins().iconst(types::I64, one.cast_signed()), 1),
+                _ => (self.read(results[place]), 1),
+            };
+            self.code.ins().store(TOGETHER, value, self.values, offset(place)?);
+            place += numbers;
+        }
+        Some(())
+    }
+}
+
+/// Where a number stands behind the first.
+fn offset(place: usize) -> Option<i32> {
+    i32::try_from(place).ok()?.checked_mul(NUMBER)
+}
+
+/// A point of the circle as two numbers, which a function gives back in two registers.
+#[repr(C)]
+struct Point {
+    cos: f64,
+    sin: f64,
+}
+
+/// Cosine and sine of an angle, by the same function as everywhere.
+extern "C" fn circle(angle: f64) -> Point {
+    let field::Circle { cos, sin } = angle.circle();
+    Point { cos, sin }
+}
