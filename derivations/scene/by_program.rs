@@ -58,7 +58,7 @@ macro_rules! runs {
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                match self.program().filter(|_| self.is_text) {
+                match self.is_text.then(|| self.program()).flatten() {
                     Some(program) => program.run(t, y, dy).unwrap_or(()),
                     None => self.system.rates(t, y, dy),
                 }

@@ -60,10 +60,16 @@ impl fmt::Debug for Code {
     }
 }
 
+/// Where `extern "C"` gives two numbers back in two registers, as the code expects of [`write::circle`].
+const KNOWN: bool = cfg!(all(unix, any(target_arch = "x86_64", target_arch = "aarch64")));
+
 /// What this processor can, where the code generator knows it.
 fn processor() -> Option<&'static OwnedTargetIsa> {
     static PROCESSOR: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
     let found = PROCESSOR.get_or_init(|| {
+        if !KNOWN {
+            return None;
+        }
         let mut flags = settings::builder();
         // what is read twice is read once; of sums and products nothing changes
         flags.set("opt_level", "speed").ok()?;

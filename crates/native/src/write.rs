@@ -74,8 +74,8 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// A number for one operation. What is in memory is read where it is used, so that the reading is part of the operation: kept
-    /// in processor registers from the first use to the last, it would drive out what has been computed.
+    /// A number for one operation. What is in memory is said to be read where it is used: the generator makes the reading part of the
+    /// operation, or reads once for several. Read at the beginning, it would drive out what has been computed.
     fn read(&mut self, register: Register) -> Value {
         let code = self.code.ins();
         match self.registers[register as usize] {
