@@ -2,7 +2,7 @@
 
 use crate::arguments::{Format, whole};
 use crate::csv;
-use crate::ending::{Ending, print, save};
+use crate::ending::{Ending, can_save, print, save};
 use crate::report;
 use crate::run::{refuse, with_model};
 use crate::speed::{advice::advice, family, model, pictures, tables};
@@ -71,6 +71,7 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     if matches!(scene, AnyScene::Mechanism(_)) {
         refuse("a mechanism", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
     }
+    asked.out.as_deref().map_or(Ok(()), can_save)?;
     let allowed = Duration::from_secs(asked.seconds.into());
     let trials = Trials { allowed, ..Trials::default() }.with(smooth.run().method);
     let problem = smooth.problem(asked.form.unwrap_or_default());

@@ -46,6 +46,7 @@ impl Ending {
         let reason = match error.kind() {
             io::ErrorKind::NotFound => "there is no such folder".to_owned(),
             io::ErrorKind::IsADirectory => "this is a folder".to_owned(),
+            io::ErrorKind::NotADirectory => "what stands before its name is no folder".to_owned(),
             io::ErrorKind::PermissionDenied => "this may not be written".to_owned(),
             _ => error.to_string(),
         };
@@ -86,6 +87,20 @@ pub fn print(text: &str) -> Result<(), Ending> {
             Err(Ending::refused(format!("standard output cannot be written: {error}")))
         }
         _ => Ok(()),
+    }
+}
+
+/// Whether [`save`] can write a file: asked before the work, so that a wrong name does not cost it. Nothing is made.
+pub fn can_save(path: &Path) -> Result<(), Ending> {
+    let folder = path.parent().unwrap_or(path);
+    match folder.ancestors().find(|folder| folder.exists()) {
+        Some(there) if there != folder && !there.is_dir() => {
+            Err(Ending::unwritable(path, &io::ErrorKind::NotADirectory.into()))
+        }
+        Some(there) if there != folder => whole::check(&there.join("probe"))
+            .map_err(|_| Ending::unwritable(path, &io::ErrorKind::PermissionDenied.into())),
+        // a name alone stands in the present folder
+        _ => whole::check(path),
     }
 }
 

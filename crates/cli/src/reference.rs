@@ -1,7 +1,7 @@
 //! `dalembert reference`: a scene's solution to all digits that two methods share, kept in a file.
 
 use crate::arguments::whole;
-use crate::ending::{Ending, print, save};
+use crate::ending::{Ending, can_save, print, save};
 use clap::Args;
 use derivations::scene::{AnyScene, Axes, Family, Stored, stored};
 use std::path::PathBuf;
@@ -44,6 +44,8 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
         }
         problem.span = end;
     }
+    let path = asked.out.clone().unwrap_or_else(|| stored::place(&asked.scene));
+    can_save(&path)?;
     let run = problem.simulate(&smooth.run().choice(), |_| ());
     if run.left.is_some() {
         let (why, last) = (run.stopped().unwrap_or_default(), run.outcome.time);
@@ -58,7 +60,6 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
                 return Ok(Ending::Stopped);
             }
             let scene = asked.scene.display().to_string();
-            let path = asked.out.clone().unwrap_or_else(|| stored::place(&asked.scene));
             save(&path, &Stored::of(&problem, found).write(&scene))?;
             Ok(Ending::Done)
         }

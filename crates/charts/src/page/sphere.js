@@ -42,7 +42,7 @@ for (const card of document.querySelectorAll("[data-sphere]")) {
     const flush = (piece) => piece && element(layers[piece.side], "path", { class: piece.kind, d: piece.d });
     let piece, from;
     for (let i = 0; i * 3 < points.length; i++) {
-      const to = place(points[3 * i] / 1e4, points[3 * i + 1] / 1e4, points[3 * i + 2] / 1e4);
+      const to = place(points[3 * i] / 1e3, points[3 * i + 1] / 1e3, points[3 * i + 2] / 1e3);
       if (from) {
         const side = from[2] + to[2] >= 0 ? 1 : 0;
         const valued = data.range && values && values[i] !== null && values[i - 1] !== null;
@@ -68,7 +68,7 @@ for (const card of document.querySelectorAll("[data-sphere]")) {
       element(layers[depth >= 0 ? 1 : 0], "text", { class: "axis-name", x, y: y + 5, "text-anchor": "middle" }, name);
     });
     for (const [px, py, pz, name, note, hollow] of data.marks) {
-      const [x, y, depth] = place(px / 1e4, py / 1e4, pz / 1e4);
+      const [x, y, depth] = place(px / 1e3, py / 1e3, pz / 1e3);
       const side = layers[depth >= 0 ? 1 : 0];
       const circle = element(side, "circle", { class: hollow ? "hole" : "dot", cx: x, cy: y, r: 5 });
       element(circle, "title", {}, note);
@@ -97,7 +97,7 @@ for (const card of document.querySelectorAll("[data-sphere]")) {
     for (const [kind, name, points, values] of data.strands) {
       if (!kind.startsWith("curve")) continue;
       for (let i = 0; i * 3 < points.length; i++) {
-        const at = [0, 1, 2].map((j) => points[3 * i + j] / 1e4);
+        const at = [0, 1, 2].map((j) => points[3 * i + j] / 1e3);
         const [x, y, depth] = place(...at);
         const away = depth >= 0 ? Math.hypot(x - mx, y - my) : Infinity;
         if (away < best) [best, found] = [away, { name, at, value: values && values[i] }];

@@ -4,7 +4,7 @@ mod picture;
 mod receipt;
 
 use crate::arguments::{Format, tolerance, whole};
-use crate::ending::{Ending, print, save};
+use crate::ending::{Ending, can_save, print, save};
 use crate::run::{refuse, with_model};
 use clap::Args;
 use derivations::friction::course::WORKS;
@@ -67,6 +67,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let title = scene.title();
     let outputs = outputs(asked, given, models.columns())?;
     let wish = Wish { tolerance: asked.tolerance, outputs, allowed: Duration::from_secs(asked.seconds.into()) };
+    asked.out.as_deref().map_or(Ok(()), can_save)?;
     let receipt = match choose(&*models, &wish) {
         Ok(receipt) => receipt,
         Err(why) => {

@@ -3,7 +3,7 @@
 mod parts;
 mod scene;
 
-use crate::ending::{Ending, save};
+use crate::ending::{Ending, can_save, save};
 use crate::progress::Progress;
 use crate::speed::{advice::advice, pictures, tables};
 use charts::{Report, SceneSection, WorkPrecision};
@@ -27,6 +27,7 @@ pub struct Asked {
 
 /// Judges the ledger, runs and charts the scenes, and writes the page.
 pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, Ending> {
+    can_save(path)?;
     // all are read before the first is run: what is wrong is told at once
     let (mut scenes, mut rough) = (Vec::new(), Vec::new());
     // those that are made to fail are told by the catalogue

@@ -143,3 +143,21 @@ fn what_cannot_be_chosen_from_is_refused() {
     refused("choose_output", &["choose", "scenes/bench.toml", "--outputs", "slip,speed"]);
     refused("choose_model", &["choose", "scenes/governors/released.toml", "--model", "synchronous"]);
 }
+
+#[test]
+fn a_place_that_cannot_be_written_is_told_before_the_work() {
+    let begin = std::time::Instant::now();
+    for (place, why) in
+        [("scenes", "this is a folder"), ("README.md/page.html", "what stands before its name is no folder")]
+    {
+        for command in [&["--out", place][..], &["chart", "scenes/spin_up.toml", "--out", place]] {
+            let output = run(command);
+            let message = String::from_utf8(output.stderr).expect("messages are text");
+            assert_eq!(output.status.code(), Some(2), "{message}");
+            assert!(message.contains(&format!("{place} cannot be written: {why}")), "{message}");
+            assert!(output.stdout.is_empty());
+        }
+    }
+    // the work takes minutes
+    assert!(begin.elapsed().as_secs() < 20, "{:?}", begin.elapsed());
+}

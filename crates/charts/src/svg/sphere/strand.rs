@@ -39,7 +39,7 @@ impl Strand {
         drawing.path(&path::polyline(&piece.1), &class(piece.0));
     }
 
-    /// `[class, name, coordinates in ten thousandths, values or null]`.
+    /// `[class, name, coordinates in thousandths, values or null]`.
     pub fn json(&self) -> String {
         let points: Vec<_> = self.points.iter().map(|(at, _)| integers(*at)).collect();
         let valued = self.points.iter().any(|(_, value)| value.is_some());
@@ -49,9 +49,9 @@ impl Strand {
     }
 }
 
-/// A point in ten thousandths, for the data of the page.
+/// A point in thousandths, a fifth of a pixel, for the data of the page.
 pub(super) fn integers(at: [f64; 3]) -> String {
-    at.map(|x| format!("{}", (x * 1e4).round() as i64)).join(",")
+    at.map(|x| format!("{}", (x * 1e3).round() as i64)).join(",")
 }
 
 /// Meridians and parallels, 30 degrees apart.
