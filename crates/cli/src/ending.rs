@@ -92,16 +92,17 @@ pub fn print(text: &str) -> Result<(), Ending> {
 
 /// Whether [`save`] can write a file: asked before the work, so that a wrong name does not cost it. Nothing is made.
 pub fn can_save(path: &Path) -> Result<(), Ending> {
-    let folder = path.parent().unwrap_or(path);
-    match folder.ancestors().find(|folder| folder.exists()) {
-        Some(there) if there != folder && !there.is_dir() => {
-            Err(Ending::unwritable(path, &io::ErrorKind::NotADirectory.into()))
-        }
-        Some(there) if there != folder => whole::check(&there.join("probe"))
-            .map_err(|_| Ending::unwritable(path, &io::ErrorKind::PermissionDenied.into())),
-        // a name alone stands in the present folder
-        _ => whole::check(path),
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if folder.exists() && folder.is_dir() {
+        return whole::check(path);
     }
+    // the folders that are missing would stand in this one
+    let there = folder.ancestors().find(|folder| folder.exists()).unwrap_or(Path::new("."));
+    if !there.is_dir() {
+        return Err(Ending::unwritable(path, &io::ErrorKind::NotADirectory.into()));
+    }
+    let probed = whole::check(&there.join("probe"));
+    probed.map_err(|_| Ending::unwritable(path, &io::ErrorKind::PermissionDenied.into()))
 }
 
 /// Writes a file, and the folder it is in where that is missing; tells its name.
@@ -112,4 +113,20 @@ pub fn save(path: &Path, text: &str) -> Result<(), Ending> {
     }
     whole::write(path, |out| out.write_all(text.as_bytes()))?;
     if is_quiet() { Ok(()) } else { print(&format!("{}\n", path.display())) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::can_save;
+    use std::path::Path;
+
+    #[test]
+    fn a_file_can_be_saved_in_folders_that_are_not_there_yet() {
+        for path in ["no_such_folder/page.html", "no/such/folder/page.html", "page.html", "./page.html"] {
+            assert!(can_save(Path::new(path)).is_ok(), "{path}");
+        }
+        for path in ["src", "Cargo.toml/page.html", "/proc/no_such_folder/page.html", "/"] {
+            assert!(can_save(Path::new(path)).is_err(), "{path}");
+        }
+    }
 }
