@@ -1,7 +1,7 @@
 //! A system whose right-hand side is run by one program of the whole law.
 //!
-//! Recorded once as a whole, a law has each common part once, its data are constants, and it is machine code: that is faster than
-//! the same law compiled with the rest of the project, and a motor as text runs like any other.
+//! Recorded once as a whole, a law has each common part once, its data are constants, and it is machine code: of a gyrostat
+//! that is faster than the same law compiled with the rest of the project, and a motor as text runs like any other.
 
 use super::problem::Law;
 use crate::taped::Program;
