@@ -43,7 +43,7 @@ impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
 ///
 /// In `f64` what a step costs beside its orders is worth about five of them, and eight terms of a product cost as much as
 /// one: b = 5, c = 0.015, and p = 4 + 0.8 L is near to that for all L from 7 to 33. But never below 16: where a decay and not
-/// the tolerance bounds the step, that of a series grows with its order. Measured on eight gyrostats at an error of 1e-3, order 16
+/// the tolerance bounds the step, that of a series grows with its order. Measured on eight scenes of motors at an error of 1e-3, order 16
 /// takes 0.8 to 1.05 of the time of order 10; mechanisms were not timed. A tolerance below the rounding of `f64` is for
 /// double-double, where the products are all that counts, and p = L / 2.
 pub fn taylor_order(tolerance: f64) -> usize {
