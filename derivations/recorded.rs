@@ -12,16 +12,17 @@ pub struct Recorded<L> {
     law: Arc<L>,
     /// Made when it is first asked for; `None` where a law cannot be recorded: then there is no Taylor method.
     recurrence: OnceLock<Option<Recurrence>>,
-    spare: Spare,
+    spare: Spare<f64>,
+    finer: Spare<DoubleDouble>,
 }
 
 /// Expansions that earlier runs have laid out.
-type Spare = Arc<Mutex<Vec<Expansion<f64, WIDTH, FEW>>>>;
+type Spare<S> = Arc<Mutex<Vec<Expansion<S, WIDTH, FEW>>>>;
 
 impl<L: Ode<Sym>> Recorded<L> {
     /// A system, which may depend on time.
     pub fn new(law: Arc<L>) -> Self {
-        Recorded { law, recurrence: OnceLock::new(), spare: Spare::default() }
+        Recorded { law, recurrence: OnceLock::new(), spare: Spare::default(), finer: Spare::default() }
     }
 
     fn recurrence(&self) -> Option<&Recurrence> {
@@ -35,6 +36,16 @@ impl<L: Ode<Sym>> Recorded<L> {
             Recurrence::record(&equations).ok()
         });
         made.as_ref()
+    }
+
+    /// One that goes from run to run, where it is of usual size.
+    fn kept<'a, S: Fused>(&'a self, spare: &'a Spare<S>) -> Option<Box<dyn TaylorSeries<S> + 'a>> {
+        match self.recurrence() {
+            Some(recurrence) if recurrence.columns::<WIDTH>() <= FEW => {
+                Some(Box::new(Kept { series: Series { recurrence, expansion: None }, spare }))
+            }
+            _ => self.series(),
+        }
     }
 
     fn series<S: Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
@@ -66,12 +77,7 @@ impl<S: Scalar, L: Ode<S>> Ode<S> for Recorded<L> {
 
 impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Recorded<L> {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
-        match self.recurrence() {
-            Some(recurrence) if recurrence.columns::<WIDTH>() <= FEW => {
-                Some(Box::new(Kept { series: Series { recurrence, expansion: None }, spare: &self.spare }))
-            }
-            _ => self.series(),
-        }
+        self.kept(&self.spare)
     }
 
     fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
@@ -79,7 +85,7 @@ impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Re
     }
 
     fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
-        self.series()
+        self.kept(&self.finer)
     }
 }
 
@@ -111,13 +117,13 @@ impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
 }
 
 /// A series whose room goes from run to run.
-struct Kept<'a> {
-    series: Series<'a, f64, FEW>,
-    spare: &'a Spare,
+struct Kept<'a, S: Fused> {
+    series: Series<'a, S, FEW>,
+    spare: &'a Spare<S>,
 }
 
-impl TaylorSeries<f64> for Kept<'_> {
-    fn expand(&mut self, t: f64, y: &[f64], order: usize) {
+impl<S: Fused> TaylorSeries<S> for Kept<'_, S> {
+    fn expand(&mut self, t: S, y: &[S], order: usize) {
         if self.series.expansion.is_none() {
             let mut spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner);
             let fitting = spare.iter().position(|expansion| expansion.order() == order);
@@ -126,16 +132,16 @@ impl TaylorSeries<f64> for Kept<'_> {
         self.series.expand(t, y, order);
     }
 
-    fn coefficients(&self, k: usize) -> &[f64] {
+    fn coefficients(&self, k: usize) -> &[S] {
         self.series.coefficients(k)
     }
 
-    fn sum(&self, h: f64, out: &mut [f64]) {
+    fn sum(&self, h: S, out: &mut [S]) {
         self.series.sum(h, out);
     }
 }
 
-impl Drop for Kept<'_> {
+impl<S: Fused> Drop for Kept<'_, S> {
     fn drop(&mut self) {
         let mut spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner);
         spare.extend(self.series.expansion.take());

@@ -1,12 +1,16 @@
 //! Our side of the comparison with other tools, driven by `run.py`: one scene, one line a measurement.
 //!
 //! `cargo bench --bench peers -- SCENE.toml [--model NAME] [--code FOLDER]` writes the scene's code into the folder, prints the
-//! reference, then answers `METHOD TOLERANCE` by the nanoseconds of a run (the median of several) and its last state, and
+//! reference, then answers `METHOD TOLERANCE` by the nanoseconds of a run (the median of several) and its last state, `METHOD in
+//! double-double TOLERANCE` by those of a run with twice the digits, and
 //! `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds, `operations` by the sums and products of the right-hand side and of its
 //! Jacobian, circle points apart, `peak` by the most of them that this processor can in a nanosecond.
 
 use derivations::scene::{Axes, Family, Scene, methods};
-use integrators::{Directions, Jacobian, Ode, Span, System, Tolerance, integrate, reference};
+use field::{DoubleDouble, Over};
+use integrators::{
+    Directions, Jacobian, Ode, Outcome, Real, Span, System, Tolerance, integrate, integrate_in, reference,
+};
 use std::error::Error;
 use std::fs;
 use std::hint::black_box;
@@ -45,6 +49,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let setup = begin.elapsed().as_nanos();
     let span = Span::new(0.0, scene.run.span, &problem.state);
     let exact = reference(law, &span)?;
+    let lifted: Vec<DoubleDouble> = problem.state.iter().map(|y| DoubleDouble::lift(*y)).collect();
+    let finer = Span::new(0.0, scene.run.span, &lifted);
     let row = |state: &mut dyn Iterator<Item = f64>| state.map(|y| format!("{y:?}")).collect::<Vec<_>>().join(" ");
     println!("{:.1} {:?}", exact.digits, span.end);
     println!("{}", row(&mut exact.states.iter().flatten().map(|y| y.hi())));
@@ -52,25 +58,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", row(&mut problem.state.iter().copied()));
     for line in io::stdin().lock().lines() {
         let line = line?;
-        match line.split_once(' ') {
+        match line.rsplit_once(' ') {
             Some((name, tolerance)) => {
-                let method = methods::method(name).map_err(|(wrong, accepted)| format!("{wrong}; {accepted}"))?;
+                let plain = name.strip_suffix(" in double-double");
+                let method = methods::method(plain.unwrap_or(name));
+                let method = method.map_err(|(wrong, accepted)| format!("{wrong}; {accepted}"))?;
                 let tolerance = Tolerance::both(tolerance.parse()?);
-                let run = || {
-                    let begin = Instant::now();
-                    let outcome = integrate(law, method, &tolerance, &span, &mut ());
-                    (begin.elapsed().as_nanos(), outcome)
+                let (took, state) = if plain.is_some() {
+                    repeated(|| integrate_in(law, method, &tolerance, &finer, &mut ()))
+                } else {
+                    repeated(|| integrate(law, method, &tolerance, &span, &mut ()))
                 };
-                let begin = Instant::now();
-                let (first, outcome) = run();
-                let mut times = vec![first];
-                while times.len() < RUNS && begin.elapsed() < PATIENCE {
-                    times.push(run().0);
-                }
-                times.sort_unstable();
-                let took = times[times.len() / 2];
-                let state = if outcome.reached() { row(&mut outcome.state.into_iter()) } else { String::new() };
-                println!("{took} {state}");
+                println!("{took} {}", row(&mut state.into_iter()));
             }
             None if line == "setup" => println!("{setup}"),
             None if line == "operations" => {
@@ -84,12 +83,32 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The right-hand side and its Jacobian, for the others.
+/// The median time of some runs in nanoseconds, and their last state; none where they do not reach the end.
+fn repeated<S: Real>(run: impl Fn() -> Outcome<S>) -> (u128, Vec<f64>) {
+    let clocked = || {
+        let begin = Instant::now();
+        let outcome = run();
+        (begin.elapsed().as_nanos(), outcome)
+    };
+    let begin = Instant::now();
+    let (first, outcome) = clocked();
+    let mut times = vec![first];
+    while times.len() < RUNS && begin.elapsed() < PATIENCE {
+        times.push(clocked().0);
+    }
+    times.sort_unstable();
+    let state = if outcome.reached() { outcome.state.iter().map(|y| y.approx()).collect() } else { Vec::new() };
+    (times[times.len() / 2], state)
+}
+
+/// The right-hand side and its Jacobian, for the others; and what its constants lose when they are rounded.
 fn write_code(scene: &Scene, folder: &Path) -> Result<(), Box<dyn Error>> {
     let (rates, jacobian) = (scene.tape(AXES)?, scene.jacobian_tape(AXES)?);
     let both = |language| format!("{}\n{}", rates.source(language, "rates"), jacobian.source(language, "jacobian"));
     fs::write(folder.join("rates.h"), format!("#include <math.h>\n\n{}", both(Language::C)))?;
     fs::write(folder.join("exported.py"), format!("from math import cos, sin, sqrt\n\n\n{}", both(Language::Python)))?;
+    let lost = rates.constants::<DoubleDouble>().into_iter().map(|c| format!("{:?} {:?}\n", c.hi(), c.lo()));
+    fs::write(folder.join("lost.txt"), lost.collect::<String>())?;
     Ok(())
 }
 

@@ -3,7 +3,9 @@
 from turns import at_error
 
 ERRORS = [1e-6, 1e-9, 1e-12]
-FINE = [1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14]
+FINE = [1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15]
+# what has more digits than double precision
+FINER = ("double-double", "long double")
 REDUCED = ", reduced"
 
 
@@ -24,8 +26,9 @@ def page(results):
 
 
 HEYOKA = """Microseconds to reach the error: ours (the best of our methods) and heyoka (the best of its settings), in brackets
-how many times as long heyoka takes. `-`: the tool does not get there. The last column has the least error that either
-reaches at any tolerance: there rounding stops it."""
+how many times as long heyoka takes. `-`: the tool does not get there. `*`: in double precision rounding stops it before,
+and it is ours in double-double, heyoka in long double. The last column has the least error that either reaches in double
+precision at any tolerance."""
 
 REDUCED_MODEL = """Two windings in the place of all damper bars. Errors are those of the model's own states."""
 
@@ -55,8 +58,10 @@ def rows(result, ours):
     return {name: own for name, own in result["points"].items() if name.startswith("dalembert" if ours else "heyoka")}
 
 
-def best(named, error):
-    return min((took for took in (at_error(points, error) for points in named.values()) if took), default=None)
+def best(named, error, finer=False):
+    """The least time in double precision, or in what has more digits."""
+    kind = [points for name, points in named.items() if name.endswith(FINER) == finer]
+    return min((took for took in (at_error(points, error) for points in kind) if took), default=None)
 
 
 def beside(own, other):
@@ -66,21 +71,26 @@ def beside(own, other):
         if not other[key]:
             continue
         ours, theirs = rows(result, True), rows(other[key], False)
-        cells = [pair(best(ours, error), best(theirs, error)) for error in FINE]
-        least = [min((error for points in side.values() for _, error, _ in points), default=1.0) for side in (ours, theirs)]
+        cells = [pair(*(best(side, error) for side in (ours, theirs)), *(best(side, error, True) for side in (ours, theirs))) for error in FINE]
+        plain = [[points for name, points in side.items() if not name.endswith(FINER)] for side in (ours, theirs)]
+        least = [min((error for points in side for _, error, _ in points), default=1.0) for side in plain]
         lines.append(f"| {key} | {result['states']} | " + " | ".join(cells) + f" | {least[0]:.0e}, {least[1]:.0e} |")
     return "\n".join(lines)
 
 
-def pair(ours, theirs):
-    shown = lambda took: "-" if took is None else f"{took * 1e3:.3g}" if took < 1 else f"{took * 1e3:.0f}"
-    ratio = f" ({theirs / ours:.2f})" if ours and theirs else ""
-    return f"{shown(ours)}, {shown(theirs)}{ratio}"
+def pair(ours, theirs, our_finer=None, their_finer=None):
+    """Times of both, with more digits where double precision does not get there."""
+    number = lambda took: f"{took * 1e3:.3g}" if took < 1 else f"{took * 1e3:.0f}"
+    shown = lambda plain, finer: number(plain) if plain else f"{number(finer)}*" if finer else "-"
+    took = [ours or our_finer, theirs or their_finer]
+    ratio = f" ({took[1] / took[0]:.2f})" if all(took) else ""
+    return f"{shown(ours, our_finer)}, {shown(theirs, their_finer)}{ratio}"
 
 
 def table(key, result):
     """One scene, all tools."""
-    milliseconds = {name: [at_error(points, error) for error in ERRORS] for name, points in result["points"].items()}
+    plain = {name: points for name, points in result["points"].items() if not name.endswith(FINER)}
+    milliseconds = {name: [at_error(points, error) for error in ERRORS] for name, points in plain.items()}
     own = [row for name, row in milliseconds.items() if name.startswith("dalembert")]
     least = [min((row[k] for row in own if row[k]), default=None) for k in range(len(ERRORS))]
     cell = lambda value, ours: "-" if value is None else f"{value:.3f} ({value / ours:.2f})" if ours else f"{value:.3f}"

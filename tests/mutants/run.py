@@ -92,6 +92,8 @@ SUBJECT_OF = {
     "derivations/mechanisms/points.rs": ["atlas"],
     "crates/symbolic/src/recurrence/abreast/": ["series"],
     "crates/symbolic/src/recurrence/small/": ["series"],
+    "crates/symbolic/src/recurrence/permuting/": ["series"],
+    "crates/symbolic/src/recurrence/stored.rs": ["series"],
     "crates/field/src/quarters.rs": ["fields"],
     "crates/integrators/src/side_by_side.rs": ["ensembles"],
     "derivations/machines/acting.rs": ["text_motors"],

@@ -49,10 +49,14 @@ fn more_rates_than_states_are_refused() {
 
 /// A motor with many bars: currents times the field at their own angles.
 fn bars(count: usize) -> (Vec<Sym>, Vec<Sym>, Vec<Sym>) {
+    let parameters = symbols(["a", "r", "l"]);
+    let (state, rates) = bars_of(count, parameters);
+    (state, parameters.to_vec(), rates)
+}
+
+fn bars_of(count: usize, [a, r, l]: [Sym; 3]) -> (Vec<Sym>, Vec<Sym>) {
     let mut state = symbols(["g", "u"]).to_vec();
     state.extend((0..count).map(|n| Sym::symbol(&format!("i{n}"))));
-    let parameters = symbols(["a", "r", "l"]).to_vec();
-    let [a, r, l] = [parameters[0], parameters[1], parameters[2]];
     let point = state[0].circle();
     let field = |n: i64| (point.cos * Sym::ratio(n + 1, 7) - point.sin * Sym::ratio(3, n + 2)) * a;
     let mut rates = vec![state[1], Sym::ZERO];
@@ -61,7 +65,7 @@ fn bars(count: usize) -> (Vec<Sym>, Vec<Sym>, Vec<Sym>) {
         rates[1] += current * field;
         rates.push(-(r * current + field * state[1]) / l);
     }
-    (state, parameters, rates)
+    (state, rates)
 }
 
 #[test]
@@ -157,19 +161,32 @@ fn small_systems_have_the_series_of_their_stages_in_every_size() {
     }
 }
 
-fn same_series((state, rates): (Vec<Sym>, Vec<Sym>)) {
+#[test]
+fn currents_that_decay_alike_have_the_series_of_their_stages() {
+    for count in [3, 6, 12] {
+        same_series(bars_of(count, [Sym::ratio(1, 2), Sym::int(2), Sym::ratio(3, 4)]));
+    }
+}
+
+fn same_series(law: (Vec<Sym>, Vec<Sym>)) {
+    same_series_over(&law, 1e-12, |x: f64| x);
+    same_series_over(&law, 1e-28, DoubleDouble::hi);
+}
+
+fn same_series_over<S: Fused>((state, rates): &(Vec<Sym>, Vec<Sym>), within: f64, size: impl Fn(S) -> f64) {
     let states = state.len();
-    let recurrence = record(&state, None, &[], &rates).unwrap();
+    let recurrence = record(state, None, &[], rates).unwrap();
     for order in [2, 3, 7, 30] {
-        let mut small = recurrence.expansion::<f64, 8, 256>(&[], order).unwrap();
-        let mut stages = recurrence.expansion::<f64, 4, 256>(&[], order).unwrap();
+        let mut small = recurrence.expansion::<S, 8, 256>(&[], order).unwrap();
+        let mut stages = recurrence.expansion::<S, 4, 256>(&[], order).unwrap();
         for start in [f64::NAN, 0.3, -0.4] {
-            let start: Vec<f64> = (0..states).map(|i| start / (1.0 + i as f64)).collect();
-            small.expand(&start, 0.0);
-            stages.expand(&start, 0.0);
-            for k in (0..=order).filter(|_| !start[0].is_nan()) {
-                for (a, b) in small.coefficients(k).iter().zip(stages.coefficients(k)) {
-                    assert!((a - b).abs() <= 1e-12 * b.abs().max(1e-3), "{states}: order {k}: {a} {b}");
+            let begin: Vec<S> = (0..states).map(|i| S::lift(start) / S::int(1 + i as i64)).collect();
+            small.expand(&begin, S::zero());
+            stages.expand(&begin, S::zero());
+            for k in (0..=order).filter(|_| !start.is_nan()) {
+                for (&a, &b) in small.coefficients(k).iter().zip(stages.coefficients(k)) {
+                    let off = size(a - b).abs();
+                    assert!(off <= within * size(b).abs().max(1e-3), "{states}: order {k}: {off:e} off {b:?}");
                 }
             }
         }

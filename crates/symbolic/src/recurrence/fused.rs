@@ -4,13 +4,20 @@
 use super::permuting::Permuting;
 use super::pick::{OneByOne, Pick};
 use super::small::{Never, Small, SmallSeries};
+use super::stored::{Parts, Stored};
 use field::{Analytic, DoubleDouble, Over};
+use std::marker::PhantomData;
 use std::sync::OnceLock;
 
 /// A field with a product added to a sum as fast as the processor can.
 pub trait Fused: Analytic + Over<f64> {
     /// Whether it holds more digits than `f64`.
     const FINER: bool = false;
+
+    /// Eight of them as they stand in memory.
+    #[doc(hidden)]
+    #[allow(private_bounds)]
+    type Stored: Stored<Self>;
 
     /// How small right-hand sides are expanded.
     #[doc(hidden)]
@@ -33,22 +40,32 @@ pub trait Fused: Analytic + Over<f64> {
 }
 
 /// Work that is compiled once for each set of instructions.
-pub(crate) trait Task<S> {
+pub(crate) trait Task<S: Fused> {
     fn run<P: Pick<S>>(self, pick: P);
 }
 
 impl Fused for DoubleDouble {
     const FINER: bool = true;
-    type Small = Never;
+    type Stored = Parts;
+    type Small = Small<DoubleDouble>;
+
+    /// Its products are fused ones: a call each, if compiled for a processor that may have none.
+    #[allow(private_bounds)]
+    #[inline]
+    fn run<T: Task<DoubleDouble>>(task: T, group: usize) {
+        in_widest(task, group);
+    }
 }
 
 /// A number with its derivatives in D directions: the series of a solution and of how it depends on its beginning.
 impl<const D: usize> Fused for num_dual::DualSVec64<D> {
+    type Stored = [Self; 8];
     type Small = Never;
 }
 
 impl Fused for f64 {
-    type Small = Small;
+    type Stored = [f64; 8];
+    type Small = Small<f64>;
 
     #[inline(always)]
     fn plus_product(self, a: Self, b: Self, fused: bool) -> Self {
@@ -58,22 +75,36 @@ impl Fused for f64 {
     #[allow(private_bounds)]
     #[inline]
     fn run<T: Task<f64>>(task: T, group: usize) {
-        match widest() {
-            #[cfg(target_arch = "x86_64")]
-            pulp::Arch::V4(widest) if group == 8 => {
-                pulp::Simd::vectorize(widest, With(task, Permuting(widest)));
-            }
-            other => otherwise(other, task),
-        }
+        in_widest(task, group);
     }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline]
+fn in_widest<S: Fused, T: Task<S>>(task: T, group: usize)
+where
+    Permuting: Pick<S>,
+{
+    match widest() {
+        pulp::Arch::V4(widest) if group == 8 => {
+            pulp::Simd::vectorize(widest, With(task, Permuting(widest), PhantomData));
+        }
+        other => otherwise(other, task),
+    }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+#[inline]
+fn in_widest<S: Fused, T: Task<S>>(task: T, _group: usize) {
+    otherwise(widest(), task);
 }
 
 /// Apart: what this needs of the stack is not taken where the widest registers are.
 #[inline(never)]
-fn otherwise(arch: pulp::Arch, task: impl Task<f64>) {
+fn otherwise<S: Fused>(arch: pulp::Arch, task: impl Task<S>) {
     match arch {
         pulp::Arch::Scalar => task.run(OneByOne::<false>),
-        wide => wide.dispatch(With(task, OneByOne::<true>)),
+        wide => wide.dispatch(With(task, OneByOne::<true>, PhantomData)),
     }
 }
 
@@ -84,9 +115,9 @@ fn widest() -> pulp::Arch {
     *FOUND.get_or_init(pulp::Arch::new)
 }
 
-struct With<T, P>(T, P);
+struct With<T, P, S>(T, P, PhantomData<S>);
 
-impl<T: Task<f64>, P: Pick<f64>> pulp::WithSimd for With<T, P> {
+impl<S: Fused, T: Task<S>, P: Pick<S>> pulp::WithSimd for With<T, P, S> {
     type Output = ();
 
     #[inline(always)]

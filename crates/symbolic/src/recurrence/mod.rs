@@ -23,6 +23,7 @@ mod pick;
 mod plan;
 mod points;
 mod small;
+mod stored;
 
 pub use abreast::Abreast;
 pub use expand::Expansion;

@@ -5,6 +5,7 @@
 
 use super::fused::Fused;
 use super::order::add;
+use super::stored::Stored;
 
 /// The numbers of one order, by column.
 #[derive(Clone, Debug)]
@@ -30,7 +31,10 @@ impl<const W: usize> Selection<W> {
 }
 
 /// A way of taking, and of adding products.
-pub(crate) trait Pick<S>: Copy {
+///
+/// What works with eight at a time does so in loops: a closure is compiled for any processor before it is inlined, and one that
+/// is too long for that would call each instruction.
+pub(crate) trait Pick<S: Fused>: Copy {
     /// Whether a product and a sum are rounded once.
     const FUSED: bool;
 
@@ -39,9 +43,12 @@ pub(crate) trait Pick<S>: Copy {
     /// Eight numbers in one register, where there is one so wide.
     type Eight: Copy;
 
-    fn load(self, from: &[S; 8]) -> Self::Eight;
+    fn load(self, from: &S::Stored) -> Self::Eight;
 
-    fn store(self, eight: Self::Eight) -> [S; 8];
+    fn store(self, eight: Self::Eight) -> S::Stored;
+
+    /// One number in all places.
+    fn all(self, number: S) -> Self::Eight;
 
     /// Of two groups of eight.
     fn shuffle(self, from: [Self::Eight; 2], shuffle: &Shuffle) -> Self::Eight;
@@ -81,13 +88,18 @@ impl<S: Fused, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
     }
 
     #[inline(always)]
-    fn load(self, from: &[S; 8]) -> [S; 8] {
-        *from
+    fn load(self, from: &S::Stored) -> [S; 8] {
+        std::array::from_fn(|lane| from.lane(lane))
     }
 
     #[inline(always)]
-    fn store(self, eight: [S; 8]) -> [S; 8] {
-        eight
+    fn store(self, eight: [S; 8]) -> S::Stored {
+        S::Stored::of(eight)
+    }
+
+    #[inline(always)]
+    fn all(self, number: S) -> [S; 8] {
+        [number; 8]
     }
 
     #[inline(always)]

@@ -103,11 +103,20 @@ impl<'a> Making<'a> {
         }
     }
 
-    /// A sum of what moves: it moves as its parts do.
+    /// A sum of what moves: it moves as its parts do. Parts that decay alike, y' = l y + .., do so as one: s' = l s + .. .
     fn moving(&mut self, form: &Form) -> Role {
         let parts = || form.linear.iter().map(|(&part, c)| (part, c.0));
         self.points.push(parts().fold(form.constant.0, |sum, (part, c)| sum + self.symbols[part] * c));
-        self.rows.push(parts().fold(Form::default(), |sum, (part, c)| sum.plus(&self.builder.rates[part], c)));
+        let row = parts().fold(Form::default(), |sum, (part, c)| sum.plus(&self.builder.rates[part], c));
+        let own = self.roles.len();
+        let alike = parts().filter_map(|(part, c)| {
+            let decay = row.linear.get(&part)?.0 / c;
+            let mut row = row.clone().plus(form, -decay);
+            row.add_atom(own, decay);
+            Some(row)
+        });
+        let shorter = |best: Form, other: Form| if other.terms() < best.terms() { other } else { best };
+        self.rows.push(alike.fold(row.clone(), shorter));
         Role::Moving(self.rows.len() - 1)
     }
 

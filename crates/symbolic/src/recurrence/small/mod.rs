@@ -4,6 +4,7 @@
 mod kernel;
 mod law;
 mod orders;
+mod pattern;
 mod solved;
 
 pub(super) use kernel::MOST_ORDER;
@@ -15,15 +16,15 @@ use orders::Expand;
 
 /// Groups of eight quantities, and of eight products.
 #[derive(Clone, Debug)]
-pub enum Small {
-    OneOne(Box<Kernel<1, 1>>),
-    OneTwo(Box<Kernel<1, 2>>),
-    OneThree(Box<Kernel<1, 3>>),
-    TwoOne(Box<Kernel<2, 1>>),
-    TwoTwo(Box<Kernel<2, 2>>),
-    TwoThree(Box<Kernel<2, 3>>),
-    ThreeTwo(Box<Kernel<3, 2>>),
-    ThreeThree(Box<Kernel<3, 3>>),
+pub enum Small<S: Fused> {
+    OneOne(Box<Kernel<S, 1, 1>>),
+    OneTwo(Box<Kernel<S, 1, 2>>),
+    OneThree(Box<Kernel<S, 1, 3>>),
+    TwoOne(Box<Kernel<S, 2, 1>>),
+    TwoTwo(Box<Kernel<S, 2, 2>>),
+    TwoThree(Box<Kernel<S, 2, 3>>),
+    ThreeTwo(Box<Kernel<S, 3, 2>>),
+    ThreeThree(Box<Kernel<S, 3, 3>>),
 }
 
 /// The same for each size.
@@ -55,7 +56,7 @@ pub(super) trait SmallSeries<S>: Clone + std::fmt::Debug {
     fn expand(&mut self, series: &mut [S]);
 }
 
-impl SmallSeries<f64> for Small {
+impl<S: Fused> SmallSeries<S> for Small<S> {
     fn new(law: &Law) -> Option<Self> {
         Some(match (law.quantities().div_ceil(8), law.products.len().div_ceil(8)) {
             (0 | 1, 0 | 1) => Small::OneOne(Kernel::new(law)),
@@ -69,12 +70,12 @@ impl SmallSeries<f64> for Small {
         })
     }
 
-    fn set(&mut self, values: &[f64]) {
+    fn set(&mut self, values: &[S]) {
         for_kernel!(self, kernel => kernel.set(values));
     }
 
-    fn expand(&mut self, series: &mut [f64]) {
-        for_kernel!(self, kernel => f64::run(Expand { kernel, series }, 8));
+    fn expand(&mut self, series: &mut [S]) {
+        for_kernel!(self, kernel => S::run(Expand { kernel, series }, 8));
     }
 }
 

@@ -7,119 +7,121 @@
 //! with J the Jacobian of f at y_0. An order waits for y_k only by way of J; W m_k is summed meanwhile, as soon as y_(k-1) is
 //! known. Of what a processor does in one order of a small system most is waiting, and this halves it.
 
-use super::kernel::{CHAINS, Fours, Kernel, MOST_ORDER, Matrix, Wide, ZERO};
-use crate::recurrence::fused::Task;
-use crate::recurrence::layout::Lanes;
+use super::kernel::{CHAINS, Fours, Kernel, MOST_ORDER, Matrix, Wide};
+use crate::recurrence::fused::{Fused, Task};
 use crate::recurrence::pick::Pick;
+use crate::recurrence::stored::Stored;
 
-/// 1/k
-const RECIPROCALS: [f64; MOST_ORDER + 1] = {
-    let mut reciprocals = [0.0; MOST_ORDER + 1];
-    let mut k = 1;
-    while k <= MOST_ORDER {
-        reciprocals[k] = 1.0 / k as f64;
-        k += 1;
-    }
-    reciprocals
-};
-
-impl<const B: usize, const G: usize> Kernel<B, G> {
+impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
     /// Takes a_k and b_k, and sums a_1 b_k + .. + a_k b_1.
     #[inline(always)]
-    fn middle<P: Pick<f64>>(&mut self, pick: P, k: usize, newest: &[P::Eight; B]) -> [P::Eight; G] {
+    fn middle<P: Pick<S>>(&mut self, pick: P, k: usize, newest: &[P::Eight; B]) -> [P::Eight; G] {
         let (a, b) = (self.pick(pick, 0, newest), self.pick(pick, 1, newest));
         // a is zero from k on: the last chains may go too far
         let middle = k.saturating_sub(2).next_multiple_of(CHAINS);
         let (a_older, b_older) = (&self.left[2..][..middle], &self.right[MOST_ORDER - k + 1..][..middle]);
-        let mut chains = [[pick.load(&ZERO.0); G]; CHAINS];
+        let mut chains = [[pick.all(S::zero()); G]; CHAINS];
         for (a, b) in a_older.as_chunks::<CHAINS>().0.iter().zip(b_older.as_chunks::<CHAINS>().0) {
             for chain in 0..CHAINS {
                 for group in 0..G {
-                    let factors = [a[chain][group], b[chain][group]].map(|eight| pick.load(&eight.0));
-                    chains[chain][group] = pick.plus_product(chains[chain][group], factors[0], factors[1]);
+                    let (a, b) = (pick.load(&a[chain][group].0), pick.load(&b[chain][group].0));
+                    chains[chain][group] = pick.plus_product(chains[chain][group], a, b);
                 }
             }
         }
-        self.left[k] = a.map(|eight| Lanes(pick.store(eight)));
-        self.left[k + CHAINS] = [ZERO; G];
-        self.right[MOST_ORDER - k] = b.map(|eight| Lanes(pick.store(eight)));
-        let [first, second] = chains;
-        std::array::from_fn(|group| {
+        self.left[k + CHAINS] = [Wide::zero(); G];
+        let mut sums = chains[0];
+        for group in 0..G {
+            self.left[k][group].0 = pick.store(a[group]);
+            self.right[MOST_ORDER - k][group].0 = pick.store(b[group]);
             let (oldest_a, oldest_b) = (&self.left[1][group].0, &self.right[MOST_ORDER - 1][group].0);
-            let sum = pick.plus_product(pick.plus(first[group], second[group]), a[group], pick.load(oldest_b));
-            if k > 1 { pick.plus_product(sum, pick.load(oldest_a), b[group]) } else { sum }
-        })
+            let both = pick.plus(chains[0][group], chains[1][group]);
+            sums[group] = pick.plus_product(both, a[group], pick.load(oldest_b));
+            if k > 1 {
+                sums[group] = pick.plus_product(sums[group], pick.load(oldest_a), b[group]);
+            }
+        }
+        sums
     }
 }
 
-/// sum_c matrix_c x_c over so many fours of columns.
+/// sum_c matrix_c x_c over the columns that count.
 #[inline(always)]
-fn times<P: Pick<f64>, const B: usize, const C: usize>(
+fn times<S: Fused, P: Pick<S>, const B: usize, const C: usize>(
     pick: P,
-    matrix: &Matrix<B, C>,
+    matrix: &Matrix<S, B, C>,
     x: &[P::Eight; C],
-    fours: Fours,
+    fours: &Fours<B>,
 ) -> [P::Eight; B] {
-    let mut sums = [[pick.load(&ZERO.0); B]; 4];
+    let mut sums = [[pick.all(S::zero()); B]; 4];
     // written out: as loops they would not be unrolled, and the sums not kept in registers
-    four::<P, B, C, 0>(pick, &mut sums, matrix, x, fours);
-    four::<P, B, C, 1>(pick, &mut sums, matrix, x, fours);
-    four::<P, B, C, 2>(pick, &mut sums, matrix, x, fours);
-    four::<P, B, C, 3>(pick, &mut sums, matrix, x, fours);
-    four::<P, B, C, 4>(pick, &mut sums, matrix, x, fours);
-    four::<P, B, C, 5>(pick, &mut sums, matrix, x, fours);
-    let [a, b, c, d] = sums;
-    std::array::from_fn(|block| pick.plus(pick.plus(a[block], b[block]), pick.plus(c[block], d[block])))
+    four::<S, P, B, C, 0>(pick, &mut sums, matrix, x, fours);
+    four::<S, P, B, C, 1>(pick, &mut sums, matrix, x, fours);
+    four::<S, P, B, C, 2>(pick, &mut sums, matrix, x, fours);
+    four::<S, P, B, C, 3>(pick, &mut sums, matrix, x, fours);
+    four::<S, P, B, C, 4>(pick, &mut sums, matrix, x, fours);
+    four::<S, P, B, C, 5>(pick, &mut sums, matrix, x, fours);
+    let [mut a, b, c, d] = sums;
+    for group in 0..B {
+        a[group] = pick.plus(pick.plus(a[group], b[group]), pick.plus(c[group], d[group]));
+    }
+    a
 }
 
-/// Adds four columns, if there are so many.
+/// Adds four columns where they count.
 #[inline(always)]
-fn four<P: Pick<f64>, const B: usize, const C: usize, const FOUR: usize>(
+fn four<S: Fused, P: Pick<S>, const B: usize, const C: usize, const FOUR: usize>(
     pick: P,
-    [a, b, c, d]: &mut [[P::Eight; B]; 4],
-    matrix: &Matrix<B, C>,
+    sums: &mut [[P::Eight; B]; 4],
+    matrix: &Matrix<S, B, C>,
     x: &[P::Eight; C],
-    fours: Fours,
+    fours: &Fours<B>,
 ) {
-    if FOUR >= 2 * C || FOUR >= fours.count {
+    if FOUR >= 2 * C || fours.any >> FOUR & 1 == 0 {
         return;
     }
     let (columns, x, first) = (&matrix[FOUR / 2 % C], x[FOUR / 2 % C], FOUR % 2 * 4);
-    let x = [0, 1, 2, 3].map(|chain| pick.spread(x, first + chain));
-    if B == 1 || fours.far >> FOUR & 1 == 0 {
-        column(pick, &mut a[..1], &columns[first], x[0]);
-        column(pick, &mut b[..1], &columns[first + 1], x[1]);
-        column(pick, &mut c[..1], &columns[first + 2], x[2]);
-        column(pick, &mut d[..1], &columns[first + 3], x[3]);
-    } else {
-        column(pick, a, &columns[first], x[0]);
-        column(pick, b, &columns[first + 1], x[1]);
-        column(pick, c, &columns[first + 2], x[2]);
-        column(pick, d, &columns[first + 3], x[3]);
+    let mut spread = [x; 4];
+    for (chain, spread) in spread.iter_mut().enumerate() {
+        *spread = pick.spread(x, first + chain);
     }
+    let four = &columns[first..first + 4];
+    rows::<S, P, B, FOUR, 0>(pick, sums, four, &spread, fours);
+    rows::<S, P, B, FOUR, 1>(pick, sums, four, &spread, fours);
+    rows::<S, P, B, FOUR, 2>(pick, sums, four, &spread, fours);
 }
 
+/// Their rows of one group.
 #[inline(always)]
-fn column<P: Pick<f64>>(pick: P, sums: &mut [P::Eight], column: &[Wide], x: P::Eight) {
-    for (sum, own) in sums.iter_mut().zip(column) {
-        *sum = pick.plus_product(*sum, pick.load(&own.0), x);
+fn rows<S: Fused, P: Pick<S>, const B: usize, const FOUR: usize, const GROUP: usize>(
+    pick: P,
+    sums: &mut [[P::Eight; B]; 4],
+    columns: &[[Wide<S>; B]],
+    x: &[P::Eight; 4],
+    fours: &Fours<B>,
+) {
+    if GROUP < B && fours.groups[GROUP % B] >> FOUR & 1 == 1 {
+        for ((sum, own), x) in sums.iter_mut().zip(columns).zip(x) {
+            sum[GROUP % B] = pick.plus_product(sum[GROUP % B], pick.load(&own[GROUP % B].0), *x);
+        }
     }
 }
 
 /// Expands the solution whose first coefficients stand at the head of the series.
-pub(super) struct Expand<'a, const B: usize, const G: usize> {
-    pub kernel: &'a mut Kernel<B, G>,
-    pub series: &'a mut [f64],
+pub(super) struct Expand<'a, S: Fused, const B: usize, const G: usize> {
+    pub kernel: &'a mut Kernel<S, B, G>,
+    pub series: &'a mut [S],
 }
 
-impl<const B: usize, const G: usize> Task<f64> for Expand<'_, B, G> {
+impl<S: Fused, const B: usize, const G: usize> Task<S> for Expand<'_, S, B, G> {
     #[inline(always)]
-    fn run<P: Pick<f64>>(self, pick: P) {
+    fn run<P: Pick<S>>(self, pick: P) {
         let Expand { kernel, series } = self;
         let (rows, _) = series.as_chunks_mut::<8>();
         let order = (rows.len() / B).saturating_sub(1).min(MOST_ORDER);
-        let ([quantities, moving, products], solves) = (kernel.fours, !kernel.law.solved.is_empty());
-        let mut point = [[0.0; 8]; B];
+        let ([linear_fours, weights_fours, jacobian_fours, gains_fours], solves) =
+            (kernel.fours, !kernel.law.solved.is_empty());
+        let mut point = [[S::zero(); 8]; B];
         point.copy_from_slice(&rows[..B]);
         if solves {
             kernel.solve(&mut point);
@@ -128,34 +130,42 @@ impl<const B: usize, const G: usize> Task<f64> for Expand<'_, B, G> {
         if solves {
             kernel.eliminate(pick, &point);
         }
-        let mut newest = point.map(|eight| pick.load(&eight));
+        let mut newest = [pick.all(S::zero()); B];
+        for (newest, eight) in newest.iter_mut().zip(point) {
+            *newest = pick.load(&S::Stored::of(eight));
+        }
         let (a, b) = (kernel.pick(pick, 0, &newest), kernel.pick(pick, 1, &newest));
-        kernel.left[..=CHAINS].fill([ZERO; G]);
-        kernel.right[MOST_ORDER] = b.map(|eight| Lanes(pick.store(eight)));
-        let first: [P::Eight; G] = std::array::from_fn(|group| pick.product(a[group], b[group]));
+        kernel.left[..=CHAINS].fill([Wide::zero(); G]);
+        let mut first = [pick.all(S::zero()); G];
+        for group in 0..G {
+            kernel.right[MOST_ORDER][group].0 = pick.store(b[group]);
+            first[group] = pick.product(a[group], b[group]);
+        }
         // f(y_0) itself, then what y_0 brings to the later orders stands in J
-        let linear = times(pick, &kernel.linear, &newest, quantities);
-        let quadratic = times(pick, &kernel.weights, &first, products);
-        let mut sums: [P::Eight; B] = std::array::from_fn(|block| {
-            pick.plus(pick.plus(quadratic[block], pick.load(&kernel.constants[block].0)), linear[block])
-        });
-        let mut rest = [pick.load(&ZERO.0); B];
+        let linear = times(pick, &kernel.linear, &newest, &linear_fours);
+        let quadratic = times(pick, &kernel.weights, &first, &weights_fours);
+        let mut sums = linear;
+        for block in 0..B {
+            sums[block] = pick.plus(pick.plus(quadratic[block], pick.load(&kernel.constants[block].0)), linear[block]);
+        }
+        let mut rest = [pick.all(S::zero()); B];
         for k in 0..order {
             if k > 0 {
                 // y_k = sums / k: the division need not be waited for
-                let known = times(pick, &kernel.jacobian, &sums, moving);
+                let known = times(pick, &kernel.jacobian, &sums, &jacobian_fours);
                 for block in 0..B {
-                    sums[block] = pick.plus_product(rest[block], known[block], pick.load(&[RECIPROCALS[k]; 8]));
+                    sums[block] = pick.plus_product(rest[block], known[block], pick.all(kernel.reciprocals[k]));
                     if solves {
                         newest[block] = pick.blend(kernel.is_solved[block], newest[block], sums[block]);
                     }
                 }
                 let older = kernel.middle(pick, k, &newest);
-                rest = times(pick, &kernel.gains, &older, products);
+                rest = times(pick, &kernel.gains, &older, &gains_fours);
             }
             for block in 0..B {
-                newest[block] = pick.product(sums[block], pick.load(&[RECIPROCALS[k + 1]; 8]));
-                rows[(k + 1) * B + block] = pick.store(newest[block]);
+                newest[block] = pick.product(sums[block], pick.all(kernel.reciprocals[k + 1]));
+                let stored = pick.store(newest[block]);
+                rows[(k + 1) * B + block] = std::array::from_fn(|lane| stored.lane(lane));
             }
         }
     }

@@ -7,22 +7,26 @@
 //! with rows A and C that the order 0 gives: of a reciprocal, r_k = -r_0 (r_0 b_k + m_k), of a root, r_k = (a_k - m_k) / 2 r_0.
 //! Put into the rates, what is solved for is gone from them.
 
-use super::kernel::{Kernel, Wide, ZERO};
+use super::kernel::{Kernel, Wide};
 use super::law::Solved;
+use crate::recurrence::fused::Fused;
 use crate::recurrence::pick::Pick;
+use crate::recurrence::stored::Stored;
 
 /// A row over what moves, and over the products.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Row<const B: usize, const G: usize> {
-    moving: [Wide; B],
-    products: [Wide; G],
+pub(super) struct Row<S: Fused, const B: usize, const G: usize> {
+    moving: [Wide<S>; B],
+    products: [Wide<S>; G],
 }
 
-impl<const B: usize, const G: usize> Row<B, G> {
-    pub(super) const EMPTY: Self = Row { moving: [ZERO; B], products: [ZERO; G] };
+impl<S: Fused, const B: usize, const G: usize> Row<S, B, G> {
+    pub(super) fn empty() -> Self {
+        Row { moving: [Wide::zero(); B], products: [Wide::zero(); G] }
+    }
 
     #[inline(always)]
-    fn plus<P: Pick<f64>>(&mut self, pick: P, other: &Self, times: f64) {
+    fn plus<P: Pick<S>>(&mut self, pick: P, other: &Self, times: S) {
         let groups = self.moving.iter_mut().zip(&other.moving);
         for (sum, other) in groups.chain(self.products.iter_mut().zip(&other.products)) {
             *sum = sum.plus(pick, other, times);
@@ -31,32 +35,32 @@ impl<const B: usize, const G: usize> Row<B, G> {
 
     /// Adds a quantity so many times: one that moves, or one whose row is known.
     #[inline(always)]
-    fn take<P: Pick<f64>>(&mut self, pick: P, known: &[Self], quantity: usize, moving: usize, times: f64) {
+    fn take<P: Pick<S>>(&mut self, pick: P, known: &[Self], quantity: usize, moving: usize, times: S) {
         if quantity < moving {
-            self.moving[quantity / 8 % B].0[quantity % 8] += times;
+            self.moving[quantity / 8 % B].0.add(quantity % 8, times);
         } else if let Some(row) = known.get(quantity - moving) {
             self.plus(pick, row, times);
         }
     }
 }
 
-impl<const B: usize, const G: usize> Kernel<B, G> {
+impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
     /// Solves the order 0 for the quantities after those that move.
     #[inline(always)]
-    pub(super) fn solve(&self, point: &mut [[f64; 8]; B]) {
-        let coefficient = |number: u32| self.values.get(number as usize).copied().unwrap_or(0.0);
+    pub(super) fn solve(&self, point: &mut [[S; 8]; B]) {
+        let coefficient = |number: u32| self.values.get(number as usize).copied().unwrap_or(S::zero());
         for (quantity, solved) in (self.law.moving..).zip(&self.law.solved) {
             let at = |quantity: usize| point[quantity / 8 % B][quantity % 8];
             let value = match solved {
                 Solved::Sum { constant, linear, products } => {
-                    let sum = constant.map_or(0.0, coefficient);
+                    let sum = constant.map_or(S::zero(), coefficient);
                     let sum = linear.iter().fold(sum, |sum, &(of, number)| sum + coefficient(number) * at(of));
                     products.iter().fold(sum, |sum, &(product, number)| {
                         let [a, b] = self.law.products[product];
                         sum + coefficient(number) * at(a) * at(b)
                     })
                 }
-                Solved::Reciprocal { of, .. } => 1.0 / at(*of),
+                Solved::Reciprocal { of, .. } => S::one() / at(*of),
                 Solved::Root { of, .. } => at(*of).sqrt(),
             };
             point[quantity / 8 % B][quantity % 8] = value;
@@ -65,14 +69,14 @@ impl<const B: usize, const G: usize> Kernel<B, G> {
 
     /// Takes what is solved for out of the rates' derivatives, and gives it rows of its own.
     #[inline(always)]
-    pub(super) fn eliminate<P: Pick<f64>>(&mut self, pick: P, point: &[[f64; 8]; B]) {
-        let coefficient = |number: u32| self.values.get(number as usize).copied().unwrap_or(0.0);
+    pub(super) fn eliminate<P: Pick<S>>(&mut self, pick: P, point: &[[S; 8]; B]) {
+        let coefficient = |number: u32| self.values.get(number as usize).copied().unwrap_or(S::zero());
         let at = |quantity: usize| point[quantity / 8 % B][quantity % 8];
         let moving = self.law.moving;
         for (number, solved) in self.law.solved.iter().enumerate() {
             let (known, later) = self.rows.split_at_mut(number);
             let Some(row) = later.first_mut() else { continue };
-            *row = Row::EMPTY;
+            *row = Row::empty();
             match solved {
                 Solved::Sum { linear, products, .. } => {
                     for &(of, number) in linear {
@@ -82,18 +86,18 @@ impl<const B: usize, const G: usize> Kernel<B, G> {
                         let ([a, b], times) = (self.law.products[product], coefficient(number));
                         row.take(pick, known, a, moving, times * at(b));
                         row.take(pick, known, b, moving, times * at(a));
-                        row.products[product / 8 % G].0[product % 8] += times;
+                        row.products[product / 8 % G].0.add(product % 8, times);
                     }
                 }
                 Solved::Reciprocal { of, product } => {
                     let own = at(moving + number);
                     row.take(pick, known, *of, moving, -own * own);
-                    row.products[product / 8 % G].0[product % 8] -= own;
+                    row.products[product / 8 % G].0.add(product % 8, -own);
                 }
                 Solved::Root { of, product } => {
-                    let half = 0.5 / at(moving + number);
+                    let half = S::ratio(1, 2) / at(moving + number);
                     row.take(pick, known, *of, moving, half);
-                    row.products[product / 8 % G].0[product % 8] -= half;
+                    row.products[product / 8 % G].0.add(product % 8, -half);
                 }
             }
         }
@@ -101,25 +105,25 @@ impl<const B: usize, const G: usize> Kernel<B, G> {
         let Kernel { law, rows, jacobian, gains, weights, .. } = self;
         let (columns, solved) = jacobian.as_flattened_mut().split_at_mut(moving);
         for (number, column) in columns.iter_mut().enumerate() {
-            let times = rows.iter().map(|row| row.moving[number / 8 % B].0[number % 8]);
+            let times = rows.iter().map(|row| row.moving[number / 8 % B].0.lane(number % 8));
             *column = put(pick, *column, times.zip(&*solved));
         }
         let products = gains.as_flattened_mut().iter_mut().zip(weights.as_flattened()).take(law.products.len());
         for (number, (gain, weight)) in products.enumerate() {
-            let times = rows.iter().map(|row| row.products[number / 8 % G].0[number % 8]);
+            let times = rows.iter().map(|row| row.products[number / 8 % G].0.lane(number % 8));
             *gain = put(pick, *weight, times.zip(&*solved));
         }
-        solved[..law.solved.len()].fill([ZERO; B]);
+        solved[..law.solved.len()].fill([Wide::zero(); B]);
     }
 }
 
 /// A column with what is solved for put into it, so many times each.
 #[inline(always)]
-fn put<'a, P: Pick<f64>, const B: usize>(
+fn put<'a, S: Fused, P: Pick<S>, const B: usize>(
     pick: P,
-    mut column: [Wide; B],
-    solved: impl Iterator<Item = (f64, &'a [Wide; B])>,
-) -> [Wide; B] {
+    mut column: [Wide<S>; B],
+    solved: impl Iterator<Item = (S, &'a [Wide<S>; B])>,
+) -> [Wide<S>; B] {
     for (times, own) in solved {
         for block in 0..B {
             column[block] = column[block].plus(pick, &own[block], times);

@@ -1,5 +1,7 @@
 //! Taking numbers by permutations of registers of eight, where the processor has them.
 
+mod doubled;
+
 use super::pick::{Columns, Pick, Selection, Shuffle};
 use std::arch::x86_64::__m512d;
 
@@ -73,6 +75,11 @@ impl Pick<f64> for Permuting {
     #[inline(always)]
     fn store(self, eight: __m512d) -> [f64; 8] {
         pulp::cast(eight)
+    }
+
+    #[inline(always)]
+    fn all(self, number: f64) -> __m512d {
+        pulp::cast([number; 8])
     }
 
     #[inline(always)]

@@ -1,0 +1,62 @@
+//! Eight numbers as they stand in memory.
+
+use field::DoubleDouble;
+use std::fmt::Debug;
+
+/// Eight numbers of a field, ready to be loaded into registers.
+pub(crate) trait Stored<S>: Copy + Debug {
+    fn of(numbers: [S; 8]) -> Self;
+
+    fn lane(&self, lane: usize) -> S;
+
+    fn set(&mut self, lane: usize, number: S);
+
+    #[inline(always)]
+    fn add(&mut self, lane: usize, number: S)
+    where
+        S: std::ops::Add<Output = S>,
+    {
+        self.set(lane, self.lane(lane) + number);
+    }
+}
+
+impl<S: Copy + Debug> Stored<S> for [S; 8] {
+    #[inline(always)]
+    fn of(numbers: [S; 8]) -> Self {
+        numbers
+    }
+
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> S {
+        self[lane % 8]
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, number: S) {
+        self[lane % 8] = number;
+    }
+}
+
+/// Eight double-double numbers: the first parts of all, then the rests.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts {
+    pub(super) first: [f64; 8],
+    pub(super) rest: [f64; 8],
+}
+
+impl Stored<DoubleDouble> for Parts {
+    #[inline(always)]
+    fn of(numbers: [DoubleDouble; 8]) -> Self {
+        Parts { first: numbers.map(DoubleDouble::hi), rest: numbers.map(DoubleDouble::lo) }
+    }
+
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> DoubleDouble {
+        DoubleDouble::from(self.first[lane % 8]) + self.rest[lane % 8]
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, number: DoubleDouble) {
+        (self.first[lane % 8], self.rest[lane % 8]) = (number.hi(), number.lo());
+    }
+}
