@@ -1,11 +1,13 @@
 //! Curves and points on the unit sphere, seen from afar; a page lets the reader turn it.
 
+mod circle;
 mod scale;
 mod strand;
 mod view;
 
 use super::drawing::{Anchor, Drawing, LINE, WIDTH, left_out};
 use super::marker::Look;
+use circle::Circle;
 use scale::Scale;
 use strand::Strand;
 use view::View;
@@ -78,7 +80,9 @@ impl Sphere {
         drawing.open("turning");
         for front in [false, true] {
             drawing.open(if front { "front" } else { "back" });
-            shared().iter().chain(&strands).for_each(|strand| strand.draw(&mut drawing, &view, scale.as_ref(), front));
+            let circles: String = Circle::graticule().map(|circle| circle.path(&view, front)).collect();
+            drawing.path(&circles, "graticule");
+            stubs().iter().chain(&strands).for_each(|strand| strand.draw(&mut drawing, &view, scale.as_ref(), front));
             for (name, axis) in self.axes.iter().zip(AXES) {
                 let (x, y, depth) = view.place(axis.map(|x| 1.3 * x));
                 if (depth >= 0.0) == front {
@@ -124,7 +128,7 @@ impl Sphere {
 
     /// What every sphere has, once for all of a page: the graticule and the stubs of the axes, as JSON.
     pub(crate) fn shared_data() -> String {
-        let strands: Vec<_> = shared().iter().map(Strand::json).collect();
+        let strands: Vec<_> = strand::graticule().iter().chain(&stubs()).map(Strand::json).collect();
         format!("[{}]", strands.join(","))
     }
 
@@ -212,8 +216,8 @@ impl Mark {
     }
 }
 
-fn shared() -> Vec<Strand> {
-    strand::graticule().into_iter().chain(AXES.map(strand::stub)).collect()
+fn stubs() -> [Strand; 3] {
+    AXES.map(strand::stub)
 }
 
 /// A JSON string.

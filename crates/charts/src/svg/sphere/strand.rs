@@ -2,11 +2,13 @@
 
 use super::{
     super::{drawing::Drawing, marker::Look, path},
-    Curve, number,
+    Curve,
+    circle::Circle,
+    number,
     scale::Scale,
     view::View,
 };
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// A line through points in space, near enough to be joined by straight pieces.
 #[derive(Clone, Debug, Default)]
@@ -54,25 +56,11 @@ pub(super) fn integers(at: [f64; 3]) -> String {
     at.map(|x| format!("{}", (x * 1e3).round() as i64)).join(",")
 }
 
-/// Meridians and parallels, 30 degrees apart.
+/// Meridians and parallels.
 pub(super) fn graticule() -> Vec<Strand> {
-    let strand = |points: Vec<[f64; 3]>| Strand {
-        class: "graticule".into(),
-        points: points.into_iter().map(|at| (at, None)).collect(),
-        ..Default::default()
-    };
-    let direction = |longitude: f64, latitude: f64| {
-        [latitude.cos() * longitude.cos(), latitude.cos() * longitude.sin(), latitude.sin()]
-    };
-    let meridian = |i: i32| {
-        let longitude = f64::from(i) * PI / 6.0;
-        strand((-18..=18).map(|j| direction(longitude, f64::from(j) * PI / 36.0)).collect())
-    };
-    let parallel = |i: i32| {
-        let latitude = f64::from(i) * PI / 6.0;
-        strand((0..=60).map(|j| direction(f64::from(j) * TAU / 60.0, latitude)).collect())
-    };
-    (0..12).map(meridian).chain((-2..=2).map(parallel)).collect()
+    let points = |circle: Circle| (0..=60).map(|j| (circle.at(f64::from(j) * TAU / 60.0), None)).collect();
+    let strand = |circle| Strand { class: "graticule".into(), points: points(circle), ..Default::default() };
+    Circle::graticule().map(strand).collect()
 }
 
 /// The part of an axis that stands out of the sphere.
