@@ -4,7 +4,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc
-export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER="qemu-aarch64 -L /usr/aarch64-linux-gnu"
+export DALEMBERT_RUNNER="qemu-aarch64 -L /usr/aarch64-linux-gnu"
+export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER="$DALEMBERT_RUNNER"
 export CARGO_PROFILE_DEV_OPT_LEVEL="${1:-1}" CARGO_PROFILE_DEV_DEBUG=0 INSTA_UPDATE=no
 tests=(atlas failures pages phantom rough_scenes scene_messages stability stationary)
 cargo test --target aarch64-unknown-linux-gnu --package dalembert --no-fail-fast "${tests[@]/#/--test=}"

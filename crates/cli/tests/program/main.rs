@@ -17,9 +17,13 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
+/// The program, started by what `DALEMBERT_RUNNER` names where its processor is emulated.
 fn program(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_dalembert"));
-    command.current_dir(root()).args(arguments);
+    let binary = env!("CARGO_BIN_EXE_dalembert");
+    let runner = std::env::var("DALEMBERT_RUNNER").unwrap_or_default();
+    let mut words = runner.split_whitespace().chain([binary]);
+    let mut command = Command::new(words.next().unwrap_or(binary));
+    command.current_dir(root()).args(words).args(arguments);
     command
 }
 
