@@ -97,12 +97,14 @@ struct Series<'a, S: Fused, const N: usize> {
 
 impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
     fn expand(&mut self, t: S, y: &[S], order: usize) {
+        self.expand_rounding(t, y, order, order);
+    }
+
+    fn expand_rounding(&mut self, t: S, y: &[S], order: usize, fine: usize) -> usize {
         if self.expansion.as_ref().is_none_or(|expansion| expansion.order() != order) {
             self.expansion = self.recurrence.expansion(&[], order);
         }
-        if let Some(expansion) = &mut self.expansion {
-            expansion.expand(y, t);
-        }
+        self.expansion.as_mut().map_or(order, |expansion| expansion.expand_rounding(y, t, fine))
     }
 
     fn coefficients(&self, k: usize) -> &[S] {
@@ -124,12 +126,16 @@ struct Kept<'a, S: Fused> {
 
 impl<S: Fused> TaylorSeries<S> for Kept<'_, S> {
     fn expand(&mut self, t: S, y: &[S], order: usize) {
+        self.expand_rounding(t, y, order, order);
+    }
+
+    fn expand_rounding(&mut self, t: S, y: &[S], order: usize, fine: usize) -> usize {
         if self.series.expansion.is_none() {
             let mut spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner);
             let fitting = spare.iter().position(|expansion| expansion.order() == order);
             self.series.expansion = fitting.map(|place| spare.swap_remove(place));
         }
-        self.series.expand(t, y, order);
+        self.series.expand_rounding(t, y, order, fine)
     }
 
     fn coefficients(&self, k: usize) -> &[S] {

@@ -1,7 +1,8 @@
 //! What errors are measured by: kept for every scene, made by two methods, and their own where a scene has changed.
 
 use derivations::scene::{AnyScene, Axes, Family, Problem, Stored, stored};
-use integrators::{Method, Span, Tolerance, integrate};
+use field::{DoubleDouble, Over};
+use integrators::{Directions, Method, Ode, Record, Span, System, TaylorSeries, Tolerance, integrate, integrate_in};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -109,10 +110,81 @@ fn every_kept_reference_agrees_with_a_run_in_f64() {
             true => (Method::RadauIIA { stages: 5 }, 1e-11, 1e-7),
             false => (Method::DormandPrince8, 1e-13, 1e-7),
         };
-        let mut record = integrators::Record::new();
+        let mut record = Record::new();
         let outcome = integrate(&*problem.law, method, &Tolerance::both(tolerance), &span, &mut record);
         assert!(outcome.reached(), "{name}: {:?}", outcome.end);
         let error = kept.reference.error(&record);
         assert!(error < most, "{name}: {error:.1e}");
+    }
+}
+
+/// A system whose series keep all digits in all orders.
+struct AllDigits<'a>(&'a dyn System);
+
+macro_rules! as_before {
+    ($field:ty) => {
+        impl Ode<$field> for AllDigits<'_> {
+            fn dimension(&self) -> usize {
+                Ode::<$field>::dimension(self.0)
+            }
+
+            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
+                self.0.rates(t, y, dy);
+            }
+        }
+    };
+}
+as_before!(f64);
+as_before!(Directions);
+as_before!(DoubleDouble);
+
+impl System for AllDigits<'_> {
+    fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
+        Some(Box::new(Whole(self.0.taylor_exact()?)))
+    }
+}
+
+struct Whole<'a>(Box<dyn TaylorSeries<DoubleDouble> + 'a>);
+
+impl TaylorSeries<DoubleDouble> for Whole<'_> {
+    fn expand(&mut self, t: DoubleDouble, y: &[DoubleDouble], order: usize) {
+        self.0.expand(t, y, order);
+    }
+
+    fn coefficients(&self, k: usize) -> &[DoubleDouble] {
+        self.0.coefficients(k)
+    }
+
+    fn sum(&self, h: DoubleDouble, out: &mut [DoubleDouble]) {
+        self.0.sum(h, out);
+    }
+}
+
+#[test]
+fn what_series_in_double_double_round_to_f64_does_not_show_at_any_tolerance() {
+    let all = all();
+    let smooth = all.iter().filter(|(_, _, kept)| kept.reference.methods[1] == Method::Taylor);
+    for (name, problem, Stored { reference, .. }) in smooth {
+        let start: Vec<DoubleDouble> = problem.state.iter().map(|y| DoubleDouble::lift(*y)).collect();
+        let end = *reference.times.last().expect("there are instants");
+        let span = Span::new(0.0, end, &start).with_outputs(&reference.times);
+        let off = |law: &dyn System, tolerance: f64| {
+            let tolerance = Tolerance::scaled(tolerance, &reference.sizes);
+            let mut record = Record::new();
+            let outcome = integrate_in(law, Method::Taylor, &tolerance, &span, &mut record);
+            assert!(outcome.reached(), "{name}: {:?}", outcome.end);
+            let rows = record.states.iter().flatten().zip(reference.states.iter().flatten());
+            let apart = rows.zip(reference.sizes.iter().cycle()).map(|((a, b), size)| (*a - *b).hi().abs() / size);
+            (apart.fold(0.0, f64::max), outcome.work.steps as f64)
+        };
+        for tolerance in [1e-9, 1e-15, 1e-18, 1e-21] {
+            let ((rounding, steps), (whole, _)) =
+                (off(&*problem.law, tolerance), off(&AllDigits(&*problem.law), tolerance));
+            // a step may err by the tolerance
+            assert!(
+                rounding <= 3.0 * whole + steps * tolerance,
+                "{name} at {tolerance:e}: {rounding:.1e}, {whole:.1e}"
+            );
+        }
     }
 }

@@ -43,7 +43,7 @@ SMOOTH = sorted((ROOT / "scenes").glob("*.toml"))
 REDUCED = "equivalent_windings"
 # the scans: of double precision, and of what has more digits
 TOLERANCES = [10.0 ** (-k / 2) for k in range(6, 31)]
-FINER = [10.0 ** (-k / 2) for k in range(28, 37)]
+FINER = [10.0 ** (-k / 4) for k in range(54, 73)]
 OURS = {
     False: ["taylor", "dormand_prince_8", "gragg_bulirsch_stoer"],
     True: ["taylor", "bader_deuflhard", "rodas_4", "radau_iia:5", "radau_iia:7"],

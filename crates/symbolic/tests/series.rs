@@ -193,6 +193,50 @@ fn same_series_over<S: Fused>((state, rates): &(Vec<Sym>, Vec<Sym>), within: f64
     }
 }
 
+/// In double-double; the groups of `W` choose the way.
+fn rounded_from_an_order_on<const W: usize>((state, rates): (Vec<Sym>, Vec<Sym>)) {
+    let exact = DoubleDouble::from;
+    let (order, h) = (30, exact(0.125));
+    let begin: Vec<DoubleDouble> = (0..state.len()).map(|i| exact(0.3) / exact(1.0 + i as f64)).collect();
+    let recurrence = record(&state, None, &[], &rates).unwrap();
+    let [mut full, mut rounding] = [(); 2].map(|()| recurrence.expansion::<DoubleDouble, W, 256>(&[], order).unwrap());
+    full.expand(&begin, exact(0.0));
+    let [mut whole, mut sum] = [(); 2].map(|()| begin.clone());
+    full.sum(h, &mut whole);
+    for fine in [0, 1, 2, 5, 16, order - 1, order] {
+        assert_eq!(rounding.expand_rounding(&begin, exact(0.0), fine), fine.max(1));
+        rounding.sum(h, &mut sum);
+        for k in 0..=order {
+            for (&a, &b) in rounding.coefficients(k).iter().zip(full.coefficients(k)) {
+                let within = if k <= fine.max(1) { 0.0 } else { 1e-12 * b.hi().abs().max(1e-3) };
+                assert!((a - b).hi().abs() <= within, "{} states, {fine}: order {k}: {a:?} {b:?}", state.len());
+            }
+        }
+        // the first rounded term is the largest of them
+        for (i, (&a, &b)) in sum.iter().zip(&whole).enumerate() {
+            let terms =
+                (fine.max(1) + 1..=order).map(|k| full.coefficients(k)[i].hi().abs().max(1e-3) * h.hi().powi(k as i32));
+            assert!(
+                (a - b).hi().abs() <= 1e-30 + 1e-12 * terms.sum::<f64>(),
+                "{} states, {fine}: {a:?} {b:?}",
+                state.len()
+            );
+        }
+    }
+}
+
+#[test]
+fn a_series_in_double_double_may_go_on_in_f64_from_any_order() {
+    for (states, products) in [(3, 5), (5, 13), (9, 6), (12, 21), (20, 22)] {
+        rounded_from_an_order_on::<8>(second_degree(states, products));
+        rounded_from_an_order_on::<4>(second_degree(states, products));
+    }
+    for (states, products) in [(3, 2), (9, 10), (16, 6)] {
+        rounded_from_an_order_on::<8>(with_quotients(states, products));
+        rounded_from_an_order_on::<4>(with_quotients(states, products));
+    }
+}
+
 #[test]
 fn a_sum_is_that_of_horner_for_any_number_of_terms() {
     let (state, rates) = second_degree(9, 6);

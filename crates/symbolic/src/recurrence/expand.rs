@@ -1,11 +1,11 @@
 //! All coefficients of a solution's series, order by order.
 
-use super::fused::{Fused, Task};
-use super::layout::{CHAINS, Lanes, Layout, MOST, Rows, width};
-use super::order::add;
-use super::pick::{Columns, Pick};
+use super::fused::Fused;
+use super::layout::{MOST, width};
 use super::plan::Plan;
 use super::small::{MOST_ORDER, SmallSeries};
+use super::stages::{Expand, Stages};
+use super::sum::{Sum, Terms, copy};
 use super::{Recurrence, Reduced};
 use crate::tape::{Program, Tape};
 
@@ -22,9 +22,9 @@ pub struct Expansion<S: Fused, const W: usize, const N: usize = 256> {
     way: Way<S, W, N>,
     /// The coefficients of all orders of what has a rate; so long is one order.
     series: Vec<S>,
+    /// Up to this order they have all digits of the field.
+    fine: usize,
     width: usize,
-    /// 1/k
-    reciprocals: Vec<S>,
     points: Program<'static, S>,
     coefficients: Program<'static, S>,
     /// Room for the values of the coefficients.
@@ -36,16 +36,6 @@ pub struct Expansion<S: Fused, const W: usize, const N: usize = 256> {
 enum Way<S: Fused, const W: usize, const N: usize> {
     Stages(Stages<S, W, N>),
     Small(S::Small),
-}
-
-/// By stages of sums and products.
-#[derive(Clone, Debug)]
-struct Stages<S, const W: usize, const N: usize> {
-    layout: Layout<S, W>,
-    /// The coefficients of the order at hand of all quantities, by column.
-    now: Box<Columns<S, N>>,
-    /// Room for the next order: so the rates of this one need not wait for each other.
-    then: Box<Columns<S, N>>,
 }
 
 impl Recurrence {
@@ -68,8 +58,7 @@ impl Recurrence {
                 (Way::Small(series), law.quantities(), points, coefficients, law.coefficients)
             }
             None => {
-                let [now, then] = [(); 2].map(|()| Box::new(Columns([S::zero(); N])));
-                let stages = Stages { layout: Layout::new(&self.plan, order), now, then };
+                let stages = Stages::new(&self.plan, order);
                 let Plan { moving, coefficients, .. } = self.plan;
                 (Way::Stages(stages), moving, &self.points, &self.coefficients, coefficients)
             }
@@ -81,8 +70,8 @@ impl Recurrence {
             time: self.plan.time,
             way,
             series: vec![S::zero(); width * (order + 1)],
+            fine: order,
             width,
-            reciprocals: std::iter::once(S::zero()).chain((1..=order as i64 + 1).map(|k| S::ratio(1, k))).collect(),
             points: program(points),
             coefficients: program(coefficients),
             values: vec![S::zero(); count],
@@ -110,13 +99,19 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
         self.points.evaluate(&inputs, &mut []);
         self.coefficients.evaluate(parameters, &mut self.values);
         match &mut self.way {
-            Way::Stages(stages) => stages.layout.set(&self.values),
+            Way::Stages(stages) => stages.set(&self.values),
             Way::Small(small) => small.set(&self.values),
         }
     }
 
     /// Expands the solution through `state` at `time`.
     pub fn expand(&mut self, state: &[S], time: S) {
+        self.expand_rounding(state, time, self.order);
+    }
+
+    /// As [`expand`](Self::expand), where the digits of `f64` do for the coefficients after the order `fine`, from 1 on. Returns
+    /// up to which order they have all digits of the field.
+    pub fn expand_rounding(&mut self, state: &[S], time: S, fine: usize) -> usize {
         let n = self.states.min(state.len());
         copy::<S, W>(&state[..n], &mut self.series);
         let mut moving = self.states;
@@ -126,11 +121,14 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
         }
         let (known, points) = self.series.split_at_mut(moving);
         self.points.evaluate(known, points);
-        let Expansion { order, series, width, reciprocals, .. } = self;
+        let Expansion { order, series, width, .. } = self;
+        let fine = if S::FINER { fine.clamp(1, *order) } else { *order };
         match &mut self.way {
-            Way::Stages(stages) => S::run(Expand { stages, order: *order, series, width: *width, reciprocals }, W),
-            Way::Small(small) => small.expand(series),
+            Way::Stages(stages) => S::run(Expand { stages, series, width: *width, fine }, W),
+            Way::Small(small) => small.expand(series, fine),
         }
+        self.fine = fine;
+        fine
     }
 
     /// The coefficients a_k of the states.
@@ -142,119 +140,11 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
     /// The sum of the series at h, by Horner's scheme.
     #[inline]
     pub fn sum(&self, h: S, out: &mut [S]) {
-        S::run(Sum { expansion: self, h, out }, W);
-    }
-}
-
-/// A few numbers: to call what copies memory would take longer than this.
-#[inline(always)]
-fn copy<S: Copy, const W: usize>(from: &[S], to: &mut [S]) {
-    for (to, from) in to.chunks_mut(W).zip(from.chunks(W)) {
-        match (<&mut [S; W]>::try_from(&mut *to), <&[S; W]>::try_from(from)) {
-            (Ok(to), Ok(from)) => *to = *from,
-            _ => {
-                let few = to.len().min(from.len());
-                for lane in 0..W {
-                    if lane < few {
-                        to[lane] = from[lane];
-                    }
-                }
-            }
-        }
+        let Expansion { series, width, states, order, fine, .. } = self;
+        let terms = Terms { series, width: *width, states: *states, order: *order, fine: *fine };
+        S::run(Sum::<S, W> { terms, h, out }, W);
     }
 }
 
 /// So wide is a group in the small series.
 const GROUP: usize = 8;
-
-struct Expand<'a, S, const W: usize, const N: usize> {
-    stages: &'a mut Stages<S, W, N>,
-    order: usize,
-    series: &'a mut [S],
-    width: usize,
-    reciprocals: &'a [S],
-}
-
-impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, S, W, N> {
-    #[inline(always)]
-    fn run<P: Pick<S>>(self, pick: P) {
-        let Expand { stages: Stages { layout, now, then }, order, series, width, reciprocals } = self;
-        let (mut now, mut then) = (&mut **now, &mut **then);
-        for group in layout.stages.iter_mut().flat_map(|stage| &mut stage.groups) {
-            group.left[..CHAINS].fill(Lanes::zero());
-        }
-        for (now, first) in now.0.chunks_exact_mut(W).zip(series[..width].chunks_exact(W)) {
-            now.copy_from_slice(first);
-        }
-        for k in 0..order {
-            for stage in &mut layout.stages {
-                let Rows { first, blocks } = &stage.sums;
-                for (place, block) in blocks.iter().enumerate() {
-                    let sum = block.sums::<P, N>(k, now);
-                    now.0[first + place * W..][..W].copy_from_slice(&sum);
-                }
-                for group in &mut stage.groups {
-                    let products = group.products(pick, k, order, now);
-                    now.0[group.first..][..W].copy_from_slice(&products);
-                }
-                if stage.has_implicit {
-                    stage.implicit(k, &mut now.0);
-                }
-            }
-            // x_(k+1) = (x')_k / (k + 1)
-            let (next, reciprocal) = (&mut series[(k + 1) * width..][..width], reciprocals[k + 1]);
-            let rows = then.0.chunks_exact_mut(W).zip(next.chunks_exact_mut(W));
-            for (block, (then, next)) in layout.rates.blocks.iter().zip(rows) {
-                let mut sum = block.sums::<P, N>(k, now);
-                for rate in &mut sum {
-                    *rate *= reciprocal;
-                }
-                then.copy_from_slice(&sum);
-                next.copy_from_slice(&sum);
-            }
-            std::mem::swap(&mut now, &mut then);
-        }
-    }
-}
-
-struct Sum<'a, S: Fused, const W: usize, const N: usize> {
-    expansion: &'a Expansion<S, W, N>,
-    h: S,
-    out: &'a mut [S],
-}
-
-/// Every so many terms are summed by themselves: Horner's scheme waits for each of its steps.
-const APART: usize = 4;
-
-impl<S: Fused, const W: usize, const N: usize> Task<S> for Sum<'_, S, W, N> {
-    #[inline(always)]
-    fn run<P: Pick<S>>(self, _: P) {
-        let Expansion { series, width, states, .. } = self.expansion;
-        let h = self.h;
-        let square = h * h;
-        let [h, square, fourth] = [h, square, square * square].map(|power| [power; W]);
-        let (terms, over) = (self.expansion.order + 1, (self.expansion.order + 1) % APART);
-        for (first, out) in (0..*states).step_by(W).zip(self.out.chunks_mut(W)) {
-            let term = |k: usize| -> [S; W] {
-                let mut term = [S::zero(); W];
-                term.copy_from_slice(&series[k * width + first..][..W]);
-                term
-            };
-            let mut sums = [[S::zero(); W]; APART];
-            for (chain, sum) in sums.iter_mut().enumerate() {
-                if chain < over {
-                    *sum = term(terms - over + chain);
-                }
-            }
-            for four in (0..terms / APART).rev() {
-                for (chain, sum) in sums.iter_mut().enumerate() {
-                    *sum = add::<P, S, W>(term(four * APART + chain), *sum, fourth);
-                }
-            }
-            let [even, odd, more, most] = sums;
-            let (low, high) = (add::<P, S, W>(even, odd, h), add::<P, S, W>(more, most, h));
-            let sum = add::<P, S, W>(low, high, square);
-            copy::<S, W>(&sum, out);
-        }
-    }
-}

@@ -10,7 +10,7 @@ use std::marker::PhantomData;
 use std::sync::OnceLock;
 
 /// A field with a product added to a sum as fast as the processor can.
-pub trait Fused: Analytic + Over<f64> {
+pub trait Fused: Analytic + Over<f64> + From<f64> {
     /// Whether it holds more digits than `f64`.
     const FINER: bool = false;
 
@@ -23,6 +23,9 @@ pub trait Fused: Analytic + Over<f64> {
     #[doc(hidden)]
     #[allow(private_bounds)]
     type Small: SmallSeries<Self>;
+
+    /// The nearest `f64`, of a number with derivatives that of the number.
+    fn rounded(self) -> f64;
 
     /// self + a b, rounded once or twice.
     #[inline(always)]
@@ -41,13 +44,18 @@ pub trait Fused: Analytic + Over<f64> {
 
 /// Work that is compiled once for each set of instructions.
 pub(crate) trait Task<S: Fused> {
-    fn run<P: Pick<S>>(self, pick: P);
+    fn run<P: Pick<S> + Pick<f64>>(self, pick: P);
 }
 
 impl Fused for DoubleDouble {
     const FINER: bool = true;
     type Stored = Parts;
     type Small = Small<DoubleDouble>;
+
+    #[inline(always)]
+    fn rounded(self) -> f64 {
+        self.hi()
+    }
 
     /// Its products are fused ones: a call each, if compiled for a processor that may have none.
     #[allow(private_bounds)]
@@ -61,11 +69,20 @@ impl Fused for DoubleDouble {
 impl<const D: usize> Fused for num_dual::DualSVec64<D> {
     type Stored = [Self; 8];
     type Small = Never;
+
+    fn rounded(self) -> f64 {
+        self.re
+    }
 }
 
 impl Fused for f64 {
     type Stored = [f64; 8];
     type Small = Small<f64>;
+
+    #[inline(always)]
+    fn rounded(self) -> f64 {
+        self
+    }
 
     #[inline(always)]
     fn plus_product(self, a: Self, b: Self, fused: bool) -> Self {
@@ -103,8 +120,14 @@ fn in_widest<S: Fused, T: Task<S>>(task: T, _group: usize) {
 #[inline(never)]
 fn otherwise<S: Fused>(arch: pulp::Arch, task: impl Task<S>) {
     match arch {
-        pulp::Arch::Scalar => task.run(OneByOne::<false>),
-        wide => wide.dispatch(With(task, OneByOne::<true>, PhantomData)),
+        #[cfg(target_arch = "x86_64")]
+        pulp::Arch::V3(wide) => pulp::Simd::vectorize(wide, With(task, OneByOne::<true>, PhantomData)),
+        // what does not fill the widest registers needs no code of its own for them
+        #[cfg(target_arch = "x86_64")]
+        pulp::Arch::V4(widest) => pulp::Simd::vectorize(*widest, With(task, OneByOne::<true>, PhantomData)),
+        #[cfg(not(target_arch = "x86_64"))]
+        wide if !matches!(wide, pulp::Arch::Scalar) => wide.dispatch(With(task, OneByOne::<true>, PhantomData)),
+        _ => task.run(OneByOne::<false>),
     }
 }
 
@@ -117,7 +140,7 @@ fn widest() -> pulp::Arch {
 
 struct With<T, P, S>(T, P, PhantomData<S>);
 
-impl<S: Fused, T: Task<S>, P: Pick<S>> pulp::WithSimd for With<T, P, S> {
+impl<S: Fused, T: Task<S>, P: Pick<S> + Pick<f64>> pulp::WithSimd for With<T, P, S> {
     type Output = ();
 
     #[inline(always)]

@@ -1,5 +1,6 @@
 //! Where the quantities of a plan stand, so that `W` of them are computed at once.
 
+use super::fused::Fused;
 use super::pick::Selection;
 use super::plan::{Place, Plan, Product, Sums};
 use field::Scalar;
@@ -122,6 +123,27 @@ impl<S: Scalar, const W: usize> Layout<S, W> {
     pub fn set(&mut self, values: &[S]) {
         self.stages.iter_mut().for_each(|stage| stage.sums.set(values));
         self.rates.set(values);
+    }
+}
+
+impl<const W: usize> Layout<f64, W> {
+    /// Takes the series of all factors from a finer field, up to an order and without it, where the last one is to be `order`.
+    pub fn take<S: Fused>(&mut self, finer: &Layout<S, W>, up_to: usize, order: usize) {
+        let round = |own: &mut [Lanes<f64, W>], finer: &[Lanes<S, W>]| {
+            own.iter_mut().zip(finer).for_each(|(own, finer)| own.0 = finer.0.map(S::rounded));
+        };
+        for (own, finer) in self.stages.iter_mut().zip(&finer.stages) {
+            for (own, finer) in own.groups.iter_mut().zip(&finer.groups) {
+                round(&mut own.left[..up_to + CHAINS], &finer.left[..up_to + CHAINS]);
+                let known = order + 1 - up_to..order + 1;
+                round(&mut own.right[known.clone()], &finer.right[known]);
+            }
+            let implicit = own.reciprocals.iter_mut().chain(&mut own.roots);
+            for (own, finer) in implicit.zip(finer.reciprocals.iter().chain(&finer.roots)) {
+                let known = own.series[..up_to].iter_mut().zip(&finer.series);
+                known.for_each(|(own, finer)| *own = finer.map(S::rounded));
+            }
+        }
     }
 }
 

@@ -23,7 +23,9 @@ mod pick;
 mod plan;
 mod points;
 mod small;
+mod stages;
 mod stored;
+mod sum;
 
 pub use abreast::Abreast;
 pub use expand::Expansion;

@@ -1,5 +1,6 @@
 //! Eight numbers as they stand in memory.
 
+use super::fused::Fused;
 use field::DoubleDouble;
 use std::fmt::Debug;
 
@@ -10,6 +11,15 @@ pub(crate) trait Stored<S>: Copy + Debug {
     fn lane(&self, lane: usize) -> S;
 
     fn set(&mut self, lane: usize, number: S);
+
+    /// Rounded to `f64`.
+    #[inline(always)]
+    fn rounded(&self) -> [f64; 8]
+    where
+        S: Fused,
+    {
+        std::array::from_fn(|lane| self.lane(lane).rounded())
+    }
 
     #[inline(always)]
     fn add(&mut self, lane: usize, number: S)
@@ -58,5 +68,10 @@ impl Stored<DoubleDouble> for Parts {
     #[inline(always)]
     fn set(&mut self, lane: usize, number: DoubleDouble) {
         (self.first[lane % 8], self.rest[lane % 8]) = (number.hi(), number.lo());
+    }
+
+    #[inline(always)]
+    fn rounded(&self) -> [f64; 8] {
+        self.first
     }
 }

@@ -1,18 +1,21 @@
 //! Small right-hand sides, y' = c + L y + sum_p w_p a_p b_p with few quantities: what most scenes come to, and where an order
 //! of the series is so little work that waiting is most of it.
 
+mod expand;
 mod kernel;
 mod law;
+mod matrix;
 mod orders;
 mod pattern;
 mod solved;
 
-pub(super) use kernel::MOST_ORDER;
 pub(super) use law::Law;
+pub(super) use orders::MOST_ORDER;
 
 use super::fused::Fused;
+use expand::Expand;
+use field::DoubleDouble;
 use kernel::Kernel;
-use orders::Expand;
 
 /// Groups of eight quantities, and of eight products.
 #[derive(Clone, Debug)]
@@ -52,32 +55,40 @@ pub(super) trait SmallSeries<S>: Clone + std::fmt::Debug {
     fn set(&mut self, values: &[S]);
 
     /// Expands the solution whose first coefficients stand at the head of the series, which has a row of whole groups of
-    /// eight for each order.
-    fn expand(&mut self, series: &mut [S]);
+    /// eight for each order. Of a finer field those after the order `fine` have the digits of `f64`, or more.
+    fn expand(&mut self, series: &mut [S], fine: usize);
 }
 
-impl<S: Fused> SmallSeries<S> for Small<S> {
-    fn new(law: &Law) -> Option<Self> {
-        Some(match (law.quantities().div_ceil(8), law.products.len().div_ceil(8)) {
-            (0 | 1, 0 | 1) => Small::OneOne(Kernel::new(law)),
-            (0 | 1, 2) => Small::OneTwo(Kernel::new(law)),
-            (0 | 1, _) => Small::OneThree(Kernel::new(law)),
-            (2, 0 | 1) => Small::TwoOne(Kernel::new(law)),
-            (2, 2) => Small::TwoTwo(Kernel::new(law)),
-            (2, _) => Small::TwoThree(Kernel::new(law)),
-            (_, 0..=2) => Small::ThreeTwo(Kernel::new(law)),
-            _ => Small::ThreeThree(Kernel::new(law)),
-        })
-    }
+/// For each field by itself: what is generic would be compiled anew in every crate that expands something.
+macro_rules! small_series {
+    ($field:ty) => {
+        impl SmallSeries<$field> for Small<$field> {
+            fn new(law: &Law) -> Option<Self> {
+                Some(match (law.quantities().div_ceil(8), law.products.len().div_ceil(8)) {
+                    (0 | 1, 0 | 1) => Small::OneOne(Kernel::new(law)),
+                    (0 | 1, 2) => Small::OneTwo(Kernel::new(law)),
+                    (0 | 1, _) => Small::OneThree(Kernel::new(law)),
+                    (2, 0 | 1) => Small::TwoOne(Kernel::new(law)),
+                    (2, 2) => Small::TwoTwo(Kernel::new(law)),
+                    (2, _) => Small::TwoThree(Kernel::new(law)),
+                    (_, 0..=2) => Small::ThreeTwo(Kernel::new(law)),
+                    _ => Small::ThreeThree(Kernel::new(law)),
+                })
+            }
 
-    fn set(&mut self, values: &[S]) {
-        for_kernel!(self, kernel => kernel.set(values));
-    }
+            fn set(&mut self, values: &[$field]) {
+                for_kernel!(self, kernel => kernel.set(values));
+            }
 
-    fn expand(&mut self, series: &mut [S]) {
-        for_kernel!(self, kernel => S::run(Expand { kernel, series }, 8));
-    }
+            fn expand(&mut self, series: &mut [$field], fine: usize) {
+                for_kernel!(self, kernel => <$field>::run(Expand { kernel, series, fine }, 8));
+            }
+        }
+    };
 }
+
+small_series!(f64);
+small_series!(DoubleDouble);
 
 /// Of fields that have no way of their own.
 #[derive(Clone, Debug)]
@@ -92,7 +103,7 @@ impl<S> SmallSeries<S> for Never {
         match *self {}
     }
 
-    fn expand(&mut self, _: &mut [S]) {
+    fn expand(&mut self, _: &mut [S], _: usize) {
         match *self {}
     }
 }

@@ -1,4 +1,4 @@
-//! All orders of a small series, the work of each in registers.
+//! All orders of a small series after the first, the work of each in registers.
 //!
 //! For k > 0
 //!
@@ -7,16 +7,120 @@
 //! with J the Jacobian of f at y_0. An order waits for y_k only by way of J; W m_k is summed meanwhile, as soon as y_(k-1) is
 //! known. Of what a processor does in one order of a small system most is waiting, and this halves it.
 
-use super::kernel::{CHAINS, Fours, Kernel, MOST_ORDER, Matrix, Wide};
-use crate::recurrence::fused::{Fused, Task};
-use crate::recurrence::pick::Pick;
+use super::law::Law;
+use super::matrix::{Fours, Matrix, Wide, times};
+use super::pattern::Pattern;
+use crate::recurrence::fused::Fused;
+use crate::recurrence::pick::{Pick, Shuffle};
 use crate::recurrence::stored::Stored;
+use std::ops::Range;
 
-impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
+/// So many orders there is room for: more than any tolerance asks for.
+pub(in crate::recurrence) const MOST_ORDER: usize = 64;
+
+/// Sums that run side by side: none waits for the addition before.
+const CHAINS: usize = 2;
+
+/// Room for the series to this order and for chains that go too far.
+const ROOM: usize = MOST_ORDER + 2 * CHAINS;
+
+/// What is where, whatever the numbers are.
+#[derive(Clone, Debug)]
+pub(super) struct Shape<const B: usize, const G: usize> {
+    pub linear: Fours<B>,
+    pub weights: Fours<B>,
+    jacobian: Fours<B>,
+    gains: Fours<B>,
+    /// Which quantities the factors are, among the first sixteen; then among these and the rest.
+    factors: [[[Shuffle; 2]; 2]; G],
+    /// A bit for each quantity that is solved for, and whether there is any.
+    is_solved: [u8; B],
+    pub solves: bool,
+}
+
+impl<const B: usize, const G: usize> Shape<B, G> {
+    pub fn new(law: &Law, pattern: &Pattern) -> Self {
+        let quantity = |number: usize, side: usize| law.products.get(number).map_or(0, |factors| factors[side]);
+        let shuffles = |group: usize, side: usize| -> [Shuffle; 2] {
+            let lanes: [usize; 8] = std::array::from_fn(|lane| quantity(8 * group + lane, side));
+            let first = std::array::from_fn(|lane| lanes[lane] as u64 % 16);
+            let then = std::array::from_fn(|lane| if lanes[lane] < 16 { lane as u64 } else { lanes[lane] as u64 - 8 });
+            [first, then]
+        };
+        let mut is_solved = [0; B];
+        (law.moving..law.quantities()).for_each(|quantity| is_solved[quantity / 8] |= 1 << (quantity % 8));
+        Shape {
+            linear: Fours::new(&pattern.linear),
+            weights: Fours::new(&pattern.weights),
+            jacobian: Fours::new(&pattern.jacobian),
+            gains: Fours::new(&pattern.gains),
+            factors: std::array::from_fn(|group| [shuffles(group, 0), shuffles(group, 1)]),
+            is_solved,
+            solves: !law.solved.is_empty(),
+        }
+    }
+
+    /// The factors on one side of all products.
+    #[inline(always)]
+    pub fn pick<S: Fused, P: Pick<S>>(&self, pick: P, side: usize, from: &[P::Eight; B]) -> [P::Eight; G] {
+        let mut picked = [pick.all(S::zero()); G];
+        for (picked, shuffles) in picked.iter_mut().zip(&self.factors) {
+            let [first, then] = &shuffles[side];
+            *picked = pick.shuffle([from[0], from[1 % B]], first);
+            if B > 2 {
+                *picked = pick.shuffle([*picked, from[2 % B]], then);
+            }
+        }
+        picked
+    }
+}
+
+/// Between two orders: f(y)_(k-1), what is known of f(y)_k without y_k, and y_k.
+#[derive(Clone, Copy)]
+pub(super) struct Between<E, const B: usize> {
+    pub sums: [E; B],
+    pub rest: [E; B],
+    pub newest: [E; B],
+}
+
+/// The law at the point of an expansion, and the factors so far.
+#[derive(Clone, Debug)]
+pub(super) struct Orders<S: Fused, const B: usize, const G: usize> {
+    /// J and W.
+    pub jacobian: Matrix<S, B, B>,
+    pub gains: Matrix<S, B, G>,
+    /// 1/k
+    reciprocals: [S; MOST_ORDER + 1],
+    /// a_j at j.
+    left: [[Wide<S>; G]; ROOM],
+    /// b_j at MOST_ORDER - j.
+    right: [[Wide<S>; G]; ROOM],
+}
+
+impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
+    pub fn new() -> Self {
+        let zero = Wide::zero();
+        Orders {
+            jacobian: [[[zero; B]; 8]; B],
+            gains: [[[zero; B]; 8]; G],
+            reciprocals: std::array::from_fn(|k| if k == 0 { S::zero() } else { S::ratio(1, k as i64) }),
+            left: [[zero; G]; ROOM],
+            right: [[zero; G]; ROOM],
+        }
+    }
+
+    /// Takes the factors of order 0.
+    #[inline(always)]
+    pub fn begin<P: Pick<S>>(&mut self, pick: P, b: &[P::Eight; G]) {
+        self.left[..=CHAINS].fill([Wide::zero(); G]);
+        for (own, b) in self.right[MOST_ORDER].iter_mut().zip(b) {
+            own.0 = pick.store(*b);
+        }
+    }
+
     /// Takes a_k and b_k, and sums a_1 b_k + .. + a_k b_1.
     #[inline(always)]
-    fn middle<P: Pick<S>>(&mut self, pick: P, k: usize, newest: &[P::Eight; B]) -> [P::Eight; G] {
-        let (a, b) = (self.pick(pick, 0, newest), self.pick(pick, 1, newest));
+    fn middle<P: Pick<S>>(&mut self, pick: P, k: usize, [a, b]: [[P::Eight; G]; 2]) -> [P::Eight; G] {
         // a is zero from k on: the last chains may go too far
         let middle = k.saturating_sub(2).next_multiple_of(CHAINS);
         let (a_older, b_older) = (&self.left[2..][..middle], &self.right[MOST_ORDER - k + 1..][..middle]);
@@ -43,130 +147,56 @@ impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
         }
         sums
     }
-}
 
-/// sum_c matrix_c x_c over the columns that count.
-#[inline(always)]
-fn times<S: Fused, P: Pick<S>, const B: usize, const C: usize>(
-    pick: P,
-    matrix: &Matrix<S, B, C>,
-    x: &[P::Eight; C],
-    fours: &Fours<B>,
-) -> [P::Eight; B] {
-    let mut sums = [[pick.all(S::zero()); B]; 4];
-    // written out: as loops they would not be unrolled, and the sums not kept in registers
-    four::<S, P, B, C, 0>(pick, &mut sums, matrix, x, fours);
-    four::<S, P, B, C, 1>(pick, &mut sums, matrix, x, fours);
-    four::<S, P, B, C, 2>(pick, &mut sums, matrix, x, fours);
-    four::<S, P, B, C, 3>(pick, &mut sums, matrix, x, fours);
-    four::<S, P, B, C, 4>(pick, &mut sums, matrix, x, fours);
-    four::<S, P, B, C, 5>(pick, &mut sums, matrix, x, fours);
-    let [mut a, b, c, d] = sums;
-    for group in 0..B {
-        a[group] = pick.plus(pick.plus(a[group], b[group]), pick.plus(c[group], d[group]));
-    }
-    a
-}
-
-/// Adds four columns where they count.
-#[inline(always)]
-fn four<S: Fused, P: Pick<S>, const B: usize, const C: usize, const FOUR: usize>(
-    pick: P,
-    sums: &mut [[P::Eight; B]; 4],
-    matrix: &Matrix<S, B, C>,
-    x: &[P::Eight; C],
-    fours: &Fours<B>,
-) {
-    if FOUR >= 2 * C || fours.any >> FOUR & 1 == 0 {
-        return;
-    }
-    let (columns, x, first) = (&matrix[FOUR / 2 % C], x[FOUR / 2 % C], FOUR % 2 * 4);
-    let mut spread = [x; 4];
-    for (chain, spread) in spread.iter_mut().enumerate() {
-        *spread = pick.spread(x, first + chain);
-    }
-    let four = &columns[first..first + 4];
-    rows::<S, P, B, FOUR, 0>(pick, sums, four, &spread, fours);
-    rows::<S, P, B, FOUR, 1>(pick, sums, four, &spread, fours);
-    rows::<S, P, B, FOUR, 2>(pick, sums, four, &spread, fours);
-}
-
-/// Their rows of one group.
-#[inline(always)]
-fn rows<S: Fused, P: Pick<S>, const B: usize, const FOUR: usize, const GROUP: usize>(
-    pick: P,
-    sums: &mut [[P::Eight; B]; 4],
-    columns: &[[Wide<S>; B]],
-    x: &[P::Eight; 4],
-    fours: &Fours<B>,
-) {
-    if GROUP < B && fours.groups[GROUP % B] >> FOUR & 1 == 1 {
-        for ((sum, own), x) in sums.iter_mut().zip(columns).zip(x) {
-            sum[GROUP % B] = pick.plus_product(sum[GROUP % B], pick.load(&own[GROUP % B].0), *x);
-        }
-    }
-}
-
-/// Expands the solution whose first coefficients stand at the head of the series.
-pub(super) struct Expand<'a, S: Fused, const B: usize, const G: usize> {
-    pub kernel: &'a mut Kernel<S, B, G>,
-    pub series: &'a mut [S],
-}
-
-impl<S: Fused, const B: usize, const G: usize> Task<S> for Expand<'_, S, B, G> {
+    /// Finds y_(k+1) for these k, into the rows of the series.
     #[inline(always)]
-    fn run<P: Pick<S>>(self, pick: P) {
-        let Expand { kernel, series } = self;
-        let (rows, _) = series.as_chunks_mut::<8>();
-        let order = (rows.len() / B).saturating_sub(1).min(MOST_ORDER);
-        let ([linear_fours, weights_fours, jacobian_fours, gains_fours], solves) =
-            (kernel.fours, !kernel.law.solved.is_empty());
-        let mut point = [[S::zero(); 8]; B];
-        point.copy_from_slice(&rows[..B]);
-        if solves {
-            kernel.solve(&mut point);
-        }
-        kernel.linearise(pick, &point);
-        if solves {
-            kernel.eliminate(pick, &point);
-        }
-        let mut newest = [pick.all(S::zero()); B];
-        for (newest, eight) in newest.iter_mut().zip(point) {
-            *newest = pick.load(&S::Stored::of(eight));
-        }
-        let (a, b) = (kernel.pick(pick, 0, &newest), kernel.pick(pick, 1, &newest));
-        kernel.left[..=CHAINS].fill([Wide::zero(); G]);
-        let mut first = [pick.all(S::zero()); G];
-        for group in 0..G {
-            kernel.right[MOST_ORDER][group].0 = pick.store(b[group]);
-            first[group] = pick.product(a[group], b[group]);
-        }
-        // f(y_0) itself, then what y_0 brings to the later orders stands in J
-        let linear = times(pick, &kernel.linear, &newest, &linear_fours);
-        let quadratic = times(pick, &kernel.weights, &first, &weights_fours);
-        let mut sums = linear;
-        for block in 0..B {
-            sums[block] = pick.plus(pick.plus(quadratic[block], pick.load(&kernel.constants[block].0)), linear[block]);
-        }
-        let mut rest = [pick.all(S::zero()); B];
-        for k in 0..order {
+    pub fn run<P: Pick<S>, R: From<S>>(
+        &mut self,
+        pick: P,
+        shape: &Shape<B, G>,
+        orders: Range<usize>,
+        Between { mut sums, mut rest, mut newest }: Between<P::Eight, B>,
+        rows: &mut [[R; 8]],
+    ) -> Between<P::Eight, B> {
+        for k in orders {
             if k > 0 {
                 // y_k = sums / k: the division need not be waited for
-                let known = times(pick, &kernel.jacobian, &sums, &jacobian_fours);
+                let known = times(pick, &self.jacobian, &sums, &shape.jacobian);
                 for block in 0..B {
-                    sums[block] = pick.plus_product(rest[block], known[block], pick.all(kernel.reciprocals[k]));
-                    if solves {
-                        newest[block] = pick.blend(kernel.is_solved[block], newest[block], sums[block]);
+                    sums[block] = pick.plus_product(rest[block], known[block], pick.all(self.reciprocals[k]));
+                    if shape.solves {
+                        newest[block] = pick.blend(shape.is_solved[block], newest[block], sums[block]);
                     }
                 }
-                let older = kernel.middle(pick, k, &newest);
-                rest = times(pick, &kernel.gains, &older, &gains_fours);
+                let factors = [shape.pick(pick, 0, &newest), shape.pick(pick, 1, &newest)];
+                let older = self.middle(pick, k, factors);
+                rest = times(pick, &self.gains, &older, &shape.gains);
             }
             for block in 0..B {
-                newest[block] = pick.product(sums[block], pick.all(kernel.reciprocals[k + 1]));
+                newest[block] = pick.product(sums[block], pick.all(self.reciprocals[k + 1]));
                 let stored = pick.store(newest[block]);
-                rows[(k + 1) * B + block] = std::array::from_fn(|lane| stored.lane(lane));
+                rows[(k + 1) * B + block] = std::array::from_fn(|lane| R::from(stored.lane(lane)));
             }
         }
+        Between { sums, rest, newest }
+    }
+}
+
+impl<const B: usize, const G: usize> Orders<f64, B, G> {
+    /// Takes over from a finer field after so many orders.
+    #[inline(always)]
+    pub fn take<S: Fused>(&mut self, finer: &Orders<S, B, G>, orders: usize) {
+        round(self.jacobian.as_flattened_mut(), finer.jacobian.as_flattened());
+        round(self.gains.as_flattened_mut(), finer.gains.as_flattened());
+        round(&mut self.left[..orders + CHAINS], &finer.left[..orders + CHAINS]);
+        let (first, end) = (MOST_ORDER + 1 - orders, MOST_ORDER + 1);
+        round(&mut self.right[first..end], &finer.right[first..end]);
+    }
+}
+
+#[inline(always)]
+fn round<S: Fused, const N: usize>(own: &mut [[Wide<f64>; N]], finer: &[[Wide<S>; N]]) {
+    for (own, finer) in own.as_flattened_mut().iter_mut().zip(finer.as_flattened()) {
+        own.0 = finer.0.rounded();
     }
 }

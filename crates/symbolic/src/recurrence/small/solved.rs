@@ -7,8 +7,10 @@
 //! with rows A and C that the order 0 gives: of a reciprocal, r_k = -r_0 (r_0 b_k + m_k), of a root, r_k = (a_k - m_k) / 2 r_0.
 //! Put into the rates, what is solved for is gone from them.
 
-use super::kernel::{Kernel, Wide};
+use super::kernel::Kernel;
 use super::law::Solved;
+use super::matrix::Wide;
+use super::orders::Orders;
 use crate::recurrence::fused::Fused;
 use crate::recurrence::pick::Pick;
 use crate::recurrence::stored::Stored;
@@ -102,7 +104,7 @@ impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
             }
         }
         // its own column has a one in its own row: so the rows are put in by the way
-        let Kernel { law, rows, jacobian, gains, weights, .. } = self;
+        let Kernel { law, rows, orders: Orders { jacobian, gains, .. }, weights, .. } = self;
         let (columns, solved) = jacobian.as_flattened_mut().split_at_mut(moving);
         for (number, column) in columns.iter_mut().enumerate() {
             let times = rows.iter().map(|row| row.moving[number / 8 % B].0.lane(number % 8));

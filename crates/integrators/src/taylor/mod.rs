@@ -4,15 +4,28 @@
 //! the last two terms just as large as the tolerance allows (Jorba and Zou 2005). The polynomial is the dense output: an
 //! output costs one Horner scheme and no step.
 
+mod rounding;
+mod step;
+
 use crate::drive::{Attempt, Cause, Stepper};
 use crate::meter::Meter;
 use crate::{Absolute, Failure, Real, Refusal, Tolerance};
 use field::Scalar;
+use rounding::Rounding;
+pub(crate) use step::reach;
+pub use step::taylor_order;
 
 /// A source of Taylor coefficients: the recurrences of a system's expression graph.
 pub trait TaylorSeries<S: Scalar> {
     /// Expands the solution through (t, y) up to an order.
     fn expand(&mut self, t: S, y: &[S], order: usize);
+
+    /// As [`expand`](Self::expand), where the digits of `f64` do for the coefficients after the order `fine`. Returns up to which
+    /// order they have all digits of the field.
+    fn expand_rounding(&mut self, t: S, y: &[S], order: usize, _fine: usize) -> usize {
+        self.expand(t, y, order);
+        order
+    }
 
     /// Of the last expansion the coefficients of order k, that is the k-th derivatives over k!, for k up to its order.
     fn coefficients(&self, k: usize) -> &[S];
@@ -26,6 +39,10 @@ impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
         (**self).expand(t, y, order);
     }
 
+    fn expand_rounding(&mut self, t: S, y: &[S], order: usize, fine: usize) -> usize {
+        (**self).expand_rounding(t, y, order, fine)
+    }
+
     fn coefficients(&self, k: usize) -> &[S] {
         (**self).coefficients(k)
     }
@@ -35,95 +52,21 @@ impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
     }
 }
 
-/// The order for a tolerance, within what rounding leaves of it.
-///
-/// The step goes as tolerance^(1/p), so with L = -ln(tolerance) the cheapest p for steps that cost b + p + c p^2 has
-///
-///   p^2 (1 + 2 c p) = L (b + p + c p^2) .
-///
-/// In `f64` what a step costs beside its orders is worth about five of them, and eight terms of a product cost as much as
-/// one: b = 5, c = 0.015, and p = 4 + 0.8 L is near to that for all L from 7 to 33. But never below 16: where a decay and not
-/// the tolerance bounds the step, that of a series grows with its order. Measured on eight scenes of motors at an error of 1e-3, order 16
-/// takes 0.8 to 1.05 of the time of order 10; mechanisms were not timed. A tolerance below the rounding of `f64` is for
-/// double-double, where the products are all that counts, and p = L / 2.
-pub fn taylor_order(tolerance: f64) -> usize {
-    let order = if tolerance < f64::EPSILON { 1.0 - 0.5 * tolerance.ln() } else { 4.0 - 0.8 * tolerance.ln() };
-    (order.ceil() as usize).clamp(16, 60)
-}
-
-/// How far a series of order p reaches whose last two coefficients have these sizes, in units of what is allowed.
-#[inline]
-pub(crate) fn reach(order: usize, last: f64, one_before: f64) -> f64 {
-    let p = order as f64;
-    if last.max(one_before) < f64::MIN_POSITIVE {
-        return f64::INFINITY;
-    }
-    power_of_two(-(logarithm(last) * (1.0 / p)).max(logarithm(one_before) * (1.0 / (p - 1.0))))
-}
-
-/// log2 of a number that is not negative, to 3e-6: a step need not be known better, and steps are short enough for the
-/// difference to show. Zero counts as the smallest number.
-#[inline]
-fn logarithm(x: f64) -> f64 {
-    const FRACTION: u64 = (1 << 52) - 1;
-    let exponent = f64::from((x.to_bits() >> 52) as i32 - 1023);
-    let fraction = f64::from_bits((x.to_bits() & FRACTION) | 1.0_f64.to_bits());
-    exponent + polynomial(fraction - 1.5, LOGARITHM)
-}
-
-/// 2^y, to 2e-6.
-#[inline]
-fn power_of_two(y: f64) -> f64 {
-    let y = y.clamp(-1000.0, 1000.0);
-    let whole = y as i32;
-    let scale = f64::from_bits(((1023 + whole) as u64) << 52);
-    scale * polynomial(y - f64::from(whole), POWER)
-}
-
-/// log2(1.5 + x) for |x| < 1/2.
-const LOGARITHM: [f64; 8] = [
-    0.5849627591044444,
-    0.9617965401665365,
-    -0.3206318784567618,
-    0.1425080240329688,
-    -0.07059455402256631,
-    0.03761046428219572,
-    -0.0251101409525063,
-    0.014440352491874364,
-];
-/// 2^x for |x| < 1.
-const POWER: [f64; 8] = [
-    0.9999999895646148,
-    0.693147179757808,
-    0.2402268408359096,
-    0.05550413432974688,
-    0.009616461222384132,
-    0.0013332275843138675,
-    0.00015669788598415835,
-    1.545752248688359e-05,
-];
-
-/// sum c_k x^k, by halves that do not wait for each other.
-#[inline]
-fn polynomial(x: f64, [a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
-    let square = x * x;
-    let (low, high) = ((a + b * x) + (c + d * x) * square, (e + f * x) + (g + h * x) * square);
-    low + high * (square * square)
-}
-
 /// The Taylor method on one system, to be used for as many runs as one likes: a run allocates nothing.
 #[derive(Clone, Debug)]
 pub struct Taylor<T> {
     source: T,
     tolerance: Tolerance,
     order: usize,
+    rounding: Rounding,
 }
 
 impl<T> Taylor<T> {
     /// With the order that suits the tolerance.
     pub fn new(source: T, tolerance: &Tolerance) -> Self {
         let order = taylor_order(tolerance.relative);
-        Taylor { source, tolerance: tolerance.clone(), order }
+        let rounding = Rounding::new(order, tolerance.relative);
+        Taylor { source, tolerance: tolerance.clone(), order, rounding }
     }
 
     /// The order of the last term.
@@ -139,13 +82,26 @@ impl<T> Taylor<T> {
 
     /// The longest step that the series through (t, y) allows; not a number where the series is undefined.
     ///
-    /// With s_k the largest coefficient of order k in units of what is allowed: the smaller one of s_k^(-1/k), k = p - 1, p.
+    /// In a field finer than `f64` only the first orders need all of its digits: see [`rounding`].
     #[inline]
     fn reach<S: Real>(&mut self, time: S, y: &[S]) -> f64
     where
         T: TaylorSeries<S>,
     {
+        if S::EPSILON < f64::EPSILON {
+            return self.reach_rounding(time, y);
+        }
         self.source.expand(time, y, self.order);
+        self.allowed(y)
+    }
+
+    /// How far the series goes: with s_k the largest coefficient of order k in units of what is allowed, the smaller one of
+    /// s_k^(-1/k), k = p - 1, p.
+    #[inline]
+    fn allowed<S: Real>(&self, y: &[S]) -> f64
+    where
+        T: TaylorSeries<S>,
+    {
         let (last, one_before) = (self.source.coefficients(self.order), self.source.coefficients(self.order - 1));
         let (mut s_last, mut s_before, mut sum) = (0.0_f64, 0.0_f64, 0.0);
         let mut compare = |absolute: f64, y: S, last: S, before: S| {

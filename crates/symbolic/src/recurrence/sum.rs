@@ -1,0 +1,104 @@
+//! The sum of a series.
+
+use super::fused::{Fused, Task};
+use super::order::add;
+use super::pick::Pick;
+
+/// A series by orders, each of so many numbers and the first of these states; up to the order `fine` in all digits of the field.
+pub(super) struct Terms<'a, S> {
+    pub series: &'a [S],
+    pub width: usize,
+    pub states: usize,
+    pub order: usize,
+    pub fine: usize,
+}
+
+/// Its sum at h, W states at a time.
+pub(super) struct Sum<'a, S, const W: usize> {
+    pub terms: Terms<'a, S>,
+    pub h: S,
+    pub out: &'a mut [S],
+}
+
+/// Every so many terms are summed by themselves: Horner's scheme waits for each of its steps.
+const APART: usize = 4;
+
+impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
+    #[inline(always)]
+    fn run<P: Pick<S> + Pick<f64>>(self, _: P) {
+        let Sum { terms: Terms { series, width, states, order, fine }, h, .. } = self;
+        if S::FINER && fine < order {
+            return self.rounding::<P>();
+        }
+        let square = h * h;
+        let [h, square, fourth] = [h, square, square * square].map(|power| [power; W]);
+        let (terms, over) = (order + 1, (order + 1) % APART);
+        for (first, out) in (0..states).step_by(W).zip(self.out.chunks_mut(W)) {
+            let term = |k: usize| -> [S; W] {
+                let mut term = [S::zero(); W];
+                term.copy_from_slice(&series[k * width + first..][..W]);
+                term
+            };
+            let mut sums = [[S::zero(); W]; APART];
+            for (chain, sum) in sums.iter_mut().enumerate() {
+                if chain < over {
+                    *sum = term(terms - over + chain);
+                }
+            }
+            for four in (0..terms / APART).rev() {
+                for (chain, sum) in sums.iter_mut().enumerate() {
+                    *sum = add::<P, S, W>(term(four * APART + chain), *sum, fourth);
+                }
+            }
+            let [even, odd, more, most] = sums;
+            let (low, high) = (add::<P, S, W>(even, odd, h), add::<P, S, W>(more, most, h));
+            let sum = add::<P, S, W>(low, high, square);
+            copy::<S, W>(&sum, out);
+        }
+    }
+}
+
+impl<S: Fused, const W: usize> Sum<'_, S, W> {
+    /// What is rounded is summed in `f64`, then the others.
+    #[inline(always)]
+    fn rounding<P: Pick<S> + Pick<f64>>(self) {
+        let Terms { series, width, states, order, fine } = self.terms;
+        let (rounded, h) = ([self.h.rounded(); W], [self.h; W]);
+        for (first, out) in (0..states).step_by(W).zip(self.out.chunks_mut(W)) {
+            let terms = |k: usize| &series[k * width + first..][..W];
+            let mut tail = [0.0; W];
+            for k in (fine + 1..=order).rev() {
+                let mut term = [0.0; W];
+                for (rounded, own) in term.iter_mut().zip(terms(k)) {
+                    *rounded = own.rounded();
+                }
+                tail = add::<P, f64, W>(term, tail, rounded);
+            }
+            let mut sum = tail.map(S::lift);
+            for k in (0..=fine).rev() {
+                let mut term = [S::zero(); W];
+                term.copy_from_slice(terms(k));
+                sum = add::<P, S, W>(term, sum, h);
+            }
+            copy::<S, W>(&sum, out);
+        }
+    }
+}
+
+/// A few numbers: to call what copies memory would take longer than this.
+#[inline(always)]
+pub(super) fn copy<S: Copy, const W: usize>(from: &[S], to: &mut [S]) {
+    for (to, from) in to.chunks_mut(W).zip(from.chunks(W)) {
+        match (<&mut [S; W]>::try_from(&mut *to), <&[S; W]>::try_from(from)) {
+            (Ok(to), Ok(from)) => *to = *from,
+            _ => {
+                let few = to.len().min(from.len());
+                for lane in 0..W {
+                    if lane < few {
+                        to[lane] = from[lane];
+                    }
+                }
+            }
+        }
+    }
+}
