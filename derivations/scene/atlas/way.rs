@@ -124,7 +124,7 @@ impl Way {
     pub(super) fn measure_itself(&mut self, span: f64, own: Option<&Reference>) {
         let found = match (&self.law, own) {
             (_, Some(reference)) => Some(reference.sizes.clone()),
-            (Treated::Free(law), None) => survey(&**law, &self.span(span, Trials::SURVEY)).ok().map(|(sizes, _)| sizes),
+            (Treated::Free(law), None) => survey(&**law, &self.span(span, Trials::SURVEY)).ok(),
             // followed by no method with a constant step
             _ => None,
         };
