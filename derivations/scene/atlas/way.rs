@@ -22,7 +22,8 @@ pub enum Formulation {
     Minimal,
     /// In redundant coordinates, the constraints led by the gains that the scene gives.
     Given,
-    /// In redundant coordinates by Lagrange's multipliers, f'' = 0, and nothing else.
+    /// In redundant coordinates by Lagrange's multipliers, f'' = 0, and nothing else; a control that keeps an equation stands for
+    /// the multiplier of one.
     IndexReduced,
     /// In redundant coordinates, f'' = -2 w f' - w^2 f with w = 10/s (Baumgarte).
     Led,
