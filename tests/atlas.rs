@@ -190,7 +190,7 @@ fn page(name: &str, stiff: bool) -> String {
     text
 }
 
-const SCENES: [(&str, bool); 14] = [
+const SCENES: [(&str, bool); 15] = [
     ("asynchronous_drive", false),
     ("bench", false),
     ("constant_speed", false),
@@ -204,6 +204,7 @@ const SCENES: [(&str, bool); 14] = [
     ("bodies/sleigh", false),
     ("governors/between_discs", false),
     ("governors/drum_programme", false),
+    ("governors/elastic_stable", false),
     ("governors/released", false),
 ];
 
@@ -263,6 +264,9 @@ fn every_formulation_of_a_mechanism_tends_to_one_motion() {
         ("bodies/sleigh", "10 s"),
         ("bodies/coin", "1 s"),
         ("governors/released", "3 s"),
+        ("governors/drum_programme", "10 s"),
+        ("governors/between_discs", "5 s"),
+        ("governors/elastic_stable", "5 s"),
     ] {
         let scene = over(name, span);
         let scene: &dyn Smooth = &scene;

@@ -1,5 +1,7 @@
 //! The governor with an elastic rim: near its stationary motion, or anywhere else.
 
+use super::points::{self, Turning};
+use super::rewritten::Rewritten;
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::governors::{growth, has_positive_minors};
 use crate::ladder::{Rung, Written, governors};
@@ -7,6 +9,7 @@ use crate::machines::Quantity;
 use crate::systems::elastic_governor::ElasticGovernor;
 use field::{Analytic, Over};
 use integrators::Method;
+use mechanics::constrained::State;
 use std::sync::Arc;
 
 /// The state as the system has it.
@@ -24,6 +27,13 @@ fn stationary(data: &ElasticGovernor<f64>) -> Option<f64> {
     let balanced = data.stationary_at(speed);
     let close = |a: f64, b: f64| (a - b).abs() <= BALANCED * a.abs().max(b.abs());
     (speed > 0.0 && close(balanced.m1, data.m1)).then_some(speed)
+}
+
+/// Its angles are coordinates.
+impl Turning<12, 0> for ElasticGovernor<f64> {
+    fn turning<S: Over<f64>>(&self, _at: &State<S, 12>) -> [S; 0] {
+        []
+    }
 }
 
 impl Mechanism for ElasticGovernor<f64> {
@@ -81,6 +91,14 @@ impl Mechanism for ElasticGovernor<f64> {
             _ => return None,
         };
         Some(Diagnosis { what, at: None })
+    }
+
+    fn rewritten(&self, start: &[f64]) -> Vec<Rewritten> {
+        let [speed, x, drift, lambda, psi] = state(start);
+        let start = ([0.0, 0.0, 0.0, x, lambda, psi], [speed, drift], []);
+        points::redundant::<_, 12, 10, 6, 2, 0>(self, start, |at, []| {
+            vec![at.velocity[0], at.place[3], at.velocity[3], at.place[10], at.place[11]]
+        })
     }
 
     fn smaller(&self, start: &[f64], written: &Arc<dyn Written>) -> Vec<Rung> {

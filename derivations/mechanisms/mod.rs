@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`mechanism`]: what a mechanism says of itself, and the law with its work that is made of it;
-//! * [`rewritten`], [`points`]: other formulations of the same mechanism, for the atlas;
+//! * [`rewritten`], [`points`], [`steered`]: other formulations of the same mechanism, for the atlas;
 //! * [`scene`]: the family of scenes: reading, the problem, what theory says of a run;
 //! * [`governors`], [`elastic`], [`prescribed_top`], [`drive`], [`bodies`]: the mechanisms.
 //!
@@ -18,6 +18,7 @@ pub mod points;
 pub mod prescribed_top;
 pub mod rewritten;
 pub mod scene;
+pub mod steered;
 
 pub use mechanism::{Amiss, Balanced, Diagnosis, Ended, Mechanism};
 pub use scene::MechanismScene;

@@ -13,7 +13,7 @@
 use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::appell;
 use mechanics::constrained::motion::Motion;
-use mechanics::constrained::{Charted, State, System};
+use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
 use mechanics::definite::NotDefinite;
 use mechanics::differentiate::{along, unit};
 
@@ -94,6 +94,38 @@ impl<P: Base> System<12> for ElasticGovernor<P> {
     }
 }
 
+/// The links hold the balls, which turn with the drum; the other rates follow from that of the drum and the sleeve's.
+impl<P: Base> Constrained<12, 10> for ElasticGovernor<P> {
+    fn constraints<S: Over<P>>(&self, at: &State<S, 12>) -> [Constraint<S>; 10] {
+        let (place, velocity) = (at.place, at.velocity);
+        let half = place[3].half();
+        let link = |ball: usize| {
+            let square = (0..3).fold(S::zero(), |sum, i| sum + place[ball + i].squared());
+            Constraint::Geometric((square - S::lift(self.link).squared()).half())
+        };
+        let height = |ball: usize| Constraint::Geometric(place[ball + 2] - half);
+        let carried = |ball: usize| {
+            let ([x, y], [dx, dy]) = ([place[ball], place[ball + 1]], [velocity[ball], velocity[ball + 1]]);
+            Constraint::Kinematic(x * dy - y * dx - (x.squared() + y.squared()) * velocity[0])
+        };
+        let q = [place[0], place[1], place[2], place[3], place[10], place[11]];
+        let [_, disc, wheel, _, across, turn] = self.rolling(q, [velocity[0], velocity[3]]);
+        let follows = |i: usize, rate: S| Constraint::Kinematic(velocity[i] - rate);
+        [
+            link(4),
+            height(4),
+            link(7),
+            height(7),
+            carried(4),
+            carried(7),
+            follows(1, disc),
+            follows(2, wheel),
+            follows(10, across),
+            follows(11, turn),
+        ]
+    }
+}
+
 /// q = (phi1, phi2, phi, x, lambda, psi), p = (omega1, x').
 impl<P: Base> Charted<12, 6, 2> for ElasticGovernor<P> {
     fn place<S: Over<P> + Analytic>(&self, _time: S, q: [S; 6]) -> [S; 12] {
@@ -104,7 +136,14 @@ impl<P: Base> Charted<12, 6, 2> for ElasticGovernor<P> {
         [phi1, phi2, phi, x, across, along, height, -across, -along, height, lambda, psi]
     }
 
-    fn rates<S: Over<P> + Analytic>(&self, _time: S, q: [S; 6], [speed, drift]: [S; 2]) -> [S; 6] {
+    fn rates<S: Over<P> + Analytic>(&self, _time: S, q: [S; 6], p: [S; 2]) -> [S; 6] {
+        self.rolling(q, p)
+    }
+}
+
+impl<P: Base> ElasticGovernor<P> {
+    /// q' where the wheel rolls.
+    fn rolling<S: Over<P>>(&self, q: [S; 6], [speed, drift]: [S; 2]) -> [S; 6] {
         let [_, _, _, x, lambda, psi] = q;
         let rolled = S::lift(self.drum) * speed;
         let curvature = S::lift(self.alpha) * lambda - S::lift(self.beta) * psi;
@@ -117,9 +156,7 @@ impl<P: Base> Charted<12, 6, 2> for ElasticGovernor<P> {
             rolled * curvature,
         ]
     }
-}
 
-impl<P: Base> ElasticGovernor<P> {
     /// (omega1', x', x'', lambda', psi') at (omega1, x, x', lambda, psi); the angle of the drum is zero, which no equation
     /// can see.
     ///

@@ -2,6 +2,10 @@
 
 use super::*;
 use derivations::governors::{SPEED, governor as of_the_maps, growth, has_positive_minors};
+use mechanics::constrained::motion::velocity;
+use mechanics::constrained::programmed::violation;
+use mechanics::constrained::{Charted, State, System as _, massless};
+use symbolic::Sym;
 
 /// The governor of the maps with a rim that is elastic against twisting too.
 fn elastic(load: f64, across: f64) -> ElasticGovernor<f64> {
@@ -69,5 +73,33 @@ fn the_map_of_stability_is_bounded_by_hurwitz_curve() {
         }
         let all = map.rows.iter().map(Vec::len).sum::<usize>();
         assert!(stable > all / 20 && stable < all - all / 20, "{}: {stable} of {all}", map.title);
+    }
+}
+
+/// At l = 1/2, x = 3/5 the balls are at 2/5 from the axis: all is fractions.
+#[test]
+fn the_multipliers_of_the_elastic_governor_give_the_accelerations_of_appells_equations() {
+    let data = |name: &str| match name {
+        "ball" | "wheel" | "beta" => Sym::ratio(2, 3),
+        "link" => Sym::ratio(1, 2),
+        "offset" => Sym::ratio(1, 10),
+        "across" | "twist" => Sym::ratio(-7, 4),
+        "rim_mass" | "rim_inertia" => Sym::int(0),
+        _ => Sym::ratio(5, 3),
+    };
+    let given =
+        ElasticGovernor::<Sym>::read(|quantity| Ok::<Sym, ()>(data(&quantity.name))).expect("every datum is given");
+    let [speed, x, drift, lambda, psi] = [(2, 1), (3, 5), (1, 3), (1, 5), (-1, 4)].map(|(n, d)| Sym::ratio(n, d));
+    let zero = Sym::int(0);
+    for rim in [zero, Sym::ratio(1, 9)] {
+        let data = ElasticGovernor { rim_mass: rim, rim_inertia: rim, ..given };
+        let (q, p) = ([zero, zero, zero, x, lambda, psi], [speed, drift]);
+        let at = State { time: zero, place: data.place(zero, q), velocity: velocity(&data, zero, q, p) };
+        let kept = violation::<_, Sym, 12, 10>(&data, &at);
+        assert_eq!((kept.value, kept.rate), ([zero; 10], [zero; 10]), "the chart keeps the constraints");
+        let found = massless::leading_to(&data, &at, data.force(&at), [zero; 10]).expect("every coordinate is held");
+        let [spin, _, push, across, turn] = data.rates_of_state([speed, x, drift, lambda, psi]).expect("it has masses");
+        assert_eq!([found.acceleration[0], found.acceleration[3]], [spin, push]);
+        assert_eq!([at.velocity[10], at.velocity[11]], [across, turn]);
     }
 }

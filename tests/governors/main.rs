@@ -3,6 +3,7 @@
 mod elastic;
 mod programme;
 mod regulator;
+mod servo;
 
 use derivations::systems::elastic_governor::ElasticGovernor;
 use derivations::systems::governor::constant::{ConstantMoments, Course};

@@ -1,12 +1,15 @@
 //! The wheel led so that the second shaft keeps its speed.
 
 use super::super::bodies::power;
-use super::super::{Amiss, Diagnosis, Ended, Mechanism};
+use super::super::points::Turning;
+use super::super::rewritten::Rewritten;
+use super::super::{Amiss, Diagnosis, Ended, Mechanism, steered};
 use super::NEAR;
 use super::gear::{Gear, amiss, governor, left, without_friction};
 use crate::ladder::{Rung, Written, governors as ladder};
 use crate::machines::Quantity;
 use crate::systems::governor::constant::{ConstantMoments, Course};
+use crate::systems::governor::servo::Kept;
 use crate::systems::governor::{Governor, Moment};
 use field::{Analytic, Over};
 use integrators::Method;
@@ -58,6 +61,13 @@ impl<G: Gear> Programme<G> {
         let q = [zero, zero, zero, rho];
         let velocity = velocity(&self.governor, time, q, [speed, drift]);
         (drift, State { time, place: self.governor.place(time, q), velocity })
+    }
+}
+
+/// No equation sees an angle.
+impl Turning<7, 0> for Kept<f64> {
+    fn turning<S: Over<f64>>(&self, _at: &State<S, 7>) -> [S; 0] {
+        []
     }
 }
 
@@ -133,6 +143,13 @@ impl<G: Gear> Mechanism for Programme<G> {
         let smooth = Programme { governor: Governor { lateral: 0.0, ..self.governor }, ..*self };
         let smooth = (self.governor.lateral != 0.0).then(|| without_friction(smooth, start, written));
         smooth.flatten().into_iter().chain(series.into_iter().flatten()).collect()
+    }
+
+    /// The wheel's contacts by multipliers, the speed by the push: the motion in which the minimal form knows rho alone.
+    fn rewritten(&self, start: &[f64]) -> Vec<Rewritten> {
+        let (_, start) = self.motion(0.0, start[0]);
+        let kept = Kept { governor: self.governor, speed: self.speed };
+        steered::redundant::<_, 7, 5, 1>(&kept, &start, |at| vec![at.place[6]])
     }
 
     fn theory(&self, start: &[f64], _method: Method, _span: f64) -> Vec<String> {

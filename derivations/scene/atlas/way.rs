@@ -22,7 +22,8 @@ pub enum Formulation {
     Minimal,
     /// In redundant coordinates, the constraints led by the gains that the scene gives.
     Given,
-    /// In redundant coordinates by Lagrange's multipliers, f'' = 0, and nothing else.
+    /// In redundant coordinates by Lagrange's multipliers, f'' = 0, and nothing else; a control that keeps an equation stands for
+    /// the multiplier of one.
     IndexReduced,
     /// In redundant coordinates, f'' = -2 w f' - w^2 f with w = 10/s (Baumgarte).
     Led,
@@ -124,7 +125,7 @@ impl Way {
     pub(super) fn measure_itself(&mut self, span: f64, own: Option<&Reference>) {
         let found = match (&self.law, own) {
             (_, Some(reference)) => Some(reference.sizes.clone()),
-            (Treated::Free(law), None) => survey(&**law, &self.span(span, Trials::SURVEY)).ok().map(|(sizes, _)| sizes),
+            (Treated::Free(law), None) => survey(&**law, &self.span(span, Trials::SURVEY)).ok(),
             // followed by no method with a constant step
             _ => None,
         };

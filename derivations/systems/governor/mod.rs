@@ -4,7 +4,7 @@
 //! about a fixed axis, and the distance of the wheel from the axis of the second disc (with a [`Gearing::Drum`]) or of the
 //! first (with [`Gearing::Discs`]). The wheel rolls on both without slipping; a force pushes it along its axle.
 //!
-//! * [`programme`]: the motion of the wheel that keeps the speed, the force that this takes;
+//! * [`programme`]: the motion of the wheel that keeps the speed, the force that this takes; [`servo`]: the same by multipliers;
 //! * [`constant`]: the same in closed form under constant moments, and where it ends; [`between`]: between two discs;
 //! * [`series`]: the same by powers of a small parameter;
 //! * [`released`]: the motion when the speed is not kept exactly, its first approximation.
@@ -14,8 +14,9 @@ pub mod constant;
 pub mod programme;
 pub mod released;
 pub mod series;
+pub mod servo;
 
-use field::{Analytic, Base, Over};
+use field::{Analytic, Base, Over, Scalar};
 use mechanics::constrained::newton::Reactions;
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
 
@@ -77,6 +78,12 @@ impl<P: Base> Governor<P> {
     }
 }
 
+/// The angular velocity of the first disc, of the second, of the wheel, rad/s.
+fn turning<S: Scalar>(at: &State<S, 7>, body: usize) -> S {
+    let (cos, sin) = (2 * body, 2 * body + 1);
+    at.place[cos] * at.velocity[sin] - at.place[sin] * at.velocity[cos]
+}
+
 impl<P: Base> System<7> for Governor<P> {
     type Given = P;
 
@@ -96,18 +103,14 @@ impl<P: Base> System<7> for Governor<P> {
 /// The directions are of length one; the rim of the wheel moves with the first disc and with the second.
 impl<P: Base> Constrained<7, 5> for Governor<P> {
     fn constraints<S: Over<P>>(&self, at: &State<S, 7>) -> [Constraint<S>; 5] {
-        let direction = |k: usize| (at.place[2 * k], at.place[2 * k + 1]);
         let length = |k: usize| {
-            let (cos, sin) = direction(k);
+            let [cos, sin] = [at.place[2 * k], at.place[2 * k + 1]];
             Constraint::Geometric((cos.squared() + sin.squared() - S::one()).half())
         };
-        let speed = |k: usize| {
-            let (cos, sin) = direction(k);
-            cos * at.velocity[2 * k + 1] - sin * at.velocity[2 * k]
-        };
         let [first, second] = self.levers(at.place[6]);
-        let rim = S::lift(self.radius) * speed(2);
-        let rolling = [first * speed(0), second * speed(1)].map(|surface| Constraint::Kinematic(rim - surface));
+        let rim = S::lift(self.radius) * turning(at, 2);
+        let rolling =
+            [first * turning(at, 0), second * turning(at, 1)].map(|surface| Constraint::Kinematic(rim - surface));
         [length(0), length(1), length(2), rolling[0], rolling[1]]
     }
 }

@@ -25,6 +25,7 @@
 //! | Shulgin | redundant coordinates, T*; with the term it loses | [`redundant`], [`quasi`] |
 //!
 //! [`programmed`]: multipliers that lead violated constraints by a prescribed law instead of keeping them.
+//! [`servo`]: equations that controls keep, across their gradients; [`massless`]: multipliers where coordinates have no mass.
 //! [`gear_gupta_leimkuhler`]: a constraint and its rate, each with a multiplier of its own, for methods that keep both.
 //! [`energies`] is for systems that are given by L, D and Q in generalised coordinates instead, such as circuits.
 //! [`combining`] splits reactions with friction; [`classify`] tells what kind of constraints these are.
@@ -37,6 +38,7 @@ mod distribution;
 pub mod energies;
 pub mod gauss;
 pub mod gear_gupta_leimkuhler;
+pub mod massless;
 pub mod motion;
 pub mod multipliers;
 pub mod newton;
@@ -45,6 +47,7 @@ pub mod quasi;
 pub mod rates;
 pub mod redundant;
 pub mod second_kind;
+pub mod servo;
 
 use field::{Analytic, Base, Over, Scalar, Tangent};
 

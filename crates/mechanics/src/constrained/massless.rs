@@ -1,0 +1,64 @@
+//! Multipliers where coordinates have no mass: M is singular, and yet the constraints leave these no motion of their own.
+//!
+//! M^-1 does not exist, but M is definite on J dx = 0. With J x'' = w the term J^T (J x'' - w) vanishes on every motion, so
+//!
+//!   (M + J^T J) x'' = X + J^T kappa ,   J x'' = w ,   lambda = kappa - w
+//!
+//! has the solution of M x'' = X + J^T lambda, and its matrix is definite. What stands before J^T J is of no consequence: it
+//! is one, in the units of the coordinates.
+
+use super::multipliers::Reaction;
+use super::rates::{jacobian, rates};
+use super::{Constrained, State};
+use crate::definite::{NotDefinite, solve};
+use field::{Over, Scalar};
+
+/// M + J^T J.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inertia<S, const N: usize>([[S; N]; N]);
+
+impl<S: Scalar, const N: usize> Inertia<S, N> {
+    /// Of masses that may vanish, and the rows J.
+    pub fn of<const C: usize>(masses: [S; N], rows: &[[S; N]; C]) -> Self {
+        Inertia(std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let mass = if i == j { masses[i] } else { S::zero() };
+                rows.iter().fold(mass, |sum, row| sum + row[i] * row[j])
+            })
+        }))
+    }
+
+    /// What a force adds to x'' where no constraint answers.
+    ///
+    /// # Errors
+    /// [`NotDefinite`] names the first coordinate with neither a mass nor a constraint of its own.
+    pub fn moved(&self, force: [S; N]) -> Result<[S; N], NotDefinite> {
+        solve(self.0, force)
+    }
+}
+
+/// As [`multipliers::leading_to`](super::multipliers::leading_to), for masses that may vanish.
+///
+/// # Errors
+/// [`NotDefinite`] names the first coordinate that nothing holds, or the first constraint that depends on those before it.
+pub fn leading_to<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
+    system: &Q,
+    at: &State<S, N>,
+    force: [S; N],
+    prescribed: [S; C],
+) -> Result<Reaction<S, N, C>, NotDefinite> {
+    let rows = jacobian(system, at);
+    let inertia = Inertia::of(system.masses(), &rows);
+    let free = inertia.moved(force)?;
+    let mut pushes = rows;
+    for push in &mut pushes {
+        *push = inertia.moved(*push)?;
+    }
+    let still = rates(system, at, [S::zero(); N]);
+    let wanted: [S; C] = std::array::from_fn(|k| prescribed[k] - still[k]);
+    let dot = |a: &[S; N], b: &[S; N]| (0..N).fold(S::zero(), |sum, i| sum + a[i] * b[i]);
+    let matrix = std::array::from_fn(|a| std::array::from_fn(|b| dot(&rows[a], &pushes[b])));
+    let kappa: [S; C] = solve(matrix, std::array::from_fn(|k| wanted[k] - dot(&rows[k], &free)))?;
+    let acceleration = std::array::from_fn(|i| (0..C).fold(free[i], |sum, k| sum + kappa[k] * pushes[k][i]));
+    Ok(Reaction { acceleration, multipliers: std::array::from_fn(|k| kappa[k] - wanted[k]) })
+}

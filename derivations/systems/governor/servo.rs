@@ -1,0 +1,47 @@
+//! The programme as a servo constraint: the second shaft's speed is kept by the force along the axle of the wheel.
+//!
+//! The condition omega2 - omega = 0 has its gradient along the second shaft, on which nothing pushes to keep it: a multiplier
+//! there would be another machine, one with a motor on that shaft. The push moves omega2' only through rho', which changes the
+//! levers, so that it is found from omega2'' = 0.
+
+use super::{Governor, turning};
+use field::{Base, Over};
+use mechanics::constrained::servo::Servo;
+use mechanics::constrained::{Constrained, Constraint, State, System};
+use mechanics::differentiate::unit;
+
+/// A governor that keeps the speed of its second shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kept<P> {
+    pub governor: Governor<P>,
+    /// omega, rad/s
+    pub speed: P,
+}
+
+impl<P: Base> System<7> for Kept<P> {
+    type Given = P;
+
+    fn masses<S: Over<P>>(&self) -> [S; 7] {
+        self.governor.masses()
+    }
+
+    fn force<S: Over<P>>(&self, at: &State<S, 7>) -> [S; 7] {
+        self.governor.force(at)
+    }
+}
+
+impl<P: Base> Constrained<7, 5> for Kept<P> {
+    fn constraints<S: Over<P>>(&self, at: &State<S, 7>) -> [Constraint<S>; 5] {
+        self.governor.constraints(at)
+    }
+}
+
+impl<P: Base> Servo<7, 5, 1> for Kept<P> {
+    fn kept<S: Over<P>>(&self, at: &State<S, 7>) -> [S; 1] {
+        [turning(at, 1) - S::lift(self.speed)]
+    }
+
+    fn directions<S: Over<P>>(&self, _at: &State<S, 7>) -> [[S; 7]; 1] {
+        [unit(6)]
+    }
+}
