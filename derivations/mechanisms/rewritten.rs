@@ -6,7 +6,7 @@ use crate::scene::atlas::{Formulation, Treated};
 use crate::scene::problem::Law;
 use crate::stabilisation::law::{BothHeld, Stabilised};
 use crate::stabilisation::treatments::MODERATE;
-use crate::taped::Taped;
+use crate::taped::{Taped, TapedHeld};
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Directions, Held, HeldSystem, Ode};
 use mechanics::constrained::energies::Energies;
@@ -104,9 +104,11 @@ pub(super) fn treated<L>(
     whole: impl Fn(&[f64]) -> Vec<f64> + Clone + Send + Sync + 'static,
 ) -> Vec<Rewritten>
 where
-    L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Ode<Sym> + HeldSystem + Send + Sync + 'static,
+    L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Ode<Sym>,
+    L: HeldSystem + Held<Sym> + Send + Sync + 'static,
 {
-    let (reduced, led, held) = (ready(law(0.0)), ready(law(MODERATE)), Arc::new(law(0.0)));
+    let (reduced, led) = (ready(law(0.0)), ready(law(MODERATE)));
+    let held = Arc::new(TapedHeld::new(law(0.0)));
     let treated = [
         (Formulation::IndexReduced, Treated::Free(Arc::clone(&reduced))),
         (Formulation::Led, Treated::Free(led)),

@@ -1,6 +1,9 @@
 //! A law as the straight-line program that it comes to: what every field but that of expressions evaluates.
 
+mod held;
+
 use field::{Analytic, DoubleDouble};
+pub use held::TapedHeld;
 use integrators::{Directions, Ode};
 use native::Code;
 use std::sync::Arc;
