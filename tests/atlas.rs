@@ -190,7 +190,7 @@ fn page(name: &str, stiff: bool) -> String {
     text
 }
 
-const SCENES: [(&str, bool); 15] = [
+const SCENES: [(&str, bool); 14] = [
     ("asynchronous_drive", false),
     ("bench", false),
     ("constant_speed", false),
@@ -204,7 +204,6 @@ const SCENES: [(&str, bool); 15] = [
     ("bodies/sleigh", false),
     ("governors/between_discs", false),
     ("governors/drum_programme", false),
-    ("governors/elastic_stable", false),
     ("governors/released", false),
 ];
 
