@@ -76,7 +76,9 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     let trials = Trials { allowed, ..Trials::default() }.with(smooth.run().method);
     let problem = smooth.problem(asked.form.unwrap_or_default());
     let mut ways = smooth.ways();
-    ways.extend(smaller(&scene, &ways));
+    // behind the scene's own: other formulations may spend all the time, and what a model is off would not be known
+    let models = smaller(&scene, &ways);
+    ways.splice(1..1, models);
     ways.retain(|way| asked.form.is_none_or(|form| written_in(way, form)));
     let kept = Stored::beside(&asked.scene);
     // beyond the end of its law there is no motion for methods to find
