@@ -6,7 +6,8 @@
 //!   d |a_k| h^k > what is allowed of a step.
 //!
 //! What d is the law decides: products that cancel may be a thousand times as large as what is left of them. So it is
-//! measured, by terms that were found with more orders in full, at the first step and now and then.
+//! measured, by terms that were found with more orders in full, at the first step and now and then. Where it changes faster, at
+//! the knees of diodes, rounding shows: four digits at a tolerance of 1e-21.
 
 use super::{Taylor, TaylorSeries};
 use crate::Real;
