@@ -6,8 +6,8 @@
 //!   d |a_k| h^k > what is allowed of a step.
 //!
 //! What d is the law decides: products that cancel may be a thousand times as large as what is left of them. So it is
-//! measured, by terms that were found with more orders in full, at the first step and now and then. Where it changes faster, at
-//! the knees of diodes, rounding shows: four digits at a tolerance of 1e-21.
+//! measured, by terms that were found with more orders in full: at the first step, and wherever steps or terms are no longer of
+//! the size that they were there. At the knees of diodes that is every few steps.
 
 use super::{Taylor, TaylorSeries};
 use crate::Real;
@@ -15,9 +15,14 @@ use crate::Real;
 /// The least relative error that is reckoned with: a term's own rounding, and that of some terms it comes from.
 const LEAST: f64 = 16.0 * f64::EPSILON;
 
-/// What is measured at one step stands for so many, if it is taken so many times.
+/// What is measured at one step is taken so many times, and of the largest before it half is still believed.
+const TIMES: f64 = 16.0;
+const KEPT: f64 = 0.5;
+
+/// It stands for so many steps, as long as they are no more than so much longer or shorter, their terms so much larger or smaller.
 const STEPS: u32 = 32;
-const TIMES: f64 = 4.0;
+const LONGER: f64 = 2.0;
+const LARGER: f64 = 10.0;
 
 /// So many orders more are in full where it is measured.
 const MORE: usize = 4;
@@ -29,19 +34,48 @@ pub(super) struct Rounding {
     fine: usize,
     /// Relative, of a term.
     error: f64,
-    /// Steps until it is measured again.
-    rest: u32,
+    measured: Measured,
     /// For each component 1 over what is allowed of it.
     shares: Vec<f64>,
+    /// Of each order but the zeroth the term at the end of the step, in what is allowed.
+    sizes: Vec<f64>,
     /// Room for terms to compare with.
     terms: Vec<f64>,
+}
+
+/// The step at which rounding was measured last.
+#[derive(Clone, Debug)]
+struct Measured {
+    reach: f64,
+    /// The last order in full there, and the largest term after it.
+    fine: usize,
+    largest: f64,
+    /// Steps that it still stands for.
+    rest: u32,
 }
 
 impl Rounding {
     /// As if the term of order k were of the size of the tolerance^(k/p).
     pub fn new(order: usize, tolerance: f64) -> Self {
         let fine = 2 + (order as f64 * (1.0 - LEAST.ln() / tolerance.ln()).clamp(0.0, 1.0)) as usize;
-        Rounding { fine, error: LEAST, rest: 0, shares: Vec::new(), terms: Vec::new() }
+        let measured = Measured { reach: 0.0, fine, largest: 0.0, rest: 0 };
+        Rounding { fine, error: LEAST, measured, shares: Vec::new(), sizes: Vec::new(), terms: Vec::new() }
+    }
+
+    /// The last order whose term may not be rounded.
+    fn last_in_full(&self) -> usize {
+        self.sizes.iter().rposition(|size| size * self.error > 1.0).map_or(0, |index| index + 1)
+    }
+
+    fn largest_after(&self, fine: usize) -> f64 {
+        largest(self.sizes.iter().skip(fine).copied())
+    }
+
+    /// Whether a step of this length is like the one that was measured.
+    fn is_known(&self, reach: f64) -> bool {
+        let Measured { reach: there, fine, largest, rest } = self.measured;
+        let is_within = |a: f64, b: f64, times: f64| a <= times * b && b <= times * a;
+        rest > 0 && is_within(reach, there, LONGER) && is_within(self.largest_after(fine), largest, LARGER)
     }
 }
 
@@ -57,35 +91,33 @@ impl<T> Taylor<T> {
             if fine >= self.order || reach.is_nan() {
                 return reach;
             }
-            let mut needed = self.last_in_full(y, reach);
-            let is_known = self.rounding.rest > 0;
-            if needed <= fine && !is_known {
+            self.weigh(y, reach);
+            if self.rounding.last_in_full() <= fine && !self.rounding.is_known(reach) {
                 self.measure(time, y, reach, fine);
-                needed = self.last_in_full(y, reach);
             }
+            let needed = self.rounding.last_in_full();
             self.rounding.fine = needed + 1;
             if needed <= fine {
-                self.rounding.rest = if is_known { self.rounding.rest - 1 } else { STEPS };
+                self.rounding.measured.rest = self.rounding.measured.rest.saturating_sub(1);
                 return reach;
             }
         }
     }
 
-    /// The last order whose term, h on, may not be rounded.
-    fn last_in_full<S: Real>(&mut self, y: &[S], h: f64) -> usize
+    /// The sizes of all terms, h on.
+    fn weigh<S: Real>(&mut self, y: &[S], h: f64)
     where
         T: TaylorSeries<S>,
     {
-        let Rounding { shares, error, .. } = &mut self.rounding;
+        let Taylor { source, tolerance, order, rounding: Rounding { shares, sizes, .. }, .. } = self;
         shares.clear();
-        shares.extend(y.iter().enumerate().map(|(i, y)| 1.0 / self.tolerance.allowed(i, y.approx().abs())));
-        let (mut power, mut last) = (*error, 0);
-        for k in 1..=self.order {
+        shares.extend(y.iter().enumerate().map(|(i, y)| 1.0 / tolerance.allowed(i, y.approx().abs())));
+        let mut power = 1.0;
+        sizes.clear();
+        sizes.extend((1..=*order).map(|k| {
             power *= h;
-            let size = largest(self.source.coefficients(k).iter().zip(&*shares).map(|(c, share)| c.approx() * share));
-            last = if size * power > 1.0 { k } else { last };
-        }
-        last
+            power * largest(source.coefficients(k).iter().zip(&*shares).map(|(c, share)| c.approx() * share))
+        }));
     }
 
     /// Finds the series with more orders in full, and what rounding made of the others before.
@@ -93,21 +125,22 @@ impl<T> Taylor<T> {
     where
         T: TaylorSeries<S>,
     {
-        let Taylor { source, order, rounding: Rounding { error, shares, terms, .. }, .. } = self;
+        let Taylor { source, order, rounding, .. } = self;
+        rounding.measured = Measured { reach: h, fine, largest: rounding.largest_after(fine), rest: STEPS };
+        let Rounding { error, shares, sizes, terms, .. } = rounding;
         let rounded = fine + 1..=*order;
         terms.clear();
         rounded.clone().for_each(|k| terms.extend(source.coefficients(k).iter().map(|c| c.approx())));
         source.expand_rounding(time, y, *order, fine + MORE);
-        let (mut power, mut wrong, mut whole) = (h.powi(fine as i32), 0.0, 0.0);
+        let (mut power, mut wrong) = (h.powi(fine as i32), 0.0);
         for (k, before) in rounded.zip(terms.chunks(y.len().max(1))) {
             power *= h;
             let now = source.coefficients(k).iter().map(|c| c.approx());
-            let off = now.clone().zip(before).zip(&*shares).map(|((now, before), share)| (now - before) * share);
+            let off = now.zip(before).zip(&*shares).map(|((now, before), share)| (now - before) * share);
             wrong += power * largest(off);
-            whole += power * largest(now.zip(&*shares).map(|(now, share)| now * share));
         }
-        let found = TIMES * wrong / whole;
-        *error = if found > LEAST { found } else { LEAST };
+        let found = TIMES * wrong / sizes[fine..].iter().sum::<f64>();
+        *error = [found, KEPT * *error].into_iter().fold(LEAST, f64::max);
     }
 }
 
