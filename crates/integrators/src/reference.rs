@@ -33,7 +33,7 @@ const KEPT_BACK: f64 = 3.0;
 const COARSE_EVALUATIONS: u64 = 1_000_000;
 
 /// The product of Gauss' step and the spectral radius, on average, above which an explicit method would follow nothing but
-/// decay: series at the tightest tolerance bear 13 to 15 in a step. Diodes come to 36, stiff windings to 500 and more.
+/// decay: a series of 60 terms, at the tightest tolerance, bears 23 in a step. Diodes come to 36, stiff windings to 500 and more.
 const STIFF_STEP: f64 = 100.0;
 
 /// A solution good enough to measure others by.
