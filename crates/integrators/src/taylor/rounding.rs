@@ -13,16 +13,22 @@ use super::{Taylor, TaylorSeries};
 use crate::Real;
 
 /// The least relative error that is reckoned with: a term's own rounding, and that of some terms it comes from.
-const LEAST: f64 = 16.0 * f64::EPSILON;
+const LEAST: f64 = 8.0 * f64::EPSILON;
 
 /// What is measured at one step is taken so many times, and of the largest before it half is still believed.
 const TIMES: f64 = 16.0;
 const KEPT: f64 = 0.5;
 
+/// A step is taken with up to so many times what the orders in full are chosen for: the next may need one more.
+const ALLOWED: f64 = 4.0;
+
 /// It stands for so many steps, as long as they are no more than so much longer or shorter, their terms so much larger or smaller.
 const STEPS: u32 = 32;
 const LONGER: f64 = 2.0;
 const LARGER: f64 = 10.0;
+
+/// The terms of so many orders more are looked at, at steps where it is not.
+const WEIGHED: usize = 8;
 
 /// So many orders more are in full where it is measured.
 const MORE: usize = 4;
@@ -62,9 +68,9 @@ impl Rounding {
         Rounding { fine, error: LEAST, measured, shares: Vec::new(), sizes: Vec::new(), terms: Vec::new() }
     }
 
-    /// The last order whose term may not be rounded.
-    fn last_in_full(&self) -> usize {
-        self.sizes.iter().rposition(|size| size * self.error > 1.0).map_or(0, |index| index + 1)
+    /// The last order whose term would be rounded by more than so many times what is allowed.
+    fn last_beyond(&self, times: f64) -> usize {
+        self.sizes.iter().rposition(|size| size * self.error > times).map_or(0, |index| index + 1)
     }
 
     fn largest_after(&self, fine: usize) -> f64 {
@@ -91,21 +97,22 @@ impl<T> Taylor<T> {
             if fine >= self.order || reach.is_nan() {
                 return reach;
             }
-            self.weigh(y, reach);
-            if self.rounding.last_in_full() <= fine && !self.rounding.is_known(reach) {
+            self.weigh(y, reach, fine + WEIGHED);
+            let mut is_enough = self.rounding.last_beyond(ALLOWED) <= fine;
+            if is_enough && !self.rounding.is_known(reach) {
                 self.measure(time, y, reach, fine);
+                is_enough = self.rounding.last_beyond(ALLOWED) <= fine;
             }
-            let needed = self.rounding.last_in_full();
-            self.rounding.fine = needed + 1;
-            if needed <= fine {
+            self.rounding.fine = self.rounding.last_beyond(1.0).max(1);
+            if is_enough {
                 self.rounding.measured.rest = self.rounding.measured.rest.saturating_sub(1);
                 return reach;
             }
         }
     }
 
-    /// The sizes of all terms, h on.
-    fn weigh<S: Real>(&mut self, y: &[S], h: f64)
+    /// The sizes of the terms up to this order, h on.
+    fn weigh<S: Real>(&mut self, y: &[S], h: f64, last: usize)
     where
         T: TaylorSeries<S>,
     {
@@ -114,7 +121,7 @@ impl<T> Taylor<T> {
         shares.extend(y.iter().enumerate().map(|(i, y)| 1.0 / tolerance.allowed(i, y.approx().abs())));
         let mut power = 1.0;
         sizes.clear();
-        sizes.extend((1..=*order).map(|k| {
+        sizes.extend((1..=last.min(*order)).map(|k| {
             power *= h;
             power * largest(source.coefficients(k).iter().zip(&*shares).map(|(c, share)| c.approx() * share))
         }));
@@ -125,6 +132,7 @@ impl<T> Taylor<T> {
     where
         T: TaylorSeries<S>,
     {
+        self.weigh(y, h, self.order);
         let Taylor { source, order, rounding, .. } = self;
         rounding.measured = Measured { reach: h, fine, largest: rounding.largest_after(fine), rest: STEPS };
         let Rounding { error, shares, sizes, terms, .. } = rounding;
