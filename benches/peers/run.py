@@ -15,7 +15,7 @@ What is compared, and how:
 * Every tool runs over a scan of tolerances. Errors are those achieved at the end, relative to the largest size of each
   component, against a reference in double-double that two methods of ours confirm. Times are interpolated between the two
   runs around an error, logarithmically; a tool that is better than asked at its loosest tolerance counts with that run.
-* Below what double precision rounds we go on in double-double, and heyoka in long double, in a scan of its own.
+* Below what double precision rounds we go on in double-double, and heyoka in long double, in a scan of its own of each round.
 * The tools take turns at each tolerance, several rounds; figures are medians. Each clock runs inside the tool's own process.
   Setting up (recording, compiling, tracing) is counted apart. SciPy and SUNDIALS call the compiled C through ctypes: that
   and their own Python are in their times, as in any use of them from Python.
@@ -92,12 +92,10 @@ def compare(path, model, rounds, cpp, missing):
             runs |= optional("SciPy", missing, setup, lambda: scipy_side.runs(scene, library))
             runs |= optional("SUNDIALS", missing, setup, lambda: sundials_side.runs(scene, library))
             runs |= optional("diffrax", missing, setup, lambda: diffrax_side.runs(scene))
-        points, failed = measure(scene, runs, TOLERANCES, rounds)
         finest = FINEST[scene.stiff]
         finer = {f"dalembert {finest}": scene.ours.run(finest)}
         finer |= optional("heyoka, long double", missing, setup, lambda: heyoka_side.finer(scene, FINER))
-        for all_found, found in zip((points, failed), measure(scene, finer, FINER, rounds)):
-            all_found.update(found)
+        points, failed = measure(scene, [(runs, TOLERANCES), (finer, FINER)], rounds)
         operations = dict(zip(["our rates", "our Jacobian"], scene.ours.ask("operations"))) if ask else {}
         peak = max(scene.ours.ask("peak")[0] for _ in range(rounds)) if ask else None
         samples = {name: [server.ask(what)[0] for _ in range(2 * rounds + 1)] for name, (server, what) in ask.items()}

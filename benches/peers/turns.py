@@ -28,26 +28,34 @@ def clocked(run):
     return time.perf_counter_ns() - begin, value
 
 
-def measure(scene, runs, tolerances, rounds):
-    """For each tool its points (tolerance, error, milliseconds), and by tool the tolerances at which it failed."""
+def measure(scene, scans, rounds):
+    """For each tool its points (tolerance, error, milliseconds), and by tool the tolerances at which it failed.
+
+    A scan is of some tools at some tolerances; each round goes through all scans, so that what is compared was measured
+    in one and the same minute.
+    """
     times, errors, out = {}, {}, {}
     for _ in range(rounds):
-        for tolerance in tolerances:
-            for name, run in runs.items():
-                if (name, tolerance) in out or (name, "slow") in out:
-                    continue
-                took, state = attempt(run, tolerance)
-                if len(state) == 0 or not np.all(np.isfinite(state)):
-                    out[name, tolerance] = True
-                else:
-                    times.setdefault((name, tolerance), []).append(took / 1e6)
-                    errors[name, tolerance] = scene.error(state)
-                if took > PATIENCE:
-                    out[name, "slow"] = True
-    points = {name: [] for name in runs}
+        for name, run, tolerance in turns(scans):
+            if (name, tolerance) in out or (name, "slow") in out:
+                continue
+            took, state = attempt(run, tolerance)
+            if len(state) == 0 or not np.all(np.isfinite(state)):
+                out[name, tolerance] = True
+            else:
+                times.setdefault((name, tolerance), []).append(took / 1e6)
+                errors[name, tolerance] = scene.error(state)
+            if took > PATIENCE:
+                out[name, "slow"] = True
+    points = {name: [] for runs, _ in scans for name in runs}
     for (name, tolerance), taken in times.items():
         points[name].append((tolerance, errors[name, tolerance], statistics.median(taken)))
-    return points, {name: [tolerance for tolerance in tolerances if (name, tolerance) in out] for name in runs}
+    failed = {name: [tolerance for tolerance in tolerances if (name, tolerance) in out] for runs, tolerances in scans for name in runs}
+    return points, failed
+
+
+def turns(scans):
+    return [(name, run, tolerance) for runs, tolerances in scans for tolerance in tolerances for name, run in runs.items()]
 
 
 def attempt(run, tolerance):
