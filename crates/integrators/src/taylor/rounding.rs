@@ -6,8 +6,8 @@
 //!   d |a_k| h^k > what is allowed of a step.
 //!
 //! What d is the law decides: products that cancel may be a thousand times as large as what is left of them. So it is
-//! measured, by terms that were found with more orders in full: at the first step, and wherever steps or terms are no longer of
-//! the size that they were there. At the knees of diodes that is every few steps.
+//! measured, by terms that were found with more orders in full: at the first step, after so many, and wherever steps or terms are
+//! no longer of the size that they were there. At the knees of diodes that is every few steps.
 
 use super::{Taylor, TaylorSeries};
 use crate::Real;
@@ -19,19 +19,17 @@ const LEAST: f64 = 8.0 * f64::EPSILON;
 const TIMES: f64 = 16.0;
 const KEPT: f64 = 0.5;
 
-/// A step is taken with up to so many times what the orders in full are chosen for: the next may need one more.
-const ALLOWED: f64 = 4.0;
-
 /// It stands for so many steps, as long as they are no more than so much longer or shorter, their terms so much larger or smaller.
 const STEPS: u32 = 32;
 const LONGER: f64 = 2.0;
 const LARGER: f64 = 10.0;
 
-/// The terms of so many orders more are looked at, at steps where it is not.
+/// So many orders more are in full where it is measured; where it is not, the terms of so many more are looked at.
+const MORE: usize = 4;
 const WEIGHED: usize = 8;
 
-/// So many orders more are in full where it is measured.
-const MORE: usize = 4;
+/// A step is taken with up to so many times what the orders in full are chosen for: the next may need one more.
+const ALLOWED: f64 = 4.0;
 
 /// What the steps so far tell of rounding.
 #[derive(Clone, Debug)]
@@ -43,7 +41,7 @@ pub(super) struct Rounding {
     measured: Measured,
     /// For each component 1 over what is allowed of it.
     shares: Vec<f64>,
-    /// Of each order but the zeroth the term at the end of the step, in what is allowed.
+    /// Of the first orders, from 1 on, the term at the end of the step, in what is allowed.
     sizes: Vec<f64>,
     /// Room for terms to compare with.
     terms: Vec<f64>,
