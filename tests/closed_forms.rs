@@ -38,7 +38,7 @@ fn the_true_error_of_a_reference_is_below_the_one_it_claims() {
 fn a_permanent_rotation_without_rounding_stays_to_the_last_bit() {
     let scene = scene("upright_rotation");
     let problem = scene.problem(Axes::First);
-    let reference = problem.reference(Duration::from_secs(60)).unwrap_or_else(|failure| panic!("{failure}"));
+    let reference = problem.reference(Duration::from_secs(600)).unwrap_or_else(|failure| panic!("{failure}"));
     for state in &reference.states {
         let start: Vec<Exact> = problem.state.iter().map(|y| Exact::lift(*y)).collect();
         assert_eq!(*state, start);

@@ -89,7 +89,7 @@ fn references_that_are_made_again_are_those_that_are_kept() {
         all().into_iter().filter(|(name, ..)| quick.iter().any(|quick| name.contains(quick)))
     {
         problem.span = *kept.reference.times.last().expect("there are instants");
-        let again = problem.reference(Duration::from_secs(60)).unwrap_or_else(|failure| panic!("{name}: {failure}"));
+        let again = problem.reference(Duration::from_secs(600)).unwrap_or_else(|failure| panic!("{name}: {failure}"));
         let claimed = 10f64.powf(-kept.reference.digits) + 10f64.powf(-again.digits);
         for (a, b) in again.states.iter().zip(&kept.reference.states) {
             for ((a, b), size) in a.iter().zip(b).zip(&again.sizes) {
