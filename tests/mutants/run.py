@@ -62,8 +62,6 @@ SUBJECT_OF = {
     "crates/symbolic/src/tape/": ["programs"],
     "crates/integrators/src/ensemble.rs": ["ensembles"],
     "derivations/ensemble/": ["ensembles"],
-    "derivations/mechanisms/steered.rs": ["atlas"],
-    "derivations/systems/governor/servo.rs": ["governors"],
     "crates/integrators/src/taylor/rounding.rs": ["references"],
     "crates/integrators/src/transition.rs": ["transition"],
     "derivations/scene/transition.rs": ["transition"],
