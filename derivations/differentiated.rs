@@ -1,5 +1,6 @@
 //! A system with its Jacobian as straight-line code, for the implicit methods.
 
+use crate::written::{Written, written};
 use field::{DoubleDouble, Scalar};
 use integrators::{Composed, Directions, Ode, Slopes, Splitting, System, TaylorSeries};
 use native::Code;
@@ -25,7 +26,7 @@ struct Line {
     code: Option<Code>,
 }
 
-impl<S, L: Ode<Sym>> Differentiated<S, L> {
+impl<S, L: Ode<Sym> + Sync> Differentiated<S, L> {
     /// A law, and the system that runs it.
     pub fn new(system: S, law: Arc<L>) -> Self {
         Differentiated { system, law, slopes: OnceLock::new() }
@@ -33,14 +34,12 @@ impl<S, L: Ode<Sym>> Differentiated<S, L> {
 
     fn lines(&self) -> Option<&[Line; 2]> {
         let made = self.slopes.get_or_init(|| {
-            let time = Sym::symbol("t");
-            let state: Vec<Sym> = (0..self.law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
-            let mut rates = vec![Sym::ZERO; state.len()];
-            self.law.rates(time, &state, &mut rates);
-            let by_state = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
-            let by_time = rates.iter().map(|rate| rate.diff(time)).collect();
-            let inputs = [&state[..], &[time]].concat();
-            Some(Arc::new([Line::of(&inputs, by_state)?, Line::of(&inputs, by_time)?]))
+            written(&*self.law, |Written { state, time, rates }| {
+                let by_state = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
+                let by_time = rates.iter().map(|rate| rate.diff(*time)).collect();
+                let inputs = [&state[..], &[*time]].concat();
+                Some(Arc::new([Line::of(&inputs, by_state)?, Line::of(&inputs, by_time)?]))
+            })
         });
         made.as_deref()
     }
@@ -63,7 +62,7 @@ impl<F: Scalar, S: Ode<F>, L> Ode<F> for Differentiated<S, L> {
     }
 }
 
-impl<S: System, L: Ode<Sym>> System for Differentiated<S, L>
+impl<S: System, L: Ode<Sym> + Sync> System for Differentiated<S, L>
 where
     S: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>,
 {

@@ -52,6 +52,7 @@ pub mod stationary;
 pub mod synchronism;
 pub mod systems;
 pub mod taped;
+pub mod written;
 
 /// The examples of the book compile and hold.
 #[cfg(doctest)]

@@ -1,5 +1,6 @@
 //! A system with its laws recorded as straight-line code, for the Taylor method.
 
+use crate::written::{Written, written};
 use field::{DoubleDouble, Scalar};
 use integrators::{Directions, Ode, System, TaylorSeries};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -19,7 +20,7 @@ pub struct Recorded<L> {
 /// Expansions that earlier runs have laid out.
 type Spare<S> = Arc<Mutex<Vec<Expansion<S, WIDTH, FEW>>>>;
 
-impl<L: Ode<Sym>> Recorded<L> {
+impl<L: Ode<Sym> + Sync> Recorded<L> {
     /// A system, which may depend on time.
     pub fn new(law: Arc<L>) -> Self {
         Recorded { law, recurrence: OnceLock::new(), spare: Spare::default(), finer: Spare::default() }
@@ -27,13 +28,11 @@ impl<L: Ode<Sym>> Recorded<L> {
 
     fn recurrence(&self) -> Option<&Recurrence> {
         let made = self.recurrence.get_or_init(|| {
-            let time = Sym::symbol("t");
-            let state: Vec<Sym> = (0..self.law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
-            let mut rates = vec![Sym::ZERO; state.len()];
-            self.law.rates(time, &state, &mut rates);
-            let moves = rates.iter().any(|rate| rate.symbols_of().contains(&time));
-            let equations = Equations { state: &state, time: moves.then_some(time), parameters: &[], rates: &rates };
-            Recurrence::record(&equations).ok()
+            written(&*self.law, |Written { state, time, rates }| {
+                let moves = rates.iter().any(|rate| rate.symbols_of().contains(time));
+                let equations = Equations { state, time: moves.then_some(*time), parameters: &[], rates };
+                Recurrence::record(&equations).ok()
+            })
         });
         made.as_ref()
     }
@@ -75,7 +74,7 @@ impl<S: Scalar, L: Ode<S>> Ode<S> for Recorded<L> {
     }
 }
 
-impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Recorded<L> {
+impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync> System for Recorded<L> {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         self.kept(&self.spare)
     }

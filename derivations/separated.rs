@@ -31,7 +31,7 @@ pub struct Separated<L> {
     programs: OnceLock<Option<Programs>>,
 }
 
-impl<L: Ode<Sym>> Separated<L> {
+impl<L: Ode<Sym> + Sync> Separated<L> {
     /// Records an autonomous system.
     pub fn new(law: Arc<L>) -> Self {
         Separated { recorded: Recorded::new(Arc::clone(&law)), law, programs: OnceLock::new() }
@@ -55,7 +55,7 @@ impl<S: Scalar, L: Ode<S>> Ode<S> for Separated<L> {
     }
 }
 
-impl<L: Separable + Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Separated<L> {
+impl<L: Separable + Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync> System for Separated<L> {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         self.recorded.taylor()
     }

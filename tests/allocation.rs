@@ -143,7 +143,7 @@ impl<F: Form<f64>> ForMachine for Advance<F> {
     type Output = usize;
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
-        fn over<S: Real + Running>(driven: &Driven<f64, impl Form<f64>, impl Catalogued>) -> usize {
+        fn over<S: Real + Running>(driven: &Driven<f64, impl Form<f64>, impl Catalogued + Sync>) -> usize {
             let mut y: Vec<S> = (0..driven.dimension()).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();
             let programs = driven.programs();
             let Some(pieces) = driven.pieces_by::<S>(programs.as_ref()) else {

@@ -29,7 +29,7 @@ fn windings() -> Windings<f64> {
 /// The state after a time, by so many steps of the classical Runge-Kutta method.
 fn after<L>(law: L, state: &[f64], time: f64, steps: u32) -> Vec<f64>
 where
-    L: Ode<Sym>,
+    L: Ode<Sym> + Sync,
     Recorded<L>: System,
 {
     let system = Recorded::new(Arc::new(law));

@@ -32,7 +32,7 @@ pub(super) fn jacobian<M: Catalogued + Clone + Send + Sync + 'static>(machine: &
 /// The first entry that differs.
 pub fn compared<L>(law: Arc<L>) -> Result<bool, String>
 where
-    L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>,
+    L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync,
 {
     let system = Differentiated::new(Recorded::new(Arc::clone(&law)), law);
     let n = Ode::<f64>::dimension(&system);

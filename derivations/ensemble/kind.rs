@@ -10,7 +10,7 @@ use integrators::LaneSeries;
 use nalgebra::{Matrix3, Vector3};
 use std::convert::Infallible;
 use std::sync::Arc;
-use symbolic::{Abreast, Equations, Recurrence, Sym, Tape, Untapeable};
+use symbolic::{Abreast, Equations, Recurrence, Sym, Tape, Untapeable, apart};
 
 /// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
 /// axes) or A' of a bench, then the machine's in its own order.
@@ -33,7 +33,7 @@ impl Kind {
     /// # Errors
     /// [`Untapeable`] where the law is none that can be written down.
     pub fn record(system: &System, machine: &AnyMachine, counts: &MachineData, axes: Axes) -> Result<Self, Untapeable> {
-        machine.clone().apply(Recording { system, counts, axes, loaded: false })
+        apart(|| machine.clone().apply(Recording { system, counts, axes, loaded: false }))
     }
 
     /// The same under a load, which is the last parameter: a moment against the rotor's turning, N m.
@@ -46,7 +46,7 @@ impl Kind {
         counts: &MachineData,
         axes: Axes,
     ) -> Result<Self, Untapeable> {
-        machine.clone().apply(Recording { system, counts, axes, loaded: true })
+        apart(|| machine.clone().apply(Recording { system, counts, axes, loaded: true }))
     }
 
     /// How many parameters a member has.

@@ -63,7 +63,7 @@ pub struct Programs {
 
 impl Programs {
     /// Records the laws of a machine; none of one that is compiled.
-    pub fn of<M: Machine<f64>>(machine: &M) -> Option<Self> {
+    pub fn of<M: Machine<f64> + Sync>(machine: &M) -> Option<Self> {
         if !M::WRITTEN {
             return None;
         }

@@ -92,7 +92,7 @@ impl<S: Real + Running, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
     }
 }
 
-impl<M: Machine<f64>> Separable for Bench<f64, M> {
+impl<M: Machine<f64> + Sync> Separable for Bench<f64, M> {
     fn programs(&self) -> Option<Programs> {
         Programs::of(&self.machine)
     }

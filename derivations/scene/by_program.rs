@@ -29,14 +29,14 @@ where
     Arc::new(ByProgram { system, law, is_text, program: OnceLock::new() })
 }
 
-impl<L: Ode<Sym>> ByProgram<L> {
+impl<L: Ode<Sym> + Sync> ByProgram<L> {
     #[inline]
     fn program(&self) -> Option<&Program> {
         self.program.get_or_init(|| Program::of_law(&*self.law)).as_ref()
     }
 }
 
-impl<L: Ode<Sym>> Ode<f64> for ByProgram<L> {
+impl<L: Ode<Sym> + Sync> Ode<f64> for ByProgram<L> {
     fn dimension(&self) -> usize {
         self.law.dimension()
     }
@@ -52,7 +52,7 @@ impl<L: Ode<Sym>> Ode<f64> for ByProgram<L> {
 
 macro_rules! runs {
     ($($field:ty),*) => {$(
-        impl<L: Ode<Sym>> Ode<$field> for ByProgram<L> {
+        impl<L: Ode<Sym> + Sync> Ode<$field> for ByProgram<L> {
             fn dimension(&self) -> usize {
                 self.law.dimension()
             }
@@ -68,7 +68,7 @@ macro_rules! runs {
 }
 runs!(Directions, DoubleDouble);
 
-impl<L: Ode<Sym>> System for ByProgram<L> {
+impl<L: Ode<Sym> + Sync> System for ByProgram<L> {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         self.system.taylor()
     }

@@ -3,7 +3,7 @@
 use super::{Axes, Scene, System};
 use crate::machines::{Bench, Catalogued, ForMachine};
 use crate::systems::gyrostat::driven::Driven;
-use integrators::Ode;
+use crate::written::{Written, written};
 use symbolic::{Sym, Tape, Untapeable};
 
 impl Scene {
@@ -12,8 +12,7 @@ impl Scene {
     /// # Errors
     /// [`Untapeable`] where the law divides by the constant zero.
     pub fn tape(&self, axes: Axes) -> Result<Tape, Untapeable> {
-        let (state, rates) = self.machine.clone().apply(Writing { scene: self, axes });
-        Tape::record(&state, &rates)
+        self.read(axes, |Written { state, rates, .. }| Tape::record(state, rates))
     }
 
     /// The same for the Jacobian of the rates, row after row, by exact differentiation of the recorded expressions.
@@ -21,33 +20,34 @@ impl Scene {
     /// # Errors
     /// As [`Scene::tape`].
     pub fn jacobian_tape(&self, axes: Axes) -> Result<Tape, Untapeable> {
-        let (state, rates) = self.machine.clone().apply(Writing { scene: self, axes });
-        let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
-        Tape::record(&state, &entries)
+        self.read(axes, |Written { state, rates, .. }| {
+            let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
+            Tape::record(state, &entries)
+        })
+    }
+
+    fn read(&self, axes: Axes, read: fn(&Written) -> Result<Tape, Untapeable>) -> Result<Tape, Untapeable> {
+        self.machine.clone().apply(Writing { scene: self, axes, read })
     }
 }
 
-/// The states and their rates, written down.
+/// What is read of the law of a scene.
 struct Writing<'a> {
     scene: &'a Scene,
     axes: Axes,
+    read: fn(&Written) -> Result<Tape, Untapeable>,
 }
 
 impl ForMachine for Writing<'_> {
-    type Output = (Vec<Sym>, Vec<Sym>);
+    type Output = Result<Tape, Untapeable>;
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
         match (&self.scene.system, self.axes) {
-            (System::Gyrostat(bodies), Axes::First) => written(&Driven::new(bodies.first_form().0, machine)),
-            (System::Gyrostat(bodies), Axes::Second) => written(&Driven::new(bodies.second_form().0, machine)),
-            (System::Bench { axial }, _) => written(&Bench { machine, axial: *axial }),
+            (System::Gyrostat(bodies), Axes::First) => written(&Driven::new(bodies.first_form().0, machine), self.read),
+            (System::Gyrostat(bodies), Axes::Second) => {
+                written(&Driven::new(bodies.second_form().0, machine), self.read)
+            }
+            (System::Bench { axial }, _) => written(&Bench { machine, axial: *axial }, self.read),
         }
     }
-}
-
-fn written(law: &impl Ode<Sym>) -> (Vec<Sym>, Vec<Sym>) {
-    let state: Vec<Sym> = (0..law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
-    let mut rates = vec![Sym::ZERO; state.len()];
-    law.rates(Sym::ZERO, &state, &mut rates);
-    (state, rates)
 }

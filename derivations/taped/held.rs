@@ -25,7 +25,7 @@ struct Programs {
 /// So many components y and z have together at most.
 const MOST: usize = 64;
 
-impl<L: Held<Sym>> TapedHeld<L> {
+impl<L: Held<Sym> + Sync> TapedHeld<L> {
     /// Records a law, which may depend on time.
     pub fn new(law: L) -> Self {
         let programs = Programs::of(&law);
@@ -34,7 +34,7 @@ impl<L: Held<Sym>> TapedHeld<L> {
 }
 
 impl Programs {
-    fn of(law: &impl Held<Sym>) -> Option<Self> {
+    fn of(law: &(impl Held<Sym> + Sync)) -> Option<Self> {
         let (n, m) = law.sizes();
         let zeros = |count: usize| vec![Sym::ZERO; count];
         let parts = |t: Sym, y: &[Sym]| {

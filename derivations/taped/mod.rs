@@ -2,12 +2,13 @@
 
 mod held;
 
+use crate::written::{Written, symbols, written};
 use field::{Analytic, DoubleDouble};
 pub use held::TapedHeld;
 use integrators::{Directions, Ode};
 use native::Code;
 use std::sync::Arc;
-use symbolic::{Sym, Tape};
+use symbolic::{Sym, Tape, apart};
 
 /// A law and its program. Laws made of masses and a chart build matrices and solve them at each evaluation; their program
 /// has each common part once and the data folded into constants.
@@ -38,7 +39,7 @@ const SOME: usize = 128;
 const MORE: usize = 256;
 const MANY: usize = 1024;
 
-impl<L: Ode<Sym>> Taped<L> {
+impl<L: Ode<Sym> + Sync> Taped<L> {
     /// Records a law, which may depend on time.
     pub fn new(law: Arc<L>) -> Self {
         let program = Program::of_law(&*law);
@@ -48,14 +49,17 @@ impl<L: Ode<Sym>> Taped<L> {
 
 impl Program {
     /// Of a state of `n` components; `None` where it cannot be recorded or is long.
-    pub fn of(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym>) -> Option<Self> {
-        let (inputs, outputs) = written(n, function);
-        Program::taped(&inputs, &outputs)
+    pub fn of(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
+        apart(|| {
+            let (state, time) = symbols(n);
+            let values = function(time, &state);
+            Program::taped(&[&state[..], &[time]].concat(), &values)
+        })
     }
 
     /// The right-hand side of a law.
-    pub fn of_law(law: &impl Ode<Sym>) -> Option<Self> {
-        Program::of(law.dimension(), |time, state| rates(law, time, state))
+    pub fn of_law(law: &(impl Ode<Sym> + Sync)) -> Option<Self> {
+        written(law, |Written { state, time, rates }| Program::taped(&[&state[..], &[*time]].concat(), rates))
     }
 
     fn taped(inputs: &[Sym], outputs: &[Sym]) -> Option<Self> {
@@ -93,20 +97,6 @@ impl Program {
             _ => self.tape.evaluate::<S, MANY>(constants, inputs, values),
         }
     }
-}
-
-/// What a function of a state and the time comes to: these, and its values.
-fn written(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym>) -> (Vec<Sym>, Vec<Sym>) {
-    let inputs: Vec<Sym> = (0..=n).map(|i| Sym::symbol(&format!("y{i}"))).collect();
-    let outputs = function(inputs[n], &inputs[..n]);
-    (inputs, outputs)
-}
-
-/// The rates of a law at a time and a state.
-fn rates(law: &impl Ode<Sym>, time: Sym, state: &[Sym]) -> Vec<Sym> {
-    let mut rates = vec![Sym::ZERO; state.len()];
-    law.rates(time, state, &mut rates);
-    rates
 }
 
 /// A field in which programs run.

@@ -154,7 +154,10 @@ impl ForMachine for Sound<'_> {
     }
 }
 
-fn in_form<F: Form<f64>, M: Machine<f64>>(driven: Driven<f64, F, M>, state: &[f64]) -> Result<(), TestCaseError> {
+fn in_form<F: Form<f64>, M: Machine<f64> + Sync>(
+    driven: Driven<f64, F, M>,
+    state: &[f64],
+) -> Result<(), TestCaseError> {
     let state = &state[..driven.dimension()];
     let at = Flows::<f64>::new(&driven.form, &driven.machine).enter(&driven.form, &driven.machine, state);
     for law in [Law::of(&driven.machine), Law::Curved] {

@@ -24,6 +24,7 @@ mod lanes;
 mod quarters;
 mod rational;
 mod scalar;
+mod sixteenths;
 mod tangent;
 
 pub use circle::Circle;

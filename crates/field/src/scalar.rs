@@ -7,6 +7,7 @@ use xprec::Df64;
 
 use crate::Circle;
 use crate::quarters::{far, is_near, near, plus};
+use crate::sixteenths;
 
 /// A number of some field: operations and exact constants, no order, no rounding to `f64`.
 pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + NumAssignOps + Neg<Output = Self> {
@@ -162,15 +163,12 @@ impl Over<f64> for Df64 {
 }
 
 impl Analytic for Df64 {
+    // always inlined: whoever is compiled for fused products has them here too
+    #[inline(always)]
     fn circle(self) -> Circle<Self> {
-        // beyond, the crate's reduction fails, by a wrong quadrant or by a panic; what comes to such an angle is lost anyway
-        let reducible = self.hi().abs() < MOST_ANGLE;
-        if !reducible {
-            let none = Df64::from(f64::NAN);
-            return Circle { cos: none, sin: none };
-        }
-        let (sin, cos) = num_traits::Float::sin_cos(self);
-        Circle { cos, sin }
+        // beyond, multiples are not counted exactly; what comes to such an angle is lost anyway
+        let countable = self.hi().abs() < MOST_ANGLE;
+        if countable { sixteenths::point(self) } else { Circle { cos: NONE, sin: NONE } }
     }
 
     fn sqrt(self) -> Self {
@@ -178,8 +176,8 @@ impl Analytic for Df64 {
     }
 }
 
-/// Below 2^31 quarters of a turn.
-const MOST_ANGLE: f64 = 3e9;
+const MOST_ANGLE: f64 = 1e14;
+const NONE: Df64 = Df64::new(f64::NAN);
 
 /// An `i64` has up to 63 bits: its halves are exact in `f64`, and their sum in double-double.
 fn exact_integer(n: i64) -> Df64 {
@@ -192,8 +190,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_angle_beyond_reduction_is_no_number_and_no_panic() {
-        for angle in [1e10, -1e20, f64::INFINITY, f64::NAN] {
+    fn an_angle_beyond_reduction_is_no_number() {
+        for angle in [1e14, -1e20, f64::INFINITY, f64::NAN] {
             assert!(Df64::from(angle).circle().cos.hi().is_nan(), "{angle}");
         }
         let near = Df64::from(2.9e9).circle();

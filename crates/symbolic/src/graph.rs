@@ -161,6 +161,29 @@ impl Graph {
     }
 }
 
+/// Works in a graph of its own, which is gone afterwards: what is made there depends on nothing that the thread has
+/// written before. An expression of one graph means nothing in another; `Send` keeps them from going in or out.
+pub fn apart<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    /// The thread's own graph, which comes back even where the work panics.
+    struct Own(Graph);
+
+    impl Own {
+        fn exchange(&mut self) {
+            GRAPH.with_borrow_mut(|graph| std::mem::swap(graph, &mut self.0));
+        }
+    }
+
+    impl Drop for Own {
+        fn drop(&mut self) {
+            self.exchange();
+        }
+    }
+
+    let mut own = Own(Graph::new());
+    own.exchange();
+    work()
+}
+
 impl Sym {
     pub const ZERO: Sym = Sym::at(0);
     pub const ONE: Sym = Sym::at(1);

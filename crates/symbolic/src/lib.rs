@@ -57,7 +57,7 @@ pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
 pub use formulas::Formulas;
 pub use fraction::Fraction;
-pub use graph::{Node, Sym};
+pub use graph::{Node, Sym, apart};
 pub use parse::{NotExpression, Reason, Vocabulary, parse, parse_in};
 pub use prove::{Decision, Hypotheses, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, normal};
 pub use recurrence::{Abreast, Equations, Expansion, Fused, Recurrence};

@@ -1,7 +1,7 @@
 //! Tapes: straight-line programs.
 
 use field::{Analytic, Scalar, Tangent};
-use symbolic::{Sym, Tape, Untapeable, symbols};
+use symbolic::{Sym, Tape, Untapeable, apart, symbols};
 
 #[test]
 fn common_parts_are_computed_once_and_dead_ones_not_at_all() {
@@ -35,4 +35,32 @@ fn what_has_no_value_cannot_be_taped() {
     assert_eq!(Tape::record(&[x], &[x / Sym::int(0)]), Err(Untapeable::Undefined));
     // Given as an input, a function's value is as good as any.
     assert!(Tape::record(&[x, law], &[law * x]).is_ok());
+}
+
+/// Of a law whose products stand in another order where some of them were known before.
+fn recorded() -> Tape {
+    let [x, y, z] = symbols(["x", "y", "z"]);
+    let outputs = [(x * y + z) * (y * z), (z * x) * (x * y)];
+    Tape::record(&[x, y, z], &outputs).expect("it has values")
+}
+
+#[test]
+fn what_is_recorded_apart_is_the_same_whatever_was_written_before() {
+    let alone = std::thread::spawn(recorded).join().expect("it is recorded");
+    let [x, y, z] = symbols(["x", "y", "z"]);
+    let before = [z * x, y * z];
+    assert_ne!(recorded(), alone, "the order of a graph shows");
+    assert_eq!(apart(recorded), alone);
+    assert_eq!(before, [z * x, y * z], "what was written before is still there");
+    assert_eq!(apart(|| symbols(["u"])[0].to_string()), "u");
+    assert_eq!((x * y).to_string(), "x*y");
+}
+
+#[test]
+fn a_panic_apart_leaves_the_graph_as_it_was() {
+    let [x, y] = symbols(["x", "y"]);
+    let sum = x + y;
+    let caught = std::panic::catch_unwind(|| apart(|| assert_eq!(symbols(["a"])[0], Sym::ZERO)));
+    assert!(caught.is_err());
+    assert_eq!((sum.to_string(), x + y), ("x + y".to_owned(), sum));
 }

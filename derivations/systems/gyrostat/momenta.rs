@@ -292,7 +292,7 @@ impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
     }
 }
 
-impl<F: Form<f64>, M: Machine<f64>> Separable for Driven<f64, F, M> {
+impl<F: Form<f64>, M: Machine<f64> + Sync> Separable for Driven<f64, F, M> {
     fn programs(&self) -> Option<Programs> {
         Programs::of(&self.machine)
     }

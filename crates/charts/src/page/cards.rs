@@ -40,7 +40,7 @@ pub(super) fn facts(facts: &[(String, String)], set: &mut Typesetter) -> Markup 
 /// Tables of so many columns stand alone in their row.
 const BROAD: usize = 5;
 
-/// A table of texts that scrolls in its own box.
+/// A table of texts that scrolls in its own box. Its cells and rows end where the next begin, as HTML allows.
 pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
     let columns = table.rows.iter().map(Vec::len).chain([table.head.len()]).max().unwrap_or(0);
     let numeric: Vec<bool> = (0..columns)
@@ -51,12 +51,12 @@ pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
         div.scroll.broad[columns >= BROAD] {
             table {
                 @if !table.caption.is_empty() { caption { (set.text(&table.caption)) } }
-                thead { tr { @for (column, cell) in table.head.iter().enumerate() {
-                    th scope="col" class=[class(column)] { (set.text(cell)) }
+                thead { tr; @for (column, cell) in table.head.iter().enumerate() {
+                    th scope="col" class=[class(column)]; (set.text(cell))
+                } }
+                tbody { @for row in &table.rows { tr; @for (column, cell) in row.iter().enumerate() {
+                    td class=[class(column)]; (set.text(cell))
                 } } }
-                tbody { @for row in &table.rows { tr { @for (column, cell) in row.iter().enumerate() {
-                    td class=[class(column)] { (set.text(cell)) }
-                } } } }
             }
         }
     }

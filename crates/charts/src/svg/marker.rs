@@ -27,6 +27,8 @@ enum Paint {
     Lines,
     /// The round end of a line without length: the shortest circle there is.
     Dot,
+    /// The square one.
+    Block,
 }
 
 impl Look {
@@ -46,9 +48,13 @@ impl Look {
         Look { shape: shape.map_or(self.shape, |kind| kind % STYLES), dashes, ..self }
     }
 
-    /// Of the grey ones, which are many and small, the full circle is a dot.
+    /// Of the grey ones, which are many and small, the full circle is a dot and the full square a block.
     fn drawn(self, r: f64) -> (String, Paint) {
-        if self.style.is_none() && self.shape == 0 { ("h0".to_owned(), Paint::Dot) } else { outline(self.shape, r) }
+        match (self.style, self.shape) {
+            (None, 0) => ("h0".to_owned(), Paint::Dot),
+            (None, 1) => ("h0".to_owned(), Paint::Block),
+            _ => outline(self.shape, r),
+        }
     }
 
     pub fn class(self) -> String {
@@ -66,6 +72,7 @@ impl Look {
         let (shape, paint) = self.drawn(r);
         let class = match paint {
             Paint::Dot => "mark dot",
+            Paint::Block => "mark block",
             Paint::Full => "mark",
             Paint::Hollow => "mark hollow",
             Paint::Lines => "mark open",

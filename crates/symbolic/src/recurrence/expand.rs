@@ -1,7 +1,8 @@
 //! All coefficients of a solution's series, order by order.
 
-use super::fused::Fused;
+use super::fused::{Fused, Task};
 use super::layout::{MOST, width};
+use super::pick::{OneByOne, Pick};
 use super::plan::Plan;
 use super::small::{MOST_ORDER, SmallSeries};
 use super::stages::{Expand, Stages};
@@ -119,8 +120,13 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
             self.series[moving] = time;
             moving += 1;
         }
-        let (known, points) = self.series.split_at_mut(moving);
-        self.points.evaluate(known, points);
+        let (known, values) = self.series.split_at_mut(moving);
+        let points = Points { program: &mut self.points, known, values };
+        if S::FINER {
+            S::run(points, W)
+        } else {
+            points.run(OneByOne::<false>)
+        }
         let Expansion { order, series, width, .. } = self;
         let fine = if S::FINER { fine.clamp(1, *order) } else { *order };
         match &mut self.way {
@@ -143,6 +149,20 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
         let Expansion { series, width, states, order, fine, .. } = self;
         let terms = Terms { series, width: *width, states: *states, order: *order, fine: *fine };
         S::run(Sum::<S, W> { terms, h, out }, W);
+    }
+}
+
+/// The circle points at the start. In double-double their products are fused, which an instruction does where there is one.
+struct Points<'a, S> {
+    program: &'a mut Program<'static, S>,
+    known: &'a [S],
+    values: &'a mut [S],
+}
+
+impl<S: Fused> Task<S> for Points<'_, S> {
+    #[inline(always)]
+    fn run<P: Pick<S> + Pick<f64>>(self, _pick: P) {
+        self.program.evaluate(self.known, self.values);
     }
 }
 

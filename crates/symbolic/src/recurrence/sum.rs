@@ -3,6 +3,7 @@
 use super::fused::{Fused, Task};
 use super::order::add;
 use super::pick::Pick;
+use super::stored::Stored;
 
 /// A series by orders, each of so many numbers and the first of these states; up to the order `fine` in all digits of the field.
 pub(super) struct Terms<'a, S> {
@@ -25,11 +26,11 @@ const APART: usize = 4;
 
 impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
     #[inline(always)]
-    fn run<P: Pick<S> + Pick<f64>>(self, _: P) {
-        let Sum { terms: Terms { series, width, states, order, fine }, h, .. } = self;
-        if S::FINER && fine < order {
-            return self.rounding::<P>();
+    fn run<P: Pick<S> + Pick<f64>>(self, pick: P) {
+        if S::FINER {
+            return self.finer(pick);
         }
+        let Sum { terms: Terms { series, width, states, order, .. }, h, .. } = self;
         let square = h * h;
         let [h, square, fourth] = [h, square, square * square].map(|power| [power; W]);
         let (terms, over) = (order + 1, (order + 1) % APART);
@@ -59,28 +60,32 @@ impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
 }
 
 impl<S: Fused, const W: usize> Sum<'_, S, W> {
-    /// What is rounded is summed in `f64`, then the others.
+    /// What is rounded is summed in `f64`, then the others; eight states at a time, whose sums keep their rests as they come.
     #[inline(always)]
-    fn rounding<P: Pick<S> + Pick<f64>>(self) {
+    fn finer<P: Pick<S> + Pick<f64>>(self, pick: P) {
         let Terms { series, width, states, order, fine } = self.terms;
-        let (rounded, h) = ([self.h.rounded(); W], [self.h; W]);
-        for (first, out) in (0..states).step_by(W).zip(self.out.chunks_mut(W)) {
-            let terms = |k: usize| &series[k * width + first..][..W];
-            let mut tail = [0.0; W];
+        let (rounded, h) = (Pick::<f64>::all(pick, self.h.rounded()), Pick::<S>::all(pick, self.h));
+        for (first, out) in (0..states).step_by(8).zip(self.out.chunks_mut(8)) {
+            let term = |k: usize| {
+                let mut term = [S::zero(); 8];
+                copy::<S, 8>(&series[k * width..][first..width.min(first + 8)], &mut term);
+                S::Stored::of(term)
+            };
+            let mut tail = Pick::<f64>::all(pick, 0.0);
             for k in (fine + 1..=order).rev() {
-                let mut term = [0.0; W];
-                for (rounded, own) in term.iter_mut().zip(terms(k)) {
-                    *rounded = own.rounded();
-                }
-                tail = add::<P, f64, W>(term, tail, rounded);
+                tail = Pick::<f64>::plus_product(pick, Pick::<f64>::load(pick, &term(k).rounded()), tail, rounded);
             }
-            let mut sum = tail.map(S::lift);
+            let tail = Pick::<f64>::store(pick, tail).map(S::lift);
+            let mut sum = Pick::<S>::load(pick, &S::Stored::of(tail));
             for k in (0..=fine).rev() {
-                let mut term = [S::zero(); W];
-                term.copy_from_slice(terms(k));
-                sum = add::<P, S, W>(term, sum, h);
+                sum = Pick::<S>::plus_product(pick, Pick::<S>::load(pick, &term(k)), sum, h);
             }
-            copy::<S, W>(&sum, out);
+            let sum = Pick::<S>::store(pick, sum);
+            let mut states = [S::zero(); 8];
+            for (lane, state) in states.iter_mut().enumerate() {
+                *state = sum.lane(lane);
+            }
+            copy::<S, 8>(&states, out);
         }
     }
 }
