@@ -32,7 +32,7 @@ pub(super) fn figure(title: &str, svg: String, note: &str, set: &mut Typesetter)
 pub(super) fn facts(facts: &[(String, String)], set: &mut Typesetter) -> Markup {
     html! {
         @if !facts.is_empty() {
-            dl.facts { @for (name, value) in facts { div { dt { (set.text(name)) } dd { (set.text(value)) } } } }
+            dl.facts { @for (name, value) in facts { div { dt; (set.text(name)) dd; (set.text(value)) } } }
         }
     }
 }
