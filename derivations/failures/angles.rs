@@ -1,17 +1,19 @@
 //! A singular parametrisation of SO(3): Euler's angles, the chart of Lagrange's route.
 
-use super::slopes::ByTangents;
 use super::trials::{Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
+use crate::differentiated::Differentiated;
 use crate::machines::AnyMachine;
 use crate::scene::{Axes, Family, Scene, System};
 use crate::systems::gyrostat::Gyrostat;
+use crate::taped::Taped;
 use field::{Analytic, DoubleDouble, Over, Rational, Tangent};
-use integrators::{Method, Ode, Record, Slopes, Span, Tolerance, integrate};
+use integrators::{Method, Ode, Record, Span, Tolerance, integrate};
 use mechanics::definite::root;
 use mechanics::rotation::{euler, euler_forms, inverse, vertical};
 use nalgebra::Vector3;
 use std::path::Path;
+use std::sync::Arc;
 
 pub const FAILING: Failing = Failing {
     name: "angles",
@@ -35,7 +37,9 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         let accepted = "a gyrostat with model = \"free_rotor\"";
         return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
     };
-    let law = InAngles(**bodies);
+    let law = Arc::new(InAngles(**bodies));
+    // as written it takes a matrix at each evaluation
+    let running = Differentiated::new(Taped::new(Arc::clone(&law)), Arc::clone(&law));
     let digits = Threshold {
         of: "squared sine of the nutation below which no digit of the accelerations is left",
         formula: r"$2^{-53}$",
@@ -64,14 +68,14 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         trials.into_iter().map(move |trial| Trial { by: format!("{name}, {}", trial.by), ..trial })
     };
     let start = law.start(&scene);
-    let in_angles = Tried { law: &law, state: &start, budget: FEW, outside: &|_| None, ..tried };
+    let in_angles = Tried { law: &running, state: &start, budget: FEW, outside: &|_| None, ..tried };
     let mut trials: Vec<Trial> =
         named("first form", tried.all(|record| near(&seen(record, &by_vector), &right, 1e-3))).collect();
     trials.extend(named("Euler's angles", in_angles.all(|record| near(&seen(record, &by_angles), &right, 1e-3))));
     let mut at_the_pole = start.clone();
     at_the_pole[1] = 0.0;
     let span = Span::new(0.0, 1.0, &at_the_pole);
-    let refused = integrate(&law, Method::DormandPrince8, &Tolerance::both(1e-9), &span, &mut ()).failure();
+    let refused = integrate(&running, Method::DormandPrince8, &Tolerance::both(1e-9), &span, &mut ()).failure();
     let diagnosis = refused.map_or_else(String::new, |failure| failure.to_string());
     Ok(Found { thresholds: vec![digits], diagnosis, trials })
 }
@@ -91,12 +95,6 @@ impl<S: Over<f64> + Analytic> Ode<S> for InAngles {
         let found = root(|accelerations| self.0.by_lagrange(angles, rates, accelerations, free));
         dy[..3].copy_from_slice(&y[3..6]);
         dy[3..].copy_from_slice(&found.unwrap_or([S::zero() / S::zero(); 4]));
-    }
-}
-
-impl integrators::System for InAngles {
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
-        Some(Box::new(ByTangents::of(self)))
     }
 }
 

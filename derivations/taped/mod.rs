@@ -5,7 +5,7 @@ mod held;
 use crate::written::{Written, symbols, written};
 use field::{Analytic, DoubleDouble};
 pub use held::TapedHeld;
-use integrators::{Directions, Ode};
+use integrators::{Directions, Ode, System};
 use native::Code;
 use std::sync::Arc;
 use symbolic::{Sym, Tape, apart};
@@ -144,6 +144,8 @@ macro_rules! runs {
     )*};
 }
 runs!(f64, Directions, DoubleDouble);
+
+impl<L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Taped<L> {}
 
 impl<L: Ode<Sym>> Ode<Sym> for Taped<L> {
     fn dimension(&self) -> usize {
