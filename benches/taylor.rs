@@ -34,7 +34,7 @@ fn main() {
     rows("second", Driven::new(second, bars));
 }
 
-fn rows<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble>>(form: &str, law: L) {
+fn rows<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync>(form: &str, law: L) {
     let states = Ode::<f64>::dimension(&law);
     let law = Arc::new(law);
     let start = Instant::now();
