@@ -118,7 +118,7 @@ mod tests {
     use super::*;
 
     /// The unit of rounding of a number of 106 digits, in binary.
-    const UNIT: f64 = 1.232_595_164_407_830_9e-32;
+    const UNIT: f64 = 1.232_595_164_407_831e-32;
 
     /// Angles of both signs and of every size and sixteenth, with rests of all sizes.
     fn angles() -> impl Iterator<Item = DoubleDouble> {
