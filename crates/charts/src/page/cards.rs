@@ -43,23 +43,38 @@ const BROAD: usize = 5;
 /// A table of texts that scrolls in its own box. Its cells and rows end where the next begin, as HTML allows.
 pub(super) fn table(table: &Table, set: &mut Typesetter) -> Markup {
     let columns = table.rows.iter().map(Vec::len).chain([table.head.len()]).max().unwrap_or(0);
-    let numeric: Vec<bool> = (0..columns)
-        .map(|column| table.rows.iter().filter_map(|row| row.get(column)).all(|cell| is_number(cell)))
-        .collect();
-    let class = |column: usize| numeric.get(column).copied().unwrap_or(false).then_some("number");
+    let cells = |column| table.rows.iter().filter_map(move |row| row.get(column));
+    let numeric = numeric((0..columns).filter(|&column| cells(column).all(|cell| is_number(cell))));
     html! {
         div.scroll.broad[columns >= BROAD] {
-            table {
+            table class=[(!numeric.is_empty()).then_some(&numeric)] {
                 @if !table.caption.is_empty() { caption { (set.text(&table.caption)) } }
-                thead { tr; @for (column, cell) in table.head.iter().enumerate() {
-                    th scope="col" class=[class(column)]; (set.text(cell))
-                } }
-                tbody { @for row in &table.rows { tr; @for (column, cell) in row.iter().enumerate() {
-                    td class=[class(column)]; (set.text(cell))
-                } } }
+                thead { tr; @for cell in &table.head { th scope="col"; (set.text(cell)) } }
+                tbody { @for row in &table.rows { tr; @for cell in row { td; (set.text(cell)) } } }
             }
         }
     }
+}
+
+/// Columns of numbers beyond this one are set as text is.
+const COLUMNS: usize = 24;
+
+/// The class of a table of which these columns are numbers, counted from none: once for the table, not for each cell.
+pub(super) fn numeric(columns: impl IntoIterator<Item = usize>) -> String {
+    columns.into_iter().map(|column| format!("n{}", column + 1)).collect::<Vec<_>>().join(" ")
+}
+
+/// The style of [`numeric`] columns.
+pub(super) fn numbers() -> String {
+    let all = |cell: &str| {
+        let column = |n| format!(".n{n} {cell}:nth-child({n})");
+        (1..=COLUMNS).map(column).collect::<Vec<_>>().join(",")
+    };
+    let (values, heads) = (all("td"), all("th"));
+    format!(
+        "{values}{{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}}\
+         {heads}{{text-align:right;max-width:13em}}"
+    )
 }
 
 /// Whether a cell starts like a number: `−3.2·10⁻⁹`, `1 234`, `—`.

@@ -58,7 +58,7 @@ fn document(title: &str, body: &Markup) -> String {
                 meta http-equiv="Content-Security-Policy"
                     content="default-src 'none'; font-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
                 title { (crate::text::plain(title)) }
-                style { (PreEscaped(font::face())) (PreEscaped(svg::STYLE)) (PreEscaped(include_str!("page.css"))) (PreEscaped(cards::signs())) }
+                style { (PreEscaped(font::face())) (PreEscaped(svg::STYLE)) (PreEscaped(include_str!("page.css"))) (PreEscaped(cards::signs())) (PreEscaped(cards::numbers())) }
             }
             body {
                 (body)

@@ -1,6 +1,10 @@
 //! The head of the page: title, summary, counts by verdict, contents.
 
-use super::{anchor, cards::chip, claims};
+use super::{
+    anchor,
+    cards::{chip, numeric},
+    claims,
+};
 use crate::{Report, Verdict, text::Typesetter};
 use maud::{Markup, html};
 
@@ -17,17 +21,17 @@ pub(super) fn heading(report: &Report, set: &mut Typesetter) -> Markup {
 
 /// Papers against verdicts, with what each verdict means. Verdicts that no claim has are left out.
 fn counts(report: &Report, set: &mut Typesetter) -> Markup {
-    let number = |count: usize| html! { td.number { @if count > 0 { (count) } @else { span.none { "·" } } } };
+    let number = |count: usize| html! { td { @if count > 0 { (count) } @else { span.none { "·" } } } };
     let verdicts: Vec<Verdict> = Verdict::ALL.into_iter().filter(|verdict| report.count(*verdict) > 0).collect();
     html! {
         div.scroll tabindex="0" role="region" aria-label="Claims by verdict" {
-            table.counts {
+            table class={ "counts " (numeric(1..verdicts.len() + 2)) } {
                 thead { tr {
                     th scope="col" { "Claims" }
-                    @for verdict in &verdicts { th.number scope="col" {
+                    @for verdict in &verdicts { th scope="col" {
                         (chip(*verdict)) " " span.meaning { (verdict.meaning()) }
                     } }
-                    th.number scope="col" { "all" }
+                    th scope="col" { "all" }
                 } }
                 tbody { @for paper in &report.papers { tr {
                     th scope="row" { a href={ "#" (anchor(&paper.id)) } { (set.text(&paper.title)) } }

@@ -2,7 +2,7 @@
 
 use super::{
     anchor,
-    cards::{facts, figure, table},
+    cards::{facts, figure, numeric, table},
 };
 use crate::{Method, Parameter, Report, SceneSection, Table, WorkPrecision, svg::number::tolerance, text::Typesetter};
 use maud::{Markup, html};
@@ -45,15 +45,15 @@ pub(super) fn card(scene: &SceneSection, set: &mut Typesetter) -> Markup {
 
 fn parameters(parameters: &[Parameter], set: &mut Typesetter) -> Markup {
     html! {
-        div.scroll { table.parameters {
-            thead { tr { th scope="col" { "Symbol" } th.number scope="col" { "Value" } th scope="col" { "Unit" }
-                th scope="col" { "Meaning" } } }
-            tbody { @for parameter in parameters { tr {
-                th scope="row" { (set.text(&parameter.symbol)) }
-                td.number { (set.text(&parameter.value)) }
-                td.unit { (set.text(&parameter.unit)) }
-                td { (set.text(&parameter.meaning)) }
-            } } }
+        div.scroll { table class={ "parameters " (numeric([1])) } {
+            thead { tr; @for head in ["Symbol", "Value", "Unit", "Meaning"] { th scope="col"; (head) } }
+            tbody { @for parameter in parameters {
+                tr;
+                th scope="row"; (set.text(&parameter.symbol))
+                td; (set.text(&parameter.value))
+                td.unit; (set.text(&parameter.unit))
+                td; (set.text(&parameter.meaning))
+            } }
         } }
     }
 }

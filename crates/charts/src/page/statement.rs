@@ -36,7 +36,7 @@ pub(super) fn evidence(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
 pub(super) fn values(values: &[(String, String)], set: &mut Typesetter) -> Markup {
     html! {
         dl.values { @for (name, value) in values {
-            div { dt { (set.text(name)) } " " dd { (set.text(&signed(value))) } }
+            div { dt; (set.text(name)) " " dd; (set.text(&signed(value))) }
         } }
     }
 }

@@ -123,9 +123,10 @@ fn outline(shape: usize, r: f64) -> (String, Paint) {
     }
 }
 
+/// One arc, from the top all the way round to a tenth of a pixel beside it: half as long as two halves.
 fn circle(r: f64) -> String {
     let n = coordinate;
-    format!("m{} 0a{r} {r} 0 1 0 {} 0a{r} {r} 0 1 0 {} 0z", n(-r), n(2.0 * r), n(-2.0 * r), r = n(r))
+    format!("m0 {}a{r} {r} 0 1 0 .1 0z", n(-r), r = n(r))
 }
 
 fn square(half: f64) -> String {
