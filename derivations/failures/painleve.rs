@@ -2,7 +2,7 @@
 
 use super::bounds::first_positive;
 use super::edge::edge;
-use super::trials::{ALLOWED, BUDGET, Fate, every_method, fate_of};
+use super::trials::{BUDGET, Fate, every_method, fate_of};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::friction::log::Names;
 use crate::friction::stretch::{Stretch, parts};
@@ -67,7 +67,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     ];
     let one = |(by, method): (String, Method)| {
         let mut plan = scene.plan.clone();
-        (plan.method, plan.tolerance, plan.allowed) = (method, Tolerance::both(1e-9), Some(ALLOWED));
+        (plan.method, plan.tolerance, plan.evaluations) = (method, Tolerance::both(1e-9), Some(BUDGET));
         let fate = fate_of(&scene.follow(&plan, &mut |_| ()), |_| false)?;
         Some(Trial { by, fate })
     };

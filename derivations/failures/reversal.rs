@@ -2,7 +2,7 @@
 
 use super::edge::edge;
 use super::slopes::ByTangents;
-use super::trials::{ALLOWED, Fate, Tried, every_method, fate_of};
+use super::trials::{BUDGET, Fate, Tried, every_method, fate_of};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::friction::stretch::{motion_of_contacts, parts};
 use crate::friction::{Course, Rough, RoughScene};
@@ -136,7 +136,7 @@ fn rests(scene: &RoughScene, rod: &Rod<f64>, drive: f64) -> bool {
 /// A method between events.
 fn by_events(scene: &RoughScene, by: &str, method: Method) -> Option<Trial> {
     let mut plan = scene.plan.clone();
-    (plan.method, plan.allowed) = (method, Some(ALLOWED));
+    (plan.method, plan.evaluations) = (method, Some(BUDGET));
     let course = scene.follow(&plan, &mut |_| ());
     let speed = |course: &Course| course.column("sliding_guide").and_then(|at| course.last().get(at).copied());
     let fate = fate_of(&course, |course| speed(course).is_some_and(|speed| speed.abs() < REST))?;

@@ -6,7 +6,6 @@ use crate::scene::{Problem, methods};
 use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside, integrate};
 use std::fmt;
 use std::ops::ControlFlow;
-use std::time::Duration;
 
 /// What became of a method.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,11 +30,9 @@ pub struct Trial {
     pub fate: Fate,
 }
 
-/// The evaluations that a method may usually spend.
+/// The evaluations that a method may usually spend, across events in each stretch: no clock, whose answer would be the
+/// machine's.
 pub const BUDGET: u64 = 200_000;
-
-/// For a run across events whose method does not come to an end.
-pub const ALLOWED: Duration = Duration::from_secs(20);
 
 /// A problem that every method is to try.
 pub struct Tried<'a> {
