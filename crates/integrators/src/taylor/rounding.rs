@@ -154,3 +154,23 @@ impl<T> Taylor<T> {
 fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.fold(0.0, |most, x| if x.abs() > most { x.abs() } else { most })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_measured_stands_for_steps_and_terms_of_its_size() {
+        let mut rounding = Rounding::new(20, 1e-20);
+        rounding.measured = Measured { reach: 1.0, fine: 1, largest: 1.0, rest: STEPS };
+        let mut is_known = |reach, term, rest| {
+            rounding.sizes = vec![1e9, term, 0.5 * term];
+            rounding.measured.rest = rest;
+            rounding.is_known(reach)
+        };
+        assert!(is_known(1.9, 9.0, 1) && is_known(0.6, 0.2, 1));
+        assert!(!is_known(2.1, 1.0, 1) && !is_known(0.4, 1.0, 1), "steps of another length");
+        assert!(!is_known(1.0, 11.0, 1) && !is_known(1.0, 0.09, 1), "terms of another size");
+        assert!(!is_known(1.0, 1.0, 0), "steps that are long past");
+    }
+}
