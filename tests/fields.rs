@@ -333,17 +333,3 @@ fn every_lane_has_its_own_angle_be_it_near_far_or_undefined() {
             && point.sin.0[2].is_nan()
     );
 }
-
-#[test]
-fn the_sine_of_the_double_double_next_to_whole_turns_is_what_it_leaves_out() {
-    // 2 pi is the sum of these and of less than 1e-48
-    let (turn, left_out) =
-        (DoubleDouble::new_full(std::f64::consts::TAU, 2.449_293_598_294_706_4e-16), -5.989_539_619_436_679e-33);
-    for doubled in 0..40 {
-        let times = 2.0_f64.powi(doubled);
-        let point = (turn * DoubleDouble::from(times)).circle();
-        let (exact, found) = (-left_out * times, point.sin.hi());
-        assert!((found - exact).abs() < 1e-15 * exact, "{times} turns: {found:e}");
-        assert!((point.cos - DoubleDouble::one()).hi().abs() < exact * exact, "{times} turns");
-    }
-}

@@ -171,4 +171,18 @@ mod tests {
             assert!(((sine - exact(x)) / exact(x)).hi().abs() < 4.0 * UNIT, "{x}");
         }
     }
+
+    #[test]
+    fn the_sine_next_to_whole_turns_is_what_they_leave_out() {
+        // 2 pi is the sum of these and of less than 1e-48
+        let (turn, left_out) =
+            (DoubleDouble::new_full(std::f64::consts::TAU, 2.449_293_598_294_706_4e-16), -5.989_539_619_436_679e-33);
+        for doubled in 0..40 {
+            let times = 2.0_f64.powi(doubled);
+            let point = point(turn * DoubleDouble::from(times));
+            let (exact, found) = (-left_out * times, point.sin.hi());
+            assert!((found - exact).abs() < 1e-15 * exact, "{times} turns: {found:e}");
+            assert!((point.cos - DoubleDouble::from(1.0)).hi().abs() < exact * exact, "{times} turns");
+        }
+    }
 }
