@@ -105,6 +105,13 @@ impl WorkPrecision {
         let drawn = |point: &&Point| positive(point.work) && positive(point.error);
         let points = || self.series.iter().flat_map(|method| method.points.iter().filter(drawn));
         let failing = failures::families(&self.series);
+        let omissions = self.omissions();
+        let mut drawing = Drawing::default();
+        if failing.is_empty() && points().next().is_none() && !omissions.is_empty() {
+            // nothing has a place on these axes: the sentences say all
+            omissions.iter().for_each(|sentence| drawing.paragraph(sentence, "small"));
+            return drawing;
+        }
         let works = self.series.iter().flat_map(|method| method.failures.iter().map(|failure| failure.work));
         let works = points().map(|point| point.work).chain(works.filter(|work| positive(*work)));
 
@@ -114,7 +121,6 @@ impl WorkPrecision {
         let y = Axis::log(points().map(|point| point.error), bottom, top, 26.0);
         let looks = series::Looks::of(&self.series);
 
-        let mut drawing = Drawing::default();
         frame(&mut drawing, &x, &y, (top - band, top, bottom));
         for (row, failing) in failing.iter().enumerate() {
             let height = top - band + ROW * (row as f64 + 0.5) + 3.0;
@@ -133,9 +139,7 @@ impl WorkPrecision {
         drawing.upward((15.0, 0.5 * (top + bottom)), error);
         drawing.height = bottom + 54.0;
         looks.legend(&mut drawing, &self.series, !self.front.is_empty());
-        for sentence in self.omissions() {
-            drawing.paragraph(&sentence, "small");
-        }
+        omissions.iter().for_each(|sentence| drawing.paragraph(sentence, "small"));
         drawing
     }
 
@@ -216,6 +220,13 @@ mod tests {
         assert!(svg.contains("2 points left out: not a positive number."));
         assert!(svg.contains("drawn there (1)"));
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    }
+
+    #[test]
+    fn where_all_is_exact_a_sentence_stands_for_axes() {
+        let exact = vec![Point { work: 3.0, error: 0.0 }; 2];
+        let svg = chart(exact, vec![]).svg();
+        assert!(svg.contains("2 points left out: the error is exactly 0.") && !svg.contains("frame"), "{svg}");
     }
 
     #[test]
