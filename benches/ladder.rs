@@ -103,6 +103,7 @@ fn rough() {
             };
             for (at, line) in ladder.lines(&watched, 1e-6).0.iter().enumerate().skip(1) {
                 match (&line.model, ladder.difference(at, &watched)) {
+                    (Ok(_), Some(0.0)) => println!("{name:<16} {part:<16} {:<23} no error on this run", line.name),
                     (Ok(found), Some(error)) => println!(
                         "{name:<16} {part:<16} {:<23} {error:>10.2e} {:>9.2e} {:>12.4} {:>8.1e}",
                         line.name,
@@ -110,7 +111,14 @@ fn rough() {
                         found.first / error,
                         found.second / found.first
                     ),
-                    (Ok(_), None) => println!("{name:<16} {part:<16} {:<23} {:?}", line.name, line.loss),
+                    (Ok(_), None) => {
+                        if let Loss::Held { margin, at } = line.loss {
+                            println!(
+                                "{name:<16} {part:<16} {:<23} never left: by {margin:.2e} at {at:.4} s",
+                                line.name
+                            );
+                        }
+                    }
                     (Err(why), _) => println!("{name:<16} {part:<16} {:<23} {why}", line.name),
                 }
             }
@@ -120,8 +128,9 @@ fn rough() {
 
 fn row(name: &str, found: &mut [f64]) {
     found.sort_by(f64::total_cmp);
-    let quantile = |q: f64| found.get(((found.len() as f64 - 1.0) * q).round() as usize).copied().unwrap_or(f64::NAN);
-    let cells = [0.01, 0.05, 0.5, 0.95, 0.99].map(|q| format!("{:>10.4}", quantile(q))).concat();
+    let quantile = |q: f64| found.get((found.len().saturating_sub(1) as f64 * q).round() as usize);
+    let cell = |q| quantile(q).map_or(format!("{:>10}", "-"), |value| format!("{value:>10.4}"));
+    let cells = [0.01, 0.05, 0.5, 0.95, 0.99].map(cell).concat();
     println!("{name:<36}{:>6}{cells}", found.len());
 }
 
