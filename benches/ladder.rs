@@ -103,7 +103,10 @@ fn rough() {
             };
             for (at, line) in ladder.lines(&watched, 1e-6).0.iter().enumerate().skip(1) {
                 match (&line.model, ladder.difference(at, &watched)) {
-                    (Ok(_), Some(0.0)) => println!("{name:<16} {part:<16} {:<23} no error on this run", line.name),
+                    (Ok(found), Some(0.0)) => println!(
+                        "{name:<16} {part:<16} {:<23} no error on this run, estimated {:.1e}",
+                        line.name, found.first
+                    ),
                     (Ok(found), Some(error)) => println!(
                         "{name:<16} {part:<16} {:<23} {error:>10.2e} {:>9.2e} {:>12.4} {:>8.1e}",
                         line.name,
@@ -112,12 +115,11 @@ fn rough() {
                         found.second / found.first
                     ),
                     (Ok(_), None) => {
-                        if let Loss::Held { margin, at } = line.loss {
-                            println!(
-                                "{name:<16} {part:<16} {:<23} never left: by {margin:.2e} at {at:.4} s",
-                                line.name
-                            );
-                        }
+                        let held = match line.loss {
+                            Loss::Held { margin, at } => format!("never left: by {margin:.2e} at {at:.4} s"),
+                            _ => "no states to compare".into(),
+                        };
+                        println!("{name:<16} {part:<16} {:<23} {held}", line.name);
                     }
                     (Err(why), _) => println!("{name:<16} {part:<16} {:<23} {why}", line.name),
                 }
