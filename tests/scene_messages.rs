@@ -241,6 +241,9 @@ refuses_laws! {
     half_an_angle_is_no_law_of_the_circle: [("\"-b0*cos(g)\"", "\"-b0*cos(g/2)\"")] => ["cos(g/2)"];
     a_speed_in_an_energy_is_refused: [("\"-b0*cos(g)\"", "\"-b0*cos(g) + mu*g'\"")] => ["g'"];
     an_angle_in_the_moment_law_is_refused: [("-mu*g' - f*phi'", "-mu*g' - b0*sin(g)")] => ["g"];
+    a_current_in_the_moment_law_is_refused: [("-mu*g' - f*phi'", "-f*phi' + a1*x")] => ["x"];
+    a_current_in_a_supply_is_refused: [("resistance = \"r1\"", "resistance = \"r1\"\nsupply = \"-a1*x\"")] => ["x"];
+    a_winding_that_saturates_is_refused: [("inductance = \"l1\"", "inductance = \"l1*x\"")] => ["x"];
     a_root_of_the_motion_is_refused: [("-mu*g' - f*phi'", "-mu*sqrt(g'*g') - f*phi'")] => ["sqrt(g'*g')"];
     an_angle_with_a_dimension_is_refused: [("a1*cos(g + t1)", "a1*cos(g + l1)")] => ["l1"];
     a_function_that_is_none_is_marked_in_its_law: [("\"-b0*cos(g)\"", "\"-b0*tan(g)\"")] => ["tan"];

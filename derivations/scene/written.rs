@@ -11,9 +11,9 @@
 //! b0 = "0.15 N m"
 //!
 //! [[machine.winding]]
-//! flux = "a1*cos(g)"                     # psi_k(g), Wb
 //! inductance = "l1"
 //! resistance = "r1"
+//! flux = "a1*cos(g)"                     # psi_k(g), Wb; where the field goes through it
 //! supply = "v0*sin(g)"                   # v_k(g), V; where there is one
 //! motional = "k*iq"                      # c_k(i), V s, affine in the currents; where conductors slide
 //! current = "id"                         # its name; without it x, i1, i2, ...
@@ -124,16 +124,16 @@ fn read_winding<'a>(
     letters: &impl Fn(Motion) -> Letters<'a>,
 ) -> Option<(Range<usize>, Winding<Sym, Sym>)> {
     let flux = "flux psi(g) of the stator's field through the winding";
-    let flux = law(table, "flux", flux, "Wb", &letters(Motion::Angle));
+    let flux = optional(table, "flux", flux, "Wb", &letters(Motion::Angle));
     let inductance = law(table, "inductance", "inductance of the winding", "H", &letters(Motion::Rest));
     let resistance = law(table, "resistance", "resistance of the winding", "ohm", &letters(Motion::Rest));
     let supply = optional(table, "supply", "voltage v(g) of the supply", "V", &letters(Motion::Angle));
     let meaning = "voltage c(i) per speed by which conductors slide";
     let motional = optional(table, "motional", meaning, "V s", &letters(Motion::Currents));
-    let (flux, inductance, resistance) = (flux?, inductance?, resistance?);
+    let (inductance, resistance) = (inductance?, resistance?);
     let winding = Winding {
         current: current.to_owned(),
-        flux: flux.value,
+        flux: flux.map_or(Sym::ZERO, |law| law.value),
         supply: supply.map(|law| law.value),
         motional: motional.map(|law| law.value),
         inductance: inductance.value,
@@ -205,9 +205,7 @@ fn optional(table: &mut Table<'_>, key: &str, meaning: &str, unit: &str, letters
     if table.has(key) {
         law(table, key, meaning, unit, letters)
     } else {
-        {
-            table.known(&[key]);
-            None
-        }
+        table.known(&[key]);
+        None
     }
 }

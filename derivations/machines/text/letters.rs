@@ -96,6 +96,13 @@ impl Vocabulary for Letters<'_> {
                 refused("a law of the angle or the currents knows no speed: speeds stand in `moment_law`")
             }
             (_, Motion::Currents) if self.is_current(name) => Ok(Sym::symbol(name)),
+            (_, Motion::Rest) if self.is_current(name) => refused("the data of a winding do not know the currents"),
+            (_, Motion::Angle) if self.is_current(name) => {
+                refused("no law of the angle knows a current: what conductors that slide add stands in `motional`")
+            }
+            (_, Motion::Speeds) if self.is_current(name) => {
+                refused("a moment of currents follows from `flux` and `motional`, else energy is lost")
+            }
             _ if self.parameters.iter().any(|(known, _)| known == name) => Ok(Sym::symbol(name)),
             _ => Err(Reason::Name(name.to_owned())),
         }
