@@ -79,10 +79,10 @@ fn recorded<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(T
     Some((Tape::record(&inputs, &rates).ok()?, Tape::record(&inputs, &entries).ok()?))
 }
 
-/// Both as machine code.
+/// Both as machine code, as they run.
 fn written<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(Code, Code)> {
     let (tape, entries) = recorded(law)?;
-    Some((Code::of(&tape)?, Code::of(&entries)?))
+    Some((Code::of(&tape.arranged())?, Code::of(&entries.arranged())?))
 }
 
 fn row<F: Form<f64>, M: Machine<f64>>(form: &str, law: &Driven<f64, F, M>, peak: f64) {

@@ -47,7 +47,7 @@ impl<S, L: Ode<Sym> + Sync> Differentiated<S, L> {
 
 impl Line {
     fn of(inputs: &[Sym], outputs: Vec<Sym>) -> Option<Self> {
-        let tape = Tape::record(inputs, &outputs).ok()?;
+        let tape = Tape::record(inputs, &outputs).ok()?.arranged();
         Some(Line { code: Code::of(&tape), tape })
     }
 }

@@ -78,7 +78,7 @@ fn goal(scene: &dyn Smooth, stiff: bool) -> Goal {
     let Record { times, states } = record;
     let (methods, work) = ([method; 2], [outcome.work; 2]);
     let reference = Reference { times, states, digits: 16.0, sizes, methods, work };
-    Goal::of(&problem, &reference, scene.observed(&reference))
+    Goal::of(&problem.columns, &problem.row, &reference, scene.observed(&reference))
 }
 
 /// The methods of a way, each with what it is run by: (name, runs).
@@ -111,6 +111,7 @@ fn runs(way: &Way, stiff: bool, tolerance: impl Fn(f64) -> Tolerance) -> Vec<(St
                 ("Gauss, 3 stages".to_owned(), STEPS.map(gauss).to_vec()),
             ]
         }
+        Treated::Across(_) => panic!("no scene of these has events"),
     }
 }
 
@@ -279,6 +280,7 @@ fn every_formulation_of_a_mechanism_tends_to_one_motion() {
                 Treated::Held(_) => {
                     (None, Tolerance::both(1e-9), Some(Holding::ProjectedGauss { stages: 3, steps: 400 }))
                 }
+                Treated::Across(_) => panic!("no mechanism has events"),
             };
             let (_, error) = run(way, &goal, (span, EVALUATIONS), &attempt);
             let error = error.unwrap_or_else(|failure| panic!("{name}, {}: {failure}", way.formulation));

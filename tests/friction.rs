@@ -9,6 +9,7 @@ use derivations::systems::climbed_ladder::ClimbedLadder;
 use derivations::systems::ladder::Ladder;
 use derivations::systems::slender_rod::SlenderRod;
 use derivations::systems::steered_rod::SteeredRod;
+use field::Analytic;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Sides;
 use mechanics::regimes::{Condition, Direction, Face, Mode, Unfit};
@@ -166,7 +167,7 @@ fn a_ladder_that_is_climbed_slides_sticks_slips_and_detaches() {
     );
     assert!(matches!(found.ending, Ending::TouchDown { contact: 2, .. }), "{}", found.ending.describe(&names));
     let entry = &found.entries[2];
-    let exact = closed::climbed(friction, [20.0 * G, 700.0], 2.0, 0.5, angle(&entry.place));
+    let exact = closed::climbed(friction, [20.0 * G, 700.0], 2.0, 0.5, angle(&entry.place).circle());
     close(entry.time, exact, "the time at which it slips");
 }
 

@@ -95,6 +95,8 @@ fn tried(mechanism: &CrankSlider<f64>, way: &Way, span: f64) -> Vec<Trial> {
             [constant, Method::DormandPrince8].map(|method| Attempt::Integrated(&**law, method)).to_vec()
         }
         Treated::Projected(law, held) => vec![Attempt::Projected(&**law, &**held, constant)],
+        // what has contacts is no mechanism held to constraints alone
+        Treated::Across(_) => Vec::new(),
         Treated::Held(law) => vec![
             Attempt::Held(&**law, Holding::ProjectedGauss { stages: 3, steps: 2_500 }),
             Attempt::Held(&**law, Holding::HalfExplicitRungeKutta4 { steps: LONG }),

@@ -2,7 +2,7 @@
 
 use super::log::Ending;
 use super::stretch::{Stretch, motion_of_contacts};
-use field::Tangent;
+use field::{Over, Tangent};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::differentiate::fixed;
@@ -59,13 +59,13 @@ where
     }
 }
 
-/// How long ago the departures that vanish in a regime were exactly zero, the system resting: an event that was located
-/// by a tie is as sharp as the tie, this margin says its time.
-pub fn overshoot<Q, const N: usize, const C: usize, const K: usize>(
+/// The departure that vanishes in a regime as rest ends, with its rate while the system still rests: an event that was
+/// located by a tie is as sharp as the tie, this margin says its time.
+pub fn departure<Q, S: Over<f64>, const N: usize, const C: usize, const K: usize>(
     stretch: &Stretch<'_, Q, N, C, K>,
-    at: &State<f64, N>,
+    at: &State<S, N>,
     touches: &[Touch; K],
-) -> Option<f64>
+) -> Option<Tangent<S>>
 where
     Q: Contacts<N, C, K, Given = f64>,
 {
@@ -73,8 +73,7 @@ where
     let (seen, cramer) = stretch.solve(&later)?;
     let required = conditions(&seen.dry, touches, &stretch.regime);
     let departs = required.as_flattened().iter().flatten().find(|(name, _)| *name == Condition::Departs);
-    let margin = cramer.value(&departs?.1);
-    Some(margin.value / margin.slope).filter(|time| time.is_finite())
+    Some(cramer.value(&departs?.1))
 }
 
 /// The least trend of the margins that vanish: `Greater` where none does.

@@ -4,7 +4,7 @@ use super::course::Course;
 use super::rough::Rough;
 use super::scene::RoughScene;
 use crate::regimes::critical;
-use field::Analytic;
+use field::{Analytic, Circle, Scalar};
 
 /// A comparison: what, and the largest relative deviation.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,10 +33,16 @@ pub fn steered(friction: f64, gravity: f64, length: f64, [start, squared]: [f64;
 }
 
 /// When a climbed ladder that stands begins to slide: both reactions are on their cones.
-pub fn climbed(friction: f64, weights: [f64; 2], half_length: f64, speed: f64, alpha: f64) -> f64 {
-    let ([own, load], (sin, cos)) = (weights, alpha.sin_cos());
-    let wall = friction * (own + load) / (1.0 + friction * friction);
-    (2.0 * half_length * wall * (cos + friction * sin) - own * half_length * sin) / (load * sin) / speed
+pub fn climbed<S: Scalar>(
+    friction: S,
+    [own, load]: [S; 2],
+    half_length: S,
+    speed: S,
+    Circle { cos, sin }: Circle<S>,
+) -> S {
+    let wall = friction * (own + load) / (S::one() + friction.squared());
+    let moment = S::int(2) * half_length * wall * (cos + friction * sin) - own * half_length * sin;
+    moment / (load * sin) / speed
 }
 
 impl RoughScene {
@@ -65,7 +71,8 @@ impl RoughScene {
                 let after = course.log.windows(2).find(|two| two[0].slides == [0, 0, 0] && two[1].slides != [0, 0, 0]);
                 let slip = &after?[1];
                 let weights = [it.ladder.mass * it.ladder.gravity, it.weight];
-                let exact = climbed(it.ladder.friction[0], weights, it.ladder.half_length, it.speed, slip.row[angle]);
+                let exact =
+                    climbed(it.ladder.friction[0], weights, it.ladder.half_length, it.speed, slip.row[angle].circle());
                 let what = "the time at which it slips, by statics with both reactions on their cones";
                 Some(Check { what, deviation: (slip.time - exact).abs() / exact.abs().max(1.0) })
             }

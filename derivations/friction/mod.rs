@@ -11,11 +11,15 @@
 //! * [`held`]: one regime held without a look at its conditions, and by how much they hold; [`smoothed`]: contacts made smooth;
 //! * [`run`](mod@run): stretch after stretch; [`log`]: what happened and why;
 //! * [`rough`], [`scene`]: systems with contacts and their files; [`course`]: runs as names and numbers;
+//! * [`across`]: every method on a scene, for its atlas;
+//! * [`exact`]: the motion to all digits that two methods share;
 //! * [`closed`]: motions in closed form, beside which runs are checked.
 
+pub mod across;
 pub mod choose;
 pub mod closed;
 pub mod course;
+pub mod exact;
 pub mod held;
 pub mod log;
 pub mod rough;

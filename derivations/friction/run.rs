@@ -1,6 +1,6 @@
 //! Stretch after stretch.
 
-use super::choose::{choose, determinant, overshoot, touches_after};
+use super::choose::{choose, departure, determinant, touches_after};
 use super::log::{Cause, Ending, Entry};
 use super::settle::{Held, settle};
 use super::stretch::{Stretch, Watched, motion_of_contacts, parts};
@@ -141,7 +141,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
                 Err(problem) => return problem,
             };
             if ceased.is_some() && self.at.velocity == [0.0; N] {
-                let since = overshoot(&stretch_of(found.regime), &self.at, &touch);
+                let since = departure(&stretch_of(found.regime), &self.at, &touch).map(|it| it.value / it.slope);
                 self.at.time -= since.filter(|since| since.abs() < SHARP * self.plan.end.abs()).unwrap_or(0.0);
             }
             self.run.entries.push(Entry {
@@ -206,8 +206,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
         }
         let (method, tolerance) = (self.plan.method, &self.plan.tolerance);
         let (outcome, event) = integrate_to_event(stretch, method, tolerance, &span, stretch, observer);
-        self.run.work.rates += outcome.work.rates;
-        self.run.work.steps += outcome.work.steps;
+        self.run.work = self.run.work + outcome.work;
         y.copy_from_slice(&outcome.state);
         self.at = parts(outcome.time, &y);
         self.works = [y[2 * N], y[2 * N + 1]];

@@ -5,6 +5,7 @@
 
 use super::stretch::motion_of_contacts;
 use field::Tangent;
+use integrators::Real;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::differentiate::{fixed, gradient};
@@ -23,16 +24,16 @@ const DEPENDENT: f64 = 1e-10;
 const PASSES: usize = 3;
 
 /// The state closest to this one that satisfies everything held, and how far it is: the largest change of a place.
-pub fn settle<Q, const N: usize, const C: usize, const K: usize>(
+pub fn settle<Q, S: Real, const N: usize, const C: usize, const K: usize>(
     system: &Q,
-    at: &State<f64, N>,
+    at: &State<S, N>,
     held: [Held; K],
-) -> (State<f64, N>, f64)
+) -> (State<S, N>, f64)
 where
     Q: Contacts<N, C, K, Given = f64>,
 {
     let mut settled = *at;
-    let masses: [f64; N] = system.masses();
+    let masses: [S; N] = system.masses();
     for _ in 0..PASSES {
         let mut change = Change::new(masses);
         let own = system.constraints(&settled);
@@ -48,7 +49,7 @@ where
         (0..N).for_each(|i| settled.place[i] += change.total[i]);
     }
     let mut change = Change::new(masses);
-    let rows: [[f64; N]; C] = mechanics::constrained::rates::jacobian(system, &settled);
+    let rows: [[S; N]; C] = mechanics::constrained::rates::jacobian(system, &settled);
     let values = first_rates(system, &settled);
     for c in 0..C {
         change.require(rows[c], values[c]);
@@ -62,12 +63,12 @@ where
         }
     }
     (0..N).for_each(|i| settled.velocity[i] += change.total[i]);
-    let moved = (0..N).map(|i| (settled.place[i] - at.place[i]).abs()).fold(0.0, f64::max);
+    let moved = (0..N).map(|i| (settled.place[i] - at.place[i]).approx().abs()).fold(0.0, f64::max);
     (settled, moved)
 }
 
 /// df/dt of the geometric constraints, the values of the kinematic ones.
-fn first_rates<Q, const N: usize, const C: usize, const K: usize>(system: &Q, at: &State<f64, N>) -> [f64; C]
+fn first_rates<Q, S: Real, const N: usize, const C: usize, const K: usize>(system: &Q, at: &State<S, N>) -> [S; C]
 where
     Q: Contacts<N, C, K, Given = f64>,
 {
@@ -82,7 +83,11 @@ where
     })
 }
 
-fn own_gradient<Q, const N: usize, const C: usize, const K: usize>(system: &Q, at: &State<f64, N>, c: usize) -> [f64; N]
+fn own_gradient<Q, S: Real, const N: usize, const C: usize, const K: usize>(
+    system: &Q,
+    at: &State<S, N>,
+    c: usize,
+) -> [S; N]
 where
     Q: Contacts<N, C, K, Given = f64>,
 {
@@ -93,12 +98,12 @@ where
     gradient(value, at.place)
 }
 
-fn contact_gradient<Q, const N: usize, const C: usize, const K: usize>(
+fn contact_gradient<Q, S: Real, const N: usize, const C: usize, const K: usize>(
     system: &Q,
-    at: &State<f64, N>,
+    at: &State<S, N>,
     k: usize,
     component: usize,
-) -> [f64; N]
+) -> [S; N]
 where
     Q: Contacts<N, C, K, Given = f64>,
 {
@@ -111,24 +116,24 @@ where
 }
 
 /// A change that meets requirements one after another.
-struct Change<const N: usize> {
-    masses: [f64; N],
-    total: [f64; N],
+struct Change<S, const N: usize> {
+    masses: [S; N],
+    total: [S; N],
     /// Rows met so far, orthonormal in the metric of the inverse masses.
-    rows: [Option<[f64; N]>; N],
+    rows: [Option<[S; N]>; N],
 }
 
-impl<const N: usize> Change<N> {
-    fn new(masses: [f64; N]) -> Self {
-        Change { masses, total: [0.0; N], rows: [None; N] }
+impl<S: Real, const N: usize> Change<S, N> {
+    fn new(masses: [S; N]) -> Self {
+        Change { masses, total: [S::zero(); N], rows: [None; N] }
     }
 
-    fn product(&self, a: &[f64; N], b: &[f64; N]) -> f64 {
-        (0..N).map(|i| a[i] * b[i] / self.masses[i]).sum()
+    fn product(&self, a: &[S; N], b: &[S; N]) -> S {
+        (0..N).fold(S::zero(), |sum, i| sum + a[i] * b[i] / self.masses[i])
     }
 
     /// row . total = -value, keeping what was required before.
-    fn require(&mut self, row: [f64; N], value: f64) {
+    fn require(&mut self, row: [S; N], value: S) {
         let whole = self.product(&row, &row);
         let mut own = row;
         for met in self.rows.iter().flatten() {
@@ -136,10 +141,11 @@ impl<const N: usize> Change<N> {
             (0..N).for_each(|i| own[i] -= share * met[i]);
         }
         let rest = self.product(&own, &own);
-        let Some(place) = self.rows.iter().position(Option::is_none).filter(|_| rest > DEPENDENT * whole) else {
+        let independent = rest > S::lift(DEPENDENT) * whole;
+        let Some(place) = self.rows.iter().position(Option::is_none).filter(|_| independent) else {
             return;
         };
-        let missing = -value - (0..N).map(|i| row[i] * self.total[i]).sum::<f64>();
+        let missing = (0..N).fold(-value, |missing, i| missing - row[i] * self.total[i]);
         (0..N).for_each(|i| self.total[i] += own[i] / self.masses[i] * (missing / rest));
         self.rows[place] = Some(own.map(|entry| entry / rest.sqrt()));
     }

@@ -4,6 +4,7 @@ use field::{Analytic, DoubleDouble, Over, Scalar, Tangent};
 use integrators::{Directions, Ode, Signal, Switches};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
+use mechanics::regimes::conditions::Conditions;
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Condition, Dry, Found, Mode, Ordered, Seen, Touch, Verdict, conditions, verdict};
 use std::cmp::Ordering;
@@ -116,19 +117,15 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
     /// 1 while rest is the only motion, -1 where it is not.
     fn rest(&self, at: &State<f64, N>) -> Option<Signal> {
         let dry = Dry::of(self.system, at, self.system.force(at)).ok()?;
-        let rests = match verdict(&dry, &self.touches(self.regime.map(|mode| mode == Mode::Apart))) {
+        let rests = match verdict(&dry, &self.touches(self.open())) {
             Verdict::Unique(found) => is_rest(&dry, &found),
             _ => false,
         };
         Some(Signal { value: if rests { 1.0 } else { -1.0 }, rate: 0.0, noise: 0.0 })
     }
 
-    /// The signals in the order of their list, with rates.
-    fn read(&self, at: &State<f64, N>, out: &mut [Signal]) -> Option<()> {
-        if self.rests {
-            out.fill(self.rest(at)?);
-            return Some(());
-        }
+    /// What the signals are read off, along the motion; `None` where the constraints are dependent.
+    pub fn moving<S: Over<f64>>(&self, at: &State<S, N>) -> Option<Moving<S, K>> {
         let (seen, cramer) = self.solve(at)?;
         let acceleration = seen.acceleration(&cramer.reactions());
         let moving = State {
@@ -137,33 +134,63 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
             velocity: std::array::from_fn(|i| Tangent::moving(at.velocity[i], acceleration[i])),
         };
         let (seen, cramer) = self.solve(&moving)?;
-        let motions = motion_of_contacts(self.system, &moving);
-        let open = self.regime.map(|mode| mode == Mode::Apart);
-        let required = conditions(&seen.dry, &self.touches(open), &self.regime);
+        let required = conditions(&seen.dry, &self.touches(self.open()), &self.regime);
+        Some(Moving { cramer, required, contacts: motion_of_contacts(self.system, &moving), dry: seen.dry })
+    }
+
+    /// A signal and its rate; none of one that only has a sign.
+    pub fn signal<S: Over<f64>>(&self, watched: Watched, moving: &Moving<S, K>) -> Option<Tangent<S>> {
+        match watched {
+            Watched::Condition(k, condition) => {
+                let form = moving.required[k].iter().flatten().find(|(name, _)| *name == condition);
+                form.map(|(_, form)| moving.cramer.value(form))
+            }
+            Watched::Sliding(k) => match self.regime[k] {
+                Mode::Slip(direction, _) => Some(moving.contacts[k][1].slope * direction.sign()),
+                Mode::Stick(_) | Mode::Apart => None,
+            },
+            Watched::Gap(k) => Some(moving.contacts[k][0].value),
+            Watched::Determinant => Some(moving.cramer.determinant * Tangent::fixed(S::lift(self.orientation))),
+            Watched::Uniqueness | Watched::Rest => None,
+        }
+    }
+
+    /// Which contacts are apart.
+    fn open(&self) -> [bool; K] {
+        self.regime.map(|mode| mode == Mode::Apart)
+    }
+
+    /// The signals in the order of their list, with rates.
+    fn read(&self, at: &State<f64, N>, out: &mut [Signal]) -> Option<()> {
+        if self.rests {
+            out.fill(self.rest(at)?);
+            return Some(());
+        }
+        let moving = self.moving(at)?;
         let noise = f64::EPSILON * 64.0;
         for (signal, watched) in out.iter_mut().zip(self.watched()) {
             let value = match watched {
-                Watched::Condition(k, condition) => {
-                    let form = required[k].iter().flatten().find(|(name, _)| *name == condition);
-                    form.map(|(_, form)| cramer.value(form))?
-                }
-                Watched::Sliding(k) => {
-                    let Mode::Slip(direction, _) = self.regime[k] else { return None };
-                    motions[k][1].slope * direction.sign()
-                }
-                Watched::Gap(k) => motions[k][0].value,
-                Watched::Determinant => cramer.determinant * Tangent::fixed(self.orientation),
                 Watched::Uniqueness | Watched::Rest => {
-                    let dry = at_rest(&seen.dry);
-                    let unique = matches!(verdict(&dry, &self.touches(open)), Verdict::Unique(_));
+                    let unique =
+                        matches!(verdict(&at_rest(&moving.dry), &self.touches(self.open())), Verdict::Unique(_));
                     Tangent::fixed(if unique { 1.0 } else { -1.0 })
                 }
+                smooth => self.signal(smooth, &moving)?,
             };
             let size = self.size(watched).unwrap_or(0.0);
             *signal = Signal { value: value.value, rate: value.slope, noise: noise * size };
         }
         Some(())
     }
+}
+
+/// The contacts of a regime along its motion: values with their rates.
+pub struct Moving<S, const K: usize> {
+    dry: Dry<Tangent<S>, K>,
+    cramer: Cramer<Tangent<S>, K>,
+    required: Conditions<Tangent<S>, K>,
+    /// Gap and place along the curve of each, with rates of their own.
+    contacts: [[Tangent<Tangent<S>>; 2]; K],
 }
 
 /// Whether no contact is accelerated.

@@ -91,6 +91,6 @@ pub fn judged(
         Some(kept) => kept.reference.clone(),
         None => problem.reference(patience)?,
     };
-    let goal = Goal::of(problem, &reference, scene.observed(&reference));
+    let goal = Goal::of(&problem.columns, &problem.row, &reference, scene.observed(&reference));
     Ok(Atlas::judged(ways, reference, &goal, problem.span, trials))
 }

@@ -1,6 +1,7 @@
 //! References that are kept in files: the digits, how they were made, and whether they are a law's own.
 
 use super::{Problem, methods};
+use crate::friction::exact::Event;
 use field::{DoubleDouble, Over, decimal, from_decimal};
 use integrators::{ENOUGH_DIGITS, Ode, Reference, Work};
 use std::fmt::Write;
@@ -22,6 +23,27 @@ pub struct Stored {
     start: Vec<f64>,
     /// y' summed over the instants: what another law, or other data, would not give.
     rates: Vec<DoubleDouble>,
+    /// Of a motion with rough contacts.
+    pub events: Vec<Event>,
+}
+
+/// Whose a reference is: a start, and a law that holds at each instant.
+pub trait Owner {
+    fn start(&self) -> &[f64];
+
+    /// y' at an instant.
+    fn rates_at(&self, time: f64, state: &[DoubleDouble], rates: &mut [DoubleDouble]);
+}
+
+impl Owner for Problem {
+    fn start(&self) -> &[f64] {
+        &self.state
+    }
+
+    fn rates_at(&self, time: f64, state: &[DoubleDouble], rates: &mut [DoubleDouble]) {
+        let law: &dyn Ode<DoubleDouble> = &*self.law;
+        law.rates(DoubleDouble::lift(time), state, rates);
+    }
 }
 
 /// Where the reference of a scene file is kept: `references/NAME.reference` in its folder.
@@ -31,16 +53,22 @@ pub fn place(scene: &Path) -> PathBuf {
 }
 
 impl Stored {
-    /// A problem's reference, to be kept: its states are rounded as they are written.
-    pub fn of(problem: &Problem, reference: Reference) -> Self {
+    /// A motion's reference, with its events, to be kept: all is rounded as it is written.
+    pub fn of(owner: &dyn Owner, reference: Reference, events: Vec<Event>) -> Self {
         let reference = Reference { digits: (reference.digits * 10.0).floor() / 10.0, ..reference };
         let Reference { sizes, digits, .. } = &reference;
         let rounded =
             |(number, size): (&DoubleDouble, &f64)| from_decimal(&written(*number, *size, *digits)).unwrap_or(*number);
-        let states = reference.states.iter().map(|state| state.iter().zip(sizes).map(rounded).collect()).collect();
+        let row = |state: &[DoubleDouble]| state.iter().zip(sizes).map(rounded).collect();
+        let states = reference.states.iter().map(|state| row(state)).collect();
+        let event = |event: Event| {
+            let time = rounded((&event.time, &event.time.hi()));
+            Event { time, state: row(&event.state), ..event }
+        };
+        let events = events.into_iter().map(event).collect();
         let reference = Reference { states, ..reference };
-        let rates = Rates::of(problem, &reference).sums;
-        Stored { reference, start: problem.state.clone(), rates }
+        let rates = Rates::of(owner, &reference).sums;
+        Stored { reference, start: owner.start().to_vec(), rates, events }
     }
 
     /// What is kept beside a scene file, if anything readable is.
@@ -53,12 +81,12 @@ impl Stored {
         self.reference.times.last() == Some(&problem.span) && self.belongs_to(problem)
     }
 
-    /// Whether it is this problem's: its start, and its law at all instants.
-    pub fn belongs_to(&self, problem: &Problem) -> bool {
-        if self.start != problem.state {
+    /// Whether it is this one's: its start, and its law at all instants.
+    pub fn belongs_to(&self, owner: &dyn Owner) -> bool {
+        if self.start != owner.start() {
             return false;
         }
-        let now = Rates::of(problem, &self.reference);
+        let now = Rates::of(owner, &self.reference);
         let same = |((a, b), size): ((&DoubleDouble, &DoubleDouble), f64)| (*a - *b).hi().abs() <= SAME_LAW * size;
         now.sums.len() == self.rates.len() && now.sums.iter().zip(&self.rates).zip(now.sizes()).all(same)
     }
@@ -91,6 +119,16 @@ impl Stored {
         line("states", format!("[\n{}]", rows.concat()));
         let sizes: Vec<f64> = self.rates.iter().map(|rate| rate.hi().abs()).collect();
         line("rates", row(&self.rates, &sizes, RATE_DIGITS));
+        if !self.events.is_empty() {
+            let sizes = &self.reference.sizes;
+            let event = |Event { time, state, what, regime }: &Event| {
+                let time = written(*time, time.hi(), *digits);
+                let state = row(state, sizes, *digits);
+                format!("  {{ time = \"{time}\", what = {what:?}, regime = {regime:?}, state = {state} }},\n")
+            };
+            let events: Vec<String> = self.events.iter().map(event).collect();
+            line("events", format!("[\n{}]", events.concat()));
+        }
         text
     }
 
@@ -120,7 +158,13 @@ impl Stored {
         if !whole || digits < ENOUGH_DIGITS {
             return Err("a row is missing or short".to_owned());
         }
-        Ok(Stored { reference, start, rates: list(&table, "rates", number)? })
+        let event = |value: &Value| {
+            let text = |key| value.get(key)?.as_str().map(str::to_owned);
+            let state = value.get("state")?.as_array()?.iter().map(number).collect::<Option<_>>()?;
+            Some(Event { time: number(value.get("time")?)?, state, what: text("what")?, regime: text("regime")? })
+        };
+        let events = if table.contains_key("events") { list(&table, "events", event)? } else { Vec::new() };
+        Ok(Stored { reference, start, rates: list(&table, "rates", number)?, events })
     }
 }
 
@@ -146,13 +190,12 @@ struct Rates {
 }
 
 impl Rates {
-    fn of(problem: &Problem, reference: &Reference) -> Self {
-        let law: &dyn Ode<DoubleDouble> = &*problem.law;
-        let zeros = vec![DoubleDouble::from(0.0); problem.state.len()];
+    fn of(owner: &dyn Owner, reference: &Reference) -> Self {
+        let zeros = vec![DoubleDouble::from(0.0); owner.start().len()];
         let mut rates = Rates { sums: zeros.clone(), magnitudes: vec![0.0; zeros.len()] };
         let mut one = zeros;
         for (time, state) in reference.times.iter().zip(&reference.states) {
-            law.rates(DoubleDouble::lift(*time), state, &mut one);
+            owner.rates_at(*time, state, &mut one);
             rates.sums.iter_mut().zip(&one).for_each(|(sum, one)| *sum += *one);
             rates.magnitudes.iter_mut().zip(&one).for_each(|(sum, one)| *sum += one.hi().abs());
         }

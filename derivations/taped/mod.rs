@@ -63,7 +63,8 @@ impl Program {
     }
 
     fn taped(inputs: &[Sym], outputs: &[Sym]) -> Option<Self> {
-        let tape = Tape::record(inputs, outputs).ok().filter(|tape| tape.registers() <= MANY)?;
+        let tape = Tape::record(inputs, outputs).ok()?.arranged();
+        (tape.registers() <= MANY).then_some(())?;
         let (plain, slopes, exact) = (tape.constants(), tape.constants(), tape.constants());
         let code = Code::of(&tape).map(Arc::new);
         Some(Program { code, plain, slopes, exact, tape })

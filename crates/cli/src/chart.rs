@@ -6,8 +6,9 @@ use crate::ending::{Ending, can_save, print, save};
 use crate::report;
 use crate::run::{refuse, with_model};
 use crate::speed::{advice::advice, family, model, pictures, tables};
-use charts::Table;
+use charts::{Table, WorkPrecision};
 use clap::{Args, ValueEnum};
+use derivations::friction::RoughScene;
 use derivations::ladder::Ladder;
 use derivations::scene::atlas::{Formulation, Way};
 use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, System, Trajectory, Trials, judged};
@@ -61,13 +62,10 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
         }
         other => other,
     };
-    let Some(smooth) = scene.smooth() else {
-        return Err(Ending::refused(format!(
-            "{} has rough contacts, and its errors would be those of its events; a scene of a system with a motor or of a \
-             mechanism is accepted",
-            asked.scene.display()
-        )));
-    };
+    if let AnyScene::Rough(rough) = &scene {
+        return across_events(rough, asked);
+    }
+    let Some(smooth) = scene.smooth() else { return Ok(Ending::Stopped) };
     if matches!(scene, AnyScene::Mechanism(_)) {
         refuse("a mechanism", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
     }
@@ -89,17 +87,45 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     match judged(smooth, &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, allowed / 2);
-            print(&match asked.format {
-                Format::Text => text(smooth, &atlas),
-                Format::Json => format!("{:#}\n", object(smooth, &atlas)),
-            })?;
-            if let Some(path) = &asked.out {
-                drawn(smooth, &atlas, asked, path)?;
-            }
-            Ok(Ending::Done)
+            told(smooth.title(), &atlas, asked, |work| report::of_scene(smooth, &atlas, work))
         }
         Err(failure) => no_reference(smooth, &run, &failure.to_string()),
     }
+}
+
+/// The same of a scene with rough contacts, each of whose methods finds its events itself.
+fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
+    refuse("a system with rough contacts", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+    asked.out.as_deref().map_or(Ok(()), can_save)?;
+    let allowed = Duration::from_secs(asked.seconds.into());
+    let trials = Trials { allowed, ..Trials::default() }.with(scene.plan.method);
+    match scene.judged(&trials, Stored::beside(&asked.scene).as_ref(), allowed) {
+        Ok(mut atlas) => {
+            atlas.take_times(&trials, allowed / 2);
+            told(&scene.title, &atlas, asked, |work| report::of_rough(scene, &atlas, work))
+        }
+        Err(unknown) => {
+            print(&format!("{}\n\nno reference: {unknown}\n", scene.title))?;
+            Ok(Ending::Stopped)
+        }
+    }
+}
+
+/// Prints what came out, and draws it where that is asked for.
+fn told(
+    title: &str,
+    atlas: &Atlas,
+    asked: &Asked,
+    page: impl FnOnce(Vec<WorkPrecision>) -> String,
+) -> Result<Ending, Ending> {
+    print(&match asked.format {
+        Format::Text => text(title, atlas),
+        Format::Json => format!("{:#}\n", object(title, atlas)),
+    })?;
+    if let Some(path) = &asked.out {
+        drawn(title, atlas, asked, path, page)?;
+    }
+    Ok(Ending::Done)
 }
 
 fn no_reference(scene: &dyn Smooth, run: &Trajectory, reason: &str) -> Result<Ending, Ending> {
@@ -133,17 +159,23 @@ fn written_in(way: &Way, form: Axes) -> bool {
 }
 
 /// A page or a table of all runs where the file's name asks for one, else one picture.
-fn drawn(scene: &dyn Smooth, atlas: &Atlas, asked: &Asked, path: &Path) -> Result<(), Ending> {
+fn drawn(
+    title: &str,
+    atlas: &Atlas,
+    asked: &Asked,
+    path: &Path,
+    page: impl FnOnce(Vec<WorkPrecision>) -> String,
+) -> Result<(), Ending> {
     let [counted, timed] = pictures::work_precision(atlas);
     match path.extension().and_then(|extension| extension.to_str()) {
-        Some("html" | "htm") => save(path, &report::of_scene(scene, atlas, vec![counted, timed])),
+        Some("html" | "htm") => save(path, &page(vec![counted, timed])),
         Some("csv") => save(path, &runs(atlas)),
         _ => {
             let mut chart = match asked.x {
                 Axis::Evaluations => counted,
                 Axis::Time => timed,
             };
-            chart.title = scene.title().to_owned();
+            chart.title = title.to_owned();
             save(path, &chart.svg())
         }
     }
@@ -172,7 +204,7 @@ fn runs(atlas: &Atlas) -> String {
 }
 
 /// The reference, and every run.
-fn object(scene: &dyn Smooth, atlas: &Atlas) -> Value {
+fn object(title: &str, atlas: &Atlas) -> Value {
     let run = |(way, point): (&Way, &Point)| {
         json!({
             "formulation": way.formulation.to_string(), "model": way.model, "method": point.means.to_string(),
@@ -183,7 +215,7 @@ fn object(scene: &dyn Smooth, atlas: &Atlas) -> Value {
     let reference = &atlas.reference;
     let said = [1e-3, 1e-6, 1e-9].map(|error| json!({ "error": error, "says": advice(atlas, error) }));
     json!({
-        "title": scene.title(),
+        "title": title,
         "reference": { "methods": reference.methods.map(|method| method.to_string()), "digits": reference.digits },
         "advice": said,
         "runs": atlas.points().map(run).collect::<Vec<_>>(),
@@ -191,11 +223,10 @@ fn object(scene: &dyn Smooth, atlas: &Atlas) -> Value {
 }
 
 /// The fronts, the models, and of the scene's own first formulation a line for each run.
-fn text(scene: &dyn Smooth, atlas: &Atlas) -> String {
+fn text(title: &str, atlas: &Atlas) -> String {
     let reference = &atlas.reference;
     let mut text = format!(
-        "{}\n\nreference: {} and {} agree to {:.1} digits\n{}\n",
-        scene.title(),
+        "{title}\n\nreference: {} and {} agree to {:.1} digits\n{}\n",
         reference.methods[0],
         reference.methods[1],
         reference.digits,

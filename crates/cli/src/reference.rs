@@ -3,7 +3,10 @@
 use crate::arguments::whole;
 use crate::ending::{Ending, can_save, print, save};
 use clap::Args;
+use derivations::friction::RoughScene;
+use derivations::friction::exact::{Event, Regimes};
 use derivations::scene::{AnyScene, Axes, Family, Stored, stored};
+use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -27,13 +30,10 @@ pub struct Asked {
 /// Computes it, says what it is, and writes it where charts and the report look for it.
 pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     let scene = AnyScene::open(&asked.scene)?;
-    let Some(smooth) = scene.smooth() else {
-        return Err(Ending::refused(format!(
-            "{} has rough contacts, so that its motion is many problems; a scene of a system with a motor or of a mechanism \
-             is accepted",
-            asked.scene.display()
-        )));
-    };
+    if let AnyScene::Rough(rough) = &scene {
+        return across_events(rough, asked);
+    }
+    let Some(smooth) = scene.smooth() else { return Ok(Ending::Stopped) };
     let mut problem = smooth.problem(Axes::default());
     if let Some(end) = asked.until {
         if !(end > 0.0 && end <= problem.span) {
@@ -60,7 +60,7 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
                 return Ok(Ending::Stopped);
             }
             let scene = asked.scene.display().to_string();
-            save(&path, &Stored::of(&problem, found).write(&scene))?;
+            save(&path, &Stored::of(&problem, found, Vec::new()).write(&scene))?;
             Ok(Ending::Done)
         }
         Err(failure) => {
@@ -68,4 +68,39 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
             Ok(Ending::Stopped)
         }
     }
+}
+
+/// The same of a motion with rough contacts, with its events.
+fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
+    if asked.until.is_some() {
+        return Err(Ending::refused(format!(
+            "{} has rough contacts, whose regimes its own run tells: it is followed to its end, and --until is not accepted",
+            asked.scene.display()
+        )));
+    }
+    let path = asked.out.clone().unwrap_or_else(|| stored::place(&asked.scene));
+    can_save(&path)?;
+    let found = match scene.exact(Duration::from_secs(asked.seconds.into())) {
+        Ok(found) => found,
+        Err(unknown) => {
+            print(&format!("{}\nno reference: {unknown}\n", scene.title))?;
+            return Ok(Ending::Stopped);
+        }
+    };
+    let ([one, other], digits) = (found.reference.methods, found.reference.digits);
+    let mut text = format!("{}\n{one} and {other} share {digits:.1} digits\n", scene.title);
+    for event @ Event { what, regime, .. } in &found.events {
+        // writing to a string cannot fail
+        let _ = writeln!(text, "t = {} s  {what}", event.instant(digits.max(0.0) as usize));
+        if !regime.is_empty() {
+            let _ = writeln!(text, "    -> {regime}");
+        }
+    }
+    print(&text)?;
+    if !found.reference.is_trusted() {
+        return Ok(Ending::Stopped);
+    }
+    let kept = Stored::of(&Regimes::of(scene), found.reference, found.events);
+    save(&path, &kept.write(&asked.scene.display().to_string()))?;
+    Ok(Ending::Done)
 }

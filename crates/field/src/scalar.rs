@@ -31,6 +31,12 @@ pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + Num
         self - a * b
     }
 
+    /// x a + b, which `f64` rounds once, whatever the processor: for programs that have the same bits everywhere.
+    #[inline(always)]
+    fn times_and(self, a: Self, b: Self) -> Self {
+        b + self * a
+    }
+
     /// x / 2.
     #[inline(always)]
     fn half(self) -> Self {
@@ -90,6 +96,13 @@ impl<P: Base> Divisor<P> {
 pub trait Analytic: Scalar {
     /// (cos x, sin x) of an angle in radians.
     fn circle(self) -> Circle<Self>;
+
+    /// The same; `f64` rounds each product with its sum once, whatever the processor: see [`Scalar::times_and`].
+    #[inline(always)]
+    fn circle_once(self) -> Circle<Self> {
+        self.circle()
+    }
+
     /// The non-negative square root.
     fn sqrt(self) -> Self;
 }
@@ -108,6 +121,11 @@ impl Scalar for f64 {
     #[inline(always)]
     fn less_product(self, a: Self, b: Self) -> Self {
         plus::<FUSED>(self, -a, b)
+    }
+
+    #[inline(always)]
+    fn times_and(self, a: Self, b: Self) -> Self {
+        self.mul_add(a, b)
     }
 }
 
@@ -132,6 +150,11 @@ impl Analytic for f64 {
     #[inline(always)]
     fn circle(self) -> Circle<Self> {
         if is_near(self) { near::<FUSED>(self) } else { far(self) }
+    }
+
+    #[inline(always)]
+    fn circle_once(self) -> Circle<Self> {
+        if is_near(self) { near::<true>(self) } else { far(self) }
     }
 
     fn sqrt(self) -> Self {

@@ -13,6 +13,23 @@ pub enum Attempt<'a> {
     Projected(&'a dyn System, &'a dyn HeldSystem, Method),
     /// Held to its constraints by multipliers.
     Held(&'a dyn HeldSystem, Holding),
+    /// Law after law, across events.
+    Across(&'a dyn Across, Method),
+}
+
+/// A motion of many laws, one after another, which finds its events itself.
+pub trait Across {
+    /// Of each law.
+    fn dimension(&self) -> usize;
+
+    /// Runs it over a span; the evaluations of its budget are those of one law.
+    fn run(
+        &self,
+        method: Method,
+        tolerance: &Tolerance,
+        span: &Span<'_, f64>,
+        observer: &mut dyn Observer<f64>,
+    ) -> Outcome<f64>;
 }
 
 /// What runs a law, without the law.
@@ -26,7 +43,7 @@ pub enum Means {
 impl Attempt<'_> {
     pub fn means(&self) -> Means {
         match *self {
-            Attempt::Integrated(_, method) => Means::Integrated(method),
+            Attempt::Integrated(_, method) | Attempt::Across(_, method) => Means::Integrated(method),
             Attempt::Projected(_, _, method) => Means::Projected(method),
             Attempt::Held(_, holding) => Means::Held(holding),
         }
@@ -38,6 +55,7 @@ impl Attempt<'_> {
             Attempt::Integrated(system, method) => integrate(system, method, tolerance, span, observer),
             Attempt::Projected(system, held, method) => integrate_projected(system, held, method, span, observer),
             Attempt::Held(held, holding) => hold(held, holding, span, observer),
+            Attempt::Across(motion, method) => motion.run(method, tolerance, span, observer),
         }
     }
 
@@ -46,6 +64,7 @@ impl Attempt<'_> {
     pub fn evaluations(&self, work: &crate::Work) -> u64 {
         let columns = match *self {
             Attempt::Integrated(system, _) | Attempt::Projected(system, ..) => crate::Ode::<f64>::dimension(system),
+            Attempt::Across(motion, _) => motion.dimension(),
             Attempt::Held(held, _) => {
                 let (states, multipliers) = crate::held::Held::<f64>::sizes(held);
                 states + multipliers

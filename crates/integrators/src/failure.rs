@@ -24,6 +24,8 @@ pub enum Failure {
     GoesBack { at: f64, step: f64, back: f64, rate: f64, most: f64 },
     /// The matrix of an implicit step is singular with every step tried.
     Singular { at: f64 },
+    /// A motion across events came to an end where that which it should follow goes on.
+    OtherCourse { at: f64 },
 }
 
 impl Failure {
@@ -39,6 +41,7 @@ impl Failure {
             Failure::Stiff { .. } => "found it stiff",
             Failure::GoesBack { .. } => "goes back on what fades",
             Failure::Singular { .. } => "singular matrix",
+            Failure::OtherCourse { .. } => "took another course",
         }
     }
 }
@@ -122,6 +125,9 @@ impl fmt::Display for Failure {
             }
             Failure::Singular { at } => {
                 write!(f, "the matrix of the implicit step is singular at t = {}", Instant(*at))
+            }
+            Failure::OtherCourse { at } => {
+                write!(f, "took another course: by other events it came to an end at t = {}", Instant(*at))
             }
         }
     }

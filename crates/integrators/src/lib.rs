@@ -75,7 +75,7 @@ mod turns;
 mod watch;
 mod work_precision;
 
-pub use attempt::{Attempt, Means};
+pub use attempt::{Across, Attempt, Means};
 pub use beside::{Beside, Parting, Shorter, beside};
 pub use branches::{Branch, Curve, Equilibria, Last, Place, Repeating, Walk, follow, spectrum};
 pub use classical::{euler_step, runge_kutta_4_step};
@@ -93,7 +93,7 @@ pub use observer::{Observer, Progress, Record, Samples};
 pub use ode::{DIRECTIONS, Directions, Ode, Slopes, System, Working};
 pub use outcome::{Deviation, End, Outcome, Work};
 pub use real::Real;
-pub use reference::{ENOUGH_DIGITS, Reference, reference, survey};
+pub use reference::{ENOUGH_DIGITS, Reference, TIGHTEST, difference, reference, shared_digits, survey};
 pub use regret::{Regrets, Trial, cost};
 pub use side_by_side::{SideBySide, fuses};
 pub use span::{Budget, Monitor, Quantity, Span};

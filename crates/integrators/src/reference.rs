@@ -23,7 +23,7 @@ use crate::{
 pub const ENOUGH_DIGITS: f64 = 20.0;
 
 /// The tightest tolerance that pays: five times below it rounding keeps Newton's iteration from its end.
-const TIGHTEST: f64 = 5e-31;
+pub const TIGHTEST: f64 = 5e-31;
 
 /// What the difference of the two is multiplied by: errors of one sign may differ by less than either. Closed forms show true
 /// errors up to 1.2 of the difference.
@@ -85,7 +85,7 @@ pub fn reference(system: &dyn System, span: &Span<'_, f64>) -> Result<Reference,
     let one = reached(outcome)?;
     let stiff = turns / one.steps as f64 > STIFF_STEP;
     let (method, other, second) = second_opinion(system, stiff, stages, &tolerance, &exact)?;
-    let digits = -(KEPT_BACK * difference(&first.states, &second.states, &sizes)).max(1e-32).log10();
+    let digits = shared_digits(difference(&first.states, &second.states, &sizes));
     let methods = [Method::Gauss { stages }, method];
     Ok(Reference { times: first.times, states: first.states, digits, sizes, methods, work: [one, other] })
 }
@@ -141,8 +141,13 @@ fn reached<S>(outcome: Outcome<S>) -> Result<Work, Failure> {
     outcome.failure().map_or(Ok(outcome.work), Err)
 }
 
+/// The digits that two solutions with this largest relative difference share.
+pub fn shared_digits(difference: f64) -> f64 {
+    -(KEPT_BACK * difference).max(1e-32).log10()
+}
+
 /// The largest difference of two trajectories, relative to the sizes of the components.
-fn difference(a: &[Vec<DoubleDouble>], b: &[Vec<DoubleDouble>], sizes: &[f64]) -> f64 {
+pub fn difference(a: &[Vec<DoubleDouble>], b: &[Vec<DoubleDouble>], sizes: &[f64]) -> f64 {
     let state = |(a, b): (&Vec<DoubleDouble>, &Vec<DoubleDouble>)| {
         a.iter().zip(b).zip(sizes).map(|((a, b), size)| (*a - *b).hi().abs() / size).fold(0.0, f64::max)
     };

@@ -2,7 +2,8 @@
 //!
 //! A law that is known only at run time (text of a scene, a mechanism of masses and a chart) would otherwise be followed
 //! operation by operation through a table. Here each of its operations is one instruction: in the order of the tape, none
-//! fused into another and none regrouped, so that the values have the very bits of [`symbolic::Tape::evaluate`] in `f64`.
+//! regrouped and none fused that is not so on the tape, so that the values have the very bits of [`symbolic::Tape::evaluate`] in
+//! `f64`.
 
 mod write;
 
@@ -13,14 +14,15 @@ use std::fmt;
 use std::sync::OnceLock;
 use symbolic::Tape;
 
-/// A program of numbers: all inputs but the last, the last, room for the outputs.
-type Entry = unsafe extern "C" fn(*const f64, f64, *mut f64);
+/// A program of numbers: all inputs but the last, the last, room for the outputs, the constants.
+type Entry = unsafe extern "C" fn(*const f64, f64, *mut f64, *const f64);
 
 /// A tape over `f64` as machine code. It may be run by many threads at a time.
 pub struct Code {
     entry: Entry,
     inputs: usize,
     outputs: usize,
+    constants: Box<[f64]>,
     /// Where the code stands, as long as this lives.
     pages: Mmap,
 }
@@ -28,8 +30,8 @@ pub struct Code {
 impl Code {
     /// The code of a tape whose last input is the time.
     ///
-    /// None where it has no input, where this processor or system is not known, or where the system gives no pages to run: then the
-    /// tape itself is followed.
+    /// None where it has no input, where this processor or system is not known, where the tape has fused operations and the
+    /// processor none, or where the system gives no pages to run: then the tape itself is followed.
     pub fn of(tape: &Tape) -> Option<Self> {
         let (isa, inputs) = (processor()?, tape.inputs().checked_sub(1)?);
         let instructions = write::instructions(tape, isa)?;
@@ -39,7 +41,7 @@ impl Code {
         // SAFETY: the pages hold a whole function of this signature in the calling convention of `extern "C"`, which
         // refers to nothing but them and `write::circle`.
         let entry = unsafe { std::mem::transmute::<*const u8, Entry>(pages.as_ptr()) };
-        Some(Code { entry, inputs, outputs: tape.outputs(), pages })
+        Some(Code { entry, inputs, outputs: tape.outputs(), constants: tape.rounded().into(), pages })
     }
 
     /// The values at a state and a time; none, and nothing written, where their numbers are not those of the tape.
@@ -48,8 +50,8 @@ impl Code {
         if state.len() != self.inputs || values.len() < self.outputs {
             return None;
         }
-        // SAFETY: the code reads the `inputs` first numbers and writes the `outputs` first, which are there.
-        unsafe { (self.entry)(state.as_ptr(), time, values.as_mut_ptr()) };
+        // SAFETY: the code reads the `inputs` first numbers and all constants, and writes the `outputs` first, which are there.
+        unsafe { (self.entry)(state.as_ptr(), time, values.as_mut_ptr(), self.constants.as_ptr()) };
         Some(())
     }
 }

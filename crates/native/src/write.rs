@@ -12,12 +12,12 @@ use symbolic::{Operation, Register, Tape};
 
 /// Bytes of a number.
 const NUMBER: i32 = 8;
-/// The slices of the caller are aligned, and what is read is not written.
-const MEMORY: MemFlags = MemFlags::trusted();
+/// The slices of the caller are aligned, and what is read is not written: so it may be read where it is first used.
+const MEMORY: MemFlags = MemFlags::trusted().with_readonly().with_can_move();
 /// Two numbers at once are aligned as one.
 const TOGETHER: MemFlags = MemFlags::new().with_notrap();
 
-/// A function `(all inputs but the last, the last, outputs)` that refers to nothing but itself and [`circle`].
+/// A function `(all inputs but the last, the last, outputs, constants)` that refers to nothing but itself and circle points.
 pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Vec<u8>> {
     let (pointer, convention) = (isa.pointer_type(), isa.default_call_conv());
     let signature = |takes: &[ir::Type], gives: &[ir::Type]| {
@@ -27,7 +27,7 @@ pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Vec<u8>> {
         signature
     };
     let (entry, circle) =
-        (signature(&[pointer, types::F64, pointer], &[]), signature(&[types::F64], &[types::F64, types::F64]));
+        (signature(&[pointer, types::F64, pointer, pointer], &[]), signature(&[types::F64], &[types::F64, types::F64]));
     let mut context = Context::for_function(Function::with_name_signature(UserFuncName::default(), entry));
     let mut room = FunctionBuilderContext::new();
     let mut code = FunctionBuilder::new(&mut context.func, &mut room);
@@ -36,15 +36,25 @@ pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Vec<u8>> {
     code.append_block_params_for_function_params(block);
     code.switch_to_block(block);
     code.seal_block(block);
-    let &[state, time, values] = code.block_params(block) else { return None };
+    let &[state, time, values, table] = code.block_params(block) else { return None };
 
-    let mut writer =
-        Writer { code, pointer, state, values, angle_to_point, registers: Vec::with_capacity(tape.registers()) };
+    let mut writer = Writer {
+        code,
+        pointer,
+        state,
+        values,
+        table,
+        angle_to_point,
+        registers: Vec::with_capacity(tape.registers()),
+        once: tape.rounds_once(),
+    };
     for place in 0..tape.inputs().checked_sub(1)? {
         writer.registers.push(Place::Input(offset(place)?));
     }
     writer.registers.push(Place::Computed(time));
-    writer.registers.extend(tape.rounded().iter().map(|constant| Place::Constant(*constant)));
+    for (place, constant) in tape.rounded().iter().enumerate() {
+        writer.registers.push(Place::Constant(*constant, offset(place)?));
+    }
     tape.steps().iter().for_each(|step| writer.step(*step));
     writer.results(tape.results())?;
     let Writer { mut code, .. } = writer;
@@ -60,7 +70,8 @@ pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Vec<u8>> {
 enum Place {
     /// So many bytes behind the first input.
     Input(i32),
-    Constant(f64),
+    /// Its value, and so many bytes behind the first of the table.
+    Constant(f64, i32),
     Computed(Value),
 }
 
@@ -69,8 +80,10 @@ struct Writer<'a> {
     pointer: ir::Type,
     state: Value,
     values: Value,
+    table: Value,
     angle_to_point: SigRef,
     registers: Vec<Place>,
+    once: bool,
 }
 
 impl Writer<'_> {
@@ -80,7 +93,7 @@ impl Writer<'_> {
         let code = self.code.ins();
         match self.registers[register as usize] {
             Place::Input(offset) => code.load(types::F64, MEMORY, self.state, offset),
-            Place::Constant(constant) => code.f64const(constant),
+            Place::Constant(constant, _) => code.f64const(constant),
             Place::Computed(value) => value,
         }
     }
@@ -91,10 +104,23 @@ impl Writer<'_> {
         let rank = |register: Register| match self.registers[register as usize] {
             Place::Computed(_) => 0,
             Place::Input(_) => 1,
-            Place::Constant(_) => 2,
+            Place::Constant(..) => 2,
         };
         let (a, b) = if rank(b) < rank(a) { (b, a) } else { (a, b) };
         [a, b].map(|register| self.read(register))
+    }
+
+    /// Two factors of a product within a sum: there a constant is an operand from the table, or two instructions of its own.
+    fn factors(&mut self, [a, b]: [Register; 2]) -> [Value; 2] {
+        let known = [a, b].map(|register| match self.registers[register as usize] {
+            Place::Constant(_, offset) => Some(offset),
+            Place::Input(_) | Place::Computed(_) => None,
+        });
+        match known {
+            [Some(offset), None] => [self.read(b), self.code.ins().load(types::F64, MEMORY, self.table, offset)],
+            [None, Some(offset)] => [self.read(a), self.code.ins().load(types::F64, MEMORY, self.table, offset)],
+            _ => self.either_way(a, b),
+        }
     }
 
     fn step(&mut self, step: Operation) {
@@ -124,6 +150,20 @@ impl Writer<'_> {
                 self.code.ins().sqrt(a)
             }
             Operation::Circle(a) => return self.circle(a),
+            Operation::ProductAnd(product, other) => {
+                let ([a, b], other) = (self.factors(product), self.read(other));
+                self.code.ins().fma(a, b, other)
+            }
+            Operation::ProductLess(product, other) => {
+                let ([a, b], other) = (self.factors(product), self.read(other));
+                let less = self.code.ins().fneg(other);
+                self.code.ins().fma(a, b, less)
+            }
+            Operation::LessProduct(product, other) => {
+                let ([a, b], other) = (self.factors(product), self.read(other));
+                let less = self.code.ins().fneg(a);
+                self.code.ins().fma(less, b, other)
+            }
         };
         self.registers.push(Place::Computed(result));
     }
@@ -131,7 +171,8 @@ impl Writer<'_> {
     /// Calls [`circle`].
     fn circle(&mut self, angle: Register) {
         let angle = self.read(angle);
-        let function = self.code.ins().iconst(self.pointer, circle as *const () as i64);
+        let function = if self.once { once() } else { circle as *const () };
+        let function = self.code.ins().iconst(self.pointer, function as i64);
         let call = self.code.ins().call_indirect(self.angle_to_point, function, &[angle]);
         self.registers.extend(self.code.inst_results(call).iter().copied().map(Place::Computed));
     }
@@ -140,7 +181,7 @@ impl Writer<'_> {
     /// integer that has its bits.
     fn results(&mut self, results: &[Register]) -> Option<()> {
         let constant = |register: &Register| match self.registers[*register as usize] {
-            Place::Constant(constant) => Some(constant.to_bits()),
+            Place::Constant(constant, _) => Some(constant.to_bits()),
             Place::Input(_) | Place::Computed(_) => None,
         };
         let constants: Vec<Option<u64>> = results.iter().map(constant).collect();
@@ -178,4 +219,27 @@ struct Point {
 extern "C" fn circle(angle: f64) -> Point {
     let field::Circle { cos, sin } = angle.circle();
     Point { cos, sin }
+}
+
+/// The same with each product and its sum rounded once, where the processor does so in one instruction.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "fma")]
+extern "C" fn circle_by_fma(angle: f64) -> Point {
+    let field::Circle { cos, sin } = angle.circle_once();
+    Point { cos, sin }
+}
+
+/// The same anywhere.
+extern "C" fn circle_once(angle: f64) -> Point {
+    let field::Circle { cos, sin } = angle.circle_once();
+    Point { cos, sin }
+}
+
+/// The one of the two that this processor runs.
+fn once() -> *const () {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("fma") {
+        return circle_by_fma as unsafe extern "C" fn(f64) -> Point as *const ();
+    }
+    circle_once as *const ()
 }

@@ -38,7 +38,7 @@ proptest! {
 
     #[test]
     fn machine_code_has_the_bits_of_the_tape(choice in 0_u32..512, x in -1e3..1e3, y in -9.0..9.0, t in -1.0..1.0) {
-        let tape = tape(choice);
+        let tape = if choice & 1 == 1 { tape(choice).arranged() } else { tape(choice) };
         let Some(code) = Code::of(&tape) else { return Ok(()) };
         let (mut own, mut all) = (vec![0.0; tape.outputs()], vec![0.0; tape.outputs()]);
         tape.over::<f64>().evaluate(&[x, y, t], &mut all);
@@ -51,6 +51,9 @@ proptest! {
 fn code_is_made_on_the_machines_that_we_know() {
     let known = cfg!(all(unix, any(target_arch = "x86_64", target_arch = "aarch64")));
     assert!(Code::of(&tape(0)).is_some() || !known);
+    #[cfg(target_arch = "x86_64")]
+    let known = std::arch::is_x86_feature_detected!("fma");
+    assert!(Code::of(&tape(0).fused()).is_some() || !known);
 }
 
 #[test]

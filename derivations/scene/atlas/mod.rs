@@ -9,15 +9,15 @@
 mod driven;
 mod way;
 
-pub use way::{Formulation, HeldLaw, Standing, Treated, Way};
+pub use way::{Course as AcrossEvents, Formulation, HeldLaw, Standing, Treated, Way};
 
-use super::Problem;
 use super::measured::Trials;
+use super::problem::Row;
 use integrators::{Attempt, Course, Method, Point, Record, Reference, Timed, Tolerance, judge, measure};
 use std::time::{Duration, Instant};
 
 /// Times, beside the start, at which an error is taken: few, so that landing on them costs no method much.
-pub(super) const INSTANTS: usize = 8;
+pub(crate) const INSTANTS: usize = 8;
 
 /// A quantity that is compared, with its size along the motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,12 +35,12 @@ pub struct Goal {
 }
 
 impl Goal {
-    /// Of a reference of the scene's own problem.
-    pub fn of(problem: &Problem, reference: &Reference, observed: Vec<Observed>) -> Self {
-        let places = places(&observed, &problem.columns);
+    /// Of a reference of the scene's own problem, whose rows have these columns.
+    pub fn of(columns: &[String], shown: &Row, reference: &Reference, observed: Vec<Observed>) -> Self {
+        let places = places(&observed, columns);
         let row = |(time, state): (&f64, &Vec<field::DoubleDouble>)| {
             let state: Vec<f64> = state.iter().map(|y| y.hi()).collect();
-            let row = (problem.row)(*time, &state);
+            let row = shown(*time, &state);
             places.iter().map(|place| place.map_or(f64::NAN, |place| row[place])).collect()
         };
         let rows = reference.times.iter().zip(&reference.states).map(row).collect();

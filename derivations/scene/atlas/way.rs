@@ -3,7 +3,7 @@
 use crate::scene::Problem;
 use crate::scene::measured::Trials;
 use crate::scene::problem::{Law, Row};
-use integrators::{Attempt, HeldSystem, Holding, Method, Reference, Span, survey};
+use integrators::{Across, Attempt, HeldSystem, Holding, Method, Reference, Span, survey};
 use std::fmt;
 use std::sync::Arc;
 
@@ -31,6 +31,8 @@ pub enum Formulation {
     Projected,
     /// In redundant coordinates held to f = 0 and f' = 0, each with its multiplier (Gear, Gupta, Leimkuhler).
     Held,
+    /// In redundant coordinates with rough contacts: between two events as index-reduced, at an event made exact.
+    Contacts,
 }
 
 impl Formulation {
@@ -47,6 +49,7 @@ impl Formulation {
             Formulation::Led => "redundant, stabilised",
             Formulation::Projected => "redundant, projected",
             Formulation::Held => "Gear-Gupta-Leimkuhler",
+            Formulation::Contacts => "regime by regime",
         }
     }
 }
@@ -65,6 +68,7 @@ impl Formulation {
             Formulation::Led => "in redundant coordinates, stabilised",
             Formulation::Projected => "in redundant coordinates, projected",
             Formulation::Held => "held after Gear, Gupta and Leimkuhler",
+            Formulation::Contacts => "regime by regime",
         }
     }
 }
@@ -93,11 +97,17 @@ pub enum Treated {
     /// The second gives the constraints onto which the first is brought.
     Projected(Arc<dyn Law>, Arc<dyn HeldLaw>),
     Held(Arc<dyn HeldLaw>),
+    /// Law after law.
+    Across(Arc<dyn Course>),
 }
 
 /// A held law that can be shared between threads.
 pub trait HeldLaw: HeldSystem + Send + Sync {}
 impl<L: HeldSystem + Send + Sync> HeldLaw for L {}
+
+/// A motion across events that can be shared between threads.
+pub trait Course: Across + Send + Sync {}
+impl<L: Across + Send + Sync> Course for L {}
 
 /// A formulation with a model, ready to be run by every method that it has.
 pub struct Way {
@@ -144,6 +154,11 @@ impl Way {
         match &self.law {
             Treated::Free(law) => {
                 trials.methods.iter().filter(split).map(|method| Attempt::Integrated(&**law, *method)).collect()
+            }
+            // a series is of one law
+            Treated::Across(motion) => {
+                let steps = |method: &&Method| split(method) && **method != Method::Taylor;
+                trials.methods.iter().filter(steps).map(|method| Attempt::Across(&**motion, *method)).collect()
             }
             Treated::Projected(law, held) => trials
                 .methods

@@ -5,13 +5,15 @@ mod scene;
 
 use crate::ending::{Ending, can_save, save};
 use crate::progress::Progress;
+use crate::rough;
 use crate::speed::{advice::advice, pictures, tables};
 use charts::{Report, SceneSection, WorkPrecision};
 use clap::Args;
 use derivations::failures;
+use derivations::friction::RoughScene;
 use derivations::scene::{AnyScene, Atlas, Family, Smooth, Stored};
 use parts::Parts;
-use scene::{Read, described};
+use scene::{Read, ReadRough, described};
 use std::path::{Path, PathBuf};
 
 /// The main job, where no command is given.
@@ -33,7 +35,7 @@ pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, En
     // those that are made to fail are told by the catalogue
     for file in files.iter().filter(|file| !failures::is_own(file)) {
         match AnyScene::open(file)? {
-            AnyScene::Rough(scene) => rough.push((id(file), *scene)),
+            AnyScene::Rough(scene) => rough.push(ReadRough { id: id(file), scene: *scene, kept: Stored::beside(file) }),
             scene => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
         }
     }
@@ -58,6 +60,14 @@ pub fn of_scene(scene: &dyn Smooth, atlas: &Atlas, work: Vec<WorkPrecision>) -> 
     explained(&mut section, atlas);
     section.tables.push(tables::models(atlas));
     let report = Report { scenes: vec![section], ..titled(scene.title(), scene.description()) };
+    charts::page::render(&report).html
+}
+
+/// The same of a scene with rough contacts.
+pub fn of_rough(scene: &RoughScene, atlas: &Atlas, work: Vec<WorkPrecision>) -> String {
+    let mut section = SceneSection { work, ..rough::section("scene", scene) };
+    explained(&mut section, atlas);
+    let report = Report { rough: vec![section], ..titled(&scene.title, &scene.description) };
     charts::page::render(&report).html
 }
 

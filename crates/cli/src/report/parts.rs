@@ -1,18 +1,17 @@
 //! The parts of the report: what is computed side by side, what is timed alone, and the page that they make.
 
-use super::scene::{NoReference, Prepared, Read, prepare};
+use super::scene::{NoReference, Prepared, Read, ReadRough, prepare, prepare_rough};
 use super::{explained, titled};
 use crate::crew::Crew;
 use crate::ledger;
 use crate::pictures;
-use crate::rough;
 use crate::speed;
 use crate::sphere;
 use crate::studies::{Drive, Endurance, Failures, Gains, Phantom, Synchronism, atlas, peers};
 use crate::timings;
-use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
+use charts::{Areas, PaperSection, Report, Sphere, Study, Verdict};
 use derivations::scene::{AnyScene, Scene};
-use derivations::{friction::RoughScene, governors, papers, regimes};
+use derivations::{governors, papers, regimes};
 use std::path::Path;
 
 /// What the page is made of. Most parts wait for nothing and are computed side by side; times are taken afterwards,
@@ -20,7 +19,7 @@ use std::path::Path;
 pub struct Parts {
     papers: Vec<Option<(PaperSection, bool)>>,
     prepared: Vec<Option<Option<Prepared>>>,
-    rough: Vec<Option<SceneSection>>,
+    rough: Vec<Option<Prepared>>,
     stability: Option<Vec<Areas>>,
     approximations: Option<charts::Trajectory>,
     friction: Option<Vec<Areas>>,
@@ -35,7 +34,7 @@ pub struct Parts {
 
 impl Parts {
     /// None yet.
-    pub fn of(scenes: &[Read], rough: &[(String, RoughScene)], folder: &Path) -> Self {
+    pub fn of(scenes: &[Read], rough: &[ReadRough], folder: &Path) -> Self {
         Parts {
             papers: papers::ALL.iter().map(|_| None).collect(),
             prepared: scenes.iter().map(|_| None).collect(),
@@ -54,7 +53,7 @@ impl Parts {
     }
 
     /// All that need not be timed.
-    pub fn compute(&mut self, scenes: &[Read], rough: &[(String, RoughScene)], folder: &Path, done: impl FnMut(f64)) {
+    pub fn compute(&mut self, scenes: &[Read], rough: &[ReadRough], folder: &Path, done: impl FnMut(f64)) {
         let mut crew = Crew::default();
         for (place, paper) in self.papers.iter_mut().zip(papers::ALL) {
             crew.add(1.0, place, move || ledger::judged(paper));
@@ -62,8 +61,8 @@ impl Parts {
         for (place, scene) in self.prepared.iter_mut().zip(scenes) {
             crew.add(3.0, place, move || prepare(scene));
         }
-        for (place, (id, scene)) in self.rough.iter_mut().zip(rough) {
-            crew.add(0.3, place, move || rough::section(id, scene));
+        for (place, scene) in self.rough.iter_mut().zip(rough) {
+            crew.add(1.0, place, move || prepare_rough(scene));
         }
         self.gains.enlist(&mut crew);
         self.drive.enlist(&mut crew);
@@ -85,8 +84,9 @@ impl Parts {
 
     /// The times, while nothing else runs.
     pub fn take_times(&mut self, mut done: impl FnMut(f64)) {
-        let whole = (self.prepared.len() + 1) as f64;
-        for (count, prepared) in self.prepared.iter_mut().flatten().flatten().enumerate() {
+        let whole = (self.prepared.len() + self.rough.len() + 1) as f64;
+        let all = self.prepared.iter_mut().flatten().flatten().chain(self.rough.iter_mut().flatten());
+        for (count, prepared) in all.enumerate() {
             if let Prepared { atlas: Ok(atlas), trials, timed, .. } = prepared {
                 atlas.take_times(trials, *timed);
             }
@@ -110,12 +110,12 @@ impl Parts {
         let mut report = titled("dalembert", SUMMARY);
         let mut digits = f64::INFINITY;
         let atlas = {
-            let prepared = self.prepared.iter().flatten().flatten();
+            let prepared = self.prepared.iter().flatten().flatten().chain(self.rough.iter().flatten());
             let found: Vec<_> =
                 prepared.filter_map(|one| Some((one.section.title.as_str(), one.atlas.as_ref().ok()?))).collect();
             atlas::study(&found)
         };
-        for Prepared { mut section, atlas, .. } in self.prepared.into_iter().flatten().flatten() {
+        let mut charted = |Prepared { mut section, atlas, .. }: Prepared| {
             match atlas {
                 Ok(atlas) => {
                     digits = digits.min(atlas.reference.digits);
@@ -125,12 +125,14 @@ impl Parts {
                 Err(NoReference::Stopped(failure)) => {
                     section.note = format!("No chart, because the reference stopped: {failure}.");
                 }
+                Err(NoReference::Unknown(unknown)) => section.note = format!("No chart: {unknown}."),
                 Err(NoReference::Ends) => section.note = "No chart, because the run ends before its span.".to_owned(),
             }
-            report.scenes.push(section);
-        }
+            section
+        };
+        report.scenes = self.prepared.into_iter().flatten().flatten().map(&mut charted).collect();
+        report.rough = self.rough.into_iter().flatten().map(&mut charted).collect();
         report.papers = self.papers.into_iter().flatten().map(|(section, _)| section).collect();
-        report.rough = self.rough.into_iter().flatten().collect();
         report.stability = self.stability.unwrap_or_default();
         report.approximations = self.approximations.into_iter().collect();
         report.friction = self.friction.unwrap_or_default();

@@ -1,8 +1,11 @@
 //! A scene in the report: its data, its run, its smaller models.
 
 use crate::pictures;
+use crate::rough;
 use crate::speed::tables::floors;
 use charts::{Parameter, SceneSection, Table, significant, tolerance};
+use derivations::friction::RoughScene;
+use derivations::friction::exact::Unknown;
 use derivations::scene::{AnyScene, Atlas, Axes, Scene, Smooth, Stored, Trajectory, Trials, judged};
 use integrators::Failure;
 use std::time::Duration;
@@ -33,9 +36,18 @@ pub struct Read {
     pub kept: Option<Stored>,
 }
 
+/// The same of a scene with rough contacts.
+pub struct ReadRough {
+    pub id: String,
+    pub scene: RoughScene,
+    pub kept: Option<Stored>,
+}
+
 /// Why methods are not compared on a scene.
 pub enum NoReference {
     Stopped(Failure),
+    /// With rough contacts.
+    Unknown(Unknown),
     /// The run ends early, for a reason that has a name.
     Ends,
 }
@@ -65,10 +77,19 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
     let reached = match &atlas {
         Err(NoReference::Ends) => true,
         // a mechanism may take longer than the report has for it, which is said
+        Err(NoReference::Unknown(_)) => true,
         Err(NoReference::Stopped(failure)) => of_a_mechanism && matches!(failure, Failure::OutOfTime { .. }),
         Ok(_) => run.outcome.reached(),
     };
     Some(Prepared { section, reached, atlas, trials, timed })
+}
+
+/// The same of a scene with rough contacts: what it is made to show may be that nothing moves.
+pub fn prepare_rough(ReadRough { id, scene, kept }: &ReadRough) -> Prepared {
+    let [_, timed] = TIMED;
+    let trials = Trials { evaluations: EVALUATIONS, ..Trials::default() }.with(scene.plan.method);
+    let atlas = scene.judged(&trials, kept.as_ref(), OF_A_MECHANISM).map_err(NoReference::Unknown);
+    Prepared { section: rough::section(id, scene), reached: true, atlas, trials, timed }
 }
 
 /// A scene's section with its run and without its charts.

@@ -19,8 +19,11 @@ type Scene<'a> = (&'a str, &'a Atlas);
 pub fn study(scenes: &[Scene<'_>]) -> Study {
     let has_motor = |scene: &&Scene<'_>| scene.1.explored.first().is_some_and(|one| !one.way.model.is_empty());
     let (driven, others): (Vec<Scene>, Vec<Scene>) = scenes.iter().partition(has_motor);
-    let groups =
-        [("scenes with a motor", driven), ("mechanisms", others)].map(|(name, scenes)| Group::of(name, scenes));
+    let is_rough =
+        |scene: &Scene| scene.1.explored.first().is_some_and(|one| one.way.formulation == Formulation::Contacts);
+    let (rough, mechanisms): (Vec<Scene>, Vec<Scene>) = others.into_iter().partition(is_rough);
+    let groups = [("scenes with a motor", driven), ("mechanisms", mechanisms), ("scenes with rough contacts", rough)]
+        .map(|(name, scenes)| Group::of(name, scenes));
     let mut tables = vec![advised(scenes), single(&groups)];
     tables.extend(groups.iter().map(losses));
     tables.extend([ERRORS[1], ERRORS[2]].map(|error| methods(scenes, error)));

@@ -105,8 +105,9 @@ fn a_mechanism_has_no_machine() {
 }
 
 #[test]
-fn a_chart_of_a_rough_scene() {
-    refused("a_chart_of_a_rough_scene", &["chart", "scenes/friction/jam.toml"]);
+fn a_chart_of_a_rough_scene_has_one_form_and_its_reference_one_end() {
+    refused("a_chart_of_a_rough_scene", &["chart", "scenes/friction/jam.toml", "--form", "second"]);
+    refused("a_reference_of_a_rough_scene", &["reference", "scenes/friction/jam.toml", "--until", "0.01"]);
 }
 
 #[test]

@@ -61,8 +61,9 @@ impl Algebraic {
             next += 1;
         }
         for &operation in &self.operations {
-            let [a, b] = operation.operands().map(|operand| operand as usize);
-            *registers.get_mut(next)? = operation.of_field(*registers.get(a)?, *registers.get(b)?)?;
+            let [a, b, c] = operation.operands().map(|operand| operand as usize);
+            let operands = [*registers.get(a)?, *registers.get(b)?, *registers.get(c)?];
+            *registers.get_mut(next)? = operation.of_field(operands)?;
             next += 1;
         }
         registers.get(self.output as usize).copied()

@@ -1,6 +1,9 @@
 //! Expressions as straight-line programs.
 
 mod algebraic;
+mod arranged;
+mod factors;
+mod fused;
 mod record;
 mod run;
 mod source;
@@ -25,6 +28,8 @@ pub struct Tape {
     operations: Vec<Operation>,
     outputs: Vec<Register>,
     registers: usize,
+    /// Whether products and sums round once, those within a circle point too: see [`Tape::fused`].
+    once: bool,
 }
 
 /// A place for a number: inputs first, then constants, then results in the order of the operations.
@@ -45,32 +50,73 @@ pub enum Operation {
     Root(Register),
     /// Cosine and sine of one angle, in two registers.
     Circle(Register),
+    /// The product and the other, rounded once where the field can: see [`Tape::fused`].
+    ProductAnd([Register; 2], Register),
+    /// The product less the other.
+    ProductLess([Register; 2], Register),
+    /// The other less the product.
+    LessProduct([Register; 2], Register),
 }
 
 impl Operation {
+    /// What it reads; the only one, or the second, more than once.
     #[inline(always)]
-    /// What it reads; the only one twice.
-    pub fn operands(self) -> [Register; 2] {
+    pub fn operands(self) -> [Register; 3] {
         match self {
             Operation::Sum(a, b)
             | Operation::Difference(a, b)
             | Operation::Product(a, b)
             | Operation::Multiple(a, b)
             | Operation::Quotient(a, b)
-            | Operation::Part(a, b) => [a, b],
-            Operation::Negation(a) | Operation::Root(a) | Operation::Circle(a) => [a, a],
+            | Operation::Part(a, b) => [a, b, b],
+            Operation::Negation(a) | Operation::Root(a) | Operation::Circle(a) => [a, a, a],
+            Operation::ProductAnd([a, b], c)
+            | Operation::ProductLess([a, b], c)
+            | Operation::LessProduct([a, b], c) => [a, b, c],
+        }
+    }
+
+    /// The same, each as often as it is read.
+    fn reads(self) -> impl Iterator<Item = Register> {
+        let count = match self {
+            Operation::Negation(_) | Operation::Root(_) | Operation::Circle(_) => 1,
+            Operation::ProductAnd(..) | Operation::ProductLess(..) | Operation::LessProduct(..) => 3,
+            _ => 2,
+        };
+        self.operands().into_iter().take(count)
+    }
+
+    /// The same of other registers.
+    fn through(self, other: impl Fn(Register) -> Register) -> Self {
+        let [a, b, c] = self.operands().map(other);
+        match self {
+            Operation::Sum(..) => Operation::Sum(a, b),
+            Operation::Difference(..) => Operation::Difference(a, b),
+            Operation::Product(..) => Operation::Product(a, b),
+            Operation::Multiple(..) => Operation::Multiple(a, b),
+            Operation::Quotient(..) => Operation::Quotient(a, b),
+            Operation::Part(..) => Operation::Part(a, b),
+            Operation::Negation(_) => Operation::Negation(a),
+            Operation::Root(_) => Operation::Root(a),
+            Operation::Circle(_) => Operation::Circle(a),
+            Operation::ProductAnd(..) => Operation::ProductAnd([a, b], c),
+            Operation::ProductLess(..) => Operation::ProductLess([a, b], c),
+            Operation::LessProduct(..) => Operation::LessProduct([a, b], c),
         }
     }
 
     /// The result of a field operation; none of a root or a circle point.
     #[inline(always)]
-    fn of_field<S: Scalar>(self, a: S, b: S) -> Option<S> {
+    fn of_field<S: Scalar>(self, [a, b, c]: [S; 3]) -> Option<S> {
         match self {
             Operation::Sum(..) => Some(a + b),
             Operation::Difference(..) => Some(a - b),
             Operation::Product(..) | Operation::Multiple(..) => Some(a * b),
             Operation::Quotient(..) | Operation::Part(..) => Some(a / b),
             Operation::Negation(_) => Some(-a),
+            Operation::ProductAnd(..) => Some(a.times_and(b, c)),
+            Operation::ProductLess(..) => Some(a.times_and(b, -c)),
+            Operation::LessProduct(..) => Some((-a).times_and(b, c)),
             Operation::Root(_) | Operation::Circle(_) => None,
         }
     }
@@ -100,6 +146,11 @@ impl Tape {
     /// The operations in their order: for whoever writes them in a language of its own.
     pub fn steps(&self) -> &[Operation] {
         &self.operations
+    }
+
+    /// Whether a circle point is [`field::Analytic::circle_once`].
+    pub fn rounds_once(&self) -> bool {
+        self.once
     }
 
     /// The constants to the nearest `f64`.

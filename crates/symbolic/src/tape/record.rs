@@ -210,6 +210,6 @@ impl Recorder {
         }
         let outputs = outputs.iter().map(|&place| register(place, &register_of)).collect();
         let rounded = self.constants.iter().map(|value| constant(*value)).collect();
-        Tape { inputs, constants: self.constants, rounded, operations, outputs, registers }
+        Tape { inputs, constants: self.constants, rounded, operations, outputs, registers, once: false }
     }
 }

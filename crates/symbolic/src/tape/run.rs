@@ -55,15 +55,16 @@ impl Tape {
         let Tape { inputs, constants, operations, outputs: results, .. } = self;
         let mut next = inputs + constants.len();
         for &operation in operations {
-            let [a, b] = operation.operands().map(|operand| registers[operand as usize]);
+            let operands = operation.operands().map(|operand| registers[operand as usize]);
+            let [a, ..] = operands;
             registers[next] = match operation {
                 Operation::Root(_) => a.sqrt(),
                 Operation::Circle(_) => {
-                    let point = a.circle();
+                    let point = if self.once { a.circle_once() } else { a.circle() };
                     registers[next + 1] = point.sin;
                     point.cos
                 }
-                rational => rational.of_field(a, b).unwrap_or(a),
+                rational => rational.of_field(operands).unwrap_or(a),
             };
             next += operation.results();
         }

@@ -35,7 +35,12 @@ impl Tape {
 
     /// Additions, multiplications, divisions and roots; a circle point is counted apart, negations are free.
     pub fn flops(&self) -> usize {
-        self.operations.iter().filter(|each| !matches!(each, Operation::Circle(_) | Operation::Negation(_))).count()
+        let of = |operation: &Operation| match operation {
+            Operation::Circle(_) | Operation::Negation(_) => 0,
+            Operation::ProductAnd(..) | Operation::ProductLess(..) | Operation::LessProduct(..) => 2,
+            _ => 1,
+        };
+        self.operations.iter().map(of).sum()
     }
 }
 
@@ -75,7 +80,7 @@ impl Source<'_> {
 
     /// The statement that computes one operation into registers from `next` on.
     fn statement(&self, operation: Operation, next: usize, used: &[bool]) -> String {
-        let [a, b] = operation.operands().map(|operand| self.operand(operand));
+        let [a, b, c] = operation.operands().map(|operand| self.operand(operand));
         let (start, end) = match self.language {
             Language::C => ("const double ", ";"),
             Language::Python => ("", ""),
@@ -87,6 +92,9 @@ impl Source<'_> {
             Operation::Product(..) | Operation::Multiple(..) => format!("{a} * {b}"),
             Operation::Quotient(..) | Operation::Part(..) => format!("{a} / {b}"),
             Operation::Negation(_) => format!("-{a}"),
+            Operation::ProductAnd(..) => format!("{a} * {b} + {c}"),
+            Operation::ProductLess(..) => format!("{a} * {b} - {c}"),
+            Operation::LessProduct(..) => format!("{c} - {a} * {b}"),
             Operation::Root(_) if self.language == Language::Rust => format!("{a}.sqrt()"),
             Operation::Root(_) => format!("sqrt({a})"),
             Operation::Circle(_) => {

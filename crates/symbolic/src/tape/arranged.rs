@@ -1,0 +1,148 @@
+//! A program in the order in which processors are fast: the same numbers but for rounding, the same bits on each of them.
+
+use super::{Operation, Register, Tape};
+
+/// What an operation makes the next one wait, in steps of a processor: only the order of these numbers matters.
+fn wait(operation: Operation) -> u32 {
+    match operation {
+        Operation::Circle(_) => 45,
+        Operation::Quotient(..) | Operation::Part(..) | Operation::Root(_) => 15,
+        _ => 4,
+    }
+}
+
+/// A term of a sum: where it stands, whether it is subtracted, and when it is there.
+#[derive(Clone, Copy)]
+struct Term {
+    register: Register,
+    negative: bool,
+    ready: u32,
+}
+
+impl Tape {
+    /// The same program for a processor that does several things at a time: constant divisors become factors, long sums are
+    /// formed pair by pair, what is there first coming first, and products are computed in their sums ([`Self::fused`]).
+    pub fn arranged(&self) -> Tape {
+        self.by_factors().by_pairs().fused()
+    }
+
+    /// Sums of more than two terms by pairs.
+    fn by_pairs(&self) -> Tape {
+        let first = self.inputs + self.constants.len();
+        let readings = self.readings();
+        let mut ready = vec![0; self.registers];
+        // of the sums that another sum alone may read: their terms, and the registers of their partial sums
+        let mut open: Vec<Option<(Vec<Term>, Vec<Register>)>> = vec![None; self.registers];
+        let absorbed = self.absorbed(&readings);
+        let mut ordered: Vec<(usize, Operation)> = Vec::with_capacity(self.operations.len());
+        let mut next = first;
+        for &operation in &self.operations {
+            let wait = wait(operation);
+            match operation {
+                Operation::Sum(a, b) | Operation::Difference(a, b) => {
+                    let subtracted = matches!(operation, Operation::Difference(..));
+                    let (mut terms, mut room) = (Vec::new(), vec![next as Register]);
+                    for (register, negative) in [(a, false), (b, subtracted)] {
+                        match open[register as usize].take() {
+                            Some((inner, registers)) => {
+                                terms.extend(
+                                    inner.into_iter().map(|it| Term { negative: it.negative != negative, ..it }),
+                                );
+                                room.extend(registers);
+                            }
+                            None => terms.push(Term { register, negative, ready: ready[register as usize] }),
+                        }
+                    }
+                    if absorbed[next] {
+                        open[next] = Some((terms, room));
+                    } else {
+                        ready[next] = paired(terms, room, &mut ordered, wait);
+                    }
+                }
+                _ => {
+                    let latest = operation.operands().map(|operand| ready[operand as usize]).into_iter().max();
+                    for result in 0..operation.results() {
+                        ready[next + result] = latest.unwrap_or(0) + wait;
+                    }
+                    ordered.push((next, operation));
+                }
+            }
+            next += operation.results();
+        }
+        self.renumbered(&ordered)
+    }
+
+    /// Which registers hold a sum that is read once, by a sum.
+    fn absorbed(&self, readings: &[u32]) -> Vec<bool> {
+        let mut absorbed = vec![false; self.registers];
+        for operation in &self.operations {
+            if let Operation::Sum(a, b) | Operation::Difference(a, b) = *operation {
+                [a, b].into_iter().for_each(|term| absorbed[term as usize] = readings[term as usize] == 1);
+            }
+        }
+        absorbed
+    }
+}
+
+/// The sum of terms, one of which is not subtracted: the two that are there first make a term of their own, until there is one.
+/// When it is there.
+fn paired(mut terms: Vec<Term>, mut room: Vec<Register>, ordered: &mut Vec<(usize, Operation)>, wait: u32) -> u32 {
+    // the last partial sum is the sum: it has the register that others read
+    room.reverse();
+    let mut places = room.into_iter();
+    while terms.len() > 1 {
+        terms.sort_by_key(|term| (std::cmp::Reverse(term.ready), std::cmp::Reverse(term.register)));
+        let (Some(a), Some(b), Some(register)) = (terms.pop(), terms.pop(), places.next()) else { break };
+        let operation = match (a.negative, b.negative) {
+            (false, true) => Operation::Difference(a.register, b.register),
+            (true, false) => Operation::Difference(b.register, a.register),
+            _ => Operation::Sum(a.register, b.register),
+        };
+        ordered.push((register as usize, operation));
+        terms.push(Term { register, negative: a.negative && b.negative, ready: a.ready.max(b.ready) + wait });
+    }
+    terms.first().map_or(0, |term| term.ready)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Operation, Tape};
+    use crate::Sym;
+    use field::{Analytic, Scalar};
+
+    fn values(tape: &Tape, inputs: [f64; 4]) -> Vec<f64> {
+        let mut values = vec![0.0; tape.outputs()];
+        tape.over::<f64>().evaluate(&inputs, &mut values);
+        values
+    }
+
+    fn record(outputs: &[Sym]) -> Tape {
+        let inputs = ["a", "b", "c", "d"].map(Sym::symbol);
+        Tape::record(&inputs, outputs).expect("it has values").arranged()
+    }
+
+    #[test]
+    fn four_terms_are_two_pairs() {
+        let [a, b, c, d] = ["a", "b", "c", "d"].map(Sym::symbol);
+        let pairs = [Operation::Sum(0, 1), Operation::Difference(2, 3), Operation::Sum(4, 5)];
+        assert_eq!(record(&[a + b + c - d]).steps(), pairs);
+        let less = record(&[a - (b - (c - d))]);
+        assert_eq!(values(&less, [1.0, 20.0, 300.0, 4000.0]), [1.0 - (20.0 - (300.0 - 4000.0))]);
+    }
+
+    #[test]
+    fn what_comes_late_is_added_last() {
+        let [a, b, c, d] = ["a", "b", "c", "d"].map(Sym::symbol);
+        let late = record(&[a.circle().cos + b + c + d]);
+        let last = late.steps().last().copied();
+        assert_eq!(last.map(|it| it.operands()[0].min(it.operands()[1])), Some(4), "the cosine waits for nothing");
+    }
+
+    #[test]
+    fn a_constant_divisor_becomes_a_factor() {
+        let [a, b, c, _] = ["a", "b", "c", "d"].map(Sym::symbol);
+        let eighth = record(&[a / Sym::int(8) + b, c / Sym::int(8)]);
+        assert!(eighth.steps().iter().all(|step| !matches!(step, Operation::Part(..))));
+        assert_eq!(values(&eighth, [4.0, 1.0, 2.0, 0.0]), [1.5, 0.25]);
+    }
+}

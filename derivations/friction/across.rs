@@ -1,0 +1,117 @@
+//! Speed against accuracy of a scene with rough contacts: every method across the events of the same motion.
+
+use super::course::{WORKS, names, row};
+use super::exact::{Regimes, Unknown};
+use super::log::{Ending, Names};
+use super::run::{Plan, run};
+use super::stretch::parts;
+use super::{ForRough, RoughScene};
+use crate::scene::atlas::{AcrossEvents, Atlas, Formulation, Goal, Observed, Standing, Treated, Way};
+use crate::scene::stored::Owner;
+use crate::scene::{Stored, Trials};
+use integrators::{Across, End, Failure, Method, Observer, Outcome, Reference, Span, Tolerance};
+use mechanics::constrained::State;
+use mechanics::constrained::contacts::Contacts;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// A system with its start.
+struct Motion<Q, const N: usize, const C: usize, const K: usize> {
+    system: Q,
+    start: State<f64, N>,
+}
+
+/// Events of a run.
+const EVENTS: usize = 1000;
+
+impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K: usize> Across for Motion<Q, N, C, K> {
+    fn dimension(&self) -> usize {
+        2 * N + 2
+    }
+
+    fn run(
+        &self,
+        method: Method,
+        tolerance: &Tolerance,
+        span: &Span<'_, f64>,
+        observer: &mut dyn Observer<f64>,
+    ) -> Outcome<f64> {
+        let plan = Plan {
+            method,
+            tolerance: tolerance.clone(),
+            end: span.end,
+            outputs: span.outputs.clone(),
+            most_events: EVENTS,
+            allowed: span.budget.deadline.map(|deadline| deadline.saturating_duration_since(Instant::now())),
+            evaluations: Some(span.budget.evaluations),
+        };
+        let found = run(&self.system, &self.start, &plan, observer);
+        let end = match found.ending {
+            Ending::Reached => End::Reached,
+            Ending::BrokenOff => End::Halted,
+            Ending::Failed(failure) => End::Stopped(failure),
+            _ => End::Stopped(Failure::OtherCourse { at: found.state.time }),
+        };
+        let State { time, place, velocity } = found.state;
+        let state = [&place[..], &velocity[..], &[found.friction_work, found.force_work]].concat();
+        Outcome { end, time, state, work: found.work, deviations: Vec::new() }
+    }
+}
+
+impl RoughScene {
+    /// The atlas without its times. A reference that is kept is taken where it is this scene's own. A motion that ends by
+    /// itself is followed until shortly before.
+    ///
+    /// # Errors
+    /// Where there is no reference.
+    pub fn judged(&self, trials: &Trials, kept: Option<&Stored>, patience: Duration) -> Result<Atlas, Unknown> {
+        let regimes = Regimes::of(self);
+        let reference = match kept.filter(|kept| kept.belongs_to(&regimes)) {
+            Some(kept) => kept.reference.clone(),
+            None => self.exact(patience)?.reference,
+        };
+        let way = self.apply(OneWay { scene: self, state: regimes.start() });
+        let goal = Goal::of(&way.columns, &way.row, &reference, observed(&way.columns, &reference));
+        let end = reference.times.last().copied().unwrap_or(self.plan.end);
+        Ok(Atlas::judged(vec![way], reference, &goal, end, trials))
+    }
+}
+
+/// The state as it is integrated: coordinates, velocities, works.
+fn observed(columns: &[String], reference: &Reference) -> Vec<Observed> {
+    let of_state = reference.sizes.len() - WORKS.len();
+    let names = columns.iter().take(of_state).chain(columns.iter().skip(columns.len() - WORKS.len()));
+    names.zip(&reference.sizes).map(|(name, size)| Observed { name: name.clone(), size: *size }).collect()
+}
+
+struct OneWay<'a> {
+    scene: &'a RoughScene,
+    state: &'a [f64],
+}
+
+impl ForRough for OneWay<'_> {
+    type Output = Way;
+
+    fn apply<Q, const N: usize, const C: usize, const K: usize>(
+        self,
+        system: &Q,
+        start: State<f64, N>,
+        contacts: Names<K>,
+    ) -> Way
+    where
+        Q: Contacts<N, C, K, Given = f64> + Copy + Send + Sync + 'static,
+    {
+        let (rough, system) = (self.scene.system, *system);
+        let motion: Arc<dyn AcrossEvents> = Arc::new(Motion { system, start });
+        Way {
+            formulation: Formulation::Contacts,
+            model: "",
+            standing: Standing::Own,
+            law: Treated::Across(motion),
+            state: self.state.to_vec(),
+            sizes: Vec::new(),
+            columns: names(&rough, &contacts),
+            row: Box::new(move |time, y| row(&rough, &system, &parts::<f64, N>(time, y), [y[2 * N], y[2 * N + 1]])),
+        }
+    }
+}

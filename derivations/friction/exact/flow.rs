@@ -1,0 +1,76 @@
+//! The flow of a law from a time to another, both known to more digits than an `f64` has.
+
+use field::{DoubleDouble, Over};
+use integrators::{Directions, Failure, Method, Ode, Span, System, TIGHTEST, Tolerance, Work, integrate_in};
+use std::time::Instant;
+
+/// y' = L f(t + s L, y) for s from 0 to 1: a law over a stretch of its time.
+struct Paced<'a, L> {
+    law: &'a L,
+    start: DoubleDouble,
+    length: DoubleDouble,
+}
+
+/// Steps land on so many places of each stretch: collocation judges a long one too well where what it followed has faded.
+const PARTS: usize = 4;
+
+/// A number of two parts in any field: rounded where that is no finer.
+fn lifted<S: Over<f64>>(number: DoubleDouble) -> S {
+    S::lift(number.hi()) + S::lift(number.lo())
+}
+
+impl<S: Over<f64>, L: Ode<S>> Ode<S> for Paced<'_, L> {
+    fn dimension(&self) -> usize {
+        self.law.dimension()
+    }
+
+    fn rates(&self, s: S, y: &[S], dy: &mut [S]) {
+        let length: S = lifted(self.length);
+        self.law.rates(lifted::<S>(self.start) + s * length, y, dy);
+        dy.iter_mut().for_each(|rate| *rate *= length);
+    }
+}
+
+impl<L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Paced<'_, L> {}
+
+/// A method with its tolerance, and what it has cost.
+pub(super) struct Means {
+    pub method: Method,
+    /// Of the components of a state.
+    pub sizes: Vec<f64>,
+    pub deadline: Instant,
+    pub work: Work,
+}
+
+impl Means {
+    /// The state at `to` of the motion that is in `y` at `from`.
+    pub fn flow<L>(
+        &mut self,
+        law: &L,
+        [from, to]: [DoubleDouble; 2],
+        y: &[DoubleDouble],
+    ) -> Result<Vec<DoubleDouble>, Failure>
+    where
+        L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>,
+    {
+        if from == to {
+            return Ok(y.to_vec());
+        }
+        self.run(&Paced { law, start: from, length: to - from }, 1.0, y, &[])
+    }
+
+    /// The state at a time of a law that begins at zero, and has more components than the motion: with their sizes.
+    pub fn run(
+        &mut self,
+        system: &dyn System,
+        end: f64,
+        y: &[DoubleDouble],
+        more: &[f64],
+    ) -> Result<Vec<DoubleDouble>, Failure> {
+        let span = Span::new(0.0, end, y).with_even_outputs(PARTS).with_deadline(self.deadline);
+        let tolerance = Tolerance::scaled(TIGHTEST, &[&self.sizes[..], more].concat());
+        let outcome = integrate_in(system, self.method, &tolerance, &span, &mut ());
+        self.work = self.work + outcome.work;
+        outcome.failure().map_or(Ok(outcome.state), Err)
+    }
+}
