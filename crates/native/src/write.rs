@@ -160,9 +160,9 @@ impl Writer<'_> {
                 self.code.ins().fma(a, b, less)
             }
             Operation::LessProduct(product, other) => {
-                let ([a, b], other) = (self.factors(product), self.read(other));
-                let less = self.code.ins().fneg(a);
-                self.code.ins().fma(less, b, other)
+                let ([first, second], other) = (self.factors(product), self.read(other));
+                let less = self.code.ins().fneg(first);
+                self.code.ins().fma(less, second, other)
             }
         };
         self.registers.push(Place::Computed(result));
@@ -215,24 +215,27 @@ struct Point {
     sin: f64,
 }
 
+impl From<field::Circle<f64>> for Point {
+    fn from(field::Circle { cos, sin }: field::Circle<f64>) -> Self {
+        Point { cos, sin }
+    }
+}
+
 /// Cosine and sine of an angle, by the same function as everywhere.
 extern "C" fn circle(angle: f64) -> Point {
-    let field::Circle { cos, sin } = angle.circle();
-    Point { cos, sin }
+    angle.circle().into()
 }
 
 /// The same with each product and its sum rounded once, where the processor does so in one instruction.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "fma")]
 extern "C" fn circle_by_fma(angle: f64) -> Point {
-    let field::Circle { cos, sin } = angle.circle_once();
-    Point { cos, sin }
+    angle.circle_once().into()
 }
 
 /// The same anywhere.
 extern "C" fn circle_once(angle: f64) -> Point {
-    let field::Circle { cos, sin } = angle.circle_once();
-    Point { cos, sin }
+    angle.circle_once().into()
 }
 
 /// The one of the two that this processor runs.

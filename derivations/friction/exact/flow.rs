@@ -11,9 +11,6 @@ struct Paced<'a, L> {
     length: DoubleDouble,
 }
 
-/// Steps land on so many places of each stretch: collocation judges a long one too well where what it followed has faded.
-const PARTS: usize = 4;
-
 /// A number of two parts in any field: rounded where that is no finer.
 fn lifted<S: Over<f64>>(number: DoubleDouble) -> S {
     S::lift(number.hi()) + S::lift(number.lo())
@@ -67,7 +64,7 @@ impl Means {
         y: &[DoubleDouble],
         more: &[f64],
     ) -> Result<Vec<DoubleDouble>, Failure> {
-        let span = Span::new(0.0, end, y).with_even_outputs(PARTS).with_deadline(self.deadline);
+        let span = Span::new(0.0, end, y).with_deadline(self.deadline);
         let tolerance = Tolerance::scaled(TIGHTEST, &[&self.sizes[..], more].concat());
         let outcome = integrate_in(system, self.method, &tolerance, &span, &mut ());
         self.work = self.work + outcome.work;

@@ -9,7 +9,7 @@ use crate::speed;
 use crate::sphere;
 use crate::studies::{Drive, Endurance, Failures, Gains, Phantom, Synchronism, atlas, peers};
 use crate::timings;
-use charts::{Areas, PaperSection, Report, Sphere, Study, Verdict};
+use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
 use derivations::scene::{AnyScene, Scene};
 use derivations::{governors, papers, regimes};
 use std::path::Path;
@@ -131,7 +131,9 @@ impl Parts {
             section
         };
         report.scenes = self.prepared.into_iter().flatten().flatten().map(&mut charted).collect();
-        report.rough = self.rough.into_iter().flatten().map(&mut charted).collect();
+        // of these there are the tables alone: the page is to stay small, `dalembert chart` draws them
+        let tabled = |prepared| SceneSection { work: Vec::new(), ..charted(prepared) };
+        report.rough = self.rough.into_iter().flatten().map(tabled).collect();
         report.papers = self.papers.into_iter().flatten().map(|(section, _)| section).collect();
         report.stability = self.stability.unwrap_or_default();
         report.approximations = self.approximations.into_iter().collect();
