@@ -5,7 +5,7 @@ use derivations::friction::exact::{Regimes, Unknown};
 use derivations::friction::{Rough, RoughScene};
 use derivations::regimes::critical;
 use derivations::scene::{AnyScene, Family, Stored, Trials, stored};
-use field::{Analytic, Circle, DoubleDouble, Over, Scalar};
+use field::{Circle, DoubleDouble, Over, Scalar};
 use integrators::{Failure, Method};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
