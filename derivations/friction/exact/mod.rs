@@ -2,9 +2,9 @@
 //!
 //! # Overview
 //! A run in `f64` tells the regimes and, to its digits, when they change. Each regime is one smooth law, also beyond its end. So
-//! two methods of different families follow the regimes in double-double, each on its own ([`follow`]): an event is the zero of
+//! two methods of different families follow the regimes in double-double, each on its own (`follow`): an event is the zero of
 //! its signal, found by Newton's method on the instant; the state there is made exact as in the run. Times have two parts
-//! as well ([`flow`]). Where the determinant of a regime vanishes, that regime is slowed down by it ([`slowed`]).
+//! as well (`flow`). Where the determinant of a regime vanishes, that regime is slowed down by it (`slowed`).
 //!
 //! Which regime goes on is decided once, by the run. What is not known to more digits than a tie is told by, has no reference.
 
