@@ -108,3 +108,23 @@ impl Tape {
         whole.renumbered(&operations)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Operation, Tape};
+    use crate::Sym;
+    use field::Scalar;
+
+    #[test]
+    fn signs_become_those_of_factors() {
+        let [a, b] = ["a", "b"].map(Sym::symbol);
+        let three = Sym::int(3);
+        let outputs = [-(a * three) + b, three * -a, -(a / Sym::int(8)), -a / Sym::int(8), -a];
+        let tape = Tape::record(&[a, b], &outputs).expect("it has values").by_factors();
+        let negations = tape.steps().iter().filter(|step| matches!(step, Operation::Negation(_)));
+        assert_eq!(negations.count(), 1, "one output is the negative itself");
+        let mut values = [0.0; 5];
+        tape.over::<f64>().evaluate(&[5.0, 7.0], &mut values);
+        assert_eq!(values, [-8.0, -15.0, -0.625, -0.625, -5.0]);
+    }
+}
