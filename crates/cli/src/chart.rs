@@ -62,10 +62,11 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
         }
         other => other,
     };
-    if let AnyScene::Rough(rough) = &scene {
-        return across_events(rough, asked);
-    }
-    let Some(smooth) = scene.smooth() else { return Ok(Ending::Stopped) };
+    let smooth: &dyn Smooth = match &scene {
+        AnyScene::Rough(rough) => return across_events(rough, asked),
+        AnyScene::Driven(scene) => &**scene,
+        AnyScene::Mechanism(scene) => &**scene,
+    };
     if matches!(scene, AnyScene::Mechanism(_)) {
         refuse("a mechanism", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
     }

@@ -5,7 +5,7 @@ use crate::ending::{Ending, can_save, print, save};
 use clap::Args;
 use derivations::friction::RoughScene;
 use derivations::friction::exact::{Event, Regimes};
-use derivations::scene::{AnyScene, Axes, Family, Stored, stored};
+use derivations::scene::{AnyScene, Axes, Family, Smooth, Stored, stored};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -30,10 +30,11 @@ pub struct Asked {
 /// Computes it, says what it is, and writes it where charts and the report look for it.
 pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     let scene = AnyScene::open(&asked.scene)?;
-    if let AnyScene::Rough(rough) = &scene {
-        return across_events(rough, asked);
-    }
-    let Some(smooth) = scene.smooth() else { return Ok(Ending::Stopped) };
+    let smooth: &dyn Smooth = match &scene {
+        AnyScene::Rough(rough) => return across_events(rough, asked),
+        AnyScene::Driven(scene) => &**scene,
+        AnyScene::Mechanism(scene) => &**scene,
+    };
     let mut problem = smooth.problem(Axes::default());
     if let Some(end) = asked.until {
         if !(end > 0.0 && end <= problem.span) {

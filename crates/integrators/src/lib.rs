@@ -89,7 +89,7 @@ pub use held::{Held, HeldSystem, Holding, hold, integrate_projected};
 pub use integrate::{integrate, integrate_in};
 pub use jacobian::Jacobian;
 pub use method::{MOST_STAGES, Method, Traits};
-pub use observer::{Observer, Progress, Record, Samples};
+pub use observer::{Observer, Progress, Record, Samples, Sizes};
 pub use ode::{DIRECTIONS, Directions, Ode, Slopes, System, Working};
 pub use outcome::{Deviation, End, Outcome, Work};
 pub use real::Real;

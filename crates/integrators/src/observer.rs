@@ -64,6 +64,16 @@ impl<S, F: FnMut(f64)> Observer<S> for Progress<F> {
     }
 }
 
+/// Keeps the largest magnitude of every component.
+#[derive(Clone, Debug)]
+pub struct Sizes(pub Vec<f64>);
+
+impl Observer<f64> for Sizes {
+    fn step(&mut self, _: f64, state: &[f64]) {
+        self.0.iter_mut().zip(state).for_each(|(size, y)| *size = size.max(y.abs()));
+    }
+}
+
 /// Two observers at once.
 impl<S, A: Observer<S>, B: Observer<S>> Observer<S> for (A, B) {
     fn sample(&mut self, time: f64, state: &[S]) {

@@ -15,8 +15,7 @@ use field::{DoubleDouble, Over};
 
 use crate::integrate::collocate_gauss;
 use crate::{
-    Failure, Method, Observer, Outcome, Record, Refusal, Span, System, Tolerance, Work, Working, integrate,
-    integrate_in,
+    Failure, Method, Outcome, Record, Refusal, Sizes, Span, System, Tolerance, Work, Working, integrate, integrate_in,
 };
 
 /// The digits below which a reference is none.
@@ -109,15 +108,6 @@ fn coarse(system: &dyn System, span: &Span<'_, f64>, method: Method, evaluations
     let mut sizes = Sizes(span.state.iter().map(|y| y.abs()).collect());
     reached(integrate(system, method, &Tolerance::both(1e-7), &plain, &mut sizes))?;
     Ok(sizes.0.into_iter().map(|size| if size > 0.0 { size } else { 1.0 }).collect())
-}
-
-/// Keeps the largest magnitude of every component.
-struct Sizes(Vec<f64>);
-
-impl Observer<f64> for Sizes {
-    fn step(&mut self, _: f64, state: &[f64]) {
-        self.0.iter_mut().zip(state).for_each(|(size, y)| *size = size.max(y.abs()));
-    }
 }
 
 /// The run of another family: the first that reaches the end.

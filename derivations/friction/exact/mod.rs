@@ -22,7 +22,7 @@ use crate::scene::atlas::INSTANTS;
 use field::{DoubleDouble, decimal};
 use flow::Means;
 use follow::{Followed, Follower};
-use integrators::{Failure, Method, Observer, Reference, Span, Work, difference, shared_digits};
+use integrators::{Failure, Method, Reference, Sizes, Span, Work, difference, shared_digits};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use std::fmt;
@@ -181,13 +181,4 @@ fn rounded_down(time: f64) -> f64 {
     let below = (time / unit).floor();
     // short numbers are written shortly
     format!("{:.12e}", below * unit).parse().unwrap_or(below * unit)
-}
-
-/// Keeps the largest magnitude of every component.
-struct Sizes(Vec<f64>);
-
-impl Observer<f64> for Sizes {
-    fn step(&mut self, _: f64, state: &[f64]) {
-        self.0.iter_mut().zip(state).for_each(|(size, y)| *size = size.max(y.abs()));
-    }
 }
