@@ -16,7 +16,15 @@ pub fn advice(atlas: &Atlas, error: f64) -> String {
         .collect();
     costs.sort_by(|a, b| a.0.total_cmp(&b.0));
     let to = tolerance(error);
-    let Some((least, best)) = costs.first() else { return format!("To {to}: no method reaches it.") };
+    let Some((least, best)) = costs.first() else {
+        // what reaches it may not have had its turn in the time that was allowed for times
+        let counted = |one: &Series<'_>| cost(&one.trials(Counted::Evaluations), error);
+        let fewest = series.iter().filter_map(|one| Some((counted(one)?, one))).min_by(|a, b| a.0.total_cmp(&b.0));
+        return fewest.map_or_else(
+            || format!("To {to}: no method reaches it."),
+            |(_, one)| format!("To {to}: not timed in the time allowed; {} with the fewest evaluations.", one.said()),
+        );
+    };
     match costs.iter().find(|(_, other)| other.family != best.family) {
         Some((next, other)) => {
             let longer = match significant(next / least, 2) {

@@ -3,6 +3,7 @@
 use super::{ANSWER, Counted, Series, model, series};
 use charts::{Failure, Point, Work, WorkPrecision};
 use derivations::scene::Atlas;
+use derivations::scene::atlas::Formulation;
 use integrators::front;
 
 /// Once in evaluations and once in time.
@@ -68,12 +69,28 @@ fn drawn(series: &Series<'_>, counted: Counted, unit: f64, quiet: bool) -> chart
 /// What errors, evaluations and times of a scene are, for the line below its charts.
 pub fn measured_by(atlas: &Atlas) -> String {
     let reference = &atlas.reference;
+    let across = atlas.explored.iter().any(|one| one.way.formulation == Formulation::Contacts);
+    let compared = match across {
+        true => {
+            "up to the end, or to shortly before an earlier one, of coordinates, velocities and works (each relative to its own \
+             size, or to that of its kind where it is only rounding)"
+        }
+        false => {
+            "of what all formulations and models have (velocities and directions relative to the size of their vector, all else \
+             to its own)"
+        }
+    };
+    let models = match across {
+        true => "",
+        false => {
+            " An approximate model ends at what it is off itself, and is not drawn where that is more than 0.1; an exact one has \
+             the same motion, which is proved."
+        }
+    };
     format!(
-        "Error: the largest over eight instants of what all formulations and models have (velocities and directions relative \
-         to the size of their vector, all else to its own), by the reference of the scene's own model: {} and {} in \
-         double-double, which agree to {:.0} digits. An approximate model ends at what it is off itself, and is not drawn where \
-         that is more than 0.1; an exact one has the same motion, which is proved. A Jacobian counts as the {} evaluations of its columns, a correction onto constraints \
-         as one. Times are medians within one run of the program, in which all of them take turns.",
+        "Error: the largest over eight instants {compared}, by the reference of the scene's own model: {} and {} in \
+         double-double, which agree to {:.0} digits.{models} A Jacobian counts as the {} evaluations of its columns, a \
+         correction onto constraints as one. Times are medians within one run of the program, in which all of them take turns.",
         reference.methods[0],
         reference.methods[1],
         reference.digits,
