@@ -11,8 +11,8 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc;
 use symbolic::Program;
 
-/// Two registers of today: one is computed while the other is waited for.
-const LANES: usize = 16;
+/// One register of today: what is computed at a time then stays near the processor.
+const LANES: usize = 8;
 
 /// What takes longer is given up: a million steps are more than a million oscillations.
 const MOST_STEPS: u64 = 1_000_000;

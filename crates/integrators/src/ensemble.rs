@@ -10,9 +10,9 @@ use pulp::{Arch, Simd, WithSimd};
 
 /// The order of series in lanes for a tolerance.
 ///
-/// As [`taylor_order`](crate::taylor_order), with what a step costs there: b + p + c p^2 with b = 2, c = 0.01 (measured from order 8 to 32
-/// on systems with 8 and 15 states: c = 0.012 and 0.006), to which p = 3 + 0.78 L is near. Orders are formed four at a time, so it is
-/// the multiple of four that is nearest.
+/// As [`taylor_order`](crate::taylor_order), with what a step costs there: b + p + c p^2 with b = 3.5, c = 0.02 (measured from order 8 to
+/// 28 on systems with 8 and 15 states), to which p = 3 + 0.78 L is near. Orders are formed four at a time, so it is the multiple of
+/// four that is nearest.
 pub fn lanes_order(tolerance: f64) -> usize {
     let fours = (3.0 - 0.78 * tolerance.ln()) / 4.0;
     4 * (fours.round() as usize).clamp(1, 15)
@@ -127,11 +127,11 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
     fn step(&mut self, members: &mut impl Members) {
         self.source.expand(self.times, &self.states);
         let (last, before) = (self.source.coefficients(self.order), self.source.coefficients(self.order - 1));
-        let sizes = Sizes { states: &self.states, last, before, tolerance: self.tolerance };
-        let sizes = Arch::new().dispatch(sizes);
+        let reach = Reach { states: &self.states, last, before, order: self.order, tolerance: self.tolerance };
+        let reach = Arch::new().dispatch(reach);
         let (mut steps, mut nexts) = (Lanes::all(0.0), [Ok(0.0); L]);
         for lane in (0..L).filter(|lane| self.numbers[*lane].is_some()) {
-            nexts[lane] = self.next_time(lane, sizes.map(|size| size.0[lane]));
+            nexts[lane] = self.next_time(lane, reach.0[lane]);
             steps.0[lane] = nexts[lane].map_or(0.0, |next| next - self.times.0[lane]);
         }
         self.source.sum(steps, &mut self.after);
@@ -157,17 +157,16 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         }
     }
 
-    /// Where the step of a lane leads, by the sizes of its last coefficients.
-    fn next_time(&self, lane: usize, [last, before, sum]: [f64; 3]) -> Result<f64, Failure> {
+    /// Where the step of a lane leads whose series reaches so far.
+    fn next_time(&self, lane: usize, reach: f64) -> Result<f64, Failure> {
         let at = self.times.0[lane];
-        if !sum.is_finite() {
+        if reach.is_nan() {
             return Err(Failure::LeftTheNumbers { at });
         }
         if self.steps[lane] == self.most_steps {
             let allowed = self.most_steps.saturating_mul(self.order as u64);
             return Err(Failure::TooManyEvaluations { at, allowed });
         }
-        let reach = reach(self.order, last, before);
         let next = if reach >= self.end - at { self.end } else { at + reach };
         if next == at { Err(Failure::StepCollapsed { at, step: reach }) } else { Ok(next) }
     }
@@ -182,19 +181,21 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
     }
 }
 
-/// The largest coefficients of two orders in units of what is allowed, and the sum of all, which is finite where they are.
-struct Sizes<'a, const L: usize> {
+/// How far the series reach, lane by lane; not a number where a coefficient is none.
+struct Reach<'a, const L: usize> {
     states: &'a [Lanes<L>],
     last: &'a [Lanes<L>],
     before: &'a [Lanes<L>],
+    order: usize,
     tolerance: f64,
 }
 
-impl<const L: usize> WithSimd for Sizes<'_, L> {
-    type Output = [Lanes<L>; 3];
+impl<const L: usize> WithSimd for Reach<'_, L> {
+    type Output = Lanes<L>;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> [Lanes<L>; 3] {
+    fn with_simd<S: Simd>(self, _: S) -> Lanes<L> {
+        // the largest coefficients in units of what is allowed, and the sum of all, which is finite where they are
         let [mut s_last, mut s_before, mut sum] = [Lanes::all(0.0); 3];
         for ((state, last), before) in self.states.iter().zip(self.last).zip(self.before) {
             for lane in 0..L {
@@ -205,6 +206,11 @@ impl<const L: usize> WithSimd for Sizes<'_, L> {
                 sum.0[lane] += a + b;
             }
         }
-        [s_last, s_before, sum]
+        let mut reaches = sum;
+        for lane in 0..L {
+            let far = reach(self.order, s_last.0[lane], s_before.0[lane]);
+            reaches.0[lane] = if sum.0[lane].is_finite() { far } else { f64::NAN };
+        }
+        reaches
     }
 }

@@ -88,6 +88,10 @@ pub fn integrate_to_event(
 /// So many parts of a step that is a polynomial are looked at one by one.
 const PARTS: usize = 8;
 
+/// A signal that would not come to zero in so many such steps, at the rates of both ends, does not in one of them: it is not
+/// searched for a least value.
+const SLOW: f64 = 100.0;
+
 /// A state with its signals.
 #[derive(Clone, Debug)]
 struct Instant {
@@ -165,6 +169,10 @@ impl Guard<'_> {
         }
         let direction = self.direction();
         if !(a.rate * direction < 0.0 && b.rate * direction > 0.0) {
+            return None;
+        }
+        // at rest rates are rounding, and their signs say nothing
+        if SLOW * (t1 - t0).abs() * (a.rate.abs() + b.rate.abs()) < a.value.min(b.value) {
             return None;
         }
         // a least value within the step: where the rate changes its sign

@@ -17,18 +17,17 @@ pub fn taylor_order(tolerance: f64) -> usize {
 }
 
 /// How far a series of order p reaches whose last two coefficients have these sizes, in units of what is allowed.
-#[inline]
+// without branches, and always inlined here and below: in lanes it is computed for all at once
+#[inline(always)]
 pub(crate) fn reach(order: usize, last: f64, one_before: f64) -> f64 {
     let p = order as f64;
-    if last.max(one_before) < f64::MIN_POSITIVE {
-        return f64::INFINITY;
-    }
-    power_of_two(-(logarithm(last) * (1.0 / p)).max(logarithm(one_before) * (1.0 / (p - 1.0))))
+    let reach = power_of_two(-(logarithm(last) * (1.0 / p)).max(logarithm(one_before) * (1.0 / (p - 1.0))));
+    if last.max(one_before) < f64::MIN_POSITIVE { f64::INFINITY } else { reach }
 }
 
 /// log2 of a number that is not negative, to 3e-6: a step need not be known better, and steps are short enough for the
 /// difference to show. Zero counts as the smallest number.
-#[inline]
+#[inline(always)]
 fn logarithm(x: f64) -> f64 {
     const FRACTION: u64 = (1 << 52) - 1;
     let exponent = f64::from((x.to_bits() >> 52) as i32 - 1023);
@@ -37,7 +36,7 @@ fn logarithm(x: f64) -> f64 {
 }
 
 /// 2^y, to 2e-6.
-#[inline]
+#[inline(always)]
 fn power_of_two(y: f64) -> f64 {
     let y = y.clamp(-1000.0, 1000.0);
     let whole = y as i32;
@@ -69,7 +68,7 @@ const POWER: [f64; 8] = [
 ];
 
 /// sum c_k x^k, by halves that do not wait for each other.
-#[inline]
+#[inline(always)]
 fn polynomial(x: f64, [a, b, c, d, e, f, g, h]: [f64; 8]) -> f64 {
     let square = x * x;
     let (low, high) = ((a + b * x) + (c + d * x) * square, (e + f * x) + (g + h * x) * square);

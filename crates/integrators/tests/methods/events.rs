@@ -114,6 +114,31 @@ fn a_short_dip_within_one_step_is_found() {
     }
 }
 
+/// One, with rates that are only rounding.
+struct Rest;
+
+impl Switches for Rest {
+    fn count(&self) -> usize {
+        1
+    }
+
+    fn signals(&self, time: f64, _: &[f64], out: &mut [Signal]) {
+        out[0] = Signal { value: 1.0, rate: 1e-17 * (1e3 * time).cos(), noise: 1e-11 };
+    }
+}
+
+#[test]
+fn a_signal_at_rest_is_not_searched_for_a_least_value() {
+    let (start, tolerance) = ([1.0, 0.0], Tolerance::both(1e-9));
+    let span = Span::new(0.0, 100.0, &start);
+    for method in [Method::DormandPrince8, Method::GraggBulirschStoer] {
+        let (watched, event) = integrate_to_event(&Oscillator, method, &tolerance, &span, &Rest, &mut ());
+        assert_eq!(event, None);
+        let alone = integrate(&Oscillator, method, &tolerance, &span, &mut ());
+        assert_eq!(watched.work.rates, alone.work.rates, "{method:?}");
+    }
+}
+
 #[test]
 fn a_signal_that_starts_at_zero_counts_once_it_was_positive() {
     let (_, event, _) = run(Method::DormandPrince8, 0.0, [0.0, 1.0], &[10.0]);

@@ -37,9 +37,11 @@ pub struct Abreast<'a, const L: usize, const N: usize = 256> {
     points: Program<'a, Lanes<L>>,
     inputs: Vec<Lanes<L>>,
     circle: Vec<Lanes<L>>,
-    /// From the parameters of one system to its coefficients.
-    coefficients: Program<'a, f64>,
-    values: Vec<f64>,
+    /// From the parameters to the coefficients.
+    coefficients: Program<'a, Lanes<L>>,
+    values: Vec<Lanes<L>>,
+    /// Whether a lane has parameters that the coefficients do not know yet.
+    changed: bool,
 }
 
 impl Recurrence {
@@ -78,7 +80,8 @@ impl Recurrence {
             inputs: vec![zero; self.points.inputs()],
             circle: vec![zero; plan.moving - inputs],
             coefficients: self.coefficients.over(),
-            values: vec![0.0; self.coefficients.outputs()],
+            values: vec![zero; self.coefficients.outputs()],
+            changed: false,
         })
     }
 
@@ -96,11 +99,9 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
 
     /// Gives the system in a lane its parameters.
     pub fn set(&mut self, lane: usize, parameters: &[f64]) {
-        self.coefficients.evaluate(parameters, &mut self.values);
         let inputs = &mut self.inputs[self.states + usize::from(self.time)..];
         inputs.iter_mut().zip(parameters).for_each(|(input, value)| input.0[lane] = *value);
-        let stages = self.stages.iter_mut().map(|stage| &mut stage.sums);
-        stages.chain([&mut self.rates]).for_each(|sums| sums.set(lane, &self.values));
+        self.changed = true;
     }
 
     /// Expands the solutions through these states, each at its time.

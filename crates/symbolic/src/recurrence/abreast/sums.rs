@@ -85,12 +85,13 @@ impl<const L: usize> Rows<L> {
         rows
     }
 
-    pub fn set(&mut self, lane: usize, values: &[f64]) {
-        self.twos.iter_mut().for_each(|bunch| bunch.set(lane, values));
-        self.fours.iter_mut().for_each(|bunch| bunch.set(lane, values));
-        self.long.iter_mut().for_each(|bunch| bunch.set(lane, values));
-        self.long_pairs.iter_mut().for_each(|bunch| bunch.set(lane, values));
-        self.long_fours.iter_mut().for_each(|bunch| bunch.set(lane, values));
+    /// The coefficients, by their numbers.
+    pub fn take(&mut self, values: &[Lanes<L>]) {
+        self.twos.iter_mut().for_each(|bunch| bunch.take(values));
+        self.fours.iter_mut().for_each(|bunch| bunch.take(values));
+        self.long.iter_mut().for_each(|bunch| bunch.take(values));
+        self.long_pairs.iter_mut().for_each(|bunch| bunch.take(values));
+        self.long_fours.iter_mut().for_each(|bunch| bunch.take(values));
     }
 
     /// Each sum of the order at hand, given to `put` with its place; of order zero where `FIRST`.
@@ -176,11 +177,11 @@ impl<const L: usize, const R: usize> Bunch<L, R, Vec<Term<L, R>>> {
 }
 
 impl<const L: usize, const R: usize, T: AsMut<[Term<L, R>]>> Bunch<L, R, T> {
-    fn set(&mut self, lane: usize, values: &[f64]) {
-        let value = |of: &Option<u32>| of.and_then(|of| values.get(of as usize)).copied().unwrap_or(0.0);
-        self.constants.iter_mut().zip(&self.constant_of).for_each(|(to, of)| to.0[lane] = value(of));
+    fn take(&mut self, values: &[Lanes<L>]) {
+        let value = |of: &Option<u32>| of.and_then(|of| values.get(of as usize)).copied().unwrap_or(Lanes::all(0.0));
+        self.constants.iter_mut().zip(&self.constant_of).for_each(|(to, of)| *to = value(of));
         for term in self.terms.as_mut() {
-            term.times.iter_mut().zip(&term.times_of).for_each(|(to, of)| to.0[lane] = value(of));
+            term.times.iter_mut().zip(&term.times_of).for_each(|(to, of)| *to = value(of));
         }
     }
 }

@@ -16,6 +16,9 @@ impl<const L: usize, const N: usize, const FUSED: bool> Expand<'_, '_, '_, L, N,
     #[inline(always)]
     pub fn run(self) {
         let order = self.abreast.order;
+        if self.abreast.changed {
+            self.abreast.learn();
+        }
         self.abreast.start(self.states, self.time);
         for k in (0..order).step_by(4) {
             if k == 0 {
@@ -30,6 +33,16 @@ impl<const L: usize, const N: usize, const FUSED: bool> Expand<'_, '_, '_, L, N,
 }
 
 impl<const L: usize, const N: usize> Abreast<'_, L, N> {
+    /// The coefficients of all systems: whoever comes late costs no more than all at once.
+    #[inline(always)]
+    fn learn(&mut self) {
+        let parameters = &self.inputs[self.states + usize::from(self.time)..];
+        self.coefficients.evaluate(parameters, &mut self.values);
+        let stages = self.stages.iter_mut().map(|stage| &mut stage.sums);
+        stages.chain([&mut self.rates]).for_each(|sums| sums.take(&self.values));
+        self.changed = false;
+    }
+
     /// Order zero of all that has a rate.
     #[inline(always)]
     fn start(&mut self, states: &[Lanes<L>], time: Lanes<L>) {
@@ -54,9 +67,10 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
     fn end(&mut self) {
         let [last, before] = &mut self.last;
         for (number, (last, before)) in last.iter_mut().zip(before).enumerate() {
-            let newest = self.quantities[number % N].newest;
+            // not as a whole: numbers picked out of a copy go through memory, and are waited for there
+            let newest = &self.quantities[number % N].newest;
             (*last, *before) = (newest[self.order % 4], newest[(self.order + 3) % 4]);
-            self.histories.fours[number * self.histories.each + self.order / 4] = newest;
+            self.histories.fours[number * self.histories.each + self.order / 4] = *newest;
         }
     }
 
