@@ -17,7 +17,6 @@ import ctypes
 import math
 import os
 import pathlib
-import platform
 import statistics
 import subprocess
 import sys
@@ -315,7 +314,7 @@ def main():
     lines = ["| states | what, beside whom | dalembert, 1/s | peer, 1/s | ratio |", "|---|---|---|---|---|"]
     lines += [f"| {n} | {what} | {own:.3g} | {peer:.3g} | {own / peer:.2f} |" for n, what, own, peer in rows]
     print("\n".join(lines))
-    head = f"# Ensembles beside others\n\n{platform.machine()}, one thread, {ROUNDS} rounds, by `python3 benches/peers/ensembles.py`.\n\n"
+    head = f"# Ensembles beside others\n\n{install.processor()}, one thread, {ROUNDS} rounds, by `python3 benches/peers/ensembles.py`.\n\n"
     pathlib.Path(__file__).with_suffix(".md").write_text(head + "\n".join(lines) + "\n")
 
 

@@ -5,6 +5,7 @@ needs no rights. What a machine has already is taken as it is, and what cannot b
 """
 
 import pathlib
+import platform
 import re
 import subprocess
 import sys
@@ -28,6 +29,15 @@ def environment(folder):
             if done.returncode:
                 missing[name] = f"pip cannot install it: {done.stderr.strip().splitlines()[-1]}"
     return python, missing
+
+
+def processor():
+    """Its name and the widest of its registers, as far as the system tells: ratios depend on it."""
+    path = pathlib.Path("/proc/cpuinfo")
+    facts = re.findall(r"^(model name|flags)\s*: (.*)$", path.read_text(), re.MULTILINE) if path.exists() else []
+    facts = dict(reversed(facts))
+    wide = [name for name in ("avx2", "avx512f", "amx_tile") if name in facts.get("flags", "").split()]
+    return ", ".join([facts.get("model name", platform.machine()), *wide])
 
 
 def has(header, flags=()):

@@ -153,7 +153,7 @@ def main():
         key = path.stem + (", reduced" if model else "")
         print(key, file=sys.stderr, flush=True)
         results[key] = compare(path, model, asked.rounds, (flags, headers), missing)
-        results["machine"] = {"processor": platform.machine(), "python": platform.python_version(), "missing": missing}
+        results["machine"] = {"processor": install.processor(), "python": platform.python_version(), "missing": missing}
         write(results)
     disagree = [f"{key}: {name}" for key, result in results.items() if key not in ("machine", "summary") for name in result["disagree"]]
     print("\n".join(f"does not agree with the reference: {each}" for each in disagree))

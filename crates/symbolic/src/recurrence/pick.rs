@@ -67,8 +67,10 @@ pub(crate) trait Pick<S: Fused>: Copy {
     fn product(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
 }
 
-/// For each of eight places a number from 0 to 15 in two groups of eight.
-pub(crate) type Shuffle = [u64; 8];
+/// For each of eight places a number from 0 to 15 in two groups of eight; in one line of the cache.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(crate) struct Shuffle(pub [u64; 8]);
 
 /// One by one.
 #[derive(Clone, Copy)]
@@ -104,7 +106,7 @@ impl<S: Fused, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
 
     #[inline(always)]
     fn shuffle(self, from: [[S; 8]; 2], shuffle: &Shuffle) -> [S; 8] {
-        shuffle.map(|number| from[number as usize / 8 % 2][number as usize % 8])
+        shuffle.0.map(|number| from[number as usize / 8 % 2][number as usize % 8])
     }
 
     #[inline(always)]

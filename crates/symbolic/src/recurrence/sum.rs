@@ -1,7 +1,6 @@
 //! The sum of a series.
 
 use super::fused::{Fused, Task};
-use super::order::add;
 use super::pick::Pick;
 use super::stored::Stored;
 
@@ -27,40 +26,42 @@ const APART: usize = 4;
 impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
     #[inline(always)]
     fn run<P: Pick<S> + Pick<f64>>(self, pick: P) {
-        if S::FINER {
+        if S::FINER || W != 8 {
             return self.finer(pick);
         }
         let Sum { terms: Terms { series, width, states, order, .. }, h, .. } = self;
         let square = h * h;
-        let [h, square, fourth] = [h, square, square * square].map(|power| [power; W]);
+        let [h, square, fourth] = [h, square, square * square].map(|power| Pick::<S>::all(pick, power));
         let (terms, over) = (order + 1, (order + 1) % APART);
-        for (first, out) in (0..states).step_by(W).zip(self.out.chunks_mut(W)) {
-            let term = |k: usize| -> [S; W] {
-                let mut term = [S::zero(); W];
-                term.copy_from_slice(&series[k * width + first..][..W]);
-                term
-            };
-            let mut sums = [[S::zero(); W]; APART];
-            for (chain, sum) in sums.iter_mut().enumerate() {
-                if chain < over {
-                    *sum = term(terms - over + chain);
-                }
+        // groups of eight, so many of each order
+        let (groups, each) = (series.as_chunks::<8>().0, width / 8);
+        for (first, out) in (0..states.div_ceil(8)).zip(self.out.chunks_mut(8)) {
+            let mut sums = [Pick::<S>::all(pick, S::zero()); APART];
+            for (chain, sum) in sums.iter_mut().enumerate().take(over) {
+                *sum = Pick::<S>::load(pick, &S::Stored::of(groups[(terms - over + chain) * each + first]));
             }
-            for four in (0..terms / APART).rev() {
+            for four in groups[..(terms - over) * each].chunks_exact(APART * each).rev() {
                 for (chain, sum) in sums.iter_mut().enumerate() {
-                    *sum = add::<P, S, W>(term(four * APART + chain), *sum, fourth);
+                    let term = Pick::<S>::load(pick, &S::Stored::of(four[chain * each + first]));
+                    *sum = Pick::<S>::plus_product(pick, term, *sum, fourth);
                 }
             }
             let [even, odd, more, most] = sums;
-            let (low, high) = (add::<P, S, W>(even, odd, h), add::<P, S, W>(more, most, h));
-            let sum = add::<P, S, W>(low, high, square);
-            copy::<S, W>(&sum, out);
+            let low = Pick::<S>::plus_product(pick, even, odd, h);
+            let high = Pick::<S>::plus_product(pick, more, most, h);
+            let sum = Pick::<S>::store(pick, Pick::<S>::plus_product(pick, low, high, square));
+            let mut states = [S::zero(); 8];
+            for (lane, state) in states.iter_mut().enumerate() {
+                *state = sum.lane(lane);
+            }
+            copy::<S, 8>(&states, out);
         }
     }
 }
 
 impl<S: Fused, const W: usize> Sum<'_, S, W> {
-    /// What is rounded is summed in `f64`, then the others; eight states at a time, whose sums keep their rests as they come.
+    /// What is rounded is summed in `f64`, then the others; eight states at a time, whose sums keep their rests as they come. Also of
+    /// series that are not laid out by eights.
     #[inline(always)]
     fn finer<P: Pick<S> + Pick<f64>>(self, pick: P) {
         let Terms { series, width, states, order, fine } = self.terms;

@@ -61,9 +61,9 @@ impl Algebraic {
             next += 1;
         }
         for &operation in &self.operations {
-            let [a, b, c] = operation.operands().map(|operand| operand as usize);
-            let operands = [*registers.get(a)?, *registers.get(b)?, *registers.get(c)?];
-            *registers.get_mut(next)? = operation.of_field(operands)?;
+            let value = |register: Register| registers.get(register as usize).copied().unwrap_or(S::zero());
+            let value = operation.of_field(value)?;
+            *registers.get_mut(next)? = value;
             next += 1;
         }
         registers.get(self.output as usize).copied()

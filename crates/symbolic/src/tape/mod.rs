@@ -107,16 +107,17 @@ impl Operation {
 
     /// The result of a field operation; none of a root or a circle point.
     #[inline(always)]
-    fn of_field<S: Scalar>(self, [a, b, c]: [S; 3]) -> Option<S> {
+    fn of_field<S: Scalar>(self, value: impl Fn(Register) -> S) -> Option<S> {
+        // each reads what it needs: numbers may be wide
         match self {
-            Operation::Sum(..) => Some(a + b),
-            Operation::Difference(..) => Some(a - b),
-            Operation::Product(..) | Operation::Multiple(..) => Some(a * b),
-            Operation::Quotient(..) | Operation::Part(..) => Some(a / b),
-            Operation::Negation(_) => Some(-a),
-            Operation::ProductAnd(..) => Some(a.times_and(b, c)),
-            Operation::ProductLess(..) => Some(a.times_and(b, -c)),
-            Operation::LessProduct(..) => Some((-a).times_and(b, c)),
+            Operation::Sum(a, b) => Some(value(a) + value(b)),
+            Operation::Difference(a, b) => Some(value(a) - value(b)),
+            Operation::Product(a, b) | Operation::Multiple(a, b) => Some(value(a) * value(b)),
+            Operation::Quotient(a, b) | Operation::Part(a, b) => Some(value(a) / value(b)),
+            Operation::Negation(a) => Some(-value(a)),
+            Operation::ProductAnd([a, b], c) => Some(value(a).times_and(value(b), value(c))),
+            Operation::ProductLess([a, b], c) => Some(value(a).times_and(value(b), -value(c))),
+            Operation::LessProduct([a, b], c) => Some((-value(a)).times_and(value(b), value(c))),
             Operation::Root(_) | Operation::Circle(_) => None,
         }
     }

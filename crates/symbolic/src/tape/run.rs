@@ -1,6 +1,6 @@
 //! Running a tape.
 
-use super::{Operation, Tape};
+use super::{Operation, Register, Tape};
 use crate::evaluate::constant;
 use field::{Analytic, Over};
 use std::borrow::Cow;
@@ -55,17 +55,17 @@ impl Tape {
         let Tape { inputs, constants, operations, outputs: results, .. } = self;
         let mut next = inputs + constants.len();
         for &operation in operations {
-            let operands = operation.operands().map(|operand| registers[operand as usize]);
-            let [a, ..] = operands;
-            registers[next] = match operation {
-                Operation::Root(_) => a.sqrt(),
-                Operation::Circle(_) => {
-                    let point = if self.once { a.circle_once() } else { a.circle() };
+            let value = |register: Register| registers[register as usize];
+            let result = match operation {
+                Operation::Root(a) => value(a).sqrt(),
+                Operation::Circle(a) => {
+                    let point = if self.once { value(a).circle_once() } else { value(a).circle() };
                     registers[next + 1] = point.sin;
                     point.cos
                 }
-                rational => rational.of_field(operands).unwrap_or(a),
+                rational => rational.of_field(value).unwrap_or(S::zero()),
             };
+            registers[next] = result;
             next += operation.results();
         }
         for (output, &register) in outputs.iter_mut().zip(results) {

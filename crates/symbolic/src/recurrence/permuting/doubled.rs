@@ -39,7 +39,7 @@ impl Pick<DoubleDouble> for Permuting {
 
     #[inline(always)]
     fn shuffle(self, [low, high]: [Self::Eight; 2], shuffle: &Shuffle) -> Self::Eight {
-        let (simd, shuffle) = (self.0.avx512f, pulp::cast(*shuffle));
+        let (simd, shuffle) = (self.0.avx512f, pulp::cast(shuffle.0));
         let first = simd._mm512_permutex2var_pd(low[0], shuffle, high[0]);
         [first, simd._mm512_permutex2var_pd(low[1], shuffle, high[1])]
     }

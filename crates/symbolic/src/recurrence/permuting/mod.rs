@@ -84,7 +84,7 @@ impl Pick<f64> for Permuting {
 
     #[inline(always)]
     fn shuffle(self, [low, high]: [__m512d; 2], shuffle: &Shuffle) -> __m512d {
-        self.0.avx512f._mm512_permutex2var_pd(low, pulp::cast(*shuffle), high)
+        self.0.avx512f._mm512_permutex2var_pd(low, pulp::cast(shuffle.0), high)
     }
 
     /// Read from memory it would wait until the eight are written.

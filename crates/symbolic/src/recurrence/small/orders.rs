@@ -45,7 +45,7 @@ impl<const B: usize, const G: usize> Shape<B, G> {
             let lanes: [usize; 8] = std::array::from_fn(|lane| quantity(8 * group + lane, side));
             let first = std::array::from_fn(|lane| lanes[lane] as u64 % 16);
             let then = std::array::from_fn(|lane| if lanes[lane] < 16 { lane as u64 } else { lanes[lane] as u64 - 8 });
-            [first, then]
+            [Shuffle(first), Shuffle(then)]
         };
         let mut is_solved = [0; B];
         (law.moving..law.quantities()).for_each(|quantity| is_solved[quantity / 8] |= 1 << (quantity % 8));
