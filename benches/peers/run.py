@@ -17,8 +17,9 @@ What is compared, and how:
   runs around an error, logarithmically; a tool that is better than asked at its loosest tolerance counts with that run.
 * Below what double precision rounds we go on in double-double, and heyoka in long double, in a scan of its own of each round.
 * The tools take turns at each tolerance, several rounds; figures are medians. Each clock runs inside the tool's own process.
-  Setting up (recording, compiling, tracing) is counted apart. SciPy and SUNDIALS call the compiled C through ctypes: that
-  and their own Python are in their times, as in any use of them from Python.
+  Setting up (recording, compiling, tracing) is counted apart; heyoka compiles for each tolerance, and it is that of one.
+  SciPy and SUNDIALS call the compiled C through ctypes: that and their own Python are in their times, as in any use of
+  them from Python.
 * The reduced model has two windings in the place of all damper bars: the same motion, proved. It is compared with itself,
   and ours with heyoka's full one.
 """
@@ -79,6 +80,8 @@ def compare(path, model, rounds, cpp, missing):
         setup, ask = {"dalembert": scene.ours.ask("setup")[0] / 1e9}, {}
         runs = {f"dalembert {name}": scene.ours.run(name) for name in OURS[scene.stiff]}
         runs |= optional("heyoka", missing, setup, lambda: heyoka_side.runs(scene, TOLERANCES))
+        if "heyoka" in setup:
+            setup["heyoka"] /= len(TOLERANCES) * len(heyoka_side.SETTINGS)
         if path in TABLES:
             casadi = optional("CasADi", missing, setup, lambda: casadi_side.compiled(scene))
             ask = {"our rates": (scene.ours, "rates"), "our Jacobian": (scene.ours, "jacobian"), "num-dual Jacobian": (scene.ours, "num-dual")}
@@ -95,6 +98,8 @@ def compare(path, model, rounds, cpp, missing):
         finest = FINEST[scene.stiff]
         finer = {f"dalembert {finest}": scene.ours.run(finest)}
         finer |= optional("heyoka, long double", missing, setup, lambda: heyoka_side.finer(scene, FINER))
+        if "heyoka, long double" in setup:
+            setup["heyoka, long double"] /= len(FINER)
         points, failed = measure(scene, [(runs, TOLERANCES), (finer, FINER)], rounds)
         operations = dict(zip(["our rates", "our Jacobian"], scene.ours.ask("operations"))) if ask else {}
         peak = max(scene.ours.ask("peak")[0] for _ in range(rounds)) if ask else None

@@ -18,6 +18,9 @@ SETTINGS = {
 def runs(scene, tolerances):
     import heyoka
 
+    # what it has compiled before is compiled again: it is timed
+    if hasattr(heyoka.llvm_state, "set_diskcache_enabled"):
+        heyoka.llvm_state.set_diskcache_enabled(False)
     system = traced(heyoka, scene, scene.model.rates)
     return {name: by_setting(heyoka, scene, system, tolerances, setting, float) for name, setting in SETTINGS.items()}
 

@@ -126,8 +126,15 @@ mod tests {
         let [a, b, c, d] = ["a", "b", "c", "d"].map(Sym::symbol);
         let pairs = [Operation::Sum(0, 1), Operation::Difference(2, 3), Operation::Sum(4, 5)];
         assert_eq!(record(&[a + b + c - d]).steps(), pairs);
-        let less = record(&[a - (b - (c - d))]);
-        assert_eq!(values(&less, [1.0, 20.0, 300.0, 4000.0]), [1.0 - (20.0 - (300.0 - 4000.0))]);
+        let less = record(&[a - (b - (c - d)), b - a]);
+        assert_eq!(values(&less, [1.0, 20.0, 300.0, 4000.0]), [1.0 - (20.0 - (300.0 - 4000.0)), 19.0]);
+    }
+
+    #[test]
+    fn a_sum_that_is_read_twice_is_a_term_of_its_own() {
+        let [a, b, c, d] = ["a", "b", "c", "d"].map(Sym::symbol);
+        let tape = record(&[(a + b) * c, a + b + d]);
+        assert_eq!(values(&tape, [1.0, 20.0, 300.0, 4000.0]), [21.0 * 300.0, 4021.0]);
     }
 
     #[test]
