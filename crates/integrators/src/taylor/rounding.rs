@@ -24,6 +24,9 @@ const STEPS: u32 = 32;
 const LONGER: f64 = 2.0;
 const LARGER: f64 = 10.0;
 
+/// And for as many orders in full, up to so many more or fewer: where products cancel, d doubles from one order to the next.
+const NEAR: usize = 2;
+
 /// So many orders more are in full where it is measured; where it is not, the terms of so many more are looked at.
 const MORE: usize = 4;
 const WEIGHED: usize = 8;
@@ -75,11 +78,12 @@ impl Rounding {
         largest(self.sizes.iter().skip(fine).copied())
     }
 
-    /// Whether a step of this length is like the one that was measured.
-    fn is_known(&self, reach: f64) -> bool {
+    /// Whether a step of this length, with so many orders in full, is like the one that was measured.
+    fn is_known(&self, reach: f64, in_full: usize) -> bool {
         let Measured { reach: there, fine, largest, rest } = self.measured;
         let is_within = |a: f64, b: f64, times: f64| a <= times * b && b <= times * a;
-        rest > 0 && is_within(reach, there, LONGER) && is_within(self.largest_after(fine), largest, LARGER)
+        let is_near = in_full.abs_diff(fine) <= NEAR;
+        rest > 0 && is_near && is_within(reach, there, LONGER) && is_within(self.largest_after(fine), largest, LARGER)
     }
 }
 
@@ -97,7 +101,7 @@ impl<T> Taylor<T> {
             }
             self.weigh(y, reach, fine + WEIGHED);
             let mut is_enough = self.rounding.last_beyond(ALLOWED) <= fine;
-            if is_enough && !self.rounding.is_known(reach) {
+            if is_enough && !self.rounding.is_known(reach, fine) {
                 self.measure(time, y, reach, fine);
                 is_enough = self.rounding.last_beyond(ALLOWED) <= fine;
             }
@@ -163,14 +167,15 @@ mod tests {
     fn what_is_measured_stands_for_steps_and_terms_of_its_size() {
         let mut rounding = Rounding::new(20, 1e-20);
         rounding.measured = Measured { reach: 1.0, fine: 1, largest: 1.0, rest: STEPS };
-        let mut is_known = |reach, term, rest| {
+        let mut is_known = |reach, term, in_full, rest| {
             rounding.sizes = vec![1e9, term, 0.5 * term];
             rounding.measured.rest = rest;
-            rounding.is_known(reach)
+            rounding.is_known(reach, in_full)
         };
-        assert!(is_known(1.9, 9.0, 1) && is_known(0.6, 0.2, 1));
-        assert!(!is_known(2.1, 1.0, 1) && !is_known(0.4, 1.0, 1), "steps of another length");
-        assert!(!is_known(1.0, 11.0, 1) && !is_known(1.0, 0.09, 1), "terms of another size");
-        assert!(!is_known(1.0, 1.0, 0), "steps that are long past");
+        assert!(is_known(1.9, 9.0, 1 + NEAR, 1) && is_known(0.6, 0.2, 1, 1));
+        assert!(!is_known(2.1, 1.0, 1, 1) && !is_known(0.4, 1.0, 1, 1), "steps of another length");
+        assert!(!is_known(1.0, 11.0, 1, 1) && !is_known(1.0, 0.09, 1, 1), "terms of another size");
+        assert!(!is_known(1.0, 1.0, 2 + NEAR, 1), "many more orders in full");
+        assert!(!is_known(1.0, 1.0, 1, 0), "steps that are long past");
     }
 }
