@@ -203,7 +203,8 @@ fn rounded_from_an_order_on<const W: usize>((state, rates): (Vec<Sym>, Vec<Sym>)
     full.expand(&begin, exact(0.0));
     let [mut whole, mut sum] = [(); 2].map(|()| begin.clone());
     full.sum(h, &mut whole);
-    for fine in [0, 1, 2, 5, 16, order - 1, order] {
+    // from the last on: what an earlier one has left behind would do as well
+    for fine in [order, order - 1, 16, 5, 2, 1, 0] {
         assert_eq!(rounding.expand_rounding(&begin, exact(0.0), fine), fine.max(1));
         rounding.sum(h, &mut sum);
         for k in 0..=order {

@@ -245,9 +245,8 @@ impl<'a> Builder<'a> {
         let (plan, coefficients) = Plan::new(&self);
         let Equations { state, time, parameters, .. } = *self.equations;
         let inputs: Vec<Sym> = state.iter().chain(&time).chain(parameters).copied().collect();
-        let small = Law::of(&self).map(|(law, coefficients, points)| -> Result<Reduced, Untapeable> {
-            let coefficients = Tape::record(parameters, &coefficients)?;
-            Ok(Reduced { law, coefficients, points: Tape::record(&inputs, &points)? })
+        let small = Law::of(&self).map(|(law, coefficients)| -> Result<Reduced, Untapeable> {
+            Ok(Reduced { law, coefficients: Tape::record(parameters, &coefficients)? })
         });
         Ok(Recurrence {
             plan,

@@ -53,15 +53,14 @@ impl Recurrence {
         }
         let small = self.small.as_ref().filter(|_| W == GROUP && (2..=MOST_ORDER).contains(&order));
         let small = small.and_then(|small| Some((small, S::Small::new(&small.law)?)));
-        let (way, moving, points, coefficients, count) = match small {
-            Some((small, series)) => {
-                let Reduced { law, coefficients, points } = small;
-                (Way::Small(series), law.quantities(), points, coefficients, law.coefficients)
+        let (way, moving, coefficients, count) = match small {
+            Some((Reduced { law, coefficients }, series)) => {
+                (Way::Small(series), law.quantities(), coefficients, law.coefficients)
             }
             None => {
                 let stages = Stages::new(&self.plan, order);
                 let Plan { moving, coefficients, .. } = self.plan;
-                (Way::Stages(stages), moving, &self.points, &self.coefficients, coefficients)
+                (Way::Stages(stages), moving, &self.coefficients, coefficients)
             }
         };
         let width = moving.next_multiple_of(W);
@@ -73,7 +72,7 @@ impl Recurrence {
             series: vec![S::zero(); width * (order + 1)],
             fine: order,
             width,
-            points: program(points),
+            points: program(&self.points),
             coefficients: program(coefficients),
             values: vec![S::zero(); count],
         };

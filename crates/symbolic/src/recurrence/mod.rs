@@ -67,8 +67,6 @@ struct Reduced {
     law: Law,
     /// From the parameters to its coefficients.
     coefficients: Tape,
-    /// From state, time and parameters to what moves beside them.
-    points: Tape,
 }
 
 impl Recurrence {

@@ -1,33 +1,50 @@
 //! Small right-hand sides, y' = c + L y + sum_p w_p a_p b_p with few quantities: what most scenes come to, and where an order
 //! of the series is so little work that waiting is most of it.
 
-mod expand;
-mod kernel;
+mod direct;
+mod factors;
 mod law;
-mod matrix;
-mod orders;
-mod pattern;
-mod solved;
+mod linearised;
+mod reduce;
+mod round;
+mod starts;
+mod wide_sums;
 
+pub(super) use factors::MOST_ORDER;
 pub(super) use law::Law;
-pub(super) use orders::MOST_ORDER;
 
 use super::fused::Fused;
-use expand::Expand;
+use direct::Direct;
 use field::DoubleDouble;
-use kernel::Kernel;
+use linearised::Linearised;
+
+/// A law, with the quantities in B groups of eight and the products in G.
+#[derive(Clone, Debug)]
+pub enum Kernel<S: Fused, const B: usize, const G: usize> {
+    Direct(Box<Direct<S, B, G>>),
+    Linearised(Box<Linearised<S, B, G>>),
+}
+
+impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
+    fn new(law: &Law) -> Self {
+        match law.solved[..] {
+            [] => Kernel::Direct(Box::new(Direct::new(law))),
+            _ => Kernel::Linearised(Box::new(Linearised::new(law))),
+        }
+    }
+}
 
 /// Groups of eight quantities, and of eight products.
 #[derive(Clone, Debug)]
 pub enum Small<S: Fused> {
-    OneOne(Box<Kernel<S, 1, 1>>),
-    OneTwo(Box<Kernel<S, 1, 2>>),
-    OneThree(Box<Kernel<S, 1, 3>>),
-    TwoOne(Box<Kernel<S, 2, 1>>),
-    TwoTwo(Box<Kernel<S, 2, 2>>),
-    TwoThree(Box<Kernel<S, 2, 3>>),
-    ThreeTwo(Box<Kernel<S, 3, 2>>),
-    ThreeThree(Box<Kernel<S, 3, 3>>),
+    OneOne(Kernel<S, 1, 1>),
+    OneTwo(Kernel<S, 1, 2>),
+    OneThree(Kernel<S, 1, 3>),
+    TwoOne(Kernel<S, 2, 1>),
+    TwoTwo(Kernel<S, 2, 2>),
+    TwoThree(Kernel<S, 2, 3>),
+    ThreeTwo(Kernel<S, 3, 2>),
+    ThreeThree(Kernel<S, 3, 3>),
 }
 
 /// The same for each size.
@@ -77,11 +94,17 @@ macro_rules! small_series {
             }
 
             fn set(&mut self, values: &[$field]) {
-                for_kernel!(self, kernel => kernel.set(values));
+                for_kernel!(self, kernel => match kernel {
+                    Kernel::Direct(law) => law.set(values),
+                    Kernel::Linearised(law) => law.set(values),
+                });
             }
 
             fn expand(&mut self, series: &mut [$field], fine: usize) {
-                for_kernel!(self, kernel => <$field>::run(Expand { kernel, series, fine }, 8));
+                for_kernel!(self, kernel => match kernel {
+                    Kernel::Direct(law) => <$field>::run(direct::Expand { law, series, fine }, 8),
+                    Kernel::Linearised(law) => <$field>::run(linearised::Expand { law, series, fine }, 8),
+                });
             }
         }
     };

@@ -3,24 +3,7 @@
 use super::pattern::RowSet;
 use crate::recurrence::fused::Fused;
 use crate::recurrence::pick::Pick;
-use crate::recurrence::stored::Stored;
-
-/// Eight numbers; of `f64` a line of the cache.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-pub(super) struct Wide<S: Fused>(pub S::Stored);
-
-impl<S: Fused> Wide<S> {
-    pub(super) fn zero() -> Self {
-        Wide(S::Stored::of([S::zero(); 8]))
-    }
-
-    /// self + times other
-    #[inline(always)]
-    pub(super) fn plus<P: Pick<S>>(&self, pick: P, other: &Self, times: S) -> Self {
-        Wide(pick.store(pick.plus_product(pick.load(&self.0), pick.load(&other.0), pick.all(times))))
-    }
-}
+use crate::recurrence::stored::Wide;
 
 /// Columns for C groups of eight, each over B groups of rows.
 pub(super) type Matrix<S, const B: usize, const C: usize> = [[[Wide<S>; B]; 8]; C];

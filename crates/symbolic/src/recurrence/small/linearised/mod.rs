@@ -1,39 +1,53 @@
-//! The numbers of a small right-hand side, by registers of eight.
+//! Where some quantities are solved for, quotients and roots: they are put into the rates, linearised about the point.
 
-use super::law::Law;
-use super::matrix::{Matrix, Wide};
-use super::orders::{Orders, Shape};
-use super::pattern::Pattern;
-use super::solved::Row;
+mod eliminate;
+mod expand;
+mod matrix;
+mod orders;
+mod pattern;
+mod solved;
+
+pub(super) use expand::Expand;
+
+use super::law::{Law, Sums};
+use super::starts::Starts;
 use crate::recurrence::fused::Fused;
 use crate::recurrence::pick::Pick;
-use crate::recurrence::stored::Stored;
+use crate::recurrence::stored::{Stored, Wide};
+use eliminate::Elimination;
+use matrix::Matrix;
+use orders::{Orders, Shape};
+use pattern::{Pattern, solved_by};
+use solved::Row;
 
-/// The quantities in B groups of eight, the products in G.
+/// A law, with the quantities in B groups of eight and the products in G.
 #[derive(Clone, Debug)]
-pub struct Kernel<S: Fused, const B: usize, const G: usize> {
-    pub(super) law: Law,
+pub struct Linearised<S: Fused, const B: usize, const G: usize> {
+    law: Law,
+    starts: Starts<S, B>,
     /// The coefficients of what is solved for.
-    pub(super) values: Vec<S>,
-    pub(super) shape: Shape<B, G>,
-    pub(super) constants: [Wide<S>; B],
+    values: Vec<S>,
+    shape: Shape<B, G>,
+    constants: [Wide<S>; B],
     /// The rates by the quantities, and what is solved for by itself.
-    pub(super) linear: Matrix<S, B, B>,
+    linear: Matrix<S, B, B>,
     /// The rates by the products.
-    pub(super) weights: Matrix<S, B, G>,
+    weights: Matrix<S, B, G>,
     /// For each quantity its products, with the other factor; and where the next one's begin.
     partners: Vec<(u8, u8)>,
     ends: Vec<u8>,
+    elimination: Elimination,
     /// What is solved for at that point.
-    pub(super) rows: Vec<Row<S, B, G>>,
-    pub(super) orders: Orders<S, B, G>,
+    rows: Vec<Row<S, B, G>>,
+    orders: Orders<S, B, G>,
     /// Of a finer field: the orders for which the digits of `f64` do.
-    pub(super) rounded: Option<Box<Orders<f64, B, G>>>,
+    rounded: Option<Orders<f64, B, G>>,
 }
 
-impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
-    pub(super) fn new(law: &Law) -> Box<Self> {
-        let pattern = Pattern::new(law);
+impl<S: Fused, const B: usize, const G: usize> Linearised<S, B, G> {
+    pub(super) fn new(law: &Law) -> Self {
+        let solved_by = solved_by(law);
+        let pattern = Pattern::new(law, &solved_by);
         let (mut partners, mut ends) = (Vec::new(), Vec::new());
         for quantity in 0..law.quantities() {
             for (number, &[a, b]) in law.products.iter().enumerate() {
@@ -43,8 +57,9 @@ impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
             ends.push(partners.len() as u8);
         }
         let zero = Wide::zero();
-        Box::new(Kernel {
+        Linearised {
             law: law.clone(),
+            starts: Starts::new(law),
             values: Vec::new(),
             shape: Shape::new(law, &pattern),
             constants: [zero; B],
@@ -52,24 +67,27 @@ impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
             weights: [[[zero; B]; 8]; G],
             partners,
             ends,
-            rows: vec![Row::empty(); law.solved.len()],
+            elimination: Elimination::new(law, &solved_by),
+            rows: solved_by.into_iter().map(Row::new).collect(),
             orders: Orders::new(),
-            rounded: S::FINER.then(|| Box::new(Orders::new())),
-        })
+            rounded: S::FINER.then(Orders::new),
+        }
     }
 
     pub(super) fn set(&mut self, values: &[S]) {
         let value = |number: u32| values.get(number as usize).copied().unwrap_or(S::zero());
-        for &(row, number) in &self.law.constants {
+        self.starts.set(&self.law, value);
+        let Sums { constants, linear, quadratic } = &self.law.rates;
+        for &(row, number) in constants {
             self.constants[row / 8].0.set(row % 8, value(number));
         }
-        for &(row, column, number) in &self.law.linear {
+        for &(row, column, number) in linear {
             self.linear[column / 8][column % 8][row / 8].0.set(row % 8, value(number));
         }
         for quantity in self.law.moving..self.law.quantities() {
             self.linear[quantity / 8][quantity % 8][quantity / 8].0.set(quantity % 8, S::one());
         }
-        for &(row, product, number) in &self.law.quadratic {
+        for &(row, product, number) in quadratic {
             self.weights[product / 8][product % 8][row / 8].0.set(row % 8, value(number));
         }
         self.orders.gains = self.weights;
@@ -79,7 +97,7 @@ impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
     /// The derivatives of the rates at a point by all quantities: L, and each product's weight times the one factor in the
     /// column of the other.
     #[inline(always)]
-    pub(super) fn linearise<P: Pick<S>>(&mut self, pick: P, point: &[[S; 8]; B]) {
+    fn linearise<P: Pick<S>>(&mut self, pick: P, point: &[[S; 8]; B]) {
         let (weights, point) = (self.weights.as_flattened(), point.as_flattened());
         let columns = self.orders.jacobian.as_flattened_mut().iter_mut().zip(self.linear.as_flattened());
         let mut first = 0;

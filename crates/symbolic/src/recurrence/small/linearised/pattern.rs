@@ -1,6 +1,6 @@
 //! Which rows a column can have something in, whatever the numbers are.
 
-use super::law::{Law, Solved};
+use crate::recurrence::small::law::{Law, Solved};
 
 /// A bit for each row.
 pub(super) type RowSet = u32;
@@ -14,12 +14,12 @@ pub(super) struct Pattern {
 }
 
 impl Pattern {
-    pub fn new(law: &Law) -> Self {
+    pub fn new(law: &Law, solved_by: &[(RowSet, RowSet)]) -> Self {
         let mut linear = vec![0; law.quantities()];
-        law.linear.iter().for_each(|&(row, column, _)| linear[column] |= 1 << row);
+        law.rates.linear.iter().for_each(|&(row, column, _)| linear[column] |= 1 << row);
         (law.moving..law.quantities()).for_each(|quantity| linear[quantity] |= 1 << quantity);
         let mut weights = vec![0; law.products.len()];
-        law.quadratic.iter().for_each(|&(row, product, _)| weights[product] |= 1 << row);
+        law.rates.quadratic.iter().for_each(|&(row, product, _)| weights[product] |= 1 << row);
         // a product counts in the columns of both factors, what is solved for in those of all it is solved by
         let mut columns = linear.clone();
         for (factors, rows) in law.products.iter().zip(&weights) {
@@ -27,7 +27,7 @@ impl Pattern {
         }
         let (moving, solved) = columns.split_at(law.moving);
         let (mut jacobian, mut gains) = (moving.to_vec(), weights.clone());
-        for ((quantities, products), rows) in solved_by(law).iter().zip(solved) {
+        for ((quantities, products), rows) in solved_by.iter().zip(solved) {
             members(*quantities).for_each(|quantity| jacobian[quantity] |= rows);
             members(*products).for_each(|product| gains[product] |= rows);
         }
@@ -36,7 +36,7 @@ impl Pattern {
 }
 
 /// For all that is solved for: by what of all that moves, and by which products.
-fn solved_by(law: &Law) -> Vec<(RowSet, RowSet)> {
+pub(super) fn solved_by(law: &Law) -> Vec<(RowSet, RowSet)> {
     let mut by: Vec<(RowSet, RowSet)> = Vec::new();
     for solved in &law.solved {
         let quantity = |of: usize| of.checked_sub(law.moving).map_or((1 << of, 0), |number| by[number]);
@@ -54,6 +54,7 @@ fn solved_by(law: &Law) -> Vec<(RowSet, RowSet)> {
     by
 }
 
-fn members(set: RowSet) -> impl Iterator<Item = usize> {
+/// Their numbers.
+pub(super) fn members(set: RowSet) -> impl Iterator<Item = usize> {
     (0..RowSet::BITS as usize).filter(move |member| set >> member & 1 == 1)
 }

@@ -1,0 +1,82 @@
+//! What is solved for, taken out of the rates' derivatives: its rows take its place.
+
+use super::matrix::Matrix;
+use super::pattern::RowSet;
+use super::solved::Row;
+use crate::recurrence::fused::Fused;
+use crate::recurrence::pick::Pick;
+use crate::recurrence::small::law::Law;
+use crate::recurrence::stored::Wide;
+
+/// Into which columns what is put.
+#[derive(Clone, Debug)]
+pub(super) struct Elimination {
+    /// How many columns are those of what moves.
+    moving: usize,
+    quantities: Vec<Put>,
+    products: Vec<Put>,
+}
+
+/// A column, and by number what is solved for and put into it.
+#[derive(Clone, Debug)]
+struct Put {
+    column: usize,
+    solved: Vec<usize>,
+}
+
+impl Elimination {
+    /// From what everything is solved by.
+    pub fn new(law: &Law, by: &[(RowSet, RowSet)]) -> Self {
+        let puts = |sets: Vec<RowSet>, columns: usize| {
+            let put = |column: usize| {
+                let solved = (0..sets.len()).filter(|number| sets[*number] >> column & 1 == 1).collect();
+                Put { column, solved }
+            };
+            (0..columns).map(put).filter(|put| !put.solved.is_empty()).collect()
+        };
+        Elimination {
+            moving: law.moving,
+            quantities: puts(by.iter().map(|(quantities, _)| *quantities).collect(), law.moving),
+            products: puts(by.iter().map(|(_, products)| *products).collect(), law.products.len()),
+        }
+    }
+
+    /// Of J, which has the columns of what is solved for, and of W.
+    #[inline(always)]
+    pub fn run<S: Fused, P: Pick<S>, const B: usize, const G: usize>(
+        &self,
+        pick: P,
+        rows: &[Row<S, B, G>],
+        jacobian: &mut Matrix<S, B, B>,
+        weights: &Matrix<S, B, G>,
+        gains: &mut Matrix<S, B, G>,
+    ) {
+        // its own column has a one in its own row: so the rows are put in by the way
+        let (columns, solved) = jacobian.as_flattened_mut().split_at_mut(self.moving);
+        for Put { column, solved: by } in &self.quantities {
+            let times = |number: usize| rows[number].moving[column / 8 % B][column % 8];
+            columns[*column] = plus(pick, columns[*column], by.iter().map(|&number| (times(number), &solved[number])));
+        }
+        let (gains, weights) = (gains.as_flattened_mut(), weights.as_flattened());
+        for Put { column, solved: by } in &self.products {
+            let times = |number: usize| rows[number].products[column / 8 % G][column % 8];
+            gains[*column] = plus(pick, weights[*column], by.iter().map(|&number| (times(number), &solved[number])));
+        }
+        solved[..rows.len()].fill([Wide::zero(); B]);
+    }
+}
+
+/// A column, and others so many times each.
+#[inline(always)]
+fn plus<'a, S: Fused, P: Pick<S>, const B: usize>(
+    pick: P,
+    mut column: [Wide<S>; B],
+    others: impl Iterator<Item = (S, &'a [Wide<S>; B])>,
+) -> [Wide<S>; B] {
+    for (times, other) in others {
+        for group in 0..B {
+            column[group] = column[group].plus(pick, &other[group], times);
+        }
+    }
+    column
+}
