@@ -1,6 +1,6 @@
 //! Programs that are killed, or asked to end: what stands under a name is whole, what was told is there.
 
-use crate::{program, root, run, temporary};
+use crate::{program, run, temporary};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::Duration;
@@ -80,13 +80,19 @@ fn ends_with(end: &str) -> impl Fn(&[u8]) -> bool {
     move |found| found.trim_ascii_end().ends_with(end.as_bytes())
 }
 
+/// What a program writes that is left alone: the last digits may be another processor's.
+fn undisturbed(arguments: &[&str], name: &str) -> Vec<u8> {
+    let path = temporary(name);
+    assert!(run(&[arguments, &[&path.to_string_lossy()]].concat()).status.success());
+    let written = std::fs::read(&path).expect("it was written");
+    std::fs::remove_file(&path).expect("it is there");
+    written
+}
+
 #[test]
 fn a_table_is_whole_whenever_its_run_is_killed() {
     let arguments = ["run", "scenes/bench.toml", "--samples", "50000", "--out"];
-    let path = temporary("whole.csv");
-    assert!(run(&[&arguments[..], &[&path.to_string_lossy()]].concat()).status.success());
-    let table = std::fs::read(&path).expect("it was written");
-    std::fs::remove_file(&path).expect("it is there");
+    let table = undisturbed(&arguments, "whole.csv");
     kill(&arguments, "table.csv", (4, 400.0), |found| found == table);
 }
 
@@ -95,9 +101,9 @@ fn pages_pictures_and_references_are_whole_whenever_their_program_is_killed() {
     let scene = "scenes/closed_forms/unloaded_motor.toml";
     kill(&["chart", scene, "--seconds", "1", "--out"], "page.html", (2, 400.0), ends_with("</html>"));
     kill(&["choose", scene, "--seconds", "1", "--out"], "models.svg", (4, 20.0), ends_with("</svg>"));
-    let kept = root().join("scenes/closed_forms/references/unloaded_motor.reference");
-    let kept = std::fs::read(kept).expect("it is kept");
-    kill(&["reference", scene, "--out"], "again.reference", (4, 10.0), |found| found == kept);
+    let arguments = ["reference", scene, "--out"];
+    let reference = undisturbed(&arguments, "whole.reference");
+    kill(&arguments, "again.reference", (4, 10.0), |found| found == reference);
 }
 
 /// Sends Ctrl-C as soon as the program listens to it.

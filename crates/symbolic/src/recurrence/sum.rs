@@ -27,7 +27,7 @@ impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
     #[inline(always)]
     fn run<P: Pick<S> + Pick<f64>>(self, pick: P) {
         if S::FINER || W != 8 {
-            return self.finer(pick);
+            return self.in_two_parts(pick);
         }
         let Sum { terms: Terms { series, width, states, order, .. }, h, .. } = self;
         let square = h * h;
@@ -60,10 +60,10 @@ impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
 }
 
 impl<S: Fused, const W: usize> Sum<'_, S, W> {
-    /// What is rounded is summed in `f64`, then the others; eight states at a time, whose sums keep their rests as they come. Also of
-    /// series that are not laid out by eights.
+    /// What is rounded is summed in `f64`, then the others; eight states at a time, whose sums keep their rests as they come. Where
+    /// nothing is rounded, and for any layout, the first part is empty.
     #[inline(always)]
-    fn finer<P: Pick<S> + Pick<f64>>(self, pick: P) {
+    fn in_two_parts<P: Pick<S> + Pick<f64>>(self, pick: P) {
         let Terms { series, width, states, order, fine } = self.terms;
         let (rounded, h) = (Pick::<f64>::all(pick, self.h.rounded()), Pick::<S>::all(pick, self.h));
         for (first, out) in (0..states).step_by(8).zip(self.out.chunks_mut(8)) {
