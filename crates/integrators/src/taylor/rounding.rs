@@ -24,7 +24,7 @@ const STEPS: u32 = 32;
 const LONGER: f64 = 2.0;
 const LARGER: f64 = 10.0;
 
-/// And for as many orders in full, up to so many more or fewer: where products cancel, d doubles from one order to the next.
+/// And for as many orders in full, up to so many more or fewer: where products cancel, d may double from one order to the next.
 const NEAR: usize = 2;
 
 /// So many orders more are in full where it is measured; where it is not, the terms of so many more are looked at.
