@@ -4,9 +4,10 @@ use derivations::friction::closed::climbed;
 use derivations::friction::exact::{Regimes, Unknown};
 use derivations::friction::{Rough, RoughScene};
 use derivations::regimes::critical;
+use derivations::scene::atlas::Treated;
 use derivations::scene::{AnyScene, Family, Stored, Trials, stored};
 use field::{Circle, DoubleDouble, Over, Scalar};
-use integrators::{Failure, Method};
+use integrators::{Attempt, End, Failure, Method, Record, Span, Tolerance};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -76,9 +77,10 @@ fn what_has_no_motion_has_no_reference() {
 
 #[test]
 fn a_reference_made_again_is_the_one_that_is_kept() {
-    for name in ["friction/pushed_ladder", "failures/stopping_rod", "friction/jam"] {
+    for name in ["friction/pushed_ladder", "friction/climbed_ladder", "failures/stopping_rod", "friction/jam"] {
         let (again, kept) = (open(name).exact(PATIENCE).unwrap_or_else(|why| panic!("{name}: {why}")), kept(name));
         let claimed = 10f64.powf(-kept.reference.digits) + 10f64.powf(-again.reference.digits);
+        assert!((again.reference.digits - kept.reference.digits).abs() < 1.0, "{name}: {}", again.reference.digits);
         assert_eq!(again.events.len(), kept.events.len(), "{name}");
         for (a, b) in again.events.iter().zip(&kept.events) {
             close(name, a.time, b.time, -claimed.log10());
@@ -167,4 +169,27 @@ fn every_method_is_measured_by_the_reference() {
         let fine = atlas.points().find(|(_, point)| point.tolerance == Some(1e-9)).expect("it was tried");
         assert!(fine.1.error.is_ok_and(|error| error < 1e-6), "{name}: {:?}", fine.1.error);
     }
+}
+
+/// Past its end a motion is not followed, and what there is of it is kept.
+#[test]
+fn a_run_across_events_ends_with_what_it_shows_last() {
+    let (scene, kept) = (open("friction/climbed_ladder"), kept("friction/climbed_ladder"));
+    let trials = Trials { methods: Vec::new(), ..Trials::default() };
+    let atlas = scene.judged(&trials, Some(&kept), PATIENCE).unwrap_or_else(|why| panic!("{why}"));
+    let way = &atlas.explored[0].way;
+    let Treated::Across(motion) = &way.law else { panic!("it has events") };
+    let run = |span: f64| {
+        let (span, mut seen) = (Span::new(0.0, span, &way.state).with_even_outputs(4), Record::new());
+        let attempt = Attempt::Across(&**motion, Method::DormandPrince8);
+        let outcome = attempt.run(&Tolerance::both(1e-10), &span, &mut seen);
+        (outcome, seen)
+    };
+    let (outcome, seen) = run(5.2);
+    assert_eq!(outcome.end, End::Reached);
+    assert_eq!((Some(&outcome.time), Some(&outcome.state)), (seen.times.last(), seen.states.last()));
+    let end = kept.events.last().expect("it touches down").time.hi();
+    let (outcome, _) = run(scene.plan.end);
+    assert!((outcome.time - end).abs() < 1e-6 * end);
+    assert_eq!(outcome.end, End::Stopped(Failure::OtherCourse { at: outcome.time }));
 }

@@ -56,16 +56,17 @@ impl Means {
         self.run(&Paced { law, start: from, length: to - from }, 1.0, y, &[])
     }
 
-    /// The state at a time of a law that begins at zero, and has more components than the motion: with their sizes.
+    /// The state at a time of a law that begins at zero. Its last components are not the motion's: their sizes.
     pub fn run(
         &mut self,
         system: &dyn System,
         end: f64,
         y: &[DoubleDouble],
-        more: &[f64],
+        others: &[f64],
     ) -> Result<Vec<DoubleDouble>, Failure> {
         let span = Span::new(0.0, end, y).with_deadline(self.deadline);
-        let tolerance = Tolerance::scaled(TIGHTEST, &[&self.sizes[..], more].concat());
+        let own = &self.sizes[..y.len() - others.len()];
+        let tolerance = Tolerance::scaled(TIGHTEST, &[own, others].concat());
         let outcome = integrate_in(system, self.method, &tolerance, &span, &mut ());
         self.work = self.work + outcome.work;
         outcome.failure().map_or(Ok(outcome.state), Err)

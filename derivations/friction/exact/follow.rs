@@ -36,7 +36,7 @@ pub(super) struct Follower<'a, Q, const N: usize, const C: usize, const K: usize
     pub means: Means,
 }
 
-/// Newton's iteration doubles the digits: from the twelve of a run in three steps.
+/// Newton's iteration doubles the digits: where a run knows thirteen one step comes to all that are kept, and the next finds so.
 const MOST: usize = 8;
 /// A correction so small, relative to the time, leaves nothing to correct.
 const LAST: f64 = 1e-20;
@@ -155,16 +155,15 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
     /// The end of a regime whose determinant vanishes: the instant, and the places.
     fn jam(&mut self, stretch: &Stretch<'_, Q, N, C, K>, close: f64, (from, y): At) -> Result<At, Unknown> {
         let unknown = Unknown::Blunt { time: close };
-        let oriented = |orientation| Slowed { stretch: Stretch { orientation, ..*stretch } };
-        let first = oriented(1.0).determinant(from, &y).ok_or_else(|| unknown.clone())?.approx();
-        let slowed = oriented(first.signum());
-        let mut both = [&y[..], &[from]].concat();
-        let mut length = (close - from.approx()) / first.abs();
+        let slowed = Slowed { stretch };
+        let first = slowed.determinant(from, &y).ok_or_else(|| unknown.clone())?.approx();
+        let mut both = [&y[..2 * N], &[from]].concat();
+        let mut length = (close - from.approx()) / first;
         for _ in 0..DOUBLINGS {
             both = self.means.run(&slowed, length, &both, &[close])?;
             let Some((&time, y)) = both.split_last() else { return Err(unknown) };
             let now = slowed.determinant(time, y).ok_or_else(|| unknown.clone())?.approx();
-            if now <= VANISHED * first.abs() {
+            if now / first <= VANISHED {
                 return Ok((time, y[..N].to_vec()));
             }
             length *= 2.0;
