@@ -56,9 +56,6 @@ pub(crate) trait Pick<S: Fused>: Copy {
     /// One of eight, in all places.
     fn spread(self, from: Self::Eight, number: usize) -> Self::Eight;
 
-    /// One of 64, in all places.
-    fn one_of(self, from: &[S::Stored; 8], number: usize) -> Self::Eight;
-
     /// The second where the bit is set, else the first.
     fn blend(self, bits: u8, a: Self::Eight, b: Self::Eight) -> Self::Eight;
 
@@ -115,11 +112,6 @@ impl<S: Fused, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
     #[inline(always)]
     fn spread(self, from: [S; 8], number: usize) -> [S; 8] {
         [from[number % 8]; 8]
-    }
-
-    #[inline(always)]
-    fn one_of(self, from: &[S::Stored; 8], number: usize) -> [S; 8] {
-        [from[number / 8 % 8].lane(number); 8]
     }
 
     #[inline(always)]

@@ -51,12 +51,6 @@ impl Pick<DoubleDouble> for Permuting {
     }
 
     #[inline(always)]
-    fn one_of(self, from: &[Parts; 8], number: usize) -> Self::Eight {
-        let (eight, lane) = (&from[number / 8 % 8], number % 8);
-        [pulp::cast([eight.first[lane]; 8]), pulp::cast([eight.rest[lane]; 8])]
-    }
-
-    #[inline(always)]
     fn blend(self, bits: u8, a: Self::Eight, b: Self::Eight) -> Self::Eight {
         let simd = self.0.avx512f;
         [simd._mm512_mask_blend_pd(bits, a[0], b[0]), simd._mm512_mask_blend_pd(bits, a[1], b[1])]

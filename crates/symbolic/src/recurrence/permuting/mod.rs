@@ -94,11 +94,6 @@ impl Pick<f64> for Permuting {
     }
 
     #[inline(always)]
-    fn one_of(self, from: &[[f64; 8]; 8], number: usize) -> __m512d {
-        pulp::cast([from.as_flattened()[number % 64]; 8])
-    }
-
-    #[inline(always)]
     fn blend(self, bits: u8, a: __m512d, b: __m512d) -> __m512d {
         self.0.avx512f._mm512_mask_blend_pd(bits, a, b)
     }

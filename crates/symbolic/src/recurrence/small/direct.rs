@@ -4,7 +4,7 @@
 //!
 //! with c_k = 0 but for c_0 = c. Of m_k only the two ends wait for y_k.
 
-use super::factors::{Factors, MOST_ORDER, Places, reciprocals};
+use super::factors::{CHAINS, Factors, MOST_ORDER, Places, begin, reciprocals};
 use super::law::Law;
 use super::round::rounded;
 use super::starts::Starts;
@@ -79,10 +79,11 @@ impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
         rows: &mut [[R; 8]],
     ) -> Between<P::Eight, B, G> {
         let Between { mut newest, mut start, oldest: [mut a_0, mut b_0] } = between;
+        let mut ahead = [[pick.all(S::zero()); G]; CHAINS];
         let later = rows.as_chunks_mut::<B>().0.iter_mut().skip(orders.start + 1);
         for (k, row) in orders.zip(later) {
             let [a, b] = places.pick(pick, &newest);
-            let [first, last] = self.factors.older(pick, 1, k);
+            let [first, last] = self.factors.older(pick, 1, k, &mut ahead);
             self.factors.keep(pick, k, &[a, b]);
             // at order 0 both ends are one product
             if k == 0 {
@@ -123,11 +124,11 @@ impl<S: Fused, const B: usize, const G: usize> Task<S> for Expand<'_, S, B, G> {
         let Expand { law: Direct { starts, places, orders, rounded, .. }, series, fine } = self;
         let (rows, _) = series.as_chunks_mut::<8>();
         let order = (rows.len() / B).saturating_sub(1).min(MOST_ORDER);
-        let fine = if S::FINER { fine.min(order) } else { order };
+        let fine = if S::FINER { begin(1, fine).min(order) } else { order };
         let nothing = Pick::<S>::all(pick, S::zero());
         let newest = starts.begin(pick, rows);
-        let begin = Between { newest, start: orders.rates.constants(pick), oldest: [[nothing; G]; 2] };
-        let between = orders.run(pick, places, 0..fine, begin, rows);
+        let between = Between { newest, start: orders.rates.constants(pick), oldest: [[nothing; G]; 2] };
+        let between = orders.run(pick, places, 0..fine, between, rows);
         if S::FINER
             && fine < order
             && let Some(rounded) = rounded

@@ -10,11 +10,18 @@ use crate::recurrence::stored::Wide;
 pub(in crate::recurrence) const MOST_ORDER: usize = 64;
 
 /// Sums that run side by side: none waits for the addition before.
-const CHAINS: usize = 2;
+pub(super) const CHAINS: usize = 2;
+
+pub(super) type Chains<E, const G: usize> = [[E; G]; CHAINS];
 
 /// 1/k for each order: y_(k+1) = f(y)_k / (k+1).
 pub(super) fn reciprocals<S: Fused>() -> [S; MOST_ORDER + 1] {
     std::array::from_fn(|k| if k == 0 { S::zero() } else { S::ratio(1, k as i64) })
+}
+
+/// The first of two orders that are summed at once, from this one on.
+pub(super) fn begin(i: usize, k: usize) -> usize {
+    k + (i + k + 1) % 2
 }
 
 /// Which quantities the factors of G groups of eight products are.
@@ -97,9 +104,39 @@ impl<S: Fused, const G: usize> Factors<S, G> {
     }
 
     /// a_i b_(k-1) + a_(i+1) b_(k-2) + .. + a_(k-1) b_i, in two sums of which neither waits for the other.
+    ///
+    /// A factor that is loaded for one order serves the next one too: of every second order's sum there is then all `ahead` but
+    /// its two ends. Orders come one after another, from before i on.
     #[inline(always)]
-    pub fn older<P: Pick<S>>(&self, pick: P, i: usize, k: usize) -> [[P::Eight; G]; CHAINS] {
-        let mut sums = [[pick.all(S::zero()); G]; CHAINS];
+    pub fn older<P: Pick<S>>(
+        &self,
+        pick: P,
+        i: usize,
+        k: usize,
+        ahead: &mut Chains<P::Eight, G>,
+    ) -> Chains<P::Eight, G> {
+        if begin(i, k) == k {
+            let [sums, next] = self.two(pick, i, k);
+            *ahead = next;
+            return sums;
+        }
+        let mut sums = *ahead;
+        if k > i + 1 {
+            for (sums, [left, right]) in sums.iter_mut().zip([[i, k - 1], [k - 1, i]]) {
+                for (group, sum) in sums.iter_mut().enumerate() {
+                    let (a, b) = (&self.left[left][group].0, &self.right[MOST_ORDER - right][group].0);
+                    *sum = pick.plus_product(*sum, pick.load(a), pick.load(b));
+                }
+            }
+        }
+        sums
+    }
+
+    /// The sum of this order, and of the next one's what is between its ends: a_(i+1) b_(k-1) + .. + a_(k-1) b_(i+1).
+    #[inline(always)]
+    fn two<P: Pick<S>>(&self, pick: P, i: usize, k: usize) -> [Chains<P::Eight, G>; 2] {
+        let nothing = pick.all(S::zero());
+        let (mut sums, mut next, mut before) = ([[nothing; G]; CHAINS], [[nothing; G]; CHAINS], [nothing; G]);
         let ((a, a_last), (b, _)) =
             (self.left[i.min(k)..k].as_chunks::<CHAINS>(), self.right[MOST_ORDER + 1 - k..].as_chunks::<CHAINS>());
         for (a, b) in a.iter().zip(b) {
@@ -107,6 +144,8 @@ impl<S: Fused, const G: usize> Factors<S, G> {
                 for group in 0..G {
                     let (a, b) = (pick.load(&a[chain][group].0), pick.load(&b[chain][group].0));
                     sums[chain][group] = pick.plus_product(sums[chain][group], a, b);
+                    next[chain][group] = pick.plus_product(next[chain][group], a, before[group]);
+                    before[group] = b;
                 }
             }
         }
@@ -114,9 +153,10 @@ impl<S: Fused, const G: usize> Factors<S, G> {
             for group in 0..G {
                 let (a, b) = (pick.load(&a[group].0), pick.load(&self.right[MOST_ORDER - i][group].0));
                 sums[0][group] = pick.plus_product(sums[0][group], a, b);
+                next[0][group] = pick.plus_product(next[0][group], a, before[group]);
             }
         }
-        sums
+        [sums, next]
     }
 }
 

@@ -1,26 +1,22 @@
-//! Sums of quantities and products, c + L y + W m, by columns of eight rows.
+//! Sums of quantities and products, c + L y + W m, eight rows at a time.
 //!
-//! Each group of eight rows has its own lists of columns: those with something in them. What a column is multiplied by is one
-//! number in all places of a register. Few registers of such numbers are permuted; of many the lists would be short and many, so
-//! these are written to one place and read from there. What is written is waited for, but a column more costs less.
+//! A turn takes one term of each of eight rows: what each row multiplies is a number of its own out of two registers, and to
+//! permute these is one instruction. So there are as many turns as the longest row has terms, which is fewer than the columns
+//! that the rows have between them.
 
 use super::law::Sums;
 use crate::recurrence::fused::Fused;
-use crate::recurrence::pick::Pick;
+use crate::recurrence::pick::{Pick, Shuffle};
 use crate::recurrence::stored::{Stored, Wide};
 
-/// So many groups of quantities and of products stay in registers, each with lists of its own.
-const SOURCES: usize = 5;
+/// Pairs of registers: two of quantities, two of products.
+const PAIRS: usize = 4;
 
-/// So many there is room for where they are written.
-const GROUPS: usize = 8;
-
-/// Four columns, and the numbers they are multiplied by: as many sums run side by side.
+/// A term of each row.
 #[derive(Clone, Debug)]
-#[repr(align(64))]
-struct Four<S: Fused> {
-    columns: [Wide<S>; 4],
-    by: [usize; 4],
+struct Turn<S: Fused> {
+    weights: Wide<S>,
+    of: Shuffle,
 }
 
 /// Of B groups of eight quantities and G of products.
@@ -29,48 +25,30 @@ pub(super) struct WideSums<S: Fused, const B: usize, const G: usize> {
     constants: [Wide<S>; B],
     /// By the quantity itself: all decays are one product.
     own: [Wide<S>; B],
-    lists: [[Vec<Four<S>>; SOURCES]; B],
-    /// The numbers of one order, where they do not stay in registers.
-    written: Written<S>,
+    turns: [[Vec<Turn<S>>; PAIRS]; B],
 }
 
-#[derive(Clone, Debug)]
-#[repr(align(64))]
-struct Written<S: Fused>([S::Stored; GROUPS]);
-
-/// A term off the diagonal: of a row in a group, the place of what it is multiplied by, the coefficient's number.
+/// A term off the diagonal: of a row, which of its terms of a pair, the place in the pair, the coefficient's number.
 struct Term {
     row: usize,
-    source: usize,
-    by: usize,
+    pair: usize,
+    turn: usize,
+    place: usize,
     number: u32,
 }
 
 impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
-    /// A finer field has twice as many numbers to permute.
-    const IN_REGISTERS: bool = !S::FINER && B <= 2;
-
     /// Room for the coefficients.
     pub fn new(sums: &Sums) -> Self {
-        const { assert!(B + G <= GROUPS && (B > 2 || B + G <= SOURCES)) };
-        let list = |group: usize, source: usize| -> Vec<Four<S>> {
-            let own = terms::<S, B, G>(sums).filter(|term| term.row / 8 == group && term.source == source);
-            let mut by: Vec<usize> = own.map(|term| term.by).collect();
-            by.sort_unstable();
-            by.dedup();
-            // the columns that fill up the last four are zero
-            let four = |by: &[usize]| Four {
-                columns: [Wide::zero(); 4],
-                by: std::array::from_fn(|place| by.get(place).copied().unwrap_or(by[0])),
-            };
-            by.chunks(4).map(four).collect()
-        };
-        WideSums {
-            constants: [Wide::zero(); B],
-            own: [Wide::zero(); B],
-            lists: std::array::from_fn(|group| std::array::from_fn(|source| list(group, source))),
-            written: Written([S::Stored::of([S::zero(); 8]); GROUPS]),
+        const { assert!(B <= PAIRS && G <= PAIRS) };
+        let mut turns: [[Vec<Turn<S>>; PAIRS]; B] = std::array::from_fn(|_| std::array::from_fn(|_| Vec::new()));
+        for Term { row, pair, turn, place, .. } in terms(sums) {
+            let turns = &mut turns[row / 8][pair];
+            // rows that have fewer terms take nothing of the first place
+            turns.resize(turns.len().max(turn + 1), Turn { weights: Wide::zero(), of: Shuffle([0; 8]) });
+            turns[turn].of.0[row % 8] = place as u64;
         }
+        WideSums { constants: [Wide::zero(); B], own: [Wide::zero(); B], turns }
     }
 
     /// Takes the values of the coefficients.
@@ -81,12 +59,8 @@ impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
         for &(row, _, number) in sums.linear.iter().filter(|(row, column, _)| row == column) {
             self.own[row / 8].0.set(row % 8, value(number));
         }
-        for Term { row, source, by, number } in terms::<S, B, G>(sums) {
-            let fours = self.lists[row / 8][source].iter_mut();
-            let mut places = fours.flat_map(|four| four.by.iter().zip(&mut four.columns));
-            if let Some((_, column)) = places.find(|(own, _)| **own == by) {
-                column.0.set(row % 8, value(number));
-            }
+        for Term { row, pair, turn, number, .. } in terms(sums) {
+            self.turns[row / 8][pair][turn].weights.0.set(row % 8, value(number));
         }
     }
 
@@ -103,31 +77,26 @@ impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
     /// start + L y + W m
     #[inline(always)]
     pub fn of<P: Pick<S>>(
-        &mut self,
+        &self,
         pick: P,
         start: &[P::Eight; B],
         y: &[P::Eight; B],
         m: &[P::Eight; G],
     ) -> [P::Eight; B] {
-        if !Self::IN_REGISTERS {
-            for (written, eight) in self.written.0.iter_mut().zip(y.iter().chain(m)) {
-                *written = pick.store(*eight);
-            }
-        }
         let nothing = pick.all(S::zero());
         let mut all = *start;
         for group in 0..B {
             let mut sums = [pick.product(y[group], pick.load(&self.own[group].0)), start[group], nothing, nothing];
-            if Self::IN_REGISTERS {
-                let (by_quantities, by_products) = self.lists[group].split_at(B);
-                for (list, &eight) in by_quantities.iter().zip(y) {
-                    add(pick, &mut sums, list, |by| pick.spread(eight, by));
-                }
-                for (list, &eight) in by_products.iter().zip(m) {
-                    add(pick, &mut sums, list, |by| pick.spread(eight, by));
-                }
-            } else {
-                add(pick, &mut sums, &self.lists[group][0], |by| pick.one_of(&self.written.0, by));
+            let [few, more, products, others] = &self.turns[group];
+            add(pick, &mut sums, few, [y[0], y[1 % B]]);
+            if B > 2 {
+                add(pick, &mut sums, more, [y[2 % B]; 2]);
+            }
+            if G > 0 {
+                add(pick, &mut sums, products, [m[0], m[1 % G]]);
+            }
+            if G > 2 {
+                add(pick, &mut sums, others, [m[2 % G]; 2]);
             }
             all[group] = pick.plus(pick.plus(sums[0], sums[1]), pick.plus(sums[2], sums[3]));
         }
@@ -135,21 +104,42 @@ impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
     }
 }
 
-/// Adds the columns of a list, each times its number.
+/// Adds turns: as many sums run side by side.
 #[inline(always)]
-fn add<S: Fused, P: Pick<S>>(pick: P, sums: &mut [P::Eight; 4], list: &[Four<S>], spread: impl Fn(usize) -> P::Eight) {
-    for four in list {
-        for (sum, (column, &by)) in sums.iter_mut().zip(four.columns.iter().zip(&four.by)) {
-            *sum = pick.plus_product(*sum, pick.load(&column.0), spread(by));
-        }
+fn add<S: Fused, P: Pick<S>>(pick: P, sums: &mut [P::Eight; 4], turns: &[Turn<S>], from: [P::Eight; 2]) {
+    let (fours, rest) = turns.as_chunks::<4>();
+    for four in fours {
+        sums[0] = with(pick, sums[0], &four[0], from);
+        sums[1] = with(pick, sums[1], &four[1], from);
+        sums[2] = with(pick, sums[2], &four[2], from);
+        sums[3] = with(pick, sums[3], &four[3], from);
+    }
+    // written out: as a loop it would not be unrolled, and the sums not kept in registers
+    if let Some(turn) = rest.first() {
+        sums[2] = with(pick, sums[2], turn, from);
+    }
+    if let Some(turn) = rest.get(1) {
+        sums[3] = with(pick, sums[3], turn, from);
+    }
+    if let Some(turn) = rest.get(2) {
+        sums[1] = with(pick, sums[1], turn, from);
     }
 }
 
-fn terms<S: Fused, const B: usize, const G: usize>(sums: &Sums) -> impl Iterator<Item = Term> {
-    let linear = sums.linear.iter().filter(|(row, column, _)| row != column).copied();
-    let quadratic = sums.quadratic.iter().map(|&(row, product, number)| (row, 8 * B + product, number));
-    linear.chain(quadratic).map(|(row, place, number)| {
-        let (source, by) = if WideSums::<S, B, G>::IN_REGISTERS { (place / 8, place % 8) } else { (0, place) };
-        Term { row, source, by, number }
+#[inline(always)]
+fn with<S: Fused, P: Pick<S>>(pick: P, sum: P::Eight, turn: &Turn<S>, from: [P::Eight; 2]) -> P::Eight {
+    pick.plus_product(sum, pick.load(&turn.weights.0), pick.shuffle(from, &turn.of))
+}
+
+fn terms(sums: &Sums) -> impl Iterator<Item = Term> {
+    let linear = sums.linear.iter().filter(|(row, column, _)| row != column);
+    let linear = linear.map(|&(row, quantity, number)| (row, quantity / 16, quantity % 16, number));
+    let products = sums.quadratic.iter().map(|&(row, product, number)| (row, 2 + product / 16, product % 16, number));
+    let mut before: Vec<[usize; PAIRS]> = Vec::new();
+    linear.chain(products).map(move |(row, pair, place, number)| {
+        before.resize(before.len().max(row + 1), [0; PAIRS]);
+        let turn = before[row][pair];
+        before[row][pair] += 1;
+        Term { row, pair, turn, place, number }
     })
 }

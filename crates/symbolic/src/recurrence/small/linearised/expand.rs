@@ -6,6 +6,7 @@ use super::orders::Between;
 use crate::recurrence::fused::{Fused, Task};
 use crate::recurrence::pick::Pick;
 use crate::recurrence::small::MOST_ORDER;
+use crate::recurrence::small::factors::begin;
 use crate::recurrence::stored::Stored;
 
 /// Expands the solution whose first coefficients stand at the head of the series.
@@ -24,7 +25,7 @@ impl<S: Fused, const B: usize, const G: usize> Task<S> for Expand<'_, S, B, G> {
         let order = (rows.len() / B).saturating_sub(1).min(MOST_ORDER);
         let first = law.first::<P>(pick, rows);
         let Linearised { shape, orders, rounded, .. } = law;
-        let fine = if S::FINER { fine.min(order) } else { order };
+        let fine = if S::FINER { begin(2, fine).min(order) } else { order };
         let between = orders.run(pick, shape, 0..fine, first, rows);
         if S::FINER
             && fine < order

@@ -11,7 +11,7 @@ use super::pattern::Pattern;
 use crate::recurrence::fused::Fused;
 use crate::recurrence::pick::Pick;
 use crate::recurrence::small::MOST_ORDER;
-use crate::recurrence::small::factors::{Factors, Places, reciprocals};
+use crate::recurrence::small::factors::{CHAINS, Chains, Factors, Places, reciprocals};
 use crate::recurrence::small::law::Law;
 use crate::recurrence::small::round::{round, rounded};
 use crate::recurrence::stored::{Stored, Wide};
@@ -75,8 +75,14 @@ impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
 
     /// Takes a_k and b_k, and sums a_1 b_k + .. + a_k b_1.
     #[inline(always)]
-    fn middle<P: Pick<S>>(&mut self, pick: P, k: usize, newest: [[P::Eight; G]; 2]) -> [P::Eight; G] {
-        let [mut sums, others] = self.factors.older(pick, 2, k);
+    fn middle<P: Pick<S>>(
+        &mut self,
+        pick: P,
+        k: usize,
+        newest: [[P::Eight; G]; 2],
+        ahead: &mut Chains<P::Eight, G>,
+    ) -> [P::Eight; G] {
+        let [mut sums, others] = self.factors.older(pick, 2, k, ahead);
         self.factors.keep(pick, k, &newest);
         let [a, b] = newest;
         for group in 0..G {
@@ -100,6 +106,7 @@ impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
         Between { mut sums, mut rest, mut newest }: Between<P::Eight, B>,
         rows: &mut [[R; 8]],
     ) -> Between<P::Eight, B> {
+        let mut ahead = [[pick.all(S::zero()); G]; CHAINS];
         for k in orders {
             if k > 0 {
                 // y_k = sums / k: the division need not be waited for
@@ -108,7 +115,7 @@ impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
                     sums[block] = pick.plus_product(rest[block], known[block], pick.all(self.reciprocals[k]));
                     newest[block] = pick.blend(shape.is_solved[block], newest[block], sums[block]);
                 }
-                let older = self.middle(pick, k, shape.places.pick(pick, &newest));
+                let older = self.middle(pick, k, shape.places.pick(pick, &newest), &mut ahead);
                 rest = times(pick, &self.gains, &older, &shape.gains);
             }
             for block in 0..B {
