@@ -56,7 +56,7 @@ impl Means {
         self.run(&Paced { law, start: from, length: to - from }, 1.0, y, &[])
     }
 
-    /// The state at a time of a law that begins at zero. Its last components are not the motion's: their sizes.
+    /// The state at a time of a law that begins at zero. What it has more than the motion stands last, and brings its own sizes.
     pub fn run(
         &mut self,
         system: &dyn System,
