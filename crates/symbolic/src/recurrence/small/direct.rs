@@ -4,7 +4,7 @@
 //!
 //! with c_k = 0 but for c_0 = c. Of m_k only the two ends wait for y_k.
 
-use super::factors::{CHAINS, Factors, MOST_ORDER, Places, begin, reciprocals};
+use super::factors::{CHAINS, Chains, Factors, MOST_ORDER, Places, reciprocals};
 use super::law::Law;
 use super::round::rounded;
 use super::starts::Starts;
@@ -32,13 +32,14 @@ struct Orders<S: Fused, const B: usize, const G: usize> {
     reciprocals: [S; MOST_ORDER + 1],
 }
 
-/// Between two orders: y_k, what f(y)_k begins with, and the factors of order 0: they are known while an order is summed, and
-/// count in it as soon as they are.
+/// Between two orders: y_k, what f(y)_k begins with, the factors of order 0, and what is known of the next products. While an
+/// order is summed the factors of order 0 are known, and they count in it as soon as they are.
 #[derive(Clone, Copy)]
 struct Between<E, const B: usize, const G: usize> {
     newest: [E; B],
     start: [E; B],
     oldest: [[E; G]; 2],
+    ahead: Chains<E, G>,
 }
 
 impl<S: Fused, const B: usize, const G: usize> Direct<S, B, G> {
@@ -78,8 +79,7 @@ impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
         between: Between<P::Eight, B, G>,
         rows: &mut [[R; 8]],
     ) -> Between<P::Eight, B, G> {
-        let Between { mut newest, mut start, oldest: [mut a_0, mut b_0] } = between;
-        let mut ahead = [[pick.all(S::zero()); G]; CHAINS];
+        let Between { mut newest, mut start, oldest: [mut a_0, mut b_0], mut ahead } = between;
         let later = rows.as_chunks_mut::<B>().0.iter_mut().skip(orders.start + 1);
         for (k, row) in orders.zip(later) {
             let [a, b] = places.pick(pick, &newest);
@@ -106,7 +106,7 @@ impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
                 row[group] = std::array::from_fn(|lane| R::from(stored.lane(lane)));
             }
         }
-        Between { newest, start, oldest: [a_0, b_0] }
+        Between { newest, start, oldest: [a_0, b_0], ahead }
     }
 }
 
@@ -124,10 +124,15 @@ impl<S: Fused, const B: usize, const G: usize> Task<S> for Expand<'_, S, B, G> {
         let Expand { law: Direct { starts, places, orders, rounded, .. }, series, fine } = self;
         let (rows, _) = series.as_chunks_mut::<8>();
         let order = (rows.len() / B).saturating_sub(1).min(MOST_ORDER);
-        let fine = if S::FINER { begin(1, fine).min(order) } else { order };
+        let fine = if S::FINER { fine.min(order) } else { order };
         let nothing = Pick::<S>::all(pick, S::zero());
         let newest = starts.begin(pick, rows);
-        let between = Between { newest, start: orders.rates.constants(pick), oldest: [[nothing; G]; 2] };
+        let between = Between {
+            newest,
+            start: orders.rates.constants(pick),
+            oldest: [[nothing; G]; 2],
+            ahead: [[nothing; G]; CHAINS],
+        };
         let between = orders.run(pick, places, 0..fine, between, rows);
         if S::FINER
             && fine < order
@@ -143,11 +148,12 @@ impl<S: Fused, const B: usize, const G: usize> Task<S> for Expand<'_, S, B, G> {
 impl<E: Copy, const B: usize, const G: usize> Between<E, B, G> {
     #[inline(always)]
     fn rounded<S: Fused, P: Pick<S, Eight = E> + Pick<f64>>(&self, pick: P) -> Between<<P as Pick<f64>>::Eight, B, G> {
-        let [a_0, b_0] = &self.oldest;
+        let ([a_0, b_0], [one, other]) = (&self.oldest, &self.ahead);
         Between {
             newest: rounded::<S, P, B>(pick, &self.newest),
             start: rounded::<S, P, B>(pick, &self.start),
             oldest: [rounded::<S, P, G>(pick, a_0), rounded::<S, P, G>(pick, b_0)],
+            ahead: [rounded::<S, P, G>(pick, one), rounded::<S, P, G>(pick, other)],
         }
     }
 }

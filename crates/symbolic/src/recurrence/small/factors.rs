@@ -19,11 +19,6 @@ pub(super) fn reciprocals<S: Fused>() -> [S; MOST_ORDER + 1] {
     std::array::from_fn(|k| if k == 0 { S::zero() } else { S::ratio(1, k as i64) })
 }
 
-/// The first of two orders that are summed at once, from this one on.
-pub(super) fn begin(i: usize, k: usize) -> usize {
-    k + (i + k + 1) % 2
-}
-
 /// Which quantities the factors of G groups of eight products are.
 #[derive(Clone, Debug)]
 pub(super) struct Places<const G: usize> {
@@ -115,7 +110,7 @@ impl<S: Fused, const G: usize> Factors<S, G> {
         k: usize,
         ahead: &mut Chains<P::Eight, G>,
     ) -> Chains<P::Eight, G> {
-        if begin(i, k) == k {
+        if (i + k) % 2 == 1 {
             let [sums, next] = self.two(pick, i, k);
             *ahead = next;
             return sums;

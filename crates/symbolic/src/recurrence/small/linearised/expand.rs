@@ -6,7 +6,7 @@ use super::orders::Between;
 use crate::recurrence::fused::{Fused, Task};
 use crate::recurrence::pick::Pick;
 use crate::recurrence::small::MOST_ORDER;
-use crate::recurrence::small::factors::begin;
+use crate::recurrence::small::factors::CHAINS;
 use crate::recurrence::stored::Stored;
 
 /// Expands the solution whose first coefficients stand at the head of the series.
@@ -25,7 +25,7 @@ impl<S: Fused, const B: usize, const G: usize> Task<S> for Expand<'_, S, B, G> {
         let order = (rows.len() / B).saturating_sub(1).min(MOST_ORDER);
         let first = law.first::<P>(pick, rows);
         let Linearised { shape, orders, rounded, .. } = law;
-        let fine = if S::FINER { begin(2, fine).min(order) } else { order };
+        let fine = if S::FINER { fine.min(order) } else { order };
         let between = orders.run(pick, shape, 0..fine, first, rows);
         if S::FINER
             && fine < order
@@ -41,7 +41,7 @@ impl<S: Fused, const B: usize, const G: usize> Task<S> for Expand<'_, S, B, G> {
 impl<S: Fused, const B: usize, const G: usize> Linearised<S, B, G> {
     /// f at y_0, and its derivatives there.
     #[inline(always)]
-    fn first<P: Pick<S>>(&mut self, pick: P, rows: &[[S; 8]]) -> Between<P::Eight, B> {
+    fn first<P: Pick<S>>(&mut self, pick: P, rows: &[[S; 8]]) -> Between<P::Eight, B, G> {
         let begin = self.starts.begin(pick, rows);
         let mut point = [[S::zero(); 8]; B];
         for (point, eight) in point.iter_mut().zip(begin) {
@@ -69,6 +69,6 @@ impl<S: Fused, const B: usize, const G: usize> Linearised<S, B, G> {
         for block in 0..B {
             sums[block] = pick.plus(pick.plus(quadratic[block], pick.load(&self.constants[block].0)), linear[block]);
         }
-        Between { sums, rest: nothing, newest }
+        Between { sums, rest: nothing, newest, ahead: [[pick.all(S::zero()); G]; CHAINS] }
     }
 }

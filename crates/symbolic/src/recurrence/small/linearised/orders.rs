@@ -11,7 +11,7 @@ use super::pattern::Pattern;
 use crate::recurrence::fused::Fused;
 use crate::recurrence::pick::Pick;
 use crate::recurrence::small::MOST_ORDER;
-use crate::recurrence::small::factors::{CHAINS, Chains, Factors, Places, reciprocals};
+use crate::recurrence::small::factors::{Chains, Factors, Places, reciprocals};
 use crate::recurrence::small::law::Law;
 use crate::recurrence::small::round::{round, rounded};
 use crate::recurrence::stored::{Stored, Wide};
@@ -44,12 +44,13 @@ impl<const B: usize, const G: usize> Shape<B, G> {
     }
 }
 
-/// Between two orders: f(y)_(k-1), what is known of f(y)_k without y_k, and y_k.
+/// Between two orders: f(y)_(k-1), what is known of f(y)_k without y_k, y_k, and what is known of the next products.
 #[derive(Clone, Copy)]
-pub(super) struct Between<E, const B: usize> {
+pub(super) struct Between<E, const B: usize, const G: usize> {
     pub sums: [E; B],
     pub rest: [E; B],
     pub newest: [E; B],
+    pub ahead: Chains<E, G>,
 }
 
 /// The law at the point of an expansion, and the factors so far.
@@ -103,10 +104,9 @@ impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
         pick: P,
         shape: &Shape<B, G>,
         orders: Range<usize>,
-        Between { mut sums, mut rest, mut newest }: Between<P::Eight, B>,
+        Between { mut sums, mut rest, mut newest, mut ahead }: Between<P::Eight, B, G>,
         rows: &mut [[R; 8]],
-    ) -> Between<P::Eight, B> {
-        let mut ahead = [[pick.all(S::zero()); G]; CHAINS];
+    ) -> Between<P::Eight, B, G> {
         for k in orders {
             if k > 0 {
                 // y_k = sums / k: the division need not be waited for
@@ -124,7 +124,7 @@ impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
                 rows[(k + 1) * B + block] = std::array::from_fn(|lane| R::from(stored.lane(lane)));
             }
         }
-        Between { sums, rest, newest }
+        Between { sums, rest, newest, ahead }
     }
 }
 
@@ -138,13 +138,18 @@ impl<const B: usize, const G: usize> Orders<f64, B, G> {
     }
 }
 
-impl<E: Copy, const B: usize> Between<E, B> {
+impl<E: Copy, const B: usize, const G: usize> Between<E, B, G> {
     #[inline(always)]
-    pub fn rounded<S: Fused, P: Pick<S, Eight = E> + Pick<f64>>(&self, pick: P) -> Between<<P as Pick<f64>>::Eight, B> {
+    pub fn rounded<S: Fused, P: Pick<S, Eight = E> + Pick<f64>>(
+        &self,
+        pick: P,
+    ) -> Between<<P as Pick<f64>>::Eight, B, G> {
+        let [one, other] = &self.ahead;
         Between {
             sums: rounded::<S, P, B>(pick, &self.sums),
             rest: rounded::<S, P, B>(pick, &self.rest),
             newest: rounded::<S, P, B>(pick, &self.newest),
+            ahead: [rounded::<S, P, G>(pick, one), rounded::<S, P, G>(pick, other)],
         }
     }
 }
