@@ -40,7 +40,7 @@ struct Term {
 impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
     /// Room for the coefficients.
     pub fn new(sums: &Sums) -> Self {
-        const { assert!(B <= PAIRS && G <= PAIRS) };
+        const { assert!(B <= 3 && G <= 3, "one pair of quantities and one more, and so of products") };
         let mut turns: [[Vec<Turn<S>>; PAIRS]; B] = std::array::from_fn(|_| std::array::from_fn(|_| Vec::new()));
         for Term { row, pair, turn, place, .. } in terms(sums) {
             let turns = &mut turns[row / 8][pair];
