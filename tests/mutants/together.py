@@ -61,6 +61,13 @@ def place_of(sound: str, broken: str) -> tuple[int, int]:
     return start, len(sound) - end
 
 
+def not_inlined(before: str) -> str:
+    """What stands before a body, where its function need not be inlined: within each other, bodies would multiply."""
+    head = list(re.finditer(r"\bfn\s+\w+", blanked(before)))[-1].start()
+    own = max(before.rfind(end, 0, head) for end in ("}\n", ";\n", "{\n"))
+    return before[: own + 1] + before[own + 1 : head].replace("#[inline(always)]", "#[inline]") + before[head:]
+
+
 def joined(sound: str, mutants: list[tuple[int, str]]) -> tuple[str, list[int]]:
     """The text of a file that holds as many of these as it can, each a number and the broken text, and which it holds."""
     of_body: dict[tuple[int, int], list[tuple[int, str]]] = {}
@@ -75,7 +82,7 @@ def joined(sound: str, mutants: list[tuple[int, str]]) -> tuple[str, list[int]]:
     text = sound
     for (begin, end), variants in sorted(of_body.items(), reverse=True):
         arms = "".join(f"{number} => {{{body}\n}}\n" for number, body in variants)
-        text = f"{text[:begin]}{{ match broken_here() {{\n{arms}_ => {{{sound[begin + 1 : end]}\n}}\n}} }}{text[end + 1 :]}"
+        text = f"{not_inlined(text[:begin])}{{ match broken_here() {{\n{arms}_ => {{{sound[begin + 1 : end]}\n}}\n}} }}{text[end + 1 :]}"
     held = [number for variants in of_body.values() for number, _ in variants]
     return (text + CHOICE if held else sound), held
 

@@ -20,8 +20,10 @@ const TIMES: f64 = 16.0;
 const KEPT: f64 = 0.5;
 
 /// It stands for so many steps, as long as they are no more than so much longer or shorter, their terms so much larger or smaller.
+/// Terms of high order are rounded more, for they come from more terms, and count the less the shorter a step is.
 const STEPS: u32 = 32;
 const LONGER: f64 = 2.0;
+const SHORTER: f64 = 4.0;
 const LARGER: f64 = 10.0;
 
 /// And for as many orders in full, up to so many more or fewer: where products cancel, d may double from one order to the next.
@@ -81,9 +83,9 @@ impl Rounding {
     /// Whether a step of this length, with so many orders in full, is like the one that was measured.
     fn is_known(&self, reach: f64, in_full: usize) -> bool {
         let Measured { reach: there, fine, largest, rest } = self.measured;
-        let is_within = |a: f64, b: f64, times: f64| a <= times * b && b <= times * a;
-        let is_near = in_full.abs_diff(fine) <= NEAR;
-        rest > 0 && is_near && is_within(reach, there, LONGER) && is_within(self.largest_after(fine), largest, LARGER)
+        let term = self.largest_after(fine);
+        let is_alike = there <= SHORTER * reach && reach <= LONGER * there;
+        rest > 0 && in_full.abs_diff(fine) <= NEAR && is_alike && largest <= LARGER * term && term <= LARGER * largest
     }
 }
 
@@ -102,8 +104,8 @@ impl<T> Taylor<T> {
             self.weigh(y, reach, fine + WEIGHED);
             let mut is_enough = self.rounding.last_beyond(ALLOWED) <= fine;
             if is_enough && !self.rounding.is_known(reach, fine) {
-                self.measure(time, y, reach, fine);
-                is_enough = self.rounding.last_beyond(ALLOWED) <= fine;
+                let fine = self.measure(time, y, reach, fine);
+                is_enough = self.rounding.last_beyond(1.0) <= fine;
             }
             self.rounding.fine = self.rounding.last_beyond(1.0).max(1);
             if is_enough {
@@ -129,8 +131,8 @@ impl<T> Taylor<T> {
         }));
     }
 
-    /// Finds the series with more orders in full, and what rounding made of the others before.
-    fn measure<S: Real>(&mut self, time: S, y: &[S], h: f64, fine: usize)
+    /// Finds the series with more orders in full, and what rounding made of the others before. Returns how many they are now.
+    fn measure<S: Real>(&mut self, time: S, y: &[S], h: f64, fine: usize) -> usize
     where
         T: TaylorSeries<S>,
     {
@@ -141,7 +143,7 @@ impl<T> Taylor<T> {
         let rounded = fine + 1..=*order;
         terms.clear();
         rounded.clone().for_each(|k| terms.extend(source.coefficients(k).iter().map(|c| c.approx())));
-        source.expand_rounding(time, y, *order, fine + MORE);
+        let now_fine = source.expand_rounding(time, y, *order, fine + MORE);
         let (mut power, mut wrong) = (h.powi(fine as i32), 0.0);
         for (k, before) in rounded.zip(terms.chunks(y.len().max(1))) {
             power *= h;
@@ -151,6 +153,7 @@ impl<T> Taylor<T> {
         }
         let found = TIMES * wrong / sizes[fine..].iter().sum::<f64>();
         *error = [found, KEPT * *error].into_iter().fold(LEAST, f64::max);
+        now_fine
     }
 }
 
@@ -172,8 +175,8 @@ mod tests {
             rounding.measured.rest = rest;
             rounding.is_known(reach, in_full)
         };
-        assert!(is_known(1.9, 9.0, 1 + NEAR, 1) && is_known(0.6, 0.2, 1, 1));
-        assert!(!is_known(2.1, 1.0, 1, 1) && !is_known(0.4, 1.0, 1, 1), "steps of another length");
+        assert!(is_known(1.9, 9.0, 1 + NEAR, 1) && is_known(0.3, 0.2, 1, 1));
+        assert!(!is_known(2.1, 1.0, 1, 1) && !is_known(0.2, 1.0, 1, 1), "steps of another length");
         assert!(!is_known(1.0, 11.0, 1, 1) && !is_known(1.0, 0.09, 1, 1), "terms of another size");
         assert!(!is_known(1.0, 1.0, 2 + NEAR, 1), "many more orders in full");
         assert!(!is_known(1.0, 1.0, 1, 0), "steps that are long past");

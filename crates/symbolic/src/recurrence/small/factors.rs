@@ -156,11 +156,11 @@ impl<S: Fused, const G: usize> Factors<S, G> {
 }
 
 impl<const G: usize> Factors<f64, G> {
-    /// Takes over from a finer field after so many orders.
+    /// Takes over from a finer field after so many orders; order 0 no sum asks for.
     #[inline(always)]
     pub fn take<S: Fused>(&mut self, finer: &Factors<S, G>, orders: usize) {
-        round(&mut self.left[..orders], &finer.left[..orders]);
-        let first = MOST_ORDER + 1 - orders;
-        round(&mut self.right[first..], &finer.right[first..]);
+        let (left, right) = (1..orders.max(1), MOST_ORDER + 1 - orders.max(1)..MOST_ORDER);
+        round(&mut self.left[left.clone()], &finer.left[left]);
+        round(&mut self.right[right.clone()], &finer.right[right]);
     }
 }

@@ -3,10 +3,12 @@
 
 mod direct;
 mod factors;
+mod kernel;
 mod law;
 mod linearised;
 mod reduce;
 mod round;
+mod solving;
 mod starts;
 mod wide_sums;
 
@@ -14,37 +16,20 @@ pub(super) use factors::MOST_ORDER;
 pub(super) use law::Law;
 
 use super::fused::Fused;
-use direct::Direct;
 use field::DoubleDouble;
-use linearised::Linearised;
-
-/// A law, with the quantities in B groups of eight and the products in G.
-#[derive(Clone, Debug)]
-pub enum Kernel<S: Fused, const B: usize, const G: usize> {
-    Direct(Box<Direct<S, B, G>>),
-    Linearised(Box<Linearised<S, B, G>>),
-}
-
-impl<S: Fused, const B: usize, const G: usize> Kernel<S, B, G> {
-    fn new(law: &Law) -> Self {
-        match law.solved[..] {
-            [] => Kernel::Direct(Box::new(Direct::new(law))),
-            _ => Kernel::Linearised(Box::new(Linearised::new(law))),
-        }
-    }
-}
+use kernel::{Expand, Kernel};
 
 /// Groups of eight quantities, and of eight products.
 #[derive(Clone, Debug)]
 pub enum Small<S: Fused> {
-    OneOne(Kernel<S, 1, 1>),
-    OneTwo(Kernel<S, 1, 2>),
-    OneThree(Kernel<S, 1, 3>),
-    TwoOne(Kernel<S, 2, 1>),
-    TwoTwo(Kernel<S, 2, 2>),
-    TwoThree(Kernel<S, 2, 3>),
-    ThreeTwo(Kernel<S, 3, 2>),
-    ThreeThree(Kernel<S, 3, 3>),
+    OneOne(Box<Kernel<S, 1, 1>>),
+    OneTwo(Box<Kernel<S, 1, 2>>),
+    OneThree(Box<Kernel<S, 1, 3>>),
+    TwoOne(Box<Kernel<S, 2, 1>>),
+    TwoTwo(Box<Kernel<S, 2, 2>>),
+    TwoThree(Box<Kernel<S, 2, 3>>),
+    ThreeTwo(Box<Kernel<S, 3, 2>>),
+    ThreeThree(Box<Kernel<S, 3, 3>>),
 }
 
 /// The same for each size.
@@ -82,29 +67,23 @@ macro_rules! small_series {
         impl SmallSeries<$field> for Small<$field> {
             fn new(law: &Law) -> Option<Self> {
                 Some(match (law.quantities().div_ceil(8), law.products.len().div_ceil(8)) {
-                    (0 | 1, 0 | 1) => Small::OneOne(Kernel::new(law)),
-                    (0 | 1, 2) => Small::OneTwo(Kernel::new(law)),
-                    (0 | 1, _) => Small::OneThree(Kernel::new(law)),
-                    (2, 0 | 1) => Small::TwoOne(Kernel::new(law)),
-                    (2, 2) => Small::TwoTwo(Kernel::new(law)),
-                    (2, _) => Small::TwoThree(Kernel::new(law)),
-                    (_, 0..=2) => Small::ThreeTwo(Kernel::new(law)),
-                    _ => Small::ThreeThree(Kernel::new(law)),
+                    (0 | 1, 0 | 1) => Small::OneOne(Box::new(Kernel::new(law))),
+                    (0 | 1, 2) => Small::OneTwo(Box::new(Kernel::new(law))),
+                    (0 | 1, _) => Small::OneThree(Box::new(Kernel::new(law))),
+                    (2, 0 | 1) => Small::TwoOne(Box::new(Kernel::new(law))),
+                    (2, 2) => Small::TwoTwo(Box::new(Kernel::new(law))),
+                    (2, _) => Small::TwoThree(Box::new(Kernel::new(law))),
+                    (_, 0..=2) => Small::ThreeTwo(Box::new(Kernel::new(law))),
+                    _ => Small::ThreeThree(Box::new(Kernel::new(law))),
                 })
             }
 
             fn set(&mut self, values: &[$field]) {
-                for_kernel!(self, kernel => match kernel {
-                    Kernel::Direct(law) => law.set(values),
-                    Kernel::Linearised(law) => law.set(values),
-                });
+                for_kernel!(self, kernel => kernel.set(values));
             }
 
             fn expand(&mut self, series: &mut [$field], fine: usize) {
-                for_kernel!(self, kernel => match kernel {
-                    Kernel::Direct(law) => <$field>::run(direct::Expand { law, series, fine }, 8),
-                    Kernel::Linearised(law) => <$field>::run(linearised::Expand { law, series, fine }, 8),
-                });
+                for_kernel!(self, kernel => <$field>::run(Expand { kernel, series, fine }, 8));
             }
         }
     };

@@ -1,11 +1,10 @@
 //! What is solved for, taken out of the rates' derivatives: its rows take its place.
 
 use super::matrix::Matrix;
-use super::pattern::RowSet;
-use super::solved::Row;
 use crate::recurrence::fused::Fused;
 use crate::recurrence::pick::Pick;
 use crate::recurrence::small::law::Law;
+use crate::recurrence::small::solving::{Row, Set};
 use crate::recurrence::stored::Wide;
 
 /// Into which columns what is put.
@@ -26,8 +25,8 @@ struct Put {
 
 impl Elimination {
     /// From what everything is solved by.
-    pub fn new(law: &Law, by: &[(RowSet, RowSet)]) -> Self {
-        let puts = |sets: Vec<RowSet>, columns: usize| {
+    pub fn new(law: &Law, by: &[(Set, Set)]) -> Self {
+        let puts = |sets: Vec<Set>, columns: usize| {
             let put = |column: usize| {
                 let solved = (0..sets.len()).filter(|number| sets[*number] >> column & 1 == 1).collect();
                 Put { column, solved }
@@ -43,23 +42,23 @@ impl Elimination {
 
     /// Of J, which has the columns of what is solved for, and of W.
     #[inline(always)]
-    pub fn run<S: Fused, P: Pick<S>, const B: usize, const G: usize>(
+    pub fn run<S: Fused, P: Pick<f64>, const B: usize, const G: usize>(
         &self,
         pick: P,
         rows: &[Row<S, B, G>],
-        jacobian: &mut Matrix<S, B, B>,
-        weights: &Matrix<S, B, G>,
-        gains: &mut Matrix<S, B, G>,
+        jacobian: &mut Matrix<B, B>,
+        weights: &Matrix<B, G>,
+        gains: &mut Matrix<B, G>,
     ) {
         // its own column has a one in its own row: so the rows are put in by the way
         let (columns, solved) = jacobian.as_flattened_mut().split_at_mut(self.moving);
         for Put { column, solved: by } in &self.quantities {
-            let times = |number: usize| rows[number].moving[column / 8 % B][column % 8];
+            let times = |number: usize| rows[number].of_moving(*column).rounded();
             columns[*column] = plus(pick, columns[*column], by.iter().map(|&number| (times(number), &solved[number])));
         }
         let (gains, weights) = (gains.as_flattened_mut(), weights.as_flattened());
         for Put { column, solved: by } in &self.products {
-            let times = |number: usize| rows[number].products[column / 8 % G][column % 8];
+            let times = |number: usize| rows[number].of_product(*column).rounded();
             gains[*column] = plus(pick, weights[*column], by.iter().map(|&number| (times(number), &solved[number])));
         }
         solved[..rows.len()].fill([Wide::zero(); B]);
@@ -68,11 +67,11 @@ impl Elimination {
 
 /// A column, and others so many times each.
 #[inline(always)]
-fn plus<'a, S: Fused, P: Pick<S>, const B: usize>(
+fn plus<'a, P: Pick<f64>, const B: usize>(
     pick: P,
-    mut column: [Wide<S>; B],
-    others: impl Iterator<Item = (S, &'a [Wide<S>; B])>,
-) -> [Wide<S>; B] {
+    mut column: [Wide<f64>; B],
+    others: impl Iterator<Item = (f64, &'a [Wide<f64>; B])>,
+) -> [Wide<f64>; B] {
     for (times, other) in others {
         for group in 0..B {
             column[group] = column[group].plus(pick, &other[group], times);

@@ -1,53 +1,44 @@
-//! Where some quantities are solved for, quotients and roots: they are put into the rates, linearised about the point.
+//! Where some quantities are solved for, quotients and roots: they are put into the rates, linearised about the point. Then no
+//! order waits for them.
+//!
+//! In `f64` alone. Of a finer field few orders need all digits, and the derivatives would cost more than these.
 
 mod eliminate;
-mod expand;
 mod matrix;
 mod orders;
 mod pattern;
-mod solved;
 
-pub(super) use expand::Expand;
-
+use super::factors::{Factors, Places};
 use super::law::{Law, Sums};
-use super::starts::Starts;
+use super::solving::{Solving, solved_by};
 use crate::recurrence::fused::Fused;
 use crate::recurrence::pick::Pick;
 use crate::recurrence::stored::{Stored, Wide};
 use eliminate::Elimination;
 use matrix::Matrix;
 use orders::{Orders, Shape};
-use pattern::{Pattern, solved_by};
-use solved::Row;
+use pattern::Pattern;
+use std::ops::Range;
 
 /// A law, with the quantities in B groups of eight and the products in G.
 #[derive(Clone, Debug)]
-pub struct Linearised<S: Fused, const B: usize, const G: usize> {
+pub(super) struct Linearised<const B: usize, const G: usize> {
     law: Law,
-    starts: Starts<S, B>,
-    /// The coefficients of what is solved for.
-    values: Vec<S>,
-    shape: Shape<B, G>,
-    constants: [Wide<S>; B],
+    shape: Shape<B>,
     /// The rates by the quantities, and what is solved for by itself.
-    linear: Matrix<S, B, B>,
+    linear: Matrix<B, B>,
     /// The rates by the products.
-    weights: Matrix<S, B, G>,
+    weights: Matrix<B, G>,
     /// For each quantity its products, with the other factor; and where the next one's begin.
     partners: Vec<(u8, u8)>,
     ends: Vec<u8>,
     elimination: Elimination,
-    /// What is solved for at that point.
-    rows: Vec<Row<S, B, G>>,
-    orders: Orders<S, B, G>,
-    /// Of a finer field: the orders for which the digits of `f64` do.
-    rounded: Option<Orders<f64, B, G>>,
+    orders: Orders<B, G>,
 }
 
-impl<S: Fused, const B: usize, const G: usize> Linearised<S, B, G> {
-    pub(super) fn new(law: &Law) -> Self {
+impl<const B: usize, const G: usize> Linearised<B, G> {
+    pub fn new(law: &Law) -> Self {
         let solved_by = solved_by(law);
-        let pattern = Pattern::new(law, &solved_by);
         let (mut partners, mut ends) = (Vec::new(), Vec::new());
         for quantity in 0..law.quantities() {
             for (number, &[a, b]) in law.products.iter().enumerate() {
@@ -59,50 +50,64 @@ impl<S: Fused, const B: usize, const G: usize> Linearised<S, B, G> {
         let zero = Wide::zero();
         Linearised {
             law: law.clone(),
-            starts: Starts::new(law),
-            values: Vec::new(),
-            shape: Shape::new(law, &pattern),
-            constants: [zero; B],
+            shape: Shape::new(law, &Pattern::new(law, &solved_by)),
             linear: [[[zero; B]; 8]; B],
             weights: [[[zero; B]; 8]; G],
             partners,
             ends,
             elimination: Elimination::new(law, &solved_by),
-            rows: solved_by.into_iter().map(Row::new).collect(),
             orders: Orders::new(),
-            rounded: S::FINER.then(Orders::new),
         }
     }
 
-    pub(super) fn set(&mut self, values: &[S]) {
-        let value = |number: u32| values.get(number as usize).copied().unwrap_or(S::zero());
-        self.starts.set(&self.law, value);
-        let Sums { constants, linear, quadratic } = &self.law.rates;
-        for &(row, number) in constants {
-            self.constants[row / 8].0.set(row % 8, value(number));
-        }
+    pub fn set(&mut self, value: impl Fn(u32) -> f64) {
+        let Sums { linear, quadratic, .. } = &self.law.rates;
         for &(row, column, number) in linear {
             self.linear[column / 8][column % 8][row / 8].0.set(row % 8, value(number));
         }
         for quantity in self.law.moving..self.law.quantities() {
-            self.linear[quantity / 8][quantity % 8][quantity / 8].0.set(quantity % 8, S::one());
+            self.linear[quantity / 8][quantity % 8][quantity / 8].0.set(quantity % 8, 1.0);
         }
         for &(row, product, number) in quadratic {
             self.weights[product / 8][product % 8][row / 8].0.set(row % 8, value(number));
         }
         self.orders.gains = self.weights;
-        self.values = values.to_vec();
+    }
+
+    /// Finds J and W at the point where something is solved for.
+    #[inline(always)]
+    pub fn about<S: Fused, P: Pick<f64>>(&mut self, pick: P, solving: &Solving<S, B, G>) {
+        self.linearise(pick, &solving.point().map(|eight| eight.rounded()));
+        let Linearised { elimination, weights, orders, .. } = self;
+        elimination.run(pick, solving.rows(), &mut orders.jacobian, weights, &mut orders.gains);
+    }
+
+    /// Finds y_(k+1) for these k > 0 from the last order before, y_k of what moves, and the factors before.
+    #[inline(always)]
+    pub fn run<S: Fused, P: Pick<f64>, R: From<f64>>(
+        &mut self,
+        pick: P,
+        places: &Places<G>,
+        factors: &Factors<S, G>,
+        orders: Range<usize>,
+        newest: [P::Eight; B],
+        rows: &mut [[R; 8]],
+    ) {
+        let Linearised { shape, orders: own, .. } = self;
+        own.factors.take(factors, orders.start);
+        let between = own.begin(pick, shape, orders.start, newest);
+        own.run(pick, shape, places, orders, between, rows);
     }
 
     /// The derivatives of the rates at a point by all quantities: L, and each product's weight times the one factor in the
     /// column of the other.
     #[inline(always)]
-    fn linearise<P: Pick<S>>(&mut self, pick: P, point: &[[S; 8]; B]) {
+    fn linearise<P: Pick<f64>>(&mut self, pick: P, point: &[[f64; 8]; B]) {
         let (weights, point) = (self.weights.as_flattened(), point.as_flattened());
         let columns = self.orders.jacobian.as_flattened_mut().iter_mut().zip(self.linear.as_flattened());
         let mut first = 0;
         for ((column, linear), &end) in columns.zip(&self.ends) {
-            let mut sums = [pick.all(S::zero()); B];
+            let mut sums = [pick.all(0.0); B];
             for (sum, own) in sums.iter_mut().zip(linear) {
                 *sum = pick.load(&own.0);
             }

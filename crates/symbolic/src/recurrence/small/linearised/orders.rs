@@ -1,4 +1,4 @@
-//! All orders of a small series after the first, the work of each in registers.
+//! Orders of a small series after the first, the work of each in registers.
 //!
 //! For k > 0
 //!
@@ -8,62 +8,50 @@
 
 use super::matrix::{Fours, Matrix, times};
 use super::pattern::Pattern;
-use crate::recurrence::fused::Fused;
 use crate::recurrence::pick::Pick;
 use crate::recurrence::small::MOST_ORDER;
-use crate::recurrence::small::factors::{Chains, Factors, Places, reciprocals};
+use crate::recurrence::small::factors::{CHAINS, Chains, Factors, Places, reciprocals};
 use crate::recurrence::small::law::Law;
-use crate::recurrence::small::round::{round, rounded};
-use crate::recurrence::stored::{Stored, Wide};
+use crate::recurrence::stored::Wide;
 use std::ops::Range;
 
 /// What is where, whatever the numbers are.
 #[derive(Clone, Debug)]
-pub(super) struct Shape<const B: usize, const G: usize> {
-    pub linear: Fours<B>,
-    pub weights: Fours<B>,
+pub(super) struct Shape<const B: usize> {
     jacobian: Fours<B>,
     gains: Fours<B>,
-    pub places: Places<G>,
     /// A bit for each quantity that is solved for.
     is_solved: [u8; B],
 }
 
-impl<const B: usize, const G: usize> Shape<B, G> {
+impl<const B: usize> Shape<B> {
     pub fn new(law: &Law, pattern: &Pattern) -> Self {
         let mut is_solved = [0; B];
         (law.moving..law.quantities()).for_each(|quantity| is_solved[quantity / 8] |= 1 << (quantity % 8));
-        Shape {
-            linear: Fours::new(&pattern.linear),
-            weights: Fours::new(&pattern.weights),
-            jacobian: Fours::new(&pattern.jacobian),
-            gains: Fours::new(&pattern.gains),
-            places: Places::new(law),
-            is_solved,
-        }
+        Shape { jacobian: Fours::new(&pattern.jacobian), gains: Fours::new(&pattern.gains), is_solved }
     }
 }
 
 /// Between two orders: f(y)_(k-1), what is known of f(y)_k without y_k, y_k, and what is known of the next products.
 #[derive(Clone, Copy)]
 pub(super) struct Between<E, const B: usize, const G: usize> {
-    pub sums: [E; B],
-    pub rest: [E; B],
-    pub newest: [E; B],
-    pub ahead: Chains<E, G>,
+    sums: [E; B],
+    rest: [E; B],
+    newest: [E; B],
+    ahead: Chains<E, G>,
 }
 
 /// The law at the point of an expansion, and the factors so far.
 #[derive(Clone, Debug)]
-pub(super) struct Orders<S: Fused, const B: usize, const G: usize> {
+pub(super) struct Orders<const B: usize, const G: usize> {
     /// J and W.
-    pub jacobian: Matrix<S, B, B>,
-    pub gains: Matrix<S, B, G>,
-    pub factors: Factors<S, G>,
-    reciprocals: [S; MOST_ORDER + 1],
+    pub jacobian: Matrix<B, B>,
+    pub gains: Matrix<B, G>,
+    pub factors: Factors<f64, G>,
+    reciprocals: [f64; MOST_ORDER + 1],
 }
 
-impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
+impl<const B: usize, const G: usize> Orders<B, G> {
     pub fn new() -> Self {
         let zero = Wide::zero();
         Orders {
@@ -74,9 +62,36 @@ impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
         }
     }
 
+    /// Before the order k > 0, from y_k of what moves: the factors before are known.
+    #[inline(always)]
+    pub fn begin<P: Pick<f64>>(
+        &mut self,
+        pick: P,
+        shape: &Shape<B>,
+        k: usize,
+        newest: [P::Eight; B],
+    ) -> Between<P::Eight, B, G> {
+        let (nothing, mut sums) = (pick.all(0.0), newest);
+        for sum in &mut sums {
+            *sum = pick.product(*sum, pick.all(k as f64));
+        }
+        let mut ahead = [[nothing; G]; CHAINS];
+        if k == 1 {
+            return Between { sums, rest: [nothing; B], newest, ahead };
+        }
+        let (mut a, mut b) = ([nothing; G], [nothing; G]);
+        for (group, (a, b)) in a.iter_mut().zip(&mut b).enumerate() {
+            [*a, *b] = self.factors.at(pick, k - 1, group);
+        }
+        // the order before says what is ahead of this one
+        self.factors.older(pick, 2, k - 2, &mut ahead);
+        let older = self.middle(pick, k - 1, [a, b], &mut ahead);
+        Between { sums, rest: times(pick, &self.gains, &older, &shape.gains), newest, ahead }
+    }
+
     /// Takes a_k and b_k, and sums a_1 b_k + .. + a_k b_1.
     #[inline(always)]
-    fn middle<P: Pick<S>>(
+    fn middle<P: Pick<f64>>(
         &mut self,
         pick: P,
         k: usize,
@@ -97,59 +112,30 @@ impl<S: Fused, const B: usize, const G: usize> Orders<S, B, G> {
         sums
     }
 
-    /// Finds y_(k+1) for these k, into the rows of the series.
+    /// Finds y_(k+1) for these k > 0, into the rows of the series.
     #[inline(always)]
-    pub fn run<P: Pick<S>, R: From<S>>(
+    pub fn run<P: Pick<f64>, R: From<f64>>(
         &mut self,
         pick: P,
-        shape: &Shape<B, G>,
+        shape: &Shape<B>,
+        places: &Places<G>,
         orders: Range<usize>,
         Between { mut sums, mut rest, mut newest, mut ahead }: Between<P::Eight, B, G>,
         rows: &mut [[R; 8]],
-    ) -> Between<P::Eight, B, G> {
+    ) {
         for k in orders {
-            if k > 0 {
-                // y_k = sums / k: the division need not be waited for
-                let known = times(pick, &self.jacobian, &sums, &shape.jacobian);
-                for block in 0..B {
-                    sums[block] = pick.plus_product(rest[block], known[block], pick.all(self.reciprocals[k]));
-                    newest[block] = pick.blend(shape.is_solved[block], newest[block], sums[block]);
-                }
-                let older = self.middle(pick, k, shape.places.pick(pick, &newest), &mut ahead);
-                rest = times(pick, &self.gains, &older, &shape.gains);
+            // y_k = sums / k: the division need not be waited for
+            let known = times(pick, &self.jacobian, &sums, &shape.jacobian);
+            for block in 0..B {
+                sums[block] = pick.plus_product(rest[block], known[block], pick.all(self.reciprocals[k]));
+                newest[block] = pick.blend(shape.is_solved[block], newest[block], sums[block]);
             }
+            let older = self.middle(pick, k, places.pick(pick, &newest), &mut ahead);
+            rest = times(pick, &self.gains, &older, &shape.gains);
             for block in 0..B {
                 newest[block] = pick.product(sums[block], pick.all(self.reciprocals[k + 1]));
-                let stored = pick.store(newest[block]);
-                rows[(k + 1) * B + block] = std::array::from_fn(|lane| R::from(stored.lane(lane)));
+                rows[(k + 1) * B + block] = pick.store(newest[block]).map(R::from);
             }
-        }
-        Between { sums, rest, newest, ahead }
-    }
-}
-
-impl<const B: usize, const G: usize> Orders<f64, B, G> {
-    /// Takes over from a finer field after so many orders.
-    #[inline(always)]
-    pub fn take<S: Fused>(&mut self, finer: &Orders<S, B, G>, orders: usize) {
-        round(self.jacobian.as_flattened_mut(), finer.jacobian.as_flattened());
-        round(self.gains.as_flattened_mut(), finer.gains.as_flattened());
-        self.factors.take(&finer.factors, orders);
-    }
-}
-
-impl<E: Copy, const B: usize, const G: usize> Between<E, B, G> {
-    #[inline(always)]
-    pub fn rounded<S: Fused, P: Pick<S, Eight = E> + Pick<f64>>(
-        &self,
-        pick: P,
-    ) -> Between<<P as Pick<f64>>::Eight, B, G> {
-        let [one, other] = &self.ahead;
-        Between {
-            sums: rounded::<S, P, B>(pick, &self.sums),
-            rest: rounded::<S, P, B>(pick, &self.rest),
-            newest: rounded::<S, P, B>(pick, &self.newest),
-            ahead: [rounded::<S, P, G>(pick, one), rounded::<S, P, G>(pick, other)],
         }
     }
 }
