@@ -22,6 +22,8 @@ pub struct Kind {
 
 /// What each system may keep, and its name; which of them a member keeps, its machine says.
 pub const INVARIANTS: [&str; 4] = ["vertical_length", "vertical_momentum", "jacobi", "rotor_momentum"];
+/// Their units.
+pub const INVARIANT_UNITS: [&str; 4] = ["1", "N m s", "J", "N m s"];
 
 /// The columns of a recurrence that still lie near the processor, and of the largest.
 const FEW: usize = 256;

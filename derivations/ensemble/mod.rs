@@ -4,15 +4,18 @@
 //! * [`EnsembleScene`]: a scene with a motor and a table `[ensemble]` that says what varies, from a file;
 //! * [`known`]: the numbers that may vary; [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
 //! * [`kind`]: the law written down once, with a symbol for every datum;
-//! * [`member`], [`run`]: a member's data, and all members in lanes and threads.
+//! * [`member`], [`run`]: a member's data, and all members in lanes and threads;
+//! * [`fingerprint`]: what decides a member, so that rows of different ensembles are told apart.
 
 pub mod draw;
+pub mod fingerprint;
 pub mod kind;
 pub mod known;
 pub mod member;
 pub mod run;
 pub mod vary;
 
+pub use fingerprint::Fingerprint;
 pub use member::Member;
 pub use run::{Last, Row};
 

@@ -1,7 +1,7 @@
 //! An ensemble run: lanes in every thread, results in the order of the members.
 
 use super::EnsembleScene;
-use super::kind::INVARIANTS;
+use super::kind::{INVARIANT_UNITS, INVARIANTS};
 use super::member::Member;
 use crate::scene::state::ROTOR_SPEED;
 use integrators::{Ensemble, Failure, Members};
@@ -15,7 +15,7 @@ use symbolic::Program;
 const LANES: usize = 8;
 
 /// What takes longer is given up: a million steps are more than a million oscillations.
-const MOST_STEPS: u64 = 1_000_000;
+pub(super) const MOST_STEPS: u64 = 1_000_000;
 
 /// What became of a member.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,7 +76,22 @@ impl EnsembleScene {
         });
     }
 
-    /// The columns of a row, in their order.
+    /// The columns of a row with their units, in their order; counts, reasons and the fingerprint have none.
+    pub fn headings(&self) -> Vec<String> {
+        let drawn =
+            self.varied.iter().flat_map(|varied| varied.columns().into_iter().map(|name| (name, varied.unit())));
+        let shown = self.names().into_iter().chain([ROTOR_SPEED.to_owned()]);
+        let shown = shown.map(|name| (name.clone(), self.scene.unit(&name)));
+        let kept = INVARIANTS.iter().zip(INVARIANT_UNITS).map(|(name, unit)| (format!("{name}_change"), unit));
+        let mut headings = vec!["member".to_owned()];
+        headings.extend(drawn.map(|(name, unit)| format!("{name} [{unit}]")));
+        headings.extend(["stopped", "time [s]", "steps"].map(String::from));
+        headings.extend(shown.chain(kept).map(|(name, unit)| format!("{name} [{unit}]")));
+        headings.push("fingerprint".to_owned());
+        headings
+    }
+
+    /// The names of a row's numbers, in their order.
     pub fn columns(&self) -> Vec<String> {
         let mut columns = vec!["member".to_owned()];
         columns.extend(self.varied.iter().flat_map(super::vary::Varied::columns));

@@ -5,6 +5,7 @@ use super::known::{Data, Known, Place};
 use crate::scene::Scene;
 use crate::scene::issue::Issue;
 use crate::scene::read::{At, Table};
+use std::borrow::Cow;
 use std::slice::from_mut;
 
 /// More members than anyone has waited for.
@@ -16,6 +17,7 @@ pub struct Varied {
     /// As the file names it, with its table.
     pub name: String,
     pub place: Place,
+    unit: Cow<'static, str>,
     law: Law,
 }
 
@@ -115,7 +117,7 @@ fn datum(table: &mut Table<'_>, issues: &mut Vec<Issue>, group: &str, known: &Kn
     };
     issues.extend(law.finish());
     let name = if group.is_empty() { key.to_string() } else { format!("{group}.{key}") };
-    Some(Varied { name, place, law: read? })
+    Some(Varied { name, place, unit: unit.clone(), law: read? })
 }
 
 fn ordered(law: &mut Table<'_>, from: At<Vec<f64>>, to: At<Vec<f64>>) -> Option<Law> {
@@ -134,6 +136,19 @@ impl Varied {
             1 => vec![self.name.clone()],
             6 if self.name == "carrier.inertia" => tensor.iter().map(|ij| format!("{}.{ij}", self.name)).collect(),
             count => (1..=count).map(|i| format!("{}.{i}", self.name)).collect(),
+        }
+    }
+
+    /// The unit of each component.
+    pub fn unit(&self) -> &str {
+        &self.unit
+    }
+
+    /// Its name and distribution, as a text; of listed values their number for each member alone, since an ensemble may grow.
+    pub fn distribution(&self) -> String {
+        match &self.law {
+            Law::Listed { components, .. } => format!("{} listed {components}", self.name),
+            law => format!("{} {law:?}", self.name),
         }
     }
 

@@ -66,6 +66,11 @@ impl Course {
 pub type Progress<'a> = dyn FnMut(f64) -> ControlFlow<()> + 'a;
 
 impl RoughScene {
+    /// The names of a row.
+    pub fn columns(&self) -> Vec<String> {
+        self.apply(Columns(&self.system))
+    }
+
     /// Runs. `progress` is told the fraction of a stretch that is done.
     pub fn follow(&self, plan: &Plan, progress: &mut dyn FnMut(f64)) -> Course {
         self.follow_while(plan, &mut |fraction| {
@@ -88,6 +93,37 @@ pub fn names<const K: usize>(rough: &Rough, contacts: &Names<K>) -> Vec<String> 
     let names = coordinates.iter().map(|name| (*name).to_owned()).chain(velocities);
     let names = names.chain(["angle", "angular_velocity"].map(String::from)).chain(sliding);
     names.chain(WORKS.map(String::from)).collect()
+}
+
+struct Columns<'a>(&'a Rough);
+
+impl ForRough for Columns<'_> {
+    type Output = Vec<String>;
+
+    fn apply<Q, const N: usize, const C: usize, const K: usize>(
+        self,
+        _: &Q,
+        _: State<f64, N>,
+        contacts: Names<K>,
+    ) -> Vec<String>
+    where
+        Q: Contacts<N, C, K, Given = f64> + Copy + Send + Sync + 'static,
+    {
+        names(self.0, &contacts)
+    }
+}
+
+/// The unit of a column by its name.
+pub fn unit(name: &str) -> &'static str {
+    match name {
+        "cos" | "sin" => "1",
+        "dcos" | "dsin" => "1/s",
+        "angle" => "rad",
+        "angular_velocity" => "rad/s",
+        _ if WORKS.contains(&name) => "J",
+        _ if name.starts_with(['d', 's']) => "m/s",
+        _ => "m",
+    }
 }
 
 /// Columns that are no state of the system.

@@ -11,6 +11,7 @@ use crate::scene::read::Table;
 use crate::scene::smooth::{Parameter, Smooth, Told};
 use crate::scene::{Axes, Choice, Issue, Run, Trajectory, run};
 use integrators::Reference;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A scene whose data are all admissible.
@@ -86,6 +87,10 @@ impl Smooth for MechanismScene {
 
     fn column(&self, name: &str) -> Option<&'static Quantity> {
         self.mechanism.columns().into_iter().find(|quantity| quantity.name == name)
+    }
+
+    fn unit(&self, name: &str) -> Cow<'static, str> {
+        self.column(name).map_or_else(|| "1".into(), |quantity| quantity.unit.clone())
     }
 
     fn told(&self, choice: &Choice, trajectory: &Trajectory) -> Told {

@@ -31,6 +31,9 @@ pub trait Smooth: Send + Sync {
         None
     }
 
+    /// The unit of a column of a run.
+    fn unit(&self, name: &str) -> Cow<'static, str>;
+
     /// What is known beside a run.
     fn told(&self, _choice: &Choice, _trajectory: &Trajectory) -> Told {
         Told::default()
@@ -100,6 +103,10 @@ impl Smooth for Scene {
 
     fn metered(&self, axes: Axes) -> Problem {
         Scene::metered(self, axes)
+    }
+
+    fn unit(&self, name: &str) -> Cow<'static, str> {
+        Scene::unit(self, name).into()
     }
 
     fn told(&self, choice: &Choice, trajectory: &Trajectory) -> Told {

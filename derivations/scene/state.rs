@@ -62,6 +62,13 @@ impl Scene {
         names(self.on_bench(), &self.machine)
     }
 
+    /// The unit of a column of a run, by its name: a winding's current may have any.
+    pub fn unit(&self, name: &str) -> &'static str {
+        let own = self.machine.clone().apply(MachineNames);
+        let currents = own.len() - windings(&self.machine);
+        if own[currents..].iter().any(|current| current == name) { "A" } else { unit(name) }
+    }
+
     /// Whether there is no carrier.
     pub fn on_bench(&self) -> bool {
         matches!(self.system, System::Bench { .. })
@@ -127,11 +134,11 @@ pub fn outputs(on_bench: bool, machine: &AnyMachine) -> Vec<String> {
 
 /// The unit of a state or of the rotor's speed, by its name.
 pub fn unit(name: &str) -> &'static str {
-    match name.as_bytes() {
-        b"work" => "J",
-        [b'v', ..] => "1",
-        [b'w', ..] | b"slip" | b"rotor_speed" => "rad/s",
-        b"angle" => "rad",
+    match name {
+        "work" => "J",
+        "v1" | "v2" | "v3" => "1",
+        "w1" | "w2" | "w3" | "slip" | ROTOR_SPEED => "rad/s",
+        "angle" => "rad",
         _ => "A",
     }
 }

@@ -10,7 +10,7 @@ pub struct Report {
     pub title: String,
     /// One paragraph of text: what was examined and what came out.
     pub summary: String,
-    /// What made the page, for the last line: program and version.
+    /// What made the page, for the last line and the generator that the head names: program and version.
     pub generated_by: String,
     pub papers: Vec<PaperSection>,
     pub scenes: Vec<SceneSection>,

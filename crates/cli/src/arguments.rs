@@ -17,7 +17,11 @@ use std::str::FromStr;
 /// is written that needs nothing else to be read.
 ///
 /// Exit codes: 0 all is well; 1 a run stopped before its end; 2 the input is not acceptable; 130 Ctrl-C ended it: `run`
-/// and `ensemble` then keep what there is, a second Ctrl-C ends them at once. A file is whole under its name or is not there.
+/// and `ensemble` then keep what there is, a second Ctrl-C ends them at once.
+///
+/// A file is whole under its name or is not there. The end of its name says the form: .csv, .svg, .html or .reference. Folders that
+/// are missing are made. A file that stands there is replaced only if the command wrote it, or with --force; a file that the command
+/// reads is never replaced.
 #[derive(Debug, Parser)]
 #[command(name = "dalembert", version, args_conflicts_with_subcommands = true)]
 pub struct Arguments {

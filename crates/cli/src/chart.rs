@@ -2,20 +2,21 @@
 
 use crate::arguments::{Format, whole};
 use crate::csv;
-use crate::ending::{Ending, can_save, print, save};
+use crate::ending::{Ending, print};
+use crate::output::{Form, Output, Writes};
 use crate::report;
-use crate::run::{refuse, with_model};
+use crate::run::{one_form, refuse, with_model};
 use crate::speed::{advice::advice, family, model, pictures, tables};
 use charts::{Table, WorkPrecision};
 use clap::{Args, ValueEnum};
 use derivations::friction::RoughScene;
 use derivations::ladder::Ladder;
 use derivations::scene::atlas::{Formulation, Way};
-use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, System, Trajectory, Trials, judged};
+use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, System, Trajectory, Trials, judged, stored};
 use integrators::{Failure, Point};
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -28,12 +29,15 @@ pub struct Asked {
     /// Draws the chart: one picture as .svg, or a page with both as .html; or writes every run as a table, .csv
     #[arg(long, value_name = "FILE.svg|FILE.html|FILE.csv")]
     pub out: Option<PathBuf>,
+    /// Replaces the file of --out even where `chart` did not write what stands there
+    #[arg(long, requires = "out")]
+    pub force: bool,
     /// How to print the results: text is for reading, JSON has one object for every run
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
-    /// What the work of a picture is counted in
-    #[arg(long, value_enum, default_value_t)]
-    pub x: Axis,
+    /// What the work of a picture is counted in; without it in evaluations
+    #[arg(long, value_enum, requires = "out")]
+    pub x: Option<Axis>,
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
@@ -45,10 +49,9 @@ pub struct Asked {
     pub seconds: u32,
 }
 
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Axis {
     /// An integer, the same on every computer
-    #[default]
     Evaluations,
     /// A ratio to the fastest run
     Time,
@@ -70,7 +73,10 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     if matches!(scene, AnyScene::Mechanism(_)) {
         refuse("a mechanism", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
     }
-    asked.out.as_deref().map_or(Ok(()), can_save)?;
+    if let AnyScene::Driven(scene) = &scene {
+        one_form(scene, asked.form.is_some(), &asked.scene)?;
+    }
+    let output = output(asked)?;
     let allowed = Duration::from_secs(asked.seconds.into());
     let trials = Trials { allowed, ..Trials::default() }.with(smooth.run().method);
     let problem = smooth.problem(asked.form.unwrap_or_default());
@@ -88,7 +94,7 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     match judged(smooth, &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, allowed / 2);
-            told(smooth.title(), &atlas, asked, |work| report::of_scene(smooth, &atlas, work))
+            told(smooth.title(), &atlas, asked, output, |work| report::of_scene(smooth, &atlas, work))
         }
         Err(failure) => no_reference(smooth, &run, &failure.to_string()),
     }
@@ -97,13 +103,13 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
 /// The same of a scene with rough contacts, each of whose methods finds its events itself.
 fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     refuse("a system with rough contacts", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
-    asked.out.as_deref().map_or(Ok(()), can_save)?;
+    let output = output(asked)?;
     let allowed = Duration::from_secs(asked.seconds.into());
     let trials = Trials { allowed, ..Trials::default() }.with(scene.plan.method);
     match scene.judged(&trials, Stored::beside(&asked.scene).as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, allowed / 2);
-            told(&scene.title, &atlas, asked, |work| report::of_rough(scene, &atlas, work))
+            told(&scene.title, &atlas, asked, output, |work| report::of_rough(scene, &atlas, work))
         }
         Err(unknown) => {
             print(&format!("{}\n\nno reference: {unknown}\n", scene.title))?;
@@ -117,14 +123,16 @@ fn told(
     title: &str,
     atlas: &Atlas,
     asked: &Asked,
+    output: Option<Output>,
     page: impl FnOnce(Vec<WorkPrecision>) -> String,
 ) -> Result<Ending, Ending> {
     print(&match asked.format {
         Format::Text => text(title, atlas),
         Format::Json => format!("{:#}\n", object(title, atlas)),
     })?;
-    if let Some(path) = &asked.out {
-        drawn(title, atlas, asked, path, page)?;
+    if let Some(output) = output {
+        let drawn = drawn(title, atlas, asked, output.form(), page);
+        output.write_text(&drawn)?.tell(asked.format)?;
     }
     Ok(Ending::Done)
 }
@@ -159,49 +167,66 @@ fn written_in(way: &Way, form: Axes) -> bool {
     }
 }
 
-/// A page or a table of all runs where the file's name asks for one, else one picture.
+/// The columns of a table of runs.
+const COLUMNS: [&str; 8] =
+    ["formulation", "model", "method", "tolerance [1]", "evaluations", "time [s]", "error [1]", "failure"];
+
+/// Where the chart goes, before the work.
+fn output(asked: &Asked) -> Result<Option<Output>, Ending> {
+    let kept = stored::place(&asked.scene);
+    let writes = Writes { command: "chart", force: asked.force, reads: vec![&asked.scene, &kept] };
+    let output =
+        writes.optional(asked.out.as_deref(), &[Form::Picture, Form::Page, Form::Table(csv::line(&COLUMNS))])?;
+    match &output {
+        Some(output) if asked.x.is_some() && *output.form() != Form::Picture => Err(Ending::refused(format!(
+            "--x does not apply to a {}: it says what the work of one picture is counted in, and is accepted with a name that \
+             ends in .svg",
+            output.form().said()
+        ))),
+        _ => Ok(output),
+    }
+}
+
+/// A page, a table of all runs, or one picture.
 fn drawn(
     title: &str,
     atlas: &Atlas,
     asked: &Asked,
-    path: &Path,
+    form: &Form,
     page: impl FnOnce(Vec<WorkPrecision>) -> String,
-) -> Result<(), Ending> {
+) -> String {
     let [counted, timed] = pictures::work_precision(atlas);
-    match path.extension().and_then(|extension| extension.to_str()) {
-        Some("html" | "htm") => save(path, &page(vec![counted, timed])),
-        Some("csv") => save(path, &runs(atlas)),
-        _ => {
+    match form {
+        Form::Page => page(vec![counted, timed]),
+        Form::Table(_) => runs(atlas),
+        Form::Picture | Form::Reference => {
             let mut chart = match asked.x {
-                Axis::Evaluations => counted,
-                Axis::Time => timed,
+                None | Some(Axis::Evaluations) => counted,
+                Some(Axis::Time) => timed,
             };
             chart.title = title.to_owned();
-            save(path, &chart.svg())
+            chart.svg()
         }
     }
 }
 
 /// Every run, a row each.
 fn runs(atlas: &Atlas) -> String {
-    let mut text = "formulation,model,method,tolerance,evaluations,seconds,error,failure\n".to_owned();
-    for (way, point) in atlas.points() {
-        let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:e}"));
-        let failure = point.error.as_ref().err().map_or("", Failure::name);
-        let cells = [
+    let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:e}"));
+    let row = |(way, point): (&Way, &Point)| {
+        csv::line(&[
             way.formulation.to_string(),
             way.model.to_owned(),
             point.means.to_string(),
             number(point.tolerance),
             point.evaluations.to_string(),
             number(point.time.map(|time| time.seconds)),
-            number(point.error.ok()),
-            failure.to_owned(),
-        ];
-        text += &cells.map(|cell| csv::quoted(&cell)).join(",");
-        text.push('\n');
-    }
-    text
+            number(point.error.as_ref().ok().copied()),
+            point.error.as_ref().err().map_or("", Failure::name).to_owned(),
+        ])
+    };
+    let rows = std::iter::once(csv::line(&COLUMNS)).chain(atlas.points().map(row));
+    rows.map(|row| row + "\n").collect()
 }
 
 /// The reference, and every run.

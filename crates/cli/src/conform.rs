@@ -33,6 +33,12 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         };
         (format!("{}: {}", scene.machine.name(), scene.title), conform(&scene.machine, &scene.machine_data))
     } else {
+        if asked.model.is_some() {
+            return Err(Ending::refused(format!(
+                "--model does not apply to `{}`, which is a machine by its name; it is accepted with a scene",
+                asked.motor
+            )));
+        }
         let unknown = || Ending::refused(NoModel::Unknown { name: asked.motor.clone() });
         let (machine, data) = sample(&asked.motor).ok_or_else(unknown)?;
         let listed = AnyMachine::LIST.iter().find(|(name, _)| *name == machine.name());

@@ -1,50 +1,119 @@
-//! A trajectory as a table: names, then a row for each instant, every number with all its digits.
+//! Tables: names of columns with their units, then rows, every number with all its digits.
 
 use crate::ending::Ending;
-use crate::whole;
+use crate::output::{Form, Output, Writes, Written};
+use csv::{ByteRecord, Terminator, Writer, WriterBuilder};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Where a table goes, if one is asked for.
-pub struct Table<'a>(Option<&'a Path>);
+/// A trajectory that will be written, or none.
+pub struct Table {
+    output: Option<Output>,
+    heading: Vec<String>,
+}
 
-impl<'a> Table<'a> {
-    /// Before the work, so that a wrong name does not cost it.
-    pub fn at(path: Option<&'a Path>) -> Result<Self, Ending> {
-        path.map_or(Ok(()), whole::check)?;
-        Ok(Table(path))
+impl Table {
+    /// Before the work, so that a wrong name does not cost it: names with their units, time first.
+    pub fn at(writes: &Writes<'_>, path: Option<&Path>, columns: &[String]) -> Result<Self, Ending> {
+        let heading: Vec<String> = std::iter::once(headed("time", "s")).chain(columns.iter().cloned()).collect();
+        let output = writes.optional(path, &[Form::Table(line(&heading))])?;
+        Ok(Table { output, heading })
+    }
+
+    /// Where it goes.
+    pub fn output(&self) -> Option<&Output> {
+        self.output.as_ref()
     }
 
     /// Writes it; of a run that stopped, what there is.
-    pub fn write(self, names: &[String], times: &[f64], rows: &[Vec<f64>]) -> Result<(), Ending> {
-        self.0.map_or(Ok(()), |path| whole::write(path, |out| write(names, times, rows, out)))
-    }
-
-    /// Writes how each named quantity at the end depends on each at the start.
-    pub fn write_matrix(self, names: &[String], rows: &[Vec<f64>]) -> Result<(), Ending> {
-        let Some(path) = self.0 else { return Ok(()) };
-        let line = |(name, row): (&String, &Vec<f64>)| {
-            let values: Vec<String> = row.iter().map(f64::to_string).collect();
-            format!("{name},{}\n", values.join(","))
+    pub fn write(self, times: &[f64], rows: &[Vec<f64>]) -> Result<Option<Written>, Ending> {
+        let Table { output, heading } = self;
+        let content = |out: &mut dyn Write| {
+            let mut table = table(out);
+            table.write_record(&heading)?;
+            let mut record = ByteRecord::new();
+            for (time, row) in times.iter().zip(rows) {
+                record.clear();
+                std::iter::once(time).chain(row).for_each(|value| record.push_field(value.to_string().as_bytes()));
+                table.write_byte_record(&record)?;
+            }
+            table.flush()
         };
-        let table: String = names.iter().zip(rows).map(line).collect();
-        whole::write(path, |out| write!(out, "end by start,{}\n{table}", names.join(",")))
+        output.map(|output| output.write(content)).transpose()
     }
 }
 
-fn write(names: &[String], times: &[f64], rows: &[Vec<f64>], out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "time,{}", names.join(","))?;
-    for (time, row) in times.iter().zip(rows) {
-        write!(out, "{time}")?;
-        for value in row {
-            write!(out, ",{value}")?;
-        }
-        writeln!(out)?;
-    }
-    Ok(())
+/// A square table of how each quantity at the end depends on each at the start, or none.
+pub struct Matrix {
+    output: Option<Output>,
+    columns: Vec<String>,
 }
 
-/// A cell, in quotation marks where it holds a comma.
-pub fn quoted(cell: &str) -> String {
-    if cell.contains(',') { format!("\"{cell}\"") } else { cell.to_owned() }
+impl Matrix {
+    /// Before the work: names with their units.
+    pub fn at(writes: &Writes<'_>, path: Option<&Path>, columns: &[String]) -> Result<Self, Ending> {
+        let output = writes.optional(path, &[Form::Table(line(&heading(columns)))])?;
+        Ok(Matrix { output, columns: columns.to_vec() })
+    }
+
+    /// Where it goes.
+    pub fn output(&self) -> Option<&Output> {
+        self.output.as_ref()
+    }
+
+    /// Writes it, a row for each quantity at the end; the unit of an entry is that of its row over that of its column.
+    pub fn write(self, rows: &[Vec<f64>]) -> Result<Option<Written>, Ending> {
+        let Matrix { output, columns } = self;
+        let content = |out: &mut dyn Write| {
+            let mut table = table(out);
+            table.write_record(heading(&columns))?;
+            for (name, row) in columns.iter().zip(rows) {
+                table.write_record(std::iter::once(name.clone()).chain(row.iter().map(f64::to_string)))?;
+            }
+            table.flush()
+        };
+        output.map(|output| output.write(content)).transpose()
+    }
+}
+
+fn heading(columns: &[String]) -> Vec<String> {
+    std::iter::once("end by start".to_owned()).chain(columns.iter().cloned()).collect()
+}
+
+/// The name of a column with its unit.
+pub fn headed(name: &str, unit: &str) -> String {
+    format!("{name} [{unit}]")
+}
+
+/// A line of a table without its end.
+pub fn line<C: AsRef<[u8]>>(cells: &[C]) -> String {
+    let mut table = builder().buffer_capacity(1 << 9).from_writer(Vec::new());
+    // writing to memory cannot fail
+    let _ = table.write_record(cells);
+    let bytes = table.into_inner().unwrap_or_default();
+    String::from_utf8_lossy(&bytes).trim_end_matches('\n').to_owned()
+}
+
+fn table<W: io::Write>(out: W) -> Writer<W> {
+    builder().from_writer(out)
+}
+
+fn builder() -> WriterBuilder {
+    let mut builder = WriterBuilder::new();
+    builder.terminator(Terminator::Any(b'\n'));
+    builder
+}
+
+#[cfg(test)]
+mod tests {
+    use super::line;
+
+    #[test]
+    fn cells_with_commas_quotes_and_line_ends_come_back() {
+        let cells = ["plain", "a, b", "he said \"no\"", "two\nlines", ""];
+        let text = line(&cells) + "\n";
+        let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
+        let record = reader.records().next().expect("a row").expect("it can be read");
+        assert_eq!(record.iter().collect::<Vec<_>>(), cells);
+    }
 }

@@ -1,6 +1,7 @@
 //! `dalembert derive`: equations of motion by a chosen principle, or a scene's right-hand side, in many notations.
 
 use crate::ending::{Ending, print};
+use crate::run::one_form;
 use clap::{Args, ValueEnum};
 use derivations::derive::{Equation, Principle, derive as equations_of, motor_of};
 use derivations::scene::{Axes, Family, Scene};
@@ -19,9 +20,9 @@ pub struct Asked {
     /// How to print the equations; of a scene text, LaTeX and MathML have its motor, the others its rates and Jacobian
     #[arg(long, value_enum)]
     pub format: Option<Equations>,
-    /// For a scene: the equations in the axes of A (first) or of A* (second)
-    #[arg(long, default_value_t)]
-    pub form: Axes,
+    /// For a scene's code: the equations in the axes of A (first) or of A* (second); without it the first
+    #[arg(long)]
+    pub form: Option<Axes>,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -58,6 +59,7 @@ pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
     let text = match asked.system.ends_with(".toml") {
         true => of_scene(asked)?,
         false => {
+            refuse_form(asked, "equations are in the axes of no form")?;
             let equations =
                 equations_of(&asked.system, asked.principle.map(Principle::from)).map_err(Ending::refused)?;
             written(&equations, asked.format.unwrap_or(Equations::Text))?
@@ -65,6 +67,17 @@ pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
     };
     print(&text)?;
     Ok(Ending::Done)
+}
+
+/// Forms are of a scene's code alone.
+fn refuse_form(asked: &Asked, why: &str) -> Result<(), Ending> {
+    match asked.form {
+        None => Ok(()),
+        Some(_) => Err(Ending::refused(format!(
+            "--form does not apply to `derive {}` in this format: {why}; it is accepted for the code of a scene",
+            asked.system
+        ))),
+    }
 }
 
 /// Equations in a notation.
@@ -143,6 +156,12 @@ fn of_scene(asked: &Asked) -> Result<String, Ending> {
         Equations::Sympy => sympy,
         Equations::Rust => RUST,
         Equations::Text | Equations::Latex | Equations::Mathml => {
+            refuse_form(asked, "the motor's moment and currents are the same in every form")?;
+            if asked.principle.is_some() {
+                return Err(Ending::refused(
+                    "--principle does not apply to the motor of a scene, which follows Maxwell; leave it out",
+                ));
+            }
             let scene = Scene::open(Path::new(&asked.system))?;
             let motor = motor_of(&scene.machine, &scene.machine_data).map_err(Ending::refused)?;
             return written(&motor, format);
@@ -152,14 +171,16 @@ fn of_scene(asked: &Asked) -> Result<String, Ending> {
         return Err(Ending::refused("a scene's code is of the form that runs; `--form first` or `second` is accepted"));
     }
     let scene = Scene::open(Path::new(&asked.system))?;
-    let (rates, jacobian) = (scene.tape(asked.form), scene.jacobian_tape(asked.form));
+    one_form(&scene, asked.form.is_some(), Path::new(&asked.system))?;
+    let form = asked.form.unwrap_or_default();
+    let (rates, jacobian) = (scene.tape(form), scene.jacobian_tape(form));
     let (rates, jacobian) = (rates.map_err(Ending::refused)?, jacobian.map_err(Ending::refused)?);
-    let start: Vec<String> = scene.state(asked.form).iter().map(|y| format!("{y:?}")).collect();
+    let start: Vec<String> = scene.state(form).iter().map(|y| format!("{y:?}")).collect();
     let mut text = format!(
         "{comment} The states y: {}; in the axes of the {} form.\n{comment} At the start: {}\n{comment} `rates` is dy/dt, \
          `jacobian` its derivatives by y, row after row.\n{needs}{}\n{}",
         scene.names().join(", "),
-        asked.form,
+        form,
         start.join(", "),
         rates.source(language, "rates"),
         jacobian.source(language, "jacobian"),

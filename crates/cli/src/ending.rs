@@ -6,7 +6,6 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-use crate::whole;
 use derivations::scene::SceneError;
 
 /// Whether nothing but results and errors is wanted: said once, when the program begins.
@@ -33,6 +32,8 @@ pub enum Ending {
     Interrupted,
     /// The input is not acceptable.
     Refused(String),
+    /// The command line is not acceptable; the reason has been printed.
+    Wrong,
 }
 
 impl Ending {
@@ -43,17 +44,26 @@ impl Ending {
 
     /// A file that cannot be written.
     pub fn unwritable(path: &Path, error: &io::Error) -> Self {
-        let reason = match error.kind() {
-            io::ErrorKind::NotFound => "there is no such folder".to_owned(),
-            io::ErrorKind::IsADirectory => "this is a folder".to_owned(),
-            io::ErrorKind::NotADirectory => "what stands before its name is no folder".to_owned(),
-            io::ErrorKind::PermissionDenied => "this may not be written".to_owned(),
-            _ => error.to_string(),
+        const A_FILE: &str = "the name of a file is accepted";
+        const ROOM: &str = "free some, or name a file on another disk";
+        let (reason, remedy) = match error.kind() {
+            io::ErrorKind::NotFound => ("there is no such folder".to_owned(), A_FILE),
+            io::ErrorKind::IsADirectory => ("this is a folder".to_owned(), A_FILE),
+            io::ErrorKind::NotADirectory => ("what stands before its name is no folder".to_owned(), A_FILE),
+            io::ErrorKind::InvalidFilename => ("this cannot name a file".to_owned(), A_FILE),
+            io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+                ("this may not be written".to_owned(), "a file that may be written is accepted")
+            }
+            io::ErrorKind::StorageFull => ("no space is left there".to_owned(), ROOM),
+            io::ErrorKind::QuotaExceeded => ("the quota of disk space is used up".to_owned(), ROOM),
+            io::ErrorKind::FileTooLarge => (
+                "the file would be larger than is allowed there".to_owned(),
+                "another place or a shorter table is accepted",
+            ),
+            _ => (error.to_string(), ""),
         };
-        Ending::refused(format!(
-            "{} cannot be written: {reason}; a file in a folder that exists is accepted",
-            path.display()
-        ))
+        let remedy = if remedy.is_empty() { String::new() } else { format!("; {remedy}") };
+        Ending::refused(format!("{} cannot be written: {reason}{remedy}", path.display()))
     }
 
     /// Prints the message, if there is one, and gives the exit code.
@@ -64,19 +74,24 @@ impl Ending {
             // as shells tell a program that SIGINT ended
             Ending::Interrupted => ExitCode::from(130),
             Ending::Refused(message) => {
-                // where even this cannot be written, the exit code must do
-                let _ = writeln!(io::stderr(), "{message}");
+                warn(&message);
                 ExitCode::from(2)
             }
+            Ending::Wrong => ExitCode::from(2),
         }
     }
 }
 
 impl From<SceneError> for Ending {
     fn from(error: SceneError) -> Self {
-        let colours = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-        Ending::Refused(error.render(colours))
+        Ending::Refused(rendered(&error))
     }
+}
+
+/// All that is wrong with a scene, as standard error takes it.
+pub fn rendered(error: &SceneError) -> String {
+    let colours = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+    error.render(colours)
 }
 
 /// Prints to standard output. A reader who has seen enough and closed the pipe is no error.
@@ -90,43 +105,20 @@ pub fn print(text: &str) -> Result<(), Ending> {
     }
 }
 
-/// Whether [`save`] can write a file: asked before the work, so that a wrong name does not cost it. Nothing is made.
-pub fn can_save(path: &Path) -> Result<(), Ending> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    if folder.exists() && folder.is_dir() {
-        return whole::check(path);
+/// Prints what clap has to say instead of a command: help and version to standard output, which must take them; what is wrong
+/// with a command line to standard error.
+pub fn print_instead(said: &clap::Error) -> Ending {
+    let printed = said.print().and_then(|()| io::stdout().flush());
+    match printed {
+        _ if said.use_stderr() => Ending::Wrong,
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Ending::refused(format!("standard output cannot be written: {error}"))
+        }
+        _ => Ending::Done,
     }
-    // the folders that are missing would stand in this one
-    let there = folder.ancestors().find(|folder| folder.exists()).unwrap_or(Path::new("."));
-    if !there.is_dir() {
-        return Err(Ending::unwritable(path, &io::ErrorKind::NotADirectory.into()));
-    }
-    let probed = whole::check(&there.join("probe"));
-    probed.map_err(|_| Ending::unwritable(path, &io::ErrorKind::PermissionDenied.into()))
 }
 
-/// Writes a file, and the folder it is in where that is missing; tells its name.
-pub fn save(path: &Path, text: &str) -> Result<(), Ending> {
-    let unwritable = |error: io::Error| Ending::unwritable(path, &error);
-    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-        std::fs::create_dir_all(folder).map_err(unwritable)?;
-    }
-    whole::write(path, |out| out.write_all(text.as_bytes()))?;
-    if is_quiet() { Ok(()) } else { print(&format!("{}\n", path.display())) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::can_save;
-    use std::path::Path;
-
-    #[test]
-    fn a_file_can_be_saved_in_folders_that_are_not_there_yet() {
-        for path in ["no_such_folder/page.html", "no/such/folder/page.html", "page.html", "./page.html"] {
-            assert!(can_save(Path::new(path)).is_ok(), "{path}");
-        }
-        for path in ["src", "Cargo.toml/page.html", "/proc/no_such_folder/page.html", "/"] {
-            assert!(can_save(Path::new(path)).is_err(), "{path}");
-        }
-    }
+/// Tells something beside the results: where standard error takes nothing, the exit code must do.
+pub fn warn(text: &str) {
+    let _ = writeln!(io::stderr(), "{text}");
 }

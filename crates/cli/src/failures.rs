@@ -40,13 +40,21 @@ pub fn list(asked: &Asked) -> Result<Ending, Ending> {
         crew.add(1.0, place, || (failing, failing.measure(&asked.scenes)));
     }
     crew.work(|_| ());
-    let mut told = Vec::new();
+    let (mut told, mut missed) = (Vec::new(), Vec::new());
     for (failing, found) in measured.into_iter().flatten() {
-        let found = found.map_err(|why| match why {
-            NotFound::Scene(error) => Ending::from(error),
-            NotFound::Unsuitable { .. } => Ending::refused(why),
-        })?;
-        told.push((failing, found));
+        match found {
+            Ok(found) => told.push((failing, found)),
+            Err(NotFound::Scene(error)) => missed.push(Ending::from(error)),
+            Err(why @ NotFound::Unsuitable { .. }) => missed.push(Ending::refused(why)),
+        }
+    }
+    // one scene that cannot be measured does not hide the others
+    if told.is_empty() {
+        return Err(missed.into_iter().next().unwrap_or(Ending::Stopped));
+    }
+    let all = missed.is_empty();
+    for missed in missed {
+        missed.tell();
     }
     let agree = told.iter().flat_map(|(_, found)| &found.thresholds).all(Threshold::agrees);
     print(&match asked.format {
@@ -55,7 +63,7 @@ pub fn list(asked: &Asked) -> Result<Ending, Ending> {
         }
         Format::Json => format!("{:#}\n", Value::from_iter(told.iter().map(|(failing, found)| object(failing, found)))),
     })?;
-    Ok(if agree { Ending::Done } else { Ending::Stopped })
+    Ok(if agree && all { Ending::Done } else { Ending::Stopped })
 }
 
 /// The trials of one fate together: those that hold first, then those that err silently.

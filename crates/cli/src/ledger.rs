@@ -2,7 +2,7 @@
 
 use crate::arguments::Format;
 use crate::crew::Crew;
-use crate::ending::{Ending, print};
+use crate::ending::{Ending, print, warn};
 use crate::values;
 use charts::{ClaimRow, PaperSection};
 use claims::{Judged, Verdict, entries};
@@ -49,7 +49,7 @@ pub fn list(asked: &Asked) -> Result<Ending, Ending> {
     print(&text)?;
     let unsound: Vec<String> = chosen.iter().filter_map(|claim| claim.sound().err()).collect();
     for reason in &unsound {
-        eprintln!("{reason}");
+        warn(reason);
     }
     Ok(if unsound.is_empty() { Ending::Done } else { Ending::Stopped })
 }

@@ -9,7 +9,8 @@
 //! * [`speed`]: the atlas of a scene as pictures, tables and advice;
 //! * [`crew`]: work shared among the processors;
 //! * [`values`], [`timings`]: exact values and measured times for a reader;
-//! * [`ending`]: exit codes, and writing that survives a closed pipe; [`whole`]: files that survive a kill;
+//! * [`ending`]: exit codes, and writing that survives a closed pipe; [`whole`]: files that survive a kill; [`output`]: one rule
+//!   for what a command may write, and over what;
 //! * [`interrupt`], which is Ctrl-C.
 
 mod arguments;
@@ -27,6 +28,7 @@ mod interrupt;
 mod ledger;
 mod motor;
 mod new;
+mod output;
 mod phantom;
 mod pictures;
 mod progress;
@@ -56,7 +58,10 @@ use ending::Ending;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(said) => return ending::print_instead(&said).tell(),
+    };
     if arguments.quiet {
         ending::be_quiet();
     }
@@ -94,5 +99,5 @@ fn completions(shell: Shell) -> String {
 /// The main job.
 fn report(asked: &report::Asked) -> Result<Ending, Ending> {
     let files = scenes::files(&asked.scenes)?;
-    report::write(&asked.out, &asked.scenes, &files)
+    report::write(asked, &files)
 }

@@ -20,9 +20,9 @@ pub struct Asked {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// The angular velocity of the motions about the vertical, rad/s
-    #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true, default_value_t = 0.0)]
-    pub omega0: f64,
+    /// The angular velocity of the motions about the vertical, rad/s; without it 0
+    #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true)]
+    pub omega0: Option<f64>,
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
@@ -37,8 +37,15 @@ type Courses = [Tested; Splitting::ALL.len()];
 /// Prints it.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
-    let chart = Chart::of(&scene, asked.omega0)
-        .map_err(|reason| Ending::refused(format!("{}: {reason}", asked.scene.display())))?;
+    if asked.omega0.is_some() && scene.on_bench() {
+        return Err(Ending::refused(format!(
+            "--omega0 does not apply to {}: a motor on a bench does not turn about the vertical; leave it out",
+            asked.scene.display()
+        )));
+    }
+    let omega0 = asked.omega0.unwrap_or_default();
+    let chart =
+        Chart::of(&scene, omega0).map_err(|reason| Ending::refused(format!("{}: {reason}", asked.scene.display())))?;
     // on a member of a family multipliers coincide at one, and rounding would part them
     let of_motion = |motion: &Stationed| {
         let near = motion.member.is_none().then(|| SplitRuns::near(&scene, motion))?;
@@ -46,8 +53,8 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     };
     let tested: Vec<_> = chart.all.motions.iter().map(of_motion).collect();
     print(&match asked.format {
-        Format::Text => text(&scene, asked.omega0, &chart, &tested),
-        Format::Json => format!("{:#}\n", object(&scene, asked.omega0, &chart, &tested)),
+        Format::Text => text(&scene, omega0, &chart, &tested),
+        Format::Json => format!("{:#}\n", object(&scene, omega0, &chart, &tested)),
     })?;
     let known = chart.rows.iter().all(|rows| !rows.is_empty() && rows.iter().all(|row| row.steps.is_some()));
     Ok(if known { Ending::Done } else { Ending::Stopped })

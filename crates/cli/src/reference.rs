@@ -1,7 +1,8 @@
 //! `dalembert reference`: a scene's solution to all digits that two methods share, kept in a file.
 
-use crate::arguments::whole;
-use crate::ending::{Ending, can_save, print, save};
+use crate::arguments::{Format, whole};
+use crate::ending::{Ending, print};
+use crate::output::{Form, Output, Writes};
 use clap::Args;
 use derivations::friction::RoughScene;
 use derivations::friction::exact::{Event, Regimes};
@@ -19,6 +20,9 @@ pub struct Asked {
     /// Where it is kept; without it where charts look for it: `references/SCENE.reference` in the scene's folder
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    /// Replaces the file even where `reference` did not write what stands there
+    #[arg(long)]
+    pub force: bool,
     /// Ends sooner than the scene, s: for one whose motion ends
     #[arg(long, value_name = "T")]
     pub until: Option<f64>,
@@ -45,8 +49,7 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
         }
         problem.span = end;
     }
-    let path = asked.out.clone().unwrap_or_else(|| stored::place(&asked.scene));
-    can_save(&path)?;
+    let output = output(asked)?;
     let run = problem.simulate(&smooth.run().choice(), |_| ());
     if run.left.is_some() {
         let (why, last) = (run.stopped().unwrap_or_default(), run.outcome.time);
@@ -61,7 +64,7 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
                 return Ok(Ending::Stopped);
             }
             let scene = asked.scene.display().to_string();
-            save(&path, &Stored::of(&problem, found, Vec::new()).write(&scene))?;
+            output.write_text(&Stored::of(&problem, found, Vec::new()).write(&scene))?.tell(Format::Text)?;
             Ok(Ending::Done)
         }
         Err(failure) => {
@@ -69,6 +72,13 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
             Ok(Ending::Stopped)
         }
     }
+}
+
+/// Where it is kept, before the work.
+fn output(asked: &Asked) -> Result<Output, Ending> {
+    let writes = Writes { command: "reference", force: asked.force, reads: vec![&asked.scene] };
+    let path = asked.out.clone().unwrap_or_else(|| stored::place(&asked.scene));
+    writes.output(&path, &[Form::Reference])
 }
 
 /// The same of a motion with rough contacts, with its events.
@@ -79,8 +89,7 @@ fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
             asked.scene.display()
         )));
     }
-    let path = asked.out.clone().unwrap_or_else(|| stored::place(&asked.scene));
-    can_save(&path)?;
+    let output = output(asked)?;
     let found = match scene.exact(Duration::from_secs(asked.seconds.into())) {
         Ok(found) => found,
         Err(unknown) => {
@@ -102,6 +111,6 @@ fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
         return Ok(Ending::Stopped);
     }
     let kept = Stored::of(&Regimes::of(scene), found.reference, found.events);
-    save(&path, &kept.write(&asked.scene.display().to_string()))?;
+    output.write_text(&kept.write(&asked.scene.display().to_string()))?.tell(Format::Text)?;
     Ok(Ending::Done)
 }

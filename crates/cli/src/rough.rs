@@ -6,8 +6,9 @@ use crate::ending::{Ending, print};
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::run::Asked;
-use crate::run::refuse;
+use crate::run::{refuse, writes};
 use charts::{Panel, Parameter, SceneSection, Table, Track, significant, tolerance};
+use derivations::friction::course::unit;
 use derivations::friction::run::Plan;
 use derivations::friction::{Course, RoughScene};
 use integrators::Tolerance;
@@ -28,7 +29,8 @@ pub fn run(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     if let Some(samples) = asked.samples {
         plan = plan.with_samples(samples as usize);
     }
-    let table = csv::Table::at(asked.out.as_deref())?;
+    let columns: Vec<String> = scene.columns().iter().map(|name| csv::headed(name, unit(name))).collect();
+    let table = csv::Table::at(&writes(asked), asked.out.as_deref(), &columns)?;
     let mut progress = Progress::new(&scene.title);
     let interrupt = Interrupt::watched();
     let course = scene.follow_while(&plan, &mut |fraction| {
@@ -36,11 +38,14 @@ pub fn run(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
         interrupt.goes_on()
     });
     drop(progress);
-    table.write(&course.names, &course.times, &course.rows)?;
+    let table = table.write(&course.times, &course.rows);
     print(&match asked.format {
         Format::Text => text(scene, &plan, &course),
         Format::Json => json(scene, &plan, &course),
     })?;
+    if let Some(written) = table? {
+        written.tell(asked.format)?;
+    }
     Ok(match () {
         () if course.reached => Ending::Done,
         () if course.broken_off => Ending::Interrupted,

@@ -2,8 +2,9 @@
 
 use crate::arguments::{Format, tolerance, whole};
 use crate::csv;
-use crate::ending::{Ending, print};
+use crate::ending::{Ending, print, warn};
 use crate::interrupt::Interrupt;
+use crate::output::{self, Writes};
 use crate::progress::Progress;
 use crate::rough;
 use crate::summary::Summary;
@@ -32,13 +33,16 @@ pub struct Asked {
     /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way
     #[arg(long)]
     pub form: Option<Axes>,
-    /// Writes the trajectory as a table: time, states, rotor's speed; of a mechanism time, states, work and what follows
-    /// from them; with rough contacts time, coordinates, velocities, works
+    /// Writes the trajectory as a table, each column with its unit: time, states, rotor's speed; of a mechanism time, states, work
+    /// and what follows from them; with rough contacts time, coordinates, velocities, works
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
     /// Writes how the end depends on the start as a table: a row for each state at the end, a column for each at the start
     #[arg(long, value_name = "FILE.csv")]
     pub transition: Option<PathBuf>,
+    /// Replaces the files of --out and --transition even where `run` did not write what stands there
+    #[arg(long)]
+    pub force: bool,
     /// How to print the summary; JSON is one object: time, state, work, invariants, model, method
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -64,6 +68,11 @@ fn method(text: &str) -> Result<Method, String> {
 
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
 pub fn run(asked: &Asked) -> Result<Ending, Ending> {
+    if asked.force && asked.out.is_none() && asked.transition.is_none() {
+        return Err(Ending::refused(
+            "--force is about what --out and --transition replace; it is accepted with one of them",
+        ));
+    }
     match AnyScene::open(&asked.scene)? {
         AnyScene::Rough(_) if asked.transition.is_some() => Err(Ending::refused(format!(
             "--transition does not apply to {}: across stick and slip the end has no derivative by the start",
@@ -72,7 +81,8 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
         AnyScene::Rough(scene) => rough::run(&scene, asked),
         AnyScene::Driven(scene) => {
             let scene = with_model(*scene, asked.model.as_deref(), &asked.scene)?;
-            follow(&scene, asked, Some(asked.form.unwrap_or_default()))
+            one_form(&scene, asked.form.is_some(), &asked.scene)?;
+            follow(&scene, asked, (!scene.on_bench()).then(|| asked.form.unwrap_or_default()))
         }
         AnyScene::Mechanism(scene) => {
             refuse("a mechanism", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
@@ -93,14 +103,36 @@ pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), En
     }
 }
 
+/// A motor alone has one form of its equations.
+pub fn one_form(scene: &Scene, form: bool, path: &Path) -> Result<(), Ending> {
+    match form && scene.on_bench() {
+        false => Ok(()),
+        true => Err(Ending::refused(format!(
+            "--form does not apply to {}: a motor on a bench has no carrier, and one form of its equations; leave it out",
+            path.display()
+        ))),
+    }
+}
+
 /// Runs one initial value problem.
 fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Ending, Ending> {
     let choice = choice(scene.run(), asked);
-    let table = csv::Table::at(asked.out.as_deref())?;
-    let matrix = csv::Table::at(asked.transition.as_deref())?;
+    if asked.tolerance.is_some() && asked.transition.is_none() && choice.method.steps().is_some() {
+        return Err(Ending::refused(format!(
+            "--tol does not apply to {}, whose steps are constant; leave it out, or name a method that follows a tolerance",
+            choice.method
+        )));
+    }
+    let problem = scene.metered(choice.axes);
+    let headed = |names: &[String]| names.iter().map(|name| csv::headed(name, &scene.unit(name))).collect::<Vec<_>>();
+    let writes = writes(asked);
+    let table = csv::Table::at(&writes, asked.out.as_deref(), &headed(&problem.columns))?;
+    let states = asked.transition.as_ref().map(|_| scene.problem(choice.axes));
+    let states = states.map(|states| headed(&states.columns[..states.state.len().min(states.columns.len())]));
+    let matrix = csv::Matrix::at(&writes, asked.transition.as_deref(), &states.unwrap_or_default())?;
+    output::apart(table.output(), matrix.output())?;
 
     let mut progress = Progress::new(scene.title());
-    let problem = scene.metered(choice.axes);
     let interrupt = Interrupt::watched();
     let trajectory = problem.simulate_while(&choice, |fraction| {
         progress.set(fraction);
@@ -109,14 +141,16 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     let beside = problem.beside(&choice, &trajectory, || interrupt.goes_on());
     drop(progress);
 
-    table.write(&trajectory.names, &trajectory.times, &trajectory.rows)?;
-    if let Some(path) = &asked.transition
-        && trajectory.outcome.reached()
-    {
-        let problem = scene.problem(choice.axes);
-        let rows = problem.transition(choice.tolerance);
-        let rows = rows.map_err(|failure| Ending::refused(format!("{}: {failure}", path.display())))?;
-        matrix.write_matrix(&problem.columns[..rows.len()], &rows)?;
+    let table = table.write(&trajectory.times, &trajectory.rows);
+    let mut depends = Ok(None);
+    if let Some(path) = &asked.transition {
+        if trajectory.outcome.reached() {
+            let rows = scene.problem(choice.axes).transition(choice.tolerance);
+            let rows = rows.map_err(|failure| Ending::refused(format!("{}: {failure}", path.display())));
+            depends = rows.and_then(|rows| matrix.write(&rows));
+        } else {
+            warn(&format!("{} is not written: the run did not reach its end", path.display()));
+        }
     }
     let told = scene.told(&choice, &trajectory);
     let summary = Summary { scene, choice: &choice, form, trajectory: &trajectory, told: &told, beside };
@@ -124,11 +158,20 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
         Format::Text => summary.text(),
         Format::Json => summary.json(),
     })?;
+    // what was computed is told in any case
+    for written in [table?, depends?].into_iter().flatten() {
+        written.tell(asked.format)?;
+    }
     Ok(match () {
         () if trajectory.outcome.reached() => Ending::Done,
         () if trajectory.broken_off() => Ending::Interrupted,
         () => Ending::Stopped,
     })
+}
+
+/// What a run may write.
+pub fn writes(asked: &Asked) -> Writes<'_> {
+    Writes { command: "run", force: asked.force, reads: vec![&asked.scene] }
 }
 
 /// The scene with the machine that is asked for, where one is.

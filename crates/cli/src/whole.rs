@@ -3,64 +3,125 @@
 //! What is written goes to a file beside its place, is brought to the disk, and then takes the place: under the name there
 //! is what was there before, or all of the new. A kill while it is written leaves `.NAME.*.part` behind.
 
-use crate::ending::Ending;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
-/// Whether a file can be written there: asked before the work, so that a wrong name does not cost it.
-pub fn check(path: &Path) -> Result<(), Ending> {
-    let probe = |place: Place| match place {
-        Place::File(path) => beside(&path).map(drop),
-        Place::Device => OpenOptions::new().write(true).open(path).map(drop),
-    };
-    place(path).and_then(probe).map_err(|error| Ending::unwritable(path, &error))
+/// A file that is written, beside the place that it has not taken yet; one that is dropped is gone.
+pub struct Beside {
+    file: NamedTempFile,
+    path: PathBuf,
 }
 
-/// Writes a file, all of it or nothing.
-pub fn write(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Ending> {
-    let written = |place: Place| match place {
-        Place::File(path) => {
-            let mut out = BufWriter::new(beside(&path)?);
-            content(&mut out)?;
-            settle(out.into_inner()?, &path)
+/// Why a file did not take its place.
+pub enum Untaken {
+    /// Something stands there; the file is still beside it.
+    Occupied(Beside),
+    Failed(io::Error),
+}
+
+impl Beside {
+    /// Writes a file beside its place, in a folder that exists, and brings it to the disk.
+    ///
+    /// # Errors
+    /// Those of the system; then nothing is left behind.
+    pub fn write(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Self> {
+        let mut out = BufWriter::new(part(path)?);
+        content(&mut out)?;
+        let file = out.into_inner()?;
+        file.as_file().sync_all()?;
+        Ok(Beside { file, path: path.to_owned() })
+    }
+
+    /// Takes the place of the file that stands there, with its permissions.
+    ///
+    /// # Errors
+    /// Those of the system; then the other file stands as before.
+    pub fn replace(self) -> io::Result<()> {
+        if let Ok(before) = fs::metadata(&self.path) {
+            self.file.as_file().set_permissions(before.permissions())?;
         }
-        Place::Device => {
-            let mut out = BufWriter::new(OpenOptions::new().write(true).open(path)?);
-            content(&mut out).and_then(|()| out.flush())
+        self.file.persist(&self.path)?;
+        settle(&self.path);
+        Ok(())
+    }
+
+    /// Takes the place if nothing stands there.
+    ///
+    /// # Errors
+    /// [`Untaken`].
+    pub fn take(self) -> Result<(), Untaken> {
+        let Beside { file, path } = self;
+        match file.persist_noclobber(&path) {
+            Ok(_) => {
+                settle(&path);
+                Ok(())
+            }
+            Err(refused) if fs::symlink_metadata(&path).is_ok() => {
+                Err(Untaken::Occupied(Beside { file: refused.file, path }))
+            }
+            // some file systems know no way to take a place only if it is free
+            Err(refused) => {
+                refused.file.persist(&path).map(|_| settle(&path)).map_err(|error| Untaken::Failed(error.error))
+            }
         }
-    };
-    place(path).and_then(written).map_err(|error| Ending::unwritable(path, &error))
-}
+    }
 
-/// What a name stands for.
-enum Place {
-    /// A file, there or not yet; links are followed.
-    File(PathBuf),
-    /// A terminal, a pipe, nothing: written to as it stands.
-    Device,
-}
-
-fn place(path: &Path) -> io::Result<Place> {
-    match fs::metadata(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Place::File(path.to_owned())),
-        Err(error) => Err(error),
-        Ok(found) if found.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
-        Ok(found) if found.is_file() && found.permissions().readonly() => Err(io::ErrorKind::PermissionDenied.into()),
-        Ok(found) if found.is_file() => fs::canonicalize(path).map(Place::File),
-        Ok(_) => Ok(Place::Device),
+    /// Stays under the name that it has beside its place.
+    ///
+    /// # Errors
+    /// Those of the system.
+    pub fn keep(self) -> io::Result<PathBuf> {
+        Ok(self.file.keep()?.1)
     }
 }
 
+/// Replaces a file by another, all of it or nothing.
+///
+/// # Errors
+/// Those of the system; then the file stands as before.
+pub fn replace(path: &Path, content: &str) -> io::Result<()> {
+    Beside::write(path, |out| out.write_all(content.as_bytes()))?.replace()
+}
+
+/// Writes a file where none is, all of it or nothing.
+///
+/// # Errors
+/// Those of the system; a file that stands there is one.
+pub fn create(path: &Path, content: &str) -> io::Result<()> {
+    let written = Beside::write(path, |out| out.write_all(content.as_bytes()))?;
+    written.take().map_err(|untaken| match untaken {
+        Untaken::Occupied(_) => io::ErrorKind::AlreadyExists.into(),
+        Untaken::Failed(error) => error,
+    })
+}
+
+/// Whether a file can be written there, in folders that need not exist yet; nothing is made.
+///
+/// # Errors
+/// Those of the system.
+pub fn probe(path: &Path) -> io::Result<()> {
+    let name = path.file_name().ok_or(io::ErrorKind::IsADirectory)?;
+    // the folders that are missing would stand in this one
+    let there = folder(path).ancestors().find(|folder| folder.as_os_str().is_empty() || folder.exists());
+    let there = there.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if !there.is_dir() {
+        return Err(io::ErrorKind::NotADirectory.into());
+    }
+    part(&there.join(name)).map(drop)
+}
+
 /// The folder of a file.
-fn folder(path: &Path) -> &Path {
+pub fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// A file beside the place, which goes with what writes to it; as readable as others that a program makes.
-fn beside(path: &Path) -> io::Result<NamedTempFile> {
-    let name = path.file_name().ok_or(io::ErrorKind::IsADirectory)?.to_string_lossy();
+fn part(path: &Path) -> io::Result<NamedTempFile> {
+    // of a long name a part, since what is added must have room in a name too
+    let name: String =
+        path.file_name().ok_or(io::ErrorKind::IsADirectory)?.to_string_lossy().chars().take(50).collect();
     let prefix = format!(".{name}.");
     let mut builder = Builder::new();
     builder.prefix(&prefix).suffix(".part");
@@ -69,63 +130,71 @@ fn beside(path: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder(path))
 }
 
-/// Brings it to the disk and to its place.
-fn settle(file: NamedTempFile, path: &Path) -> io::Result<()> {
-    if let Ok(before) = fs::metadata(path) {
-        file.as_file().set_permissions(before.permissions())?;
-    }
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    // the new name, where the system can bring a folder to the disk
+/// Brings the new name to the disk, where the system can bring a folder to it.
+fn settle(path: &Path) {
     let _ = File::open(folder(path)).and_then(|folder| folder.sync_all());
-    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn names(folder: &Path) -> usize {
+        fs::read_dir(folder).expect("it is there").count()
+    }
+
     #[test]
     fn what_breaks_off_leaves_what_was_there_and_nothing_else() {
         let folder = tempfile::tempdir().expect("a folder can be made");
         let path = folder.path().join("table.csv");
-        write(&path, |out| out.write_all(b"old")).expect("it can be written");
-        let broken = write(&path, |out| {
+        replace(&path, "old").expect("it can be written");
+        let broken = Beside::write(&path, |out| {
             out.write_all(&[b'x'; 1 << 16])?;
             Err(io::ErrorKind::StorageFull.into())
         });
         assert!(broken.is_err());
         assert_eq!(fs::read(&path).expect("it is there"), b"old");
-        assert_eq!(fs::read_dir(folder.path()).expect("it is there").count(), 1);
-        write(&path, |out| out.write_all(b"new")).expect("it can be written");
+        assert_eq!(names(folder.path()), 1);
+        replace(&path, "new").expect("it can be written");
         assert_eq!(fs::read(&path).expect("it is there"), b"new");
     }
 
     #[test]
-    fn a_check_makes_no_file_and_refuses_what_cannot_be_one() {
+    fn a_place_that_was_taken_meanwhile_is_left_alone_and_the_work_is_kept() {
         let folder = tempfile::tempdir().expect("a folder can be made");
         let path = folder.path().join("table.csv");
-        assert!(check(&path).is_ok() && !path.exists());
-        assert_eq!(fs::read_dir(folder.path()).expect("it is there").count(), 0);
-        for wrong in [folder.path().to_owned(), folder.path().join("missing/table.csv")] {
-            assert!(check(&wrong).is_err() && write(&wrong, |_| Ok(())).is_err(), "{}", wrong.display());
+        let written = Beside::write(&path, |out| out.write_all(b"mine")).expect("it can be written");
+        fs::write(&path, "another's").expect("it can be written");
+        let Err(Untaken::Occupied(written)) = written.take() else { panic!("the place is taken") };
+        let kept = written.keep().expect("it can be kept");
+        assert_eq!(fs::read(&path).expect("it is there"), b"another's");
+        assert_eq!(fs::read(kept).expect("it is there"), b"mine");
+        assert!(create(&path, "mine").is_err());
+        assert_eq!(fs::read(&path).expect("it is there"), b"another's");
+    }
+
+    #[test]
+    fn a_probe_makes_no_file_and_refuses_what_cannot_be_one() {
+        let folder = tempfile::tempdir().expect("a folder can be made");
+        fs::write(folder.path().join("file"), "").expect("it can be written");
+        for right in ["table.csv", "no/such/folder/table.csv"] {
+            assert!(probe(&folder.path().join(right)).is_ok(), "{right}");
         }
+        for wrong in ["file/table.csv", "file/no/table.csv", "no/.."] {
+            assert!(probe(&folder.path().join(wrong)).is_err(), "{wrong}");
+        }
+        assert_eq!(names(folder.path()), 1);
     }
 
     #[cfg(unix)]
     #[test]
-    fn a_link_stays_a_link_and_permissions_stay() {
-        use std::os::unix::fs::{PermissionsExt, symlink};
+    fn permissions_stay() {
+        use std::os::unix::fs::PermissionsExt;
         let folder = tempfile::tempdir().expect("a folder can be made");
-        let (path, link) = (folder.path().join("table.csv"), folder.path().join("link.csv"));
-        write(&path, |out| out.write_all(b"old")).expect("it can be written");
+        let path = folder.path().join("table.csv");
+        replace(&path, "old").expect("it can be written");
         fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).expect("it is there");
-        symlink(&path, &link).expect("links can be made");
-        write(&link, |out| out.write_all(b"new")).expect("it can be written");
-        assert!(fs::symlink_metadata(&link).expect("it is there").is_symlink());
-        assert_eq!(fs::read(&path).expect("it is there"), b"new");
+        replace(&path, "new").expect("it can be written");
         assert_eq!(fs::metadata(&path).expect("it is there").permissions().mode() & 0o777, 0o640);
-        assert!(write(Path::new("/dev/null"), |out| out.write_all(b"nothing")).is_ok());
-        assert!(!fs::metadata("/dev/null").expect("it is there").is_file());
     }
 }

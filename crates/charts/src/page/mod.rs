@@ -44,10 +44,10 @@ pub fn render(report: &Report) -> Page {
             }
         }
     };
-    Page { html: document(&report.title, &body), unset: std::mem::take(set).into_unset() }
+    Page { html: document(report, &body), unset: std::mem::take(set).into_unset() }
 }
 
-fn document(title: &str, body: &Markup) -> String {
+fn document(report: &Report, body: &Markup) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -57,7 +57,8 @@ fn document(title: &str, body: &Markup) -> String {
                 meta name="color-scheme" content="light dark";
                 meta http-equiv="Content-Security-Policy"
                     content="default-src 'none'; font-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
-                title { (crate::text::plain(title)) }
+                meta name="generator" content=(report.generated_by);
+                title { (crate::text::plain(&report.title)) }
                 style { (PreEscaped(font::face())) (PreEscaped(svg::STYLE)) (PreEscaped(include_str!("page.css"))) (PreEscaped(cards::signs())) (PreEscaped(cards::numbers())) }
             }
             body {

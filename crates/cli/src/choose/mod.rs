@@ -4,13 +4,14 @@ mod picture;
 mod receipt;
 
 use crate::arguments::{Format, tolerance, whole};
-use crate::ending::{Ending, can_save, print, save};
+use crate::ending::{Ending, print};
+use crate::output::{Form, Writes};
 use crate::run::{refuse, with_model};
 use clap::Args;
 use derivations::friction::course::WORKS;
 use derivations::ladder::rough::RoughLadder;
 use derivations::ladder::{Forms, Ladder, Models, Wish, choose};
-use derivations::scene::{AnyScene, Axes, Family, Smooth, Stored, System};
+use derivations::scene::{AnyScene, Axes, Family, Smooth, Stored, System, stored};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -32,6 +33,9 @@ pub struct Asked {
     /// Draws error against the cost of every model
     #[arg(long, value_name = "FILE.svg")]
     pub out: Option<PathBuf>,
+    /// Replaces the file of --out even where `choose` did not write what stands there
+    #[arg(long, requires = "out")]
+    pub force: bool,
     /// How to print the receipt
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -67,7 +71,9 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let title = scene.title();
     let outputs = outputs(asked, given, models.columns())?;
     let wish = Wish { tolerance: asked.tolerance, outputs, allowed: Duration::from_secs(asked.seconds.into()) };
-    asked.out.as_deref().map_or(Ok(()), can_save)?;
+    let kept = stored::place(&asked.scene);
+    let writes = Writes { command: "choose", force: asked.force, reads: vec![&asked.scene, &kept] };
+    let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
     let receipt = match choose(&*models, &wish) {
         Ok(receipt) => receipt,
         Err(why) => {
@@ -79,8 +85,8 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         Format::Text => receipt::text(title, &receipt),
         Format::Json => format!("{:#}\n", receipt::object(title, &receipt)),
     })?;
-    if let Some(path) = &asked.out {
-        save(path, &picture::of(title, &*models, &wish, receipt.clone()).svg())?;
+    if let Some(output) = output {
+        output.write_text(&picture::of(title, &*models, &wish, receipt.clone()).svg())?.tell(asked.format)?;
     }
     Ok(if receipt.taken.is_some() { Ending::Done } else { Ending::Stopped })
 }

@@ -1,5 +1,7 @@
 //! `dalembert new motor`: a motor that compiles and conforms, for its author to change.
 
+mod names;
+
 use crate::ending::{Ending, print};
 use crate::whole;
 use clap::{Args, Subcommand};
@@ -43,14 +45,6 @@ const LIST: &str = "derivations/machines/mod.rs";
 const BEGINS: &str = "\nmachines! {";
 const ENDS: &str = "\n}";
 
-/// Words of the language, which no module can have for a name; `main` is that of a test's own kind.
-const WORDS: &[&str] = &[
-    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn", "else",
-    "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "main",
-    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super",
-    "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
-];
-
 /// A file with what is written into it.
 struct Begun {
     place: PathBuf,
@@ -61,7 +55,7 @@ struct Begun {
 pub fn write(asked: &Asked) -> Result<Ending, Ending> {
     let What::Motor(asked) = &asked.what;
     let name = asked.name.as_str();
-    check_name(name)?;
+    names::check_letters(name)?;
     let list = asked.project.join(LIST);
     let listed = fs::read_to_string(&list).ok().filter(|text| text.contains(BEGINS)).ok_or_else(|| {
         let folder = asked.project.display();
@@ -79,6 +73,7 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
             )));
         }
     }
+    names::check_free(name, &asked.project)?;
     if listed.contains(&format!(": {};", camel(name))) {
         return Err(Ending::refused(format!(
             "the list has a motor `{}` already; another name is accepted",
@@ -93,9 +88,9 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
     }
     if !asked.text {
         let line = format!("    mod {name}: {};", camel(name));
-        if let Err(refused) = whole::write(&list, |out| out.write_all(with_line(&listed, &line).as_bytes())) {
+        if let Err(error) = whole::replace(&list, &with_line(&listed, &line)) {
             begun.iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
-            return Err(refused);
+            return Err(Ending::unwritable(&list, &error));
         }
     }
     let mut told: String = begun.iter().map(|begun| format!("wrote {}\n", begun.place.display())).collect();
@@ -114,20 +109,6 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
     told += &format!("a scene in `scenes` is kept with its reference: dalembert reference {scene}\n");
     print(&told)?;
     Ok(Ending::Done)
-}
-
-/// Letters, digits and _, a letter first, and no word of the language.
-fn check_name(name: &str) -> Result<(), Ending> {
-    let begins = name.bytes().next().is_some_and(|byte| byte.is_ascii_lowercase());
-    let goes_on = name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_');
-    let taken = WORDS.contains(&name) || name.starts_with("text");
-    match begins && goes_on && name.len() <= 40 && !taken {
-        true => Ok(()),
-        false => Err(Ending::refused(format!(
-            "`{name}` cannot name a motor: up to 40 lower case letters, digits and _ are accepted, a letter first, and no \
-             word of the language, and nothing that begins with `text`: such as `salient_pole`"
-        ))),
-    }
 }
 
 fn scene_place(asked: &Motor) -> PathBuf {
@@ -170,5 +151,5 @@ fn create(place: &Path, text: &str) -> Result<(), Ending> {
     if let Some(folder) = place.parent() {
         fs::create_dir_all(folder).map_err(|error| Ending::unwritable(folder, &error))?;
     }
-    whole::write(place, |out| out.write_all(text.as_bytes()))
+    whole::create(place, text).map_err(|error| Ending::unwritable(place, &error))
 }

@@ -2,8 +2,11 @@
 
 mod parts;
 mod scene;
+mod unread;
 
-use crate::ending::{Ending, can_save, save};
+use crate::arguments::Format;
+use crate::ending::{Ending, rendered, warn};
+use crate::output::{Form, Maker, Writes};
 use crate::progress::Progress;
 use crate::rough;
 use crate::speed::{advice::advice, pictures, tables};
@@ -25,18 +28,30 @@ pub struct Asked {
     /// The page
     #[arg(long, value_name = "FILE.html", default_value = "report/index.html")]
     pub out: PathBuf,
+    /// Replaces the page even where the report did not write what stands there
+    #[arg(long)]
+    pub force: bool,
 }
 
-/// Judges the ledger, runs and charts the scenes, and writes the page.
-pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, Ending> {
-    can_save(path)?;
+/// Judges the ledger, runs and charts the scenes, and writes the page. A scene that cannot be read is told at once and on the
+/// page, and the others are reported.
+pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
+    let folder = &asked.scenes;
+    let reads = files.iter().map(PathBuf::as_path).collect();
+    let output = Writes { command: REPORT, force: asked.force, reads }.output(&asked.out, &[Form::Page])?;
     // all are read before the first is run: what is wrong is told at once
-    let (mut scenes, mut rough) = (Vec::new(), Vec::new());
+    let (mut scenes, mut rough, mut unread) = (Vec::new(), Vec::new(), Vec::new());
     // those that are made to fail are told by the catalogue
     for file in files.iter().filter(|file| !failures::is_own(file)) {
-        match AnyScene::open(file)? {
-            AnyScene::Rough(scene) => rough.push(ReadRough { id: id(file), scene: *scene, kept: Stored::beside(file) }),
-            scene => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
+        match AnyScene::open(file) {
+            Ok(AnyScene::Rough(scene)) => {
+                rough.push(ReadRough { id: id(file), scene: *scene, kept: Stored::beside(file) });
+            }
+            Ok(scene) => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
+            Err(error) => {
+                warn(&rendered(&error));
+                unread.push(error);
+            }
         }
     }
     let mut parts = Parts::of(&scenes, &rough, folder);
@@ -46,11 +61,16 @@ pub fn write(path: &Path, folder: &Path, files: &[PathBuf]) -> Result<Ending, En
     let mut progress = Progress::new("methods timed");
     parts.take_times(|done| progress.set(done));
     drop(progress);
-    let whole = parts.sound() && parts.reached();
-    let report = parts.report(folder);
-    save(path, &charts::page::render(&report).html)?;
+    let whole = parts.sound() && parts.reached() && unread.is_empty();
+    let mut report = parts.report(folder);
+    report.studies.splice(0..0, unread::study(&unread));
+    output.write_text(&charts::page::render(&report).html)?.tell(Format::Text)?;
     Ok(if whole { Ending::Done } else { Ending::Stopped })
 }
+
+/// The commands that write pages: the main job, which has no name, and the charts of one scene.
+const REPORT: &str = "";
+const CHART: &str = "chart";
 
 /// A page with nothing but a scene and its atlas.
 pub fn of_scene(scene: &dyn Smooth, atlas: &Atlas, work: Vec<WorkPrecision>) -> String {
@@ -59,7 +79,7 @@ pub fn of_scene(scene: &dyn Smooth, atlas: &Atlas, work: Vec<WorkPrecision>) -> 
     let mut section = SceneSection { work, ..described("scene", scene, &run) };
     explained(&mut section, atlas);
     section.tables.push(tables::models(atlas));
-    let report = Report { scenes: vec![section], ..titled(scene.title(), scene.description()) };
+    let report = Report { scenes: vec![section], ..titled(CHART, scene.title(), scene.description()) };
     charts::page::render(&report).html
 }
 
@@ -67,7 +87,7 @@ pub fn of_scene(scene: &dyn Smooth, atlas: &Atlas, work: Vec<WorkPrecision>) -> 
 pub fn of_rough(scene: &RoughScene, atlas: &Atlas, work: Vec<WorkPrecision>) -> String {
     let mut section = SceneSection { work, ..rough::section("scene", scene) };
     explained(&mut section, atlas);
-    let report = Report { rough: vec![section], ..titled(&scene.title, &scene.description) };
+    let report = Report { rough: vec![section], ..titled(CHART, &scene.title, &scene.description) };
     charts::page::render(&report).html
 }
 
@@ -78,9 +98,9 @@ fn explained(section: &mut SceneSection, atlas: &Atlas) {
     section.tables.splice(0..0, tables::fronts(atlas));
 }
 
-/// A report without content yet.
-pub fn titled(title: &str, summary: &str) -> Report {
-    let generated_by = concat!("dalembert ", env!("CARGO_PKG_VERSION")).to_owned();
+/// A report of a command, without content yet.
+fn titled(command: &'static str, title: &str, summary: &str) -> Report {
+    let generated_by = Maker(command).generator();
     Report { title: title.to_owned(), summary: summary.to_owned(), generated_by, ..Default::default() }
 }
 

@@ -1,7 +1,7 @@
 //! The parts of the report: what is computed side by side, what is timed alone, and the page that they make.
 
 use super::scene::{NoReference, Prepared, Read, ReadRough, prepare, prepare_rough};
-use super::{explained, titled};
+use super::{REPORT, explained, titled};
 use crate::crew::Crew;
 use crate::ledger;
 use crate::pictures;
@@ -107,7 +107,7 @@ impl Parts {
 
     /// The page.
     pub fn report(self, folder: &Path) -> Report {
-        let mut report = titled("dalembert", SUMMARY);
+        let mut report = titled(REPORT, "dalembert", SUMMARY);
         let mut digits = f64::INFINITY;
         let atlas = {
             let prepared = self.prepared.iter().flatten().flatten().chain(self.rough.iter().flatten());

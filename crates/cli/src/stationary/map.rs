@@ -4,7 +4,8 @@
 use super::{Asked, Ranged};
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
-use crate::{region_map, stability_map, whole};
+use crate::output::{Form, Output, Writes};
+use crate::{region_map, stability_map};
 use derivations::scene::Scene;
 use derivations::stationary::stability::datum::{Datum, Unknown};
 use derivations::stationary::stability::plane::{Cell, NoPlane};
@@ -21,6 +22,13 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
     };
     let datum = |ranged: &Ranged| Datum::named(scene, &ranged.name).map_err(unknown);
     let data = [datum(first)?, datum(second)?];
+    if asked.omega0.is_some() && data.iter().any(|datum| datum.name == "omega0") {
+        return Err(Ending::refused(
+            "--omega0 does not apply to a map over omega0, which says all of its values; leave it out, or map two other data",
+        ));
+    }
+    let writes = Writes { command: "stationary", force: asked.force, reads: vec![&asked.scene] };
+    let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
     let map = stability_map::Asked {
         scene,
         data: [(&data[0], first.range), (&data[1], second.range)],
@@ -35,31 +43,29 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
     };
     let Some(columns) = columns else {
         let data = map.data;
-        return every(asked, &region_map::Asked { scene, data, speed: map.speed });
+        return every(asked, output, &region_map::Asked { scene, data, speed: map.speed });
     };
-    if let Some(path) = &asked.out {
-        let picture = map.map(&columns).svg();
-        whole::write(path, |out| out.write_all(picture.as_bytes()))?;
-    }
     print(&match asked.format {
         Format::Text => text(scene, &data, &columns),
         Format::Json => format!("{:#}\n", object(scene, &data, &columns)),
     })?;
+    if let Some(output) = output {
+        output.write_text(&map.map(&columns).svg())?.tell(asked.format)?;
+    }
     Ok(Ending::Done)
 }
 
 /// Of all motions.
-fn every(asked: &Asked, map: &region_map::Asked<'_>) -> Result<Ending, Ending> {
+fn every(asked: &Asked, output: Option<Output>, map: &region_map::Asked<'_>) -> Result<Ending, Ending> {
     let refused = |reason: NoRegion| Ending::refused(format!("{}: {reason}", asked.scene.display()));
     let atlas = map.atlas().map_err(refused)?;
-    if let Some(path) = &asked.out {
-        let sheet = map.sheet(&atlas);
-        whole::write(path, |out| out.write_all(sheet.as_bytes()))?;
-    }
     print(&match asked.format {
         Format::Text => map.text(&atlas),
         Format::Json => format!("{:#}\n", map.object(&atlas)),
     })?;
+    if let Some(output) = output {
+        output.write_text(&map.sheet(&atlas))?.tell(asked.format)?;
+    }
     Ok(Ending::Done)
 }
 

@@ -43,6 +43,9 @@ pub struct Asked {
     /// Of a map: the picture
     #[arg(long, value_name = "FILE.svg", requires = "map")]
     pub out: Option<PathBuf>,
+    /// Replaces the file of --out even where `stationary` did not write what stands there
+    #[arg(long, requires = "out")]
+    pub force: bool,
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,

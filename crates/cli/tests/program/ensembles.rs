@@ -84,9 +84,11 @@ fn a_table_of_something_else_is_refused_and_left_alone() {
     assert!(run(&folder.scene(20, SAME), &path, &[]).status.success());
     let before = folder.read("table.csv");
     let others = [
-        (["seed = 1", "seed = 2"], "line 2: member 1 has other data here"),
-        (["r1 = \"1.2 ohm\"", "r1 = \"1.3 ohm\""], "line 21: member 20 comes out otherwise today"),
-        (["machine.r2", "machine.r1"], "line 1: these are the columns of something else"),
+        (["seed = 1", "seed = 2"], "line 2: another ensemble: its law, data, span, tolerance or seed differ"),
+        (["r1 = \"1.2 ohm\"", "r1 = \"1.3 ohm\""], "line 2: another ensemble"),
+        (["span = \"0.5 s\"", "span = \"0.25 s\""], "line 2: another ensemble"),
+        (["tolerance = 1e-9", "tolerance = 1e-8"], "line 2: another ensemble"),
+        (["machine.r2", "machine.r1"], "line 1: these are not the columns of this ensemble's table"),
     ];
     for (change, message) in others {
         let output = run(&folder.scene(20, change), &path, &[]);
@@ -96,4 +98,80 @@ fn a_table_of_something_else_is_refused_and_left_alone() {
     }
     let output = run(&folder.scene(19, SAME), &path, &[]);
     assert!(String::from_utf8_lossy(&output.stderr).contains("there are more than the 19 members"));
+    // whoever insists begins anew
+    let seed = folder.scene(21, ["seed = 1", "seed = 2"]);
+    assert!(run(&seed, &path, &["--force"]).status.success());
+    assert!(folder.read("table.csv") != before && folder.read("table.csv").lines().count() == 22);
+}
+
+/// The same data drawn, and no member that starts: nothing of what was computed tells them apart.
+#[test]
+fn a_table_whose_last_member_never_started_is_told_from_that_of_another_scene() {
+    let folder = Folder::new("unstarted");
+    let path = folder.0.join("table.csv");
+    let none = |members, span: &str| {
+        let change = [
+            "rotor.axial = { mean = \"2.4e-4 kg m^2\", deviation = \"0.2e-4 kg m^2\" }",
+            "carrier.mass = { from = \"-2 kg\", to = \"-1 kg\" }",
+        ];
+        let scene = folder.scene(members, change);
+        let text = std::fs::read_to_string(&scene).expect("it is there");
+        std::fs::write(&scene, text.replace("span = \"0.5 s\"", span)).expect("it can be written");
+        scene
+    };
+    let first = run(&none(5, "span = \"0.5 s\""), &path, &[]);
+    assert!(String::from_utf8_lossy(&first.stdout).contains("0 reached the end, 5 did not"), "{first:?}");
+    let before = folder.read("table.csv");
+    let columns = before.lines().next().map_or(0, |line| line.split(',').count());
+    assert!(before.lines().all(|line| line.contains('"') || line.split(',').count() == columns), "{before}");
+    let other = run(&none(8, "span = \"0.25 s\""), &path, &[]);
+    let said = String::from_utf8_lossy(&other.stderr);
+    assert!(other.status.code() == Some(2) && said.contains("line 2: another ensemble"), "{said}");
+    assert_eq!(folder.read("table.csv"), before);
+    assert!(run(&none(8, "span = \"0.5 s\""), &path, &["--threads", "3"]).status.success());
+    assert!(folder.read("table.csv").starts_with(&before));
+}
+
+#[test]
+fn rows_that_another_processor_rounded_are_told_apart() {
+    let folder = Folder::new("rounded");
+    let path = folder.0.join("table.csv");
+    let scene = folder.scene(3, SAME);
+    assert!(run(&scene, &path, &[]).status.success());
+    let table = folder.read("table.csv");
+    let other = if table.contains("-unfused\n") { ["-unfused\n", "-fused\n"] } else { ["-fused\n", "-unfused\n"] };
+    std::fs::write(&path, table.replace(other[0], other[1])).expect("it can be written");
+    let output = run(&scene, &path, &[]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(2) && said.contains("whose last digits may differ"), "{said}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_table_that_is_deleted_or_replaced_while_it_is_written_is_an_error() {
+    let folder = Folder::new("deleted");
+    let scene = folder.scene(1_000_000, SAME);
+    for replaced in [false, true] {
+        let path = folder.0.join(format!("table{replaced}.csv"));
+        let mut child = ensemble(&scene, &path, &[]);
+        let child = child.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("the program starts");
+        while !path.exists() {}
+        std::fs::remove_file(&path).expect("it is there");
+        if replaced {
+            std::fs::write(&path, "another's").expect("it can be written");
+        }
+        let output = child.wait_with_output().expect("it ends");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(2) && said.contains("was deleted, replaced or changed"), "{said}");
+        assert_eq!(path.exists(), replaced);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_or_a_device_is_no_table_to_continue() {
+    let folder = Folder::new("pipe");
+    let output = run(&folder.scene(3, SAME), Path::new("/dev/null"), &[]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(2) && said.contains("a file is accepted"), "{said}");
 }

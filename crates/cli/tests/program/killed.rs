@@ -91,7 +91,7 @@ fn undisturbed(arguments: &[&str], name: &str) -> Vec<u8> {
 
 #[test]
 fn a_table_is_whole_whenever_its_run_is_killed() {
-    let arguments = ["run", "scenes/bench.toml", "--samples", "50000", "--out"];
+    let arguments = ["run", "scenes/bench.toml", "--samples", "50000", "--force", "--out"];
     let table = undisturbed(&arguments, "whole.csv");
     kill(&arguments, "table.csv", (4, 400.0), |found| found == table);
 }
@@ -99,9 +99,9 @@ fn a_table_is_whole_whenever_its_run_is_killed() {
 #[test]
 fn pages_pictures_and_references_are_whole_whenever_their_program_is_killed() {
     let scene = "scenes/closed_forms/unloaded_motor.toml";
-    kill(&["chart", scene, "--seconds", "1", "--out"], "page.html", (2, 400.0), ends_with("</html>"));
-    kill(&["choose", scene, "--seconds", "1", "--out"], "models.svg", (4, 20.0), ends_with("</svg>"));
-    let arguments = ["reference", scene, "--out"];
+    kill(&["chart", scene, "--seconds", "1", "--force", "--out"], "page.html", (2, 400.0), ends_with("</html>"));
+    kill(&["choose", scene, "--seconds", "1", "--force", "--out"], "models.svg", (4, 20.0), ends_with("</svg>"));
+    let arguments = ["reference", scene, "--force", "--out"];
     let reference = undisturbed(&arguments, "whole.reference");
     kill(&arguments, "again.reference", (4, 10.0), |found| found == reference);
 }

@@ -6,6 +6,7 @@ mod ensembles;
 mod formats;
 mod killed;
 mod motors;
+mod outputs;
 mod refusals;
 mod runs;
 

@@ -80,6 +80,38 @@ fn what_cannot_name_a_motor_is_refused_and_nothing_written() {
         let (code, said) = project.begin(&[name]);
         assert!(code == Some(2) && said.contains("accepted"), "{name}: {said}");
     }
+    let taken = [
+        "std",
+        "core",
+        "alloc",
+        "test",
+        "con",
+        "nul",
+        "aux",
+        "prn",
+        "com1",
+        "lpt9",
+        "option",
+        "vec",
+        "clone",
+        "self_",
+        "f64",
+        "bool",
+        "field",
+        "machine",
+        "datum",
+        "circle",
+        "over",
+        "kick",
+        "p",
+        "s",
+        "any_machine",
+        "multi_current",
+    ];
+    for name in taken {
+        let (code, said) = project.begin(&[name]);
+        assert!(code == Some(2) && said.contains(&format!("`{name}` cannot name a motor: ")), "{name}: {said}");
+    }
     assert_eq!(project.files(), 1);
     let elsewhere = temporary("no_project");
     let output = run(&["new", "motor", "salient_pole", "--project", &elsewhere.to_string_lossy()]);

@@ -76,11 +76,41 @@ fn a_form_that_does_not_exist() {
 }
 
 #[test]
-fn a_table_in_a_folder_that_does_not_exist() {
-    refused(
-        "a_table_in_a_folder_that_does_not_exist",
-        &["run", "scenes/bench.toml", "--out", "no_such_folder/table.csv"],
-    );
+fn a_name_that_ends_as_no_form_of_the_command() {
+    for (name, arguments) in [
+        ("output_run", &["run", "scenes/bench.toml", "--out", "table.png"][..]),
+        ("output_chart", &["chart", "scenes/bench.toml", "--out", "chart.png"]),
+        ("output_choose", &["choose", "scenes/bench.toml", "--out", "models.csv"]),
+        ("output_reference", &["reference", "scenes/bench.toml", "--out", "bench.txt"]),
+        ("output_ensemble", &["ensemble", "scenes/ensembles/spread.toml", "--out", "table"]),
+        ("output_report", &["--out", "report.txt"]),
+    ] {
+        refused(name, arguments);
+    }
+}
+
+#[test]
+fn an_output_over_an_input_or_over_what_the_program_did_not_write() {
+    refused("output_over_its_scene", &["run", "scenes/bench.toml", "--out", "scenes/bench.toml"]);
+}
+
+#[test]
+fn options_that_would_be_ignored() {
+    for (name, arguments) in [
+        ("ignored_form_bench", &["run", "scenes/bench.toml", "--form", "second"][..]),
+        ("ignored_form_chart", &["chart", "scenes/bench.toml", "--form", "second"]),
+        ("ignored_form_derive", &["derive", "gyrostat", "--form", "second"]),
+        ("ignored_form_code", &["derive", "scenes/bench.toml", "--form", "first", "--format", "c"]),
+        ("ignored_form_motor", &["derive", "scenes/spin_up.toml", "--form", "first"]),
+        ("ignored_principle", &["derive", "scenes/spin_up.toml", "--principle", "lagrange"]),
+        ("ignored_tolerance", &["run", "scenes/bench.toml", "--method", "runge_kutta_4:10", "--tol", "1e-3"]),
+        ("ignored_model", &["conform", "synchronous", "--model", "kloss"]),
+        ("ignored_omega0", &["phantom", "scenes/bench.toml", "--omega0", "3"]),
+        ("ignored_axis", &["chart", "scenes/bench.toml", "--x", "time", "--out", "chart.html"]),
+        ("ignored_force", &["run", "scenes/bench.toml", "--force"]),
+    ] {
+        refused(name, arguments);
+    }
 }
 
 #[test]

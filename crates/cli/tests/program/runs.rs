@@ -43,7 +43,7 @@ fn the_table_has_a_row_for_the_start_and_for_every_sample() {
     std::fs::remove_file(&path).expect("it is there");
     let lines: Vec<&str> = table.lines().collect();
     assert_eq!(lines.len(), 10);
-    assert!(lines[0].starts_with("time,angle,slip,x,i1"));
+    assert!(lines[0].starts_with("time [s],angle [rad],slip [rad/s],x [A],i1 [A]"));
     assert!(lines[1].starts_with("0,0,-150,"));
     assert!(lines[9].starts_with("2,"));
 }
@@ -157,7 +157,10 @@ fn a_rough_scene_writes_its_table_and_its_log() {
     assert!(run["closed_form"]["deviation"].as_f64().is_some_and(|off| off < 1e-9), "{run}");
     let table = std::fs::read_to_string(&path).expect("it was written");
     std::fs::remove_file(&path).expect("it is there");
-    assert!(table.starts_with("time,x,y,cos,sin,dx,dy,dcos,dsin,angle,angular_velocity,sliding_wall,"), "{table}");
+    assert!(
+        table.starts_with("time [s],x [m],y [m],cos [1],sin [1],dx [m/s],dy [m/s],dcos [1/s],dsin [1/s],angle [rad],"),
+        "{table}"
+    );
     assert!(table.lines().count() > 3 && !table.contains("NaN"), "{table}");
 }
 
@@ -167,12 +170,18 @@ fn the_report_tells_what_happened_in_rough_scenes() {
     std::fs::create_dir_all(folder.join("inside")).expect("a temporary folder");
     let copy = |from: &str, to: &str| std::fs::copy(root().join(from), folder.join(to)).expect("it can be copied");
     copy("scenes/friction/pushed_ladder.toml", "inside/pushed_ladder.toml");
+    // one scene that cannot be read is told, and does not stop the others
+    let bench = std::fs::read_to_string(root().join("scenes/bench.toml")).expect("it is there");
+    let unknown = bench.replace("\"multi_current\"", "\"not_built_yet\"");
+    std::fs::write(folder.join("unread.toml"), unknown).expect("it can be written");
     let page = folder.join("page/index.html");
     let output = run(&["--scenes", &folder.to_string_lossy(), "--out", &page.to_string_lossy()]);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(1) && said.contains("unknown machine `not_built_yet`"), "{said}");
     let html = std::fs::read_to_string(&page).expect("it was written");
     std::fs::remove_dir_all(&folder).expect("it is there");
-    assert!(["What happened, and why", "wall sticks, floor sticks", "quadrature"].iter().all(|it| html.contains(it)));
+    let told = ["What happened, and why", "wall sticks, floor sticks", "quadrature", "not_built_yet", "unread.toml"];
+    assert!(told.iter().all(|it| html.contains(it)));
 }
 
 #[test]

@@ -1,0 +1,212 @@
+//! The table of an ensemble on the disk: whole rows in the order of the members, so what there is says where to go on.
+//!
+//! Each row ends with the fingerprint of all that decides a member and of who computed it. A column is what every reader
+//! bears, and it stays with its rows when tables are joined; a comment or a file beside the table would not. A line that was
+//! cut is taken away, and the last whole row is computed again: it must come out the same.
+
+use super::told::Told;
+use crate::csv;
+use crate::ending::Ending;
+use crate::output::Writes;
+use crate::whole;
+use ::csv::{ReaderBuilder, StringRecord};
+use derivations::ensemble::{EnsembleScene, Fingerprint, Row};
+use same_file::Handle;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// Rows are written when there are so many bytes of them.
+const BLOCK: usize = 1 << 14;
+
+/// What is written is brought to the disk so often.
+const CHUNK: Duration = Duration::from_millis(500);
+
+/// No row is as long.
+const LONGEST: u64 = 1 << 24;
+
+/// The table on the disk.
+pub struct Table {
+    path: PathBuf,
+    file: File,
+    fingerprint: String,
+    /// How many columns there are.
+    columns: usize,
+    /// Rows that are not written yet.
+    waiting: String,
+    /// How long the file is.
+    length: u64,
+    settled: Instant,
+}
+
+/// Why a file is no table of an ensemble: its line, and the reason.
+type Foreign = (usize, String);
+
+impl Table {
+    /// Makes it, or goes on with the one that is there.
+    pub fn open(writes: &Writes<'_>, path: &Path, scene: &EnsembleScene) -> Result<(Self, Told), Ending> {
+        let unwritable = |error: io::Error| Ending::unwritable(path, &error);
+        let place = writes.continued(path)?;
+        std::fs::create_dir_all(whole::folder(&place)).map_err(unwritable)?;
+        let file = OpenOptions::new().read(true).append(true).create(true).open(&place).map_err(unwritable)?;
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) => {
+                let reason = "another run writes to it; wait for its end, or name another file";
+                return Err(Ending::refused(format!("{}: {reason}", path.display())));
+            }
+            // where files cannot be locked, two runs at once are the user's care
+            Ok(()) | Err(TryLockError::Error(_)) => {}
+        }
+        let fingerprint = Fingerprint::of(scene);
+        let (whole, told) = match read(BufReader::new(&file), scene, &fingerprint) {
+            Ok(found) => found,
+            Err(_) if writes.force => (0, Told::default()),
+            Err((line, why)) => {
+                let accepted =
+                    "a table of this very ensemble is continued; name another file, or begin anew with --force";
+                return Err(Ending::refused(format!("{}, line {line}: {why}; {accepted}", path.display())));
+            }
+        };
+        file.set_len(whole).map_err(unwritable)?;
+        let headings = scene.headings();
+        let mut table = Table {
+            path: path.to_owned(),
+            file,
+            fingerprint: fingerprint.to_string(),
+            columns: headings.len(),
+            waiting: String::new(),
+            length: whole,
+            settled: Instant::now(),
+        };
+        if whole == 0 {
+            table.waiting = csv::line(&headings) + "\n";
+            table.settle()?;
+        }
+        Ok((table, told))
+    }
+
+    /// A kill takes what is not written, a failure of the power what is not brought to the disk.
+    pub fn push(&mut self, row: &Row) -> Result<(), Ending> {
+        self.waiting += &line(row, self.columns, &self.fingerprint);
+        if self.settled.elapsed() >= CHUNK {
+            return self.settle();
+        }
+        if self.waiting.len() >= BLOCK { self.write().map_err(|error| self.unwritable(&error)) } else { Ok(()) }
+    }
+
+    /// Writes what waits, brings all to the disk, and looks whether it is still there.
+    pub fn settle(&mut self) -> Result<(), Ending> {
+        let settled = self.write().and_then(|()| self.file.sync_data());
+        settled.map_err(|error| self.unwritable(&error))?;
+        self.settled = Instant::now();
+        let same = self.file.try_clone().and_then(Handle::from_file).and_then(|own| {
+            // what is no file any more might wait for a reader
+            Ok(self.path.is_file()
+                && Handle::from_path(&self.path)? == own
+                && self.file.metadata()?.len() == self.length)
+        });
+        match same {
+            Ok(true) => Ok(()),
+            _ => Err(Ending::refused(format!(
+                "{} was deleted, replaced or changed by another program while it was written, and its rows are lost; the same \
+                 command begins anew",
+                self.path.display()
+            ))),
+        }
+    }
+
+    fn write(&mut self) -> io::Result<()> {
+        self.file.write_all(self.waiting.as_bytes())?;
+        self.length += self.waiting.len() as u64;
+        self.waiting.clear();
+        Ok(())
+    }
+
+    /// The rows that are whole stay, so that the run can go on.
+    fn unwritable(&self, error: &io::Error) -> Ending {
+        Ending::unwritable(&self.path, error)
+    }
+}
+
+/// How many bytes of a file are whole rows of the ensemble, and what they tell. One line is held at a time.
+fn read(mut table: impl BufRead, scene: &EnsembleScene, fingerprint: &Fingerprint) -> Result<(u64, Told), Foreign> {
+    let headings = scene.headings();
+    let heading = csv::line(&headings) + "\n";
+    let mut told = Told::default();
+    let unreadable = |error: io::Error| (1, error.to_string());
+    let mut head = Vec::new();
+    table.by_ref().take(heading.len() as u64).read_to_end(&mut head).map_err(unreadable)?;
+    if head.len() < heading.len() && heading.as_bytes().starts_with(&head) {
+        return Ok((0, told));
+    }
+    if head != heading.as_bytes() {
+        return Err((1, "these are not the columns of this ensemble's table".to_owned()));
+    }
+    let mut whole = heading.len() as u64;
+    let (mut last, mut found) = (Vec::new(), Vec::new());
+    for number in 1.. {
+        let foreign = |why: String| (number + 1, why);
+        found.clear();
+        let length =
+            table.by_ref().take(LONGEST).read_until(b'\n', &mut found).map_err(|error| foreign(error.to_string()))?;
+        if !found.ends_with(b"\n") && (length as u64) < LONGEST {
+            break;
+        }
+        let cells = cells(&found).filter(|cells| cells.len() == headings.len());
+        let cells = cells.ok_or_else(|| foreign("this is no row of the table".to_owned()))?;
+        if let Some(why) = fingerprint.differs_from(&cells[cells.len() - 1]) {
+            return Err(foreign(why));
+        }
+        let drawn = scene.drawn(number as u64);
+        let begins = std::iter::once(number.to_string()).chain(drawn.iter().map(f64::to_string));
+        if !begins.zip(&cells).all(|(own, found)| own == found) {
+            return Err(foreign(format!("member {number} has other data here")));
+        }
+        if told.members == scene.members {
+            return Err(foreign(format!("there are more than the {} members", scene.members)));
+        }
+        told.add(Some(&cells[1 + drawn.len()]).filter(|why| !why.is_empty()));
+        whole += length as u64;
+        std::mem::swap(&mut last, &mut found);
+    }
+    if told.members > 0 {
+        let mut again = String::new();
+        scene.run(told.members..=told.members, 1, |row| {
+            again = line(&row, headings.len(), &fingerprint.to_string());
+            ControlFlow::Continue(())
+        });
+        if again.as_bytes() != last {
+            let why = format!("member {} comes out otherwise today", told.members);
+            return Err((told.members as usize + 1, why));
+        }
+    }
+    Ok((whole, told))
+}
+
+/// The cells of one line; none where it is not one row.
+fn cells(line: &[u8]) -> Option<StringRecord> {
+    let mut reader = ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
+    let mut records = reader.records();
+    let record = records.next()?.ok()?;
+    records.next().is_none().then_some(record)
+}
+
+/// A row of so many columns, with its end; what a member has not is empty.
+fn line(row: &Row, columns: usize, fingerprint: &str) -> String {
+    let number = |x: Option<f64>| x.map_or_else(String::new, |x| x.to_string());
+    let mut cells = vec![row.number.to_string()];
+    cells.extend(row.drawn.iter().map(f64::to_string));
+    // a row is one line
+    cells.push(row.stopped.as_deref().map_or_else(String::new, |why| why.replace(['\n', '\r'], " ")));
+    cells.push(number(row.last.as_ref().map(|last| last.time)));
+    cells.push(row.steps.to_string());
+    if let Some(last) = &row.last {
+        cells.extend(last.state.iter().map(f64::to_string));
+        cells.extend(last.changes.map(number));
+    }
+    cells.resize(columns - 1, String::new());
+    cells.push(fingerprint.to_owned());
+    csv::line(&cells) + "\n"
+}

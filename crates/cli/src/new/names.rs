@@ -1,0 +1,136 @@
+//! What may name a new motor: a file, a module, a type and a test on every system, beside all names that are there.
+
+use super::{LIST, MACHINE, TEST, camel};
+use crate::ending::Ending;
+use std::fs;
+use std::path::Path;
+
+/// Words of the language, which no module can have for a name; `main` is that of a test's own kind.
+const WORDS: &[&str] = &[
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn", "else",
+    "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "main",
+    "match", "mod", "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super",
+    "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
+
+/// Crates that come with the language, and the tests' own: a module of such a name would stand in their way.
+const CRATES: &[&str] = &["alloc", "core", "dalembert", "derivations", "proc_macro", "std", "test"];
+
+/// Types of the language without capitals.
+const PRIMITIVES: &[&str] = &[
+    "bool", "char", "f16", "f32", "f64", "f128", "i8", "i16", "i32", "i64", "i128", "isize", "str", "u8", "u16", "u32",
+    "u64", "u128", "usize",
+];
+
+/// Names that every file of the language knows, in capitals: a motor's type would hide them.
+const PRELUDE: &[&str] = &[
+    "AsMut",
+    "AsRef",
+    "AsyncFn",
+    "AsyncFnMut",
+    "AsyncFnOnce",
+    "Box",
+    "Clone",
+    "Copy",
+    "Debug",
+    "Default",
+    "DoubleEndedIterator",
+    "Drop",
+    "Eq",
+    "Err",
+    "ExactSizeIterator",
+    "Extend",
+    "Fn",
+    "FnMut",
+    "FnOnce",
+    "From",
+    "FromIterator",
+    "Future",
+    "Hash",
+    "Into",
+    "IntoFuture",
+    "IntoIterator",
+    "Iterator",
+    "None",
+    "Ok",
+    "Option",
+    "Ord",
+    "PartialEq",
+    "PartialOrd",
+    "Result",
+    "Self",
+    "Send",
+    "Sized",
+    "Some",
+    "String",
+    "Sync",
+    "ToOwned",
+    "ToString",
+    "TryFrom",
+    "TryInto",
+    "Unpin",
+    "Vec",
+];
+
+/// Devices, which are no files under some systems, whatever the ending.
+const DEVICES: &[&str] = &["aux", "con", "nul", "prn"];
+
+/// Letters, digits and _, a letter first, and no word of the language.
+pub fn check_letters(name: &str) -> Result<(), Ending> {
+    let begins = name.bytes().next().is_some_and(|byte| byte.is_ascii_lowercase());
+    let goes_on = name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_');
+    let word = WORDS.contains(&name) || name.starts_with("text");
+    if !(begins && goes_on && name.len() <= 40) || word {
+        return Err(Ending::refused(format!(
+            "`{name}` cannot name a motor: up to 40 lower case letters, digits and _ are accepted, a letter first, and no \
+             word of the language, and nothing that begins with `text`: such as `salient_pole`"
+        )));
+    }
+    Ok(())
+}
+
+/// No name that is taken, by the language, by a system or by the project.
+pub fn check_free(name: &str, project: &Path) -> Result<(), Ending> {
+    match taken(name, project) {
+        None => Ok(()),
+        Some(by) => Err(Ending::refused(format!(
+            "`{name}` cannot name a motor: {by}; another name is accepted, such as `salient_pole`"
+        ))),
+    }
+}
+
+/// Who has the name, or that of the type, already.
+fn taken(name: &str, project: &Path) -> Option<String> {
+    let capital = camel(name);
+    if is_device(name) {
+        return Some("files of this name are devices under some systems".to_owned());
+    }
+    if CRATES.contains(&name) || PRIMITIVES.contains(&name) || PRELUDE.contains(&&*capital) {
+        return Some(format!("the language has `{name}` or `{capital}` already"));
+    }
+    let manifest = fs::read_to_string(project.join("Cargo.toml")).unwrap_or_default();
+    // a line of a manifest begins with a key; those of dependencies are crates
+    let key = |line: &str| line.split(['.', '=', ' ']).next().is_some_and(|key| key.replace('-', "_") == name);
+    if manifest.lines().any(key) {
+        return Some("Cargo.toml has a crate or a key of this name".to_owned());
+    }
+    let list = fs::read_to_string(project.join(LIST)).unwrap_or_default();
+    if identifiers(&list).any(|known| known == name || known == capital) {
+        return Some(format!("`{name}` or `{capital}` stands in {LIST} already"));
+    }
+    let used = [MACHINE, TEST].into_iter().flat_map(identifiers).any(|known| known == capital);
+    used.then(|| format!("the files of a new motor use `{capital}` for something else"))
+}
+
+/// Also with a number, as the first serial port.
+fn is_device(name: &str) -> bool {
+    let port = name.strip_prefix("com").or_else(|| name.strip_prefix("lpt"));
+    DEVICES.contains(&name)
+        || port.is_some_and(|number| number.len() == 1 && number.bytes().all(|n| n.is_ascii_digit()))
+}
+
+/// The names in a text of the language, without those in its comments.
+fn identifiers(text: &str) -> impl Iterator<Item = &str> {
+    let code = text.lines().map(|line| line.split("//").next().unwrap_or_default());
+    code.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')).filter(|word| !word.is_empty())
+}

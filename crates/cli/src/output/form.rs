@@ -1,0 +1,98 @@
+//! The forms in which commands write, and how a command knows a file of its own.
+//!
+//! A picture begins with a comment that names the command, a page has the command as its generator, a reference says which
+//! command made it. A table has no room for a mark that every reader bears, since a line of comment or of units turns numbers
+//! into texts in pandas; a table is known by its first line, the names of its columns with their units.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// What is written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// A picture, SVG.
+    Picture,
+    /// A page, HTML.
+    Page,
+    /// A solution with its digits.
+    Reference,
+    /// A table, CSV, with this first line.
+    Table(String),
+}
+
+/// The command that writes; the main job has no name.
+#[derive(Clone, Copy, Debug)]
+pub struct Maker(pub &'static str);
+
+/// A mark stands within so many bytes.
+const HEAD: u64 = 4096;
+
+impl Maker {
+    /// As it is called.
+    pub fn name(self) -> String {
+        format!("dalembert {}", self.0).trim_end().to_owned()
+    }
+
+    /// As pages and pictures say it.
+    pub fn generator(self) -> String {
+        format!("{}, version {}", self.name(), env!("CARGO_PKG_VERSION"))
+    }
+}
+
+impl Form {
+    /// How names of its files end.
+    pub fn ends(&self) -> &'static [&'static str] {
+        match self {
+            Form::Picture => &["svg"],
+            Form::Page => &["html", "htm"],
+            Form::Reference => &["reference"],
+            Form::Table(_) => &["csv"],
+        }
+    }
+
+    /// The form that the end of a name asks for.
+    pub fn named(path: &Path, forms: &[Form]) -> Option<Form> {
+        let end = path.extension()?.to_str()?;
+        forms.iter().find(|form| form.ends().iter().any(|known| known.eq_ignore_ascii_case(end))).cloned()
+    }
+
+    /// As messages say it.
+    pub fn said(&self) -> &'static str {
+        match self {
+            Form::Picture => "picture",
+            Form::Page => "page",
+            Form::Reference => "reference",
+            Form::Table(_) => "table",
+        }
+    }
+
+    /// What is written before the content.
+    pub fn mark(&self, maker: Maker) -> String {
+        match self {
+            Form::Picture => format!("<!-- {} -->\n", maker.generator()),
+            _ => String::new(),
+        }
+    }
+
+    /// Whether a file was written by this command in this form. An empty file is nobody's, and holds nothing to be lost.
+    pub fn is_of(&self, maker: Maker, file: &Path) -> io::Result<bool> {
+        let mut head = Vec::new();
+        let room = match self {
+            Form::Table(heading) => HEAD.max(heading.len() as u64 + 1),
+            _ => HEAD,
+        };
+        File::open(file)?.take(room).read_to_end(&mut head)?;
+        let text = String::from_utf8_lossy(&head);
+        let name = maker.name();
+        Ok(text.is_empty()
+            || match self {
+                Form::Picture => text.starts_with(&format!("<!-- {name}, version ")),
+                Form::Page => text.contains(&format!("<meta name=\"generator\" content=\"{name}, version ")),
+                Form::Reference => {
+                    text.starts_with("# Reference of ") && text.contains(&format!("\n# Made by: {name} "))
+                }
+                Form::Table(heading) => text.strip_prefix(heading.as_str()).is_some_and(|rest| rest.starts_with('\n')),
+            })
+    }
+}

@@ -1,0 +1,214 @@
+//! Where commands write: one rule for all of them.
+//!
+//! * The end of a name says the form, and a command refuses the ends of forms that it does not write.
+//! * Folders that are missing are made when the file is written.
+//! * A file that stands there is replaced only if this command wrote it, as its first lines show (see [`Form`]), or if
+//!   `--force` insists; a file that the command reads is never replaced, whatever name leads to it.
+//! * All of this is looked at before the work and again when the file is written: a file that came meanwhile is left alone,
+//!   and what was computed is kept beside it.
+//! * A pipe or a device is written to as it stands, whatever its name; a pipe that nobody reads is refused.
+
+mod form;
+mod place;
+
+pub use form::{Form, Maker};
+
+use crate::arguments::Format;
+use crate::ending::{Ending, is_quiet, print};
+use crate::whole::{self, Beside, Untaken};
+use place::Place;
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// What a command may do to files.
+pub struct Writes<'a> {
+    /// The name of the command, by which it knows its own files.
+    pub command: &'static str,
+    /// Whether a file of another maker may be replaced.
+    pub force: bool,
+    /// The files that the command reads.
+    pub reads: Vec<&'a Path>,
+}
+
+/// A file that will be written, or a device that is open.
+pub struct Output {
+    path: PathBuf,
+    form: Form,
+    place: Place,
+    rights: Rights,
+}
+
+/// What [`Writes`] says, kept for the instant at which the file is written.
+struct Rights {
+    maker: Maker,
+    force: bool,
+    reads: Vec<PathBuf>,
+}
+
+impl Writes<'_> {
+    /// A place for one of these forms, as the end of its name says: asked before the work, so that a wrong name does not
+    /// cost it. Nothing is made yet.
+    pub fn output(&self, path: &Path, forms: &[Form]) -> Result<Output, Ending> {
+        let place = Place::of(path).map_err(|error| Ending::unwritable(path, &error))?;
+        let form = match (Form::named(path, forms), &place) {
+            (Some(form), _) => form,
+            (None, Place::Device(_)) if !forms.is_empty() => forms[0].clone(),
+            (None, _) => {
+                let ends: Vec<&str> = forms.iter().flat_map(Form::ends).copied().collect();
+                let ends = ends.join(" or .");
+                return Err(Ending::refused(format!(
+                    "{} cannot be written: the end of its name is that of no form which `{}` writes there; a name that ends in \
+                     .{ends} is accepted",
+                    path.display(),
+                    self.maker().name()
+                )));
+            }
+        };
+        let reads = self.reads.iter().map(|path| path.to_path_buf()).collect();
+        let rights = Rights { maker: self.maker(), force: self.force, reads };
+        if let Place::File(file) = &place {
+            rights.admit(path, file, &form)?;
+            whole::probe(file).map_err(|error| Ending::unwritable(path, &error))?;
+        }
+        Ok(Output { path: path.to_owned(), form, place, rights })
+    }
+
+    /// The same where a place is asked for.
+    pub fn optional(&self, path: Option<&Path>, forms: &[Form]) -> Result<Option<Output>, Ending> {
+        path.map(|path| self.output(path, forms)).transpose()
+    }
+
+    /// A table that is read before it is continued: a file, or nothing yet. Whether it is ours its rows show.
+    pub fn continued(&self, path: &Path) -> Result<PathBuf, Ending> {
+        let output = Writes { force: true, reads: self.reads.clone(), ..*self };
+        match output.output(path, &[Form::Table(String::new())])?.place {
+            Place::File(file) => Ok(file),
+            Place::Device(_) => Err(Ending::refused(format!(
+                "{} cannot be written: this is a pipe or a device, and a table that is continued is read first; a file is accepted",
+                path.display()
+            ))),
+        }
+    }
+
+    fn maker(&self) -> Maker {
+        Maker(self.command)
+    }
+}
+
+impl Rights {
+    /// Whether a file may be written there, over what stands there now.
+    fn admit(&self, path: &Path, file: &Path, form: &Form) -> Result<bool, Ending> {
+        if std::fs::symlink_metadata(file).is_err() {
+            return Ok(false);
+        }
+        let read =
+            self.reads.iter().find(|read| read.is_file() && same_file::is_same_file(read, file).unwrap_or(false));
+        if let Some(read) = read {
+            return Err(Ending::refused(format!(
+                "{} cannot be written: it is the file {} that is read; another name is accepted",
+                path.display(),
+                read.display()
+            )));
+        }
+        let known = self.force
+            || form.is_of(self.maker, file).map_err(|error| Ending::refused(format!("{}: {error}", path.display())))?;
+        match known {
+            true => Ok(true),
+            false => Err(Ending::refused(format!(
+                "{} exists and is no {} of `{}`; a name that is free is accepted, and --force, which replaces the file",
+                path.display(),
+                form.said(),
+                self.maker.name()
+            ))),
+        }
+    }
+}
+
+impl Output {
+    /// What is to be written.
+    pub fn form(&self) -> &Form {
+        &self.form
+    }
+
+    /// Writes it, all or nothing, with the mark of its maker where the form has room for one.
+    pub fn write(self, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Written, Ending> {
+        let Output { path, form, place, rights } = self;
+        let unwritable = |error: io::Error| Ending::unwritable(&path, &error);
+        let mark = form.mark(rights.maker);
+        let marked = |out: &mut dyn Write| {
+            out.write_all(mark.as_bytes())?;
+            content(out)
+        };
+        match place {
+            Place::Device(device) => to_device(device, marked).map_err(unwritable)?,
+            Place::File(file) => {
+                std::fs::create_dir_all(whole::folder(&file)).map_err(unwritable)?;
+                let written = Beside::write(&file, marked).map_err(unwritable)?;
+                match rights.admit(&path, &file, &form) {
+                    Ok(true) => written.replace().map_err(unwritable)?,
+                    Ok(false) => match written.take() {
+                        Ok(()) => {}
+                        Err(Untaken::Failed(error)) => return Err(unwritable(error)),
+                        Err(Untaken::Occupied(written)) => return Err(came_meanwhile(&path, written)),
+                    },
+                    Err(_) => return Err(came_meanwhile(&path, written)),
+                }
+            }
+        }
+        Ok(Written(path))
+    }
+
+    /// Writes a text.
+    pub fn write_text(self, text: &str) -> Result<Written, Ending> {
+        self.write(|out| out.write_all(text.as_bytes()))
+    }
+}
+
+/// A file that was written.
+#[must_use]
+pub struct Written(PathBuf);
+
+impl Written {
+    /// Tells its name, where there is text to read and not one object for programs.
+    pub fn tell(self, format: Format) -> Result<(), Ending> {
+        match format {
+            Format::Text if !is_quiet() => print(&format!("{}\n", self.0.display())),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A reader who has seen enough and closed the pipe is no error.
+fn to_device(device: File, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut out = BufWriter::new(device);
+    match content(&mut out).and_then(|()| out.flush()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        ended => ended,
+    }
+}
+
+/// The place was taken, or what stood there was changed, after it was looked at first.
+fn came_meanwhile(path: &Path, written: Beside) -> Ending {
+    let kept = match written.keep() {
+        Ok(kept) => format!("what was computed is kept in {}", kept.display()),
+        Err(error) => format!("what was computed could not be kept: {error}"),
+    };
+    Ending::refused(format!("{} came into being meanwhile and is left alone; {kept}", path.display()))
+}
+
+/// Refuses two outputs of one command that would be one file.
+pub fn apart(one: Option<&Output>, other: Option<&Output>) -> Result<(), Ending> {
+    let (Some(one), Some(other)) = (one, other) else { return Ok(()) };
+    match one.path == other.path || one.place.is(&other.place) {
+        false => Ok(()),
+        true => Err(Ending::refused(format!(
+            "{} and {} are one file, and each would be lost in the other; two names are accepted",
+            one.path.display(),
+            other.path.display()
+        ))),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,108 @@
+//! What a name stands for: a file, there or not yet, or a pipe or device that is opened at once.
+
+use std::fs::{self, File, FileType, OpenOptions};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What a name stands for.
+pub enum Place {
+    /// A file, there or not yet; links are followed.
+    File(PathBuf),
+    /// A terminal, a pipe, nothing: written to as it stands.
+    Device(File),
+}
+
+impl Place {
+    /// Looks at a name. A pipe is opened here and stays open, so that its reader waits for what is written; nobody who reads
+    /// is waited for longer than a few seconds.
+    pub fn of(path: &Path) -> io::Result<Self> {
+        let found = match fs::metadata(path) {
+            Ok(found) => found,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                if fs::symlink_metadata(path).is_ok() {
+                    return Err(io::Error::other("this is a link to nothing"));
+                }
+                return match path.file_name() {
+                    Some(_) => Ok(Place::File(path.to_owned())),
+                    None => Err(io::ErrorKind::IsADirectory.into()),
+                };
+            }
+            Err(error) => return Err(error),
+        };
+        match found.file_type() {
+            kind if kind.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+            kind if kind.is_file() && found.permissions().readonly() => Err(io::ErrorKind::PermissionDenied.into()),
+            kind if kind.is_file() => fs::canonicalize(path).map(Place::File),
+            kind if is_pipe(kind) => pipe(path).map(Place::Device),
+            kind if is_characters(kind) => OpenOptions::new().write(true).open(path).map(Place::Device),
+            _ => Err(io::Error::other("this is neither a file nor a pipe nor a device that takes characters")),
+        }
+    }
+
+    /// Whether two names stand for one file.
+    pub fn is(&self, other: &Place) -> bool {
+        let whole = |path: &Path| {
+            let folder = fs::canonicalize(crate::whole::folder(path)).ok()?;
+            Some(folder.join(path.file_name()?))
+        };
+        match (self, other) {
+            (Place::File(one), Place::File(other)) => {
+                one == other
+                    || whole(one).is_some_and(|one| whole(other) == Some(one))
+                    || same_file::is_same_file(one, other).unwrap_or(false)
+            }
+            _ => false,
+        }
+    }
+}
+
+#[cfg(unix)]
+fn is_pipe(kind: FileType) -> bool {
+    std::os::unix::fs::FileTypeExt::is_fifo(&kind)
+}
+
+#[cfg(unix)]
+fn is_characters(kind: FileType) -> bool {
+    std::os::unix::fs::FileTypeExt::is_char_device(&kind)
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: FileType) -> bool {
+    false
+}
+
+/// Where devices have no kind of their own, they are what is neither file nor folder.
+#[cfg(not(unix))]
+fn is_characters(_: FileType) -> bool {
+    true
+}
+
+/// Opens a pipe for which a reader is there, or comes soon.
+#[cfg(unix)]
+fn pipe(path: &Path) -> io::Result<File> {
+    use rustix::fs::{Mode, OFlags, fcntl_setfl, open};
+    use rustix::io::Errno;
+    use std::time::{Duration, Instant};
+
+    const PATIENCE: Duration = Duration::from_secs(5);
+    let begin = Instant::now();
+    loop {
+        match open(path, OFlags::WRONLY | OFlags::NONBLOCK | OFlags::CLOEXEC, Mode::empty()) {
+            Ok(pipe) => {
+                // from here on a slow reader is waited for
+                fcntl_setfl(&pipe, OFlags::empty())?;
+                return Ok(pipe.into());
+            }
+            Err(Errno::NXIO) if begin.elapsed() < PATIENCE => std::thread::sleep(Duration::from_millis(20)),
+            Err(Errno::NXIO) => {
+                return Err(io::Error::other("nobody reads from this pipe; one that is read is accepted"));
+            }
+            Err(error) => return Err(error.into()),
+        }
+    }
+}
+
+#[cfg(not(unix))]
+fn pipe(path: &Path) -> io::Result<File> {
+    OpenOptions::new().write(true).open(path)
+}

@@ -1,0 +1,34 @@
+//! Scenes that could not be read, in the report: each with the lines that are wrong.
+
+use charts::{Study, Table};
+use derivations::scene::{Issue, SceneError};
+
+/// The page; `None` where all were read.
+pub fn study(unread: &[SceneError]) -> Option<Study> {
+    (!unread.is_empty()).then(|| Study {
+        id: "unread".into(),
+        title: "Scenes that could not be read".into(),
+        lead: "The report goes on without these files. `dalembert run FILE` shows each fault with its line.".into(),
+        tables: vec![Table {
+            caption: String::new(),
+            head: ["File", "Line", "What is wrong", "What is accepted"].map(String::from).into(),
+            rows: unread.iter().flat_map(rows).collect(),
+        }],
+        ..Study::default()
+    })
+}
+
+fn rows(error: &SceneError) -> impl Iterator<Item = Vec<String>> {
+    error.issues.iter().map(|issue| {
+        let Issue { title, help, .. } = issue;
+        vec![error.path.clone(), line(error, issue), title.clone(), help.clone().unwrap_or_default()]
+    })
+}
+
+/// Counted from one; none where the whole file is wrong.
+fn line(error: &SceneError, issue: &Issue) -> String {
+    issue.span.as_ref().map_or_else(String::new, |span| {
+        let before = error.text.bytes().take(span.start);
+        (1 + before.filter(|byte| *byte == b'\n').count()).to_string()
+    })
+}

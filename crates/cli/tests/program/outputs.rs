@@ -1,0 +1,142 @@
+//! What commands write, and what they never write over.
+
+use crate::{program, root, run};
+use std::path::{Path, PathBuf};
+use std::process::{Output, Stdio};
+
+/// A folder with a scene, which goes with it.
+struct Folder(tempfile::TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        let folder = Folder(tempfile::tempdir().expect("a folder can be made"));
+        let bench = root().join("scenes/closed_forms/unloaded_motor.toml");
+        std::fs::copy(bench, folder.at("scene.toml")).expect("it can be copied");
+        folder
+    }
+
+    fn at(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.at(name)).expect("it is there")
+    }
+
+    /// Runs a command in the folder.
+    fn run(&self, arguments: &[&str]) -> Output {
+        program(arguments).current_dir(self.0.path()).output().expect("the program starts")
+    }
+
+    fn refused(&self, arguments: &[&str], why: &str) {
+        let output = self.run(arguments);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && said.contains(why), "{arguments:?}: {said}");
+    }
+}
+
+/// Every command with an output, up to the name of its file, and a name that it accepts.
+const COMMANDS: [(&[&str], &str); 6] = [
+    (&["run", "scene.toml", "--out"], "out.csv"),
+    (&["run", "scene.toml", "--transition"], "out.csv"),
+    (&["chart", "scene.toml", "--seconds", "1", "--out"], "out.svg"),
+    (&["chart", "scene.toml", "--seconds", "1", "--out"], "out.html"),
+    (&["choose", "scene.toml", "--seconds", "1", "--out"], "out.svg"),
+    (&["reference", "scene.toml", "--out"], "out.reference"),
+];
+
+#[test]
+fn every_command_replaces_its_own_file_and_no_other() {
+    let folder = Folder::new();
+    let scene = folder.read("scene.toml");
+    for (command, name) in COMMANDS {
+        let _ = std::fs::remove_file(folder.at(name));
+        for _ in 0..2 {
+            let output = folder.run(&[command, &[name]].concat());
+            let said = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert_eq!(output.status.code(), Some(0), "{command:?}: {said}");
+            assert!(String::from_utf8_lossy(&output.stdout).ends_with(&format!("{name}\n")), "{command:?}");
+        }
+        std::fs::write(folder.at(name), "precious").expect("it can be written");
+        folder.refused(&[command, &[name]].concat(), "exists and is no ");
+        assert_eq!(folder.read(name), "precious");
+        // a scene is never replaced, whatever its name, and whoever insists
+        std::fs::remove_file(folder.at(name)).expect("it is there");
+        std::fs::hard_link(folder.at("scene.toml"), folder.at(name)).expect("links can be made");
+        folder.refused(&[command, &[name]].concat(), "that is read");
+        folder.refused(&[command, &[name, "--force"]].concat(), "that is read");
+        assert_eq!(folder.read("scene.toml"), scene);
+    }
+    folder.refused(&["run", "scene.toml", "--out", "scene.toml"], "ends in .csv is accepted");
+}
+
+#[test]
+fn folders_are_made_and_another_commands_file_is_left_alone() {
+    let folder = Folder::new();
+    let output = folder.run(&["run", "scene.toml", "--out", "a/b/table.csv", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice::<serde_json::Value>(&output.stdout).expect("one JSON object and no name of a file");
+    let table = folder.read("a/b/table.csv");
+    assert!(table.starts_with("time [s],angle [rad],slip [rad/s],"), "{table}");
+    folder.refused(&["run", "scene.toml", "--transition", "a/b/table.csv"], "is no table of `dalembert run`");
+    assert_eq!(folder.run(&["run", "scene.toml", "--transition", "a/b/table.csv", "--force"]).status.code(), Some(0));
+    assert!(folder.read("a/b/table.csv").starts_with("end by start,angle [rad],slip [rad/s]"));
+    folder.refused(&["run", "scene.toml", "--out", "a/t.csv", "--transition", "a/../a/t.csv"], "are one file");
+    assert!(!folder.at("a/t.csv").exists());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_named_and_what_was_computed_is_told() {
+    let folder = Folder::new();
+    let output = folder.run(&["run", "scene.toml", "--out", "/dev/full"]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said.contains("/dev/full cannot be written: no space is left there; free some"), "{said}");
+    assert!(String::from_utf8_lossy(&output.stdout).contains("reached "), "{output:?}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn results_that_standard_output_does_not_take_are_an_error() {
+    for arguments in [&["--help"][..], &["run", "--help"], &["--version"], &["completions", "bash"], &["scenes"]] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("the system has it");
+        let output = program(arguments).stdout(Stdio::from(full)).output().expect("the program starts");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            output.status.code() == Some(2) && said.contains("standard output cannot be written"),
+            "{arguments:?}: {said}"
+        );
+    }
+    assert_eq!(run(&["--help"]).status.code(), Some(0));
+    assert_eq!(run(&["--no-such-option"]).status.code(), Some(2));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_takes_what_a_file_would_and_one_that_nobody_reads_is_refused() {
+    let folder = Folder::new();
+    let pipe = folder.at("pipe");
+    if !std::process::Command::new("mkfifo").arg(&pipe).status().is_ok_and(|made| made.success()) {
+        return eprintln!("skipped: there is no `mkfifo` on this machine");
+    }
+    folder.refused(&["run", "scene.toml", "--out", "pipe"], "nobody reads from this pipe");
+    folder.refused(
+        &["ensemble", &root().join("scenes/ensembles/spread.toml").to_string_lossy(), "--out", "pipe"],
+        "pipe",
+    );
+    let reader = std::thread::spawn(move || std::fs::read_to_string(pipe));
+    assert_eq!(folder.run(&["run", "scene.toml", "--samples", "5", "--out", "pipe"]).status.code(), Some(0));
+    let table = reader.join().expect("it ends").expect("it can be read");
+    assert_eq!(table.lines().count(), 7, "{table}");
+}
+
+#[test]
+fn a_matrix_of_a_run_that_stopped_is_not_written_and_that_is_said() {
+    let folder = Folder::new();
+    let scene = root().join("scenes/governors/blow_up.toml");
+    let output = folder.run(&["run", &scene.to_string_lossy(), "--transition", "matrix.csv"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("matrix.csv is not written"));
+    assert!(!Path::exists(&folder.at("matrix.csv")));
+}

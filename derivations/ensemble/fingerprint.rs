@@ -1,0 +1,72 @@
+//! The fingerprint of an ensemble: what decides a member, and who computed it.
+//!
+//! Rows of one table belong together only if the same law, data, span, tolerance and seed decided them, and if the same
+//! program rounded in the same way: without fused multiplication the last digits differ. The number of members is left out,
+//! and so are listed values, which every row shows: an ensemble may grow.
+
+use super::EnsembleScene;
+use super::known::Data;
+use super::run::MOST_STEPS;
+use siphasher::sip::SipHasher24;
+use std::fmt::{self, Display, Write};
+use std::hash::Hasher;
+
+/// `HASH:VERSION:PROCESSOR`, without a character that a table quotes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fingerprint {
+    /// Of law, data, span, tolerance and seed.
+    of_members: String,
+    /// The version of the program, and how the processor rounds.
+    maker: String,
+}
+
+impl Fingerprint {
+    /// That of the rows which this program computes here.
+    pub fn of(scene: &EnsembleScene) -> Self {
+        let mut hash = Hashed(SipHasher24::new());
+        let EnsembleScene { scene: base, members: _, seed, varied, kind, axes } = scene;
+        let (span, tolerance) = (base.run.span, base.run.tolerance);
+        // writing to a hash cannot fail
+        let _ = write!(hash, "{kind:?} {:?} {axes:?} {seed} {span:?} {tolerance:?} {MOST_STEPS}", Data::of(base));
+        let _ = write!(hash, " {}", base.machine.name());
+        for varied in varied {
+            let _ = write!(hash, " {}", varied.distribution());
+        }
+        let rounds = if integrators::fuses() { "fused" } else { "unfused" };
+        let (processor, system) = (std::env::consts::ARCH, std::env::consts::OS);
+        let version = env!("CARGO_PKG_VERSION");
+        Fingerprint {
+            of_members: format!("h{:016x}", hash.0.finish()),
+            maker: format!("{version}:{processor}-{system}-{rounds}"),
+        }
+    }
+
+    /// Why a row with another fingerprint is none of this ensemble; `None` where it is one.
+    pub fn differs_from(&self, found: &str) -> Option<String> {
+        if found == self.to_string() {
+            return None;
+        }
+        Some(match found.split_once(':') {
+            Some((of_members, maker)) if of_members == self.of_members => {
+                format!("this row was computed by {maker}, whose last digits may differ from those of {}", self.maker)
+            }
+            _ => "another ensemble: its law, data, span, tolerance or seed differ from those of this scene".to_owned(),
+        })
+    }
+}
+
+impl Display for Fingerprint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.of_members, self.maker)
+    }
+}
+
+/// Takes a text as it is written.
+struct Hashed(SipHasher24);
+
+impl Write for Hashed {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0.write(text.as_bytes());
+        Ok(())
+    }
+}
