@@ -76,7 +76,7 @@ pub struct ClaimRow {
     pub verdict: Verdict,
     /// The statement, a displayed formula each.
     pub latex: Vec<String>,
-    /// Hypotheses and denominators that must not vanish: texts.
+    /// Everything that is presupposed, hypotheses, divisors that must not vanish, signs: texts.
     pub requires: Vec<String>,
     /// How the verdict was reached: text.
     pub evidence: String,
@@ -86,6 +86,10 @@ pub struct ClaimRow {
     pub difference: Option<String>,
     /// What holds instead, with its own verdict.
     pub correction: Option<Box<ClaimRow>>,
+    /// Why the print fails: text, empty where it does not.
+    pub why: String,
+    /// How a damaged or ambiguous text was read: text, empty where there was nothing to choose.
+    pub reading: String,
     /// Anything else a reader should know: text, empty where there is nothing.
     pub note: String,
 }

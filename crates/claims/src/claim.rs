@@ -19,6 +19,10 @@ pub struct Claim {
     pub expected: Verdict,
     /// What holds instead, where the claim fails.
     pub correction: Option<Box<Claim>>,
+    /// Why the print fails, where it does: the slip that explains it.
+    pub why: String,
+    /// How a damaged or ambiguous text was read: what the source shows, what was restored, which reading is judged.
+    pub reading: String,
     /// Anything else a reader should know.
     pub note: String,
     /// The sentence says it all: no formula is shown.

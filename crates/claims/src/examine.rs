@@ -52,10 +52,10 @@ pub fn theorem(theorem: &Theorem, dimension: fn(&str) -> Option<Dimension>) -> V
         objections.extend(mismatch(condition.expression(), dimension));
     }
     let mutable = !matches!(theorem.proof, Proof::Counterexample(_) | Proof::NoRoot { .. } | Proof::Example(_));
-    if mutable && theorem.decide().0 == crate::Verdict::Proved {
+    if mutable && theorem.decide().verdict == crate::Verdict::Proved {
         let shifted = theorem.then.iter().map(|conclusion| conclusion.mutated()).collect();
         let mutant = Theorem { then: shifted, ..theorem.clone() };
-        if mutant.decide().0 == crate::Verdict::Proved {
+        if mutant.decide().verdict == crate::Verdict::Proved {
             objections.push("the same proof shows a mutated conclusion".into());
         }
     }

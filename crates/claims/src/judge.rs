@@ -1,8 +1,12 @@
 //! Deciding a claim.
 
+use crate::presupposed::told;
 use crate::proof::Finding;
 use crate::{Claim, Condition, Line, Proof, Statement, Verdict, examine};
 use symbolic::{Decision, Dimension, Hypotheses, decide, normal};
+
+/// So many characters of a statement are read at once.
+const AT_ONCE: usize = 600;
 
 /// A claim with what was found, as text only: it can leave the thread whose expressions it was made of.
 #[derive(Clone, Debug, Default)]
@@ -17,8 +21,10 @@ pub struct Judged {
     pub latex: Vec<String>,
     /// The same as text.
     pub text: Vec<String>,
-    /// Hypotheses and denominators that must not vanish: text and LaTeX.
+    /// Hypotheses, and everything that was divided by and must not vanish: text and LaTeX.
     pub requires: Vec<(String, String)>,
+    /// Hypotheses of sign: text and LaTeX.
+    pub signs: Vec<(String, String)>,
     /// How the verdict was reached.
     pub evidence: String,
     /// Where it fails: name and exact value.
@@ -26,12 +32,26 @@ pub struct Judged {
     /// Derived less printed, text and LaTeX, where that is not zero.
     pub difference: Option<(String, String)>,
     pub correction: Option<Box<Judged>>,
+    /// Why the print fails, of a refuted claim.
+    pub why: String,
+    /// How a damaged or ambiguous text was read; empty where there was nothing to choose.
+    pub reading: String,
     pub note: String,
     /// What the cross-examination objects to: empty for a sound claim.
     pub objections: Vec<String>,
 }
 
 impl Judged {
+    /// The statement as it is read alone: the sentence, and its formulas where both can be read at once.
+    pub fn statement(&self) -> String {
+        let formulas = self.text.join("; ");
+        if self.says.is_empty() {
+            return formulas;
+        }
+        let whole = format!("{}: {formulas}", self.says);
+        if formulas.is_empty() || whole.chars().count() > AT_ONCE { self.says.clone() } else { whole }
+    }
+
     /// Whether the verdict is the expected one, here and in the correction, and nothing is objected to.
     pub fn sound(&self) -> Result<(), String> {
         if self.verdict != self.expected {
@@ -59,6 +79,8 @@ impl Claim {
             equation: self.equation.into(),
             says: self.says.clone(),
             expected: self.expected,
+            why: self.why.clone(),
+            reading: self.reading.clone(),
             note: self.note.clone(),
             correction: self.correction.as_ref().map(|correction| Box::new(correction.judge(dimension))),
             ..Judged::default()
@@ -80,9 +102,12 @@ impl Claim {
                 let conclusions = theorem.then.iter().filter(|_| !self.in_words);
                 (judged.text, judged.latex) = conclusions.filter_map(|c| c.shown(&theorem.rules)).unzip();
                 judged.requires = stated(&theorem.rules);
-                let given = theorem.given.iter().filter(|_| !self.in_words);
-                judged.requires.extend(given.map(|c| (c.to_string(), c.latex())));
-                (judged.verdict, judged.evidence) = theorem.decide();
+                for condition in &theorem.given {
+                    judged.presuppose(*condition);
+                }
+                let finding = theorem.decide();
+                (judged.verdict, judged.evidence) = (finding.verdict, finding.evidence);
+                judged.divided_by(&finding.divisors, &theorem.given);
                 if let Proof::Counterexample(point) | Proof::Example(point) | Proof::NoRoot { at: point, .. } =
                     &theorem.proof
                 {
@@ -114,9 +139,10 @@ impl Judged {
     fn equations(&mut self, lines: &[Line], hypotheses: &Hypotheses) {
         (self.verdict, self.evidence) = (Verdict::Proved, "normal form of the difference is zero".into());
         for line in lines {
-            let (verdict, evidence) = self.line(line, hypotheses);
-            if verdict != Verdict::Proved {
-                (self.verdict, self.evidence) = (verdict, evidence);
+            let finding = self.line(line, hypotheses);
+            self.divided_by(&finding.divisors, &[]);
+            if finding.verdict != Verdict::Proved {
+                (self.verdict, self.evidence) = (finding.verdict, finding.evidence);
                 return;
             }
         }
@@ -125,10 +151,7 @@ impl Judged {
     fn line(&mut self, line: &Line, hypotheses: &Hypotheses) -> Finding {
         let difference = line.derived - line.printed();
         match decide(difference, hypotheses) {
-            Decision::Zero(_) => {
-                self.require_denominators(line, hypotheses);
-                (Verdict::Proved, String::new())
-            }
+            Decision::Zero(proof) => Finding { divisors: proof.requires, ..Finding::of(Verdict::Proved, "") },
             Decision::NonZero(witness) => {
                 self.counterexample =
                     witness.point.iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
@@ -138,26 +161,17 @@ impl Judged {
                 if !witness.formal.is_empty() {
                     evidence += "; sines and cosines are taken there as independent of their angles";
                 }
-                (Verdict::Refuted, evidence)
+                Finding::of(Verdict::Refuted, evidence)
             }
-            Decision::Undefined(denominator) => (Verdict::Undefined, format!("{denominator} vanishes identically")),
-            Decision::GaveUp(reason) => (Verdict::Undecided, reason.to_string()),
-        }
-    }
-
-    /// The printed side's own denominators belong to the statement.
-    fn require_denominators(&mut self, line: &Line, hypotheses: &Hypotheses) {
-        let Ok(form) = normal(line.printed(), hypotheses) else { return };
-        for denominator in form.requires() {
-            let stated = (format!("{denominator} != 0"), format!("{} \\neq 0", denominator.latex()));
-            if !self.requires.contains(&stated) {
-                self.requires.push(stated);
+            Decision::Undefined(denominator) => {
+                Finding::of(Verdict::Undefined, format!("{denominator} vanishes identically"))
             }
+            Decision::GaveUp(reason) => Finding::of(Verdict::Undecided, reason),
         }
     }
 }
 
 fn stated(hypotheses: &Hypotheses) -> Vec<(String, String)> {
     let equations = hypotheses.statements().iter().map(|&(left, right)| Condition::Equal(left, right));
-    equations.map(|equation| (equation.to_string(), equation.latex())).collect()
+    equations.map(told).collect()
 }

@@ -11,8 +11,18 @@ pub struct Entry {
     pub paper: String,
     pub equation: String,
     pub verdict: &'static str,
+    /// In a sentence; its formulas follow where the whole can be read at once.
     pub statement: String,
+    /// Every formula of the statement, also where it is too long to be read with the sentence.
+    pub formulas: Vec<String>,
+    /// Everything that is presupposed: hypotheses, divisors that must not vanish, signs.
     pub requires: Vec<String>,
+    /// Why the print fails, of a refuted claim.
+    pub why: Option<String>,
+    /// How a damaged or ambiguous text was read.
+    pub reading: Option<String>,
+    /// A remark.
+    pub note: Option<String>,
     /// Exact values by name, where the claim fails (or an example of existence).
     pub counterexample: Option<BTreeMap<String, String>>,
     /// What holds instead.
@@ -30,9 +40,17 @@ fn entry(claim: &Judged) -> Entry {
         paper: claim.id.split('/').next().unwrap_or_default().into(),
         equation: claim.equation.clone(),
         verdict: claim.verdict.name(),
-        statement: format!("{}: {}", claim.says, claim.text.join("; ")),
-        requires: claim.requires.iter().map(|(text, _)| text.clone()).collect(),
+        statement: claim.statement(),
+        formulas: claim.text.clone(),
+        requires: claim.requires.iter().chain(&claim.signs).map(|(text, _)| text.clone()).collect(),
+        why: said(&claim.why),
+        reading: said(&claim.reading),
+        note: said(&claim.note),
         counterexample: (!claim.counterexample.is_empty()).then(|| claim.counterexample.iter().cloned().collect()),
         correction: claim.correction.as_ref().map(|correction| Box::new(entry(correction))),
     }
+}
+
+fn said(text: &str) -> Option<String> {
+    (!text.is_empty()).then(|| text.to_owned())
 }

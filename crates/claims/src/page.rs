@@ -20,6 +20,8 @@ pub struct Draft<'a> {
     says: String,
     rules: Hypotheses,
     given: Vec<Condition>,
+    why: String,
+    reading: String,
     note: String,
     in_words: bool,
 }
@@ -59,6 +61,8 @@ impl Page {
             says: says.into(),
             rules: Hypotheses::none(),
             given: Vec::new(),
+            why: String::new(),
+            reading: String::new(),
             note: String::new(),
             in_words: false,
         }
@@ -88,6 +92,18 @@ impl<'a> Draft<'a> {
     /// Relations that hold throughout.
     pub fn under(mut self, rules: &Hypotheses) -> Self {
         self.rules = rules.clone();
+        self
+    }
+
+    /// Why the print fails: the slip that explains it, in a sentence. Every refuted claim has one.
+    pub fn why(mut self, why: impl Into<String>) -> Self {
+        self.why = why.into();
+        self
+    }
+
+    /// How a damaged or ambiguous text was read: what the source shows, what was restored, which reading is judged.
+    pub fn reading(mut self, reading: impl Into<String>) -> Self {
+        self.reading = reading.into();
         self
     }
 
@@ -195,6 +211,8 @@ impl<'a> Draft<'a> {
             statement,
             expected,
             correction: None,
+            why: self.why,
+            reading: self.reading,
             note: self.note,
             in_words: self.in_words,
         });

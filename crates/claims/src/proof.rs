@@ -36,8 +36,20 @@ pub struct Combination {
     pub factor: Option<Sym>,
 }
 
-/// What a check came to: the verdict and the reason in a few words.
-pub(crate) type Finding = (Verdict, String);
+/// What a check came to.
+pub(crate) struct Finding {
+    pub verdict: Verdict,
+    /// The reason in a few words.
+    pub evidence: String,
+    /// Everything that was divided by on the way: none of it may vanish.
+    pub divisors: Vec<Sym>,
+}
+
+impl Finding {
+    pub fn of(verdict: Verdict, evidence: impl Into<String>) -> Self {
+        Finding { verdict, evidence: evidence.into(), divisors: Vec::new() }
+    }
+}
 
 impl Theorem {
     pub(crate) fn decide(&self) -> Finding {
@@ -45,15 +57,17 @@ impl Theorem {
             Proof::NormalForm => self.all(|_, conclusion| self.vanishes(conclusion.expression())),
             Proof::Combinations(certificates) => self.all(|k, conclusion| match certificates.get(k) {
                 Some(certificate) => self.combine(certificate, conclusion),
-                None => (Verdict::Open, format!("no certificate is given for {conclusion}")),
+                None => Finding::of(Verdict::Open, format!("no certificate is given for {conclusion}")),
             }),
             Proof::Signs { positive } => self.all(|_, conclusion| self.sign(positive, conclusion)),
             Proof::Counterexample(point) => self.refute(point),
             Proof::NoRoot { unknown, at } => self.without_root(*unknown, at),
             Proof::Example(point) => {
                 match self.given.iter().chain(&self.then).find(|c| c.holds_at(point) != Some(true)) {
-                    Some(condition) => (Verdict::Undecided, format!("the example does not satisfy {condition}")),
-                    None => (Verdict::Proved, "an exact example".into()),
+                    Some(condition) => {
+                        Finding::of(Verdict::Undecided, format!("the example does not satisfy {condition}"))
+                    }
+                    None => Finding::of(Verdict::Proved, "an exact example"),
                 }
             }
         }
@@ -61,22 +75,30 @@ impl Theorem {
 
     fn all(&self, check: impl Fn(usize, Condition) -> Finding) -> Finding {
         let findings = self.then.iter().enumerate().map(|(k, &conclusion)| check(k, conclusion));
-        let mut last = (Verdict::Open, "nothing is concluded".to_string());
+        let mut last = Finding::of(Verdict::Open, "nothing is concluded");
+        let mut divisors = Vec::new();
         for finding in findings {
-            if finding.0 != Verdict::Proved {
+            if finding.verdict != Verdict::Proved {
                 return finding;
             }
-            last = finding;
+            divisors.extend(finding.divisors);
+            last = Finding { divisors: Vec::new(), ..finding };
         }
-        last
+        Finding { divisors, ..last }
     }
 
     fn vanishes(&self, expression: Sym) -> Finding {
         match decide(expression, &self.rules) {
-            Decision::Zero(_) => (Verdict::Proved, "normal form zero".into()),
-            Decision::NonZero(witness) => (Verdict::Undecided, format!("the difference is not zero: {witness}")),
-            Decision::Undefined(denominator) => (Verdict::Undefined, format!("{denominator} vanishes identically")),
-            Decision::GaveUp(reason) => (Verdict::Undecided, reason.to_string()),
+            Decision::Zero(proof) => {
+                Finding { divisors: proof.requires, ..Finding::of(Verdict::Proved, "normal form zero") }
+            }
+            Decision::NonZero(witness) => {
+                Finding::of(Verdict::Undecided, format!("the difference is not zero: {witness}"))
+            }
+            Decision::Undefined(denominator) => {
+                Finding::of(Verdict::Undefined, format!("{denominator} vanishes identically"))
+            }
+            Decision::GaveUp(reason) => Finding::of(Verdict::Undecided, reason.to_string()),
         }
     }
 
@@ -85,23 +107,25 @@ impl Theorem {
         for &k in &certificate.multiplier {
             match self.given.get(k) {
                 Some(Condition::NonZero(factor) | Condition::Positive(factor)) => multiplier *= *factor,
-                _ => return (Verdict::Open, format!("given {k} is not said to differ from zero")),
+                _ => return Finding::of(Verdict::Open, format!("given {k} is not said to differ from zero")),
             }
         }
         let mut sum = Sym::zero();
         for &(k, cofactor) in &certificate.cofactors {
             match self.given.get(k) {
                 Some(relation @ (Condition::Zero(_) | Condition::Equal(..))) => sum += cofactor * relation.expression(),
-                _ => return (Verdict::Open, format!("given {k} is no equality")),
+                _ => return Finding::of(Verdict::Open, format!("given {k} is no equality")),
             }
         }
         let gap = match (conclusion, certificate.factor) {
             (Condition::Zero(_) | Condition::Equal(..), None) => multiplier * conclusion.expression() - sum,
             (Condition::NonZero(f), Some(factor)) => factor * f - multiplier - sum,
-            _ => return (Verdict::Open, format!("no such certificate shows {conclusion}")),
+            _ => return Finding::of(Verdict::Open, format!("no such certificate shows {conclusion}")),
         };
         match self.vanishes(gap) {
-            (Verdict::Proved, _) => (Verdict::Proved, "combination of what is given".into()),
+            proved if proved.verdict == Verdict::Proved => {
+                Finding { evidence: "combination of what is given".into(), ..proved }
+            }
             finding => finding,
         }
     }
@@ -109,54 +133,57 @@ impl Theorem {
     fn without_root(&self, unknown: Sym, at: &Point) -> Finding {
         let free = |c: &&Condition| !c.expression().symbols_of().contains(&unknown);
         if let Some(condition) = self.given.iter().filter(free).find(|c| c.holds_at(at) != Some(true)) {
-            return (Verdict::Undecided, format!("the counterexample does not satisfy {condition}"));
+            return Finding::of(Verdict::Undecided, format!("the counterexample does not satisfy {condition}"));
         }
         let polynomials: Option<Vec<_>> =
             self.then.iter().map(|c| polynomial(at.restrict(c.expression(), unknown), unknown)).collect();
         match polynomials.map(vanish_at_zero_alone) {
-            Some(true) => (Verdict::Refuted, format!("no {unknown} other than zero satisfies the conclusion there")),
-            Some(false) => (Verdict::Undecided, format!("some {unknown} satisfies the conclusion there")),
-            None => (Verdict::Undecided, "the conclusion is no polynomial there".into()),
+            Some(true) => {
+                Finding::of(Verdict::Refuted, format!("no {unknown} other than zero satisfies the conclusion there"))
+            }
+            Some(false) => Finding::of(Verdict::Undecided, format!("some {unknown} satisfies the conclusion there")),
+            None => Finding::of(Verdict::Undecided, "the conclusion is no polynomial there"),
         }
     }
 
     fn sign(&self, positive: &[Sym], conclusion: Condition) -> Finding {
         if let Some(stranger) = positive.iter().find(|s| !self.given.contains(&Condition::Positive(**s))) {
-            return (Verdict::Open, format!("{stranger} > 0 is not given"));
+            return Finding::of(Verdict::Open, format!("{stranger} > 0 is not given"));
         }
         let nonzero = |symbol: &Sym| self.given.contains(&Condition::NonZero(*symbol));
         let form = match normal(conclusion.expression(), &self.rules) {
             Ok(form) => form,
-            Err(reason) => return (Verdict::Undecided, reason.to_string()),
+            Err(reason) => return Finding::of(Verdict::Undecided, reason.to_string()),
         };
         let sign =
             match (one_sign(form.numerator(), positive, &nonzero), one_sign(form.denominator(), positive, &nonzero)) {
                 (Some(a), Some(b)) => a * b,
-                _ => return (Verdict::Undecided, format!("the terms of {form} differ in sign")),
+                _ => return Finding::of(Verdict::Undecided, format!("the terms of {form} differ in sign")),
             };
-        match conclusion {
-            Condition::Positive(_) if sign > 0 => (Verdict::Proved, "every term is positive".into()),
-            Condition::NonZero(_) => (Verdict::Proved, "all terms have one sign".into()),
-            _ => (Verdict::Undecided, "every term is negative".into()),
-        }
+        let finding = match conclusion {
+            Condition::Positive(_) if sign > 0 => Finding::of(Verdict::Proved, "every term is positive"),
+            Condition::NonZero(_) => Finding::of(Verdict::Proved, "all terms have one sign"),
+            _ => Finding::of(Verdict::Undecided, "every term is negative"),
+        };
+        Finding { divisors: form.requires().to_vec(), ..finding }
     }
 
     fn refute(&self, point: &Point) -> Finding {
         if let Some(condition) = self.given.iter().find(|c| c.holds_at(point) != Some(true)) {
-            return (Verdict::Undecided, format!("the counterexample does not satisfy {condition}"));
+            return Finding::of(Verdict::Undecided, format!("the counterexample does not satisfy {condition}"));
         }
         match self.then.iter().find(|c| c.holds_at(point) == Some(false)) {
             Some(condition) => {
                 let said = condition.shown(&self.rules).map_or("the conclusion".into(), |(text, _)| text);
-                (Verdict::Refuted, format!("{said} fails"))
+                Finding::of(Verdict::Refuted, format!("{said} fails"))
             }
-            None => (Verdict::Undecided, "the conclusion holds at the supposed counterexample".into()),
+            None => Finding::of(Verdict::Undecided, "the conclusion holds at the supposed counterexample"),
         }
     }
 }
 
 /// The sign of a polynomial all of whose terms have it, at least one of them strictly: 1 or -1.
-fn one_sign(polynomial: Sym, positive: &[Sym], nonzero: &impl Fn(&Sym) -> bool) -> Option<i32> {
+pub(crate) fn one_sign(polynomial: Sym, positive: &[Sym], nonzero: &impl Fn(&Sym) -> bool) -> Option<i32> {
     let symbols = polynomial.symbols_of();
     let terms = coefficients(polynomial, &symbols).ok()?;
     let mut common = 0;

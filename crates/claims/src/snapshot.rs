@@ -26,9 +26,16 @@ fn write_claim(page: &mut String, claim: &Judged, indent: &str) {
     for equation in &claim.text {
         let _ = writeln!(page, "{indent}           | {equation}");
     }
-    if !claim.requires.is_empty() {
-        let conditions: Vec<&str> = claim.requires.iter().map(|(text, _)| text.as_str()).collect();
-        let _ = writeln!(page, "{indent}           requires {}", conditions.join(", "));
+    for (word, conditions) in [("requires", &claim.requires), ("signs", &claim.signs)] {
+        if !conditions.is_empty() {
+            let conditions: Vec<&str> = conditions.iter().map(|(text, _)| text.as_str()).collect();
+            let _ = writeln!(page, "{indent}           {word} {}", conditions.join(", "));
+        }
+    }
+    for (word, remark) in [("why:", &claim.why), ("reading:", &claim.reading), ("note:", &claim.note)] {
+        if !remark.is_empty() {
+            let _ = writeln!(page, "{indent}           {word} {remark}");
+        }
     }
     if !claim.counterexample.is_empty() {
         let values: Vec<String> =
@@ -42,7 +49,7 @@ fn write_claim(page: &mut String, claim: &Judged, indent: &str) {
         let _ = writeln!(page, "{indent}           excess {difference}");
     }
     if let Some(correction) = &claim.correction {
-        let _ = writeln!(page, "{indent}           instead:");
+        let _ = writeln!(page, "{indent}           correct:");
         write_claim(page, correction, &format!("{indent}    "));
     }
 }

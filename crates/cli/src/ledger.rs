@@ -19,7 +19,7 @@ pub struct Asked {
     #[arg(long)]
     pub verdict: Option<String>,
     /// Text is a page as the tests lock it; JSON has one object a claim: id, paper, equation, verdict, statement,
-    /// requires, counterexample, correction
+    /// formulas, requires, why, reading, note, counterexample, correction
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
@@ -90,7 +90,7 @@ fn section(paper: &Paper, judged: &[Judged]) -> PaperSection {
 }
 
 fn row(claim: &Judged) -> ClaimRow {
-    let requires = claim.requires.iter().map(|(_, latex)| format!("${latex}$")).collect();
+    let requires = claim.requires.iter().chain(&claim.signs).map(|(_, latex)| format!("${latex}$")).collect();
     ClaimRow {
         id: claim.id.clone(),
         equation_label: label(&claim.equation),
@@ -103,6 +103,8 @@ fn row(claim: &Judged) -> ClaimRow {
         counterexample: values::compact(&claim.counterexample),
         difference: claim.difference.as_ref().map(|(_, latex)| latex.clone()),
         correction: claim.correction.as_ref().map(|correction| Box::new(row(correction))),
+        why: claim.why.clone(),
+        reading: claim.reading.clone(),
         note: claim.note.clone(),
     }
 }

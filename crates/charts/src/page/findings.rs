@@ -48,7 +48,7 @@ fn finding(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
                     div.said { (set.formula(difference)) }
                 }
             }
-            @if !claim.note.is_empty() { p.note { (set.text(&claim.note)) } }
+            (statement::remarks(claim, set))
         }
     }
 }
@@ -80,7 +80,7 @@ fn correct(claim: &ClaimRow, correction: &ClaimRow, set: &mut Typesetter) -> Mar
                 @for latex in long { (set.formula(latex)) }
                 @if !same { (conditions::requires(&correction.requires, set)) }
                 (statement::evidence(correction, set))
-                @if !correction.note.is_empty() { p.note { (set.text(&correction.note)) } }
+                (statement::remarks(correction, set))
             }
         }
     }

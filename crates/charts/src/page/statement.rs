@@ -22,7 +22,7 @@ pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
             @if !claim.counterexample.is_empty() {
                 div.counterexample { p.side { "Exact values" } (values(&claim.counterexample, set)) }
             }
-            @if !claim.note.is_empty() { p.note { (set.text(&claim.note)) } }
+            (remarks(claim, set))
         }
     }
 }
@@ -30,6 +30,15 @@ pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
 /// How it is known.
 pub(super) fn evidence(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     html! { @if !claim.evidence.is_empty() { p.evidence { (set.text(&claim.evidence)) } } }
+}
+
+/// Why the print fails, how it was read, and anything else.
+pub(super) fn remarks(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
+    html! {
+        @for (word, remark) in [("Why. ", &claim.why), ("Reading. ", &claim.reading), ("", &claim.note)] {
+            @if !remark.is_empty() { p.note { @if !word.is_empty() { b { (word) } } (set.text(remark)) } }
+        }
+    }
 }
 
 /// Names with their values, side by side.

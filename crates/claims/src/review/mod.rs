@@ -36,6 +36,8 @@ pub enum Change {
     Requires { id: String, gained: Vec<String>, lost: Vec<String> },
     /// Another sentence.
     Sentence { id: String, from: String, to: String },
+    /// What is remarked: why the print fails, how it was read.
+    Remarks { id: String, gained: Vec<String>, lost: Vec<String> },
     /// Another exact point, or another excess at it.
     Point { id: String },
 }
@@ -82,6 +84,10 @@ fn changed(old: &Told, new: &Told, dimension: &dyn Fn(&str) -> Option<Dimension>
     if !gained.is_empty() || !lost.is_empty() {
         changes.push(Change::Requires { id: id(), gained, lost });
     }
+    let (gained, lost) = (without(&new.remarks, &old.remarks), without(&old.remarks, &new.remarks));
+    if !gained.is_empty() || !lost.is_empty() {
+        changes.push(Change::Remarks { id: id(), gained, lost });
+    }
     if old.rest != new.rest {
         changes.push(Change::Point { id: id() });
     }
@@ -108,6 +114,11 @@ impl fmt::Display for Change {
                 write!(f, "{id}:")?;
                 gained.iter().try_for_each(|each| write!(f, "\n    needs now: {each}"))?;
                 lost.iter().try_for_each(|each| write!(f, "\n    no longer needs: {each}"))
+            }
+            Self::Remarks { id, gained, lost } => {
+                write!(f, "{id}: other remarks")?;
+                lost.iter().try_for_each(|each| write!(f, "\n    - {each}"))?;
+                gained.iter().try_for_each(|each| write!(f, "\n    + {each}"))
             }
             Self::Sentence { id, from, to } => write!(f, "{id}: another sentence\n    - {from}\n    + {to}"),
             Self::Point { id } => write!(f, "{id}: another exact point, or another value at it"),

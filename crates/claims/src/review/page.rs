@@ -9,7 +9,10 @@ pub(super) struct Told {
     pub verdict: String,
     pub sentence: String,
     pub equations: Vec<String>,
+    /// Signs among them.
     pub requires: Vec<String>,
+    /// Why the print fails, how it was read, what else is remarked.
+    pub remarks: Vec<String>,
     /// The exact point and what is said of it.
     pub rest: Vec<String>,
 }
@@ -25,9 +28,11 @@ pub(super) fn claims(page: &str) -> Vec<Told> {
         let Some(claim) = claims.last_mut() else { continue };
         if let Some(equation) = line.strip_prefix("| ") {
             claim.equations.push(equation.to_owned());
-        } else if let Some(conditions) = line.strip_prefix("requires ") {
+        } else if let Some(conditions) = line.strip_prefix("requires ").or_else(|| line.strip_prefix("signs ")) {
             claim.requires.extend(conditions.split(", ").map(str::to_owned));
-        } else if !line.is_empty() && line != "instead:" {
+        } else if ["why: ", "reading: ", "note: "].iter().any(|word| line.starts_with(word)) {
+            claim.remarks.push(line.to_owned());
+        } else if !line.is_empty() && line != "correct:" {
             claim.rest.push(line.to_owned());
         }
     }
