@@ -7,8 +7,10 @@
 //! Coordinates (phi1, phi2, phi, x, ball, ball, lambda, psi) with the moments of inertia for the masses of angles. lambda is
 //! the displacement of the wheel's centre across its plane from the centre of the contact, psi the angle from the plane of
 //! the wheel to the line of rolling. The centre of the contact does not slip sideways, x' - lambda' = R omega1 psi, and
-//! the curvature of the line is alpha lambda - beta psi. The rim pushes with a lambda and b psi: it is elastic where a and
-//! b are negative. Its mass may vanish.
+//! the curvature of the line is alpha lambda - beta psi. The rim pushes with a lambda and b psi, the signs that (3.17) of
+//! Manglieva and Beknazarov prints: a rim that resists has a < 0 and b < 0, and its stiffnesses are -a and -b. Their printed
+//! Z has the stiffness itself, a force -a lambda; at a kept speed no motion is stable with a > 0 here and all else positive.
+//! The rim's mass may vanish.
 
 use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::appell;
@@ -52,9 +54,9 @@ crate::quantities! {
         delta2: "m",
         /// x0, place of the sleeve from which the springs are counted
         rest: "m" > 0,
-        /// a of the rim's force a lambda; it is elastic where a < 0
+        /// a of the rim's force a lambda: minus its stiffness, a < 0 of a rim that resists
         across: "N/m",
-        /// b of the rim's moment b psi; it is elastic where b < 0
+        /// b of the rim's moment b psi: minus its stiffness, b < 0 of a rim that resists
         twist: "N m",
         /// d of the moment d psi on the disc about its axis
         drill: "N m",

@@ -2,7 +2,7 @@
 
 use crate::proof::one_sign;
 use crate::{Condition, Judged};
-use symbolic::{Hypotheses, Sym, normal};
+use symbolic::{Hypotheses, Node, Sym, normal};
 
 /// Shown as it stands up to this; a longer expression is told by its letters.
 const READABLE: usize = 420;
@@ -20,6 +20,10 @@ impl Judged {
     /// Lists what was divided by, but for what cannot vanish by the given signs, or by its own.
     pub(crate) fn divided_by(&mut self, divisors: &[Sym], given: &[Condition]) {
         for &divisor in divisors {
+            let divisor = match divisor.node() {
+                Node::Root(inside) => inside,
+                _ => divisor,
+            };
             if !differs_from_zero(divisor, given) {
                 self.presuppose(Condition::NonZero(divisor));
             }

@@ -3,7 +3,7 @@
 use crate::univariate::{polynomial, vanish_at_zero_alone};
 use crate::{Condition, Point, Theorem, Verdict};
 use num_traits::{One, Zero};
-use symbolic::{Decision, Sym, coefficients, decide, normal};
+use symbolic::{Decision, Hypotheses, Sym, coefficients, decide, normal};
 
 /// How an implication is shown, or shown wrong. Each is checked by exact arithmetic; none is taken on trust.
 #[derive(Clone, Debug)]
@@ -14,7 +14,8 @@ pub enum Proof {
     /// a product of expressions given as non-zero or positive. For f != 0: d f = m + sum c_k g_k with any factor d.
     Combinations(Vec<Combination>),
     /// Every conclusion f > 0 (or f != 0) holds because f is a quotient of polynomials with coefficients of one sign in
-    /// symbols that are positive, or occur to even powers only.
+    /// symbols that are positive, or occur to even powers only. Where all its terms could vanish together, a given
+    /// condition excludes that their symbols do.
     Signs { positive: Vec<Sym> },
     /// An exact point at which all that is given holds and a conclusion does not.
     Counterexample(Point),
@@ -151,15 +152,19 @@ impl Theorem {
             return Finding::of(Verdict::Open, format!("{stranger} > 0 is not given"));
         }
         let nonzero = |symbol: &Sym| self.given.contains(&Condition::NonZero(*symbol));
+        let strictly = |polynomial: Sym| {
+            let (sign, vanishing) = weak_sign(polynomial, positive, &nonzero)?;
+            let excluded = vanishing.is_none_or(|all| self.given.iter().any(|c| excludes(*c, &all)));
+            excluded.then_some(sign)
+        };
         let form = match normal(conclusion.expression(), &self.rules) {
             Ok(form) => form,
             Err(reason) => return Finding::of(Verdict::Undecided, reason.to_string()),
         };
-        let sign =
-            match (one_sign(form.numerator(), positive, &nonzero), one_sign(form.denominator(), positive, &nonzero)) {
-                (Some(a), Some(b)) => a * b,
-                _ => return Finding::of(Verdict::Undecided, format!("the terms of {form} differ in sign")),
-            };
+        let sign = match (strictly(form.numerator()), strictly(form.denominator())) {
+            (Some(a), Some(b)) => a * b,
+            _ => return Finding::of(Verdict::Undecided, format!("the terms of {form} differ in sign")),
+        };
         let finding = match conclusion {
             Condition::Positive(_) if sign > 0 => Finding::of(Verdict::Proved, "every term is positive"),
             Condition::NonZero(_) => Finding::of(Verdict::Proved, "all terms have one sign"),
@@ -184,26 +189,47 @@ impl Theorem {
 
 /// The sign of a polynomial all of whose terms have it, at least one of them strictly: 1 or -1.
 pub(crate) fn one_sign(polynomial: Sym, positive: &[Sym], nonzero: &impl Fn(&Sym) -> bool) -> Option<i32> {
+    weak_sign(polynomial, positive, nonzero).and_then(|(sign, vanishing)| vanishing.is_none().then_some(sign))
+}
+
+/// The sign of a polynomial all of whose terms have it, 1 or -1; and the symbols that all vanish wherever the polynomial
+/// does, `None` where it does not vanish.
+fn weak_sign(polynomial: Sym, positive: &[Sym], nonzero: &impl Fn(&Sym) -> bool) -> Option<(i32, Option<Vec<Sym>>)> {
     let symbols = polynomial.symbols_of();
     let terms = coefficients(polynomial, &symbols).ok()?;
     let mut common = 0;
     let mut strict = false;
+    let mut vanishing = Vec::new();
     for (exponents, coefficient) in terms {
         let sign = coefficient.as_constant()?.sign()?;
-        let mut surely = true;
+        let mut open = Vec::new();
         for (symbol, exponent) in symbols.iter().zip(exponents) {
             if exponent > 0 && !positive.contains(symbol) {
                 if exponent % 2 == 1 {
                     return None;
                 }
-                surely &= nonzero(symbol);
+                if !nonzero(symbol) {
+                    open.push(*symbol);
+                }
             }
         }
         if common != 0 && sign != common {
             return None;
         }
         common = sign;
-        strict |= surely;
+        strict |= open.is_empty();
+        if let [alone] = open[..] {
+            vanishing.push(alone);
+        }
     }
-    (strict && common != 0).then_some(common)
+    (common != 0).then(|| (common, (!strict).then_some(vanishing)))
+}
+
+/// Whether a condition forbids that all these symbols vanish.
+fn excludes(condition: Condition, all: &[Sym]) -> bool {
+    let zero: Vec<(Sym, Sym)> = all.iter().map(|symbol| (*symbol, Sym::ZERO)).collect();
+    match condition {
+        Condition::NonZero(e) | Condition::Positive(e) => decide(e.substitute(&zero), &Hypotheses::none()).is_zero(),
+        Condition::Zero(_) | Condition::Equal(..) => false,
+    }
 }

@@ -139,6 +139,63 @@ fn signs_need_every_term_and_one_that_cannot_vanish() {
 }
 
 #[test]
+fn a_sum_of_squares_is_positive_where_not_all_of_them_vanish() {
+    let [x, y, z] = symbols(["x", "y", "z"]);
+    let decide = |given: Sym| {
+        judged(|page| {
+            let given = [Condition::NonZero(given)];
+            page.claim("eq1", "x", "").given(given).by_signs([Condition::Positive(x * x + y * y)]);
+        })
+        .verdict
+    };
+    assert_eq!(decide(x * x + y * y), Verdict::Proved);
+    assert_eq!(decide(x + y), Verdict::Proved, "a sum that differs from zero has a summand that does");
+    assert_eq!(decide(x * x + y * y + z * z), Verdict::Undecided, "z alone may differ from zero");
+    assert_eq!(decide(x + z), Verdict::Undecided);
+}
+
+#[test]
+fn what_was_divided_by_and_what_is_given_in_words_is_listed() {
+    let [a, b, c] = symbols(["a", "b", "c"]);
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "in words")
+            .in_words()
+            .given([Condition::Positive(a), Condition::NonZero(c)])
+            .follows([Condition::Equal(b / (a * c) * (a * c), b), Condition::Equal((b * b - c * c) / (b - c), b + c)]);
+    });
+    let text = |list: &[(String, String)]| list.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>();
+    assert_eq!((claim.verdict, text(&claim.signs)), (Verdict::Proved, vec!["a > 0".to_owned()]));
+    assert_eq!(text(&claim.requires), ["c != 0", "b - c != 0"]);
+    assert_eq!(claims::entries(&[claim])[0].requires, ["c != 0", "b - c != 0", "a > 0"]);
+}
+
+#[test]
+fn a_derived_divisor_that_the_printed_side_does_not_show_is_listed() {
+    let [a, b, y] = symbols(["a", "b", "y"]);
+    let claim = judged(|page| {
+        page.claim("eq1", "x", "").holds([Line::formula((a * a - b * b) / (a - b), y, a + b)]);
+    });
+    assert!(claim.requires.iter().any(|(text, _)| text == "a - b != 0"), "{:?}", claim.requires);
+}
+
+#[test]
+fn a_reading_a_reason_and_a_note_stand_in_every_output() {
+    let [a, y] = symbols(["a", "y"]);
+    let claim = judged(|page| {
+        let draft = page.claim("eq1", "x", "printed with a lost 2").why("The 2 is lost.");
+        draft.reading("b is read as a.").note("For all a.").fails([Line::formula(a + a, y, a)]);
+    });
+    let page = claims::render(std::slice::from_ref(&claim));
+    for line in ["why: The 2 is lost.", "reading: b is read as a.", "note: For all a."] {
+        assert!(page.contains(line), "{page}");
+    }
+    let row = &claims::entries(&[claim])[0];
+    assert_eq!(row.why.as_deref(), Some("The 2 is lost."));
+    assert_eq!(row.reading.as_deref(), Some("b is read as a."));
+    assert_eq!(row.note.as_deref(), Some("For all a."));
+}
+
+#[test]
 fn a_counterexample_must_satisfy_what_is_given_and_break_the_conclusion() {
     let [a, b] = symbols(["a", "b"]);
     let at = |x: i64, y: i64| {

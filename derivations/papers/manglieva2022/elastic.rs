@@ -8,6 +8,12 @@ use mechanics::constrained::motion::Motion;
 use mechanics::constrained::{Charted, System, kinetic_energy};
 use symbolic::{Hypotheses, Sym};
 
+/// How the signs of the rim's force and moment are read up to (3.22).
+pub const AS_PRINTED: &str = r"Judged with the printed force $+a\lambda$ and moment $+b\psi$: a rim that resists then has $a<0$, $b<0$. The printed $Z$ belongs to $-a\lambda$.";
+
+/// How they are read from Z on.
+pub const AS_STIFFNESS: &str = r"Judged for a rim that resists, with the force $-a\lambda$ and the moment $-b\psi$, $a>0$, $b>0$: the printed $Z$ belongs to it, the printed $+a\lambda$ of (3.17) does not.";
+
 /// The letters of the elastic governor; the paper's r1 is R, the radius of the drum.
 pub struct ElasticLetters {
     pub governor: ElasticGovernor<Sym>,
@@ -174,8 +180,22 @@ impl ElasticLetters {
         matrix
     }
 
-    /// What the named letters stand for at the stationary motion; d = -b throughout.
+    /// What the named letters stand for at the stationary motion, with d = -b as (3.17) prints it.
     pub fn names(&self, wanted: &[&str]) -> Hypotheses {
+        self.named(wanted, Hypotheses::none().given(self.drill, -self.b))
+    }
+
+    /// Those of a rim that resists, whose moment on the disc is b psi.
+    pub fn names_of_stiffness(&self, wanted: &[&str]) -> Hypotheses {
+        self.named(wanted, Hypotheses::none())
+    }
+
+    /// An expression by (3.17), with the signs of a rim that resists: -a lambda, -b psi, and b psi on the disc.
+    pub fn resisting(&self, expression: Sym) -> Sym {
+        tidy(expression.substitute(&[(self.drill, -self.b)]).substitute(&[(self.a, -self.a), (self.b, -self.b)]))
+    }
+
+    fn named(&self, wanted: &[&str], base: Hypotheses) -> Hypotheses {
         let (x, w) = (self.rest, letter("ω₀"));
         let [distance, _] = self.lengths(x);
         let stiffness = self.ball.half() * w.powi(2) + self.springs[0] + self.springs[1];
@@ -192,8 +212,7 @@ impl ElasticLetters {
             ("ϱ₀", distance),
             ("Fˣ", self.coupling(x)),
         ];
-        let opposite = Hypotheses::none().given(self.drill, -self.b);
         let asked = meanings.into_iter().filter(|(name, _)| wanted.contains(name));
-        asked.fold(opposite, |names, (name, meaning)| names.given(letter(name), meaning))
+        asked.fold(base, |names, (name, meaning)| names.given(letter(name), meaning))
     }
 }

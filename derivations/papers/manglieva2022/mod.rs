@@ -11,9 +11,12 @@
 //! Coordinates y of sections 1.1 and 1.3 (task 1) point downwards: a floor that pushes makes R_y and lambda negative. The
 //! signs of the paper's laws of friction are those of the opposite axis.
 //!
-//! Damaged in the text at hand, and restored here: m2 for m1 in (1.4); the index of y1 in (1.24); m2 in the weight's force
-//! before (1.94); g^2 for 2g and the index of alpha_0 in (1.109); dots over accelerations in (2.18); delta x for the
-//! printed delta x' in (2.3).
+//! The text at hand is damaged in places. A formula whose letters all mean something is judged as printed, lost dots,
+//! factors and signs included, and its correction restores them: (2.18), (3.3), (3.14), (3.25). A letter that means nothing
+//! where it stands is restored: m2 for m1 in (1.4); the index of y1 in (1.24); m2 in the weight's force before (1.94); g^2
+//! for 2g and the index of alpha_0 in (1.109); delta x for the printed delta x' in (2.3); J3 for J2 in (3.28); u1 for n1 in
+//! (3.36). Where the text allows two readings both are named: the side from which a guide pushes, the sign of the rim's
+//! force. Every row concerned says so in its `reading`.
 //!
 //! # Key results
 //! With the extended method the forces of constraint are indeed free of friction, for all masses, nonholonomic systems
@@ -24,7 +27,8 @@
 //!
 //! Of the friction governors of chapter 3 the programme and its quadrature are right; friction has the wrong sign in the
 //! force that keeps the speed, the second governor moves the other way, the rim's characteristic polynomial is right in two
-//! coefficients of six. Controllability is J2 M1/R != n rho M2, not rho' != 0; Riccati's equation needs its end.
+//! coefficients of six, read with the sign of the rim's force that Z has; (3.17) has the other sign, with which no motion
+//! of positive data is stable at a kept speed. Controllability is J2 M1/R != n rho M2, not rho' != 0; Riccati's equation needs its end.
 
 mod alphabet;
 mod alphabet3;
@@ -77,7 +81,7 @@ pub const PAPER: Paper = Paper {
     key: "manglieva2022",
     title: "Manglieva & Beknazarov 2022: constraints with friction",
     citation: "Zh. Kh. Manglieva, Zh. Kh. Beknazarov: On the motion of systems that contain nonholonomic nonideal constraints. Novateur Publication, 2022 (in Russian)",
-    summary: r"Systems with friction after Painlevé: reactions are split into forces of constraint and friction by combining constraints, with virtual displacements proportional to the forces of friction (Painlevé) or to these over the masses (extended). The extended method does make the forces of constraint independent of friction, for nonholonomic systems too, and Gauss' principle holds with it. The examples are printed with many errors: in the laws of friction the sign belongs to an axis upwards while $y$ points downwards, Lagrange's equation of the steered rod misses the friction at its second point, the quadrature of the ladder has the wrong exponent and its condition of detachment the wrong factor. For the friction governors of chapter 3 the programme of the wheel and its quadrature are right; the force that keeps the speed has friction with the wrong sign, the second governor moves the other way, the condition of controllability is $J_2M_1/R\ne n\rho_0M_2$, and Riccati's equation is given a wrong end.",
+    summary: r"Systems with friction after Painlevé: reactions are split into forces of constraint and friction by combining constraints, with virtual displacements proportional to the forces of friction (Painlevé) or to these over the masses (extended). The extended method does make the forces of constraint independent of friction, for nonholonomic systems too, and Gauss' principle holds with it. The examples are printed with many errors: in the laws of friction the sign belongs to an axis upwards while $y$ points downwards, Lagrange's equation of the steered rod misses the friction at its second point, the quadrature of the ladder has the wrong exponent and its condition of detachment the wrong factor. For the friction governors of chapter 3 the programme of the wheel and its quadrature are right; the force that keeps the speed has friction with the wrong sign, the second governor moves the other way, the rim's force has one sign in (3.17) and the other in $Z$, the condition of controllability is $J_2M_1/R\ne n\rho_0M_2$, and Riccati's equation is given a wrong end.",
     entries: &[
         "eq1.1",
         "eq1.2",

@@ -42,31 +42,22 @@ fn combination(page: &mut Page, s: &RodLetters) {
         r"equal projections of the displacements $\vec\rho\,\delta t/m$, $\vec\rho_1\delta t/m_1$ on the rod",
     )
     .holds([Line::equation(stretched([rho, Sym::ZERO, rho1 * c, rho1 * sin]), rho / s.m * c, rho1 / s.m1)]);
-    page.claim("eq1.8", "along-the-rod", r"hence $\rho_1 = \frac{m_1}{m}\rho\cos\theta$")
+    page.claim("eq1.8", "along-the-rod", r"equal projections give $\rho_1 = \frac{m_1}{m}\rho\cos\theta$")
         .follows([Equal(along, s.m1 / s.m * friction[0] * c)]);
     let general = stretched([rx - rho1 * c, ry - y - rho1 * sin, rho1 * c, rho1 * sin]);
-    page.claim("eq1.9", "projections", "the same by the reactions").holds([Line::equation(
-        general,
-        (rx * c + (ry - y) * sin - rho1) / s.m,
-        rho1 / s.m1,
-    )]);
+    page.claim("eq1.9", "projections", r"equal projections of the displacements on the rod, by the reactions")
+        .holds([Line::equation(general, (rx * c + (ry - y) * sin - rho1) / s.m, rho1 / s.m1)]);
     let with_vertical = general.substitute(&[(ry, y + rho1 * sin)]) * s.m;
-    page.claim("eq1.10", "with-vertical", "with (1.7)").holds([Line::equation(
-        with_vertical,
-        rx * c + rho1 * sin.powi(2),
-        (s.m / s.m1 + int(1)) * rho1,
-    )]);
-    page.claim("eq1.11", "solved", "collected").holds([Line::equation(
+    page.claim("eq1.10", "with-vertical", r"equal projections with the vertical balance (1.7) put in")
+        .holds([Line::equation(with_vertical, rx * c + rho1 * sin.powi(2), (s.m / s.m1 + int(1)) * rho1)]);
+    page.claim("eq1.11", "solved", r"the relation (1.10) collected in $\rho_1$").holds([Line::equation(
         with_vertical,
         rx * c,
         (s.m / s.m1 + c.powi(2)) * rho1,
     )]);
-    page.claim("eq1.12", "friction-along-the-rod", r"friction at $M_1$").holds([Line::formula(
-        along,
-        rho1,
-        s.m1 * c / (s.m + s.m1 * c.powi(2)) * rx,
-    )]);
-    page.claim("eq1.13", "friction-at-the-guide", r"friction at $M$").holds([Line::formula(
+    page.claim("eq1.12", "friction-along-the-rod", r"friction $\rho_1$ at $M_1$, along the rod")
+        .holds([Line::formula(along, rho1, s.m1 * c / (s.m + s.m1 * c.powi(2)) * rx)]);
+    page.claim("eq1.13", "friction-at-the-guide", r"friction $\rho$ at $M$, along the guide").holds([Line::formula(
         friction[0],
         rho,
         s.m * rx / (s.m + s.m1 * c.powi(2)),
@@ -112,7 +103,7 @@ fn motion(page: &mut Page, s: &RodLetters) {
     let [x, y, x1, y1] = place;
     let at = State { time: Sym::ZERO, place, velocity: [Sym::ZERO; 4] };
     let [length, _] = s.rod.constraints(&at).map(|constraint| constraint.value());
-    page.claim("eq1.19", "constraints", "the guide $y=0$, and the rod keeps its length").holds([Line::equation(
+    page.claim("eq1.19", "constraints", "the rod on the guide $y=0$ keeps its length").defines([Line::equation(
         length + length,
         (x1 - x).powi(2) + (y1 - y).powi(2) - s.l.powi(2),
         Sym::ZERO,

@@ -27,7 +27,7 @@ fn energy(page: &mut Page, s: &RodLetters) {
     let [x, y, x1, y1] = place;
     let at = State { time: Sym::ZERO, place, velocity: [Sym::ZERO; 4] };
     let [length, _] = s.rod.constraints(&at).map(|constraint| constraint.value());
-    page.claim("eq1.30", "constraints", "the guide $y=0$, and the length with it").holds([Line::equation(
+    page.claim("eq1.30", "constraints", "the rod keeps its length, the guide $y=0$ put in").defines([Line::equation(
         (length + length).substitute(&[(y, Sym::ZERO)]),
         (x1 - x).powi(2) + y1.powi(2),
         s.l.powi(2),
@@ -101,9 +101,9 @@ fn equations(page: &mut Page, s: &RodLetters) {
     )]);
     let inertia = second_kind::residual(&s.rod, at, [Sym::ZERO; 4], [s.ddx, s.ddtheta])[1];
     let printed_left = s.m1 * s.l.powi(2) * s.ddtheta - s.m1 * s.l * s.ddx * sin;
-    page.claim("eq1.36", "weight", r"the equation for $\theta$ with the right side $mg\cos\theta\cdot l$, as printed; the left side is $\frac{d}{dt}\frac{\partial T}{\partial\dot\theta}-\frac{\partial T}{\partial\theta}$")
+    page.claim("eq1.36", "weight",r"the equation for $\theta$, printed with $mg\cos\theta\cdot l$ on the right; on the left stands $\frac{d}{dt}\frac{\partial T}{\partial\dot\theta}-\frac{\partial T}{\partial\theta}$").why(r"The index of $m_1$ is lost: the weight of $M_1$ alone turns the rod.")
         .fails([Line::equation(turning, tidy(inertia), s.m * s.g * c * s.l)]);
-    page.claim("eq1.36", "weight-corrected", r"with $m_1$: the weight of $M_1$ alone turns the rod")
+    page.claim("eq1.36", "weight-corrected", r"the equation for $\theta$ with $m_1g\cos\theta\cdot l$ on the right")
         .holds([Line::equation(turning, printed_left, s.m1 * s.g * c * s.l)]);
     page.correct();
     page.claim("eq1.37", "turning", r"the equation for $\theta$").holds([Line::equation(
@@ -147,9 +147,10 @@ fn released(page: &mut Page, s: &RodLetters) {
     {
         page.claim(equation, "horizontal", "the equation for $x$").holds([Line::equation(derived[0], horizontal, rx)]);
         let vertical = |centripetal: Sym| lifted + s.m1 * s.l * (s.ddtheta * c - centripetal);
-        page.claim(equation, "vertical", r"the equation for $y$, as printed with $l$ inside the parentheses too")
+        page.claim(equation, "vertical",r"the equation for $y$, printed with $l$ before the parentheses and inside them").why(r"The factor $l$ stands twice beside $\dot\theta^2$: the printed sum mixes $\ddot\theta$ with $l\dot\theta^2$.")
             .fails([Line::equation(derived[1], vertical(s.l * turn.powi(2) * sin), weight)]);
-        let (slug, says) = ("vertical-corrected", r"with $\ddot\theta\cos\theta-\dot\theta^2\sin\theta$");
+        let (slug, says) =
+            ("vertical-corrected", r"the equation for $y$, with $\ddot\theta\cos\theta-\dot\theta^2\sin\theta$");
         page.claim(equation, slug, says).holds([Line::equation(derived[1], vertical(turn.powi(2) * sin), weight)]);
         page.correct();
         page.claim(equation, "turning", r"the equation for $\theta$").holds([Line::equation(
@@ -158,12 +159,11 @@ fn released(page: &mut Page, s: &RodLetters) {
             s.g * c,
         )]);
     }
-    page.claim("eq1.40", "sign", r"$R_x = fR_y\operatorname{sign}\dot x$ with $\operatorname{sign}\dot x=-1$ for $\dot x>0$ brakes, on a floor that pushes $M$ upwards")
-        .note("With y downwards such a floor has $R_y<0$; the printed sign is right where the guide holds $M$ down.")
+    page.claim("eq1.40", "sign",r"the law $R_x = fR_y\operatorname{sign}\dot x$ with $\operatorname{sign}\dot x=-1$ for $\dot x>0$ brakes on a floor that pushes $M$ upwards").reading(r"The floor is judged; for a guide that holds $M$ down, $R_y>0$, the printed sign is right.").why(r"With $y$ downwards such a floor has $R_y<0$, so that the printed sign makes friction drive.")
         .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
         .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));
     let [normal, speed] = letters(["N", "v"]);
-    page.claim("eq1.40", "sign-corrected", r"$R_x = fR_y$ for $\dot x=v>0$ (and $-fR_y$ for $\dot x<0$, the usual sign): with $R_y=-N$ the power of friction is $-fNv$")
+    page.claim("eq1.40", "sign-corrected",r"on a floor $R_x = fR_y$ for $\dot x=v>0$, and $-fR_y$ for $\dot x<0$: with $R_y=-N$ the power of friction is $-fNv$")
         .given([Positive(s.f), Positive(normal), Positive(speed)])
         .by_signs([Positive(-(s.f * -normal) * speed)]);
     page.correct();
@@ -188,14 +188,12 @@ fn pendulum(page: &mut Page, s: &RodLetters) {
     let load = |last: Sym| {
         sign * s.f * ((s.m + s.m1) * s.g + s.m1 * s.l * point.cos * dphi.powi(2) + s.m1 * s.l * point.sin * last)
     };
-    page.claim("eq1.41", "sliding", r"$\theta=\frac\pi2-\varphi$: the equation for $x$, $\varepsilon$ for the paper's $\operatorname{sign}\dot x$; as printed with $-m_1l\dot\varphi\cos\varphi$ and $\sin\varphi\,\dot\varphi^2$")
-        .note("Here the sign of (1.40) is right, since the bracket is $-R_y$.")
+    page.claim("eq1.41", "sliding",r"the equation for $x$ with $\theta=\frac\pi2-\varphi$, printed with $-m_1l\dot\varphi\cos\varphi$ and $\sin\varphi\,\dot\varphi^2$; $\varepsilon$ stands for $\operatorname{sign}\dot x$").why(r"Two slips: $\dot\theta=-\dot\varphi$ turns the sign of $m_1l\dot\varphi\cos\varphi$, and $\sin\varphi\,\ddot\varphi$ has lost a dot.").note(r"The sign convention of (1.40) is right in (1.41), since the bracket is $-R_y$.")
         .under(&unit)
         .fails([Line::equation(derived, rate(-1), load(dphi.powi(2)))]);
     page.claim(
         "eq1.41",
-        "sliding-corrected",
-        r"with $\frac{d}{dt}[(m+m_1)\dot x+m_1l\dot\varphi\cos\varphi]$ and $\sin\varphi\,\ddot\varphi$",
+        "sliding-corrected",r"the equation for $x$ with $\frac{d}{dt}[(m+m_1)\dot x+m_1l\dot\varphi\cos\varphi]$ and $\sin\varphi\,\ddot\varphi$",
     )
     .holds([Line::equation(derived, rate(1), load(ddphi))]);
     page.correct();
@@ -230,15 +228,17 @@ fn reactions(page: &mut Page, s: &RodLetters) {
     let [name] = letters(["Ry"]);
     page.claim(
         "eq1.42",
-        "one-sided",
-        r"a one-sided guide holds while $R_y>0$: for the rod at rest on a floor, upright or hanging, $R_y=-(m+m_1)g$",
-    )
-    .note("y points downwards: $R_y>0$ is the condition for a guide above $M$, which pushes it down.")
+        "one-sided",r"a one-sided guide holds while $R_y>0$, read of a floor with the rod at rest, upright or hanging",
+    ).reading(r#"The source says "one-sided" without the side; a floor is judged."#).why(r"The axis $y$ points downwards: $R_y>0$ is the condition for a guide above $M$, which pushes it down; a floor at rest has $R_y=-(m+m_1)g$.")
     .given([Positive(s.m), Positive(s.m1), Positive(s.g), Equal(name, -(s.m + s.m1) * s.g)])
     .refuted([Positive(name)], exact([("m", 1, 1), ("m1", 1, 1), ("g", 1, 1), ("Ry", -2, 1)]));
     let smooth = s.multipliers([Sym::ZERO; 4])[1];
     let at_rest = [(s.dtheta, Sym::ZERO), (c, Sym::ZERO)];
-    page.claim("eq1.42", "one-sided-corrected", r"a floor holds while $-R_y>0$: that is its push, upwards against the weights; for the rod at rest it is $(m+m_1)g$")
-        .follows([Equal(-smooth.substitute(&at_rest), (s.m + s.m1) * s.g)]);
+    page.claim(
+        "eq1.42",
+        "one-sided-corrected",
+        r"a floor holds while $-R_y>0$, its push upwards; for the rod at rest that push is $(m+m_1)g$",
+    )
+    .follows([Equal(-smooth.substitute(&at_rest), (s.m + s.m1) * s.g)]);
     page.correct();
 }

@@ -55,8 +55,9 @@ fn law(page: &mut Page, s: &RodLetters) {
             ("λ", -25, 17),
             ("μ", -625 * way, 952),
         ]);
-        page.claim(equation, slug, format!(r"{when}: $\mu$ by $\lambda$, as printed, on a floor that pushes $M$ upwards"))
-            .note("The printed formula is the one for a guide that holds $M$ down, $R_y>0$ with y downwards. On a floor it makes friction push along the velocity.")
+        page.claim(equation, slug, format!(r"for {when} the friction $\mu$ by $\lambda$, printed with the sign of a guide above, on a floor that pushes $M$ upwards"))
+            .why("On a floor the printed sign makes friction push along the velocity.")
+            .reading("The source does not say from which side the guide holds $M$. A floor is judged, $R_y<0$ with $y$ downwards; of a guide that holds $M$ down the printed formula is right.")
             .given([
                 Positive(way_of * s.dx), Positive(-(rx * way_of)), Positive(-ry),
                 Equal(rx.powi(2), s.f.powi(2) * ry.powi(2)), Equal(s.lambda, lambda),
@@ -66,8 +67,8 @@ fn law(page: &mut Page, s: &RodLetters) {
             equation,
             corrected,
             format!(
-                r"{when} and the floor pushes, $R_y<0$: then $R_x$ and $R_y$ have {}",
-                if way > 0 { "the same sign" } else { "opposite signs" }
+                r"for {when} on a floor that pushes, $R_y<0$, the reactions $R_x$ and $R_y$ have {} sign",
+                if way > 0 { "one" } else { "opposite" }
             ),
         )
         .given([
@@ -107,8 +108,8 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
         "chart",
         r"$x_1 = x+l\cos\theta$, $y_1 = l\sin\theta$, $y=0$ satisfy the constraints (1.19) identically",
     )
+    .reading(r"The source prints $y=l\sin\theta$ beside $y=0$; $y_1=l\sin\theta$ is read, the index being lost.")
     .in_words()
-    .note(r"Printed $y=l\sin\theta$: the index 1 is lost.")
     .follows(closed.map(|constraint| Zero(constraint.value())));
     let friction = s.friction();
     let balance = s.newton(s.acceleration(), friction)[1];
@@ -127,11 +128,12 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
         r"$\lambda_1$, by Lagrange's equations of the first kind under friction of any size $\mu$",
     )
     .holds([Line::formula(lambda1, s.lambda1, -tension)]);
-    page.claim("eq1.28", "at-the-guide", r"$\lambda$, likewise").holds([Line::formula(
-        lambda,
-        s.lambda,
-        -s.m * s.g - tension * sin,
-    )]);
+    page.claim(
+        "eq1.28",
+        "at-the-guide",
+        r"$\lambda$, by Lagrange's equations of the first kind under friction of any size $\mu$",
+    )
+    .holds([Line::formula(lambda, s.lambda, -s.m * s.g - tension * sin)]);
 
     let [p, q] = letters(["μ1", "μ2"]);
     let motion = s.motion();
@@ -140,7 +142,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     page.claim("section1.1-extended", "multipliers", r"with the extended method $\lambda$, $\lambda_1$ never depend on friction: here friction $m_k\delta\vec r_k$ along any virtual displacement (two magnitudes), any masses")
         .follows(s.multipliers(any).into_iter().flat_map(|multiplier| [Zero(multiplier.diff(p)), Zero(multiplier.diff(q))]));
     let [_, ry] = s.contact();
-    page.claim("section1.1-extended", "normal-reaction", r"what does depend is the guide's own normal reaction: $R_y = \lambda + m_1\mu\sin\theta\cos\theta$ is $\lambda$ only without friction, or with the rod along or across the guide")
+    page.claim("section1.1-extended", "normal-reaction",r"the guide's own normal reaction $R_y = \lambda + m_1\mu\sin\theta\cos\theta$ depends on friction: it is $\lambda$ only without friction, or with the rod along or across the guide")
         .follows([Equal(ry - s.lambda, s.m1 * s.mu * sin * c)]);
 }
 
@@ -163,27 +165,33 @@ fn differentiated(page: &mut Page, s: &RodLetters) {
     let normal = s.of_constraints(s.lambda1, s.lambda1 * sin - s.m * s.g);
     let derived = s.stretch(std::array::from_fn(|i| (weights[i] + normal[i] + friction[i]) / masses[i]));
     let (l, lambda1, mu, turn) = (s.l, s.lambda1, s.mu, s.dtheta.powi(2));
-    page.claim("eq1.26", "substituted", "the same with the accelerations of (1.18)").holds([Line::equation(
-        derived,
-        l * c * (lambda1 / s.m1 * c + mu * c.powi(2) + lambda1 / s.m * c - mu)
-            + l * sin * (lambda1 / s.m1 * sin + mu * sin * c + s.g)
-            + l.powi(2) * c.powi(2) * turn
-            + l.powi(2) * sin.powi(2) * turn,
-        Sym::ZERO,
-    )]);
-    page.claim("eq1.26", "expanded", r"multiplied out: the terms in $\mu$ cancel").holds([Line::equation(
-        derived,
-        l / s.m1 * lambda1 + l * c.powi(2) / s.m * lambda1 - l * mu * c * sin.powi(2)
-            + l * sin.powi(2) * c * mu
-            + l * sin * s.g
-            + l.powi(2) * turn,
-        Sym::ZERO,
-    )]);
-    page.claim("eq1.26", "reduced", "what is left").holds([Line::equation(
-        derived,
-        l * lambda1 * (int(1) / s.m1 + c.powi(2) / s.m) + l * sin * s.g + l.powi(2) * turn,
-        Sym::ZERO,
-    )]);
+    page.claim("eq1.26", "substituted", r"the length differentiated twice, with the accelerations of (1.18)").holds([
+        Line::equation(
+            derived,
+            l * c * (lambda1 / s.m1 * c + mu * c.powi(2) + lambda1 / s.m * c - mu)
+                + l * sin * (lambda1 / s.m1 * sin + mu * sin * c + s.g)
+                + l.powi(2) * c.powi(2) * turn
+                + l.powi(2) * sin.powi(2) * turn,
+            Sym::ZERO,
+        ),
+    ]);
+    page.claim("eq1.26", "expanded", r"the differentiated length multiplied out: the terms in $\mu$ cancel").holds([
+        Line::equation(
+            derived,
+            l / s.m1 * lambda1 + l * c.powi(2) / s.m * lambda1 - l * mu * c * sin.powi(2)
+                + l * sin.powi(2) * c * mu
+                + l * sin * s.g
+                + l.powi(2) * turn,
+            Sym::ZERO,
+        ),
+    ]);
+    page.claim("eq1.26", "reduced", r"the differentiated length once the terms in $\mu$ have cancelled").holds([
+        Line::equation(
+            derived,
+            l * lambda1 * (int(1) / s.m1 + c.powi(2) / s.m) + l * sin * s.g + l.powi(2) * turn,
+            Sym::ZERO,
+        ),
+    ]);
 }
 
 /// (1.29): the law put into the equations of motion, with a sign epsilon.
@@ -200,15 +208,14 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
     let derived = factor * (s.ddx - at_m);
     page.claim(
         "eq1.29",
-        "sliding",
-        r"the equation for $x$ by the law $R_x = \varepsilon fR_y$ of (1.22)-(1.23), as printed",
-    )
+        "sliding",r"the equation for $x$ by the law $R_x = \varepsilon fR_y$ of (1.22)-(1.23), printed with $+m_1\varepsilon f\sin\theta$",
+    ).why(r"The term $\varepsilon f\lambda$ brings $-m\varepsilon f\sin\theta$ into the bracket; the mass and the sign are wrong in the print.")
     .under(&unit)
     .fails([Line::equation(derived, factor * s.ddx, right(s.m1 * sign * s.f * sin))]);
     page.claim(
         "eq1.29",
         "sliding-corrected",
-        r"with $-m\varepsilon f\sin\theta$ in place of $+m_1\varepsilon f\sin\theta$",
+        r"the equation for $x$ by the law $R_x = \varepsilon fR_y$, with $-m\varepsilon f\sin\theta$",
     )
     .holds([Line::equation(derived, factor * s.ddx, right(-s.m * sign * s.f * sin))]);
     page.correct();
@@ -216,24 +223,21 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
     let missing = s.newton(s.acceleration(), s.friction());
     let turning = s.motion().generalised(missing)[1] / (s.m1 * s.l);
     let left = s.l * s.ddtheta - s.ddx * sin;
-    page.claim("eq1.29", "turning", r"the equation for $\theta$, as printed: the opposite of (1.37)")
+    page.claim("eq1.29", "turning", r"the equation for $\theta$, printed with $-g\cos\theta$")
+        .why(r"The sign of the weight is turned: (1.37), which is right, has $+g\cos\theta$ with $y$ downwards.")
         .fails([Line::equation(turning, left, -s.g * c)]);
-    page.claim("eq1.29", "turning-corrected", r"with $+g\cos\theta$, as in (1.37)").holds([Line::equation(
-        turning,
-        left,
-        s.g * c,
-    )]);
+    page.claim("eq1.29", "turning-corrected", r"the equation for $\theta$ with $+g\cos\theta$, as in (1.37)")
+        .holds([Line::equation(turning, left, s.g * c)]);
     page.correct();
 
     let [rx, ry] = letters(["Rx", "Ry"]);
-    page.claim("eq1.29", "direction", r"$\varepsilon=-1$ for $\dot x>0$ makes friction $R_x=\varepsilon fR_y$ brake, on a floor that pushes $M$ upwards")
+    page.claim("eq1.29", "direction",r"friction $R_x=\varepsilon fR_y$ with $\varepsilon=-1$ for $\dot x>0$ brakes on a floor that pushes $M$ upwards").why(r"On a floor $R_y<0$, so that $\varepsilon=-1$ makes $R_x$ positive for $\dot x>0$: friction drives.")
         .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
         .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));
     let [normal, speed] = letters(["N", "v"]);
     page.claim(
         "eq1.29",
-        "direction-corrected",
-        r"$\varepsilon$ is the sign of $\dot x=\varepsilon v$: with $R_y=-N$ the power of friction is $-fNv$",
+        "direction-corrected",r"$\varepsilon$ is the sign of the velocity, $\dot x=\varepsilon v$: with $R_y=-N$ the power of friction is $-fNv$",
     )
     .under(&unit)
     .given([Positive(s.f), Positive(normal), Positive(speed)])

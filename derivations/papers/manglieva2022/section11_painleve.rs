@@ -32,7 +32,7 @@ fn components(page: &mut Page, s: &RodLetters) {
             Line::formula(friction[1], letter("ρy"), Sym::ZERO),
             Line::formula(friction[0], letter("ρx"), mu),
         ]);
-    page.claim("eq1.2", "components", r"the same at $M_1$").holds([
+    page.claim("eq1.2", "components", r"forces of constraint and of friction at $M_1$").holds([
         Line::formula(normal[3], letter("R′1y"), s.lambda1 * sin),
         Line::formula(normal[2], letter("R′1x"), s.lambda1 * c),
         Line::formula(friction[3], letter("ρ1y"), mu * sin * c),
@@ -61,26 +61,27 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     let derived = s.stretch(accelerations) * s.m1 / s.l;
     let left = |inertia: Sym| s.lambda1 * (one + s.m1 / s.m * c.powi(2)) + s.m1 * (s.g * sin + inertia);
     let right = mu * (s.m1 / s.m - one) * c;
-    page.claim("eq1.4", "multiplier", r"the relation for $\lambda_1$, as printed with $\dot\theta^2$ (the undefined $m_2$ read as $m_1$)")
-        .note(r"Printed $m_2/m$ beside $\cos^2\theta$; there is no $m_2$ in this problem, and $l$ is lost beside $\dot\theta^2$.")
+    page.claim("eq1.4", "multiplier",r"the relation for $\lambda_1$, printed with $\dot\theta^2$").reading(r"The source prints $m_2/m$ beside $\cos^2\theta$; this problem has no $m_2$, so $m_1$ is read.").why(r"The factor $l$ is lost beside $\dot\theta^2$; the printed sum adds an acceleration and the square of an angular velocity.")
         .fails([Line::equation(derived, left(s.dtheta.powi(2)), right)]);
-    page.claim("eq1.4", "multiplier-corrected", r"with $l\dot\theta^2$ and $m_1$ throughout").holds([Line::equation(
-        derived,
-        left(s.l * s.dtheta.powi(2)),
-        right,
-    )]);
+    page.claim(
+        "eq1.4",
+        "multiplier-corrected",
+        r"the relation for $\lambda_1$, with $l\dot\theta^2$ and $m_1$ throughout",
+    )
+    .holds([Line::equation(derived, left(s.l * s.dtheta.powi(2)), right)]);
     page.correct();
 
     let equal = [(s.m1, s.m)];
     let derived = s.multipliers(friction)[0].substitute(&equal);
-    page.claim("eq1.5", "equal-masses", r"$m=m_1$: the multiplier, as printed")
-        .note("Printed without the factor $m$ and without $l$.")
+    page.claim("eq1.5", "equal-masses", r"the multiplier $\lambda_1$ for $m=m_1$, printed without $m$ and $l$")
+        .why(r"The factors $m$ and $l$ are lost: the printed right side is no force.")
         .fails([Line::formula(derived, s.lambda1, -((s.dtheta.powi(2) + s.g * sin) / (one + c.powi(2))))]);
-    page.claim("eq1.5", "equal-masses-corrected", r"$m=m_1$: with the factors $m$ and $l$").holds([Line::formula(
-        derived,
-        s.lambda1,
-        -(s.m * (s.l * s.dtheta.powi(2) + s.g * sin) / (one + c.powi(2))),
-    )]);
+    page.claim(
+        "eq1.5",
+        "equal-masses-corrected",
+        r"the multiplier $\lambda_1$ for $m=m_1$, with the factors $m$ and $l$",
+    )
+    .holds([Line::formula(derived, s.lambda1, -(s.m * (s.l * s.dtheta.powi(2) + s.g * sin) / (one + c.powi(2))))]);
     page.correct();
 
     let [lambda1, lambda] = s.multipliers(friction);
@@ -107,16 +108,14 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     let premises = [Positive(s.m), Positive(s.m1), Zero((s.m1 - s.m) * c / s.mobile())];
     page.claim(
         "section1.1-painleve",
-        "only-equal-masses",
-        r"only with equal masses: from $\partial\lambda_1/\partial\mu=0$ at a position follows $m=m_1$",
-    )
-    .note("As a statement about all positions it is right; at the upright rod the masses may be any.")
+        "only-equal-masses",r"$\lambda_1$ is free of friction with equal masses only: $\partial\lambda_1/\partial\mu=0$ at one position gives $m=m_1$",
+    ).why(r"At the upright rod, $\cos\theta=0$, the derivative vanishes for any masses; as a statement about all positions the sentence is right.")
     .given(premises)
     .refuted([Equal(s.m1, s.m)], upright);
     page.claim(
         "section1.1-painleve",
         "only-equal-masses-corrected",
-        r"only with equal masses or with the rod upright, $\cos\theta=0$",
+        r"$\partial\lambda_1/\partial\mu=0$ at one position, where $\cos\theta\ne0$, gives $m=m_1$",
     )
     .given(premises)
     .given([NonZero(c)])

@@ -25,11 +25,8 @@ fn displacements(page: &mut Page) {
     let (gradient, displacement): ([Sym; 3], [Sym; 3]) = (indexed("f#"), indexed("δx#"));
     page.claim("eq1.43", "constraint", r"geometric constraints; below one in three coordinates, arbitrary to the second order: $f_{,\gamma}$, $f_{,\gamma\delta}$ are its derivatives, or $F_{,\gamma}$ where it is solved for $x_1=F(x_2,x_3,t)$")
         .defines([]);
-    page.claim("eq1.44", "displacement", "virtual displacements").defines([Line::equation(
-        Sym::ZERO,
-        dot(gradient, displacement),
-        Sym::ZERO,
-    )]);
+    page.claim("eq1.44", "displacement", r"virtual displacements satisfy the linear condition")
+        .defines([Line::equation(Sym::ZERO, dot(gradient, displacement), Sym::ZERO)]);
     page.claim("eq1.45", "chart", r"the configurations by generalised coordinates, $x_\gamma=a_\gamma(q_i,t)$")
         .defines([]);
     let [_, q2, q3] = indexed("x#");
@@ -44,7 +41,7 @@ fn displacements(page: &mut Page) {
     .in_words()
     .follows(motion.fields.map(|field| Zero(dot(row, field))));
     let [_, d2, d3] = displacement;
-    page.claim("eq1.46", "all", r"and every virtual displacement is of this form")
+    page.claim("eq1.46", "all",r"every virtual displacement has the form $\delta x_\gamma=\sum\frac{\partial x_\gamma}{\partial q_i}\delta q_i$ (one constraint on three coordinates, arbitrary to the second order)")
         .in_words()
         .given([Zero(dot(row, displacement))])
         .by_combination([(
@@ -80,9 +77,13 @@ fn reactions(page: &mut Page) {
     let parts = or_undefined(extended(masses, [gradient], reaction));
     page.claim("eq1.50", "exists", r"every reaction is a force of constraint $\lambda f_{,\gamma}$ and a friction with $R^\tau_\gamma/m_\gamma$ a virtual displacement").in_words()
         .follows([Zero(weighted(gradient, parts.of_friction))]);
-    page.claim("eq1.50", "unique", "and in one way only")
-        .given([Zero(weighted(gradient, rest)), NonZero(weighted(gradient, gradient))])
-        .by_combination([(Equal(lambda, parts.multipliers[0]), vec![1], vec![(0, int(-1))])]);
+    page.claim(
+        "eq1.50",
+        "unique",
+        r"the splitting of a reaction into a force of constraint and friction is unique: $\lambda$ is determined",
+    )
+    .given([Zero(weighted(gradient, rest)), NonZero(weighted(gradient, gradient))])
+    .by_combination([(Equal(lambda, parts.multipliers[0]), vec![1], vec![(0, int(-1))])]);
     page.claim("eq1.50", "no-work", r"the force of constraint does no work on virtual displacements")
         .in_words()
         .given([Zero(dot(gradient, displacement))])
@@ -106,7 +107,7 @@ fn friction_and_multipliers(page: &mut Page) {
     let any: [Sym; 3] = indexed("R#");
     let weighted = std::array::from_fn(|i| any[i] / masses[i]);
     let replaced = [(letter("μ1"), any[1] / masses[1]), (letter("μ2"), any[2] / masses[2])];
-    page.claim("eq1.52", "all", r"and every friction is of this form")
+    page.claim("eq1.52", "all",r"every friction whose $R^\tau_\gamma/m_\gamma$ is a virtual displacement has the form (1.52) (one constraint on three coordinates, arbitrary to the second order)")
         .given([Zero(dot(row, weighted))])
         .by_combination([(Equal(any[0], found[0].substitute(&replaced)), vec![], vec![(0, masses[0])])]);
 
@@ -118,15 +119,15 @@ fn friction_and_multipliers(page: &mut Page) {
         f22 * v2.powi(2) + int(2) * f23 * v2 * v3 + f33 * v3.powi(2) + int(2) * f2t * v2 + int(2) * f3t * v3 + ftt;
     let [x1, x2, x3] = indexed("X#");
     let [m1, m2, m3] = masses;
-    page.claim("eq1.53", "multipliers", r"the constraint differentiated twice determines $\lambda$ by place, velocities and given forces; friction drops out (constraint $x_1=F(x_2,x_3,t)$)")
-        .note("The text differentiates (1.43); then it multiplies \"each of (1.54)\" by the displacements and means (1.53).")
+    page.claim("eq1.53", "multipliers", r"the constraint differentiated twice determines $\lambda$ by place, velocities and given forces; friction drops out (constraint $x_1=F(x_2,x_3,t)$)").reading(r#"The text differentiates (1.43), then multiplies "each of (1.54)" by the displacements; (1.53) is read there."#)
         .holds([Line::formula(
             lagrange.multipliers[0],
             letter("λ"),
             (known - x1 / m1 + f2 * x2 / m2 + f3 * x3 / m3)
                 / (int(1) / m1 + f2.powi(2) / m2 + f3.powi(2) / m3),
         )]);
-    page.claim("eq1.54", "constraints", "the constraints once more, beside the equations of motion").defines([]);
+    page.claim("eq1.54", "constraints", r"(1.54) repeats the constraints (1.43) beside the equations of motion")
+        .defines([]);
 }
 
 /// (1.55)-(1.57).
@@ -145,12 +146,12 @@ fn second_kind_equations(page: &mut Page) {
         .follows((0..2).map(|i| Equal(dot(missing, motion.fields[i]), lagrange[i])));
     let [mu1, mu2] = indexed("μ#");
     let names = letters(["Q1", "Q2"]);
-    page.claim("eq1.55", "friction", r"generalised forces of friction, as printed: $Q_i^\tau=\sum_\gamma\mu_i\frac{\partial x_\gamma}{\partial q_i}$")
+    page.claim("eq1.55", "friction",r"generalised forces of friction, printed $Q_i^\tau=\sum_\gamma\mu_i\frac{\partial x_\gamma}{\partial q_i}$").why(r"The friction (1.52) is not put in: the masses and the second factor $\frac{\partial x_\gamma}{\partial q_j}$ are lost.")
         .fails((0..2).map(|i| {
             let printed = (0..3).fold(Sym::ZERO, |sum, k| sum + [mu1, mu2][i] * motion.fields[i][k]);
             Line::formula(dot(found, motion.fields[i]), names[i], printed)
         }));
-    page.claim("eq1.55", "friction-corrected", r"$Q_i^\tau=\sum_\gamma R^\tau_\gamma\frac{\partial x_\gamma}{\partial q_i}=\sum_j\mu_j\sum_\gamma m_\gamma\frac{\partial x_\gamma}{\partial q_i}\frac{\partial x_\gamma}{\partial q_j}$: here $x_2,x_3$ for $q$")
+    page.claim("eq1.55", "friction-corrected",r"$Q_i^\tau=\sum_\gamma R^\tau_\gamma\frac{\partial x_\gamma}{\partial q_i}=\sum_j\mu_j\sum_\gamma m_\gamma\frac{\partial x_\gamma}{\partial q_i}\frac{\partial x_\gamma}{\partial q_j}$, for $q=(x_2,x_3)$")
         .holds({
             let [_, f2, f3] = indexed("F#");
             let [m1, m2, m3] = masses;
@@ -170,9 +171,9 @@ fn second_kind_equations(page: &mut Page) {
     page.correct();
     let first = first_kind(&Resolved, &motion.state, force);
     let [_, a2, a3] = first.acceleration;
-    page.claim("eq1.56", "motion", r"Lagrange's equations of the second kind with friction: the accelerations of those of the first kind satisfy them")
+    page.claim("eq1.56", "motion",r"the accelerations of Lagrange's equations of the first kind satisfy those of the second kind with friction (one constraint on three coordinates, arbitrary to the second order)")
         .follows(second_kind::residual(&Resolved, at, force, [a2, a3]).map(Zero));
     let left = std::array::from_fn(|i| force[i] - masses[i] * first.acceleration[i]);
-    page.claim("eq1.57", "general-equation", r"$\sum(X_\gamma+R^\tau_\gamma-m_\gamma\ddot x_\gamma)\delta x_\gamma=0$ along the motion (1.53), for all virtual displacements")
+    page.claim("eq1.57", "general-equation",r"$\sum(X_\gamma+R^\tau_\gamma-m_\gamma\ddot x_\gamma)\delta x_\gamma=0$ along the motion (1.53), for all virtual displacements (one constraint on three coordinates, arbitrary to the second order)")
         .follows(motion.fields.map(|field| Zero(dot(left, field))));
 }

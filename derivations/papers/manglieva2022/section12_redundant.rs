@@ -27,29 +27,26 @@ pub fn claims(page: &mut Page) {
     let left = std::array::from_fn(|i| masses[i] * first.acceleration[i] - force[i]);
     page.claim(
         "eq1.62",
-        "general-equation",
-        r"$\sum(m_k\vec w_k-\vec F_k-\vec R_k^\tau)\delta\vec r_k=0$ along the motion, for all displacements (1.61)",
+        "general-equation",r"$\sum(m_k\vec w_k-\vec F_k-\vec R_k^\tau)\delta\vec r_k=0$ along the motion, for all displacements (1.61) (one constraint on three coordinates, arbitrary to the second order)",
     )
     .follows(motion.fields.map(|field| Zero(dot(left, field))));
     let [_, a2, a3] = first.acceleration;
     let shulgin = operator(&chart, (Sym::ZERO, [Sym::ZERO; 3], [v2, v3]), [a2, a3]);
-    page.claim("eq1.63", "operator", r"with $T^*$ and $E_j=\frac{\partial}{\partial x_j}+\sum A_{\alpha j}\frac{\partial}{\partial x_\alpha}$ nothing is lost: $\frac{d}{dt}\frac{\partial T^*}{\partial\dot x_j}-E_j(T^*)=\sum m_k\vec w_k\cdot\partial\vec v_k/\partial\dot x_j$, also where the constraint moves")
-        .note("For constraints that are not integrable a term is lost here; the text has geometric ones.")
+    page.claim("eq1.63", "operator",r"$\frac{d}{dt}\frac{\partial T^*}{\partial\dot x_j}-E_j(T^*)=\sum m_k\vec w_k\cdot\partial\vec v_k/\partial\dot x_j$, $E_j=\frac{\partial}{\partial x_j}+\sum A_{\alpha j}\frac{\partial}{\partial x_\alpha}$, also where the constraint moves (one constraint on three coordinates, arbitrary to the second order)").note(r"For constraints that are not integrable the operator loses a term; the text has geometric ones.")
         .follows((0..2).map(|j| {
             let inertia = std::array::from_fn(|i| masses[i] * first.acceleration[i]);
             Equal(shulgin.energy[j], dot(inertia, motion.fields[j]))
         }));
     let found = friction(motion.fields);
     let [f1, f2, f3] = indexed("f#");
-    page.claim("eq1.64", "motion", r"$\frac{d}{dt}\frac{\partial T^*}{\partial\dot x_j}-E_j(T^*)=X_j+A_{1j}X_1+R_j^\tau+A_{1j}R_1^\tau$, $A_{1j}=-f_{,j}/f_{,1}$, along the motion of Lagrange's equations of the first kind").in_words()
+    page.claim("eq1.64", "motion",r"$\frac{d}{dt}\frac{\partial T^*}{\partial\dot x_j}-E_j(T^*)=X_j+A_{1j}X_1+R_j^\tau+A_{1j}R_1^\tau$, $A_{1j}=-f_{,j}/f_{,1}$, along the motion of Lagrange's equations of the first kind (one constraint on three coordinates, arbitrary to the second order)").in_words()
         .follows([(0, 1, f2), (1, 2, f3)].map(|(j, i, slope)| {
             let dependent = -(slope / f1);
             Equal(shulgin.energy[j], given[i] + dependent * given[0] + found[i] + dependent * found[0])
         }));
     page.claim(
         "eq1.65",
-        "appell",
-        r"Appell's equations $\partial S'/\partial\dot p_j=Q_j'+(R_j^\tau)'$ along the same motion, $p_j=\dot x_j$",
+        "appell",r"Appell's equations $\partial S'/\partial\dot p_j=Q_j'+(R_j^\tau)'$, $p_j=\dot x_j$, hold along the motion of Lagrange's equations of the first kind (one constraint on three coordinates, arbitrary to the second order)",
     )
     .follows(appell::residual(&chart, &motion, force, [a2, a3]).map(Zero));
     let kinematic = mixed();
@@ -57,8 +54,7 @@ pub fn claims(page: &mut Page) {
     let [_, _, a3, a4] = first_kind(&Mixed, &kinematic.state, force).acceleration;
     page.claim(
         "eq1.65",
-        "nonholonomic",
-        r"and so with a kinematic constraint, nonlinear in the velocities (the system of section 2.1)",
+        "nonholonomic",r"Appell's equations hold along the motion of Lagrange's equations of the first kind also with a kinematic constraint nonlinear in the velocities (four coordinates, one geometric and one kinematic constraint)",
     )
     .follows(appell::residual(&Mixed, &kinematic, force, [a3, a4]).map(Zero));
 }
@@ -76,28 +72,24 @@ fn velocities(page: &mut Page, motion: &Motion<Sym, 3, 2>) {
     let masses: [Sym; 3] = indexed("m#");
     let found = friction(motion.fields);
     let displaced = std::array::from_fn(|i| found[i] / masses[i]);
-    page.claim("eq1.60", "virtual", r"$R^\tau_\gamma=\sum\mu_m\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_m}$: over the masses it is a virtual displacement").in_words()
-        .note(r"The index of $x_{\gamma_i}$ is a slip for $x_\gamma$.")
+    page.claim("eq1.60", "virtual", r"$R^\tau_\gamma=\sum\mu_m\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_m}$: over the masses it is a virtual displacement").reading(r"The source prints the index of $x$ as $\gamma_i$; $x_\gamma$ is read.").in_words()
         .follows([Zero(dot(row, displaced))]);
     let force = with_friction(motion.fields);
     let [multiplier] = first_kind(&Surface, &motion.state, force).multipliers;
-    page.claim("eq1.60", "independent", r"the force of constraint is the same with friction as without")
+    page.claim("eq1.60", "independent",r"the force of constraint does not depend on friction: $\partial\lambda/\partial\mu_j=0$ (one constraint on three coordinates, arbitrary to the second order)")
         .in_words()
         .follows(indexed::<2>("μ#").map(|mu| Zero(multiplier.diff(mu))));
     let [_, v2, v3] = indexed("ẋ#");
     let [f1, f2, f3] = indexed("f#");
     let linear = -(f2 / f1) * v2 - f3 / f1 * v3;
     let name = letter("ẋ1");
-    page.claim("eq1.61", "velocities", r"$\dot x_\alpha=\sum A_{\alpha j}\dot x_j$ for constraints $f(x,t)=0$ that contain the time, as printed; $A_{1j}=-f_{,j}/f_{,1}$")
+    page.claim("eq1.61", "velocities",r"the dependent velocity $\dot x_1=A_{12}\dot x_2+A_{13}\dot x_3$, $A_{1j}=-f_{,j}/f_{,1}$, printed without a free term for $f(x,t)=0$").why(r"The constraint contains the time: its rate has the term $f_{,t}$, which is lost.")
         .fails([Line::formula(motion.state.velocity[0], name, linear)]);
-    page.claim("eq1.61", "velocities-corrected", r"with the term $-f_{,t}/f_{,1}$").holds([Line::formula(
-        motion.state.velocity[0],
-        name,
-        linear - letter("ft") / f1,
-    )]);
+    page.claim("eq1.61", "velocities-corrected", r"the dependent velocity has the term $-f_{,t}/f_{,1}$")
+        .holds([Line::formula(motion.state.velocity[0], name, linear - letter("ft") / f1)]);
     page.correct();
     let [d2, d3] = [letter("δx2"), letter("δx3")];
     let [first, second] = motion.fields.map(|field| field[0]);
-    page.claim("eq1.61", "variations", r"the same of virtual displacements, which know no time")
+    page.claim("eq1.61", "variations",r"virtual displacements are $\delta x_1=A_{12}\delta x_2+A_{13}\delta x_3$, without a term in $f_{,t}$, since time is not varied")
         .holds([Line::formula(first * d2 + second * d3, letter("δx1"), -(f2 / f1) * d2 - f3 / f1 * d3)]);
 }

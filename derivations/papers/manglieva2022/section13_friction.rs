@@ -23,11 +23,9 @@ fn constraints(page: &mut Page, s: &SteeredLetters) {
     let ([x1, y1, x2, y2], [u1, v1, u2, v2]) = (place, velocity);
     let at = State { time: Sym::ZERO, place, velocity };
     let [length, _, _] = s.rod.constraints(&at).map(|constraint| constraint.value());
-    page.claim("eq1.66", "constraints", "guide $y_1=0$ and length").holds([Line::equation(
-        length,
-        (int(1) / int(2)) * ((y2 - y1).powi(2) + (x2 - x1).powi(2) - s.l.powi(2)),
-        Sym::ZERO,
-    )]);
+    page.claim("eq1.66", "constraints", "the rod with one end on the guide $y_1=0$ keeps its length").defines([
+        Line::equation(length, (int(1) / int(2)) * ((y2 - y1).powi(2) + (x2 - x1).powi(2) - s.l.powi(2)), Sym::ZERO),
+    ]);
     // twice the velocity of the middle, crossed with the rod
     let moving = |a: Sym, b: Sym, p: Sym, q: Sym| ((Tangent::moving(a, p) + Tangent::moving(b, q)).half()).slope;
     let (u, v) = (moving(x1, x2, u1, u2), moving(y1, y2, v1, v2));
@@ -58,14 +56,13 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
     let vertical = friction[1];
     page.claim(
         "eq1.69",
-        "vertical",
-        r"friction at $M_1$ has no vertical component: as printed with $+\rho_{22}\cos\theta$",
-    )
+        "vertical",r"friction at $M_1$ has no vertical component, printed with $+\rho_{22}\cos\theta$",
+    ).why(r"By (1.68) friction at $M_1$ has $-\rho_{21}$ along the rod and $+\rho_{22}$ across it: the sign of $\rho_{22}\cos\theta$ is turned.")
     .fails([Line::equation(vertical, ry - y, rho21 * sin + rho22 * c)]);
     page.claim(
         "eq1.69",
         "vertical-corrected",
-        r"with $-\rho_{22}\cos\theta$: what (1.73) and (1.74) use; by (1.75) it is $R_y=Y$",
+        r"friction at $M_1$ has no vertical component, with $-\rho_{22}\cos\theta$, which (1.73) and (1.74) use",
     )
     .holds([Line::equation(vertical, ry - y, rho21 * sin - rho22 * c)]);
     page.correct();
@@ -91,14 +88,18 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
         Positive(s.m2),
         Positive(rho2),
     ];
-    page.claim("eq1.71", "by-sizes", r"the same with the size $\rho_2$ of friction at $M_2$: $\frac1{m_1}\rho_1\cos\theta = \frac1{m_2}\rho_2$, as printed")
+    page.claim("eq1.71", "by-sizes",r"$\frac1{m_1}\rho_1\cos\theta = \frac1{m_2}\rho_2$, printed with the size $\rho_2$ of friction at $M_2$").why(r"The projection on the rod is $\rho_{21}$; the size $\rho_2$ contains the component $\rho_{22}$ across the rod too.")
         .given(given)
         .refuted([Equal(rho * c / s.m1, rho2 / s.m2)], exact([
             ("m1", 1, 1), ("m2", 1, 1), ("ρ1", 1, 1), ("ρ2", 1, 1), ("ρ21", 3, 5), ("ρ22", 4, 5),
             ("cos θ", 3, 5), ("sin θ", 4, 5),
         ]));
-    page.claim("eq1.71", "by-sizes-corrected", r"with the component $\rho_{21}$ along the rod")
-        .holds([Line::equation(along(whole), rho * c / s.m1, rho21 / s.m2)]);
+    page.claim(
+        "eq1.71",
+        "by-sizes-corrected",
+        r"$\frac1{m_1}\rho_1\cos\theta = \frac1{m_2}\rho_{21}$, with the component of friction along the rod",
+    )
+    .holds([Line::equation(along(whole), rho * c / s.m1, rho21 / s.m2)]);
     page.correct();
     page.claim("eq1.72", "across", "the projections across the rod cancel").holds([Line::equation(
         across(friction),
@@ -129,22 +130,15 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     page.claim("eq1.75", "ratio", r"$\rho_{22} = \operatorname{tg}\theta\,\rho_{21}$")
         .follows([Equal(rho22, sin / c * rho21)]);
     let share = |mass: Sym| mass * rx / (s.m1 + s.m2);
-    let note = r"$R_\tau$ is the component $R_x$ of the guide's reaction.";
-    page.claim("eq1.76", "along", "friction along the rod").note(note).holds([Line::formula(
-        rho21,
-        letter("ρ21"),
-        share(s.m2) * c,
-    )]);
-    page.claim("eq1.77", "across", "friction across the rod").note(note).holds([Line::formula(
-        rho22,
-        letter("ρ22"),
-        share(s.m2) * sin,
-    )]);
-    page.claim("eq1.78", "at-m1", r"friction at $M_1$").note(note).holds([Line::formula(
-        parts.of_friction[0],
-        letter("ρ1"),
-        share(s.m1),
-    )]);
+    page.claim("eq1.76", "along", "friction along the rod")
+        .reading(r"The source's $R_\tau$ is read as the component $R_x$ of the guide's reaction.")
+        .holds([Line::formula(rho21, letter("ρ21"), share(s.m2) * c)]);
+    page.claim("eq1.77", "across", "friction across the rod")
+        .reading(r"The source's $R_\tau$ is read as the component $R_x$ of the guide's reaction.")
+        .holds([Line::formula(rho22, letter("ρ22"), share(s.m2) * sin)]);
+    page.claim("eq1.78", "at-m1", r"friction at $M_1$")
+        .reading(r"The source's $R_\tau$ is read as the component $R_x$ of the guide's reaction.")
+        .holds([Line::formula(parts.of_friction[0], letter("ρ1"), share(s.m1))]);
     let friction = s.friction();
     let combined = s.extended([(s.m1 + s.m2) * s.mu, Sym::ZERO, Sym::ZERO, Sym::ZERO]).of_friction;
     page.claim("eq1.79", "components-m1", r"with $\mu=R_x/(m_1+m_2)$: friction at $M_1$").holds([
@@ -160,15 +154,19 @@ fn parts(page: &mut Page, s: &SteeredLetters) {
     let (lambda, lambda1, lambda2) = (s.lambda, s.lambda1, s.lambda2);
     let names = letters(["R′1x", "R′1y", "R′2x", "R′2y"]);
     let lines = |right: [Sym; 4]| (0..4).map(move |i| Line::formula(normal[i], names[i], right[i]));
-    page.claim("eq1.80", "forces-of-constraint", r"forces of constraint at $M_1$ and $M_2$, as printed")
-        .note(r"$\lambda$ stands in the horizontal component, and sine and cosine are exchanged in the last line; (1.83) has them right.")
+    page.claim("eq1.80", "forces-of-constraint",r"forces of constraint at $M_1$ and $M_2$, printed with $\lambda$ in the horizontal component").why(r"$\lambda$ pushes across the guide, so it belongs to the vertical component; in the last line sine and cosine are exchanged, and (1.83) has them right.")
         .fails(lines([
             lambda - lambda1 * c - lambda2 * sin,
             -lambda1 * sin - lambda2 * c,
             lambda1 * c - lambda2 * sin,
             lambda1 * c + lambda2 * sin,
         ]));
-    page.claim("eq1.80", "forces-of-constraint-corrected", "as they stand in (1.83)").holds(lines([
+    page.claim(
+        "eq1.80",
+        "forces-of-constraint-corrected",
+        r"forces of constraint at $M_1$ and $M_2$, as they stand in (1.83)",
+    )
+    .holds(lines([
         -lambda1 * c - lambda2 * sin,
         -lambda1 * sin + lambda2 * c + lambda,
         lambda1 * c - lambda2 * sin,
@@ -186,26 +184,26 @@ fn law(page: &mut Page, s: &SteeredLetters) {
     let sign = letter("ε");
     let mass = s.m1 + s.m2;
     let law = [Equal(mass * s.mu, sign * s.f * s.lambda), Positive(s.m1), Positive(s.m2), Positive(s.f)];
-    page.claim("eq1.81", "law", r"Coulomb's law $R_x=\varepsilon fR_y$ by $\mu$ and $\lambda$, as printed without $f$")
+    page.claim("eq1.81", "law", r"Coulomb's law $R_x=\varepsilon fR_y$ by $\mu$ and $\lambda$, printed without $f$")
+        .why(r"The factor $f$ is lost; (1.82) and (1.97) have it.")
         .given(law)
         .refuted(
             [Equal(s.mu, sign * s.lambda / mass)],
             exact([("m1", 1, 1), ("m2", 1, 1), ("f", 1, 2), ("ε", 1, 1), ("λ", -4, 1), ("μ", -1, 1)]),
         );
-    page.claim("eq1.81", "law-corrected", r"with $f$, as in (1.82) and (1.97)")
+    page.claim("eq1.81", "law-corrected", r"Coulomb's law by $\mu$ and $\lambda$ with the factor $f$")
         .given([Equal(mass * s.mu, sign * s.f * s.lambda), NonZero(mass)])
         .by_combination([(Equal(s.mu, sign * s.f * s.lambda / mass), vec![1], vec![(0, int(1))])]);
     page.correct();
     let way = sign;
     let unit = Hypotheses::none().rule(way, 2, int(1));
-    page.claim("eq1.82", "direction", r"$\mu=-f\lambda/(m_1+m_2)$ for $\dot x_1>0$: against the velocity, on a floor that pushes $M_1$ upwards ($\lambda<0$)")
-        .note("As in (1.22): the printed signs belong to a guide that holds $M_1$ down.")
+    page.claim("eq1.82", "direction",r"friction $\mu=-f\lambda/(m_1+m_2)$ for $\dot x_1>0$ is against the velocity, on a floor that pushes $M_1$ upwards ($\lambda<0$)").reading(r"The source names no side of the guide; the floor is judged, as in (1.22).").why(r"The sign is that of a guide which holds $M_1$ down, $\lambda>0$; on a floor the printed friction drives.")
         .given([Positive(s.dx1), Positive(-s.lambda), Positive(s.f), Positive(s.m1), Positive(s.m2), Equal(s.mu, -(s.f * s.lambda / mass))])
         .refuted([Positive(-(s.mu * s.dx1))], exact([
             ("m1", 1, 1), ("m2", 1, 1), ("f", 1, 2), ("λ", -4, 1), ("μ", 1, 1), ("ẋ1", 1, 1),
         ]));
     let [push, speed] = letters(["N", "v"]);
-    page.claim("eq1.82", "direction-corrected", r"$\mu=\varepsilon f\lambda/(m_1+m_2)$ with the sign $\varepsilon$ of $\dot x_1=\varepsilon v$, where the floor pushes with $N=-\lambda>0$: the power of friction is $-fNv$")
+    page.claim("eq1.82", "direction-corrected",r"$\mu=\varepsilon f\lambda/(m_1+m_2)$ with the sign $\varepsilon$ of $\dot x_1=\varepsilon v$: on a floor, $N=-\lambda>0$, the power of friction is $-fNv$")
         .under(&unit)
         .given([Positive(s.f), Positive(push), Positive(speed), Positive(s.m1), Positive(s.m2)])
         .by_signs([Positive(-(mass * (way * s.f * -push / mass) * (way * speed)))]);

@@ -42,10 +42,8 @@ fn friction(page: &mut Page, s: &LadderLetters) {
     let positive = [Positive(l), Positive(at_a), Positive(at_b), Positive(sin), Positive(c)];
     page.claim(
         "eq1.102",
-        "initial-motion",
-        r"friction of these directions brakes the motion that the problem names, $B$ approaching $O$: $\dot\alpha<0$",
-    )
-    .note("The directions of friction are those of a ladder that slides down.")
+        "initial-motion",r"friction of the printed directions brakes the motion that the problem names, $B$ approaching $O$: $\dot\alpha<0$",
+    ).why(r"The printed directions of friction are those of a ladder that slides down, $B$ moving away from $O$.")
     .given(positive)
     .given([Positive(-s.dalpha)])
     .refuted(
@@ -56,8 +54,7 @@ fn friction(page: &mut Page, s: &LadderLetters) {
     let renamed = [(c, cos), (sin, sine), (s.dalpha, speed / l)];
     page.claim(
         "eq1.102",
-        "initial-motion-corrected",
-        r"it brakes the ladder that slides down, $\dot\alpha=v/l>0$, with $\alpha$ in the first quadrant",
+        "initial-motion-corrected",r"friction of the printed directions brakes a ladder that slides down, $\dot\alpha=v/l>0$, with $\alpha$ in the first quadrant",
     )
     .given([Positive(l), Positive(at_a), Positive(at_b), Positive(sine), Positive(cos), Positive(speed)])
     .by_signs([Positive(tidy(-(work * s.dalpha)).substitute(&renamed))]);
@@ -88,7 +85,7 @@ fn reactions(page: &mut Page, s: &LadderLetters) {
     let both = int(1) + wall * floor;
     let [by_x, by_y] = s.normal_reactions_at(named);
     page.claim("eq1.105", "by-centre", r"normal reactions by the acceleration of the centre")
-        .note(r"The text names $R^\tau$ here and means $R^n$.")
+        .reading(r"The text names $R^\tau$; $R^n$ is read, since the formulas are the normal reactions.")
         .holds([
             Line::formula(by_x, push_a, m * (name_x + floor * (name_y + g)) / both),
             Line::formula(by_y, push_b, m * (name_y - wall * name_x + g) / both),
@@ -112,7 +109,7 @@ fn normal_reactions_and_friction(page: &mut Page, s: &LadderLetters) {
     let still = tidy(s.uniform(tidy(at_rest.substitute(&[(s.dalpha, Sym::ZERO)]))));
     let f = letter("f");
     let smooth = tidy(still.substitute(&[(f, Sym::ZERO)]));
-    page.claim("eq1.105", "unjustified", r"that normal reactions depend on friction is not justified: for the uniform ladder that begins to slide $R_A^n$ is the one without friction")
+    page.claim("eq1.105", "unjustified",r#""a normal reaction that depends on friction is not justified", read: $R_A^n$ of the uniform ladder that begins to slide is the one without friction"#).why(r"By (1.105) the normal reactions of rough walls depend on $f$. Only the multipliers of the constraints do not; they are not normal reactions.")
         .given([Positive(s.m), Positive(s.g), Positive(f)])
         .refuted([Equal(still, smooth)], exact([
             ("m", 1, 1), ("g", 1, 1), ("f", 1, 5), ("sin α", 4, 5), ("cos α", 3, 5),
@@ -124,8 +121,12 @@ fn normal_reactions_and_friction(page: &mut Page, s: &LadderLetters) {
     let field = s.motion().fields[0];
     let force = std::array::from_fn(|i| weight[i] + masses[i] * p / s.l * field[i]);
     let free = multipliers(&s.ladder, &state, force).map_or([Sym::UNDEFINED; 3], |reaction| reaction.multipliers);
-    page.claim("eq1.105", "unjustified-corrected", r"they do, see (1.105); what does not is the multipliers of rigidity, wall and floor under friction $m_k\delta\vec r_k$ of any size: forces of constraint, not normal reactions")
-        .follows(free.map(|multiplier| Zero(multiplier.diff(p))));
+    page.claim(
+        "eq1.105",
+        "unjustified-corrected",
+        r"the multipliers of rigidity, wall and floor do not depend on friction $m_k\delta\vec r_k$ of any size",
+    )
+    .follows(free.map(|multiplier| Zero(multiplier.diff(p))));
     page.correct();
 }
 

@@ -28,9 +28,9 @@ fn integral(page: &mut Page, s: &SteeredLetters) {
     let half = (Tangent::moving(s.theta, s.turning()) / Tangent::fixed(int(2))).circle();
     let tangent = half.sin / half.cos;
     let name = letter("d(tg θ/2)/dt");
-    page.claim("section1.3-integral", "exponential", r"the integral is $\operatorname{tg}\frac\theta2=e^{x_1}$: then $\frac{d}{dt}\operatorname{tg}\frac\theta2=\dot x_1\operatorname{tg}\frac\theta2$, as printed")
+    page.claim("section1.3-integral", "exponential",r"the integral $\operatorname{tg}\frac\theta2=e^{x_1}$, by its rate: $\frac{d}{dt}\operatorname{tg}\frac\theta2=\dot x_1\operatorname{tg}\frac\theta2$").why(r"The factor $2/l$ of (1.92) and the constant of integration are lost; the printed exponent has a dimension.")
         .fails([Line::formula(tangent.slope, name, s.dx1 * tangent.value)]);
-    page.claim("section1.3-integral", "exponential-corrected", r"$\operatorname{tg}\frac\theta2=Ce^{2x_1/l}$, $C$ from the initial state: $\frac{d}{dt}\operatorname{tg}\frac\theta2=\frac2l\dot x_1\operatorname{tg}\frac\theta2$")
+    page.claim("section1.3-integral", "exponential-corrected",r"the integral is $\operatorname{tg}\frac\theta2=Ce^{2x_1/l}$, by its rate: $\frac{d}{dt}\operatorname{tg}\frac\theta2=\frac2l\dot x_1\operatorname{tg}\frac\theta2$")
         .holds([Line::formula(tangent.slope, name, int(2) / s.l * s.dx1 * tangent.value)]);
     page.correct();
     let at_rest = [(s.dtheta, Sym::ZERO)];
@@ -54,14 +54,11 @@ fn work(page: &mut Page, s: &SteeredLetters) {
     let (m1, m2, l) = (s.m1, s.m2, s.l);
     let energy = by_angle(s, kinetic_energy(s.rod.masses(), s.motion().state.velocity));
     let eighth = int(1) / int(8);
-    page.claim("eq1.93", "kinetic-energy", "kinetic energy").holds([Line::formula(
-        energy,
-        letter("T"),
-        eighth * ((m1 + m2) * l.powi(2) / sin.powi(2)) * s.dtheta.powi(2),
-    )]);
+    page.claim("eq1.93", "kinetic-energy", r"kinetic energy of the steered rod by $\theta$ and $\dot\theta$")
+        .holds([Line::formula(energy, letter("T"), eighth * ((m1 + m2) * l.powi(2) / sin.powi(2)) * s.dtheta.powi(2))]);
     let two = int(2);
     page.claim("eq1.93", "given-forces", r"generalised force of $X$ and the weights")
-        .note(r"Printed $mgl$; (1.96) has $m_2$: the index is lost.")
+        .reading(r"The source prints $mgl$; $m_2gl$ is read, as (1.96) has it, the index being lost.")
         .holds([Line::formula(
             along_angle(s, s.given_force()),
             letter("Q"),
@@ -76,15 +73,19 @@ fn work(page: &mut Page, s: &SteeredLetters) {
     let across = l / (two * sin) * turned;
     let at_m1 = s.friction()[0];
     let guide = [(rx, (m1 + m2) * s.mu)];
-    page.claim("eq1.94", "work", r"work of the reactions, as printed $\rho_1\delta x_1 = m_1\mu\,\delta x_1$ and terms that cancel: with $\delta x_1=\frac{l}{2\sin\theta}\delta\theta$")
-        .note(r"In place of $\vec R$ in $\vec R+\vec R_{22}$ the text puts $\vec Y+\vec\rho_1$, without $\vec\rho_{21}-\vec\rho_{22}$ of (1.68); the reaction across the rod does no work at all.")
+    page.claim("eq1.94", "work",r"work of the reactions, printed $\rho_1\delta x_1 = m_1\mu\,\delta x_1$ and terms that cancel, with $\delta x_1=\frac{l}{2\sin\theta}\delta\theta$").why(r"The work at $M_2$ is lost: in $\vec R+\vec R_{22}$ the text puts $\vec Y+\vec\rho_1$ for $\vec R$, without $\vec\rho_{21}-\vec\rho_{22}$ of (1.68).").note(r"The reaction across the rod does no work at all.")
         .fails([Line::formula(all.substitute(&guide) * turned, name, at_m1 * across)]);
-    page.claim("eq1.94", "work-corrected", r"the guide's $R_x\delta x_1=(m_1+m_2)\mu\,\delta x_1$ alone does work")
-        .holds([Line::formula(all.substitute(&guide) * turned, name, (m1 + m2) * s.mu * across)]);
+    page.claim(
+        "eq1.94",
+        "work-corrected",
+        r"of the reactions the guide's $R_x$ alone does work, $R_x\delta x_1=(m_1+m_2)\mu\,\delta x_1$",
+    )
+    .holds([Line::formula(all.substitute(&guide) * turned, name, (m1 + m2) * s.mu * across)]);
     page.correct();
-    page.claim("eq1.95", "friction", r"generalised force of friction at both points, as printed")
+    page.claim("eq1.95", "friction", r"generalised force of friction, printed with $m_1\mu$")
+        .why(r"The friction at $M_2$ works too and is lost.")
         .fails([Line::formula(along_angle(s, s.friction()), letter("Qτ"), m1 * s.mu * l / (two * sin))]);
-    page.claim("eq1.95", "friction-corrected", r"with $m_1+m_2$: the friction at $M_2$ works too")
+    page.claim("eq1.95", "friction-corrected", r"generalised force of friction with $(m_1+m_2)\mu$")
         .holds([Line::formula(along_angle(s, s.friction()), letter("Qτ"), (m1 + m2) * s.mu * l / (two * sin))]);
     page.correct();
 }
@@ -111,9 +112,9 @@ fn equation(page: &mut Page, s: &SteeredLetters) {
         tidy((fixed((m1 + m2) * l.powi(2)) * Tangent::moving(s.dtheta, s.ddtheta) / (fixed(int(4)) * below)).slope)
     };
     let right = |mass: Sym| s.drive * l / (two * sin) + m2 * s.g * l * c + mass * s.mu * l / (two * sin);
-    page.claim("eq1.96", "motion", r"Lagrange's equation, as printed: $\frac{d}{dt}[(m_1+m_2)\frac{l^2\dot\theta}{4\sin\theta}]$ on the left, $m_1\mu$ on the right")
+    page.claim("eq1.96", "motion",r"Lagrange's equation, printed with $\frac{d}{dt}[(m_1+m_2)\frac{l^2\dot\theta}{4\sin\theta}]$ on the left and $m_1\mu$ on the right").why(r"The factor $\frac1{\sin\theta}$ is lost on the left, and the friction at $M_2$ on the right.")
         .fails([Line::equation(derived, rate(1), right(m1))]);
-    page.claim("eq1.96", "motion-corrected", r"with $\frac1{\sin\theta}$ before the derivative (what $\frac{\partial T}{\partial\theta}$ makes of $\sin^2\theta$ within it), and $(m_1+m_2)\mu$")
+    page.claim("eq1.96", "motion-corrected",r"Lagrange's equation with $\frac1{\sin\theta}$ before the derivative, to which $\frac{\partial T}{\partial\theta}$ reduces $\sin^2\theta$ within it, and $(m_1+m_2)\mu$")
         .holds([Line::equation(derived, rate(1) / sin, right(m1 + m2))]);
     page.correct();
 
@@ -133,7 +134,7 @@ fn equation(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "eq1.98",
         "motion",
-        r"the equation of motion with friction put in: right as printed, $(m_1+m_2)\mu$ and $\sin^2\theta$ included",
+        r"the equation of motion with friction put in, printed with $(m_1+m_2)\mu$ and $\sin^2\theta$",
     )
     .holds([Line::equation(
         balance(s, friction) / l,
@@ -149,21 +150,16 @@ fn redundant(page: &mut Page, s: &SteeredLetters) {
     let acceleration = s.motion().acceleration([s.ddx1]);
     let [derived] = s.motion().generalised(s.newton(acceleration, s.friction()));
     let left = (m1 + m2) * s.ddx1;
-    page.claim("eq1.99", "motion", r"the equation for $x_1$, as printed with $m_1\mu+m_2lg\cos\theta$")
+    page.claim("eq1.99", "motion",r"the equation for $x_1$, printed with $m_1\mu+m_2lg\cos\theta$").why(r"The friction at $M_2$ is lost, and the weight falls by $2\sin\theta\cos\theta$ for a unit of $x_1$, not by $l\cos\theta$.")
         .fails([Line::equation(derived, left, s.drive + m1 * s.mu + m2 * l * s.g * c)]);
-    page.claim("eq1.99", "motion-corrected", r"with $(m_1+m_2)\mu + m_2g\sin2\theta$: friction at both points, and the weight that falls by $2\sin\theta\cos\theta$ for a unit of $x_1$")
+    page.claim("eq1.99", "motion-corrected", r"the equation for $x_1$ with $(m_1+m_2)\mu + m_2g\sin2\theta$")
         .holds([Line::equation(derived, left, s.drive + (m1 + m2) * s.mu + int(2) * m2 * s.g * sin * c)]);
     page.correct();
     let across = s.middle();
-    page.claim("eq1.99", "speed", r"the constraint beside it, as printed: not (1.92)").fails([Line::equation(
-        across,
-        s.dx1 * sin,
-        l * s.dtheta,
-    )]);
-    page.claim("eq1.99", "speed-corrected", r"with the factor 2, as in (1.92)").holds([Line::equation(
-        across,
-        int(2) * s.dx1 * sin,
-        l * s.dtheta,
-    )]);
+    page.claim("eq1.99", "speed", r"the constraint of the middle, printed $\dot x_1\sin\theta=l\dot\theta$")
+        .why(r"The factor 2 of (1.92) is lost.")
+        .fails([Line::equation(across, s.dx1 * sin, l * s.dtheta)]);
+    page.claim("eq1.99", "speed-corrected", r"the constraint of the middle with the factor 2, as in (1.92)")
+        .holds([Line::equation(across, int(2) * s.dx1 * sin, l * s.dtheta)]);
     page.correct();
 }

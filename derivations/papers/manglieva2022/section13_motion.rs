@@ -41,8 +41,12 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
     let at = State { time: Sym::ZERO, place, velocity };
     let ([x1, y1, x2, y2], [u1, v1, u2, v2], [a1, b1, a2, b2]) = (place, velocity, second);
     let [length, _, _] = s.rod.constraints(&at).map(|constraint| constraint.value());
-    page.claim("eq1.84", "constraints", "the length; guide and middle are those of (1.66) and (1.67)")
-        .holds([Line::equation(length + length, (x2 - x1).powi(2) + (y2 - y1).powi(2), s.l.powi(2))]);
+    page.claim(
+        "eq1.84",
+        "constraints",
+        "the rod keeps its length; the guide and the middle are those of (1.66) and (1.67)",
+    )
+    .defines([Line::equation(length + length, (x2 - x1).powi(2) + (y2 - y1).powi(2), s.l.powi(2))]);
     let [length, middle, _] = rates(&s.rod, &at, second);
     page.claim("eq1.85", "differentiated", "length differentiated twice, middle once; $\\ddot y_1=0$").holds([
         Line::equation(
@@ -79,7 +83,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
     let right = inverse(s.m1) * s.drive * sin + (int(2) * s.dx1 * s.dtheta - s.g) * c;
     let [across, along] = [s.multipliers(s.friction())[1], s.multipliers(s.friction())[0]];
     let premises = [Equal(lambda1, along), Equal(lambda2, across), Positive(s.m1), Positive(s.m2), Positive(s.l)];
-    page.claim("eq1.86", "third-zero", "the third line goes on with \"= 0\" after its right side, as printed")
+    page.claim("eq1.86", "third-zero",r#"the third line of (1.86) is printed with "= 0" after its right side"#).why(r#"The right side equals the left side $(\frac1{m_2}+\frac1{m_1}\sin^2\theta)\lambda_2+\dots$, which does not vanish; the "= 0" is a slip."#)
         .given(premises)
         .refuted(
             [Zero(right)],
@@ -97,7 +101,7 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
                 ("λ2", -1, 1),
             ]),
         );
-    page.claim("eq1.86", "third-zero-corrected", r"the right side is what the left one is, not zero")
+    page.claim("eq1.86", "third-zero-corrected", r"the right side of the third line equals its left side")
         .in_words()
         .follows([Equal(
             inverse(s.m1) * c * sin * along + (inverse(s.m2) + inverse(s.m1) * sin.powi(2)) * across,
@@ -169,32 +173,34 @@ fn painleve(page: &mut Page, s: &SteeredLetters) {
     let across = (s.drive * q * sin + s.m1 * (pull * sin * c + turn * (q + c.powi(2)) * c)) / (q * (q + one));
     let along = (s.drive * q * c - s.m1 * (pull * (q + sin.powi(2)) + turn * c.powi(2) * sin)) / (q * (q + one));
     let share = (q - one) / (q + one) * mu;
-    page.claim("eq1.90", "across", r"$\lambda_2$ by Painlevé's displacements, $q=m_1/m_2$, as printed with $+(q-1)\mu$")
-        .note(r"$\mu$ is the horizontal force of friction at $M_1$, as in (1.1). No other scale of $\mu$ makes both printed terms right: those of $\lambda_1$ and $\lambda_2$ must be as cosine to sine.")
+    page.claim("eq1.90", "across",r"$\lambda_2$ by Painlevé's displacements, $q=m_1/m_2$, printed with $+(q-1)\mu$").reading(r"$\mu$ is read as the horizontal force of friction at $M_1$, as in (1.1). No other scale of $\mu$ makes both printed terms right, since those of $\lambda_1$ and $\lambda_2$ are as cosine to sine.").why(r"The derived term is $-\frac{q-1}{q+1}\mu\sin\theta$: sign, divisor and sine differ in the print.")
         .fails([Line::formula(derived[1], s.lambda2, across + (q - one) * mu)]);
-    page.claim("eq1.90", "across-corrected", r"with $-\frac{q-1}{q+1}\mu\sin\theta$").holds([Line::formula(
-        derived[1],
-        s.lambda2,
-        across - share * sin,
-    )]);
+    page.claim(
+        "eq1.90",
+        "across-corrected",
+        r"$\lambda_2$ by Painlevé's displacements, with $-\frac{q-1}{q+1}\mu\sin\theta$",
+    )
+    .holds([Line::formula(derived[1], s.lambda2, across - share * sin)]);
     page.correct();
-    page.claim("eq1.91", "along", r"$\lambda_1$ likewise, as printed with $-(q-1)\mu\sin\theta$")
+    page.claim("eq1.91", "along",r"$\lambda_1$ by Painlevé's displacements, printed with $-(q-1)\mu\sin\theta$").why(r"The derived term is $-\frac{q-1}{q+1}\mu\cos\theta$: the divisor is lost and the cosine is printed as sine.")
         .fails([Line::formula(derived[0], s.lambda1, along - (q - one) * sin * mu)]);
-    page.claim("eq1.91", "along-corrected", r"with $-\frac{q-1}{q+1}\mu\cos\theta$").holds([Line::formula(
-        derived[0],
-        s.lambda1,
-        along - share * c,
-    )]);
+    page.claim(
+        "eq1.91",
+        "along-corrected",
+        r"$\lambda_1$ by Painlevé's displacements, with $-\frac{q-1}{q+1}\mu\cos\theta$",
+    )
+    .holds([Line::formula(derived[0], s.lambda1, along - share * c)]);
     page.correct();
     let at_guide = derived[2].diff(mu);
     page.claim(
         "eq1.91",
         "at-the-guide",
-        r"$\lambda$ and $\lambda_1$ depend on $\mu$: here $\partial\lambda/\partial\mu\ne0$ for unequal masses",
+        r"$\lambda$ depends on $\mu$ by Painlevé's displacements: $\partial\lambda/\partial\mu\ne0$ for unequal masses",
     )
+    .why(r"The two terms in $\mu$ cancel in $\lambda = -m_1g+\lambda_1\sin\theta-\lambda_2\cos\theta$.")
     .given([Positive(s.m1), Positive(q), NonZero(q - one)])
     .refuted([NonZero(tidy(at_guide))], exact([("m1", 1, 1), ("q", 2, 1), ("cos θ", 3, 5), ("sin θ", 4, 5)]));
-    page.claim("eq1.91", "at-the-guide-corrected", r"$\lambda$ never does: $\lambda_1$ and $\lambda_2$ do, and not $\lambda = -m_1g+\lambda_1\sin\theta-\lambda_2\cos\theta$")
+    page.claim("eq1.91", "at-the-guide-corrected",r"$\partial\lambda/\partial\mu=0$ for all masses: $\lambda_1$ and $\lambda_2$ depend on $\mu$, $\lambda = -m_1g+\lambda_1\sin\theta-\lambda_2\cos\theta$ does not")
         .follows([Zero(at_guide)]);
     page.correct();
     let size = derived[0].diff(mu).powi(2) + derived[1].diff(mu).powi(2);

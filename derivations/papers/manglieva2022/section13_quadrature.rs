@@ -105,15 +105,14 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     let load = -(s.g / s.l * u.load(|x| x, s.point));
     page.claim(
         "section1.3-ladder-quadrature",
-        "constant",
-        r"the equation for $C_1$, as printed with $e^{+2af\alpha/(a-2/3)}=G^2$ on the right, $G=e^{af\alpha/(a-2/3)}$",
-    )
+        "constant",r"the equation for $C_1$, printed with $e^{+2af\alpha/(a-2/3)}=G^2$ on the right, $G=e^{af\alpha/(a-2/3)}$",
+    ).why(r"$C_1C_1^{\prime}G^2$ stands on the left, so the right side is divided by $G^2$; the integrals that follow have the right exponent.")
     .under(&u.names)
     .fails([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load * grown.powi(2))]);
     page.claim(
         "section1.3-ladder-quadrature",
         "constant-corrected",
-        r"with $e^{b\alpha}=e^{-2af\alpha/(a-2/3)}=G^{-2}$, as the integrals then have it",
+        r"the equation for $C_1$ with $e^{b\alpha}=e^{-2af\alpha/(a-2/3)}=G^{-2}$ on the right",
     )
     .under(&u.names)
     .holds([Line::equation(left / grown.powi(2), u.inertia * constant * rate, load / grown.powi(2))]);
@@ -156,11 +155,10 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         int(2) * (linear + tidy(growth)).substitute(&[(spin, square)])
     };
     let printed = forced + fixed(constant) * exponential;
-    page.claim("eq1.109", "square", r"$\dot\alpha^2$ as printed with $\tilde Ce^{b\alpha}$ (and $2g$ for the printed $g^2$): its derivative along $\alpha$ against $2\ddot\alpha$ of the motion").under(&u.names)
-        .note(r"$g^2/l$ is no square of an angular velocity, $2g/l$ is.")
+    page.claim("eq1.109", "square",r"$\dot\alpha^2$, printed with $\tilde Ce^{b\alpha}$: its derivative along $\alpha$ against $2\ddot\alpha$ of the motion").reading(r"The source prints $g^2$ in the factor; $g^2/l$ is no square of an angular velocity, so $2g$ is read.").why(r"The homogeneous solution is $e^{-b\alpha}$: the sign of the exponent is turned.").under(&u.names)
         .fails([Line::formula(motion(printed.value), name, printed.slope)]);
     let corrected = forced + fixed(constant) / exponential;
-    page.claim("eq1.109", "square-corrected", r"$\dot\alpha^2=\frac{2g}{l(1+b^2)(\frac23-a)}[\dots]+\tilde Ce^{-b\alpha}$ solves the equation of motion for every $\tilde C$").under(&u.names)
+    page.claim("eq1.109", "square-corrected",r"$\dot\alpha^2=\frac{2g}{l(1+b^2)(\frac23-a)}[\dots]+\tilde Ce^{-b\alpha}$ solves the equation of motion for every $\tilde C$").under(&u.names)
         .holds([Line::formula(motion(corrected.value), name, corrected.slope)]);
     page.correct();
 
@@ -173,17 +171,18 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     // the constant for which the right formula has alpha'_0 at alpha_0
     let begins = at_start(corrected.value) - speed.powi(2);
     let derived = -(begins.substitute(&[(constant, Sym::ZERO)]) / begins.diff(constant));
+    page.claim("eq1.109", "constant", r"$\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$ from the initial state")
+        .reading(r"The source prints $e^{-b\alpha}$ without the index; $\alpha_0$ is read.")
+        .why(r"The sign of the exponent is turned, as in $\dot\alpha^2$.")
+        .under(&u.names)
+        .fails([Line::formula(derived, constant, initial / begun)]);
     page.claim(
         "eq1.109",
-        "constant",
-        r"$\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$ from the initial state, the sign of $b$ as printed",
+        "constant-corrected",
+        r"$\tilde C=e^{b\alpha_0}[\dot\alpha_0^2-\dots]$ from the initial state",
     )
     .under(&u.names)
-    .note(r"Printed $e^{-b\alpha}$ without the index.")
-    .fails([Line::formula(derived, constant, initial / begun)]);
-    page.claim("eq1.109", "constant-corrected", r"$\tilde C=e^{b\alpha_0}[\dot\alpha_0^2-\dots]$")
-        .under(&u.names)
-        .holds([Line::formula(derived, constant, initial * begun)]);
+    .holds([Line::formula(derived, constant, initial * begun)]);
     page.correct();
 }
 
@@ -201,14 +200,13 @@ fn reactions(page: &mut Page, s: &LadderLetters, u: &Uniform) {
                 - g / inertia * (c - f * sin) * ((a * f.powi(2) - int(1)) * sin + wedge * c)
                 + f * g)
     };
-    page.claim("eq1.110", "wall", r"$R_A$ by the angle, as printed with $a\cos\alpha$")
+    page.claim("eq1.110", "wall", r"$R_A^n$ by the angle, printed with $a\cos\alpha$")
+        .why(r"The factor $f$ is lost beside $a\cos\alpha$; (1.108) has it.")
         .under(&u.names)
         .fails([Line::formula(derived[0], at_a, wall(a))]);
-    page.claim("eq1.110", "wall-corrected", r"with $af\cos\alpha$").under(&u.names).holds([Line::formula(
-        derived[0],
-        at_a,
-        wall(a * f),
-    )]);
+    page.claim("eq1.110", "wall-corrected", r"$R_A^n$ by the angle, with $af\cos\alpha$")
+        .under(&u.names)
+        .holds([Line::formula(derived[0], at_a, wall(a * f))]);
     page.correct();
     let floor = |pull: Sym| s.m / both * (pull * spin + g / inertia * (sin + f * c) * u.load(|x| x, s.point) + g);
     let coefficients = |below: Sym| [(a / below - int(1)) * l * f * sin, (a * f.powi(2) / below + int(1)) * l * c];
@@ -216,13 +214,13 @@ fn reactions(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     page.claim(
         "eq1.110",
         "floor",
-        r"$R_B$ by the angle, as printed with $\frac a2$, $\frac{af^2}2$ and a plus before the second",
+        r"$R_B^n$ by the angle, printed with $\frac a2$, $\frac{af^2}2$ and a plus before the second",
     )
+    .why(r"The denominators $a-\frac23$ are cut down to 2; with them put back the plus is still wrong.")
     .under(&u.names)
-    .note(r"The denominators $a-\frac23$ are cut down to 2; with them put back the plus is still wrong.")
     .fails([Line::formula(derived[1], at_b, floor(-first + second))]);
     let [first, second] = coefficients(inertia);
-    page.claim("eq1.110", "floor-corrected", r"with $a-\frac23$ below, and both terms subtracted")
+    page.claim("eq1.110", "floor-corrected", r"$R_B^n$ by the angle, with $a-\frac23$ below and both terms subtracted")
         .under(&u.names)
         .holds([Line::formula(derived[1], at_b, floor(-first - second))]);
     page.correct();

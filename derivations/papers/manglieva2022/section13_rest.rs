@@ -29,20 +29,18 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     page.claim(
         "section1.3-static",
         "lambda-1",
-        r"$\lambda_1$ at rest, as printed: the terms with $g$ have the opposite signs of (1.87)",
+        r"$\lambda_1$ at rest, printed with the signs of the terms in $g$ turned",
     )
+    .why(r"The terms with $g$ have the opposite signs of (1.87), from which they come.")
     .fails([Line::formula(derived[0], s.lambda1, factor * along(-1))]);
-    page.claim("section1.3-static", "lambda-1-corrected", r"as (1.87) gives it").holds([Line::formula(
-        derived[0],
-        s.lambda1,
-        factor * along(1),
-    )]);
+    page.claim("section1.3-static", "lambda-1-corrected", r"$\lambda_1$ at rest, with the signs of (1.87)")
+        .holds([Line::formula(derived[0], s.lambda1, factor * along(1))]);
     page.correct();
     let weight = -(m1 + m2) * g + two * m2 * g * c.powi(2);
     page.claim("section1.3-static", "lambda", r"$\lambda$ at rest")
         .holds([Line::formula(derived[2], s.lambda, weight)]);
     let pull = derived[0] * c + derived[1] * sin;
-    page.claim("section1.3-static", "pull", r"$\lambda_1\cos\theta+\lambda_2\sin\theta$: right as printed")
+    page.claim("section1.3-static", "pull", r"$\lambda_1\cos\theta+\lambda_2\sin\theta$ at rest, as printed")
         .follows([Equal(pull, m2 / (m1 + m2) * (drive - m1 * g * double.sin))]);
 
     // what keeps M1 at rest: the motion's equation with no acceleration
@@ -50,11 +48,15 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     let mu = tidy(-(missing.substitute(&[(s.mu, Sym::ZERO)]) / tidy(missing.diff(s.mu))));
     page.claim("section1.3-static", "friction", r"friction at $M_1$ that keeps the rod at rest")
         .holds([Line::formula(m1 * mu, m1 * s.mu, -(m1 / (m1 + m2) * (drive + m2 * g * double.sin)))]);
-    page.claim("section1.3-static", "by-multipliers", r"it is $\lambda_1\cos\theta+\lambda_2\sin\theta-X$")
-        .in_words()
-        .follows([Equal(m1 * mu, pull - drive)]);
+    page.claim(
+        "section1.3-static",
+        "by-multipliers",
+        r"the friction that keeps the rod at rest is $\lambda_1\cos\theta+\lambda_2\sin\theta-X$",
+    )
+    .in_words()
+    .follows([Equal(m1 * mu, pull - drive)]);
     let held = drive + m2 * g * double.sin;
-    page.claim("eq1.100", "inequality", r"rest while $|R_x|\le f|\lambda|$: what stands between the bars, by squares")
+    page.claim("eq1.100", "inequality", r"the rod rests while $|R_x|\le f|\lambda|$: both sides by the data, squared")
         .follows([
             Equal(((m1 + m2) * mu).powi(2), held.powi(2)),
             Equal(derived[2].powi(2), ((m1 + m2) * g - two * m2 * g * c.powi(2)).powi(2)),
@@ -64,8 +66,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     let [needed] = letters(["N"]);
     let name = s.lambda;
     let unit = Hypotheses::none().rule(sign, 2, int(1));
-    page.claim("section1.3-static", "start", r"beyond (1.100) $R_x=\varepsilon f\lambda$ with the sign $\varepsilon$ opposite to the force $N$ that rest would need: friction then has the direction of $N$")
-        .note(r"At $\theta=0$ with $m_2>m_1$ the guide pulls: $\lambda>0$.")
+    page.claim("section1.3-static", "start",r"beyond (1.100) the friction $R_x=\varepsilon f\lambda$, $\varepsilon$ opposite to the force $N$ that rest would need, has the direction of $N$").why(r"That holds where the floor pushes, $\lambda<0$; at $\theta=0$ with $m_2>m_1$ the guide pulls, $\lambda>0$.")
         .given([
             Positive(s.f), Positive(m1), Positive(m2), Positive(g), Equal(name, weight), Equal(needed, -held),
             Positive(held.powi(2) - (s.f * name).powi(2)), Equal(sign.powi(2), int(1)), Positive(-(sign * needed)),
@@ -75,7 +76,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
             ("f", 1, 2), ("λ", 1, 1), ("ε", -1, 1), ("N", 1, 1),
         ]));
     let push = letter("Y");
-    page.claim("section1.3-static", "start-corrected", r"so where the floor pushes, $\lambda=-Y<0$, with $N=-\varepsilon X$, $X>0$; where the guide pulls, $\varepsilon$ is the sign of that force")
+    page.claim("section1.3-static", "start-corrected",r"where the floor pushes, $\lambda=-Y<0$, and $N=-\varepsilon X$, $X>0$, friction $\varepsilon f\lambda$ has the direction of $N$; where the guide pulls, $\varepsilon$ is the sign of $N$")
         .under(&unit)
         .given([Positive(s.f), Positive(push), Positive(drive)])
         .by_signs([Positive((sign * s.f * -push) * -(sign * drive))]);

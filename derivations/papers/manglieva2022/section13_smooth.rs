@@ -57,9 +57,9 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "section1.3-ladder-ideal",
         "detachment",
-        r"from rest at $\alpha_0$ the wall is left, $R_A^n=0$, at $\cos\alpha=2\cos\alpha_0$, as printed",
+        r"from rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, at $\cos\alpha=2\cos\alpha_0$",
     )
-    .note(r"While it slides down, $\cos\alpha<\cos\alpha_0$.")
+    .why(r"A factor 3 is lost; besides, $\cos\alpha<\cos\alpha_0$ while the ladder slides down.")
     .given(premises)
     .refuted(
         [Equal(c, int(2) * start)],
@@ -74,12 +74,16 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
         ]),
     );
     // m sin (3/4 g c - l spin) = 0 and spin = 3g/2l (c0 - c)
-    page.claim("section1.3-ladder-ideal", "detachment-corrected", r"at $\cos\alpha=\frac23\cos\alpha_0$")
-        .given(premises)
-        .by_combination([(
-            Equal(c, int(2) / int(3) * start),
-            vec![0, 1, 3],
-            vec![(4, int(4) / int(9)), (5, int(4) / int(9) * m * l * sin)],
-        )]);
+    page.claim(
+        "section1.3-ladder-ideal",
+        "detachment-corrected",
+        r"from rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, at $\cos\alpha=\frac23\cos\alpha_0$",
+    )
+    .given(premises)
+    .by_combination([(
+        Equal(c, int(2) / int(3) * start),
+        vec![0, 1, 3],
+        vec![(4, int(4) / int(9)), (5, int(4) / int(9) * m * l * sin)],
+    )]);
     page.correct();
 }

@@ -8,7 +8,7 @@ use super::work::nowhere_zero;
 use claims::{Condition, Line, Page};
 use field::Tangent;
 use mechanics::constrained::motion::{self, Motion};
-use mechanics::constrained::rates::{jacobian, rates};
+use mechanics::constrained::rates::jacobian;
 use mechanics::constrained::{Charted, Constrained, Constraint, State};
 use mechanics::differentiate::{along, fixed, unit};
 use symbolic::Sym;
@@ -34,8 +34,7 @@ fn displacements(page: &mut Page) {
     page.claim("eq2.2", "kinematic", r"kinematic constraints, nonlinear; below one, $\dot x_2=\Phi(x,\dot x_3,\dot x_4,t)$, arbitrary to the second order in the velocities")
         .defines([]);
     let displacement: [Sym; 4] = indexed("δx#");
-    page.claim("eq2.3", "displacements", r"virtual displacements, after Chetaev: $\frac{\partial f}{\partial x_\gamma}$ and $\frac{\partial\varphi}{\partial\dot x_\gamma}$ for $f_{,\gamma}$, $\varphi_{,\dot\gamma}$")
-        .note(r"The second condition is printed with $\delta\dot x$; (2.5) and (2.14) use it with $\delta x$.")
+    page.claim("eq2.3", "displacements", r"virtual displacements, after Chetaev: $\frac{\partial f}{\partial x_\gamma}$ and $\frac{\partial\varphi}{\partial\dot x_\gamma}$ for $f_{,\gamma}$, $\varphi_{,\dot\gamma}$").reading(r"The source prints the second condition with $\delta\dot x_\gamma$, which cannot serve (2.5); $\delta x_\gamma$ is read, as (2.5) and (2.14) use it.")
         .defines([
             Line::equation(Sym::ZERO, dot(indexed("f#"), displacement), Sym::ZERO),
             Line::equation(Sym::ZERO, dot(indexed("φ#"), displacement), Sym::ZERO),
@@ -57,10 +56,10 @@ fn displacements(page: &mut Page) {
         .follows(closed.map(|constraint| Zero(constraint.value())).into_iter().chain([Zero(rows)]));
     let motion = Motion::at(&Mixed, time, q, [v3, v4]);
     let rows = jacobian(&Mixed, &motion.state);
-    page.claim("eq2.5", "along-the-chart", r"$\delta x_\gamma=\sum\frac{\partial b_\gamma}{\partial p_j}\delta\pi_j$ satisfies (2.3) for every $\delta\pi$").in_words()
+    page.claim("eq2.5", "along-the-chart",r"$\delta x_\gamma=\sum\frac{\partial b_\gamma}{\partial p_j}\delta\pi_j$ satisfies (2.3) for every $\delta\pi$ (four coordinates, one geometric and one nonlinear kinematic constraint)").in_words()
         .follows(rows.into_iter().flat_map(|row| motion.fields.map(|field| Zero(dot(row, field)))));
     let combined = |i: usize| motion.fields[0][i] * displacement[2] + motion.fields[1][i] * displacement[3];
-    page.claim("eq2.5", "all", "and every virtual displacement is of this form")
+    page.claim("eq2.5", "all",r"every virtual displacement has the form $\delta x_\gamma=\sum\frac{\partial b_\gamma}{\partial p_j}\delta\pi_j$ (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .in_words()
         .given(rows.map(|row| Zero(dot(row, displacement))))
         .by_combination([
@@ -88,7 +87,7 @@ fn forces(page: &mut Page) {
     let masses: [Sym; 4] = indexed("m#");
     let found = friction(motion.fields);
     let displaced = std::array::from_fn(|i| found[i] / masses[i]);
-    page.claim("eq2.7", "friction", r"$R^\tau_\gamma=\sum\mu_j\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_j}$: over the masses it is a virtual displacement").in_words()
+    page.claim("eq2.7", "friction",r"$R^\tau_\gamma=\sum\mu_j\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_j}$: over the masses it is a virtual displacement (four coordinates, one geometric and one nonlinear kinematic constraint)").in_words()
         .follows(jacobian(&Mixed, &motion.state).map(|row| Zero(dot(row, displaced))));
 }
 
@@ -100,8 +99,7 @@ fn identities(page: &mut Page) {
     let pushed: [Sym; 4] = std::array::from_fn(|i| mu1 * motion.fields[0][i] + mu2 * motion.fields[1][i]);
     page.claim(
         "eq2.8",
-        "identity-geometric",
-        r"$\sum_\gamma\frac{\partial f}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$",
+        "identity-geometric",r"$\sum_\gamma\frac{\partial f}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$ (four coordinates, one geometric and one nonlinear kinematic constraint)",
     )
     .in_words()
     .follows([Zero(dot(geometric, pushed))]);
@@ -114,9 +112,9 @@ fn identities(page: &mut Page) {
         let [_, kinematic]: [Constraint<Tangent<Sym>>; 2] = Mixed.constraints(&at);
         kinematic.value().slope
     });
-    page.claim("eq2.8", "identity-kinematic", r"$\sum_\gamma\frac{\partial\varphi}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$, as printed with $\partial\varphi/\partial x_\gamma$")
+    page.claim("eq2.8", "identity-kinematic",r"$\sum_\gamma\frac{\partial\varphi}{\partial x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$, printed with $\partial\varphi/\partial x_\gamma$").why(r"A dot is lost: virtual displacements of a kinematic constraint are orthogonal to $\partial\varphi/\partial\dot x_\gamma$.")
         .fails([Line::formula(dot(by_place, pushed), letter("Σ ∂φ/∂x μ ∂ẋ/∂p"), Sym::ZERO)]);
-    page.claim("eq2.8", "identity-kinematic-corrected", r"with $\partial\varphi/\partial\dot x_\gamma$")
+    page.claim("eq2.8", "identity-kinematic-corrected",r"$\sum_\gamma\frac{\partial\varphi}{\partial\dot x_\gamma}\sum_j\mu_j\frac{\partial\dot x_\gamma}{\partial p_j}=0$ (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .in_words()
         .follows([Zero(dot(steered, pushed))]);
     page.correct();
@@ -129,23 +127,27 @@ fn dynamics(page: &mut Page) {
     let force = with_friction(motion.fields);
     let first = first_kind(&Mixed, &motion.state, force);
     let rows = jacobian(&Mixed, &motion.state);
-    let [lambda, u] = first.multipliers;
-    let moved = std::array::from_fn(|i| (force[i] + lambda * rows[0][i] + u * rows[1][i]) / masses[i]);
-    page.claim("eq2.8", "motion", r"the accelerations (2.8) satisfy (2.1) differentiated twice and (2.2) once, with multipliers from these two linear equations")
-        .note(r"After (2.8) the multipliers $u_\beta$ are called $\mu_\beta$ once.")
-        .follows(rates(&Mixed, &motion.state, moved).map(Zero));
+    page.claim("eq2.8", "motion", r"the equations of motion with multipliers, which two linear equations determine: (2.1) differentiated twice and (2.2) once")
+        .reading(r"After (2.8) the source calls the multipliers $u_\beta$ once $\mu_\beta$; $u_\beta$ is read.")
+        .defines((0..4).map(|i| {
+            let [lambda, u] = letters(["λ", "u"]);
+            let ([f, phi], [x, pushed]): ([Sym; 2], [Sym; 2]) = (
+                [indexed::<4>("f#")[i], indexed::<4>("φ#")[i]],
+                [indexed::<4>("X#")[i], indexed::<4>("R#")[i]],
+            );
+            let left = masses[i] * indexed::<4>("ẍ#")[i];
+            Line::equation(Sym::ZERO, left, x + lambda * f + u * phi + pushed)
+        }));
     let mu = indexed::<2>("μ#");
     page.claim(
         "section2.1-independence",
-        "multipliers",
-        r"$\lambda$ and $u$ do not depend on friction, whatever the masses",
+        "multipliers",r"$\lambda$ and $u$ do not depend on friction, whatever the masses (four coordinates, one geometric and one nonlinear kinematic constraint)",
     )
     .follows(mu.into_iter().flat_map(|mu| first.multipliers.map(|multiplier| Zero(multiplier.diff(mu)))));
     let smooth = first_kind(&Mixed, &motion.state, indexed("X#"));
     page.claim(
         "section2.1-independence",
-        "same",
-        r"the forces of constraint are those of the same system without friction",
+        "same",r"the forces of constraint with friction are those of the system without friction (four coordinates, one geometric and one nonlinear kinematic constraint)",
     )
     .follows((0..4).map(|i| {
         let of = |[lambda, u]: [Sym; 2]| lambda * rows[0][i] + u * rows[1][i];
@@ -153,12 +155,12 @@ fn dynamics(page: &mut Page) {
     }));
 
     let left: [Sym; 4] = std::array::from_fn(|i| force[i] - masses[i] * first.acceleration[i]);
-    page.claim("eq2.9", "necessary", r"$\sum(\vec F_k+\vec R_k^\tau-m_k\vec w_k)\delta\vec r_k=0$ along the motion (2.8), for all virtual displacements")
+    page.claim("eq2.9", "necessary",r"$\sum(\vec F_k+\vec R_k^\tau-m_k\vec w_k)\delta\vec r_k=0$ along the motion (2.8), for all virtual displacements (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .follows(motion.fields.map(|field| Zero(dot(left, field))));
     let missing: [Sym; 4] = indexed("R#");
     let of_lambda = missing[0];
     let of_u = missing[1] - of_lambda * rows[0][1];
-    page.claim("eq2.9", "sufficient", r"forces $R$ that are missing in (2.9) on no virtual displacement are $\lambda f_{,\gamma}+u\varphi_{,\dot\gamma}$: (2.8) follows").in_words()
+    page.claim("eq2.9", "sufficient",r"forces $R$ that do no work on virtual displacements are $\lambda f_{,\gamma}+u\varphi_{,\dot\gamma}$, so that (2.9) gives (2.8) (four coordinates, one geometric and one nonlinear kinematic constraint)").in_words()
         .given(motion.fields.map(|field| Zero(dot(missing, field))))
         .by_combination([(2, 0), (3, 1)].map(|(i, k)| {
             (Equal(missing[i], of_lambda * rows[0][i] + of_u * rows[1][i]), vec![], vec![(k, int(1))])

@@ -82,8 +82,7 @@ fn variations(page: &mut Page) {
             Zero(dot(steered, possible) + turned),
         ]
     };
-    page.claim("eq2.14", "variations", r"$\delta\ddot x=\ddot x-\ddot x'$ satisfies the conditions on virtual displacements, those of $f$ and those of $\varphi$")
-        .note("Named as following from (2.9), (2.12), (2.13): it is (2.10)-(2.13).")
+    page.claim("eq2.14", "variations", r"$\delta\ddot x=\ddot x-\ddot x'$ satisfies the conditions on virtual displacements, those of $f$ and those of $\varphi$").reading(r"The text names (2.9), (2.12), (2.13) as the source; (2.10)-(2.13) are read, from which it follows.")
         .given(admissible())
         .by_combination([
             (Zero(dot(gradient, varied)), vec![], vec![(0, int(1)), (2, int(-1))]),
@@ -106,13 +105,12 @@ fn variations(page: &mut Page) {
     let free: Four = std::array::from_fn(|i| masses[i] * released[i] - given[i] - friction[i]);
     page.claim(
         "eq2.16",
-        "released",
-        r"the same of the system released from its constraints, which moves under $X$ and $R^\tau$ alone",
+        "released",r"$\sum(ma-X-R^\tau)(\ddot x-\ddot x')=0$ of the system released from its constraints, which moves under $X$ and $R^\tau$ alone",
     )
     .given(free.map(Zero))
     .by_combination([(Zero(dot(free, varied)), vec![], (0..4).map(|i| (i, varied[i])).collect())]);
     let weighted: Four = std::array::from_fn(|i| masses[i] * (true_ones[i] - released[i]));
-    page.claim("eq2.17", "difference", r"$\sum m(\ddot x-a)(\ddot x-\ddot x')=0$, from the two")
+    page.claim("eq2.17", "difference", r"$\sum m(\ddot x-a)(\ddot x-\ddot x')=0$, the difference of (2.15) and (2.16)")
         .given([Zero(dot(missing, varied)), Zero(dot(free, varied))])
         .by_combination([(Zero(dot(weighted, varied)), vec![], vec![(0, int(1)), (1, int(-1))])]);
 }
@@ -134,9 +132,22 @@ fn measures(page: &mut Page) {
         let squares = |p: Sym, q: Sym| p.powi(2) - int(2) * p * q + q.powi(2);
         sum + masses[i] / int(2) * (squares(x, y) - squares(y, a) + squares(a, x))
     });
-    page.claim("eq2.18", "identity", r"the product as squares; accelerations throughout")
-        .note("The text at hand has single dots or none over most letters on the right: read with two.")
+    let as_printed = {
+        let [[x], [y], [a]] = [indexed::<1>("ẍ#"), indexed("ẍ′#"), indexed("a#")];
+        let [[speed], [other], [place]] = [indexed::<1>("ẋ#"), indexed("ẋ′#"), indexed("x′#")];
+        let two = int(2);
+        let squares = (speed.powi(2) - two * speed * other + place.powi(2))
+            - (other.powi(2) - two * other * a + a.powi(2))
+            + (a.powi(2) - two * speed * a + x.powi(2));
+        Line::equation(Sym::ZERO, masses[0] * ((x - a) * (x - y)), masses[0] / int(2) * squares)
+    };
+    page.claim("eq2.18", "identity", r"the product as squares for each coordinate, printed with single dots or none over most letters on the right")
+        .why("Dots are lost: the printed squares are those of velocities and places, not of accelerations.")
+        .reading("The source shows single dots, or none, on the right and two on the left. As everywhere, lost dots are judged as printed and restored in the correction.")
+        .fails([as_printed]);
+    page.claim("eq2.18", "identity-corrected", "the product as squares, with accelerations throughout")
         .follows([Equal(product, expanded)]);
+    page.correct();
     let [d_true, possible_free, between] = letters(["AdD", "AμD", "Adμ"]);
     let named = [
         Equal(d_true, measure(true_ones, released)),
@@ -144,8 +155,7 @@ fn measures(page: &mut Page) {
         Equal(between, measure(true_ones, possible)),
         Zero(product),
     ];
-    page.claim("eq2.19", "measures", r"$A_{d\mu}+A_{dD}-A_{\mu D}=0$ for the measures of deviation between true ($d$), possible ($\mu$) and released ($D$) accelerations")
-        .note(r"Printed $A_{\mu g}$ for the measure between possible and released accelerations.")
+    page.claim("eq2.19", "measures", r"$A_{d\mu}+A_{dD}-A_{\mu D}=0$ for the measures of deviation between true ($d$), possible ($\mu$) and released ($D$) accelerations").reading(r"The source prints $A_{\mu g}$ for the measure between possible and released accelerations; $A_{\mu D}$ is read.")
         .given(named)
         .by_combination([(
             Zero(between + d_true - possible_free),
@@ -162,7 +172,7 @@ fn measures(page: &mut Page) {
             (Equal(possible_free - d_true, between), vec![], vec![(0, int(-1))]),
             (Equal(possible_free - between, d_true), vec![], vec![(0, int(-1))]),
         ]);
-    page.claim("eq2.20", "strict", r"$A_{d\mu}>0$ unless $\ddot x'=\ddot x$ (here $\ddot x'=\ddot x-\delta\ddot x$, $\delta\ddot x_1\ne0$): so $A_{dD}<A_{\mu D}$ for every other possible acceleration; likewise $A_{dD}\ge0$")
+    page.claim("eq2.20", "strict",r"$A_{d\mu}>0$ where $\ddot x'=\ddot x-\delta\ddot x$ with $\delta\ddot x\ne0$, so that $A_{dD}<A_{\mu D}$ by (2.20)")
         .given(masses.map(Positive))
         .given([NonZero(d1)])
         .by_signs([Positive(tidy(difference.substitute(&shifted)))]);
@@ -175,23 +185,25 @@ fn least(page: &mut Page) {
     let released: Four = std::array::from_fn(|i| (given[i] + friction[i]) / masses[i]);
     let half = int(1) / int(2);
     let printed = half * (0..4).fold(Sym::ZERO, |sum, i| sum + masses[i] * (second[i] - released[i]).powi(2));
-    let [d_true, between] = letters(["AdD", "Adμ"]);
-    page.claim("eq2.21", "function", r"the function that the true accelerations make least, as printed under the name $A_{d\mu}$ of the measure between true and possible accelerations")
+    let [d_true, between, possible_free] = letters(["AdD", "Adμ", "AμD"]);
+    page.claim("eq2.21", "function", r"the function that the true accelerations make least, printed as $A_{d\mu}$, the measure between true and possible accelerations")
+        .why(r"The printed right side is a measure from the released accelerations, not from the possible ones.")
+        .reading(r"With the letters $\ddot x_\gamma$ of the true accelerations the right side is the constant $A_{dD}$, the value of the minimum. Read as the function that is minimised, its accelerations are the possible ones, $\ddot x'_\gamma$, and its name is $A_{\mu D}$.")
         .fails([Line::formula(measure(second, indexed("ẍ′#")), between, printed)]);
-    page.claim("eq2.21", "function-corrected", r"it is $A_{dD}$ with $a_\gamma=(X_\gamma+R^\tau_\gamma)/m_\gamma$")
-        .holds([Line::formula(
-            gauss::constraint(masses, std::array::from_fn(|i| given[i] + friction[i]), second),
-            d_true,
-            printed,
-        )]);
+    let possible: Four = indexed("ẍ′#");
+    page.claim("eq2.21", "function-corrected", r"the function to be made least is $A_{\mu D}$, of the possible accelerations, with $a_\gamma=(X_\gamma+R^\tau_\gamma)/m_\gamma$; at $\ddot x'=\ddot x$ its value is $A_{dD}$")
+        .holds([(possible, possible_free), (second, d_true)].map(|(at, name)| {
+            let pushed = std::array::from_fn(|i| given[i] + friction[i]);
+            let squares = (0..4).fold(Sym::ZERO, |sum, i| sum + masses[i] * (at[i] - released[i]).powi(2));
+            Line::formula(gauss::constraint(masses, pushed, at), name, half * squares)
+        }));
     page.correct();
 
     let force: Four = std::array::from_fn(|i| given[i] + friction[i]);
     let slopes = gradient(|second| gauss::constraint(fixed(masses), fixed(force), second), second);
     let (by_place, by_velocity): (Four, Four) = (indexed("f#"), indexed("φ#"));
     let [lambda, u] = letters(["λ", "u"]);
-    page.claim("eq2.22", "stationary", r"the function (2.21) is stationary under (2.10), (2.11), with multipliers $\lambda$, $u$, where (2.8) holds; $R^\tau$ for the sum of friction")
-        .note(r"Printed $F_\gamma$ for $X_\gamma$.")
+    page.claim("eq2.22", "stationary",r"the function (2.21) is stationary under (2.10), (2.11), with multipliers $\lambda$, $u$, where (2.8) holds").reading(r"The source prints $F_\gamma$ for $X_\gamma$; $X_\gamma$ is read. $R^\tau_\gamma$ stands for the sum of friction.")
         .holds((0..4).map(|i| {
             Line::equation(
                 (slopes[i] - lambda * by_place[i] - u * by_velocity[i]) / masses[i],
@@ -206,6 +218,6 @@ fn least(page: &mut Page) {
     let Some(split) = Split::<4, 2, 2>::new([0, 1]) else { return };
     let Ok(admissible) = accelerations(&Mixed, &split, &motion.state) else { return };
     let found = gauss::least(masses, force, &admissible).unwrap_or([Sym::UNDEFINED; 4]);
-    page.claim("section2.2-gauss", "minimum", r"of all accelerations that the constraints allow those of (2.8) make (2.21) least: four coordinates, a geometric and a nonlinear kinematic constraint, friction held")
+    page.claim("section2.2-gauss", "minimum",r"under (2.10) and (2.11) the function (2.21) is least at the accelerations of (2.8), friction held (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .follows((0..4).map(|i| Equal(found[i], first.acceleration[i])));
 }

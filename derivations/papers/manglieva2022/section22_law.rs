@@ -31,7 +31,7 @@ fn combined(page: &mut Page) {
         motion.fields.map(|field| (0..4).fold(Sym::ZERO, |sum, i| sum + (masses[i] * at[i] - force[i]) * field[i]))
     };
     let first = first_kind(&Mixed, &motion.state, force).acceleration;
-    page.claim("section2.2-gauss", "ideal", r"at the accelerations (2.8) the forces of constraint do no work on what friction points to, $\sum R^n_\gamma\,\partial\dot x_\gamma/\partial p_j=0$: four coordinates, a geometric and a nonlinear kinematic constraint")
+    page.claim("section2.2-gauss", "ideal",r"at the accelerations (2.8) the forces of constraint do no work on the displacements of friction, $\sum R^n_\gamma\,\partial\dot x_\gamma/\partial p_j=0$ (four coordinates, one geometric and one nonlinear kinematic constraint)")
         .in_words()
         .follows(works(first).map(Zero));
     let at: Four = indexed("a#");
@@ -42,7 +42,7 @@ fn combined(page: &mut Page) {
         gauss::constraint(masses, changed, moved) - gauss::constraint(masses, force, at),
         gauss::constraint(masses, [Sym::ZERO; 4], excess),
     );
-    page.claim("section2.2-gauss", "law", r"so the principle does not need friction to be held: where $\mu_j$ is $\mu_j+\Delta\mu_j$ at the accelerations $\ddot x+\delta$, $\delta=\sum\dot p_j\partial\dot x/\partial p_j$, the function (2.21) grows by $\frac12\sum m(\delta-\sum\Delta\mu_j\,\partial\dot x/\partial p_j)^2\ge0$").in_words()
+    page.claim("section2.2-gauss", "law",r"Gauss' principle does not need friction to be held: where $\mu_j$ becomes $\mu_j+\Delta\mu_j$ at the accelerations $\ddot x+\delta$, $\delta=\sum\dot p_j\partial\dot x/\partial p_j$, the function (2.21) grows by $\frac12\sum m(\delta-\sum\Delta\mu_j\,\partial\dot x/\partial p_j)^2$").in_words()
         .note("Where the growth is zero the other acceleration satisfies (2.8) with its own friction.")
         .given(works(at).map(Zero))
         .by_combination([(growth, vec![], vec![(0, p1 - change1), (1, p2 - change2)])]);
@@ -84,7 +84,7 @@ fn of_the_guide(page: &mut Page, s: &RodLetters) {
             let reaction = tidy(s.mobile() * law);
             Zero(along_motion(frozen.diff(second)).substitute(&[(held, reaction)]))
         }));
-    page.claim("section2.2-gauss", "not-held", r"with $R_x=fR_y$ and $R_y$ by the accelerations, (1.39), it is not: Coulomb's force as a function of the accelerations must be held, or combined into $R^\tau$ first; $\partial/\partial\ddot\theta$ at the motion of the rod, sliding forward on a floor").in_words()
+    page.claim("section2.2-gauss", "not-held",r"with $R_x=fR_y$ and $R_y$ by the accelerations (1.39), the function (2.21) need not be stationary at the motion of the rod that slides forward on a floor: $\partial/\partial\ddot\theta$ differs from zero in an example").note(r"Coulomb's force as a function of the accelerations must be held, or combined into $R^\tau$ first.").in_words()
         .given([Positive(s.m), Positive(s.m1), Positive(s.l), Positive(s.g), Positive(s.f)])
         .exists([NonZero(along_motion(constraint.diff(s.ddtheta)))], at);
 }

@@ -1,7 +1,7 @@
 //! Section 3.1: the governor with balls and an elastic rim, (3.14)-(3.19).
 
 use super::alphabet::{int, letter, letters, tidy};
-use super::elastic::ElasticLetters;
+use super::elastic::{AS_PRINTED, ElasticLetters};
 use claims::{Line, Page};
 use field::Scalar;
 use symbolic::{Hypotheses, Sym};
@@ -36,15 +36,16 @@ fn energy(page: &mut Page, s: &ElasticLetters) {
         + (ddx.powi(2) * (s.sleeve + balls)).half()
         + s.ball * ddx * x * swing(dx);
     let derived = seen(s, s.acceleration_energy());
-    let names = letters(["Qφ", "u"]);
+    let names = letters(["∂S/∂ω̇1", "∂S/∂ẍ"]);
     let lines = |energy: Sym| {
         let printed = s.rates.map(|rate| energy.diff(rate));
         [0, 1].map(|i| Line::formula(derived[i], names[i], printed[i]))
     };
-    page.claim("eq3.14", "energy", r"$S$ as printed, without the square of $\dot\omega_1$, with $x$ for $\dot x$ and $\dot x$ for $\ddot x$: its derivatives by $\dot\omega_1$ and $\ddot x$")
-        .note(r"The drum with the balls has the index 1 in the formulas, the disc 2: the text before has them the other way round.")
+    page.claim("eq3.14", "energy", r"derivatives by $\dot\omega_1$ and $\ddot x$ of $S$, printed without the square of $\dot\omega_1$, with $x$ for $\dot x$ and $\dot x$ for $\ddot x$")
+        .why(r"Dots and a square are lost: with the printed letters $S$ is no energy of accelerations.")
+        .reading(r"The drum with the balls is read as the body 1 and the disc as 2, as in the formulas; the text before has them the other way round.")
         .fails(lines(printed));
-    page.claim("eq3.14", "energy-corrected", r"with $\frac12\dot\omega_1^2$, $-\dot\omega_1\omega_1\dot x(\dots)$, $\frac12\ddot x^2(m+\dots)$, $m_{sp}x\ddot x(\frac12\omega_1^2+2l^2\dot x^2(4l^2-x^2)^{-2})$, $m$ of the sleeve")
+    page.claim("eq3.14", "energy-corrected", r"derivatives of $S$ with $\frac12\dot\omega_1^2$, $-\dot\omega_1\omega_1\dot x(\dots)$, $\frac12\ddot x^2(m+\dots)$, $m_{sp}x\ddot x(\frac12\omega_1^2+2l^2\dot x^2(4l^2-x^2)^{-2})$, $m$ of the sleeve")
         .holds(lines(corrected));
     page.correct();
     let [distance] = letters(["ϱ"]);
@@ -56,7 +57,7 @@ fn constraints(page: &mut Page, s: &ElasticLetters) {
     let [w2, dlambda, dpsi] = letters(["ω2", "λ̇ᵉ", "ψ̇"]);
     let [second, across, turn] = s.rolling();
     let rolled = s.drum * w;
-    page.claim("eq3.16", "no-slip", r"no slipping of the contact's centre, across and along").holds([
+    page.claim("eq3.16", "no-slip", r"the contact's centre does not slip, across and along the wheel").defines([
         Line::equation(across - dlambda, dx - dlambda, rolled * psi),
         Line::equation((second - w2) * (x - s.offset), rolled, (x - s.offset) * w2),
     ]);
@@ -64,13 +65,15 @@ fn constraints(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.16",
         "curvature",
-        r"the curvature of the line of rolling is $\alpha\dot\lambda-\beta\dot\psi$, as printed with dots",
+        r"the curvature of the line of rolling, printed with dots as $\alpha\dot\lambda-\beta\dot\psi$, gives the law of (3.17)",
     )
+    .why(r"With dots (3.16) contradicts (3.17); the dots are slips, since the text says that the equation links the curvature with $\lambda$ and $\psi$.")
+    .reading(r"Keldysh's model, to which the text refers, and (3.17) have $\alpha\lambda-\beta\psi$: that law is taken.")
     .fails([keldysh(dlambda, dpsi)]);
     page.claim(
         "eq3.16",
         "curvature-corrected",
-        r"$\dot\psi=(\alpha\lambda-\beta\psi)R\dot\varphi_1$, as (3.17) has it",
+        r"without dots the constraint is $\dot\psi=(\alpha\lambda-\beta\psi)R\dot\varphi_1$, as in (3.17)",
     )
     .holds([keldysh(lambda, psi)]);
     page.correct();
@@ -78,7 +81,7 @@ fn constraints(page: &mut Page, s: &ElasticLetters) {
 
 fn work(page: &mut Page, s: &ElasticLetters) {
     let [_, x, _, lambda, psi] = s.state;
-    let [turn, push] = letters(["Qφ", "u"]);
+    let [turn, push] = letters(["Qφ", "Qx"]);
     let opposite = Hypotheses::none().given(s.drill, -s.b);
     let [rho, _] = s.lengths(x);
     let derived = s.work();
@@ -86,18 +89,24 @@ fn work(page: &mut Page, s: &ElasticLetters) {
         + s.b * psi * s.drum * (s.alpha * lambda - s.beta * psi);
     page.claim("eq3.17", "work-of-rotation", r"$Q_{\varphi_1}$ of the moments, of the rim's $a\lambda\,\delta\lambda+b\psi\,\delta\psi$ and of the moment $-b\psi$ on the disc")
         .under(&opposite)
-        .note(r"The first line has $+b\psi\,\delta\varphi_2$, the second and (3.17) the minus.")
+        .why(r"$\delta\lambda=\delta x-R\psi\,\delta\varphi_1$ depends on $\varphi_1$ too: the work $-aR\lambda\psi$ of the rim's force is lost.")
+        .reading(format!("The first line prints $+b\\psi\\,\\delta\\varphi_2$, the second and (3.17) the minus, which is taken. {AS_PRINTED}"))
         .fails([Line::formula(derived[0], turn, printed)]);
     page.claim(
         "eq3.17",
         "work-of-rotation-corrected",
-        r"by $\delta\lambda=\delta x-R\psi\,\delta\varphi_1$ there is $-aR\lambda\psi$ besides",
+        r"$Q_{\varphi_1}$ has $-aR\lambda\psi$ besides, by $\delta\lambda=\delta x-R\psi\,\delta\varphi_1$",
     )
     .under(&opposite)
     .holds([Line::formula(derived[0], turn, printed - s.a * s.drum * lambda * psi)]);
     page.correct();
-    page.claim("eq3.17", "work-of-sleeve", r"$Q_x=-(c_1+c_2)(x-x_0)-c_1\delta_1+c_2\delta_2+a\lambda$")
-        .holds([Line::formula(tidy(derived[1]), push, springs(s, x) + s.a * lambda)]);
+    page.claim(
+        "eq3.17",
+        "work-of-sleeve",
+        r"$Q_x=-(c_1+c_2)(x-x_0)-c_1\delta_1+c_2\delta_2+a\lambda$, by $\partial\lambda/\partial x=1$",
+    )
+    .reading(AS_PRINTED)
+    .holds([Line::formula(tidy(derived[1]), push, springs(s, x) + s.a * lambda)]);
 }
 
 fn springs(s: &ElasticLetters, x: Sym) -> Sym {
@@ -111,26 +120,28 @@ fn names(page: &mut Page, s: &ElasticLetters) {
     let [theta, f, mobile] = letters(["θˣ", "Fˣ", "mˣ"]);
     let balls = int(2) * s.ball * s.link.powi(2) / height;
     let [turning, sliding] = s.balance;
+    page.claim("eq3.17", "theta", r"the factor $\theta(x)$ of $\dot\omega_1$ is the moment of inertia by the bodies")
+        .holds([Line::formula(turning.diff(s.rates[0]), theta, s.theta(x))]);
+    let coupling = tidy(turning.diff(dx).diff(w));
+    page.claim("eq3.17", "coupling", r"the factor of $\dot x\omega_1$, printed $F(x)=J_2r_1^2/(x-c)^2+m_{sp}x$")
+        .why(r"The minus and one power of $x-c$ are lost: $\frac{d}{dt}(x-c)^{-1}$ brings $-(x-c)^{-2}$ beside a further $(x-c)^{-1}$.")
+        .fails([Line::formula(coupling, f, s.inertia[1] * s.drum.powi(2) / rho.powi(2) + s.ball * x)]);
     page.claim(
         "eq3.17",
-        "theta",
-        r"$\theta(x)$: what multiplies $\dot\omega_1$, and it is the moment of inertia by the bodies",
+        "coupling-corrected",
+        r"the factor of $\dot x\omega_1$ is $F(x)=-\frac{J_2r_1^2}{(x-c)^3}-m_{sp}x$",
     )
-    .holds([Line::formula(turning.diff(s.rates[0]), theta, s.theta(x))]);
-    let coupling = tidy(turning.diff(dx).diff(w));
-    page.claim("eq3.17", "coupling", r"$F(x)=J_2r_1^2/(x-c)^2+m_{sp}x$: what multiplies $\dot x\omega_1$")
-        .fails([Line::formula(coupling, f, s.inertia[1] * s.drum.powi(2) / rho.powi(2) + s.ball * x)]);
-    page.claim("eq3.17", "coupling-corrected", r"$F(x)=-\frac{J_2r_1^2}{(x-c)^3}-m_{sp}x$")
-        .note(r"Not $\theta'(x)$, whose first term is twice that: the rolling on the disc is not integrable.")
-        .holds([Line::formula(coupling, f, s.coupling(x))]);
+    .note(r"$F(x)$ is not $\theta'(x)$, whose first term is twice as large: the rolling on the disc is not integrable.")
+    .holds([Line::formula(coupling, f, s.coupling(x))]);
     page.correct();
     let derived = sliding.diff(s.rates[1]);
-    page.claim("eq3.17", "mobile-mass", r"$m(x)=m_{sp}+2m_{sp}l^2/(4l^2-x^2)$: what multiplies $\ddot x$, $m$ being the mass of the sleeve with the wheel")
+    page.claim("eq3.17", "mobile-mass", r"the factor of $\ddot x$, printed $m(x)=m_{sp}+2m_{sp}l^2/(4l^2-x^2)$")
+        .why(r"The first $m_{sp}$ stands for $m$, the mass of the sleeve with the wheel: the balls' part is the second term.")
         .fails([Line::formula(derived, mobile, s.ball + balls)]);
     page.claim(
         "eq3.17",
         "mobile-mass-corrected",
-        r"with $m$ for the first $m_{sp}$: the balls' part is in the second term",
+        r"the factor of $\ddot x$ is $m(x)=m+2m_{sp}l^2/(4l^2-x^2)$, $m$ being the mass of the sleeve with the wheel",
     )
     .holds([Line::formula(derived, mobile, s.mobile(x))]);
     page.correct();
@@ -146,21 +157,29 @@ fn motion(page: &mut Page, s: &ElasticLetters) {
     let left = |f: Sym| s.theta(x) * dw + f * dx * w;
     let f = letter("Fˣ");
     let names = opposite.clone().given(f, s.coupling(x));
-    page.claim("eq3.17", "rotation", r"the equation of $\omega_1$ with the right $F(x)$, the rim's moment as printed $b\psi(R(\alpha\lambda-\beta\psi)-1)$")
+    page.claim("eq3.17", "rotation", r"the equation of $\omega_1$, printed with the rim's moment $b\psi(R(\alpha\lambda-\beta\psi)-1)$, and with the right $F(x)$")
         .under(&names)
+        .why(r"The factor $\frac R{x-c}$ of the moment on the disc is printed as 1, against the work before; $-aR\lambda\psi$ is lost.")
+        .reading(AS_PRINTED)
         .fails([Line::equation(turning, left(f), moments + s.b * psi * (curvature - int(1)))]);
-    page.claim("eq3.17", "rotation-corrected", r"with $-\frac R{x-c}$ for $-1$, and with $-aR\lambda\psi$")
-        .under(&names)
-        .holds([Line::equation(
-            turning,
-            left(f),
-            moments + s.b * psi * (curvature - s.drum / rho) - s.a * s.drum * lambda * psi,
-        )]);
+    page.claim(
+        "eq3.17",
+        "rotation-corrected",
+        r"the equation of $\omega_1$ with $-\frac R{x-c}$ for $-1$, and with $-aR\lambda\psi$",
+    )
+    .under(&names)
+    .reading(AS_PRINTED)
+    .holds([Line::equation(
+        turning,
+        left(f),
+        moments + s.b * psi * (curvature - s.drum / rho) - s.a * s.drum * lambda * psi,
+    )]);
     page.correct();
     let mobile = letter("mˣ");
     let names = Hypotheses::none().given(mobile, s.mobile(x));
-    page.claim("eq3.17", "sleeve", r"the equation of $x$ with the right $m(x)$, and the constraints")
+    page.claim("eq3.17", "sleeve", r"the equation of $x$ with the rim's force $+a\lambda$ and the right $m(x)$")
         .under(&names)
+        .reading(AS_PRINTED)
         .holds([Line::equation(
             sliding,
             mobile * ddx
@@ -180,14 +199,16 @@ fn power(page: &mut Page, s: &ElasticLetters) {
     let derived = tidy(rate - s.balance[0] * w - s.balance[1] * dx);
     let [name] = letters(["Ė"]);
     let shafts = s.moments[0] * w + s.moments[1] * second;
-    page.claim("eq3.17", "power", r"the rim's moments and forces store energy: kinetic energy, springs and $-\frac12a\lambda^2-\frac12b\psi^2$ change by the shafts' power alone")
+    page.claim("eq3.17", "power", r"the rim of (3.17) stores energy: kinetic energy, springs and $-\frac12a\lambda^2-\frac12b\psi^2$ change by the shafts' power alone")
         .under(&Hypotheses::none().given(s.drill, -s.b))
-        .note(r"The moment $-b\psi$ on the disc is that of a rim which sees the disc turn, $\dot\psi=(\alpha\lambda-\beta\psi)R\omega_1-\omega_2$; then $\lambda=\psi=0$ is no motion. With (3.16) nothing stores the power $-b\psi\omega_2$.")
+        .why(r"With (3.16) nothing stores the power $-b\psi\omega_2$ of the moment on the disc.")
+        .reading(AS_PRINTED)
+        .note(r"The moment $-b\psi$ on the disc is that of a rim which sees the disc turn, $\dot\psi=(\alpha\lambda-\beta\psi)R\omega_1-\omega_2$; then $\lambda=\psi=0$ is no motion.")
         .fails([Line::formula(derived, name, shafts)]);
     page.claim(
         "eq3.17",
         "power-corrected",
-        r"without a moment on the disc; with $d\psi$ on it, $d\psi\omega_2$ is added",
+        r"with a moment $d\psi$ on the disc the rim's energy changes by the shafts' power and $d\psi\omega_2$; without it, by the shafts' power alone",
     )
     .holds([Line::formula(derived, name, shafts + s.drill * psi * second)]);
     page.correct();
@@ -205,7 +226,12 @@ fn stationary(page: &mut Page, s: &ElasticLetters) {
     let [turning, sliding] = s.balance.map(|equation| s.stationary(equation));
     let ([c1, c2], [d1, d2]) = (s.springs, s.tensions);
     let [rho, _] = s.lengths(s.rest);
-    page.claim("eq3.19", "conditions", r"when (3.18) is a motion").holds([
+    page.claim(
+        "eq3.19",
+        "conditions",
+        r"(3.18) is a motion under two conditions, one for the moments, one for the springs",
+    )
+    .holds([
         Line::equation(-turning, s.moments[0] + s.drum / rho * s.moments[1], Sym::ZERO),
         Line::equation(sliding, s.ball.half() * s.rest * w0.powi(2), -c1 * d1 + c2 * d2),
     ]);

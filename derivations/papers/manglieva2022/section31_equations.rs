@@ -23,11 +23,10 @@ fn constraints(page: &mut Page, s: &GovernorLetters) {
         .defines([Line::equation(Sym::ZERO, s.speed, kept)]);
     let [w1, w2, w] = letters(["ω1", "ω2", "ω"]);
     let rolling = s.governor.constraints(&s.turning([w1, w2, w])).map(|constraint| constraint.value());
-    page.claim("eq3.2", "rolling", r"$R\omega_1=\rho\omega_2$, $r\omega=\rho\omega_2$: no slipping at both contacts")
-        .holds([
-            Line::equation(rolling[4] - rolling[3], s.drum * w1, s.rho * w2),
-            Line::equation(rolling[4], s.radius * w, s.rho * w2),
-        ]);
+    page.claim("eq3.2", "rolling", r"the wheel does not slip at either contact").defines([
+        Line::equation(rolling[4] - rolling[3], s.drum * w1, s.rho * w2),
+        Line::equation(rolling[4], s.radius * w, s.rho * w2),
+    ]);
 }
 
 fn energy(page: &mut Page, s: &GovernorLetters) {
@@ -40,29 +39,42 @@ fn energy(page: &mut Page, s: &GovernorLetters) {
             + s.mass * wheel.powi(2))
         .half()
     };
-    page.claim("eq3.3", "energy", r"$S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\dot\rho^2$, the last as printed")
-        .fails([Line::formula(s.acceleration_energy(), name, discs(s.drho))]);
+    page.claim(
+        "eq3.3",
+        "energy",
+        r"$S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\dot\rho^2$, printed with the speed of the wheel",
+    )
+    .reading(
+        r"The source shows $\dot\rho$. As everywhere, a lost dot is judged as printed and restored in the correction.",
+    )
+    .why(r"A dot is lost: the energy of accelerations has $\frac12m\ddot\rho^2$.")
+    .fails([Line::formula(s.acceleration_energy(), name, discs(s.drho))]);
     page.claim(
         "eq3.3",
         "energy-corrected",
-        r"with $\frac12m\ddot\rho^2$: the discs' mass points give the rest as printed",
+        r"$S=\frac12\sum J(\dot\omega^2+\omega^4)+\frac12m\ddot\rho^2$, by the discs' mass points",
     )
     .holds([Line::formula(s.acceleration_energy(), name, discs(s.ddrho))]);
     page.correct();
     // what Appell's equations see of S: its derivatives by the accelerations
-    let seen = |energy: Sym| [tidy(energy.diff(s.dspeed)), tidy(energy.diff(s.ddrho))];
+    let seen = |energy: Sym| [tidy(energy.diff(s.dspeed)), energy.diff(s.ddrho)];
     let rim = s.drho * s.speed + s.rho * s.dspeed;
     let reduced =
         |wheel: Sym| (s.reduced() * rim.powi(2) + s.second * s.dspeed.powi(2) + s.mass * wheel.powi(2)).half();
     let derived = seen(s.acceleration_energy());
-    let names = letters(["Qφ", "u"]);
+    let names = letters(["∂S/∂ω̇2", "∂S/∂ϱ̈"]);
     let lines = |wheel: Sym| {
-        let printed = [s.dspeed, s.ddrho].map(|rate| reduced(wheel).diff(rate));
+        let printed = [reduced(wheel).diff(s.dspeed), tidy(reduced(wheel).diff(s.ddrho))];
         [0, 1].map(|i| Line::formula(derived[i], names[i], printed[i]))
     };
-    page.claim("eq3.3", "reduced-energy", r"$S$ with the constraints put in, as printed with $\frac12m\dot\rho^2$: its derivatives by $\dot\omega_2$ and $\ddot\rho$")
+    page.claim("eq3.3", "reduced-energy",r"derivatives by $\dot\omega_2$ and $\ddot\rho$ of $S$ with the constraints put in, printed with $\frac12m\dot\rho^2$").why(r"A dot is lost, so that $\partial S/\partial\ddot\rho=0$: the inertia term $m\ddot\rho$ is lost.")
         .fails(lines(s.drho));
-    page.claim("eq3.3", "reduced-energy-corrected", r"with $\frac12m\ddot\rho^2$").holds(lines(s.ddrho));
+    page.claim(
+        "eq3.3",
+        "reduced-energy-corrected",
+        r"derivatives by $\dot\omega_2$ and $\ddot\rho$ of $S$ with $\frac12m\ddot\rho^2$",
+    )
+    .holds(lines(s.ddrho));
     page.correct();
 }
 
@@ -70,29 +82,28 @@ fn appell(page: &mut Page, s: &GovernorLetters) {
     let motion = s.motion();
     let force: [Sym; 7] = s.governor.force(&motion.state);
     let work = motion.generalised(force);
-    let [turn, push] = letters(["Qφ", "u"]);
-    page.claim(
-        "eq3.3",
-        "work",
-        r"elementary work: $M_2+\frac\rho RM_1$ on $\delta\varphi_2$, $-(F_{11}+F_{22})+u$ on $\delta\rho$",
-    )
-    .holds([
-        Line::formula(work[0], turn, s.m2 + s.rho / s.drum * s.m1),
-        Line::formula(work[1], push, -s.friction + s.push),
-    ]);
+    let [turn, push] = letters(["Qφ2", "Qρ"]);
+    page.claim("eq3.3", "work", r"the generalised force of $\varphi_2$, by the elementary work of both shafts")
+        .holds([Line::formula(work[0], turn, s.m2 + s.rho / s.drum * s.m1)]);
+    page.claim("eq3.3", "work-on-wheel", r"the generalised force of $\rho$: the push less the friction across")
+        .defines([Line::formula(work[1], push, s.push - s.friction)]);
     let [condition, wheel] = s.kept();
     let right = s.m2 + s.rho / s.drum * s.m1;
-    page.claim("eq3.3", "equations", "Appell's equations with the speed kept: condition and motion of the wheel")
-        .holds([
-            Line::equation(
-                condition,
-                s.first / s.drum.powi(2) * (s.drho * s.speed * s.rho)
-                    + s.wheel / s.radius.powi(2) * (s.drho * s.speed * s.rho),
-                right,
-            ),
-            Line::equation(condition, s.speed * s.rho * s.reduced() * s.drho, right),
-            Line::equation(wheel, s.mass * s.ddrho, -s.friction + s.push),
-        ]);
+    page.claim(
+        "eq3.3",
+        "equations",
+        r"Appell's equations with the speed kept: the condition in two forms, then the motion of the wheel",
+    )
+    .holds([
+        Line::equation(
+            condition,
+            s.first / s.drum.powi(2) * (s.drho * s.speed * s.rho)
+                + s.wheel / s.radius.powi(2) * (s.drho * s.speed * s.rho),
+            right,
+        ),
+        Line::equation(condition, s.speed * s.rho * s.reduced() * s.drho, right),
+        Line::equation(wheel, s.mass * s.ddrho, -s.friction + s.push),
+    ]);
     // power: the kinetic energy by the bodies, its rate along the equations
     let energy: Sym = mechanics::constrained::kinetic_energy(s.governor.masses(), motion.state.velocity);
     let rate = energy.diff(s.rho) * s.drho + energy.diff(s.speed) * s.dspeed + energy.diff(s.drho) * s.ddrho;
@@ -110,24 +121,23 @@ fn appell(page: &mut Page, s: &GovernorLetters) {
 fn reduced(page: &mut Page, s: &GovernorLetters) {
     let [k, k1, k2] = letters(["k", "k₁", "k₂"]);
     let square = s.radius.powi(2);
-    page.claim("eq3.4", "names", r"$k$, $k_1(t)$, $k_2(t)$").defines([
+    page.claim("eq3.4", "names", r"the names $k$, $k_1(t)$, $k_2(t)$").defines([
         Line::equation(Sym::ZERO, k, s.speed * (s.wheel + s.first * square / s.drum.powi(2))),
         Line::equation(Sym::ZERO, k1, square * s.m2),
         Line::equation(Sym::ZERO, k2, square * s.m1 / s.drum),
     ]);
     let [condition, _] = s.kept();
-    page.claim("eq3.5", "law", "the condition by these names").under(&s.names()).holds([Line::equation(
-        square * condition / s.rho,
-        k * s.drho,
-        k1 / s.rho + k2,
-    )]);
+    page.claim("eq3.5", "law", r"the condition of the kept speed by $k$, $k_1$, $k_2$")
+        .under(&s.names())
+        .holds([Line::equation(square * condition / s.rho, k * s.drho, k1 / s.rho + k2)]);
     let law = |rho: Sym| k1 / rho + k2;
     let third = law(s.rho).diff(s.rho).diff(s.rho).diff(s.rho);
     page.claim(
         "eq3.5",
         "riccati",
-        r"it is called Riccati's equation: a right side of the second degree in $\rho$ has no third derivative",
+        r"(3.5) is called Riccati's equation: its right side, of the second degree in $\rho$, has no third derivative",
     )
+    .why(r"The right side is $k_1/\rho+k_2$, no polynomial in $\rho$.")
     .given([Positive(k1), Positive(s.rho)])
     .refuted([Zero(third)], exact([("k₁", 1, 1), ("ϱ", 1, 1)]));
     // with y = 1/rho: y' = -rho'/rho^2
@@ -135,7 +145,7 @@ fn reduced(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         "eq3.5",
         "riccati-corrected",
-        r"with $y=1/\rho$ it is Abel's equation of the first kind, $k\dot y=-k_1y^3-k_2y^2$",
+        r"with $y=1/\rho$ (3.5) is Abel's equation of the first kind, $k\dot y=-k_1y^3-k_2y^2$",
     )
     .follows([Equal(-law(s.rho) / s.rho.powi(2), -k1 * y.powi(3) - k2 * y.powi(2))]);
     page.correct();

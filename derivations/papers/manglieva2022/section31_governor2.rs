@@ -22,8 +22,10 @@ fn kinematics(page: &mut Page, s: &GovernorLetters) {
     let [w1, w2, w, dw1, dw] = letters(["ω1", "ω2", "ω", "ω̇1", "ω̇"]);
     let [.., first, second] = s.governor.constraints(&s.turning([w1, w2, w])).map(|constraint| constraint.value());
     let far = s.distance - s.rho;
-    page.claim(ENTRY, "rolling", r"$r\omega=\rho_1\omega_1=(a-\rho_1)\omega_2$")
-        .holds([Line::equation(first, s.radius * w, s.rho * w1), Line::equation(second - first, s.rho * w1, far * w2)]);
+    page.claim(ENTRY, "rolling", r"the wheel does not slip at either disc").defines([
+        Line::equation(first, s.radius * w, s.rho * w1),
+        Line::equation(second - first, s.rho * w1, far * w2),
+    ]);
     let [[of_first, first], _, [of_wheel, wheel]] = s.spins();
     let kept = |rate: Sym| tidy(rate.substitute(&[(s.dspeed, Sym::ZERO)]));
     page.claim(
@@ -55,7 +57,7 @@ fn contact_forces(s: &GovernorLetters) -> [Sym; 2] {
 }
 
 fn contacts(page: &mut Page, s: &GovernorLetters) {
-    let [f1, f2, spin] = letters(["F₁", "F₂", "Qφ"]);
+    let [f1, f2, spin] = letters(["F₁", "F₂", "Jω̇"]);
     let [.., first, second] = s.governor.reactions(&s.motion().state);
     let [on_first, on_second, on_wheel] = missing(s);
     let far = s.distance - s.rho;
@@ -69,18 +71,24 @@ fn contacts(page: &mut Page, s: &GovernorLetters) {
     ]);
     let pushed = f1 * first[5] + f2 * second[5];
     let inertia = -s.wheel * s.drho / s.radius * s.speed;
-    page.claim(ENTRY, "wheel", r"that of the wheel, $-J\frac{\dot\rho_1}r\omega_2=r(F_1+F_2)$")
+    page.claim(ENTRY, "wheel", r"moment of momentum of the wheel: $-J\frac{\dot\rho_1}r\omega_2=r(F_1+F_2)$")
         .holds([Line::equation(on_wheel - pushed, inertia, s.radius * (f1 + f2))]);
-    page.claim(ENTRY, "wheel-half", r"$J\dot\omega=-\frac{J\omega_2}2\dot\rho_1$ in its middle, as printed")
-        .fails([Line::formula(on_wheel, spin, -s.wheel * s.speed / int(2) * s.drho)]);
-    page.claim(ENTRY, "wheel-half-corrected", r"with $r$ for 2").holds([Line::formula(
-        on_wheel,
-        spin,
-        -s.wheel * s.speed / s.radius * s.drho,
-    )]);
+    page.claim(
+        ENTRY,
+        "wheel-half",
+        r"the middle of the chain for the wheel, printed $J\dot\omega=-\frac{J\omega_2}2\dot\rho_1$",
+    )
+    .why(r"The divisor $r$ is printed as 2.")
+    .fails([Line::formula(on_wheel, spin, -s.wheel * s.speed / int(2) * s.drho)]);
+    page.claim(
+        ENTRY,
+        "wheel-half-corrected",
+        r"the middle of the chain for the wheel is $J\dot\omega=-\frac{J\omega_2}r\dot\rho_1$",
+    )
+    .holds([Line::formula(on_wheel, spin, -s.wheel * s.speed / s.radius * s.drho)]);
     page.correct();
     let [by_first, by_second] = contact_forces(s);
-    page.claim(ENTRY, "forces", r"$F_2$ and $F_1$").holds([
+    page.claim(ENTRY, "forces", r"the forces $F_2$ and $F_1$ in the contacts").holds([
         Line::formula(by_second, f2, s.m2 / far),
         Line::formula(by_first, f1, s.m1 / s.rho + s.speed * s.distance * s.drho / s.rho.powi(3) * s.first),
     ]);
@@ -97,10 +105,9 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
         (s.wheel * s.speed / s.radius * s.drho, s.radius * (pull - of_first * s.drho)),
         ((s.wheel * s.speed / s.radius + of_first * s.radius) * s.drho, s.radius * pull),
     ];
-    page.claim(ENTRY, "equation", r"the equation of $\rho_1$, in both forms printed")
-        .note(r"The minus of $J\dot\omega=-J\omega_2\dot\rho_1/r$ is lost on the way: moments that drive make $\rho_1$ fall, so that $\omega_1$ grows.")
+    page.claim(ENTRY, "equation",r"the equation of $\rho_1$, in both printed forms").why(r"The minus of $J\dot\omega=-J\omega_2\dot\rho_1/r$ is lost on the way: moments that drive make $\rho_1$ fall, so that $\omega_1$ grows.")
         .fails(printed.map(|(left, right)| Line::equation(-derived, left, right)));
-    page.claim(ENTRY, "equation-corrected", r"by Appell's equations").holds([
+    page.claim(ENTRY, "equation-corrected", r"the equation of $\rho_1$ in both forms, by Appell's equations").holds([
         Line::equation(-derived, printed[0].0, -(s.radius * (pull + of_first * s.drho))),
         Line::equation(-derived, printed[1].0, -(s.radius * pull)),
     ]);
@@ -109,15 +116,17 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
     // sliding outwards: both contacts push back with f N
     let outwards = tidy(wheel.substitute(&[(at1, f * n1), (at2, f * n2)]));
     let normal = n1 + n2;
-    page.claim(ENTRY, "wheel-axis", r"$m\ddot\rho_1=u+f(N_1+N_2)$, for $\dot\rho_1>0$").fails([Line::equation(
-        outwards,
-        s.mass * s.ddrho,
-        s.push + f * normal,
-    )]);
+    page.claim(
+        ENTRY,
+        "wheel-axis",
+        r"the wheel along its axis for $\dot\rho_1>0$, printed $m\ddot\rho_1=u+f(N_1+N_2)$",
+    )
+    .why(r"Friction is against the motion, so its sign is turned.")
+    .fails([Line::equation(outwards, s.mass * s.ddrho, s.push + f * normal)]);
     page.claim(
         ENTRY,
         "wheel-axis-corrected",
-        r"friction is against the motion: $m\ddot\rho_1=u-f(N_1+N_2)\operatorname{sign}\dot\rho_1$",
+        r"the wheel along its axis for $\dot\rho_1>0$ moves by $m\ddot\rho_1=u-f(N_1+N_2)$",
     )
     .holds([Line::equation(outwards, s.mass * s.ddrho, s.push - f * normal)]);
     page.correct();
@@ -134,8 +143,7 @@ fn quadrature(page: &mut Page, s: &GovernorLetters) {
         let law = Between { moments: with, ..law };
         Line::formula(int(1) / drift(with), int(1) / s.drho, law.slope(&by(&law), s.rho))
     };
-    page.claim(ENTRY, "quadrature", r"under constant moments $t$ is an elementary function of $\rho_1$: of $\rho_1$, $\rho_1^2$, $1/\rho_1$, $\ln\rho_1$ and $\ln|M_1(a-\rho_1)+M_2\rho_1|$; its slope against $1/\dot\rho_1$")
-        .note(r"For $M_1\ne0$, $M_1\ne M_2$. Its inverse $\rho_1(t)$ is not elementary, nor Lambert's: polynomial and logarithms stand side by side.")
+    page.claim(ENTRY, "quadrature", r"under constant moments $t$ is an elementary function of $\rho_1$: of $\rho_1$, $\rho_1^2$, $1/\rho_1$, $\ln\rho_1$ and $\ln|M_1(a-\rho_1)+M_2\rho_1|$; its slope against $1/\dot\rho_1$").note(r"For $M_1\ne0$, $M_1\ne M_2$.")
         .holds([slow([s.m1, s.m2], Between::general)]);
     page.claim(ENTRY, "quadrature-equal", r"with $M_1=M_2$: of $\rho_1^2$, $\rho_1^3$, $1/\rho_1$ and $\ln\rho_1$")
         .holds([slow([s.m1, s.m1], Between::equal)]);

@@ -63,36 +63,43 @@ fn force(page: &mut Page, s: &GovernorLetters) {
     let along = k1 / s.rho + k2;
     // d/dt (k1/rho + k2) along k rho' = k1/rho + k2
     let differentiated = rate1 / s.rho - k1 * along / (k * s.rho.powi(2)) + rate2;
-    page.claim("eq3.9", "force", r"$u=\frac mk\frac d{dt}(k_1/\rho+k_2)-(F_{11}+F_{22})$")
+    page.claim("eq3.9", "force", r"the push, printed $u=m\ddot\rho=\frac mk\frac d{dt}(k_1/\rho+k_2)-(F_{11}+F_{22})$")
+        .why(r"By (3.3) $u=m\ddot\rho+(F_{11}+F_{22})$: the push has to overcome friction, and is not $m\ddot\rho$.")
         .under(&names)
-        .note(r"By (3.3) $u=m\ddot\rho+(F_{11}+F_{22})$: the push has to overcome friction. It is not $m\ddot\rho$ either.")
         .fails([Line::formula(derived, s.push, s.mass / k * differentiated - s.friction)]);
-    page.claim("eq3.9", "force-corrected", r"with $+(F_{11}+F_{22})$").under(&names).holds([Line::formula(
-        derived,
-        s.push,
-        s.mass / k * differentiated + s.friction,
-    )]);
+    page.claim("eq3.9", "force-corrected", r"the push is $u=\frac mk\frac d{dt}(k_1/\rho+k_2)+(F_{11}+F_{22})$")
+        .under(&names)
+        .holds([Line::formula(derived, s.push, s.mass / k * differentiated + s.friction)]);
     page.correct();
     let small = names.clone().given(epsilon, int(1) / (s.speed * (s.wheel + s.first * square / s.drum.squared())));
     let expanded = |of_first: Sym, friction: Sym| {
         s.mass / k * ((rate1 * s.rho - k1 * epsilon * along) / s.rho.powi(2) + of_first) + friction
     };
-    page.claim("section3.1-control-force", "variable", r"the derivative carried out, as printed with $-\dot k_2$")
-        .under(&small)
-        .fails([Line::formula(derived, s.push, expanded(-rate2, -s.friction))]);
-    page.claim("section3.1-control-force", "variable-corrected", r"with $+\dot k_2$ and $+(F_{11}+F_{22})$")
-        .under(&small)
-        .holds([Line::formula(derived, s.push, expanded(rate2, s.friction))]);
+    page.claim(
+        "section3.1-control-force",
+        "variable",
+        r"the push with the derivative carried out, printed with $-\dot k_2$",
+    )
+    .why(r"The signs of $\dot k_2$ and of friction are turned.")
+    .under(&small)
+    .fails([Line::formula(derived, s.push, expanded(-rate2, -s.friction))]);
+    page.claim(
+        "section3.1-control-force",
+        "variable-corrected",
+        r"the push with the derivative carried out, with $+\dot k_2$ and $+(F_{11}+F_{22})$",
+    )
+    .under(&small)
+    .holds([Line::formula(derived, s.push, expanded(rate2, s.friction))]);
     page.correct();
     let steady = derived.substitute(&[(growth1, Sym::ZERO), (growth2, Sym::ZERO)]);
     let constant = -(s.mass * epsilon.powi(2) * k1 * along / s.rho.powi(2));
-    page.claim("section3.1-control-force", "constant", "the same under constant moments, friction as printed")
-        .under(&small)
-        .fails([Line::formula(steady, s.push, constant - s.friction)]);
-    page.claim("section3.1-control-force", "constant-corrected", r"with $+(F_{11}+F_{22})$")
-        .under(&small)
-        .holds([Line::formula(steady, s.push, constant + s.friction)]);
-    page.correct();
+    page.claim(
+        "section3.1-control-force",
+        "constant",
+        r"(3.9) with the right sign of friction, under constant moments",
+    )
+    .under(&small)
+    .holds([Line::formula(steady, s.push, constant + s.friction)]);
 }
 
 fn quadrature(page: &mut Page, s: &GovernorLetters) {
@@ -151,18 +158,22 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
     let exponent = -law(start).diff(start);
     let nu = letter("ν");
     page.claim(entry, "exponent", r"the exponent in $|\rho'|=|\rho_0'|\exp(-\int k_1\rho_0^{-2}d\tau)$, as printed")
+        .why(r"$k_1$ is printed for $k_1'=k_1/k$ of (3.13).")
         .under(&names)
         .fails([Line::formula(exponent, nu, k1 / start.powi(2))]);
-    page.claim(entry, "exponent-corrected", r"$k_1'=k_1/k$ stands there, as in (3.13)")
+    page.claim(entry, "exponent-corrected", r"the exponent has $k_1'=k_1/k$, as in (3.13)")
         .under(&names)
         .holds([Line::formula(exponent, nu, k1 / (k * start.powi(2)))]);
     page.correct();
 
     let [a, b] = letters(["ϱa", "ϱb"]);
-    page.claim(entry, "contraction", r"any two motions, exactly: $\frac d{dt}(\rho_a-\rho_b)=-\frac{k_1}{k\rho_a\rho_b}(\rho_a-\rho_b)$")
-        .under(&names)
-        .note(r"A motion is asymptotically stable if and only if $\int k_1/(k\rho_a\rho_b)\,dt=\infty$ along its neighbours; the sign of $M_2$ alone decides whether they approach.")
-        .follows([Equal(law(a) - law(b), -k1 / (k * a * b) * (a - b))]);
+    page.claim(
+        entry,
+        "contraction",
+        r"any two motions satisfy $\frac d{dt}(\rho_a-\rho_b)=-\frac{k_1}{k\rho_a\rho_b}(\rho_a-\rho_b)$ exactly",
+    )
+    .under(&names)
+    .follows([Equal(law(a) - law(b), -k1 / (k * a * b) * (a - b))]);
 
     let premises = [
         Equal(s.rho.powi(2), start.powi(2) + int(2) * k1 * time / k),
@@ -173,13 +184,17 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
         Positive(k),
         Positive(time),
     ];
-    page.claim(entry, "stays", r"with $M_2>M_2'>0$ the motion has $0<\rho<r_2$ for all time, and is stable by Persidskii's criterion")
-        .given(premises)
-        .note(r"With $M_1=0$ the wheel leaves the disc at $t=k(r_2^2-\rho_0^2)/(2k_1)$, and on a disc without an edge $\rho_a-\rho_b$ falls as $t^{-1/2}$: no exponential bounds it. A motion that stays needs $M_1<0$ with $RM_2<-r_2M_1$.")
-        .refuted(
-            [Positive(radius - s.rho)],
-            exact([("k", 1, 1), ("k₁", 1, 1), ("ϱ₀", 1, 1), ("r₂", 2, 1), ("t", 4, 1), ("ϱ", 3, 1)]),
-        );
+    page.claim(
+        entry,
+        "stays",
+        r"with $M_2>M_2'>0$ the motion keeps $0<\rho<r_2$ for all time, as Persidskii's criterion needs",
+    )
+    .why(r"With $M_1=0$ the wheel leaves the disc at $t=k(r_2^2-\rho_0^2)/(2k_1)$.")
+    .given(premises)
+    .refuted(
+        [Positive(radius - s.rho)],
+        exact([("k", 1, 1), ("k₁", 1, 1), ("ϱ₀", 1, 1), ("r₂", 2, 1), ("t", 4, 1), ("ϱ", 3, 1)]),
+    );
     // rho_a = r2 - s_a, rho_b = r2 - s_b, M2 = M2' + more
     let [least, more, from_a, from_b] = letters(["M′", "ΔM", "sₐ", "s_b"]);
     let rate = s.radius.powi(2) * (least + more) / (k * a * b);
@@ -192,8 +207,7 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
     let free = |rho: Sym| rho * law(rho).substitute(&[(s.m1, Sym::ZERO)]);
     page.claim(
         entry,
-        "algebraic",
-        r"with $M_1=0$ the difference $\rho_a^2-\rho_b^2$ does not change: the motions approach as $1/(\rho_a+\rho_b)$",
+        "algebraic",r"with $M_1=0$ the difference $\rho_a^2-\rho_b^2$ does not change, so that $\rho_a-\rho_b$ falls as $1/(\rho_a+\rho_b)$",
     )
     .in_words()
     .follows([Condition::Zero(free(a) - free(b))]);

@@ -1,7 +1,7 @@
 //! Section 3.1: the first approximation of the elastic governor, its characteristic equation, Hurwitz' conditions.
 
 use super::alphabet::{exact, int, letter, letters, tidy};
-use super::elastic::ElasticLetters;
+use super::elastic::{AS_PRINTED, AS_STIFFNESS, ElasticLetters};
 use claims::{Condition, Line, Page};
 use symbolic::linear::determinant;
 use symbolic::{Sym, coefficients};
@@ -11,8 +11,9 @@ pub fn claims(page: &mut Page, s: &ElasticLetters) {
     first_approximation(page, s);
     matrix(page, s);
     let quintic = Quintic::new(s);
-    page.section("3.1. Hurwitz' conditions of the elastic governor");
+    page.section("3.1. The characteristic polynomial of the elastic governor");
     polynomial(page, s, &quintic);
+    page.section("3.1. Hurwitz' conditions of the elastic governor");
     coefficients_of_hurwitz(page, &quintic);
     determinants(page, &quintic);
 }
@@ -30,21 +31,26 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
     let [rho, f, theta, m0] = letters(["ϱ₀", "Fˣ", "θ₀", "m₀"]);
     let names = s.names(&["θ₀", "ϱ₀", "Fˣ"]);
     let fall = s.drum / rho.powi(2) * s.moments[1];
-    page.claim("eq3.20", "rotation", r"as printed with $\dot x'$ beside $M_2$ and $-b\psi$, $F(x_0)$ the right one")
+    page.claim("eq3.20", "rotation", r"the linear equation of $\omega_1$, printed with $\dot x'$ beside $M_2$ and with $-b\psi$, and with the right $F(x_0)$")
         .under(&names)
+        .why(r"The moment $M_2R/(x-c)$ varies with $x$, not with $\dot x$; $-b\psi\frac R{x-c}$ on the right of (3.17) comes to the left with a plus.")
+        .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\varrho_0$ alone is lost."))
         .fails([Line::equation(turning, theta * dw + f * dx * w0 + fall * dx - s.b * psi, Sym::ZERO)]);
     page.claim(
         "eq3.20",
         "rotation-corrected",
-        r"with $x'$ and $+b\frac R{\rho_0}\psi$, which the moment $-b\psi$ on the disc gives",
+        r"the linear equation of $\omega_1$ with $x'$ beside $M_2$ and $+b\frac R{\rho_0}\psi$, which the moment $-b\psi$ on the disc gives",
     )
     .under(&names)
+    .reading(AS_PRINTED)
     .holds([Line::equation(turning, theta * dw + f * dx * w0 + fall * x + s.b * s.drum / rho * psi, Sym::ZERO)]);
     page.correct();
     let [c1, c2] = s.springs;
     let half = s.ball / int(2);
-    page.claim("eq3.21", "sleeve", r"as printed, with dots over $x'$ and $\omega_1'$ and without $m_{sp}$")
+    page.claim("eq3.21", "sleeve", r"the linear equation of $x$, printed with dots over $x'$ and $\omega_1'$ and without $m_{sp}$")
         .under(&s.names(&["m₀"]))
+        .why(r"The centrifugal force and the springs vary with $x$ and $\omega_1$, not with their rates; $m_{sp}$ is lost beside $2x_0\omega_1^0\omega_1'$.")
+        .reading(AS_PRINTED)
         .fails([Line::equation(
             sliding,
             m0 * ddx + half * dx * w0.powi(2) + int(2) * s.rest * w0 * dw + (c1 + c2) * dx - s.a * lambda,
@@ -53,8 +59,9 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
     page.claim(
         "eq3.21",
         "sleeve-corrected",
-        r"$m_0\ddot x'+\frac12m_{sp}(x'(\omega_1^0)^2+2x_0\omega_1^0\omega_1')+(c_1+c_2)x'-a\lambda=0$",
+        r"the linear equation of $x$ is $m_0\ddot x'+\frac12m_{sp}(x'(\omega_1^0)^2+2x_0\omega_1^0\omega_1')+(c_1+c_2)x'-a\lambda=0$",
     )
+    .reading(AS_PRINTED)
     .under(&s.names(&["m₀"]))
     .holds([Line::equation(
         sliding,
@@ -64,14 +71,18 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
     page.correct();
     let [_, across, turn] = s.rolling().map(linear);
     let rolled = s.drum * w0;
-    page.claim("eq3.21", "slip", r"$\dot x'-\dot\lambda-r_1\omega_1^0\psi=0$").holds([Line::equation(
-        across - dlambda,
-        dx - dlambda - rolled * psi,
-        Sym::ZERO,
-    )]);
+    page.claim(
+        "eq3.21",
+        "slip",
+        r"the linear constraint of no slipping across: $\dot x'-\dot\lambda-r_1\omega_1^0\psi=0$",
+    )
+    .holds([Line::equation(across - dlambda, dx - dlambda - rolled * psi, Sym::ZERO)]);
     let line = |a: Sym| Line::equation(dpsi - turn, dpsi - rolled * s.alpha * a + rolled * s.beta * psi, Sym::ZERO);
-    page.claim("eq3.21", "line", r"as printed with $\dot\lambda$").fails([line(dlambda)]);
-    page.claim("eq3.21", "line-corrected", r"with $\lambda$").holds([line(lambda)]);
+    page.claim("eq3.21", "line", r"the linear equation of the line of rolling, printed with $\dot\lambda$")
+        .why(r"The dot over $\lambda$ is a slip: (3.17) and (3.22) have $\lambda$.")
+        .fails([line(dlambda)]);
+    page.claim("eq3.21", "line-corrected", r"the linear equation of the line of rolling has $\lambda$")
+        .holds([line(lambda)]);
     page.correct();
 }
 
@@ -88,27 +99,29 @@ fn matrix(page: &mut Page, s: &ElasticLetters) {
         [zero, zero, -(v * s.alpha), mu + v * s.beta],
     ];
     let nonzero = (0..4).flat_map(|i| (0..4).map(move |j| (i, j))).filter(|&(i, j)| printed[i][j] != zero);
-    let name = letter("Qφ");
+    let name = letter("D₁₄");
     let lines: Vec<Line> = nonzero
         .filter(|&place| place != (0, 3))
         .map(|(i, j)| Line::formula(derived[i][j], name, printed[i][j]))
         .collect();
-    page.claim("eq3.22", "entries", r"every entry of the matrix but that of $b$, with the right $F(x_0)$")
+    page.claim("eq3.22", "entries", r"every entry of the matrix but that of $\psi$ in the first row follows from (3.17), with the right $F(x_0)$ and $-a$ beside $\lambda$")
         .in_words()
+        .reading(AS_PRINTED)
         .under(&names)
         .follows(lines.iter().map(|line| Condition::Equal(line.derived, line.right)));
-    page.claim("eq3.22", "twist", r"the entry of $\psi$ in the first row, $-b$ as printed")
+    page.claim("eq3.22", "twist", r"the entry of $\psi$ in the first row, printed $-b$")
         .under(&s.names(&["ϱ₀"]))
+        .why(r"Sign and factor are those of (3.20): $-b\psi\frac R{\rho_0}$ on the right side comes to the left with a plus.")
+        .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\varrho_0$ alone is lost."))
         .fails([Line::formula(derived[0][3], name, printed[0][3])]);
-    page.claim("eq3.22", "twist-corrected", r"$+b\frac R{\rho_0}$").under(&s.names(&["ϱ₀"])).holds([Line::formula(
-        derived[0][3],
-        name,
-        s.b * s.drum / rho,
-    )]);
+    page.claim("eq3.22", "twist-corrected", r"the entry of $\psi$ in the first row is $+b\frac R{\rho_0}$")
+        .under(&s.names(&["ϱ₀"]))
+        .holds([Line::formula(derived[0][3], name, s.b * s.drum / rho)]);
     page.correct();
 }
 
-/// The characteristic polynomial a0 mu^5 + ... + a5: of the matrix (3.22) with its right entries by their names.
+/// The characteristic polynomial a0 mu^5 + ... + a5 of a rim that resists: of the matrix (3.22) with its right entries by
+/// their names, a and b with the signs that Z has.
 struct Quintic {
     derived: [Sym; 6],
     ball: Sym,
@@ -124,8 +137,8 @@ impl Quintic {
         let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
         let (twist, zero) = (s.b * s.drum / letter("ϱ₀"), Sym::ZERO);
         let matrix = [
-            [theta * mu, phi1 * mu + phi2, zero, twist],
-            [phi3, m0 * mu.powi(2) + phi4, -s.a, zero],
+            [theta * mu, phi1 * mu + phi2, zero, -twist],
+            [phi3, m0 * mu.powi(2) + phi4, s.a, zero],
             [zero, mu, -mu, -v],
             [zero, zero, -alpha, mu + beta],
         ];
@@ -136,24 +149,31 @@ impl Quintic {
     fn right(&self) -> [Sym; 6] {
         let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
         let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
-        let z = -(phi3 * phi1) + phi4 * theta - self.a * theta;
+        let z = self.z();
         [
             theta * m0,
             theta * m0 * beta,
             z + theta * m0 * alpha * v,
             beta * z - phi3 * phi2,
-            -(phi3 * (self.twist * alpha + beta * phi2)) + alpha * v * (phi4 * theta - phi3 * phi1),
+            phi3 * (self.twist * alpha - beta * phi2) + alpha * v * (phi4 * theta - phi3 * phi1),
             -(alpha * v * phi3 * phi2),
         ]
+    }
+
+    /// Z as printed.
+    fn z(&self) -> Sym {
+        let [theta, phi1, phi3, phi4] = letters(["θ₀", "Φ₁", "Φ₃", "Φ₄"]);
+        -(phi3 * phi1) + phi4 * theta + self.a * theta
     }
 }
 
 /// The coefficients of minus the determinant, highest power of mu first.
-fn by_powers(matrix: &[[Sym; 4]; 4]) -> [Sym; 6] {
-    let mut powers = [Sym::ZERO; 6];
+fn by_powers<const N: usize, const POWERS: usize>(matrix: &[[Sym; N]; N]) -> [Sym; POWERS] {
+    let mut powers = [Sym::ZERO; POWERS];
     let polynomial = -determinant(matrix).unwrap_or(Sym::ZERO);
     for (exponents, coefficient) in coefficients(polynomial, &[letter("μᵉ")]).unwrap_or_default() {
-        if let Some(place) = powers.get_mut(5 - exponents[0].min(5) as usize) {
+        let place = (POWERS - 1).checked_sub(exponents[0] as usize);
+        if let Some(place) = place.and_then(|place| powers.get_mut(place)) {
             *place = tidy(coefficient);
         }
     }
@@ -162,85 +182,151 @@ fn by_powers(matrix: &[[Sym; 4]; 4]) -> [Sym; 6] {
 
 fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
     let entry = "section3.1-quintic";
-    let by_data = by_powers(&s.characteristic_matrix());
+    let by_data: [Sym; 6] = by_powers(&s.characteristic_matrix()).map(|coefficient| s.resisting(coefficient));
     page.claim(
         entry,
         "names",
-        r"the coefficients by $\theta$, $m_0$, $\Phi_k$, $\alpha_1$, $\beta_1$, $V_0$ are those by the data",
+        r"the coefficients of the characteristic polynomial by $\theta$, $m_0$, $\Phi_k$, $\alpha_1$, $\beta_1$, $V_0$ are those by the data, for a rim that resists",
     )
     .in_words()
-    .under(&s.names(&["θ₀", "m₀", "V", "α₁", "β₁", "Φ₁", "Φ₂", "Φ₃", "Φ₄", "ϱ₀"]))
+    .reading(AS_STIFFNESS)
+    .under(&s.names_of_stiffness(&["θ₀", "m₀", "V", "α₁", "β₁", "Φ₁", "Φ₂", "Φ₃", "Φ₄", "ϱ₀"]))
     .follows((0..6).map(|k| Condition::Equal(by_data[k], q.derived[k])));
     let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
     let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
     let names = letters(["a₀", "a₁", "a₂", "a₃", "a₄", "a₅"]);
     let (right, core) = (q.right(), phi3 * phi1 - phi4 * theta - q.a * theta);
-    page.claim(entry, "mu5-and-1", r"the coefficients of $\mu^5$ and 1").holds([
+    sign_of_rim(page, q);
+    page.claim(entry, "mu5-and-1", r"the coefficients of $\mu^5$ and 1, as printed").holds([
         Line::formula(q.derived[0], names[0], theta * m0),
         Line::formula(q.derived[5], names[5], -(alpha * v * phi3 * phi2)),
     ]);
     let wrong = [
-        ("mu4", "mu4-corrected", r"of $\mu^4$", 1, -(theta * m0 * beta)),
-        ("mu3", "mu3-corrected", r"of $\mu^3$", 2, theta * m0 * alpha * v + core),
-        ("mu2", "mu2-corrected", r"of $\mu^2$", 3, beta * core + phi3 * phi2),
+        (
+            "mu4",
+            "mu4-corrected",
+            r"of $\mu^4$",
+            1,
+            -(theta * m0 * beta),
+            "The sign of the whole coefficient is turned.",
+        ),
+        (
+            "mu3",
+            "mu3-corrected",
+            r"of $\mu^3$",
+            2,
+            theta * m0 * alpha * v + core,
+            "$-Z$ is printed for $Z$ beside $\\theta m_0\\alpha_1V_0$.",
+        ),
+        (
+            "mu2",
+            "mu2-corrected",
+            r"of $\mu^2$",
+            3,
+            beta * core + phi3 * phi2,
+            "The sign of the whole coefficient is turned: $-(\\beta_1Z-\\Phi_3\\Phi_2)$ is printed.",
+        ),
         (
             "mu1",
             "mu1-corrected",
             r"of $\mu$",
             4,
             beta * phi3 * phi2 - alpha * (v * (phi3 * phi1 - phi4 * theta) - q.b * phi3),
+            "The sign of $\\beta_1\\Phi_3\\Phi_2$ is turned and the factor $R/\\varrho_0$ of $b$ is lost.",
         ),
     ];
-    for (slug, corrected, says, k, printed) in wrong {
-        page.claim(entry, slug, format!("the coefficient {says}, as printed")).fails([Line::formula(
-            q.derived[k],
-            names[k],
-            printed,
-        )]);
-        page.claim(entry, corrected, format!("the coefficient {says} of the determinant")).holds([Line::formula(
-            q.derived[k],
-            names[k],
-            right[k],
-        )]);
+    for (slug, corrected, of, k, printed, why) in wrong {
+        page.claim(entry, slug, format!("the coefficient {of} of the characteristic polynomial, as printed"))
+            .why(why)
+            .reading(AS_STIFFNESS)
+            .fails([Line::formula(q.derived[k], names[k], printed)]);
+        page.claim(entry, corrected, format!("the coefficient {of} of the determinant, for a rim that resists"))
+            .holds([Line::formula(q.derived[k], names[k], right[k])]);
         page.correct();
     }
+}
+
+/// (3.17) and Z cannot both be right; which sign lets the motion be stable.
+fn sign_of_rim(page: &mut Page, q: &Quintic) {
+    let entry = "section3.1-quintic";
+    let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
+    let [phi2, phi3, phi4, z] = letters(["Φ₂", "Φ₃", "Φ₄", "Zᶠ"]);
+    // a3 = beta Z - Phi3 Phi2 defines Z; of a rim that pushes, with + a lambda, a has the other sign
+    let of_resisting = (q.derived[3] + phi3 * phi2) / beta;
+    let of_pushing = tidy(of_resisting.substitute(&[(q.a, -q.a), (q.b, -q.b)]));
+    page.claim(
+        entry,
+        "z",
+        r"$Z=-\Phi_3\Phi_1+\Phi_4\theta+a\theta$ follows from (3.17) and (3.22), where the rim's force is $+a\lambda$",
+    )
+    .why(r"The force $+a\lambda$ gives $-a\theta$: (3.17) and $Z$ contradict each other in the sign of $a$.")
+    .reading(AS_PRINTED)
+    .fails([Line::formula(of_pushing, z, q.z())]);
+    page.claim(
+        entry,
+        "z-corrected",
+        r"$Z$ as printed is that of the force $-a\lambda$; with $+a\lambda$ it has $-a\theta$",
+    )
+    .reading(AS_STIFFNESS)
+    .holds([Line::formula(of_resisting, z, q.z()), Line::formula(of_pushing, z, q.z() - theta * q.a - theta * q.a)]);
+    page.correct();
+    // the sleeve and the rim at a kept speed: rows 2 to 4 of the matrix
+    let third = |force: Sym| {
+        let (mu, zero) = (letter("μᵉ"), Sym::ZERO);
+        let matrix = [[m0 * mu.powi(2) + phi4, force, zero], [mu, -mu, -v], [zero, -alpha, mu + beta]];
+        let [a0, a1, a2, a3, a4]: [Sym; 5] = by_powers(&matrix);
+        tidy(a1 * a2 * a3 - a0 * a3.powi(2) - a1.powi(2) * a4)
+    };
+    let data = || [m0, v, alpha, beta, phi4, q.a].map(Condition::Positive);
+    page.claim(entry, "kept-speed-resists", r"at a kept speed $\omega_1$ a rim of the force $-a\lambda$, $a>0$, has a positive third minor of Hurwitz, $\Delta_3>0$")
+        .reading(AS_STIFFNESS)
+        .given(data())
+        .by_signs([Condition::Positive(third(q.a))]);
+    page.claim(entry, "kept-speed-pushes", r"at a kept speed $\omega_1$ a rim of the force $+a\lambda$, $a>0$, has a negative third minor of Hurwitz, $-\Delta_3>0$, whatever the other positive data: Hurwitz' condition fails")
+        .reading(AS_PRINTED)
+        .given(data())
+        .by_signs([Condition::Positive(-third(-q.a))]);
 }
 
 fn coefficients_of_hurwitz(page: &mut Page, q: &Quintic) {
     let entry = "section3.1-hurwitz";
     let [theta, v, alpha, beta] = letters(["θ₀", "V", "α₁", "β₁"]);
-    let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
+    let [phi2, phi3] = letters(["Φ₂", "Φ₃"]);
     let names = letters(["a₀", "a₁", "a₂", "a₃", "a₄", "a₅"]);
     let right = q.right();
-    // the paper's Z has + a theta: a rim that pulls back by -a lambda, against its own (3.20)
-    let z = -(phi3 * phi1) + phi4 * theta + q.a * theta;
+    let z = q.z();
     let loose = theta * q.ball;
     let printed = [
-        ("a0", "a0-corrected", loose, r"$m_{sp}$ as printed for $m(x_0)$"),
-        ("a1", "a1-corrected", loose * beta, r"$m_{sp}$ likewise"),
-        ("a2", "a2-corrected", z - loose * alpha * v, r"the sign of $\alpha_1V_0$ and $a$ in $Z$"),
-        ("a3", "a3-corrected", beta * z - phi3 * phi2, r"the sign of $a$ in $Z$"),
+        ("a0", "a0-corrected", 0, loose, r"$m_{sp}$ is printed for $m(x_0)$."),
+        ("a1", "a1-corrected", 1, loose * beta, r"$m_{sp}$ is printed for $m(x_0)$."),
+        (
+            "a2",
+            "a2-corrected",
+            2,
+            z - loose * alpha * v,
+            r"The sign of $\alpha_1V_0$ is turned, and $m_{sp}$ is printed for $m(x_0)$.",
+        ),
         (
             "a4",
             "a4-corrected",
+            4,
             phi3 * (q.b * alpha - beta * phi2) + alpha * v * (q.a * theta - z),
-            r"$b$ and the sign of the last bracket",
+            r"The sign of the last bracket is turned, and the factor $R/\varrho_0$ of $b$ is lost.",
         ),
-        ("a5", "a5-corrected", alpha * v * phi3 * phi2, "the sign"),
+        ("a5", "a5-corrected", 5, alpha * v * phi3 * phi2, "The sign is turned; the polynomial before has it right."),
     ];
-    for (k, (slug, corrected, value, fault)) in printed.into_iter().enumerate() {
-        page.claim(entry, slug, format!("$a_{k}$ as printed: wrong is {fault}")).fails([Line::formula(
-            q.derived[k],
-            names[k],
-            value,
-        )]);
-        page.claim(entry, corrected, format!("$a_{k}$ of the determinant")).holds([Line::formula(
-            q.derived[k],
-            names[k],
-            right[k],
-        )]);
+    for (slug, corrected, k, value, why) in printed {
+        page.claim(entry, slug, format!("the coefficient $a_{k}$ of Hurwitz' matrix, as printed"))
+            .why(why)
+            .reading(AS_STIFFNESS)
+            .fails([Line::formula(q.derived[k], names[k], value)]);
+        page.claim(entry, corrected, format!("the coefficient $a_{k}$ of the determinant, for a rim that resists"))
+            .holds([Line::formula(q.derived[k], names[k], right[k])]);
         page.correct();
     }
+    page.claim(entry, "a3", r"the coefficient $a_3=\beta_1Z-\Phi_3\Phi_2$ of Hurwitz' matrix, as printed")
+        .reading(AS_STIFFNESS)
+        .holds([Line::formula(q.derived[3], names[3], beta * z - phi3 * phi2)]);
 }
 
 /// The leading minors of Hurwitz' matrix: row i, column j has a_(2j - i), counted from 1.
@@ -254,44 +340,56 @@ fn minor(a: &[Sym; 6], size: usize) -> Sym {
 fn determinants(page: &mut Page, q: &Quintic) {
     let entry = "section3.1-hurwitz";
     let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
-    let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);
+    let [phi2, phi3, phi4] = letters(["Φ₂", "Φ₃", "Φ₄"]);
     let [first, second, third, fourth, fifth] = letters(["Δ₁", "Δ₂", "Δ₃", "Δ₄", "Δ₅"]);
     let a = q.right();
     let derived = |size: usize| tidy(minor(&a, size));
     let inertia = theta * m0;
-    page.claim(entry, "delta1", r"$\Delta_1=a_1=\theta m_0$").fails([Line::formula(derived(1), first, inertia)]);
-    page.claim(entry, "delta1-corrected", r"$\Delta_1=\theta m_0\beta_1$").holds([Line::formula(
+    page.claim(entry, "delta1", r"the first minor, printed $\Delta_1=a_1=\theta m_0$")
+        .why(r"The factor $\beta_1$ of $a_1$ is lost.")
+        .fails([Line::formula(derived(1), first, inertia)]);
+    page.claim(entry, "delta1-corrected", r"the first minor is $\Delta_1=\theta m_0\beta_1$").holds([Line::formula(
         derived(1),
         first,
         inertia * beta,
     )]);
     page.correct();
-    page.claim(entry, "delta2", r"$\Delta_2=\theta m_0(\Phi_3\Phi_2-\theta m_0\alpha_1V_0\beta_1V_0)$")
-        .fails([Line::formula(derived(2), second, inertia * (phi3 * phi2 - inertia * alpha * v * beta * v))]);
-    page.claim(entry, "delta2-corrected", r"$\Delta_2=\theta m_0(\Phi_3\Phi_2+\theta m_0\alpha_1\beta_1V_0)$")
-        .holds([Line::formula(derived(2), second, inertia * (phi3 * phi2 + inertia * alpha * beta * v))]);
+    page.claim(
+        entry,
+        "delta2",
+        r"the second minor, printed $\Delta_2=\theta m_0(\Phi_3\Phi_2-\theta m_0\alpha_1V_0\beta_1V_0)$",
+    )
+    .why(r"The sign is that of the printed $a_2$, and $V_0$ stands twice.")
+    .fails([Line::formula(derived(2), second, inertia * (phi3 * phi2 - inertia * alpha * v * beta * v))]);
+    page.claim(
+        entry,
+        "delta2-corrected",
+        r"the second minor is $\Delta_2=\theta m_0(\Phi_3\Phi_2+\theta m_0\alpha_1\beta_1V_0)$",
+    )
+    .holds([Line::formula(derived(2), second, inertia * (phi3 * phi2 + inertia * alpha * beta * v))]);
     page.correct();
-    let z = -(phi3 * phi1) + phi4 * theta + q.a * theta;
+    let z = q.z();
     let coupling = phi2 * phi3;
     let third_of_paper = coupling
         * (int(2) * m0.powi(2) * beta * alpha * theta.powi(2) * v + inertia * beta * z - inertia * coupling
             + beta.powi(3) * inertia.powi(2))
         - alpha * beta.powi(2) * inertia.powi(2) * (q.b * phi3 + v * q.a * theta);
-    page.claim(entry, "delta3", r"$\Delta_3$, which is not printed by itself but as the bracket that $a_4$ multiplies in $\Delta_4$: wrong are the sign of $2m_0^2\theta^2\alpha_1\beta_1V_0$, sign and factor of $b$, and the sign of $a$ in $Z$")
+    page.claim(entry, "delta3", r"the third minor, printed as the bracket that $a_4$ multiplies in $\Delta_4$")
+        .why(r"The signs of $2m_0^2\theta^2\alpha_1\beta_1V_0$ and of $V_0a\theta$ are turned, and the factor $R/\varrho_0$ of $b$ is lost.")
+        .reading(AS_STIFFNESS)
         .fails([Line::formula(derived(3), third, third_of_paper)]);
-    let right_z = -(phi3 * phi1) + phi4 * theta - q.a * theta;
     page.claim(
         entry,
         "delta3-corrected",
-        r"$\Delta_3=\theta m_0\left(\Phi_2\Phi_3\left(\beta_1Z-\Phi_2\Phi_3+\theta m_0\beta_1(\beta_1^2-2\alpha_1V_0)\right)+\theta m_0\alpha_1\beta_1^2\left(b\frac R{\rho_0}\Phi_3-aV_0\theta\right)\right)$ with $Z=\Phi_4\theta-\Phi_1\Phi_3-a\theta$",
+        r"the third minor is $\Delta_3=\theta m_0\left(\Phi_2\Phi_3\left(\beta_1Z-\Phi_2\Phi_3+\theta m_0\beta_1(\beta_1^2-2\alpha_1V_0)\right)-\theta m_0\alpha_1\beta_1^2\left(b\frac R{\rho_0}\Phi_3-aV_0\theta\right)\right)$",
     )
-    .note(r"Beside $a_0,\dots,a_5>0$ it is not needed, by Liénard and Chipart: $\Delta_2$ and $\Delta_4$ suffice.")
+    .note(r"Beside $a_0,\dots,a_5>0$ the third minor is not needed, by Liénard and Chipart: $\Delta_2$ and $\Delta_4$ suffice.")
     .holds([Line::formula(
         derived(3),
         third,
         inertia
-            * (coupling * (beta * right_z - coupling + inertia * beta * (beta.powi(2) - int(2) * alpha * v))
-                + inertia * alpha * beta.powi(2) * (q.twist * phi3 - q.a * v * theta)),
+            * (coupling * (beta * z - coupling + inertia * beta * (beta.powi(2) - int(2) * alpha * v))
+                - inertia * alpha * beta.powi(2) * (q.twist * phi3 - q.a * v * theta)),
     )]);
     page.correct();
     let fourth_of_paper = (phi3 * (q.b * alpha - beta * phi2) + alpha * v * (q.a * theta - z)) * third_of_paper
@@ -300,7 +398,7 @@ fn determinants(page: &mut Page, q: &Quintic) {
             * coupling
             * (inertia * coupling * (z + inertia)
                 + inertia.powi(2) * beta * alpha * (-(phi3 * q.b) - v * (q.a * theta)));
-    let data = [theta, m0, v, alpha, beta, phi3, phi4, q.ball];
+    let data = [theta, m0, v, alpha, beta, phi3, phi4, q.ball, q.a, q.b];
     let positive = data.map(Condition::Positive);
     let one = |name: &'static str, value: i64| (name, value, 1);
     let point = exact([
@@ -314,31 +412,32 @@ fn determinants(page: &mut Page, q: &Quintic) {
         one("Φ₃", 1),
         one("Φ₄", 2),
         one("mₛ", 1),
-        one("aᵉ", -1),
-        one("bᵉ", -1),
+        one("aᵉ", 1),
+        one("bᵉ", 1),
         one("R", 1),
         one("ϱ₀", 1),
     ]);
-    page.claim(entry, "delta4", r"$\Delta_4$ as printed, its first term $a_4$ times the bracket")
+    page.claim(entry, "delta4", r"the fourth minor as printed, its first term $a_4$ times the bracket")
+        .why(r"It is put together from the printed $a_2$, $a_4$, $a_5$ and $\Delta_3$, whose signs are turned.")
+        .reading(AS_STIFFNESS)
         .given(positive)
         .refuted([Condition::Equal(derived(4), fourth_of_paper)], point);
     let by_pairs = (a[1] * a[2] - a[0] * a[3]) * (a[3] * a[4] - a[2] * a[5]) - (a[1] * a[4] - a[0] * a[5]).powi(2);
     page.claim(
         entry,
         "delta4-corrected",
-        r"$\Delta_4=(a_1a_2-a_0a_3)(a_3a_4-a_2a_5)-(a_1a_4-a_0a_5)^2$ with the right $a_k$",
+        r"the fourth minor is $\Delta_4=(a_1a_2-a_0a_3)(a_3a_4-a_2a_5)-(a_1a_4-a_0a_5)^2$ with the right $a_k$",
     )
     .holds([Line::formula(derived(4), fourth, by_pairs)]);
     page.correct();
-    page.claim(entry, "delta5", r"$\Delta_5=a_5$ as printed, and that with a plus").fails([Line::formula(
-        derived(5),
-        fifth,
-        alpha * v * phi3 * phi2,
-    )]);
+    page.claim(entry, "delta5", r"the fifth minor, printed $\Delta_5=a_5=\alpha_1V_0\Phi_3\Phi_2$")
+        .why(r"The factor $\Delta_4$ is lost, and the sign of $a_5$ is turned.")
+        .reading(AS_STIFFNESS)
+        .fails([Line::formula(derived(5), fifth, alpha * v * phi3 * phi2)]);
     page.claim(
         entry,
         "delta5-corrected",
-        r"$\Delta_5=a_5\Delta_4$, $a_5=-\alpha_1V_0\Phi_3\Phi_2$: it asks $M_2x_0\omega_1^0<0$",
+        r"the fifth minor is $\Delta_5=a_5\Delta_4$ with $a_5=-\alpha_1V_0\Phi_3\Phi_2$",
     )
     .holds([Line::formula(derived(5), fifth, by_pairs * a[5])]);
     page.correct();

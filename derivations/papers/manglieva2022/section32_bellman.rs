@@ -6,7 +6,7 @@ use super::alphabet::{exact, int, letter, letters, tidy};
 use super::released::ReleasedLetters;
 use claims::{Condition, Line, Page};
 use mechanics::bellman::quadratic;
-use symbolic::Sym;
+use symbolic::{Hypotheses, Sym};
 
 use Condition::{Equal, NonZero, Zero};
 
@@ -22,38 +22,34 @@ fn criterion(page: &mut Page, r: &ReleasedLetters) {
     let s = &r.drum;
     let ([zeta, more, z], u) = (r.deviation, r.control);
     let [density, dzeta, n1, slope] = letters(["B", "ζ̇", "n₁", "S₁′"]);
-    page.claim("eq3.33", "criterion", r"what is integrated from 0 to $\infty$").defines([Line::equation(
-        Sym::ZERO,
-        density,
-        zeta.powi(2) + more.powi(2) + z.powi(2) + u.powi(2),
-    )]);
+    page.claim("eq3.33", "criterion", r"the integrand of the criterion, integrated from 0 to $\infty$")
+        .defines([Line::equation(Sym::ZERO, density, zeta.powi(2) + more.powi(2) + z.powi(2) + u.powi(2))]);
     let rates = r.linear.apply(r.deviation);
     let inertia = r.inertia();
     let by = |lever: Sym, of_second: Sym| (-(lever * zeta) - r.n * s.speed * r.rho * z + r.slope() * more) / of_second;
-    page.claim("eq3.34", "normal", r"$\dot\xi$ as printed with $n\rho_0\cdot n\dot\rho_0$ and $J^2$")
+    page.claim("eq3.34", "normal", r"$\dot\zeta$ in normal form, printed with $n\rho_0\cdot n\dot\rho_0$ and $J^2$")
         .under(&r.names())
+        .why(r"A factor $n$ stands twice, and $J^2$ is printed for $J_2$.")
+        .reading(r"From (3.34) on the source writes $\xi$ for $\zeta$ itself.")
         .fails([Line::formula(rates[0], dzeta, by(r.n * r.rho * r.n * r.drho, r.n * r.rho.powi(2) + s.wheel.powi(2)))]);
-    page.claim(
-        "eq3.34",
-        "normal-corrected",
-        r"with $n\rho_0\dot\rho_0$ and $J_2$; $\dot\rho'=z$, $m\dot z=u_1$ as in (3.29)",
-    )
-    .under(&r.names())
-    .holds([Line::formula(rates[0], dzeta, by(r.n * r.rho * r.drho, inertia))]);
+    page.claim("eq3.34", "normal-corrected", r"$\dot\zeta$ in normal form, with $n\rho_0\dot\rho_0$ and $J_2$")
+        .under(&r.names())
+        .holds([Line::formula(rates[0], dzeta, by(r.n * r.rho * r.drho, inertia))]);
     page.correct();
     let row = r.linear.matrix[0];
     let lever = -(row[2] / (s.speed * r.rho));
     page.claim(
         "eq3.34",
         "names",
-        r"$n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$ as printed",
+        r"the abbreviations, printed $n_1=\frac n{\omega\rho_0^2+J^2}$ and $S_1'=\frac{M_1-n\omega_2^0\dot\rho_0}{n\rho_0^2+J_2}$",
     )
+    .why(r"$\omega$ is printed for $n$, $J^2$ for $J_2$, and $M_1$ has lost its divisor $R$.")
     .under(&r.names())
     .fails([
         Line::formula(lever, n1, r.n / (s.speed * r.rho.powi(2) + s.wheel.powi(2))),
         Line::formula(row[1], slope, (s.m1 - r.n * s.speed * r.drho) / inertia),
     ]);
-    page.claim("eq3.34", "names-corrected", r"with $n\rho_0^2+J_2$ and $M_1/R$")
+    page.claim("eq3.34", "names-corrected", r"the abbreviations have $n\rho_0^2+J_2$ below and $M_1/R$")
         .under(&r.names())
         .holds([Line::formula(lever, n1, r.n / inertia), Line::formula(row[1], slope, r.slope() / inertia)]);
     page.correct();
@@ -71,20 +67,20 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.35",
         "value",
-        r"$V$ as printed with $2C_{12}\xi z+C_{23}\rho'z$, beside the form whose gradient Bellman's function uses",
+        r"$V$, printed with $2C_{12}\xi z+C_{23}\rho'z$, is the form whose gradient Bellman's function uses",
     )
+    .why(r"Two products are lost or misprinted: $2C_{12}\zeta\rho'$ and $2C_{13}\zeta z$ stand in one term, and $C_{23}$ has lost its 2.")
     .fails([Line::formula(
         quadratic(r.value, r.deviation),
         value,
         squares + two * c12 * zeta * z + c23 * more * z,
     )]);
-    page.claim("eq3.35", "value-corrected", r"with $2C_{12}\zeta\rho'+2C_{13}\zeta z+2C_{23}\rho'z$").holds([
-        Line::formula(
+    page.claim("eq3.35", "value-corrected", r"$V$ has the products $2C_{12}\zeta\rho'+2C_{13}\zeta z+2C_{23}\rho'z$")
+        .holds([Line::formula(
             quadratic(r.value, r.deviation),
             value,
             squares + two * c12 * zeta * more + two * c13 * zeta * z + two * c23 * more * z,
-        ),
-    ]);
+        )]);
     page.correct();
 
     let entry = "section3.2-bellman";
@@ -113,8 +109,9 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
         + gradient[1] * z
         + weighed;
     let names = r.normal_names();
-    page.claim(entry, "function", r"Bellman's function as printed: without dots, brackets, a factor 2 and $m$")
-        .under(&names)
+    page.claim(entry, "function", r"Bellman's function, printed without dots, brackets, a factor 2 and $m$")
+        .under(&with_unit_weights(r, names.clone()))
+        .why(r"Dots over $C_{33}$, $C_{12}$, $C_{13}$, the bracket around $\partial V/\partial z$, a factor 2 and $1/m$ are lost; $\rho_0^2$ is printed for $\rho_0\dot\rho_0$.")
         .fails([Line::formula(derived, name, printed)]);
     let right = d11 * zeta.powi(2)
         + d22 * z.powi(2)
@@ -132,17 +129,16 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
     page.correct();
     let slope = regulator.bellman(r.value, r.deviation, u).diff(u);
     let push = letter("u₁");
+    page.claim(entry, "least", r"$\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho'=0$")
+        .under(&with_unit_weights(r, Hypotheses::none()))
+        .why(r"By $m\dot z=u_1$ the bracket has the factor $1/m$, which is lost.")
+        .fails([Line::equation(slope, two * price * push, -gradient[2])]);
     page.claim(
         entry,
-        "least",
-        r"$\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho'=0$, its unit $s$ restored",
+        "least-corrected",
+        r"$\partial B/\partial u_1=2su_1+\frac1m(2C_{22}z+2C_{13}\zeta+2C_{23}\rho')=0$",
     )
-    .fails([Line::equation(slope, two * price * push, -gradient[2])]);
-    page.claim(entry, "least-corrected", r"with $\frac1m$ before the bracket").holds([Line::equation(
-        slope,
-        two * price * push,
-        -gradient[2] / s.mass,
-    )]);
+    .holds([Line::equation(slope, two * price * push, -gradient[2] / s.mass)]);
     page.correct();
 }
 
@@ -174,48 +170,72 @@ fn riccati(page: &mut Page, r: &ReleasedLetters) {
         -(c11 * slope) + c12 * damping + two * c13 * c23 / price,
         lever * c12 - slope * c13 + two * c22 * c23 / price,
     ];
+    let (lost, twice) =
+        (r"The factor $1/m^2$ is lost; with $m=1$ the equation is right.", r"The factor $1/m^2$ is lost, and");
     let lines = [
-        ("c11", "c11-corrected", r"$\dot C_{11}$: $m^2$ is lost, right for $m=1$", rates[0][0], "Ċ₁₁"),
-        ("c22", "c22-corrected", r"$\dot C_{22}$ (printed without its dot): right for $m=1$", rates[2][2], "Ċ₂₂"),
-        ("c33", "c33-corrected", r"$\dot C_{33}$: right for $m=1$", rates[1][1], "Ċ₃₃"),
+        ("c11", "c11-corrected", r"the equation of $\dot C_{11}$", lost.to_owned(), rates[0][0], "Ċ₁₁"),
+        ("c22", "c22-corrected", r"the equation of $\dot C_{22}$", lost.to_owned(), rates[2][2], "Ċ₂₂"),
+        ("c33", "c33-corrected", r"the equation of $\dot C_{33}$", lost.to_owned(), rates[1][1], "Ċ₃₃"),
         (
             "c13",
             "c13-corrected",
-            r"$\dot C_{13}$, $n_1$ for the printed $u_1$: $2C_{13}C_{22}-2C_{12}$ is twice what it should be",
+            r"the equation of $\dot C_{13}$",
+            format!("{twice} $2C_{{13}}C_{{22}}-2C_{{12}}$ is twice the right one."),
             rates[0][2],
             "Ċ₁₃",
         ),
         (
             "c12",
             "c12-corrected",
-            r"$\dot C_{12}$, $n_1$ for the printed $u_1$: $2C_{13}C_{23}$ is twice what it should be",
+            r"the equation of $\dot C_{12}$",
+            format!("{twice} $2C_{{13}}C_{{23}}$ is twice the right one."),
             rates[0][1],
             "Ċ₁₂",
         ),
         (
             "c23",
             "c23-corrected",
-            r"$\dot C_{23}$, $n_1$ for the printed $u_1$: $-C_{33}$ is lost, $2C_{22}C_{23}$ is twice what it should be",
+            r"the equation of $\dot C_{23}$",
+            format!("{twice} $2C_{{22}}C_{{23}}$ is twice the right one; besides $-C_{{33}}$ is lost."),
             rates[1][2],
             "Ċ₂₃",
         ),
     ];
     let right = of(price * s.mass.powi(2));
     let names = r.normal_names();
-    for (k, (slug, corrected, says, derived, name)) in lines.into_iter().enumerate() {
-        page.claim("eq3.36", slug, says).under(&names).fails([Line::formula(derived, letter(name), printed[k])]);
-        page.claim("eq3.36", corrected, "by Bellman's equation, with the units of the criterion")
+    for (k, (slug, corrected, says, why, derived, name)) in lines.into_iter().enumerate() {
+        page.claim("eq3.36", slug, format!("{says}, as printed"))
+            .under(&with_unit_weights(r, names.clone()))
+            .why(why)
+            .reading(match slug {
+                "c22" => "The source prints $C_{22}$ without its dot, which is restored.",
+                "c13" | "c12" | "c23" => "The source prints $u_1$ for $n_1$, which (3.34) has: $n_1$ is read.",
+                _ => "",
+            })
+            .fails([Line::formula(derived, letter(name), printed[k])]);
+        page.claim("eq3.36", corrected, format!("{says}, by Bellman's equation with the weights of the criterion"))
             .under(&names)
             .holds([Line::formula(derived, letter(name), right[k])]);
         page.correct();
     }
     let [zeta, more, z] = r.deviation;
     let optimal = r.regulator().optimal(r.value, r.deviation);
-    page.claim("eq3.37", "control", r"$u_1=-(c_{33}z+c_{13}\xi+c_{23}\rho')$, its unit $s$ restored")
+    page.claim("eq3.37", "control", r"the optimal control, printed $u_1=-(c_{33}z+c_{13}\xi+c_{23}\rho')$")
+        .under(&with_unit_weights(r, Hypotheses::none()))
+        .why(r"$c_{33}$ is printed for $c_{22}$, and the factor $1/m$ is lost.")
         .fails([Line::formula(optimal, r.control, -(c33 * z + c13 * zeta + c23 * more) / price)]);
-    page.claim("eq3.37", "control-corrected", r"$u_1=-\frac1{sm}(C_{22}z+C_{13}\zeta+C_{23}\rho')$")
-        .holds([Line::formula(optimal, r.control, -(c22 * z + c13 * zeta + c23 * more) / (price * s.mass))]);
+    page.claim(
+        "eq3.37",
+        "control-corrected",
+        r"the optimal control is $u_1=-\frac1{sm}(C_{22}z+C_{13}\zeta+C_{23}\rho')$",
+    )
+    .holds([Line::formula(optimal, r.control, -(c22 * z + c13 * zeta + c23 * more) / (price * s.mass))]);
     page.correct();
+}
+
+/// The weights of the criterion as the paper has them: all of them 1, each in its own unit.
+fn with_unit_weights(r: &ReleasedLetters, names: Hypotheses) -> Hypotheses {
+    r.weights.into_iter().fold(names, |names, weight| names.given(weight, Sym::ONE))
 }
 
 /// c(0) = 0: the condition belongs to the other end.
@@ -225,8 +245,9 @@ fn ends(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.36",
         "initial",
-        r"with $c_{ij}(0)=0$ the function $V$ solves the problem: it is positive definite at $t=0$ as at any time",
+        r"with $c_{ij}(0)=0$ the function $V$ is positive definite at $t=0$, as the problem asks at any time",
     )
+    .why(r"With $c_{ij}(0)=0$ the form vanishes at $t=0$; the condition belongs to the other end of the interval.")
     .given(letters::<6>(names).map(Zero))
     .given([NonZero(zeta)])
     .refuted(
@@ -248,8 +269,15 @@ fn ends(page: &mut Page, r: &ReleasedLetters) {
     let derived = moved + regulator.bellman(r.value, r.deviation, r.control);
     let away = r.control - regulator.optimal(r.value, r.deviation);
     let [_, _, _, price] = r.weights;
-    page.claim("eq3.36", "initial-corrected", r"where $C$ satisfies Riccati's equation $B=s(u_1-u_1^{opt})^2$ for any $u_1$: the criterion from 0 to $T$ is $V(0)-V(T)+\int s(u_1-u_1^{opt})^2dt$, so $C(T)=0$, or as $T\to\infty$ the stationary solution, is the condition")
-        .in_words()
-        .follows([Equal(derived, price * away.powi(2))]);
+    page.claim(
+        "eq3.36",
+        "initial-corrected",
+        r"where $C$ satisfies Riccati's equation, $B=s(u_1-u_1^{opt})^2$ for every $u_1$",
+    )
+    .note(
+        r"Integrated, the criterion from 0 to $T$ is $V(0)-V(T)+\int s(u_1-u_1^{opt})^2dt$: the condition is $C(T)=0$.",
+    )
+    .in_words()
+    .follows([Equal(derived, price * away.powi(2))]);
     page.correct();
 }

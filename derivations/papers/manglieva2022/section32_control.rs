@@ -19,36 +19,32 @@ fn columns(page: &mut Page, r: &ReleasedLetters) {
     let s = &r.drum;
     let [name1, name2, slope2, name3, det] = letters(["L₁", "L₂", "L̇₂", "L₃", "W"]);
     let inertia = r.inertia();
-    page.claim("eq3.30", "matrix", r"$W=\{L_1,L_2,L_3\}$: its determinant decides").defines([Line::equation(
-        Sym::ZERO,
-        det,
-        Sym::function("det", name1),
-    )]);
+    page.claim("eq3.30", "matrix", r"the matrix $W=\{L_1,L_2,L_3\}$, whose determinant decides")
+        .defines([Line::equation(Sym::ZERO, det, Sym::function("det", name1))]);
     let [first, second, third] = r.krasovskii();
-    page.claim("eq3.31", "first", r"$L_1=(0,0,1)$, and $L_{i+1}=\dot L_i-PL_i$").fails([Line::formula(
-        first[2],
-        name1,
-        Sym::ONE,
-    )]);
-    page.claim("eq3.31", "first-corrected", r"$L_1=(0,0,\frac1m)$: what multiplies $u_1$ in $m\dot z=u_1$")
+    page.claim("eq3.31", "first", r"the column $L_1=(0,0,1)$, with $L_{i+1}=\dot L_i-PL_i$")
+        .why(r"$u_1$ stands in $m\dot z=u_1$: the divisor $m$ is lost.")
+        .fails([Line::formula(first[2], name1, Sym::ONE)]);
+    page.claim("eq3.31", "first-corrected", r"the column is $L_1=(0,0,\frac1m)$, since $m\dot z=u_1$")
         .holds([Line::formula(s.mass * first[2], s.mass * name1, Sym::ONE)]);
     page.correct();
     let p = r.linear.matrix[0];
     let entries = letters(["p₁₁", "p₁₂", "p₁₃"]);
     let printed = [-(r.n * r.rho * r.drho), r.slope(), -(r.n * s.speed * r.rho)];
-    page.claim("eq3.32", "p", r"the first row of $P$ as printed")
+    page.claim("eq3.32", "p", r"the first row of $P$, as printed")
+        .why(r"(3.29) is not divided by $n\rho_0^2+J_2$, which depends on the time.")
         .under(&r.names())
-        .note(r"The equation (3.29) is not divided by $n\rho_0^2+J_2$, which depends on the time.")
         .fails((0..3).map(|j| Line::formula(p[j], entries[j], printed[j])));
-    page.claim("eq3.32", "p-corrected", r"over $n\rho_0^2+J_2$")
+    page.claim("eq3.32", "p-corrected", r"the first row of $P$ has the divisor $n\rho_0^2+J_2$")
         .under(&r.names())
         .holds((0..3).map(|j| Line::formula(p[j], entries[j], printed[j] / inertia)));
     page.correct();
     let lever = r.n * s.speed * r.rho;
-    page.claim("eq3.32", "l2", r"$L_2=(n\omega_2^0\rho_0,-1,0)$")
+    page.claim("eq3.32", "l2", r"the column $L_2$, printed $(n\omega_2^0\rho_0,-1,0)$")
+        .why(r"The divisors $n\rho_0^2+J_2$ and $m$ are lost, as in $P$ and $L_1$.")
         .under(&r.names())
         .fails([Line::formula(second[0], name2, lever)]);
-    page.claim("eq3.32", "l2-corrected", r"$L_2=\frac1m(\frac{n\omega_2^0\rho_0}{n\rho_0^2+J_2},-1,0)$")
+    page.claim("eq3.32", "l2-corrected", r"the column is $L_2=\frac1m(\frac{n\omega_2^0\rho_0}{n\rho_0^2+J_2},-1,0)$")
         .under(&r.names())
         .holds([
             Line::formula(second[0], name2, lever / (inertia * s.mass)),
@@ -56,13 +52,14 @@ fn columns(page: &mut Page, r: &ReleasedLetters) {
         ]);
     page.correct();
     let rate = r.along_programme(second[0]);
-    page.claim("eq3.32", "l2-rate", r"$\dot L_2=(n\omega_2^0\dot\rho_0,0,0)$")
+    page.claim("eq3.32", "l2-rate", r"the rate of $L_2$, printed $(n\omega_2^0\dot\rho_0,0,0)$")
+        .why(r"The divisor $n\rho_0^2+J_2$ is lost and changes too.")
         .under(&r.names())
         .fails([Line::formula(rate, slope2, r.n * s.speed * r.drho)]);
     page.claim(
         "eq3.32",
         "l2-rate-corrected",
-        r"the divisor changes too: $n\omega_2^0\dot\rho_0\frac{J_2-n\rho_0^2}{m(n\rho_0^2+J_2)^2}$",
+        r"the rate of $L_2$ is $n\omega_2^0\dot\rho_0\frac{J_2-n\rho_0^2}{m(n\rho_0^2+J_2)^2}$ in its first component",
     )
     .under(&r.names())
     .holds([Line::formula(
@@ -72,18 +69,14 @@ fn columns(page: &mut Page, r: &ReleasedLetters) {
     )]);
     page.correct();
     let moment = s.m1 / s.drum;
-    page.claim(
-        "eq3.32",
-        "l3",
-        r"$L_3=(\frac{M_1}R+n^2\omega_2^0\rho_0^2\dot\rho_0,0,0)$, $\frac{M_1}R$ for the printed $\frac{\mu_1}r$",
-    )
-    .under(&r.names())
-    .fails([Line::formula(third[0], name3, moment + r.n.powi(2) * s.speed * r.rho.powi(2) * r.drho)]);
-    page.claim("eq3.32", "l3-corrected", r"by the right $P$").under(&r.names()).holds([Line::formula(
-        third[0],
-        name3,
-        reduced(r) / (s.mass * inertia.powi(2)),
-    )]);
+    page.claim("eq3.32", "l3", r"the column $L_3$, printed $(\frac{M_1}R+n^2\omega_2^0\rho_0^2\dot\rho_0,0,0)$")
+        .reading(r"The source prints $\frac{\mu_1}r$; $\frac{M_1}R$ is read, as in (3.28).")
+        .why(r"The divisors are lost, and the sign of the second term is turned.")
+        .under(&r.names())
+        .fails([Line::formula(third[0], name3, moment + r.n.powi(2) * s.speed * r.rho.powi(2) * r.drho)]);
+    page.claim("eq3.32", "l3-corrected", r"the first component of $L_3$, by the right $P$ and $\dot L_2$")
+        .under(&r.names())
+        .holds([Line::formula(third[0], name3, reduced(r) / (s.mass * inertia.powi(2)))]);
     page.correct();
 }
 
@@ -102,9 +95,10 @@ fn matrix(page: &mut Page, r: &ReleasedLetters) {
     let moment = s.m1 / s.drum;
     let printed = moment * r.n.powi(2) * s.speed * r.rho.powi(2) * r.drho;
     page.claim("eq3.32", "w", r"$\det W$ of the printed matrix, with $\dot\rho_0$ in $L_2$ and a product in $L_3$")
+        .why(r"The sum in $L_3$ is printed as a product; the divisors and the sign are those of $L_3$.")
         .under(&r.names())
         .fails([Line::formula(det, name, printed)]);
-    page.claim("eq3.32", "w-corrected", r"$\det W$ of the right one").under(&r.names()).holds([Line::formula(
+    page.claim("eq3.32", "w-corrected", r"$\det W$ of the right columns").under(&r.names()).holds([Line::formula(
         det,
         name,
         reduced(r) / (s.mass.powi(3) * r.inertia().powi(2)),
@@ -117,7 +111,8 @@ fn rank(page: &mut Page, r: &ReleasedLetters) {
     let entry = "section3.2-controllability";
     let det = tidy(determinant(&r.krasovskii()).unwrap_or(Sym::ZERO));
     let w = r.rho.powi(2) * r.drho * s.speed;
-    page.claim(entry, "rank", r"the rank of $W$ is 3 because $w=\rho_0^2\dot\rho_0\omega_2^0\ne0$")
+    page.claim(entry, "rank", r"the rank of $W$ is 3 where $w=\rho_0^2\dot\rho_0\omega_2^0\ne0$")
+        .why(r"$\det W$ is a difference of two terms, which can cancel where $w\ne0$.")
         .given(s.real())
         .given([Positive(r.rho), NonZero(w)])
         .refuted(
@@ -139,18 +134,14 @@ fn rank(page: &mut Page, r: &ReleasedLetters) {
     let condition = s.m1 * s.second / s.drum - r.n * r.rho * s.m2;
     let names = r.names().given(r.drho, programme);
     let name = letter("W");
-    page.claim(entry, "rank-corrected", r"on the programme $\det W\ne0$ if and only if $J_2M_1/R\ne n\rho_0M_2$")
+    page.claim(entry, "rank-corrected", r"on the programme $\det W$ is proportional to $J_2M_1/R-n\rho_0M_2$")
         .under(&names)
         .holds([Line::formula(det, name, condition / (s.mass.powi(3) * r.inertia().powi(2)))]);
     page.correct();
-    page.claim(
-        entry,
-        "resting-wheel",
-        r"with $\dot\rho_0=0$, $w=0$, the system is controllable all the same where $M_1\ne0$: $\det W$ is then",
-    )
-    .under(&r.names())
-    .follows([Condition::Equal(
-        det.substitute(&[(r.drho, Sym::ZERO)]),
-        s.m1 / (s.drum * s.mass.powi(3) * r.inertia()),
-    )]);
+    page.claim(entry, "resting-wheel", r"with $\dot\rho_0=0$, $w=0$, the determinant of $W$ vanishes with $M_1$ alone")
+        .under(&r.names())
+        .follows([Condition::Equal(
+            det.substitute(&[(r.drho, Sym::ZERO)]),
+            s.m1 / (s.drum * s.mass.powi(3) * r.inertia()),
+        )]);
 }

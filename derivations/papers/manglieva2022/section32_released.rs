@@ -28,7 +28,7 @@ fn release(page: &mut Page, r: &ReleasedLetters) {
     page.claim(
         "eq3.23",
         "states",
-        r"places by coordinates, velocities by velocity parameters: for each coordinate of a point",
+        r"places by coordinates and velocities by velocity parameters, for each coordinate of a point",
     )
     .defines([
         Line::equation(Sym::ZERO, x, Sym::function("a", q)),
@@ -36,12 +36,12 @@ fn release(page: &mut Page, r: &ReleasedLetters) {
     ]);
     let [zeta, dzeta, xi, kept] = letters(["ζ", "ζ̇", "ξ", "ω₀"]);
     page.claim("eq3.24", "release", r"$\omega_2=\omega_2^0+\zeta$, $\dot\zeta=\xi$")
-        .note(r"From (3.34) on $\xi$ is written for $\zeta$ itself.")
+        .reading(r"From (3.34) on the source writes $\xi$ for $\zeta$ itself.")
         .defines([Line::equation(Sym::ZERO, s.speed, kept + zeta), Line::equation(Sym::ZERO, dzeta, xi)]);
     let [[first, _], _, [wheel, _]] = s.spins();
     let rolled = s.rho * (s.speed + zeta);
     let names = letters(["ω1", "ω"]);
-    page.claim("eq3.24", "passive", r"$R\omega_1=\rho(\omega_2^0+\zeta)=r\omega$").holds([
+    page.claim("eq3.24", "passive", r"the wheel does not slip at the speed $\omega_2^0+\zeta$ either").defines([
         Line::formula(s.drum * released(r, first), s.drum * names[0], rolled),
         Line::formula(s.radius * released(r, wheel), s.radius * names[1], rolled),
     ]);
@@ -51,30 +51,38 @@ fn energy(page: &mut Page, r: &ReleasedLetters) {
     let s = &r.drum;
     let [zeta, dzeta] = letters(["ζ", "ζ̇"]);
     let energy = released(r, s.acceleration_energy());
-    let seen = |energy: Sym| [dzeta, s.ddrho].map(|rate| tidy(energy.diff(rate)));
+    let seen = |energy: Sym| [tidy(energy.diff(dzeta)), energy.diff(s.ddrho)];
     let rim = dzeta * s.rho + (zeta + s.speed) * s.drho;
     let printed = |a: Sym| (r.n * rim.powi(2) + s.mass * a.powi(2) + s.second * dzeta.powi(2)).half();
-    let names = letters(["Qφ", "u"]);
+    let names = letters(["∂S/∂ζ̇", "∂S/∂ϱ̈"]);
     let derived = seen(energy);
     let lines = |a: Sym| {
-        let printed = [dzeta, s.ddrho].map(|rate| printed(a).diff(rate));
+        let printed = [printed(a).diff(dzeta), tidy(printed(a).diff(s.ddrho))];
         [0, 1].map(|i| Line::formula(derived[i], names[i], printed[i]))
     };
     page.claim(
         "eq3.25",
         "energy",
-        r"$S'$ as printed with $\frac12m\dot\rho^2$: its derivatives by $\dot\zeta$ and $\ddot\rho$",
+        r"derivatives by $\dot\zeta$ and $\ddot\rho$ of $S'$, printed with $\frac12m\dot\rho^2$",
     )
+    .why(r"A dot is lost, so that $\partial S'/\partial\ddot\rho=0$: the inertia term $m\ddot\rho$ is lost.")
     .under(&r.names())
     .fails(lines(s.drho));
-    page.claim("eq3.25", "energy-corrected", r"with $\frac12m\ddot\rho^2$").under(&r.names()).holds(lines(s.ddrho));
+    page.claim(
+        "eq3.25",
+        "energy-corrected",
+        r"derivatives by $\dot\zeta$ and $\ddot\rho$ of $S'$ with $\frac12m\ddot\rho^2$",
+    )
+    .under(&r.names())
+    .holds(lines(s.ddrho));
     page.correct();
     let motion = s.motion();
     let work = motion.generalised(s.governor.force(&motion.state)).map(|force| released(r, force));
-    page.claim("eq3.25", "work", r"$Q'_\zeta$ and $Q'_\rho$").holds([
-        Line::formula(work[0], names[0], s.m2 + s.rho / s.drum * s.m1),
-        Line::formula(work[1], names[1], -s.friction + s.push + r.control),
-    ]);
+    let names = letters(["Qζ", "Qρ"]);
+    page.claim("eq3.25", "work", r"the generalised force $Q'_\zeta$, by the work of both shafts")
+        .holds([Line::formula(work[0], names[0], s.m2 + s.rho / s.drum * s.m1)]);
+    page.claim("eq3.25", "work-on-wheel", r"the generalised force of $\rho$ has the stabilising push $u_1$ besides")
+        .defines([Line::formula(work[1], names[1], s.push + r.control - s.friction)]);
 }
 
 fn equations(page: &mut Page, r: &ReleasedLetters) {
@@ -83,20 +91,31 @@ fn equations(page: &mut Page, r: &ReleasedLetters) {
     let [turning, sliding] = s.balance().map(|side| released(r, side));
     let right = s.m2 + s.rho / s.drum * s.m1;
     let left = |lever: Sym| (r.n * s.rho.powi(2) + s.second) * dzeta + r.n * (zeta + s.speed) * lever * s.drho;
-    page.claim("eq3.26", "rotation", r"$(n\rho^2+J_2)\dot\zeta+n(\zeta+\omega_2^0)\dot\rho=M_2+\frac\rho RM_1$")
-        .under(&r.names())
-        .fails([Line::equation(turning, left(int(1)), right)]);
-    page.claim("eq3.26", "rotation-corrected", r"with $n(\zeta+\omega_2^0)\rho\dot\rho$, as (3.27) has it")
-        .under(&r.names())
-        .holds([Line::equation(turning, left(s.rho), right)]);
+    page.claim(
+        "eq3.26",
+        "rotation",
+        r"the first equation, printed $(n\rho^2+J_2)\dot\zeta+n(\zeta+\omega_2^0)\dot\rho=M_2+\frac\rho RM_1$",
+    )
+    .why(r"A factor $\rho$ is lost; (3.27) has it.")
+    .under(&r.names())
+    .fails([Line::equation(turning, left(int(1)), right)]);
+    page.claim(
+        "eq3.26",
+        "rotation-corrected",
+        r"the first equation has $n(\zeta+\omega_2^0)\rho\dot\rho$, as in (3.27)",
+    )
+    .under(&r.names())
+    .holds([Line::equation(turning, left(s.rho), right)]);
     page.correct();
-    page.claim("eq3.26", "wheel", r"$m\ddot\rho=F_1+F_2+u+u_1$, with $F_{11}+F_{22}$ for the friction across")
+    page.claim("eq3.26", "wheel", r"the second equation, printed $m\ddot\rho=F_1+F_2+u+u_1$")
+        .reading(r"$F_1+F_2$ is read as the friction $F_{11}+F_{22}$ across.")
+        .why(r"The sign of friction is turned; (3.3) and (3.27) have the minus.")
         .fails([Line::equation(sliding, s.mass * s.ddrho, s.friction + s.push + r.control)]);
-    page.claim("eq3.26", "wheel-corrected", r"with $-(F_{11}+F_{22})$, as (3.3) and (3.27) have it")
+    page.claim("eq3.26", "wheel-corrected", r"the second equation has $-(F_{11}+F_{22})$, as in (3.3) and (3.27)")
         .holds([Line::equation(sliding, s.mass * s.ddrho, -s.friction + s.push + r.control)]);
     page.correct();
     let shifted = |side: Sym| side.substitute(&[(s.rho, start + more)]);
-    page.claim("eq3.27", "equations", r"with $\rho=\rho_0+\rho'$").under(&r.names()).holds([
+    page.claim("eq3.27", "equations", r"the equations with $\rho=\rho_0+\rho'$").under(&r.names()).holds([
         Line::equation(shifted(turning), shifted(left(s.rho)), shifted(right)),
         Line::equation(sliding, s.mass * s.ddrho, -s.friction + s.push + r.control),
     ]);
@@ -115,17 +134,21 @@ fn first_approximation(page: &mut Page, r: &ReleasedLetters) {
         sum.substitute(&programme)
     });
     let lever = r.n * r.rho;
-    page.claim("eq3.28", "linear", r"the first approximation, $J_2$ for the printed $J_3$").under(&r.names()).holds([
-        Line::equation(
-            linear[0],
-            r.inertia() * dzeta + lever * r.drho * zeta + lever * s.speed * dmore + r.n * s.speed * r.drho * more,
-            s.m1 / s.drum * more,
-        ),
-        Line::equation(linear[1], s.mass * dz, r.control),
-    ]);
+    page.claim("eq3.28", "linear", r"the first approximation about the programme")
+        .reading(r"The source prints $J_3$; there is no third body, so $J_2$ is read, as in (3.27).")
+        .under(&r.names())
+        .holds([
+            Line::equation(
+                linear[0],
+                r.inertia() * dzeta + lever * r.drho * zeta + lever * s.speed * dmore + r.n * s.speed * r.drho * more,
+                s.m1 / s.drum * more,
+            ),
+            Line::equation(linear[1], s.mass * dz, r.control),
+        ]);
     let rates = r.linear.apply(r.deviation);
     let driven: [Sym; 3] = std::array::from_fn(|i| rates[i] + r.linear.control[i] * r.control);
-    page.claim("eq3.29", "normal", r"solved for the rates, $J_2$ for the printed $J_3$; $\dot\rho'=z$ is a name")
+    page.claim("eq3.29", "normal", r"the first approximation solved for $\dot\zeta$ and $\dot z$")
+        .reading(r"The source prints $J_3$; $J_2$ is read, as in (3.27). $z$ is a name for $\dot\rho'$.")
         .under(&r.names())
         .holds([
             Line::formula(

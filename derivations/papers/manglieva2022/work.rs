@@ -23,7 +23,7 @@ pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
             NonZero(dot(reaction, reaction)),
             NonZero(dot(displacement, displacement)),
         ])
-        .note("With two degrees of freedom or more the work, linear in the displacement, vanishes on some of them: a point on a rough plane moved across its friction.")
+        .why("With two degrees of freedom or more the work, linear in the displacement, vanishes on some displacements: a point on a rough plane moved across its friction.")
         .refuted(
             [NonZero(dot(reaction, displacement))],
             exact([
@@ -31,7 +31,7 @@ pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
                 ("R1", 0, 1), ("R2", 1, 1), ("R3", 0, 1), ("δx1", 0, 1), ("δx2", 0, 1), ("δx3", 1, 1),
             ]),
         );
-    own_displacement(page, entry, r"it does");
+    own_displacement(page, entry, r"the work of friction differs from zero");
     page.correct();
 }
 
@@ -42,6 +42,6 @@ pub fn own_displacement(page: &mut Page, entry: &'static str, says: &str) {
     let on = r"on the displacement $\delta x_\gamma=R^\tau_\gamma\delta t/m_\gamma$ that friction itself points to, where it is positive";
     page.claim(entry, "own-displacement", format!("{says} {on}"))
         .given(masses.map(Positive))
-        .given([NonZero(reaction[1])])
+        .given([NonZero(dot(reaction, reaction))])
         .by_signs([Positive(dot(reaction, displaced))]);
 }
