@@ -27,6 +27,7 @@ const ROWS: usize = 75;
 pub const SPEED: f64 = 2.0;
 
 /// The governor of the maps, with a stiffness across and a load: SI units; the disc is touched at 0.5 m from its axis.
+/// The rim resists, as the reading of the paper's Z has it: with the printed +a lambda of (3.17) a is minus the stiffness.
 pub fn governor(stiffness: f64, load: f64) -> ElasticGovernor<f64> {
     ElasticGovernor {
         drum_inertia: 1.0,

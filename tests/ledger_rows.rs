@@ -96,6 +96,15 @@ fn every_refuted_row_says_what_is_printed_what_is_correct_and_why() {
 }
 
 #[test]
+fn a_row_that_depends_on_the_sign_of_the_rim_says_which_sign_was_read() {
+    let of_rim = |row: &Judged| row.text.iter().any(|formula| formula.contains("aᵉ*") || formula.contains("bᵉ"));
+    let alone: Vec<Judged> = papers::ALL.iter().flat_map(|paper| (paper.page)().judge()).collect();
+    let silent: Vec<&str> =
+        alone.iter().filter(|row| of_rim(row) && row.reading.is_empty()).map(|row| row.id.as_str()).collect();
+    assert!(alone.iter().any(of_rim) && silent.is_empty(), "{silent:?}");
+}
+
+#[test]
 fn the_detector_of_the_same_knows_what_is_named() {
     for named in ["both routes give the same polynomial", "the value is the same as in (5.3)"] {
         assert!(!points_into_the_air(named), "{named}");

@@ -27,10 +27,12 @@ fn law(page: &mut Page, s: &RodLetters) {
         r"Coulomb's law $|R_x| = f|R_y|$ for the contact with the guide, here by squares; $\mu$ is against $\dot x$",
     )
     .defines([Line::equation(Sym::ZERO, name_x.powi(2), s.f.powi(2) * name_y.powi(2))]);
-    page.claim("eq1.21", "by-multipliers", r"the law by $\lambda$ and $\mu$: what stands between the bars").holds([
-        Line::formula(rx, name_x, s.mu * (s.m + s.m1 * c.powi(2))),
-        Line::formula(ry, name_y, s.lambda + s.m1 * sin * c * s.mu),
-    ]);
+    page.claim("eq1.21", "by-multipliers", r"the components $R_x$ and $R_y$ of the law by $\lambda$ and $\mu$").holds(
+        [
+            Line::formula(rx, name_x, s.mu * (s.m + s.m1 * c.powi(2))),
+            Line::formula(ry, name_y, s.lambda + s.m1 * sin * c * s.mu),
+        ],
+    );
 
     let lambda = s.multipliers(s.friction())[1];
     let coupling = s.m1 * sin * c * s.f;
@@ -86,7 +88,7 @@ fn law(page: &mut Page, s: &RodLetters) {
     let reaction = |way: i64| ry.substitute(&[(s.mu, int(way) * s.f * s.lambda / denominator(-way))]);
     page.claim("eq1.23", "pushing", r"with the corrected $\mu$ the floor pushes, $R_y<0$, where $\lambda$ and the denominator have different signs: $R_y$ for $\dot x>0$ and $\dot x<0$")
         .follows([1, -1].map(|way| Equal(reaction(way), s.lambda * s.mobile() / denominator(-way))));
-    page.claim("eq1.23", "paradox", r"the denominator need not be positive: $m+m_1\cos^2\theta < f m_1\sin\theta\cos\theta$ for a rod of positive masses. While $M$ slides forward the law then has no solution: with $R_x=fR_y$ the floor would have to pull, with $R_x=-fR_y$ a guide above to pull likewise (Painlevé's paradox)")
+    page.claim("eq1.23", "paradox",r"for a rod of positive masses $m+m_1\cos^2\theta < f m_1\sin\theta\cos\theta$ is possible: in an example where $M$ slides forward the law $R_x=fR_y$ needs a floor that pulls, and $R_x=-fR_y$ a guide above that pulls").note(r"Painlevé's paradox.")
         .given([Positive(s.m), Positive(s.m1), Positive(s.f), Positive(s.g), Equal(s.lambda, lambda)])
         .exists(
             [Positive(-denominator(-1)), Positive(reaction(1)), Positive(-reaction(-1))],

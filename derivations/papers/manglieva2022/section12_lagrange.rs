@@ -35,8 +35,7 @@ fn displacements(page: &mut Page) {
     let [row] = jacobian(&Resolved, &motion.state);
     page.claim(
         "eq1.46",
-        "along-the-chart",
-        r"$\delta x_\gamma=\sum\frac{\partial x_\gamma}{\partial q_i}\delta q_i$ satisfies (1.44) for every $\delta q$",
+        "along-the-chart",r"$\delta x_\gamma=\sum\frac{\partial x_\gamma}{\partial q_i}\delta q_i$ satisfies (1.44) for every $\delta q$ (one constraint on three coordinates, arbitrary to the second order)",
     )
     .in_words()
     .follows(motion.fields.map(|field| Zero(dot(row, field))));
@@ -75,7 +74,7 @@ fn reactions(page: &mut Page) {
     let weighted = |a: [Sym; 3], b: [Sym; 3]| dot(a, std::array::from_fn(|i| b[i] / masses[i]));
     let rest: [Sym; 3] = std::array::from_fn(|i| reaction[i] - lambda * gradient[i]);
     let parts = or_undefined(extended(masses, [gradient], reaction));
-    page.claim("eq1.50", "exists", r"every reaction is a force of constraint $\lambda f_{,\gamma}$ and a friction with $R^\tau_\gamma/m_\gamma$ a virtual displacement").in_words()
+    page.claim("eq1.50", "exists",r"every reaction is a force of constraint $\lambda f_{,\gamma}$ and a friction with $R^\tau_\gamma/m_\gamma$ a virtual displacement (one constraint on three coordinates, arbitrary to the second order)").in_words()
         .follows([Zero(weighted(gradient, parts.of_friction))]);
     page.claim(
         "eq1.50",
@@ -102,7 +101,7 @@ fn friction_and_multipliers(page: &mut Page) {
     let masses: [Sym; 3] = indexed("m#");
     let found = friction(motion.fields);
     let displaced = std::array::from_fn(|i| found[i] / masses[i]);
-    page.claim("eq1.52", "virtual", r"$R^\tau_\gamma=\sum\mu_i\frac{\partial(m_\gamma x_\gamma)}{\partial q_i}$: over the masses it is a virtual displacement").in_words()
+    page.claim("eq1.52", "virtual",r"$R^\tau_\gamma=\sum\mu_i\frac{\partial(m_\gamma x_\gamma)}{\partial q_i}$: over the masses it is a virtual displacement (one constraint on three coordinates, arbitrary to the second order)").in_words()
         .follows([Zero(dot(row, displaced))]);
     let any: [Sym; 3] = indexed("R#");
     let weighted = std::array::from_fn(|i| any[i] / masses[i]);
@@ -142,7 +141,7 @@ fn second_kind_equations(page: &mut Page) {
     let moved = motion.acceleration([w2, w3]);
     let missing = std::array::from_fn(|i| masses[i] * moved[i] - force[i]);
     let lagrange = second_kind::residual(&Resolved, at, force, [w2, w3]);
-    page.claim("eq1.55", "principle", r"$\sum(m_\gamma\ddot x_\gamma-X_\gamma-R^\tau_\gamma)\delta x_\gamma$ is $\sum[\frac{d}{dt}\frac{\partial T}{\partial\dot q_i}-\frac{\partial T}{\partial q_i}-Q_i-Q_i^\tau]\delta q_i$, for each $\delta q_i$").in_words()
+    page.claim("eq1.55", "principle",r"$\sum(m_\gamma\ddot x_\gamma-X_\gamma-R^\tau_\gamma)\delta x_\gamma=\sum[\frac{d}{dt}\frac{\partial T}{\partial\dot q_i}-\frac{\partial T}{\partial q_i}-Q_i-Q_i^\tau]\delta q_i$ for each $\delta q_i$ (one constraint on three coordinates, arbitrary to the second order)").in_words()
         .follows((0..2).map(|i| Equal(dot(missing, motion.fields[i]), lagrange[i])));
     let [mu1, mu2] = indexed("μ#");
     let names = letters(["Q1", "Q2"]);

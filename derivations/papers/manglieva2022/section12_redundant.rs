@@ -72,7 +72,7 @@ fn velocities(page: &mut Page, motion: &Motion<Sym, 3, 2>) {
     let masses: [Sym; 3] = indexed("m#");
     let found = friction(motion.fields);
     let displaced = std::array::from_fn(|i| found[i] / masses[i]);
-    page.claim("eq1.60", "virtual", r"$R^\tau_\gamma=\sum\mu_m\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_m}$: over the masses it is a virtual displacement").reading(r"The source prints the index of $x$ as $\gamma_i$; $x_\gamma$ is read.").in_words()
+    page.claim("eq1.60", "virtual",r"$R^\tau_\gamma=\sum\mu_m\frac{\partial(m_\gamma\dot x_\gamma)}{\partial p_m}$: over the masses it is a virtual displacement (one constraint on three coordinates, arbitrary to the second order)").reading(r"The source prints the index of $x$ as $\gamma_i$; $x_\gamma$ is read.").in_words()
         .follows([Zero(dot(row, displaced))]);
     let force = with_friction(motion.fields);
     let [multiplier] = first_kind(&Surface, &motion.state, force).multipliers;

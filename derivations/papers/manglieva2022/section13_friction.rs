@@ -44,7 +44,7 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
     let [rx, ry, y] = letters(["Rx", "Ry", "Y"]);
     let [rho, rho2, rho21, rho22] = letters(["ρ1", "ρ2", "ρ21", "ρ22"]);
     let of_friction = s.of_constraints([rho21, rho22, Sym::ZERO]);
-    page.claim("eq1.68", "directions", r"$\vec\rho_{21}$ along the rod, $\vec\rho_{22}$ across it, $(-\sin\theta,\cos\theta)$: on $M_2$ both with plus, on $M_1$ with minus and plus")
+    page.claim("eq1.68", "directions",r"the components of friction, with $\vec\rho_{21}$ along the rod and $\vec\rho_{22}$ across it, $(-\sin\theta,\cos\theta)$: on $M_2$ both with plus, on $M_1$ with minus and plus")
         .holds([
             Line::formula(of_friction[2], letter("ρ2x"), rho21 * c - rho22 * sin),
             Line::formula(of_friction[3], letter("ρ2y"), rho21 * sin + rho22 * c),

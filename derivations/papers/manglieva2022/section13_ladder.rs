@@ -170,7 +170,7 @@ fn equation(page: &mut Page, s: &LadderLetters) {
         two * m * l.powi(2) / both * f * spin - two * m * l / both * (f * sin + c) * f * g + m * g * l * sin,
     )]);
     let [third] = [m * l.powi(2) / int(3)];
-    page.claim("eq1.107", "denominator", r"it can be solved for $\ddot\alpha$ unless $f^2=2$ for the uniform ladder: the coefficient is $\frac23ml^2(2-f^2)/(1+f^2)$").in_words()
+    page.claim("eq1.107", "denominator",r"the coefficient of $\ddot\alpha$ for the uniform ladder is $\frac23ml^2(2-f^2)/(1+f^2)$, which vanishes at $f^2=2$ alone").in_words()
         .given([NonZero(both)])
         .follows([Equal(
             equal.diff(turn).substitute(&[(s.inertia, third)]),

@@ -34,7 +34,7 @@ fn integral(page: &mut Page, s: &SteeredLetters) {
         .holds([Line::formula(tangent.slope, name, int(2) / s.l * s.dx1 * tangent.value)]);
     page.correct();
     let at_rest = [(s.dtheta, Sym::ZERO)];
-    page.claim("section1.3-integral", "geometric", r"the constraint is integrable, but not as long as $\sin\theta=0$, where the rod lies along the guide and slides without turning")
+    page.claim("section1.3-integral", "geometric",r"where $\sin\theta=0$ and $\dot\theta=0$ the constraint of the middle leaves $\dot x_1$ free: the rod along the guide slides without turning").note(r"The integral $\operatorname{tg}\frac\theta2=Ce^{2x_1/l}$ does not hold there.")
         .follows([Zero(s.turning().substitute(&[(sin, Sym::ZERO)]).substitute(&at_rest))]);
 }
 

@@ -156,8 +156,12 @@ fn multipliers(page: &mut Page, s: &SteeredLetters) {
     let masses = [m1, m1, m2, m2];
     let field = s.motion().fields[0];
     let any = std::array::from_fn(|i| masses[i] * p * field[i]);
-    page.claim("eq1.89", "independent", r"the multipliers do not depend on friction, whatever the masses")
-        .follows(s.multipliers(any).map(|multiplier| Zero(multiplier.diff(p))));
+    page.claim(
+        "eq1.89",
+        "independent",
+        r"the multipliers of the steered rod do not depend on friction $m_k\delta\vec r_k$, whatever the masses",
+    )
+    .follows(s.multipliers(any).map(|multiplier| Zero(multiplier.diff(p))));
 }
 
 /// (1.90)-(1.91): the same by Painleve's displacements, with mu the force of friction at M1.
@@ -204,6 +208,6 @@ fn painleve(page: &mut Page, s: &SteeredLetters) {
         .follows([Zero(at_guide)]);
     page.correct();
     let size = derived[0].diff(mu).powi(2) + derived[1].diff(mu).powi(2);
-    page.claim("eq1.91", "equal-masses", r"$\lambda_1$ and $\lambda_2$ together are independent of $\mu$ if and only if $q=1$: the squares of their derivatives add up to")
+    page.claim("eq1.91", "equal-masses",r"the squares of $\partial\lambda_1/\partial\mu$ and $\partial\lambda_2/\partial\mu$ add up to $\left(\frac{q-1}{q+1}\right)^2$: both vanish for $q=1$ alone")
         .follows([Equal(size, ((q - one) / (q + one)).powi(2))]);
 }

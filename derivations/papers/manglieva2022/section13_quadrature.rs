@@ -125,8 +125,7 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     let cosine = (point.sin + fixed(u.b) * point.cos) * exponential / norm;
     page.claim(
         "section1.3-ladder-quadrature",
-        "integrals",
-        r"$I_1=\int e^{b\alpha}\sin\alpha\,d\alpha$ and $I_2=\int e^{b\alpha}\cos\alpha\,d\alpha$: their derivatives",
+        "integrals",r"the closed forms of $I_1=\int e^{b\alpha}\sin\alpha\,d\alpha$ and $I_2=\int e^{b\alpha}\cos\alpha\,d\alpha$ have these integrands as derivatives",
     )
     .in_words()
     .under(&u.names)
@@ -135,7 +134,7 @@ fn variation(page: &mut Page, s: &LadderLetters, u: &Uniform) {
         Equal(cosine.slope, exponential.value * s.point.cos),
     ]);
     let integral = u.integrated(fixed, point) * exponential / norm;
-    page.claim("section1.3-ladder-quadrature", "constant-integrated", r"$\frac12(a-\frac23)(C_1^2-\tilde C)$ by these integrals: its derivative is that of $(a-\frac23)C_1C_1'$ with $e^{b\alpha}$").in_words().under(&u.names)
+    page.claim("section1.3-ladder-quadrature", "constant-integrated",r"$\frac12(a-\frac23)(C_1^2-\tilde C)$ by $I_1$ and $I_2$ has the derivative $(a-\frac23)C_1C_1^{\prime}$ of the equation with $e^{b\alpha}$").in_words().under(&u.names)
         .follows([Equal(-(s.g / s.l) * integral.slope, load * exponential.value)]);
 }
 

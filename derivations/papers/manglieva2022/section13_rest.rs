@@ -76,7 +76,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
             ("f", 1, 2), ("λ", 1, 1), ("ε", -1, 1), ("N", 1, 1),
         ]));
     let push = letter("Y");
-    page.claim("section1.3-static", "start-corrected",r"where the floor pushes, $\lambda=-Y<0$, and $N=-\varepsilon X$, $X>0$, friction $\varepsilon f\lambda$ has the direction of $N$; where the guide pulls, $\varepsilon$ is the sign of $N$")
+    page.claim("section1.3-static", "start-corrected",r"where the floor pushes, $\lambda=-Y<0$, and $N=-\varepsilon X$, $X>0$, friction $\varepsilon f\lambda$ has the direction of $N$").note(r"Where the guide pulls, the direction needs $\varepsilon$ to be the sign of $N$.")
         .under(&unit)
         .given([Positive(s.f), Positive(push), Positive(drive)])
         .by_signs([Positive((sign * s.f * -push) * -(sign * drive))]);

@@ -33,7 +33,7 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "section1.3-ladder-ideal",
         "energy",
-        r"$\frac12\dot\alpha^2+\frac{3g}{4l}\cos\alpha$ is constant: its rate",
+        r"along the motion $\frac12\dot\alpha^2+\frac{3g}{4l}\cos\alpha$ is constant",
     )
     .in_words()
     .follows([Zero(energy.slope)]);

@@ -205,10 +205,7 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
         .by_signs([Positive(rate - bound(a + from_a, b + from_b))]);
     page.correct();
     let free = |rho: Sym| rho * law(rho).substitute(&[(s.m1, Sym::ZERO)]);
-    page.claim(
-        entry,
-        "algebraic",r"with $M_1=0$ the difference $\rho_a^2-\rho_b^2$ does not change, so that $\rho_a-\rho_b$ falls as $1/(\rho_a+\rho_b)$",
-    )
-    .in_words()
-    .follows([Condition::Zero(free(a) - free(b))]);
+    page.claim(entry, "algebraic", r"with $M_1=0$ the difference $\rho_a^2-\rho_b^2$ of two motions does not change")
+        .in_words()
+        .follows([Condition::Zero(free(a) - free(b))]);
 }
