@@ -17,39 +17,56 @@ impl Judged {
         }
     }
 
-    /// Lists what was divided by, but for what cannot vanish by the given signs, or by its own.
+    /// Lists what was divided by, short ones first, but for what cannot vanish: by the given signs, by its own, or as a power
+    /// of what is listed already.
     pub(crate) fn divided_by(&mut self, divisors: &[Sym], given: &[Condition]) {
-        for &divisor in divisors {
-            let divisor = match divisor.node() {
-                Node::Root(inside) => inside,
-                _ => divisor,
-            };
-            if !differs_from_zero(divisor, given) {
-                self.presuppose(Condition::NonZero(divisor));
+        let mut divisors: Vec<Sym> = divisors.iter().map(|divisor| radicand(*divisor)).collect();
+        divisors.sort_by_cached_key(|divisor| divisor.to_string().chars().count());
+        let mut known = given.to_vec();
+        for divisor in divisors {
+            if !differs_from_zero(divisor, &known) {
+                let condition = Condition::NonZero(divisor);
+                known.push(condition);
+                self.presuppose(condition);
             }
         }
     }
 }
 
-/// Whether the given conditions exclude that it vanishes.
-fn differs_from_zero(divisor: Sym, given: &[Condition]) -> bool {
-    let excluded = given.iter().filter_map(|condition| match condition {
+/// A root vanishes where its radicand does.
+fn radicand(divisor: Sym) -> Sym {
+    match divisor.node() {
+        Node::Root(inside) => inside,
+        _ => divisor,
+    }
+}
+
+/// Up to this power a divisor is recognised as one of what is known to differ from zero.
+const MOST_POWER: i32 = 4;
+
+/// Whether the known conditions exclude that it vanishes.
+fn differs_from_zero(divisor: Sym, known: &[Condition]) -> bool {
+    let excluded = known.iter().filter_map(|condition| match condition {
         Condition::NonZero(e) | Condition::Positive(e) => Some(*e),
         Condition::Zero(_) | Condition::Equal(..) => None,
     });
     let excluded: Vec<Sym> = excluded.collect();
-    let positive: Vec<Sym> = given
+    let positive: Vec<Sym> = known
         .iter()
         .filter_map(|condition| match condition {
             Condition::Positive(e) if e.symbol_name().is_some() => Some(*e),
             _ => None,
         })
         .collect();
-    let multiple = |e: &Sym| {
-        let ratio = normal(divisor / *e, &Hypotheses::none());
-        ratio.is_ok_and(|ratio| ratio.as_constant().is_some())
+    let letters = divisor.symbols_of();
+    let power = |e: &Sym| {
+        e.symbols_of() == letters
+            && (1..=MOST_POWER).any(|n| {
+                let ratio = normal(divisor / e.powi(n), &Hypotheses::none());
+                ratio.is_ok_and(|ratio| ratio.as_constant().is_some())
+            })
     };
-    one_sign(divisor, &positive, &|symbol| excluded.contains(symbol)).is_some() || excluded.iter().any(multiple)
+    one_sign(divisor, &positive, &|symbol| excluded.contains(symbol)).is_some() || excluded.iter().any(power)
 }
 
 /// In text and LaTeX.

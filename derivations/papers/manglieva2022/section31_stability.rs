@@ -34,7 +34,7 @@ fn first_approximation(page: &mut Page, s: &ElasticLetters) {
     page.claim("eq3.20", "rotation", r"the linear equation of $\omega_1$, printed with $\dot x'$ beside $M_2$ and with $-b\psi$, and with the right $F(x_0)$")
         .under(&names)
         .why(r"The moment $M_2R/(x-c)$ varies with $x$, not with $\dot x$; $-b\psi\frac R{x-c}$ on the right of (3.17) comes to the left with a plus.")
-        .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\varrho_0$ alone is lost."))
+        .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\rho_0$ alone is lost."))
         .fails([Line::equation(turning, theta * dw + f * dx * w0 + fall * dx - s.b * psi, Sym::ZERO)]);
     page.claim(
         "eq3.20",
@@ -112,7 +112,7 @@ fn matrix(page: &mut Page, s: &ElasticLetters) {
     page.claim("eq3.22", "twist", r"the entry of $\psi$ in the first row, printed $-b$")
         .under(&s.names(&["ϱ₀"]))
         .why(r"Sign and factor are those of (3.20): $-b\psi\frac R{\rho_0}$ on the right side comes to the left with a plus.")
-        .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\varrho_0$ alone is lost."))
+        .reading(format!("{AS_PRINTED} For a rim that resists, the sign $-b$ is right and the factor $R/\\rho_0$ alone is lost."))
         .fails([Line::formula(derived[0][3], name, printed[0][3])]);
     page.claim("eq3.22", "twist-corrected", r"the entry of $\psi$ in the first row is $+b\frac R{\rho_0}$")
         .under(&s.names(&["ϱ₀"]))
@@ -232,7 +232,7 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
             r"of $\mu$",
             4,
             beta * phi3 * phi2 - alpha * (v * (phi3 * phi1 - phi4 * theta) - q.b * phi3),
-            "The sign of $\\beta_1\\Phi_3\\Phi_2$ is turned and the factor $R/\\varrho_0$ of $b$ is lost.",
+            "The sign of $\\beta_1\\Phi_3\\Phi_2$ is turned and the factor $R/\\rho_0$ of $b$ is lost.",
         ),
     ];
     for (slug, corrected, of, k, printed, why) in wrong {
@@ -311,7 +311,7 @@ fn coefficients_of_hurwitz(page: &mut Page, q: &Quintic) {
             "a4-corrected",
             4,
             phi3 * (q.b * alpha - beta * phi2) + alpha * v * (q.a * theta - z),
-            r"The sign of the last bracket is turned, and the factor $R/\varrho_0$ of $b$ is lost.",
+            r"The sign of the last bracket is turned, and the factor $R/\rho_0$ of $b$ is lost.",
         ),
         ("a5", "a5-corrected", 5, alpha * v * phi3 * phi2, "The sign is turned; the polynomial before has it right."),
     ];
@@ -375,7 +375,7 @@ fn determinants(page: &mut Page, q: &Quintic) {
             + beta.powi(3) * inertia.powi(2))
         - alpha * beta.powi(2) * inertia.powi(2) * (q.b * phi3 + v * q.a * theta);
     page.claim(entry, "delta3", r"the third minor, printed as the bracket that $a_4$ multiplies in $\Delta_4$")
-        .why(r"The signs of $2m_0^2\theta^2\alpha_1\beta_1V_0$ and of $V_0a\theta$ are turned, and the factor $R/\varrho_0$ of $b$ is lost.")
+        .why(r"The signs of $2m_0^2\theta^2\alpha_1\beta_1V_0$ and of $V_0a\theta$ are turned, and the factor $R/\rho_0$ of $b$ is lost.")
         .reading(AS_STIFFNESS)
         .fails([Line::formula(derived(3), third, third_of_paper)]);
     page.claim(
