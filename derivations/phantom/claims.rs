@@ -46,23 +46,38 @@ fn functions(page: &mut Page) {
     let mut say = |slug: &'static str, says: &str, method: OneStep, printed: Sym| {
         page.claim("function", slug, says).holds([Line::formula(method.run(z), r, printed)]);
     };
-    say("euler", "a step of Euler on $y'=zy$", EULER, z + n(1));
+    say("euler", "the factor $R$ of a step of Euler on $y'=zy$", EULER, z + n(1));
     say(
         "runge-kutta-4",
-        "a step of the classical Runge-Kutta method: the series of the exponential up to $z^4$",
+        "the factor $R$ of a step of the classical Runge-Kutta method on $y'=zy$: the series of the exponential up to $z^4$",
         RUNGE_KUTTA_4,
         n(1) + z + z.powi(2) / n(2) + z.powi(3) / n(6) + z.powi(4) / n(24),
     );
-    say("midpoint", "the implicit midpoint rule, which is Gauss with one stage", MIDPOINT, (n(2) + z) / (n(2) - z));
-    say("backward-euler", "backward Euler, which is Radau IIA with one stage", BACKWARD_EULER, n(1) / (n(1) - z));
+    say(
+        "midpoint",
+        "the factor $R$ of a step of the implicit midpoint rule on $y'=zy$, which is Gauss with one stage",
+        MIDPOINT,
+        (n(2) + z) / (n(2) - z),
+    );
+    say(
+        "backward-euler",
+        "the factor $R$ of a step of backward Euler on $y'=zy$, which is Radau IIA with one stage",
+        BACKWARD_EULER,
+        n(1) / (n(1) - z),
+    );
     let squares = |z: Sym| n(12) + n(6) * z + z.powi(2);
-    say("gauss-2", "Gauss with two stages", gauss(2), squares(z) / squares(-z));
+    say("gauss-2", "the factor $R$ of a step of Gauss with two stages on $y'=zy$", gauss(2), squares(z) / squares(-z));
     let cubes = |z: Sym| n(120) + n(60) * z + n(12) * z.powi(2) + z.powi(3);
-    say("gauss-3", "Gauss with three stages", gauss(3), cubes(z) / cubes(-z));
-    say("radau-2", "Radau IIA with two stages", radau(2), (n(6) + n(2) * z) / (n(6) - n(4) * z + z.powi(2)));
+    say("gauss-3", "the factor $R$ of a step of Gauss with three stages on $y'=zy$", gauss(3), cubes(z) / cubes(-z));
+    say(
+        "radau-2",
+        "the factor $R$ of a step of Radau IIA with two stages on $y'=zy$",
+        radau(2),
+        (n(6) + n(2) * z) / (n(6) - n(4) * z + z.powi(2)),
+    );
     say(
         "radau-3",
-        "Radau IIA with three stages",
+        "the factor $R$ of a step of Radau IIA with three stages on $y'=zy$",
         radau(3),
         (n(60) + n(24) * z + n(3) * z.powi(2)) / (n(60) - n(36) * z + n(9) * z.powi(2) - z.powi(3)),
     );
@@ -95,19 +110,34 @@ fn axis(page: &mut Page) {
         page.claim("axis", slug, says).under(&rules).holds([Line::formula(size(method), m, printed)]);
     };
     let square = y.powi(2);
-    say("euler", r"Euler: what stays grows, at every step; with $z=\mathrm iy$", EULER, n(1) + square);
+    say("euler", r"Euler lets a mode that stays, $z=\mathrm iy$, grow at every step", EULER, n(1) + square);
     say(
         "runge-kutta-4",
-        r"the classical Runge-Kutta method damps what stays for $y<2\sqrt2$, by $y^6/144$ a step when $y$ is small, and lets it grow beyond",
+        r"the classical Runge-Kutta method damps a mode that stays, $z=\mathrm iy$, for $0<y<2\sqrt2$ and lets it grow beyond",
         RUNGE_KUTTA_4,
         n(1) - y.powi(6) * (n(8) - square) / n(576),
     );
-    say("backward-euler", "backward Euler damps what stays, at every step", BACKWARD_EULER, n(1) / (n(1) + square));
+    say(
+        "backward-euler",
+        r"backward Euler damps a mode that stays, $z=\mathrm iy$, at every step",
+        BACKWARD_EULER,
+        n(1) / (n(1) + square),
+    );
     let two = n(36) + n(4) * square;
-    say("radau-2", "Radau IIA with two stages does too", radau(2), two / (two + y.powi(4)));
+    say(
+        "radau-2",
+        r"Radau IIA with two stages damps a mode that stays, $z=\mathrm iy$, at every step",
+        radau(2),
+        two / (two + y.powi(4)),
+    );
     let three = n(3600) + n(216) * square + n(9) * y.powi(4);
-    say("radau-3", "Radau IIA with three stages does too", radau(3), three / (three + y.powi(6)));
-    page.claim("axis", "symmetric", r"the midpoint rule and Gauss with two and three stages let stay what stays, at every step: $|R(\mathrm iy)|=1$")
+    say(
+        "radau-3",
+        r"Radau IIA with three stages damps a mode that stays, $z=\mathrm iy$, at every step",
+        radau(3),
+        three / (three + y.powi(6)),
+    );
+    page.claim("axis", "symmetric", r"the midpoint rule and Gauss with two and three stages keep a mode that stays, $|R(\mathrm iy)|=1$, at every step")
         .in_words()
         .under(&rules)
         .follows([MIDPOINT, gauss(2), gauss(3)].map(|method| Equal(size(method), n(1))));
@@ -136,14 +166,14 @@ fn plane(page: &mut Page) {
     say(
         "grows",
         "euler",
-        r"with $z=h\mu=a+\mathrm ib$. Euler: a mode that fades, $a<0$, grows from $h=-2\,\mathrm{Re}\,\mu/|\mu|^2$ on; one that grows is never hidden",
+        r"Euler lets a mode that fades, $z=h\mu=a+\mathrm ib$ with $a<0$, grow for $h>-2\,\mathrm{Re}\,\mu/|\mu|^2$, and never hides one that grows, $a>0$",
         EULER,
         n(1) + n(2) * a + square,
     );
     say(
         "grows",
         "backward-euler",
-        r"backward Euler: a mode that grows, $a>0$, is hidden from $h=2\,\mathrm{Re}\,\mu/|\mu|^2$ on: phantom stability at every longer step; one that fades always fades",
+        r"backward Euler hides a mode that grows, $z=h\mu=a+\mathrm ib$ with $a>0$, for $h>2\,\mathrm{Re}\,\mu/|\mu|^2$ (phantom stability), and lets every mode fade that fades, $a<0$",
         BACKWARD_EULER,
         n(1) / (n(1) - n(2) * a + square),
     );
@@ -152,7 +182,7 @@ fn plane(page: &mut Page) {
     say(
         "grows",
         "radau-2",
-        r"Radau IIA with two stages hides a mode where $|z|^4>72a-24a^2+8a|z|^2$: on the real axis from $h\mu=6$ on",
+        r"Radau IIA with two stages hides a mode that grows, $z=h\mu=a+\mathrm ib$ with $a>0$, where $|z|^4>72a-24a^2+8a|z|^2$",
         radau(2),
         n(1) + (n(72) * a - n(24) * a.powi(2) + n(8) * a * square - square.powi(2)) / below,
     );
@@ -160,14 +190,14 @@ fn plane(page: &mut Page) {
     say(
         "honest",
         "midpoint",
-        r"the midpoint rule: $|R|^2-1$ has the sign of $a$, at every step. It never hides a mode and never invents one",
+        r"the midpoint rule never hides a growing mode and never lets a fading one grow: $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
         MIDPOINT,
         n(1) + n(8) * a / modulus(n(2) - a, b),
     );
     say(
         "honest",
         "gauss-2",
-        "Gauss with two stages: the same",
+        r"Gauss with two stages never hides a growing mode and never lets a fading one grow: $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
         gauss(2),
         n(1) + n(24) * a * (n(12) + square)
             / modulus(n(12) - n(6) * a + a.powi(2) - b.powi(2), n(2) * a * b - n(6) * b),
@@ -176,7 +206,7 @@ fn plane(page: &mut Page) {
     say(
         "honest",
         "gauss-3",
-        "Gauss with three stages: the same",
+        r"Gauss with three stages never hides a growing mode and never lets a fading one grow: $|R|^2-1$ has the sign of $a$, $z=h\mu=a+\mathrm ib$, at every step",
         gauss(3),
         n(1) + n(48) * a * (n(600) + n(70) * a.powi(2) + n(30) * b.powi(2) + square.powi(2))
             / modulus(
@@ -192,33 +222,39 @@ fn real(page: &mut Page) {
     let [z, a] = letters(["z", "a"]);
     let cubic = |z: Sym| z.powi(3) - n(12) * z.powi(2) + n(12) * z - n(120);
     let below = n(60) - n(36) * z + n(9) * z.powi(2) - z.powi(3);
-    page.claim("grows", "radau-3-real", r"Radau IIA with three stages on a real mode: $1+R$ is minus the cubic $z^3-12z^2+12z-120$ over the denominator of $R$, and $R-1$ is $z((z-3)^2+51)$ over it: for $z>0$ a mode is hidden from the root of the cubic on")
+    page.claim("grows", "radau-3-real", r"Radau IIA with three stages on a real mode, $z=h\mu$: $(R^2-1)N^2 = -z\,((z-3)^2+51)(z^3-12z^2+12z-120)$ with the denominator $N=60-36z+9z^2-z^3$ of $R$, so that a mode that grows, $z>0$, is hidden where $z^3-12z^2+12z-120>0$")
         .in_words()
-        .follows([
-            Equal((n(1) + radau(3).run(z)) * below, -cubic(z)),
-            Equal((radau(3).run(z) - n(1)) * below, z * ((z - n(3)).powi(2) + n(51))),
-        ]);
-    let at = |value: i64| cubic(Sym::constant(Rational::new(value, 1_000_000)));
+        .follows([Equal(
+            (radau(3).run(z).powi(2) - n(1)) * below.powi(2),
+            -(z * ((z - n(3)).powi(2) + n(51)) * cubic(z)),
+        )]);
+    let [low, high] = [11_842_355, 11_842_356].map(|value| Sym::constant(Rational::new(value, 1_000_000)));
     page.claim(
         "grows",
         "radau-3-root",
-        r"that root lies between $11.842355$ and $11.842356$; beyond it, with $z=12+a$, the cubic is positive",
+        r"$z^3-12z^2+12z-120$ has one positive root, between $z_1=11.842355$ and $z_2=11.842356$: for $a>0$ it is negative at $z_1a/(1+a)$, that is on $(0,z_1)$, negative at $z_1$, positive at $z_2$ and at $z_2+a$, and its derivative is positive at $z_1+a$",
     )
     .in_words()
     .given([Positive(a)])
-    .by_signs([Positive(-at(11_842_355)), Positive(at(11_842_356)), Positive(cubic(n(12) + a))]);
+    .by_signs([
+        Positive(-cubic(low * a / (n(1) + a))),
+        Positive(-cubic(low)),
+        Positive(cubic(high)),
+        Positive(cubic(high + a)),
+        Positive(cubic(z).diff(z).substitute(&[(z, low + a)])),
+    ]);
 }
 
 /// q'' = -k q in steps of the splittings.
 fn kick_and_drift(page: &mut Page) {
     let [kappa, t] = letters(["κ", "T"]);
     let [[p, q], [r, s]] = step(Splitting::Strang, kappa);
-    page.claim("splitting", "strang", r"Strang's splitting of $\ddot q=-kq$ into kick and drift, $\kappa=h^2k$: the trace of a step; bounded if and only if $0<\kappa<4$")
+    page.claim("splitting", "strang", r"the trace of a step of Strang's splitting of $\ddot q=-kq$ into kick and drift, $\kappa=h^2k$: with the determinant one (phantom/splitting/area) the eigenvalues are a pair on the unit circle, not real, if and only if $|T|<2$, that is $0<\kappa<4$")
         .holds([Line::formula(p + s, t, n(2) - kappa)]);
     page.claim(
         "splitting",
         "area",
-        "the determinant of a step of Strang's splitting is one, as that of every composition of kicks and drifts, which are shears: such a step neither damps nor feeds, it stays bounded or leaves",
+        r"the determinant of a step of Strang's splitting of $\ddot q=-kq$ into kick and drift is one",
     )
     .in_words()
     .follows([Equal(p * s - q * r, n(1))]);

@@ -32,24 +32,24 @@ pub fn claims(page: &mut Page) {
     all.add::<3, 1>();
     all.add::<3, 2>();
     all.add::<4, 2>();
-    page.claim("combining", "exists", r"every reaction is $R = J^T\lambda + R^\tau$ with $JM^{-1}R^\tau=0$ (the extended choice) and also with $JR^\tau=0$ (Painlevé's), where $J$ has full rank")
+    page.claim("combining", "exists", r"every reaction is $R = J^T\lambda + R^\tau$ with $JM^{-1}R^\tau=0$ (the extended choice) and also with $JR^\tau=0$ (Painlevé's), where $J$ has full rank; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.exists);
-    page.claim("combining", "rank", r"the determinant of $JM^{-1}J^T$ is the sum of the squares of the minors of $J$, each over its masses: it is positive if and only if $J$ has full rank")
+    page.claim("combining", "rank", r"the determinant of $JM^{-1}J^T$ is the sum of the squares of the minors of $J$, each over its masses: it is positive if and only if $J$ has full rank; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.rank);
     unique::<2, 1>(page, "unique-2-1");
     unique::<3, 2>(page, "unique-3-2");
     unique::<4, 2>(page, "unique-4-2");
     unique_parts::<4, 2>(page);
-    page.claim("combining", "multipliers", r"with the extended friction $R^\tau$ beside the given forces the multipliers are those without friction, whatever the masses: kinematic constraints included")
+    page.claim("combining", "multipliers", r"with the extended friction $R^\tau$ beside the given forces the multipliers are those without friction, whatever the masses, kinematic constraints included; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.multipliers);
-    page.claim("combining", "motion", r"a force of friction as it acts, $R$, at a contact for one, changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$. So the motion depends on $R^\tau$ alone, and the normal forces of contacts do not depend on the friction there if and only if $JM^{-1}R=0$")
+    page.claim("combining", "motion", r"a force of friction $R$ changes the accelerations by $M^{-1}R^\tau$ and the multipliers by those of its own part $R^n=J^T\lambda^n$: $\ddot x(X+R) = \ddot x(X)+M^{-1}R^\tau$, $\lambda(X+R)=\lambda(X)-\lambda^n(R)$; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$. The motion depends on $R^\tau$ alone, and the multipliers do not depend on $R$ if and only if $\lambda^n=0$, that is $JM^{-1}R=0$")
         .in_words()
         .follows(all.motion);
     painleves_choice(page);
-    page.claim("combining", "commutes", r"with the projector $P$ onto the virtual displacements, $JM^{-1}P = J(M^{-1}P-PM^{-1})$ and $M^{-1}P-PM^{-1} = J^T(JJ^T)^{-1}K - K^T(JJ^T)^{-1}J$ with $K=JM^{-1}P$: Painlevé's choice leaves the multipliers alone if and only if $M$ commutes with $P$; equal masses are enough")
+    page.claim("combining", "commutes", r"with the projector $P$ onto the virtual displacements, $JM^{-1}P = J(M^{-1}P-PM^{-1})$ and $M^{-1}P-PM^{-1} = J^T(JJ^T)^{-1}K - K^T(JJ^T)^{-1}J$ with $K=JM^{-1}P$: Painlevé's choice leaves the multipliers alone if and only if $M$ commutes with $P$; sizes $(N,C)=(2,1),(3,1),(3,2),(4,2)$")
         .in_words()
         .follows(all.commutes);
     rod(page);
@@ -164,7 +164,7 @@ fn unique_parts<const N: usize, const C: usize>(page: &mut Page) {
     let length = (0..N).fold(Sym::ZERO, |sum, i| sum + friction[i] * friction[i] / any.masses[i]);
     let by_sums = any.per_mass(friction).into_iter().enumerate();
     let cofactors = by_sums.chain((0..C).map(|k| (N + k, -lambda[k]))).collect();
-    page.claim("combining", "unique-parts", r"where $J$ has not full rank $\lambda$ is not unique, but $R^n$ and $R^\tau$ are: the difference of two decompositions has $\sum (R^\tau)^2/m = 0$. Painlevé's choice is the extended one of equal masses")
+    page.claim("combining", "unique-parts", r"$R^n=J^T\lambda$ and $R^\tau$ are unique whatever the rank of $J$, here $(N,C)=(4,2)$: the difference of two extended decompositions of one reaction has $\sum (R^\tau)^2/m = 0$")
         .in_words()
         .given(sums.chain(orthogonal))
         .by_combination([(Zero(length), vec![], cofactors)]);
@@ -179,12 +179,13 @@ fn painleves_choice(page: &mut Page) {
     let [[j1, j2]] = any.rows;
     let ([m1, m2], [r1, r2]) = (any.masses, reaction);
     page.claim("combining", "painleve", r"with Painlevé's choice the multipliers are those without friction, whatever the masses: with two coordinates and one constraint, $\lambda_1$ does not change")
+        .why(r"Painlevé's $R^\tau$ has $JR^\tau=0$; the multipliers feel $JM^{-1}R^\tau$.")
         .fails([Line::formula(change, letter("λ1"), Sym::ZERO)]);
     let square = j1 * j1 + j2 * j2;
     page.claim(
         "combining",
         "painleve-change",
-        r"they change by this: not at all where the masses are equal, or where the constraint concerns one coordinate",
+        r"with Painlevé's choice, two coordinates and one constraint the multiplier changes by the value below: it does not where the masses are equal or where the constraint concerns one coordinate",
     )
     .holds([Line::formula(
         change,
@@ -217,7 +218,7 @@ fn rod(page: &mut Page) {
         .in_words()
         .follows((0..4).map(|i| Equal(split.of_friction[i], expected[i])));
     // the second row is the gap -y, so that its multiplier is -lambda_2 here
-    page.claim("combining", "rod-normal", r"and its part across the guide is $R_2 = \lambda_2 + m_1\mu\sin\theta\cos\theta$: the contact's normal force is not the multiplier")
+    page.claim("combining", "rod-normal", r"the guide's reaction across itself on the rod's point $M$ is $R_2 = \lambda_2 + m_1\mu\sin\theta\cos\theta$ with $\mu = R_1/(m+m_1\cos^2\theta)$: the contact's normal force is not the multiplier")
         .holds([Line::formula(up + split.multipliers[1], up - letter("λ2"), m1 * mu * sin * cos)]);
 
     let friction = letter("F");
@@ -228,11 +229,12 @@ fn rod(page: &mut Page) {
         "contact",
         r"the guide's push on the rod does not change with the friction $F$ along the guide: $R_2=0$ for the change",
     )
+    .why(r"The friction at the contact has a part $R^n$ along the rows of $J$, which the multipliers take up.")
     .fails([Line::formula(change, letter("R2"), Sym::ZERO)]);
     page.claim(
         "combining",
         "contact-change",
-        r"it changes by this; of the multipliers, only those of the decomposition do not",
+        r"the guide's push on the rod changes with the friction $F$ along the guide by the value below",
     )
     .holds([Line::formula(change, letter("R2"), -(m1 * friction * sin * cos / (m + m1 * cos * cos)))]);
     page.correct();

@@ -79,19 +79,19 @@ where
         let moved = |rates: Option<[Sym; R]>| motion.acceleration(rates.unwrap_or([Sym::UNDEFINED; R]));
         let name = self.name;
         let pushed = newton(&self.system, &motion.state, force).map(|pushed| pushed.acceleration);
-        page.claim(self.entry, "newton", format!("{name}: Newton's equations, with each reaction pushing where it does, give Lagrange's accelerations with multipliers"))
+        page.claim(self.entry, "newton", format!("{name}: Newton's equations, with each reaction acting where the body is touched, give the accelerations of Lagrange's multipliers"))
             .in_words()
             .follows(same(pushed.unwrap_or([Sym::UNDEFINED; N])));
         page.claim(
             self.entry,
             "lagrange",
             format!(
-                "{name}: so do Lagrange's equations of the second kind (Maggi's, where a kinematic constraint is left)"
+                "{name}: Lagrange's equations of the second kind (Maggi's, where a kinematic constraint is left) give the accelerations of Lagrange's multipliers"
             ),
         )
         .in_words()
         .follows(same(moved(second_kind::rates(&self.system, self.at, force).ok())));
-        page.claim(self.entry, "appell", format!(r"{name}: so do Appell's, $\partial S'/\partial\dot p_j = Q'_j$"))
+        page.claim(self.entry, "appell", format!(r"{name}: Appell's equations, $\partial S'/\partial\dot p_j = Q'_j$, give the accelerations of Lagrange's multipliers"))
             .in_words()
             .follows(same(moved(appell::rates(&self.system, &motion, force).ok())));
         self.combining(page, &motion);
@@ -117,7 +117,7 @@ where
         let admissible =
             Split::<N, C, R>::new(self.dependent).and_then(|split| accelerations(&self.system, &split, &state).ok());
         let least = admissible.and_then(|admissible| gauss::least(masses, force, &admissible).ok());
-        page.claim(self.entry, "gauss", format!("{}: so does Gauss' principle, the stationary point of $Z = \\frac12\\sum m(\\ddot x - X/m)^2$ over the accelerations that the constraints admit", self.name))
+        page.claim(self.entry, "gauss", format!("{}: the stationary point of $Z = \\frac12\\sum m(\\ddot x - X/m)^2$ over the accelerations that the constraints admit (Gauss) is the acceleration of Lagrange's multipliers", self.name))
             .in_words()
             .follows((0..N).map(|i| Equal(least.unwrap_or([Sym::UNDEFINED; N])[i], expected[i])));
         let directions = admissible.map_or([[Sym::UNDEFINED; N]; R], |admissible| admissible.directions);
@@ -125,7 +125,7 @@ where
             std::array::from_fn(|i| (0..R).fold(Sym::ZERO, |sum, j| sum + self.variations[j] * directions[j][i]));
         let moved = std::array::from_fn(|i| expected[i] + varied[i]);
         let more = gauss::constraint(masses, force, moved) - gauss::constraint(masses, force, expected);
-        page.claim(self.entry, "least", format!(r"{}: and the stationary point is the minimum: $Z(\ddot x+\delta)-Z(\ddot x) = \frac12\sum m\,\delta^2$ for every admissible $\delta$", self.name))
+        page.claim(self.entry, "least", format!(r"{}: the acceleration of Lagrange's multipliers is the minimum of $Z$ (Gauss): $Z(\ddot x+\delta)-Z(\ddot x) = \frac12\sum m\,\delta^2$ for every admissible $\delta$", self.name))
             .in_words()
             .follows([Equal(more, kinetic_energy(masses, varied))]);
     }
@@ -136,7 +136,7 @@ where
         let (masses, force): ([Sym; N], [Sym; N]) = (self.system.masses(), self.system.force(&state));
         let acceleration = self.by_multipliers([Sym::ZERO; N]).acceleration;
         let power = (0..N).fold(Sym::ZERO, |sum, i| sum + (masses[i] * acceleration[i] - force[i]) * state.velocity[i]);
-        page.claim(self.entry, "energy", format!("{}: the reactions do no work", self.name))
+        page.claim(self.entry, "energy", format!("{}: the reactions of Lagrange's multipliers do no work", self.name))
             .in_words()
             .follows([Zero(power)]);
     }
@@ -158,7 +158,7 @@ where
             self.entry,
             "shulgin",
             format!(
-                "{}: so do Shulgin's equations in redundant coordinates, with the term that they lose put back",
+                "{}: Shulgin's equations in redundant coordinates, with the term that they lose put back, give the accelerations of Lagrange's multipliers",
                 self.name
             ),
         )

@@ -94,10 +94,16 @@ fn knife_edge(page: &mut Page) {
     page.claim(
         "shulgin",
         "knife-edge",
-        r"the equations hold for nonholonomic systems too: nothing is lost on the knife edge, first equation",
+        r"Shulgin's equations hold for nonholonomic systems too: the first of them loses nothing on the knife edge",
     )
+    .why("The constraint is not integrable: the fields of the virtual displacements do not commute.")
     .fails([Line::formula(in_all.lost[0], letter("lost1"), Sym::ZERO)]);
-    page.claim("shulgin", "knife-edge-lost", r"they lose this term of the inertia").holds([Line::formula(
+    page.claim(
+        "shulgin",
+        "knife-edge-lost",
+        r"the first of Shulgin's equations loses a term of the inertia of the knife edge",
+    )
+    .holds([Line::formula(
         in_all.lost[0],
         letter("lost1"),
         m * dtheta * (d * dtheta * point.cos + v * point.sin) / point.cos.powi(2),
@@ -107,7 +113,8 @@ fn knife_edge(page: &mut Page) {
     let is = inertia(&case.system, &on_way, letters(["v̇", "θ̈"]));
     let weight = on_way.generalised(case.system.force(&on_way.state));
     let (dv, ddtheta) = (letter("v̇"), letter("θ̈"));
-    page.claim("shulgin", "sleigh", r"the knife edge in the blade's speed $v$ and $\dot\theta$, with $T^*=\frac12m(v^2+d^2\dot\theta^2)+\frac12J\dot\theta^2$")
+    page.claim("shulgin", "sleigh", r"Lagrange's equations of the knife edge in the blade's speed $v$ and $\dot\theta$, with the constraint put into the energy, $T^*=\frac12m(v^2+d^2\dot\theta^2)+\frac12J\dot\theta^2$")
+        .why("The constraint is not integrable, and the momentum along the bracket of its fields is lost from the energy.")
         .fails([
             Line::equation(is[0] - weight[0], m * dv, m * g * point.cos),
             Line::equation(is[1] - weight[1], (j + m * d * d) * ddtheta, -(m * g * d * point.sin)),
@@ -115,17 +122,17 @@ fn knife_edge(page: &mut Page) {
     page.claim(
         "shulgin",
         "sleigh-right",
-        r"Chaplygin's equations: the lost terms are $m d\dot\theta^2$ and $-m d v\dot\theta$",
+        r"Chaplygin's equations of the knife edge in $v$ and $\dot\theta$: the lost terms are $m d\dot\theta^2$ and $-m d v\dot\theta$",
     )
     .holds([
         Line::equation(is[0] - weight[0], m * dv, m * g * point.cos + m * d * dtheta * dtheta),
         Line::equation(is[1] - weight[1], (j + m * d * d) * ddtheta, -(m * g * d * point.sin) - m * d * v * dtheta),
     ]);
     page.correct();
-    page.claim("shulgin", "momentum", r"with the centre on the blade, $d=0$, the constraint is as little integrable, and yet nothing is lost in $v$, $\dot\theta$: the momentum across the blade, which the bracket multiplies, is zero. Integrability is enough, not necessary")
+    page.claim("shulgin", "momentum", r"on the knife edge with its centre on the blade, $d=0$, nothing is lost in $v$, $\dot\theta$, although its constraint is not integrable: integrability is enough, not necessary")
         .in_words()
         .follows(in_blade.lost.map(|term| Zero(term.substitute(&[(d, Sym::ZERO)]))));
-    page.claim("shulgin", "coordinates", r"and whether anything is lost depends on the velocities chosen: in $\dot x$ of the redundant coordinates something is, with $d=0$ too")
+    page.claim("shulgin", "coordinates", r"the lost term depends on the velocities chosen: in $\dot x$ of the redundant coordinates the knife edge loses a term with $d=0$ too")
         .holds([Line::formula(
             in_all.lost[0].substitute(&[(d, Sym::ZERO)]),
             letter("lost1"),
@@ -178,14 +185,16 @@ fn disc(page: &mut Page) {
     let lines = |sides: [(Sym, Sym); 3]| -> Vec<Line> {
         sides.into_iter().enumerate().map(|(i, (left, r))| Line::equation(is[i] - weight[i], left, r)).collect()
     };
-    page.claim("museum", "disc-wrong", r"the fault's equations of the rolling disc: the centre's velocity by rolling is put into $T$, and Lagrange's equations are written for $\psi$, $\theta$, $\varphi$")
+    page.claim("museum", "disc-wrong", r"a fault: the velocity of the rolling disc's centre is put into $T$, and Lagrange's equations are written for $\psi$, $\theta$, $\varphi$; they are those of principles/museum/disc")
         .in_words()
         .follows((0..3).map(|i| Equal(found.energy[i] - weight[i], wrong[i].0 - wrong[i].1)));
-    page.claim("museum", "disc", r"these are the equations of motion of the rolling disc").fails(lines(wrong));
-    page.claim("museum", "disc-right", r"the right ones; the fault lost $-m a^2\sin\theta\,\dot\theta\dot\varphi$ in the first and $m a^2\sin\theta\,\dot\theta\dot\psi$ in the third")
+    page.claim("museum", "disc", r"Lagrange's equations for $\psi$, $\theta$, $\varphi$, with the rolling put into $T$, are the equations of motion of the rolling disc")
+        .why("Rolling is not integrable, and the momentum along the brackets of its fields is lost from the energy.")
+        .fails(lines(wrong));
+    page.claim("museum", "disc-right", r"the equations of motion of the rolling disc have $-m a^2\sin\theta\,\dot\theta\dot\varphi$ in the first and $m a^2\sin\theta\,\dot\theta\dot\psi$ in the third beside those of Lagrange with the rolling put into $T$")
         .holds(lines(right));
     page.correct();
-    page.claim("museum", "disc-lost", r"and these two are what the identity names as lost, $\sum m\dot x\bigl(\frac{d}{dt}\frac{\partial\dot x}{\partial p_j} - X_j(\dot x)\bigr)$")
+    page.claim("museum", "disc-lost", r"the terms that Lagrange's equations of the rolling disc lose with the rolling put into $T$ are $\sum m\dot x\bigl(\frac{d}{dt}\frac{\partial\dot x}{\partial p_j} - X_j(\dot x)\bigr)$")
         .in_words()
         .follows([
             Equal(found.lost[0], -(m * a * a * sin * dtheta * dphi)),

@@ -89,16 +89,17 @@ fn kinematics_of_the_code(page: &mut Page) {
         m * (rates[0] + d * dtheta * dtheta) - m * g * cos,
         (j + m * d * d) * rates[1] - m * d * v * dtheta - m * g * d * sin,
     ];
-    page.claim("museum", "kinematics-agree", r"the fault: the knife edge with $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$; Appell's equations from the code are what one expects from these velocities on paper. The test passes")
+    page.claim("museum", "kinematics-agree", r"a fault: the knife edge with $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$; Appell's equations from code with these velocities agree with those derived from them on paper, so that a comparison of both passes")
         .in_words()
         .follows((0..2).map(|i| Equal(found[i], expected[i])));
     let slip = first_rates(&case.system, &motion.state)[1];
-    page.claim("museum", "kinematics", "so these are velocities of the knife edge: its blade does not slip sideways")
+    page.claim("museum", "kinematics", r"$\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$ are velocities of the knife edge: its blade does not slip sideways")
+        .why("The signs of the offset are those of a blade on the other side of the centre.")
         .fails([Line::formula(slip, letter("slip"), Sym::ZERO)]);
     page.claim(
         "museum",
         "kinematics-right",
-        r"it slips at this rate. What a chart must keep is asked of the constraint, which knows nothing of the chart",
+        r"the blade of the knife edge slips at the rate below with $\dot x = v\cos\theta + d\dot\theta\sin\theta$, $\dot y = v\sin\theta - d\dot\theta\cos\theta$",
     )
     .holds([Line::formula(slip, letter("slip"), -(d * dtheta + d * dtheta))]);
     page.correct();
@@ -117,15 +118,16 @@ fn appell_from_kinetic_energy(page: &mut Page) {
     };
     let wrong = appell(energy, [ddr, ddtheta]);
     let inertia = [m * ddr, m * r * r * ddtheta];
-    page.claim("museum", "appell-from", r"the fault: $S$ made of $T$ by writing $\ddot q$ for $\dot q$ gives $m\ddot r$ and $m r^2\ddot\theta$ for a point in polar coordinates")
+    page.claim("museum", "appell-from", r"a fault: $S$ made of $T$ by writing $\ddot q$ for $\dot q$ gives $m\ddot r$ and $m r^2\ddot\theta$ for a point in polar coordinates")
         .in_words()
         .follows([Equal(wrong[0], inertia[0]), Equal(wrong[1], inertia[1])]);
-    page.claim("museum", "appell", r"these are the equations of motion of a free point")
+    page.claim("museum", "appell", r"$m\ddot r=0$, $mr^2\ddot\theta=0$, from $S$ made of $T$ by writing $\ddot q$ for $\dot q$, are the equations of motion of a free point in polar coordinates")
+        .why(r"The acceleration of a point in polar coordinates does not vanish with $\ddot q$.")
         .fails([Line::equation(right[0], inertia[0], Sym::ZERO), Line::equation(right[1], inertia[1], Sym::ZERO)]);
     page.claim(
         "museum",
         "appell-right",
-        r"the fault lost the centrifugal and the Coriolis term, which stand in the acceleration at $\ddot q=0$",
+        r"the equations of motion of a free point in polar coordinates have the centrifugal and the Coriolis term, which stand in the acceleration at $\ddot q=0$",
     )
     .holds([
         Line::equation(right[0], inertia[0], m * r * dtheta * dtheta),
@@ -136,7 +138,7 @@ fn appell_from_kinetic_energy(page: &mut Page) {
         let forces: [Sym; 2] = std::array::from_fn(|i| m * motion.drift[i]);
         motion.generalised(forces)
     };
-    page.claim("museum", "appell-lost", r"in every chart the lost term is $\sum m\ddot x|_{\dot p=0}\,\partial\dot x/\partial p_j$; it vanishes in Cartesian coordinates")
+    page.claim("museum", "appell-lost", r"the term that is lost where $S$ is made of $T$ by writing $\ddot q$ for $\dot q$ is $\sum m\ddot x|_{\dot p=0}\,\partial\dot x/\partial p_j$, here in polar coordinates")
         .in_words()
         .follows((0..2).map(|j| Equal(right[j] - wrong[j], of_drift[j])));
 }

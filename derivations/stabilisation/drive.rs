@@ -97,14 +97,16 @@ fn equations(page: &mut Page) {
             Line::equation(residual[4], inertia * a6, motor * f5 - b6 * f6 - weight * angle.cos + two * lambda * crank * q7 * angle.sin),
             Line::equation(residual[5], mass * a7, -b7 * f7 + two * lambda * (q7 - crank * angle.cos)),
         ]);
-    page.claim("drive", "nine", r"of the charges only $q^3=q^4-q^5$ acts: with $\dot q^3=f^4-f^5$ the equations close in nine unknowns $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$")
+    page.claim("drive", "nine", r"of the drive's charges only $q^3=q^4-q^5$ acts: with $\dot q^3=f^4-f^5$ the equations close in nine unknowns $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$")
         .in_words()
         .follows(close_in_nine(&drive, &at));
-    page.claim("drive", "closure", r"the rod ties $q^7$ to $q^6$: the paper's constraint").holds([Line::equation(
-        instant.kinematics.value[0],
-        (q7 - crank * angle.cos).powi(2) + (crank * angle.sin).powi(2),
-        drive.mechanism.rod.powi(2),
-    )]);
+    page.claim("drive", "closure", r"the drive's rod ties $q^7$ to $q^6$ as in Mukharlyamov 2007").defines([
+        Line::equation(
+            instant.kinematics.value[0],
+            (q7 - crank * angle.cos).powi(2) + (crank * angle.sin).powi(2),
+            drive.mechanism.rod.powi(2),
+        ),
+    ]);
 }
 
 /// Of the charges only q3 = q4 - q5 acts: no force depends on q1, q2, nor on q4 and q5 but by their difference.
@@ -127,12 +129,13 @@ fn diode(page: &mut Page) {
     let two = Sym::int(2);
     let (one, gap) = (Sym::int(1), reverse - forward);
     page.claim("diode", "resistance", r"the differential resistance $u'$ of a diode lies between $R_{\mathrm f}$ and $R_{\mathrm r}$: with $\sigma=i/\sqrt{i^2+i_0^2}$, $|\sigma|<1$, it is $R_{\mathrm f}+\frac14(R_{\mathrm r}-R_{\mathrm f})(1-\sigma)^2(2+\sigma)$, and $R_{\mathrm r}-\frac14(R_{\mathrm r}-R_{\mathrm f})(1+\sigma)^2(2-\sigma)$")
+        .in_words()
         .given([NonZero(root)])
         .follows([
             Equal(resistance, forward + gap * (one - i / root).powi(2) * (two + i / root) / Sym::int(4)),
             Equal(resistance, reverse - gap * (one + i / root).powi(2) * (two - i / root) / Sym::int(4)),
         ]);
-    page.claim("diode", "voltage", r"the voltage of a diode, the slope of its content").holds([Line::formula(
+    page.claim("diode", "voltage", r"the voltage of a diode is the slope of its content").holds([Line::formula(
         voltage(&drive, i),
         letter("ui"),
         printed_voltage(i),
@@ -140,8 +143,9 @@ fn diode(page: &mut Page) {
     page.claim(
         "diode",
         "rest",
-        r"without current there is no voltage ($i_0>0$, so that $\sqrt{i_0^2}=i_0$): the diodes never give energy, $u(i)\,i\ge R_{\mathrm f}i^2$",
+        r"a diode without current has the voltage $\frac14(R_{\mathrm r}-R_{\mathrm f})(i_0-\sqrt{i_0^2})$, which is zero for $i_0>0$; with $u'\ge R_{\mathrm f}$ (stabilisation/diode/resistance) it never gives energy, $u(i)\,i\ge R_{\mathrm f}i^2$",
     )
+    .in_words()
     .follows([Equal(voltage(&drive, Sym::ZERO), gap * (knee - knee.powi(2).sqrt()) / Sym::int(4))]);
 }
 
@@ -181,11 +185,12 @@ fn power(page: &mut Page) {
     let (drive, at) = (drive(), anywhere());
     let instant = Instant::of(&drive, &at);
     let accelerations = letters(["a1", "a2", "a4", "a5", "a6", "a7"]);
-    page.claim("drive", "power", r"along the motion the energy of windings, capacitor, crank and slider changes by the source's power $Ef^1$, less the heat in resistances, diodes and bearings, plus $\lambda\dot f$: the motor's coupling gives and takes the same, and the rod's reaction works only where the constraint is violated")
+    page.claim("drive", "power", r"along the drive's motion the energy of windings, capacitor, crank and slider changes by the source's power $Ef^1$, less the heat in resistances, diodes and bearings, plus the work $\lambda\dot f$ of the rod's reaction, which is zero where the constraint holds")
         .in_words()
         .follows([balance(&drive, &at, accelerations, letter("λ"))]);
     let entry = |i: usize, j: usize| instant.force[i].diff(at.velocity[j]);
-    page.claim("drive", "coupling", r"the armature's voltage per speed of the crank and the crank's moment per current are opposite, $-K$ and $K$: a gyroscopic coupling, without work")
+    page.claim("drive", "coupling", r"the drive's armature voltage per speed of the crank and the crank's moment per current are opposite, $-K$ and $K$: a gyroscopic coupling, without work")
+        .in_words()
         .follows([Equal(entry(3, 4), -drive.circuit.motor), Equal(entry(4, 3), drive.circuit.motor)]);
 }
 
@@ -203,7 +208,7 @@ fn stabilised(page: &mut Page) {
         velocity: std::array::from_fn(|i| Tangent::moving(at.velocity[i], acceleration[i])),
     };
     let rate = Kinematics::of(&drive, &moved).rate[0];
-    page.claim("drive", "stabilised", r"the multiplier that leads the rod's violation: $\ddot f=Y$ for every $Y$, at any state of the drive, on the constraint or off it")
+    page.claim("drive", "stabilised", r"the multiplier that leads the violation $f$ of the drive's rod gives $\ddot f=Y$ for every $Y$, at any state of the drive, on the constraint or off it")
         .in_words()
         .follows([Equal(rate.slope, wanted)]);
 }
@@ -211,7 +216,8 @@ fn stabilised(page: &mut Page) {
 fn minimal(page: &mut Page) {
     let drive = drive();
     let place = drive.place(letter("t"), letters(["q1", "q2", "q4", "q5", "q6"]));
-    page.claim("drive", "chart", r"$q^7=r\cos q^6+\sqrt{l^2-r^2\sin^2q^6}$ keeps the constraint, for every angle where the root is real: $l>r$ suffices")
+    page.claim("drive", "chart", r"$q^7=r\cos q^6+\sqrt{l^2-r^2\sin^2q^6}$ keeps the constraint of the drive's rod, for every angle where the root is real")
+        .in_words()
         .follows([Zero(drive.constraints(letter("t"), place)[0])]);
     let [h, r, l] = letters(["h", "R1", "L1"]);
     let grown = super::schemes::Scheme::Euler.step([[-h * r / l]], [Sym::int(1)]);

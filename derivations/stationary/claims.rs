@@ -38,7 +38,7 @@ fn gradient(page: &mut Page, s: &Letters) {
     let slope = tensor * s.nu * s.omega0.powi(2) + share * (s.omega_field * s.omega0) + energies.weight;
     let residual = g.by_momentum(&s.stationary(s.omega_field, Sym::ZERO));
     let tangential = slope.cross(&s.nu);
-    page.claim("gradient", "relative-speed", r"a rotor that keeps its relative speed $\Omega$: the carrier's equations of motion, from the mass points, at $\omega^0\nu$ are $\nu\times\operatorname{grad}W$ with $W=T(\omega^0\nu,\Omega)-V(\nu)$, from the energies")
+    page.claim("gradient", "relative-speed", r"a rotor that keeps its relative speed $\Omega$: the residuals of the carrier's equations of motion, from the mass points, at $\omega^0\nu$ are $\nu\times\operatorname{grad}W$ with $W=T(\omega^0\nu,\Omega)-V(\nu)$, from the energies")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Equal(-residual[i], tangential[i])));
     let speed = letter("φ̇′");
@@ -47,15 +47,16 @@ fn gradient(page: &mut Page, s: &Letters) {
     let slope = tensor * s.nu * s.omega0.powi(2) + share * (own * s.omega0) + energies.weight;
     let residual = g.by_momentum(&s.stationary(speed, Sym::ZERO));
     let tangential = slope.cross(&s.nu);
-    page.claim("gradient", "own-momentum", r"a free rotor keeps $p'=\partial T/\partial\dot\varphi'$ (Routh): the same with $M=T_{\omega\omega}-T_{\omega\varphi}T_{\varphi\omega}/T_{\varphi\varphi}$, which is $A$, and $h=p'\,T_{\omega\varphi}/T_{\varphi\varphi}$")
+    page.claim("gradient", "own-momentum", r"a free rotor, which keeps $p'=\partial T/\partial\dot\varphi'$ (Routh): the residuals of the carrier's equations of motion at $\omega^0\nu$ are $\nu\times(\omega^{0\,2}M\nu+\omega^0h+\Gamma e)$ with $M=T_{\omega\omega}-T_{\omega\varphi}T_{\varphi\omega}/T_{\varphi\varphi}$, and $h=p'\,T_{\omega\varphi}/T_{\varphi\varphi}$")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Equal(-residual[i], tangential[i])));
     let reduced = g.reduced_tensor();
     page.claim(
         "gradient",
         "tensor",
-        r"Routh's tensor is $A$, that of all masses without the rotor's moment about its axis",
+        r"Routh's tensor $T_{\omega\omega}-T_{\omega\varphi}T_{\varphi\omega}/T_{\varphi\varphi}$ is $A$, that of all masses without the rotor's moment about its axis",
     )
+    .in_words()
     .under(&s.unit_axis)
     .follows((0..3).flat_map(|i| (0..3).map(move |j| Equal(tensor[(i, j)], reduced[(i, j)]))));
 }
@@ -77,7 +78,7 @@ fn momentum(page: &mut Page, s: &Letters) {
     page.claim(
         "momentum",
         "by-the-multiplier",
-        r"on a stationary motion it is known by the multiplier: $\omega^0\,x\cdot\nu = \lambda - \Gamma\,e\cdot\nu$",
+        r"the vertical angular momentum of a stationary motion with the multiplier $\lambda$ satisfies $\omega^0\,x\cdot\nu = \lambda - \Gamma\,e\cdot\nu$",
     )
     .given((0..3).map(|i| Zero(equation[i])))
     .given([Zero(s.nu.dot(&s.nu) - Sym::int(1))])
@@ -98,12 +99,13 @@ fn motor(page: &mut Page, s: &Letters) {
     page.claim(
         "motor",
         "branches",
-        r"a synchronous motor has the stationary angles $\gamma^0$ and $\pi-\gamma^0$: its moment is the same at both",
+        r"a synchronous motor has the stationary angles $\gamma^0$ and $\pi-\gamma^0$: its moment without slip is equal at both",
     )
+    .in_words()
     .follows([Equal(drive(&machine, turned, Sym::ZERO, &[], &mut []), moment)]);
     let point = Circle { cos: letter("c"), sin: letter("s") };
     let moment = drive(&machine, point, Sym::ZERO, &[], &mut []);
-    page.claim("motor", "pull-out", r"they merge where $\cos\gamma=0$, and with $M=0$ that is $(f\Omega)^2=b_0^2$: pull-out; beyond it $M=0$ has no root, since $|b_0\sin\gamma|\le|b_0|$")
+    page.claim("motor", "pull-out", r"the two stationary angles of a synchronous motor merge where $\cos\gamma=0$, with $M=0$ at $(f\Omega)^2=b_0^2$ (pull-out); for $|f\Omega|>|b_0|$ there is no root of $M=-f\Omega-b_0\sin\gamma$")
         .given([Zero(point.cos), Zero(moment), Zero(point.defect())])
         .by_combination([(
             Equal((f * s.omega_field).powi(2), s.b0.powi(2)),
@@ -147,17 +149,18 @@ fn multiplier(page: &mut Page, s: &Letters, m: &Multipliers) {
     let adjugate = mechanics::rotation::adjugate(&symmetric);
     let determinant = mechanics::rotation::determinant(&symmetric);
     let solved = symmetric * (adjugate * b) - b * determinant;
-    page.claim("multiplier", "adjugate", r"for a symmetric $K$ with any components and any $b$: $(K-\lambda)\,\mathrm{adj}(K-\lambda)\,b = \det(K-\lambda)\,b$: where the determinant is not zero $\nu=-\mathrm{adj}(K-\lambda)b/\det$ is the only direction, and $|\nu|=1$ is $|\mathrm{adj}(K-\lambda)b|^2=\det(K-\lambda)^2$, a polynomial with the coefficients of $K$ and $b$: no eigenvector is needed")
+    page.claim("multiplier", "adjugate", r"for a symmetric $K$ with any components and any $b$: $(K-\lambda)\,\mathrm{adj}(K-\lambda)\,b = \det(K-\lambda)\,b$. Where the determinant is not zero $\nu=-\mathrm{adj}(K-\lambda)b/\det(K-\lambda)$ is the only solution of $(K-\lambda)\nu+b=0$, and $|\nu|=1$ is $|\mathrm{adj}(K-\lambda)b|^2=\det(K-\lambda)^2$")
         .in_words()
         .follows(solved.iter().map(|&x| Zero(x)));
     let residual = Vector3::from_fn(|i, _| (m.alpha[i] - m.lambda) * m.direction[i] + m.delta[i]);
-    page.claim("multiplier", "direction", r"in the principal axes of $\omega^{0\,2}A^*$ (moments $\alpha_i$, $b=\delta$): $\nu_i=\delta_i/(\lambda-\alpha_i)$")
+    page.claim("multiplier", "direction", r"in the principal axes of $K=\omega^{0\,2}A^*$ with the moments $\alpha_i$, $(K-\lambda)\nu+\delta=0$ has the solution $\nu_i=\delta_i/(\lambda-\alpha_i)$")
+        .in_words()
         .follows(residual.iter().map(|&x| Zero(x)));
     let own = s.nu;
     page.claim(
         "multiplier",
         "different",
-        r"different directions have different multipliers: $\lambda=\nu\cdot(K\nu+b)$ where $|\nu|=1$",
+        r"each direction, $(K-\lambda)\nu+\delta=0$ with $|\nu|=1$, has one multiplier $\lambda=\nu\cdot(K\nu+\delta)$, here in the principal axes of $K$",
     )
     .given((0..3).map(|i| Zero((m.alpha[i] - m.lambda) * own[i] + m.delta[i])))
     .given([Zero(own.dot(&own) - Sym::int(1))])
@@ -172,10 +175,12 @@ fn multiplier(page: &mut Page, s: &Letters, m: &Multipliers) {
 fn gaps(page: &mut Page, m: &Multipliers) {
     let fourth = (0..3).fold(Sym::ZERO, |sum, i| sum + m.delta[i].powi(2) / (m.lambda - m.alpha[i]).powi(4));
     let curvature = m.excess().diff(m.lambda).diff(m.lambda);
-    page.claim("gaps", "convex", r"$|\nu|^2$ as a function of $\lambda$ is convex between poles: $\frac{d^2}{d\lambda^2}\sum\delta_i^2/(\lambda-\alpha_i)^2=6\sum\delta_i^2/(\lambda-\alpha_i)^4>0$. It grows without bound at each pole and tends to zero at infinity: one root of $|\nu|^2=1$ beyond either end; in a gap none, two, or one double: two, four or six in general position")
+    page.claim("gaps", "convex", r"$|\nu|^2=\sum\delta_i^2/(\lambda-\alpha_i)^2$ is convex in $\lambda$ between its poles: $\frac{d^2}{d\lambda^2}\sum\delta_i^2/(\lambda-\alpha_i)^2=6\sum\delta_i^2/(\lambda-\alpha_i)^4>0$. Since it grows without bound at each pole (all $\delta_i\ne0$), $|\nu|^2=1$ has in each gap between poles no root, two, or one double")
+        .in_words()
         .follows([Equal(curvature, Sym::int(6) * fourth)]);
     let slope = (0..3).fold(Sym::ZERO, |sum, i| sum + m.delta[i].powi(2) / (m.lambda - m.alpha[i]).powi(3));
-    page.claim("gaps", "monotonic", r"and beyond either end it is monotonic: its derivative is $-2\sum\delta_i^2/(\lambda-\alpha_i)^3$, whose terms have one sign there")
+    page.claim("gaps", "monotonic", r"$|\nu|^2=\sum\delta_i^2/(\lambda-\alpha_i)^2$ is monotonic in $\lambda$ beyond its first and beyond its last pole: its derivative is $-2\sum\delta_i^2/(\lambda-\alpha_i)^3$, whose terms have one sign there. Since it grows without bound at these poles and tends to zero at infinity, $|\nu|^2=1$ has one root beyond either end")
+        .in_words()
         .follows([Equal(m.excess().diff(m.lambda), -(Sym::int(2) * slope))]);
 }
 
@@ -185,26 +190,30 @@ fn beyond(page: &mut Page, m: &Multipliers) {
     let at = [(m.delta.z, Sym::ZERO), (m.lambda, m.alpha.z)];
     let direction = Vector3::new(m.direction.x.substitute(&at), m.direction.y.substitute(&at), z);
     let residual = Vector3::from_fn(|i, _| ((m.alpha[i] - m.lambda) * direction[i] + m.delta[i]).substitute(&at));
-    page.claim("beyond", "pair", r"where $b$ is orthogonal to an eigenvector, $\delta_3=0$: with $\lambda=\alpha_3$ the component $\nu_3$ is free, and $|\nu|=1$ gives $\nu_3=\pm\sqrt{1-\nu_1^2-\nu_2^2}$: a pair, where that is real")
+    page.claim("beyond", "pair", r"where $\delta$ is orthogonal to an eigenvector of $K$, $\delta_3=0$, and $\lambda=\alpha_3$, $(K-\lambda)\nu+\delta=0$ leaves the component $\nu_3$ free, and $|\nu|=1$ gives $\nu_3=\pm\sqrt{1-\nu_1^2-\nu_2^2}$: a pair, where that is real")
+        .in_words()
         .follows(residual.iter().map(|&x| Zero(x)));
     let at = [(m.delta.y, Sym::ZERO), (m.delta.z, Sym::ZERO), (m.alpha.y, m.alpha.z), (m.lambda, m.alpha.z)];
     let direction = Vector3::new(m.direction.x.substitute(&at), letter("ν2"), z);
     let residual = Vector3::from_fn(|i, _| ((m.alpha[i] - m.lambda) * direction[i] + m.delta[i]).substitute(&at));
-    page.claim("beyond", "circle", r"where $b$ is orthogonal to the eigenspace of a double eigenvalue: a circle, on which $\nu_2$ and $\nu_3$ are free but for $|\nu|=1$")
+    page.claim("beyond", "circle", r"where $\delta$ is orthogonal to the eigenspace of a double eigenvalue $\lambda$ of $K$, $(K-\lambda)\nu+\delta=0$ leaves $\nu_2$ and $\nu_3$ free but for $|\nu|=1$: a circle")
+        .in_words()
         .follows(residual.iter().map(|&x| Zero(x)));
 }
 
 /// Minimum, saddle, maximum by the place of lambda.
 fn kind(page: &mut Page, s: &Letters, m: &Multipliers) {
     let quotient = (0..3).fold(Sym::ZERO, |sum, i| sum + m.direction[i].powi(2) / (m.alpha[i] - m.lambda));
-    page.claim("kind", "slope", r"$\frac12\frac{d|\nu|^2}{d\lambda}=\nu\cdot(K-\lambda)^{-1}\nu$")
+    page.claim("kind", "slope", r"$\frac12\frac{d|\nu|^2}{d\lambda}=\nu\cdot(K-\lambda)^{-1}\nu$ for $\nu=-(K-\lambda)^{-1}\delta$, in the principal axes of $K$")
+        .in_words()
         .follows([Equal(m.excess().diff(m.lambda), Sym::int(2) * quotient)]);
     let (x, y) = (s.l, s.e);
     let h = m.alpha.map(|a| a - m.lambda);
     let form = |a: &Vector3<Sym>, b: &Vector3<Sym>| a.component_mul(&h).dot(b);
     let across = x.cross(&y);
     let cofactors = Vector3::new(h.y * h.z, h.z * h.x, h.x * h.y);
-    page.claim("kind", "tangent-plane", r"the determinant of $H=K-\lambda$ on the plane of two vectors $l$, $e$ is $(l\times e)\cdot\mathrm{adj}H\,(l\times e)$: on the tangent plane at $\nu$ it is $\det H\;\nu\cdot H^{-1}\nu$. So $W$ falls in as many directions as there are eigenvalues below $\lambda$, less one where $|\nu|^2$ falls there; and the second derivative is singular exactly where $d|\nu|^2/d\lambda=0$: two motions merge")
+    page.claim("kind", "tangent-plane", r"the determinant of $H=K-\lambda$ on the plane of two vectors $l$, $e$ is $(l\times e)\cdot\mathrm{adj}H\,(l\times e)$, in the principal axes of $K$: on the tangent plane at a unit vector $\nu$ it is $\det H\;\nu\cdot H^{-1}\nu$, which where $\det H\ne0$ vanishes with $d|\nu|^2/d\lambda$ (stationary/kind/slope)")
+        .in_words()
         .follows([Equal(
             form(&x, &x) * form(&y, &y) - form(&x, &y).powi(2),
             across.component_mul(&cofactors).dot(&across),
@@ -216,13 +225,13 @@ fn idle(page: &mut Page, s: &Letters) {
     let tilt = s.a_star.component_mul(&s.nu).cross(&s.nu);
     let volume = s.nu.dot(&s.l.cross(&s.e));
     let (first, second) = (s.e.cross(&s.nu), s.nu.cross(&s.l));
-    page.claim("idle", "principal", r"where $S^*=V^*=0$ but $\Pi^*\ne0$: $t=A^*\nu\times\nu$ is orthogonal to $\nu$, $l$ and $e$, which are independent; so $t=0$: a principal direction")
+    page.claim("idle", "principal", r"where $S^*=V^*=0$ but $\Pi^*\ne0$: $t=A^*\nu\times\nu$ is orthogonal to $\nu$, $l$ and $e$, which are independent, so that $t=0$: $\nu$ is a principal direction")
         .given([Zero(s.l.dot(&tilt)), Zero(s.e.dot(&tilt)), NonZero(volume)])
         .by_combination((0..3).map(|i| (Zero(tilt[i]), vec![2], vec![(0, first[i]), (1, second[i])])));
     let force = tilt * s.omega0.powi(2)
         + s.l.cross(&s.nu) * (s.axial * s.omega_field * s.omega0)
         + s.e.cross(&s.nu) * s.big_gamma;
-    page.claim("idle", "no-rotation", r"and about such a direction there is no rotation: $l\cdot$(6.5) is $\omega^{0\,2}V^*+\Gamma\Pi^*$, so that (6.5) with $t=0$ needs $\Gamma\Pi^*=0$. As $\omega^0\to\pm\infty$ the six branches of the cone tend to these directions, and never reach them")
+    page.claim("idle", "no-rotation", r"about a principal direction, $A^*\nu\times\nu=0$, with $\Gamma\Pi^*\ne0$ there is no rotation: (6.5) needs $\Gamma\Pi^*=0$ there")
         .given((0..3).map(|i| Zero(tilt[i])))
         .given((0..3).map(|i| Zero(force[i])))
         .by_combination([(

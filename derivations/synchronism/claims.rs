@@ -75,7 +75,8 @@ fn fold(page: &mut Page, s: &Letters) {
     let held = [s.gamma, Sym::ZERO];
     let angle = s.angle();
     let balance = rates(&bench, s, &held)[1] * s.axial + s.moment;
-    page.claim("fold", "load", r"the load under which the rotor keeps an angle is $M(\gamma)=-b_0\sin\gamma-f\Omega$; its slope is $-b_0\cos\gamma$, and its second derivative $b_0\sin\gamma$ is not zero where the slope is: each fold is a simple one, where exactly two angles merge")
+    page.claim("fold", "load", r"the load under which the rotor keeps an angle is $M(\gamma)=-b_0\sin\gamma-f\Omega$; its slope is $-b_0\cos\gamma$, and its second derivative $b_0\sin\gamma$ is not zero where the slope is: each fold is a simple one, at which two angles merge")
+        .in_words()
         .follows([
             Equal(balance, -(s.b0 * angle.sin) - letter("f") * s.omega_field),
             Equal(balance.diff(s.gamma), -(s.b0 * angle.cos)),
@@ -84,7 +85,8 @@ fn fold(page: &mut Page, s: &Letters) {
     let free = [s.gamma, s.dgamma];
     let law = rates(&bench, s, &free);
     let trace = law[0].diff(free[0]) + law[1].diff(free[1]);
-    page.claim("fold", "exchange", r"without currents the eigenvalues have the product $b_0\cos\gamma/A'$ and the sum $-f/A'$: with $f>0$ both are in the left half-plane where $\cos\gamma>0$, and one is positive where $\cos\gamma<0$: stability is exchanged at the fold, and there only")
+    page.claim("fold", "exchange", r"a synchronous motor without currents, linearised at a balance: the eigenvalues have the product $b_0\cos\gamma/A'$ and the sum $-f/A'$: with $f>0$ both are in the left half-plane where $\cos\gamma>0$, and one is positive where $\cos\gamma<0$, so that stability is exchanged at the fold")
+        .in_words()
         .follows([
             Equal(determinant(&free, &law), s.b0 * angle.cos / s.axial),
             Equal(trace, -(letter("f") / s.axial)),
@@ -94,7 +96,8 @@ fn fold(page: &mut Page, s: &Letters) {
         let (bench, state) = (wound(s, bars), state(s, bars));
         let sign = if bars.is_multiple_of(2) { Sym::int(-1) } else { Sym::int(1) };
         let windings = r1 / l1 * (0..bars).fold(Sym::int(1), |product, _| product * (r2 / l2));
-        page.claim("fold", slug, format!(r"with the excitation and $n_2={bars}$ the product of all eigenvalues is $\pm\frac{{b_0\cos\gamma}}{{A'}}\frac{{R_1}}{{L_1}}\left(\frac{{R_2}}{{L_2}}\right)^{{{bars}}}$: currents and damping move no fold, and an eigenvalue is zero where $\cos\gamma=0$ only"))
+        page.claim("fold", slug, format!(r"with the excitation and $n_2={bars}$ the product of all eigenvalues is $\pm\frac{{b_0\cos\gamma}}{{A'}}\frac{{R_1}}{{L_1}}\left(\frac{{R_2}}{{L_2}}\right)^{{{bars}}}$: currents and damping move no fold, for an eigenvalue is zero where $\cos\gamma=0$ only"))
+            .in_words()
             .given([Positive(r2)])
             .follows([Equal(determinant(&state, &rates(&bench, s, &state)), sign * s.b0 * angle.cos / s.axial * windings)]);
     }
@@ -107,9 +110,19 @@ fn energy(page: &mut Page, s: &Letters) {
         let value = height(&bench, s.moment, &state);
         let rate = state.iter().zip(&law).fold(Sym::ZERO, |sum, (&y, &dy)| sum + value.diff(y) * dy);
         let loss = (letter("μ") + letter("f")) * s.dgamma.powi(2) + heat(&bench.machine, &state[2..]);
-        page.claim("energy", slug, format!(r"under a constant load, with the excitation and $n_2={bars}$: $\dot V=-(\mu+f)\dot\gamma^2-\sum R_ki_k^2$; so a rotor whose $V$ is below both neighbouring balances stays between them and comes to the angle there"))
-            .follows([Equal(rate, -loss)]);
+        let at_rest: Vec<(Sym, Sym)> = state.iter().skip(1).map(|&y| (y, Sym::ZERO)).collect();
+        let moving = stored(s, &state);
+        page.claim("energy", slug, format!(r"under a constant load, with the excitation and $n_2={bars}$: $\dot V=-(\mu+f)\dot\gamma^2-\sum R_ki_k^2$, and $V=V|_{{\dot\gamma=i=0}}(\gamma)+\frac12A'\dot\gamma^2+\sum\frac12L_ki_k^2$. A rotor whose $V$ is less than at both neighbouring balances therefore stays between them (that it comes to rest at the angle there is LaSalle's theorem, which is cited)"))
+            .in_words()
+            .follows([Equal(rate, -loss), Equal(value, value.substitute(&at_rest) + moving)]);
     }
+}
+
+/// 1/2 A' g'^2 + sum 1/2 L_k i_k^2 of (g, g', x, i1, ...).
+fn stored(s: &Letters, state: &[Sym]) -> Sym {
+    let inductances = std::iter::once("L1").chain(std::iter::repeat("L2")).map(letter);
+    let squares = std::iter::once(s.axial).chain(inductances).zip(&state[1..]);
+    squares.fold(Sym::ZERO, |sum, (inertia, &speed)| sum + inertia * speed.powi(2)).half()
 }
 
 fn separatrix(page: &mut Page, s: &Letters) {
@@ -119,7 +132,8 @@ fn separatrix(page: &mut Page, s: &Letters) {
     let speed = Sym::int(2) * frequency * half.cos;
     let bench = plain(s);
     let energy = bench.machine.field_energy(half + half) + (s.axial * speed.powi(2)).half();
-    page.claim("separatrix", "speed", r"without friction and load $|\dot\gamma|=2\Omega'\cos\frac\gamma2$, $\Omega'^2=b_0/A'$, is the motion with the energy $b_0$ of the balance at $\gamma=\pi$: it leaves this and comes back after a turn (here $c,s$ of $\gamma/2$)")
+    page.claim("separatrix", "speed", r"without friction and load $|\dot\gamma|=2\Omega'\cos\frac\gamma2$, $\Omega'^2=b_0/A'$, has the energy $b_0$ of the balance at $\gamma=\pi$: the motion that leaves it and comes back after a turn")
+        .in_words()
         .under(&Hypotheses::none().on_circle(half))
         .given([Zero(s.axial * frequency.powi(2) - s.b0)])
         .by_combination([(Equal(energy, s.b0), vec![], vec![(0, Sym::int(2) * half.cos.powi(2))])]);
@@ -127,7 +141,8 @@ fn separatrix(page: &mut Page, s: &Letters) {
     let primitive = |half: Circle<Sym>| Sym::int(4) * frequency * half.sin;
     let slope = Sym::int(4) * frequency * half.moving(Sym::int(1)).sin.slope;
     let quarter = |sign: i64| Circle { cos: Sym::ZERO, sin: Sym::int(sign) };
-    page.claim("separatrix", "work", r"so friction takes $\int_{-\pi}^{\pi}f\,|\dot\gamma|\,d\gamma=8f\Omega'$ on it, a drag $P=M+f\Omega$ gives $2\pi P$: to the first order in friction the rotor can slip for ever from $P=\frac4\pi f\Omega'$ on ($\frac4\pi$ of the damping $f/\sqrt{A'b_0}$, in units of $b_0$)")
+    page.claim("separatrix", "work", r"along $|\dot\gamma|=2\Omega'\cos\frac\gamma2$, $\Omega'^2=b_0/A'$, friction takes $\int_{-\pi}^{\pi}f\,|\dot\gamma|\,d\gamma=8f\Omega'$. A drag $P=M+f\Omega$ gives $2\pi P$ in a turn: both are equal at $P=\frac4\pi f\Omega'$, which to the first order in friction is the threshold of lasting slip (Melnikov's method, which is cited)")
+        .in_words()
         .follows([
             Equal(slope.half(), speed),
             Equal(f * (primitive(quarter(1)) - primitive(quarter(-1))), Sym::int(8) * f * frequency),
@@ -139,7 +154,8 @@ fn carrier(page: &mut Page, s: &Letters) {
     let form = FirstForm::new(s.a, s.l, s.axial, weight);
     let of = |moment: Sym| form.accelerations(s.w, s.nu, s.dphi, moment).1;
     let lightness = (0..3).fold(Sym::int(1) / s.axial, |sum, i| sum + s.l[i].powi(2) / s.a[i]);
-    page.claim("carrier", "lightness", r"in a gyrostat the moment $M$ of motor and load gives the rotor, in any motion, the relative acceleration $\left(\frac1{A'}+l\cdot A^{-1}l\right)M$ beside that which it has without: the carrier gives way, and the rotor is lighter than on a bench")
+    page.claim("carrier", "lightness", r"in a gyrostat the moment $M$ of motor and load gives the rotor, in any motion, the relative acceleration $\left(\frac1{A'}+l\cdot A^{-1}l\right)M$ beside that which it has without $M$: the rotor is lighter than on a bench, where it has $M/A'$")
+        .in_words()
         .follows([Equal(of(s.moment) - of(Sym::ZERO), lightness * s.moment)]);
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f: letter("f") };
     // l along the third principal axis, which is vertical and holds the centre of mass
@@ -153,7 +169,8 @@ fn carrier(page: &mut Page, s: &Letters) {
     law.rates_under(s.moment, &at, &mut found);
     let light = Bench { axial: s.axial * s.a.z / (s.axial + s.a.z), ..plain(s) };
     let alone = rates(&light, s, &[s.gamma, s.dgamma]);
-    page.claim("carrier", "upright", r"about a vertical rotor axis that is a principal axis and holds the centre of mass the carrier stays upright, and the motor is exactly one on a bench with the moment of inertia $A'A_3/(A'+A_3)$: its pull-out is the same, its pull-in that of a lighter rotor")
+    page.claim("carrier", "upright", r"about a vertical rotor axis that is a principal axis and holds the centre of mass the carrier stays upright, and the motor is exactly one on a bench with the moment of inertia $A'A_3/(A'+A_3)$")
+        .in_words()
         .given([Positive(s.axial), Positive(s.a.z)])
         .follows([
             Zero(found[0]),

@@ -9,7 +9,7 @@ use mechanics::momentum::absolute_rate;
 use nalgebra::{Matrix3, Vector3};
 use symbolic::Sym;
 
-use Condition::{Equal, NonZero, Positive, Zero};
+use Condition::{Equal, Positive, Zero};
 
 pub fn claims(page: &mut Page, s: &Letters) {
     page.section("Beyond the paper: integrals, critical points");
@@ -26,18 +26,21 @@ fn integrals(page: &mut Page, s: &Letters) {
     let [x, _] = g.angular_momentum(moving, rotor);
     let nu = Vector3::from(along(s.nu.into(), s.nu.cross(&s.w).into()));
     page.claim("beyond-integrals", "vertical", r"$\nu\cdot\nu$ is conserved: its rate along (4.6) vanishes")
+        .in_words()
         .follows([Zero(nu.dot(&nu).slope)]);
     let residual = g.by_momentum(&s.motion());
     let carried = s.nu.dot(&Vector3::new(residual[0], residual[1], residual[2]));
-    page.claim("beyond-integrals", "momentum", r"the angular momentum about the vertical $x\cdot\nu$ is conserved for every machine: its rate is $\nu\cdot$(the carrier's equations), whatever $M$")
+    page.claim("beyond-integrals", "momentum", r"the angular momentum about the vertical, $x\cdot\nu$, is conserved for every machine: its rate is the product of $\nu$ with the residual of the carrier's equations, in which $M$ does not occur")
+        .in_words()
         .under(&s.unit_axis)
         .follows([Equal(x.dot(&nu).slope, carried)]);
     let still = absolute_rate(x, s.w).dot(&s.nu) - carried;
     page.claim(
         "beyond-integrals",
         "no-weight",
-        r"because the moment of the weight has no vertical part: $\nu\cdot(\Gamma e\times\nu)=0$",
+        r"$\nu\cdot(\dot x+\omega\times x)$ is the product of $\nu$ with the residual of the carrier's equations, for the moment of the weight has no vertical part, $\nu\cdot(\Gamma e\times\nu)=0$",
     )
+    .in_words()
     .under(&s.unit_axis)
     .follows([Zero(still - g.weight().cross(&s.nu).dot(&s.nu))]);
 }
@@ -49,7 +52,8 @@ fn critical_points(page: &mut Page, s: &Letters) {
         + s.big_gamma * s.e.dot(&s.nu);
     let slope = s.nu.map(|n| potential.diff(n));
     let tangential = slope.cross(&s.nu);
-    page.claim("beyond-critical", "gradient", r"(6.5) is $\operatorname{grad}U\times\nu=0$ with $U(\nu;\omega^0) = \frac12\omega^{0\,2}\,\nu\cdot A^*\nu + A'\Omega\omega^0\,l\cdot\nu + \Gamma\,e\cdot\nu$: the stationary directions for a given $\omega^0$ are the critical points of $U$ on the sphere, so there are at least two (greatest and least value)")
+    page.claim("beyond-critical", "gradient", r"(6.5) is $\operatorname{grad}U\times\nu=0$ with $U(\nu;\omega^0) = \frac12\omega^{0\,2}\,\nu\cdot A^*\nu + A'\Omega\omega^0\,l\cdot\nu + \Gamma\,e\cdot\nu$: the stationary directions for a given $\omega^0$ are the critical points of $U$ on the sphere (at least two, where a continuous function has its greatest and its least value)")
+        .in_words()
         .follows((0..3).map(|i| Equal(tangential[i], s.conditions()[i])));
     // (a_i - lambda) nu_i + d_i = 0, |nu| = 1
     let lambda = letter("λ");
@@ -62,7 +66,7 @@ fn critical_points(page: &mut Page, s: &Letters) {
     let plus = cyclic(|i, _, _| (a[i] - lambda) * s.nu[i] + d[i]);
     let minus = cyclic(|i, _, _| (a[i] - lambda) * s.nu[i] - d[i]);
     let norm = s.nu.dot(&s.nu) - one();
-    page.claim("beyond-critical", "sextic", r"with $\alpha_i = \omega^{0\,2}A_i^*$, $\delta = A'\Omega\omega^0l+\Gamma e$ and the multiplier $\lambda$, $(\alpha_i-\lambda)\nu_i + \delta_i = 0$ and $|\nu|=1$ give a sextic in $\lambda$; where all $\delta_i\ne0$, $\nu_i = \delta_i/(\lambda-\alpha_i)$ is one direction a root: at most six")
+    page.claim("beyond-critical", "sextic", r"with $\alpha_i = \omega^{0\,2}A_i^*$, $\delta = A'\Omega\omega^0l+\Gamma e$ and the multiplier $\lambda$, $(\alpha_i-\lambda)\nu_i + \delta_i = 0$ and $|\nu|=1$ give a sextic in $\lambda$; where all $\delta_i\ne0$ each root has the one direction $\nu_i = \delta_i/(\lambda-\alpha_i)$, so that there are at most six")
         .given([Zero(plus.x), Zero(plus.y), Zero(plus.z), Zero(norm)])
         .by_combination([(
             Zero(sextic),
@@ -87,11 +91,13 @@ fn bounds(page: &mut Page, s: &Letters) {
     page.claim(
         "beyond-singular",
         "reciprocal",
-        r"$1/D = 1 + A'\,l\cdot A^{-1}l$, in the principal axes of $A$ with moments $a+d_i$",
+        r"$1/D = 1 + A'\,l\cdot A^{-1}l$, in the principal axes of $A$ with moments $a+d_i$, where $D=\det A/\det A^*$",
     )
+    .in_words()
     .follows([Equal(mechanics::rotation::determinant(&all) / reduced, one() + s.axial * compliance)]);
     let room = l2.sum() / least - compliance;
-    page.claim("beyond-singular", "lower-bound", r"$D \ge a/(a+A')$ with the least principal moment $a$ of $A$ (no less than the carrier's least moment about $O$): $|l|^2/a - l\cdot A^{-1}l = \sum l_i^2d_i/(a(a+d_i)) \ge 0$, here for all $d_i>0$, $l_1\ne0$")
-        .given([Positive(least), Positive(d[0]), Positive(d[1]), Positive(d[2]), NonZero(s.l.x)])
-        .by_signs([Positive(room)]);
+    page.claim("beyond-singular", "lower-bound", r"$D \ge a/(a+A')$ with the least principal moment $a$ of $A$, by beyond-singular/reciprocal: $|l|^2/a - l\cdot A^{-1}l = \sum l_i^2d_i/(a(a+d_i))$, whose terms are not negative where the moments are $a+d_i\ge a>0$")
+        .in_words()
+        .given([Positive(least)])
+        .follows([Equal(room, (0..3).fold(Sym::ZERO, |sum, i| sum + l2[i] * d[i] / (least * (least + d[i]))))]);
 }

@@ -44,14 +44,14 @@ fn reduction(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
     let lumped_rates = lump(&rates);
     let says = if lines == 1 {
         format!(
-            r"$n_2={bars}$: all bars lie along one line, and one winding with flux $a_2\sqrt{{{bars}}}$ does exactly the same"
+            r"$n_2={bars}$: all bars lie along one line; the moment and the rates of the currents are those of one winding with the flux $a_2\sqrt{{{bars}}}$"
         )
     } else {
         format!(
-            r"$n_2={bars}$: two equal windings across each other with flux $a_2\sqrt{{{bars}/2}}$ do exactly the same"
+            r"$n_2={bars}$: the moment and the rates of the currents are those of two equal windings across each other with the flux $a_2\sqrt{{{bars}/2}}$"
         )
     };
-    page.claim("beyond-damper", slug, says).follows(
+    page.claim("beyond-damper", slug, says).in_words().follows(
         std::iter::once(Equal(moment, same_moment))
             .chain(lumped_rates.iter().zip(&same_rates).map(|(&a, &b)| Equal(a, b))),
     );
@@ -68,7 +68,8 @@ fn every_number(page: &mut Page, s: &Letters) {
     // closed form of sum_{k=1..n} cos(k 2h), at the doubled angle n 2h: (sin(n 2h + h) - sin h) / (2 sin h)
     let cosines = |end: Circle<Sym>| ((end + half).sin - half.sin) / (number(2, 1) * half.sin);
     let sines = |end: Circle<Sym>| (half.cos - (end + half).cos) / (number(2, 1) * half.sin);
-    page.claim("beyond-damper", "sums", r"$\sum_{k=1}^n\cos 2kh = \frac{\sin(2n+1)h - \sin h}{2\sin h}$ and the same for sines, by induction over $n$: beginning and step. At $h = 2\pi/N$, $n = N$ both sums are zero; the denominator vanishes for $N=1$ and $N=2$ only")
+    page.claim("beyond-damper", "sums", r"$\sum_{k=1}^n\cos 2kh = \frac{\sin(2n+1)h - \sin h}{2\sin h}$ and $\sum_{k=1}^n\sin 2kh = \frac{\cos h - \cos(2n+1)h}{2\sin h}$, by induction over $n$: beginning and step. At $h = 2\pi/N$, $n = N$ the angle $2nh=4\pi$ is that of the beginning, where both sums are zero; the denominator vanishes for $N=1$ and $N=2$ only")
+        .in_words()
         .under(&symbolic::Hypotheses::none().on_circle(half).on_circle(at))
         .given([NonZero(half.sin)])
         .follows([
@@ -80,7 +81,8 @@ fn every_number(page: &mut Page, s: &Letters) {
     // a bar's dyad in terms of its doubled angle
     let t = bar("t");
     let doubled = t + t;
-    page.claim("beyond-damper", "dyad", r"$u u^T = \frac12\left(1 + \begin{pmatrix}\cos2t&\sin2t\\ \sin2t&-\cos2t\end{pmatrix}\right)$: so $G=\sum u_nu_n^T = \frac N2\,1$ for every $N\ge3$, and has rank one for $N=1,2$")
+    page.claim("beyond-damper", "dyad", r"$u u^T = \frac12\left(1 + \begin{pmatrix}\cos2t&\sin2t\\ \sin2t&-\cos2t\end{pmatrix}\right)$ for a bar's direction $u=(\cos t,\sin t)$: summed over evenly spaced bars, with beyond-damper/sums, $\sum u_nu_n^T = \frac N2\,1$ for every $N\ge3$")
+        .in_words()
         .under(&symbolic::Hypotheses::none().on_circle(t))
         .follows([
             Equal(t.cos * t.cos, (one() + doubled.cos) / number(2, 1)),
@@ -91,7 +93,8 @@ fn every_number(page: &mut Page, s: &Letters) {
     let gamma = s.angle();
     let (a2, l2, r2, i) = (letter("a2"), letter("L2"), letter("R2"), current(1));
     let rate = (a2 * s.dgamma * (gamma + t).cos - r2 * i) / l2;
-    page.claim("beyond-damper", "closure", r"each bar, at any angle $t$: its moment is $-a_2\,(i\,u)\cdot(\cos\gamma,-\sin\gamma)$, and $L_2(i\,u)' = -R_2\,i\,u + a_2\dot\gamma\,uu^T(\cos\gamma,-\sin\gamma)$. Summed: the damper acts through $\sum i_nu_n$ alone, whatever the angles and $N$")
+    page.claim("beyond-damper", "closure", r"a bar at any angle $t$, $u=(\cos t,\sin t)$: its moment is $-a_2\,(i\,u)\cdot(\cos\gamma,-\sin\gamma)$, and $L_2(i\,u)' = -R_2\,i\,u + a_2\dot\gamma\,uu^T(\cos\gamma,-\sin\gamma)$. Summed over the bars: the damper acts through $\sum i_nu_n$ alone, whatever the angles and $N$")
+        .in_words()
         .under(&symbolic::Hypotheses::none().on_circle(t))
         .follows([
             Equal(-(a2 * i * (gamma + t).cos), -(a2 * (i * t.cos * gamma.cos - i * t.sin * gamma.sin))),
@@ -121,6 +124,7 @@ fn other_modes(page: &mut Page, s: &Letters) {
         }
     }
     page.claim("beyond-damper", "other-modes", r"combinations of currents that are orthogonal to the bars' directions feel no field and die out as $e^{-R_2t/L_2}$: $i_1+i_2$ for $n_2=2$, $i_1+i_2+i_3$ for 3, $i_1+i_3$ and $i_2+i_4$ for 4")
+        .in_words()
         .follows(decays);
 }
 
@@ -130,21 +134,22 @@ fn constant_slip(page: &mut Page, s: &Letters) {
     let slip = s.dgamma;
     let gamma = s.angle();
     let norm = r2.powi(2) + (l2 * slip).powi(2);
-    let bars = 3;
     let steady = |bar: Circle<Sym>| {
         let p = gamma + bar;
         a2 * slip * (r2 * p.cos + l2 * slip * p.sin) / norm
     };
-    let motor = s.evenly_spaced(bars);
-    let currents: Vec<Sym> = std::iter::once(Sym::ZERO).chain(motor.bars.iter().map(|&bar| steady(bar))).collect();
-    let (_, rates) = driven(motor.clone(), s, &currents);
-    page.claim("beyond-damper", "constant-slip", r"at constant $\dot\gamma$: $i_n = a_2\dot\gamma\,\frac{R_2\cos(\gamma+t_n) + L_2\dot\gamma\sin(\gamma+t_n)}{R_2^2 + L_2^2\dot\gamma^2}$ is a solution for each bar")
+    let motor = s.motor(1);
+    let currents = [Sym::ZERO, steady(motor.bars[0])];
+    let (_, rates) = driven(motor, s, &currents);
+    page.claim("beyond-damper", "constant-slip", r"at constant $\dot\gamma$ the equation of a bar at any angle $t_n$ has the solution $i_n = a_2\dot\gamma\,\frac{R_2\cos(\gamma+t_n) + L_2\dot\gamma\sin(\gamma+t_n)}{R_2^2 + L_2^2\dot\gamma^2}$")
+        .in_words()
         .given([Positive(r2)])
-        .follows((1..=bars as usize).map(|n| Equal(rates[n], currents[n].diff(s.gamma) * slip)));
+        .follows([Equal(rates[1], currents[1].diff(s.gamma) * slip)]);
     for (bars, slug) in [(3u32, "kloss-three"), (4, "kloss-four"), (6, "kloss-six")] {
         let motor = s.evenly_spaced(bars);
         let moment = motor.bars.iter().fold(Sym::ZERO, |sum, &bar| sum - a2 * steady(bar) * (gamma + bar).cos);
-        page.claim("beyond-damper", slug, format!(r"its moment is then constant and is Kloss' with critical slip $R_2/L_2$: $-\frac{{n_2}}2\,\frac{{a_2^2R_2\dot\gamma}}{{R_2^2+L_2^2\dot\gamma^2}}$, $n_2={bars}$"))
+        page.claim("beyond-damper", slug, format!(r"at constant $\dot\gamma$ the moment of $n_2={bars}$ evenly spaced bars is constant and is Kloss' with the critical slip $R_2/L_2$: $-\frac{{n_2}}2\,\frac{{a_2^2R_2\dot\gamma}}{{R_2^2+L_2^2\dot\gamma^2}}$"))
+            .in_words()
             .follows([Equal(moment, -(number(bars.into(), 2) * a2.powi(2) * r2 * slip / norm))]);
     }
     let single = s.evenly_spaced(1).bars[0];
@@ -153,8 +158,9 @@ fn constant_slip(page: &mut Page, s: &Letters) {
     page.claim(
         "beyond-damper",
         "pulsating",
-        r"one bar: the moment pulsates with the double angle about half of Kloss' value, and takes both signs",
+        r"at constant $\dot\gamma$ one bar's moment is $-\frac{a_2^2\dot\gamma}{2(R_2^2+L_2^2\dot\gamma^2)}(R_2+R_2\cos2p+L_2\dot\gamma\sin2p)$, $p=\gamma+t_1$: it pulsates with the double angle about its mean",
     )
+    .in_words()
     .follows([Equal(
         moment,
         -(a2.powi(2) * slip / (number(2, 1) * norm) * (r2 + r2 * double.cos + l2 * slip * double.sin)),

@@ -16,7 +16,8 @@ pub fn claims(page: &mut Page, s: &Letters) {
     let g = s.general();
     let by_momentum = g.by_momentum(&s.motion());
     let by_appell = g.by_appell(&s.motion());
-    page.claim("beyond-routes", "appell", r"Appell's equations, from the accelerations of the mass points, are the theorem of angular momentum for the carrier and the rotor: all data free")
+    page.claim("beyond-routes", "appell", r"Appell's equations, from the accelerations of the mass points, are the theorem of angular momentum for the carrier and the rotor, for all data")
+        .in_words()
         .under(&s.unit_axis)
         .follows((0..4).map(|i| Equal(by_appell[i], by_momentum[i])));
 
@@ -24,7 +25,8 @@ pub fn claims(page: &mut Page, s: &Letters) {
     let motion = Motion { vertical: vertical(&euler([angles[0], angles[1], angles[2]])), ..s.motion() };
     let at_angles = g.by_momentum(&motion);
     let by_hamel = g.by_hamel(angles, &motion);
-    page.claim("beyond-routes", "hamel", r"the equations of Boltzmann and Hamel in the quasi-velocities $(\omega, \dot\varphi')$, with brackets from Euler's angles, are the same")
+    page.claim("beyond-routes", "hamel", r"the equations of Boltzmann and Hamel in the quasi-velocities $(\omega, \dot\varphi')$, with brackets from Euler's angles, are the theorem of angular momentum for the carrier and the rotor")
+        .in_words()
         .under(&s.unit_axis)
         .follows((0..4).map(|i| Equal(by_hamel[i], at_angles[i])));
     lagrange(page, s);
@@ -50,7 +52,8 @@ fn lagrange(page: &mut Page, s: &Letters) {
     let [x, y, z, rotor] = g.by_momentum(&motion);
     let expected = forms.map(|x| x.value).transpose() * Vector3::new(x, y, z);
     let expected: [Sym; 4] = [expected.x, expected.y, expected.z, rotor];
-    page.claim("beyond-routes", "lagrange", r"Lagrange's equations of the second kind in Euler's angles are $W^T$ times those of the carrier, $\omega = W\dot q$, and the same for the rotor")
+    page.claim("beyond-routes", "lagrange", r"Lagrange's equations of the second kind in Euler's angles are $W^T$ times the carrier's equations by angular momentum, where $\omega = W\dot q$; Lagrange's equation of the rotor is its equation by angular momentum")
+        .in_words()
         .under(&s.unit_axis)
         .follows((0..4).map(|i| Equal(by_lagrange[i], expected[i])));
 }

@@ -17,8 +17,12 @@ pub fn claims(page: &mut Page, s: &Letters) {
     let centre_part = h.cross(&w.cross(&h)) * s.m_rotor;
     let across = l.cross(&w.cross(&l)) * s.transverse;
 
-    page.claim("eq2.1", "components", r"components of $\omega, \nu, l, h, c^0$ in axes fixed in the carrier")
-        .defines([]);
+    page.claim(
+        "eq2.1",
+        "components",
+        r"(2.1) names the components of $\omega, \nu, l, h, c^0$ in axes fixed in the carrier",
+    )
+    .defines([]);
 
     let printed = a0 * w + centre_part + l * (s.axial * (w.dot(&l) + s.dphi)) + across;
     page.claim("eq2.2", "momentum", "angular momentum about $O$ as the integral over all mass points")
@@ -26,9 +30,13 @@ pub fn claims(page: &mut Page, s: &Letters) {
         .holds(formulas(x, momentum, printed));
     let by_energy: [Sym; 3] =
         gradient(|[a, b, c]| g.kinetic_energy(Vector3::new(a, b, c), field::Tangent::fixed(s.dphi)), w.into());
-    page.claim("eq2.2", "from-energy", r"the same as $\partial T/\partial\omega$ of the bodies' kinetic energy")
-        .under(&s.unit_axis)
-        .holds(formulas(x, by_energy.into(), printed));
+    page.claim(
+        "eq2.2",
+        "from-energy",
+        r"angular momentum about $O$ as $\partial T/\partial\omega$ of the bodies' kinetic energy",
+    )
+    .under(&s.unit_axis)
+    .holds(formulas(x, by_energy.into(), printed));
 
     let along = l * l.transpose() * s.axial;
     let (full, named) = (g.full_tensor(), tensor("A⋆"));
@@ -55,9 +63,13 @@ pub fn claims(page: &mut Page, s: &Letters) {
         momentum,
         named * w + l * (s.axial * p),
     ));
-    page.claim("eq2.6", "reduced-tensor", r"$A\omega$: the same without the rotor's moment about its axis")
-        .under(&s.unit_axis)
-        .holds(formulas(x, reduced * w, a0 * w + centre_part + across));
+    page.claim(
+        "eq2.6",
+        "reduced-tensor",
+        r"$A\omega$ from the bodies' data, without the rotor's moment of inertia about its own axis",
+    )
+    .under(&s.unit_axis)
+    .holds(formulas(x, reduced * w, a0 * w + centre_part + across));
     let axial_spin = (w + l * s.dphi).dot(&l);
     page.claim("eq2.7", "absolute-spin", r"$p'$, the projection of the rotor's absolute angular velocity on $l$")
         .under(&s.unit_axis)
@@ -94,7 +106,7 @@ fn components(page: &mut Page, s: &Letters, slug: &'static str, tensor: Matrix3<
         },
     ));
     if slug == "full" {
-        page.claim("eq2.8", "symmetric", "the other three components are equal to those with indices exchanged")
+        page.claim("eq2.8", "symmetric", "the components 21, 32, 13 of $A^*$ are those with the indices exchanged")
             .under(&s.unit_axis)
             .follows((0..3).map(|i| {
                 let j = (i + 1) % 3;
@@ -112,9 +124,13 @@ fn rotor(page: &mut Page, s: &Letters) {
     let axial_acceleration = s.dw.x * s.l.x + s.dw.y * s.l.y + s.dw.z * s.l.z;
     let dp = letter("ṗ′");
     let with_dp = by_momentum.substitute(&[(s.ddphi, dp - axial_acceleration)]);
-    page.claim("eq2.9", "rotor", r"moments about $l$, with $\ddot\varphi' = \dot p' - \dot\omega\cdot l$ from (2.7)")
-        .under(&s.unit_axis)
-        .holds([Line::equation(with_dp, s.axial * dp, s.moment)]);
+    page.claim(
+        "eq2.9",
+        "rotor",
+        r"the rotor's equation about $l$, with $\ddot\varphi' = \dot p' - \dot\omega\cdot l$ from (2.7)",
+    )
+    .under(&s.unit_axis)
+    .holds([Line::equation(with_dp, s.axial * dp, s.moment)]);
     for (slug, residual, route) in
         [("by-momentum", by_momentum, "angular momentum of the rotor"), ("by-appell", by_appell, "Appell")]
     {

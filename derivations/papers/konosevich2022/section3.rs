@@ -79,7 +79,7 @@ fn currentless(page: &mut Page, s: &Letters) {
     page.claim(
         "eq3.1",
         "moment",
-        r"from $U = -b_0\cos\gamma$ and friction; $\Delta M_2 = M_2(\dot\gamma+\Omega) + c_0$, $c_0 = -M_2(\Omega)$",
+        r"moment of the synchronous motor from $U = -b_0\cos\gamma$ and friction; $\Delta M_2 = M_2(\dot\gamma+\Omega) + c_0$, $c_0 = -M_2(\Omega)$",
     )
     .holds([Line::formula(moment, s.moment, excess_friction(s) - s.b0 * s.angle().sin - c0)]);
 }
@@ -94,16 +94,23 @@ fn signs(page: &mut Page, s: &Letters) {
     )
     .given([Condition::Positive(secant), Condition::NonZero(s.dgamma)])
     .note("Strictness is needed: a law that is constant between two speeds makes the product zero.")
-    .by_signs([Condition::Positive(-(s.dgamma * (-secant * s.dgamma)))]);
+    .by_signs([Condition::Positive(-(s.dgamma * decreasing(s, excess_friction(s), secant)))]);
     page.claim("eq3.2", "at-synchronism", r"$\Delta M_2(0) = 0$")
         .follows([Condition::Zero(excess_friction(s).substitute(&[(s.dgamma, Sym::ZERO)]))]);
     page.claim(
         "section3-motors",
         "c0-positive",
-        r"$c_0 = -M_2(\Omega) > 0$: odd, so $M_2(0)=0$, and $M_2(\Omega) = -\kappa\Omega$",
+        r"$c_0 = -M_2(\Omega) > 0$ for an odd law, $M_2(0)=0$, with the secant $M_2(\Omega) = -\kappa\Omega$",
     )
     .given([Condition::Positive(secant), Condition::Positive(s.omega_field)])
-    .by_signs([Condition::Positive(secant * s.omega_field)]);
+    .by_signs([Condition::Positive(
+        (-friction(s.omega_field)).substitute(&[(friction(s.omega_field), -(secant * s.omega_field))]),
+    )]);
+}
+
+/// An expression in M2(g' + W) with the secant's M2(W) - kappa g' in its place.
+pub fn decreasing(s: &Letters, e: Sym, secant: Sym) -> Sym {
+    e.substitute(&[(friction(s.dgamma + s.omega_field), friction(s.omega_field) - secant * s.dgamma)])
 }
 
 fn multi_current(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
@@ -143,7 +150,7 @@ pub fn current_equations(s: &Letters, bars: u32, rates: &[Sym]) -> Vec<Line> {
 fn asynchronous(page: &mut Page, s: &Letters) {
     let [k, f, kappa] = ["k", "f", "κ"].map(letter);
     let omega = s.omega_field;
-    page.claim("section3-motors", "working-speed", r"$M(0) > 0 > M(\Omega)$, so by continuity $M$ vanishes at some $\Omega' \in (0,\Omega)$: with $M_1(0) = k\Omega$, $M_1(\Omega) = 0$, $M_2(\Omega) = -\kappa\Omega$")
+    page.claim("section3-motors", "working-speed", r"$M(0) = k\Omega > 0$ and $-M(\Omega) = \kappa\Omega > 0$ with $M_1(0) = k\Omega$, $M_1(\Omega) = 0$, $M_2(0) = 0$, $M_2(\Omega) = -\kappa\Omega$. The working speed $\Omega' \in (0,\Omega)$ is then the intermediate value theorem's, which is cited for a continuous $M$")
         .given([k, kappa, omega].map(Condition::Positive))
         .note(r"The condition $M_1(0) > -M_2(0)$ of the paper is $M_1(0) > 0$, since an odd law of friction vanishes at rest.")
         .by_signs([Condition::Positive(k * omega), Condition::Positive(kappa * omega)]);
@@ -190,7 +197,7 @@ fn kloss(page: &mut Page, s: &Letters) {
     page.claim("section3-motors", "dissipative", r"$\dot\gamma M(\dot\gamma) < 0$ for all $\dot\gamma \neq 0$ about a working speed $\Omega'$ of any asynchronous motor (here: Kloss, $\Omega' = \Omega/2$)")
         .given([pull_out, critical, f, omega].map(Condition::Positive))
         .given([Condition::Zero(moment_at(working)), Condition::NonZero(s.dgamma)])
-        .note("Kloss' moment falls beyond the critical slip, and friction can cut it at three speeds; between two of them the moment drives away from the working speed.")
+        .why("Kloss' moment falls beyond the critical slip, and friction can cut it at three speeds; between two of them the moment drives away from the working speed.")
         .refuted(
             [Condition::Positive(-(s.dgamma * moment_at(working + s.dgamma)))],
             Point::of([
@@ -202,7 +209,7 @@ fn kloss(page: &mut Page, s: &Letters) {
             ]),
         );
     let [drop, friction_secant] = [letter("k"), letter("κ")];
-    page.claim("section3-motors", "dissipative-if-decreasing", r"it holds where $M_1$ decreases too: with secants $M_1(\Omega'+\dot\gamma)-M_1(\Omega') = -k\dot\gamma$ and $M_2(\Omega'+\dot\gamma)-M_2(\Omega') = -\kappa\dot\gamma$")
+    page.claim("section3-motors", "dissipative-if-decreasing", r"$\dot\gamma M(\dot\gamma) < 0$ for $\dot\gamma \neq 0$ where $M_1$ decreases too: with secants $M_1(\Omega'+\dot\gamma)-M_1(\Omega') = -k\dot\gamma$ and $M_2(\Omega'+\dot\gamma)-M_2(\Omega') = -\kappa\dot\gamma$")
         .given([drop, friction_secant].map(Condition::Positive))
         .given([Condition::NonZero(s.dgamma)])
         .by_signs([Condition::Positive(-(s.dgamma * (-(drop * s.dgamma) - friction_secant * s.dgamma)))]);

@@ -17,7 +17,12 @@ use symbolic::Sym;
 pub fn claims(page: &mut Page, s: &Letters) {
     page.section("4. First form of the equations");
     momentum_theorem(page, s);
-    page.claim("eq4.2", "components", "components of the unit vector $e$ from $O$ to the centre of mass").defines([]);
+    page.claim(
+        "eq4.2",
+        "components",
+        "(4.2) names the components of the unit vector $e$ from $O$ to the centre of mass",
+    )
+    .defines([]);
     first_form(page, s);
     kinematics(page, s);
     currents(page, s);
@@ -71,22 +76,28 @@ fn first_form(page: &mut Page, s: &Letters) {
         .holds((0..3).map(|i| Line::equation(by_momentum[i], a[i] * s.dw[i], right(p)[i])));
     let [r1, r2, r3, rotor] = g.by_appell(&s.motion());
     let by_appell = Vector3::new(r1, r2, r3) - l * rotor;
-    page.claim("eq4.3", "by-appell", r"the same from the acceleration energy of the mass points")
-        .under(&s.unit_axis)
-        .holds((0..3).map(|i| Line::equation(by_appell[i], a[i] * s.dw[i], right(p)[i])));
+    page.claim(
+        "eq4.3",
+        "by-appell",
+        r"first form of the carrier's equations, from the acceleration energy of the mass points (Appell)",
+    )
+    .under(&s.unit_axis)
+    .holds((0..3).map(|i| Line::equation(by_appell[i], a[i] * s.dw[i], right(p)[i])));
 
     let from_field = less_rotor(s.motion_from_field());
     let spin = w.x * l.x + w.y * l.y + w.z * l.z + s.dgamma + s.omega_field;
-    page.claim("eq4.4", "carrier", r"the same with $p' = \omega\cdot l + \dot\gamma + \Omega$")
-        .under(&s.unit_axis)
-        .holds((0..3).map(|i| Line::equation(from_field[i], a[i] * s.dw[i], right(spin)[i])));
+    page.claim(
+        "eq4.4",
+        "carrier",
+        r"first form of the carrier's equations with $p' = \omega\cdot l + \dot\gamma + \Omega$",
+    )
+    .under(&s.unit_axis)
+    .holds((0..3).map(|i| Line::equation(from_field[i], a[i] * s.dw[i], right(spin)[i])));
     let rotor = g.by_momentum(&s.motion_from_field())[3];
     let right = -(s.axial * (l.x * s.dw.x + l.y * s.dw.y + l.z * s.dw.z)) + s.moment;
-    page.claim("eq4.5", "rotor", "equation of the rotor").under(&s.unit_axis).holds([Line::equation(
-        rotor,
-        s.axial * s.ddgamma,
-        right,
-    )]);
+    page.claim("eq4.5", "rotor", "the rotor's equation in the angle from the field")
+        .under(&s.unit_axis)
+        .holds([Line::equation(rotor, s.axial * s.ddgamma, right)]);
 }
 
 /// (4.6) from the constancy of the vertical in space, and once more from the rotation matrix of Euler's angles.
@@ -105,7 +116,8 @@ fn kinematics(page: &mut Page, s: &Letters) {
     let turning = euler(along(angles, rates));
     let moving = vertical(&turning);
     let right = printed(angular_velocity(turning), moving.map(|x| x.value));
-    page.claim("eq4.6", "from-angles", r"the same from the rotation matrix: $\nu$ its third row, $[\omega] = R^TR'$")
+    page.claim("eq4.6", "from-angles", r"$\dot\nu = \nu\times\omega$ from the rotation matrix $R$ of Euler's angles: $\nu$ is its third row, $[\omega] = R^T\dot R$")
+        .in_words()
         .follows((0..3).map(|i| Condition::Equal(moving[i].slope, right[i])));
 }
 
@@ -128,7 +140,7 @@ fn solved(page: &mut Page, s: &Letters) {
     let form = FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma);
     let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.moment);
     let motion = crate::systems::gyrostat::Motion { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
-    page.claim("eq4.3", "runs", "the right-hand side that is integrated makes the momentum equations vanish")
+    page.claim("eq4.3", "runs", "first form: the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));
     let (dw, reaction) = form.prescribed(s.w, s.nu, s.dphi);
@@ -138,7 +150,7 @@ fn solved(page: &mut Page, s: &Letters) {
         moment: reaction,
         ..s.motion()
     };
-    page.claim("eq4.3", "runs-prescribed", "so does the one with the rotor's speed prescribed")
+    page.claim("eq4.3", "runs-prescribed", "first form with the rotor's speed prescribed: the accelerations and the reaction that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));
 }

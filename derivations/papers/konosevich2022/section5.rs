@@ -49,7 +49,11 @@ fn second_form(page: &mut Page, s: &Letters) {
     let motion = s.motion_from_field();
     for (slug, says, residual) in [
         ("carrier", "second form of the carrier's equations, by angular momentum", g.by_momentum(&motion)),
-        ("by-appell", "the same from the acceleration energy of the mass points", g.by_appell(&motion)),
+        (
+            "by-appell",
+            "second form of the carrier's equations, from the acceleration energy of the mass points (Appell)",
+            g.by_appell(&motion),
+        ),
     ] {
         page.claim("eq5.2", slug, says).under(&s.unit_axis).holds(
             (0..3).map(|i| Line::equation(residual[i], a[i] * s.dw[i] + s.axial * s.ddgamma * l[i], right(s)[i])),
@@ -58,7 +62,7 @@ fn second_form(page: &mut Page, s: &Letters) {
     let form = SecondForm::new(s.a_star, l, s.axial, s.e * s.big_gamma);
     let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.moment);
     let motion = Motion { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
-    page.claim("eq5.2", "runs", "the right-hand side that is integrated makes the momentum equations vanish")
+    page.claim("eq5.2", "runs", "second form: the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));
 }
@@ -88,19 +92,25 @@ fn rotor(page: &mut Page, s: &Letters) {
     page.claim("eq5.3", "rotor", "the rotor's equation with the carrier's accelerations eliminated")
         .under(&s.unit_axis)
         .holds([Line::equation(derived, left, right)]);
-    page.claim("section5.1", "elimination", r"(5.3) is (4.5) with (5.2) put in: $A^*_i\dot\omega_i$ from (5.2)")
-        .under(&s.unit_axis)
-        .follows([Condition::Equal(
-            derived,
-            s.axial * s.ddgamma
-                + s.axial * cyclic(|i, _, _| l[i] * (self::right(s)[i] - s.axial * s.ddgamma * l[i]) / a[i]).sum()
-                - s.moment,
-        )]);
+    page.claim(
+        "section5.1",
+        "elimination",
+        r"(5.3) is the rotor's equation (4.5) with $\dot\omega_i$ from (5.2) put in",
+    )
+    .in_words()
+    .under(&s.unit_axis)
+    .follows([Condition::Equal(
+        derived,
+        s.axial * s.ddgamma
+            + s.axial * cyclic(|i, _, _| l[i] * (self::right(s)[i] - s.axial * s.ddgamma * l[i]) / a[i]).sum()
+            - s.moment,
+    )]);
     page.claim(
         "eq5.4",
         "coefficient",
-        r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$ (the prime is lost in the text)",
+        r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$ ",
     )
+    .reading(r"The text has $AD$ here; (5.3) shows the prime.")
     .under(&s.unit_axis)
     .holds([Line::formula(derived.diff(s.ddgamma) / s.axial, letter("D"), singularity(s))]);
 }
@@ -128,9 +138,13 @@ fn determinant_identity(page: &mut Page, s: &Letters) {
         let dyad = s.axial * l[i] * l[j] / a[i];
         if i == j { one() - dyad } else { -dyad }
     });
-    page.claim("section5.2-det", "scaled", r"the same as the printed determinant with $\varepsilon_i = l_i\sqrt{A'}$")
-        .under(&s.unit_axis)
-        .holds([Line::formula(determinant(&tensor), name, product * determinant(&scaled))]);
+    page.claim(
+        "section5.2-det",
+        "scaled",
+        r"$\det\tilde A$ is $A_1^*A_2^*A_3^*$ times the printed determinant, with $\varepsilon_i = l_i\sqrt{A'}$",
+    )
+    .under(&s.unit_axis)
+    .holds([Line::formula(determinant(&tensor), name, product * determinant(&scaled))]);
 }
 
 /// Can D vanish? Any axes will do, D being invariant: here the first along l. A = C C^T with C upper triangular.
@@ -150,16 +164,21 @@ fn singular(page: &mut Page, s: &Letters) {
     )
     .given(positive)
     .by_signs([Condition::Positive(d), Condition::Positive(one() - d)]);
-    page.claim("section5.2-singular", "bound", r"$D \le a/(a + A')$, where $a = l\cdot Al = l\cdot A^0l + m'|h\times l|^2$ is the moment about the rotor's axis without the rotor's own: $a/(a+A') - D \ge 0$ by signs, with equality where $l$ is a principal axis")
+    page.claim("section5.2-singular", "bound", r"$D \le a/(a + A')$, where $a = l\cdot Al = l\cdot A^0l + m'|h\times l|^2$ is the moment about the rotor's axis without the rotor's own: with $A = CC^T$ in axes with the first along $l$ the difference is $A'(C_{12}^2+C_{13}^2)/((a+A')(C_{11}^2+A'))$, and $C_{12}=C_{13}=0$ where $l$ is a principal axis")
+        .in_words()
         .given(positive)
-        .given([Condition::NonZero(c("12"))])
-        .by_signs([Condition::Positive(reduced[(0, 0)] / (reduced[(0, 0)] + axial) - d)]);
+        .follows([Condition::Equal(
+            reduced[(0, 0)] / (reduced[(0, 0)] + axial) - d,
+            axial * (c("12").powi(2) + c("13").powi(2))
+                / ((reduced[(0, 0)] + axial) * (c("11").powi(2) + axial)),
+        )]);
     let g = s.general();
     page.claim(
         "section5.2-singular",
         "bound-data",
         r"$l\cdot A\,l = l\cdot A^0l + m'|h\times l|^2$ in the bodies' data",
     )
+    .in_words()
     .under(&s.unit_axis)
     .follows([Condition::Equal(
         s.l.dot(&(g.reduced_tensor() * s.l)),
@@ -167,10 +186,11 @@ fn singular(page: &mut Page, s: &Letters) {
     )]);
     page.claim("section5.2-singular", "by-definition", r"the principal components of $A$ are positive by definition, so $D \neq 0$ for every body $S^0$")
         .given([Condition::Equal(letter("l1"), one())])
-        .note(r"Counterexample: the carrier is a thin rod along the rotor's axis through $O$ (moments 0, 1, 1), the rotor's centre lies on it. $A$ has the moment 0 about $l$, $A^*$ has $A'$ there, and $D = 0$. The statement needs that the carrier has inertia about the rotor's axis: as that inertia goes to zero, so does $D$.")
+        .why(r"The carrier may be a thin rod along the rotor's axis through $O$ (moments 0, 1, 1), the rotor's centre lies on it. $A$ has the moment 0 about $l$, $A^*$ has $A'$ there, and $D = 0$. The statement needs that the carrier has inertia about the rotor's axis: as that inertia goes to zero, so does $D$.")
         .refuted([Condition::NonZero(singularity(s))], rod(s));
     let u = vector("u");
-    page.claim("section5.2-singular", "when", r"exactly: $u\cdot Au = u\cdot A^0u + m'|h\times u|^2 + B'|l\times u|^2$, a sum that vanishes for some $u\ne0$ only if $u\parallel l\parallel h$ (or $h=0$) and $l\cdot A^0l=0$: the mass of the carrier lies on the rotor's axis through $O$")
+    page.claim("section5.2-singular", "when", r"$u\cdot Au = u\cdot A^0u + m'|h\times u|^2 + B'|l\times u|^2$ for every $u$: three terms that are not negative. With $m'>0$, $B'>0$ the sum vanishes for a $u\ne0$ where all three do: $u\parallel l$, $h\times l=0$, $l\cdot A^0l=0$, so that the mass of the carrier lies on the rotor's axis through $O$")
+        .in_words()
         .under(&s.unit_axis)
         .follows([Condition::Equal(
             u.dot(&(g.reduced_tensor() * u)),
@@ -219,6 +239,7 @@ fn agree(page: &mut Page, s: &Letters) {
     let covariant = turn * first(back * tensor * turn, back * s.w, back * s.dw, back * s.l, back * weight, back * s.nu);
     let here = first(tensor, s.w, s.dw, s.l, weight, s.nu);
     page.claim("forms-agree", "rotated", r"the first form written in axes turned by any rotation $R(q)$, then turned back, is the first form: so each form may stand in its own principal axes")
+        .in_words()
         .given([Condition::NonZero(norm)])
         .follows((0..3).map(|i| Condition::Equal(covariant[i], here[i])));
     let printed_first = cyclic(|i, j, k| {
@@ -232,10 +253,15 @@ fn agree(page: &mut Page, s: &Letters) {
     let printed_second = cyclic(|i, _, _| s.a_star[i] * s.dw[i] + s.axial * s.ddgamma * s.l[i] - right(s)[i]);
     let speed = [(s.dphi, s.dgamma + s.omega_field), (s.ddphi, s.ddgamma)];
     let second_own = second(Matrix3::from_diagonal(&s.a_star)).map(|x| x.substitute(&speed));
-    page.claim("forms-agree", "own-axes", r"in principal axes the full forms become (4.3) and (5.2) as printed")
-        .follows((0..3).flat_map(|i| {
-            [Condition::Equal(in_own[i], printed_first[i]), Condition::Equal(second_own[i], printed_second[i])]
-        }));
+    page.claim(
+        "forms-agree",
+        "own-axes",
+        r"the two forms with full tensors become (4.3) and (5.2) as printed where the tensors are diagonal",
+    )
+    .in_words()
+    .follows((0..3).flat_map(|i| {
+        [Condition::Equal(in_own[i], printed_first[i]), Condition::Equal(second_own[i], printed_second[i])]
+    }));
     explicit(page, s, tensor);
 }
 

@@ -46,11 +46,20 @@ fn functions(page: &mut Page, s: &Letters, f: &Relations) {
 fn statement3(page: &mut Page, s: &Letters, f: &Relations) {
     let balanced = [(s.big_gamma, Sym::ZERO)];
     let at_rest = [(s.big_gamma, Sym::ZERO), (s.omega0, Sym::ZERO)];
-    page.claim("statement3A", "rest", r"variant 1: $\omega^0=0$ satisfies (6.5) for every $\nu$")
-        .follows(f.all.iter().map(|x| Zero(x.substitute(&at_rest))));
-    page.claim("statement3A", "rotation", r"variant 2: a rotation needs (7.2); with variant 1 there is no third")
-        .given(zeros(f.all.map(|x| x.substitute(&balanced))))
-        .by_combination([(Zero(s.omega0.powi(2) * f.v), vec![], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)])]);
+    page.claim(
+        "statement3A",
+        "rest",
+        r"variant 1 of statement 3A: without weight $\omega^0=0$ satisfies (6.5) for every $\nu$",
+    )
+    .in_words()
+    .follows(f.all.iter().map(|x| Zero(x.substitute(&at_rest))));
+    page.claim(
+        "statement3A",
+        "rotation",
+        r"without weight (6.5) gives $\omega^{0\,2}V^*=0$: rest (variant 1) or (7.2) (variant 2), and no third",
+    )
+    .given(zeros(f.all.map(|x| x.substitute(&balanced))))
+    .by_combination([(Zero(s.omega0.powi(2) * f.v), vec![], vec![(0, s.l.x), (1, s.l.y), (2, s.l.z)])]);
     statement3b(page, s, f);
     statement3c(page, s, f);
 }
@@ -78,10 +87,11 @@ fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
             )
             .given(zeros(vanishing))
             .given([Zero(s.big_gamma), NonZero(f.spin)])
-            .given(unit(s));
+            .given(unit(s))
+            .why(r"(7.2) is one projection of (6.5), along $l$; under (7.3) it is empty, and the other components of (6.5) decide.");
         no_speed(draft, s, f, &example);
         if slug == "any-direction" {
-            page.claim("statement3B", "spherical", r"equal moments: the axis of the rotor is the only axis, since (6.5) is $\omega^0A'\Omega\,l\times\nu = 0$; there $\omega^0$ is arbitrary")
+            page.claim("statement3B", "spherical", r"with equal moments (6.5) is $\omega^0A'\Omega\,l\times\nu = 0$, so that the rotor's axis is the only axis of rotation (for the converse see statement3E/parallel)")
                 .given([Zero(s.a_star.x - s.a_star.y), Zero(s.a_star.y - s.a_star.z), NonZero(s.omega0), NonZero(f.spin)])
                 .given(zeros(f.all.map(|x| x.substitute(&[(s.big_gamma, Sym::ZERO)]))))
                 .by_combination((0..3).map(|i| {
@@ -104,7 +114,8 @@ fn statement3b(page: &mut Page, s: &Letters, f: &Relations) {
                 (s.a_star.z, s.a_star.y),
             ];
             let factor = (s.a_star.x - s.a_star.y) * s.omega0 * s.nu.x + f.spin;
-            page.claim("statement3B", "symmetric", r"$A_2^*=A_3^*$, $l=\xi_1$: (6.5) is $\omega^0[(A_1^*-A_2^*)\omega^0\nu_1 + A'\Omega]\,(0,-\nu_3,\nu_2) = 0$: every direction with $\nu_1\ne0$ has exactly one $\omega^0\ne0$; across the axis there is none; along it all are")
+            page.claim("statement3B", "symmetric", r"with $A_2^*=A_3^*\ne A_1^*$, $l=\xi_1$ (6.5) is $\omega^0[(A_1^*-A_2^*)\omega^0\nu_1 + A'\Omega]\,(0,-\nu_3,\nu_2) = 0$: a direction with $\nu_1\ne0$ that is not the axis has exactly one $\omega^0\ne0$, the bracket's zero; a direction across the axis has none; on the axis every $\omega^0$ is one")
+        .in_words()
                 .follows((0..3).map(|i| {
                     let direction = [Sym::ZERO, -s.nu.z, s.nu.y][i];
                     Equal(f.all[i].substitute(&along_first), s.omega0 * factor * direction)
@@ -126,9 +137,10 @@ fn statement3c(page: &mut Page, s: &Letters, f: &Relations) {
         .claim("statement3C", "every-axis", format!(r"about every axis of the cone there is a rotation with some $\omega^0\neq0$ ({})", example.name))
         .given([Zero(f.v), Zero(s.big_gamma), NonZero(f.spin)])
         .given(unit(s))
-        .note(r"The principal axes lie on every such cone, since $V^*$ has no squares; none of them is an axis of rotation unless it is the rotor's.");
+        .why(r"The principal axes lie on every such cone, since $V^*$ has no squares; none of them is an axis of rotation unless it is the rotor's.");
     no_speed(draft, s, f, &example);
-    page.claim("statement3C", "which-axes", r"on the cone, where $\Delta^*\ne0$: $\omega^0 = -A'\Omega\,G\cdot(l\times\nu)/\Delta^*$ satisfies $\omega^0G + A'\Omega\,l\times\nu = 0$; it is zero only where $l\parallel\nu$. Where $\Delta^*=0$: statement 3E")
+    page.claim("statement3C", "which-axes", r"on the cone, where $\Delta^*\ne0$, $\omega^0 = -A'\Omega\,G\cdot(l\times\nu)/\Delta^*$ satisfies $\omega^0G + A'\Omega\,l\times\nu = 0$ with $G=A^*\nu\times\nu$, by which it is zero only where $l\parallel\nu$ (for $\Delta^*=0$ see statement3E)")
+        .in_words()
         .given([Zero(f.v), NonZero(f.delta), Equal(s.omega0 * f.delta, -(f.spin * f.tilt.dot(&f.axis)))])
         .by_combination((0..3).map(|i| {
             // Delta (w0 G + A'W u) = A'W V (G x nu) + G (w0 Delta + A'W G.u)
@@ -146,12 +158,12 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
         .given(premises())
         .given([Zero(s.big_gamma), Zero(f.v)])
         .given(unit(s))
-        .note(r"The relations read $\omega^0G + A'\Omega\,l\times\nu = 0$; multiplied by $G$ they give a minus sign. The bodies' equations of motion at the example confirm the corrected sign exactly.")
+        .why(r"The relations read $\omega^0G + A'\Omega\,l\times\nu = 0$; multiplied by $G$ they give a minus sign. The bodies' equations of motion at the example confirm the corrected sign exactly.")
         .refuted([Equal(s.omega0, f.spin / f.delta * bracket)], example.point(s));
     page.claim(
         "statement3D",
         "formula-corrected",
-        r"$\omega^0 = -\frac{A'\Omega}{\Delta^*}[\dots]$, and it is the only one",
+        r"$\omega^0 = -\frac{A'\Omega}{\Delta^*}\,G\cdot(l\times\nu)$ with $G=A^*\nu\times\nu$ is the only $\omega^0\ne0$ that satisfies (6.5) without weight",
     )
     .given(premises())
     .by_combination([(
@@ -164,8 +176,9 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement3D",
         "opposite-direction",
-        r"under $\nu\to-\nu$ the bracket changes its sign, $\Delta^*$ and $V^*$ do not: $\omega^0$ changes its sign",
+        r"under $\nu\to-\nu$ the product $G\cdot(l\times\nu)$ changes its sign, $\Delta^*$ and $V^*$ do not: $\omega^0$ of statement 3D changes its sign",
     )
+    .in_words()
     .follows([
         Equal(bracket.substitute(&turned), -bracket),
         Equal(f.delta.substitute(&turned), f.delta),
@@ -174,16 +187,21 @@ fn formula_for_w0(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement3E",
         "parallel",
-        r"$\Delta^*=0$, so $G=0$ (a sum of squares): with $l\times\nu=0$ every $\omega^0$ is one",
+        r"where $\Delta^*=0$, the sum of the squares of $G=A^*\nu\times\nu$, and $l\times\nu=0$, every $\omega^0$ satisfies $\omega^0G + A'\Omega\,l\times\nu=0$",
     )
+    .in_words()
     .given(zeros(f.tilt))
     .given(zeros(f.axis))
     .by_combination((0..3).map(|i| (Zero(f.balanced[i]), vec![], vec![(i, s.omega0), (3 + i, f.spin)])));
-    page.claim("statement3E", "not-parallel", r"and only with $l\times\nu=0$")
-        .given(zeros(f.tilt))
-        .given(zeros(f.balanced))
-        .given([NonZero(f.spin)])
-        .by_combination((0..3).map(|i| (Zero(f.axis[i]), vec![6], vec![(3 + i, one()), (i, -s.omega0)])));
+    page.claim(
+        "statement3E",
+        "not-parallel",
+        r"where $\Delta^*=0$, so that $G=A^*\nu\times\nu=0$, a rotation without weight needs $l\times\nu=0$",
+    )
+    .given(zeros(f.tilt))
+    .given(zeros(f.balanced))
+    .given([NonZero(f.spin)])
+    .by_combination((0..3).map(|i| (Zero(f.axis[i]), vec![6], vec![(3 + i, one()), (i, -s.omega0)])));
 }
 
 /// The cone of Staude, from the same bodies without a rotor.
@@ -204,6 +222,7 @@ fn staude(page: &mut Page, s: &Letters) {
     let to_weight: Vec<(Sym, Sym)> = (0..3).map(|i| (s.l[i], s.e[i])).collect();
     let cone = s.v_star().substitute(&to_weight).substitute(&moments);
     page.claim("section7.1-staude", "analogy", r"a heavy body without rotor (moments here $A_i$) rotates uniformly only about axes of the cone that $V^*$ becomes with $l\to e$: $e\cdot(6.5) = \omega^{0\,2}\,V^*|_{l\to e}$")
+        .in_words()
         .under(&s.unit_axis)
         .follows([Equal(-s.e.dot(&Vector3::new(x, y, z)), s.omega0.powi(2) * cone)]);
 }

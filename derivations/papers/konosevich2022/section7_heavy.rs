@@ -29,7 +29,7 @@ fn statement4(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim("statement4", "rest", r"$\Gamma\ne0$, $\omega^0=0$: (6.5) holds if $e\times\nu=0$")
         .given(zeros(f.weight))
         .by_combination((0..3).map(|i| (Zero(rest[i]), vec![], vec![(i, s.big_gamma)])));
-    page.claim("statement4", "only-if", r"and only if")
+    page.claim("statement4", "only-if", r"$\Gamma\ne0$, $\omega^0=0$: (6.5) holds only if $e\times\nu=0$")
         .given(zeros(rest))
         .given([NonZero(s.big_gamma)])
         .by_combination((0..3).map(|i| (Zero(f.weight[i]), vec![3], vec![(i, one())])));
@@ -37,8 +37,9 @@ fn statement4(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement4",
         "vertical",
-        r"then the centre of mass is above or below $O$: $(e\cdot\nu)^2 = 1 - |e\times\nu|^2$",
+        r"$(e\cdot\nu)^2 = 1 - |e\times\nu|^2$: where $e\times\nu=0$ the centre of mass is above or below $O$",
     )
+    .in_words()
     .under(&both)
     .follows([Equal(s.e.dot(&s.nu).powi(2), one() - f.weight.dot(&f.weight))]);
 }
@@ -48,7 +49,7 @@ fn relations(page: &mut Page, s: &Letters, f: &Relations) {
     let g = s.in_axes_of_a_star();
     let [x, y, z, _] = g.by_momentum(&s.stationary(s.omega_field, Sym::ZERO));
     let moments = -Vector3::new(x, y, z);
-    page.claim("eq7.4", "first-power", r"(6.5) multiplied by $e_i$ and added, divided by $\omega^0$")
+    page.claim("eq7.4", "first-power", r"(7.4) is (6.5) multiplied by $e_i$ and added, divided by $\omega^0$")
         .under(&s.unit_axis)
         .holds([Line::equation(s.e.dot(&moments) / s.omega0, s.omega0 * f.s - f.spin * f.pi, Sym::ZERO)]);
     page.claim("eq7.5", "s", r"$S^* = e\cdot(A^*\nu\times\nu)$").holds([Line::formula(
@@ -61,7 +62,7 @@ fn relations(page: &mut Page, s: &Letters, f: &Relations) {
         letter("Π⋆"),
         f.pi,
     )]);
-    page.claim("eq7.7", "second-power", r"(6.5) multiplied by $l_i$ and added")
+    page.claim("eq7.7", "second-power", r"(7.7) is (6.5) multiplied by $l_i$ and added")
         .under(&s.unit_axis)
         .holds([Line::equation(s.l.dot(&moments), s.omega0.powi(2) * f.v + s.big_gamma * f.pi, Sym::ZERO)]);
     page.claim(
@@ -80,6 +81,7 @@ fn derived(s: &Letters, f: &Relations) -> [Sym; 2] {
 fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     let vanishing = cyclic(|i, j, k| (s.a_star[j] - s.a_star[k]) * s.e[i]);
     page.claim("statement5", "condition", r"under (7.8) $S^*\equiv0$, and (7.4) becomes $A'\Omega\,\Pi^* = 0$")
+        .in_words()
         .given(zeros(vanishing))
         .by_combination([(
             Equal(derived(s, f)[0], -(f.spin * f.pi)),
@@ -96,12 +98,13 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     .given(zeros(f.all))
     .given([NonZero(s.omega0), NonZero(s.big_gamma)])
     .given(unit(s))
-    .note(r"(7.4) asks only that $\Pi^*$ vanish at the given $\nu$.")
+    .why(r"(7.4) asks only that $\Pi^*$ vanish at the given $\nu$.")
     .refuted(zeros(s.l.cross(&s.e)), example.point(s));
     let along_first = [(s.e.x, one()), (s.e.y, Sym::ZERO), (s.e.z, Sym::ZERO), (s.a_star.z, s.a_star.y)];
     let stretch = s.omega0.powi(2) * (s.a_star.x - s.a_star.y) * s.nu.x + s.big_gamma;
     let vector = Vector3::new(stretch, Sym::ZERO, Sym::ZERO) + s.l * (f.spin * s.omega0);
-    page.claim("statement5", "degenerate-motions", r"(7.8) means equal moments, or $A_2^*=A_3^*$ with $e=\xi_1$ (axes renumbered). Then (6.5) is $([\omega^{0\,2}(A_1^*-A_2^*)\nu_1+\Gamma]\,e + A'\Omega\omega^0l)\times\nu = 0$: for equal moments each $\omega^0$ has exactly the two directions $\pm(\Gamma e + A'\Omega\omega^0l)$, whatever the angle between $l$ and $e$")
+    page.claim("statement5", "degenerate-motions", r"under (7.8) the axes can be numbered so that $A_2^*=A_3^*$, $e=\xi_1$, equal moments included; then (6.5) is $([\omega^{0\,2}(A_1^*-A_2^*)\nu_1+\Gamma]\,e + A'\Omega\omega^0l)\times\nu = 0$. With equal moments $\nu$ is parallel to $\Gamma e + A'\Omega\omega^0l$: two directions for each $\omega^0$ at which that vector is not zero, whatever the angle between $l$ and $e$")
+        .in_words()
         .follows((0..3).map(|i| Equal(f.all[i].substitute(&along_first), vector.cross(&s.nu)[i])));
     page.correct();
 
@@ -111,8 +114,9 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement5",
         "derived-relations",
-        r"with $l = l^0e$ besides, $S^*, \Pi^*, V^*\equiv0$: (7.4) and (7.7) hold for all $\nu$ and $\omega^0$",
+        r"under (7.8) and $l = l^0e$ (7.4) and (7.7) hold for all $\nu$ and $\omega^0$",
     )
+    .in_words()
     .given(zeros(vanishing))
     .by_combination(with_parallel.map(|relation| {
         let scale = if relation == with_parallel[0] { s.omega0 } else { sign * s.omega0.powi(2) };
@@ -126,19 +130,24 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement5",
         "original-conditions",
-        format!(r"so every $\nu$ and $\omega^0$ give a rotation: (6.5) holds too ({})", example.name),
+        format!(
+            r"under (7.8) and $l\parallel e$ every $\nu$ and $\omega^0$ give a rotation, that is (6.5) holds ({})",
+            example.name
+        ),
     )
     .given(zeros(vanishing))
     .given(zeros(s.l - s.e))
     .given(unit(s))
-    .note(
+    .reading(r"The text has lost an inequality sign; $S^*\equiv0$ is what (7.8) says.")
+    .why(
         r"$e$ and $l$ are parallel, so (7.4) and (7.7) are two copies of one projection and say nothing of the others.",
     )
     .refuted(zeros(f.all), example.point(s));
     let factor = (s.a_star.x - s.a_star.y) * s.omega0.powi(2) * s.nu.x + f.spin * s.omega0 * sign + s.big_gamma;
     let axes: Vec<(Sym, Sym)> =
         along_first.into_iter().chain([(s.l.x, sign), (s.l.y, Sym::ZERO), (s.l.z, Sym::ZERO)]).collect();
-    page.claim("statement5", "original-corrected", r"(6.5) is $[(A_1^*-A_2^*)\nu_1\omega^{0\,2} + A'\Omega l^0\omega^0 + \Gamma]\,e\times\nu = 0$: either $\nu=\pm e$ with any $\omega^0$, or $\omega^0$ is a root of the quadratic equation")
+    page.claim("statement5", "original-corrected", r"where $A_2^*=A_3^*$, $e=\xi_1$, $l=l^0e$, (6.5) is $[(A_1^*-A_2^*)\nu_1\omega^{0\,2} + A'\Omega l^0\omega^0 + \Gamma]\,e\times\nu = 0$: either $\nu=\pm e$ with any $\omega^0$, or $\omega^0$ is a zero of the bracket")
+        .in_words()
         .follows((0..3).map(|i| {
             let direction = [Sym::ZERO, -s.nu.z, s.nu.y][i];
             Equal(f.all[i].substitute(&axes), factor * direction)
@@ -157,8 +166,9 @@ fn statement6(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement6",
         "derived-relations",
-        r"and where $S^*=\Pi^*=V^*=0$, every $\omega^0$ satisfies (7.4), (7.7)",
+        r"where $S^*=\Pi^*=V^*=0$, every $\omega^0$ satisfies (7.4) and (7.7)",
     )
+    .in_words()
     .given([Zero(f.s), Zero(f.pi), Zero(f.v)])
     .by_combination([
         (Zero(first), vec![], vec![(0, s.omega0), (1, -f.spin)]),
@@ -168,14 +178,17 @@ fn statement6(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement6",
         "original-conditions",
-        format!(r"so every $\omega^0$ gives a rotation about such an axis: (6.5) holds too ({})", example.name),
+        format!(r"where $S^*=\Pi^*=V^*=0$ every $\omega^0$ gives a rotation, that is (6.5) holds ({})", example.name),
     )
     .given([Zero(f.s), Zero(f.pi), Zero(f.v)])
     .given(unit(s))
+    .reading(r"The text has lost an inequality sign; statement 6 is read for $S^*\not\equiv0$ that vanishes at $\nu$.")
+    .why(r"(7.4) and (7.7) hold there identically, and leave one component of (6.5) undecided.")
     .refuted(zeros(f.all), example.point(s));
     let n = f.weight;
     let quadratic = |v: Vector3<Sym>| v.dot(&n);
-    page.claim("statement6", "original-corrected", r"where $S^*=\Pi^*=0$ and $n = e\times\nu\ne0$, (6.5) is one equation: $|n|^2F = (F\cdot n)\,n$, so $\omega^0$ is a root of $(G\cdot n)\,\omega^{0\,2} + A'\Omega(u\cdot n)\,\omega^0 + \Gamma|n|^2 = 0$: at most two values")
+    page.claim("statement6", "original-corrected", r"where $S^*=\Pi^*=0$ and $n = e\times\nu\ne0$, (6.5) is one equation: $|n|^2F = (F\cdot n)\,n$, so $\omega^0$ is a root of $(G\cdot n)\,\omega^{0\,2} + A'\Omega(u\cdot n)\,\omega^0 + \Gamma|n|^2 = 0$ with $G=A^*\nu\times\nu$, $u=l\times\nu$: at most two values")
+        .in_words()
         .given([Zero(f.s), Zero(f.pi)])
         .by_combination((0..3).map(|i| {
             let value = quadratic(f.tilt) * s.omega0.powi(2) + f.spin * quadratic(f.axis) * s.omega0 + s.big_gamma * n.dot(&n);
@@ -196,19 +209,17 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim("eq7.9", "nonzero", r"$S^*\ne0$, $\omega^0\ne0$ and (7.4) give $\Pi^*\neq0$")
         .given([Zero(first), NonZero(f.s), NonZero(s.omega0)])
         .nonvanishing(f.pi, f.spin, vec![1, 2], vec![(0, number(-1, 1))]);
-    page.claim("eq7.10", "velocity", r"$\omega^0$ from (7.4)").given([Zero(first), NonZero(f.s)]).by_combination([(
-        Equal(s.omega0, f.spin * f.pi / f.s),
-        vec![1],
-        vec![(0, one())],
-    )]);
-    page.claim("eq7.11", "surface", r"the directions: (7.10) in (7.7), divided by $\Pi^*$")
+    page.claim("eq7.10", "velocity", r"(7.10) is (7.4) solved for $\omega^0$")
+        .given([Zero(first), NonZero(f.s)])
+        .by_combination([(Equal(s.omega0, f.spin * f.pi / f.s), vec![1], vec![(0, one())])]);
+    page.claim("eq7.11", "surface", r"(7.11), the surface of the directions, is (7.10) in (7.7), divided by $\Pi^*$")
         .given([Zero(first), Zero(second), NonZero(f.pi)])
         .by_combination([(
             Zero(surface),
             vec![2],
             vec![(1, f.s.powi(2)), (0, -(f.v * (s.omega0 * f.s + f.spin * f.pi)))],
         )]);
-    page.claim("eq7.12", "velocity-again", r"the same angular velocity by $S^*/V^*$")
+    page.claim("eq7.12", "velocity-again", r"(7.12) gives the angular velocity of (7.10) by $S^*/V^*$")
         .given([Zero(first), Zero(second), NonZero(f.pi), NonZero(f.spin), NonZero(f.v)])
         .by_combination([(
             Equal(s.omega0, -(s.big_gamma / f.spin * (f.s / f.v))),
@@ -221,8 +232,9 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "eq7.11",
         "runs",
-        r"what the program computes is $\Gamma$ times (7.11), (7.10) with $\Gamma$ in both terms of the fraction, and (6.5)",
+        r"the program's surface is $\Gamma$ times (7.11), its angular velocity is (7.10) with $\Gamma$ in both terms of the fraction, and its missing moment is the left side of (6.5)",
     )
+    .in_words()
     .follows(
         [
             Equal(code.surface(s.nu), s.big_gamma * surface),
@@ -236,8 +248,9 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement7",
         "sufficient",
-        r"$S^*\ne0$ and (7.11): $\nu$ is an axis of rotation with $\omega^0$ by (7.10): the original (6.5) hold",
+        r"where $S^*\ne0$, (7.11) holds and $|\nu|=1$, $\omega^0$ of (7.10) satisfies the original (6.5): $\nu$ is an axis of rotation",
     )
+    .in_words()
     .given([Zero(surface), NonZero(f.s)])
     .by_combination(
         (0..3).map(|i| (Zero(f.all[i].substitute(&[(s.omega0, velocity)])), vec![1, 1], vec![(0, f.weight[i])])),
@@ -245,7 +258,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement7",
         "necessary",
-        r"and every rotation with $S^*\ne0$ is of this kind: (6.5) give (7.4) and (7.7)",
+        r"a rotation satisfies (7.4) and (7.7), by (6.5); where $S^*\ne0$ it has (7.10) and (7.11) by the claims of these",
     )
     .given(zeros(f.all))
     .given([NonZero(s.omega0)])
@@ -271,6 +284,7 @@ fn degree(page: &mut Page, s: &Letters, f: &Relations) {
     let rule = &s.unit_vertical;
     let norm = s.nu.dot(&s.nu);
     page.claim("section7.2-degree", "cone", r"the cone over the spherical line and its mirror image has degree 8: $\Gamma^2S^{*4} - (A'\Omega)^4|\nu|^2\Pi^{*2}V^{*2}$ is on the sphere the product of the left side of (7.11) at $\nu$ and at $-\nu$")
+        .in_words()
         .under(rule)
         .follows([
             Equal((even + odd) * (even - odd), even.powi(2) - odd.powi(2) * norm),
@@ -281,9 +295,9 @@ fn degree(page: &mut Page, s: &Letters, f: &Relations) {
         .claim("section7.2-degree", "every-point", format!(r"every point of the spherical line is a semi-axis of rotation ({})", example.name))
         .given([Zero(even + odd), NonZero(s.big_gamma), NonZero(f.spin)])
         .given(unit(s))
-        .note(r"The six principal directions lie on the line whatever the data, since $S^*$ and $V^*$ have no squares. Where $S^*=0$ statement 6 decides.");
+        .why(r"The six principal directions lie on the line whatever the data, since $S^*$ and $V^*$ have no squares. Where $S^*=0$ statement 6 decides.");
     no_speed(draft, s, f, &example);
-    page.claim("section7.2-degree", "which-points", r"the points of the line with $S^*\ne0$ all are (statement 7); those with $S^*=0$ have $\Pi^*V^*=0$, and need both to vanish")
+    page.claim("section7.2-degree", "which-points", r"the points of the spherical line with $S^*\ne0$ are axes of rotation (statement7/sufficient); those with $S^*=0$ have $\Pi^*V^*=0$, and a rotation needs both to vanish (statement6/necessary)")
         .given([Zero(even + odd), Zero(f.s), NonZero(f.spin)])
         .by_combination([(
             Zero(f.pi * f.v),

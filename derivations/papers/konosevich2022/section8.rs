@@ -36,7 +36,8 @@ fn constant_speed(page: &mut Page, s: &Letters) {
     let absolute = absolute_rate(Vector3::from_fn(|i, _| field::Tangent::moving(s.nu[i], dnu[i])), s.w);
     page.claim("eq8.1", "vertical", r"$\dot\nu = \nu\times\omega$")
         .holds((0..3).map(|i| Line::equation(absolute[i], dnu[i], s.nu.cross(&s.w)[i])));
-    page.claim("section8.1", "reaction", r"the rotor's equation then gives the moment that keeps the speed, $M = A'\,l\cdot\dot\omega$, and restricts nothing")
+    page.claim("section8.1", "reaction", r"at constant rotor speed the rotor's equation gives the moment that keeps it, $M = A'\,l\cdot\dot\omega$, and restricts nothing")
+        .in_words()
         .under(&s.unit_axis)
         .follows([Condition::Equal(residual[3], s.axial * s.l.dot(&s.dw) - s.moment)]);
     let still = Motion { moment: Sym::ZERO, ..s.stationary(s.omega_field, Sym::ZERO) };
@@ -44,8 +45,9 @@ fn constant_speed(page: &mut Page, s: &Letters) {
     page.claim(
         "section8.1",
         "conditions",
-        "its stationary motions satisfy (6.5): the same as with the synchronous motor",
+        "stationary motions of the gyrostat with a constant rotor speed satisfy (6.5), as those with the synchronous motor do",
     )
+    .in_words()
     .under(&s.unit_axis)
     .follows((0..3).map(|i| Condition::Equal(-stationary[i], s.conditions()[i])));
 }
@@ -74,7 +76,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
         FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma),
         SecondForm::new(s.a_star, s.l, s.axial, s.e * s.big_gamma),
     );
-    page.claim("section8.2", "runs", "so it is along the motions that run, in the first form and in the second")
+    page.claim("section8.2", "runs", r"$p'$ of a free rotor has no rate along the motions that the program integrates, in the first form and in the second")
         .under(&s.unit_axis)
         .follows([spin_rate(forms.0, s), spin_rate(forms.1, s)].map(Condition::Zero));
     let still = Motion { moment: Sym::ZERO, ..s.stationary(p - s.omega0 * s.nu.dot(&s.l), Sym::ZERO) };
@@ -84,16 +86,18 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     page.claim(
         "section8.2",
         "conditions-first",
-        r"stationary motions in the axes of $A$: (6.5) with $A_i$ for $A_i^*$ and $p'$ for $\Omega$",
+        r"stationary motions of a free rotor in the axes of $A$ satisfy (6.5) with $A_i$ for $A_i^*$ and $p'$ for $\Omega$",
     )
+    .in_words()
     .under(&s.unit_axis)
     .follows((0..3).map(|i| Condition::Equal(-stationary[i], printed[i])));
     let (s_star, pi_star) = (s.s_star().substitute(&to_first), s.pi_star());
     page.claim(
         "section8.2",
         "cones-first",
-        r"hence $\omega^0 S - A'p'\Pi = 0$ with $A_i$ and $p'$: for each $p'$ a cone of its own",
+        r"with $A_i$ and $p'$ in (6.5), $e\cdot(6.5) = \omega^0(\omega^0 S - A'p'\Pi)$: a rotation of a free rotor has $\omega^0 S = A'p'\Pi$, for each $p'$ a cone of its own",
     )
+    .in_words()
     .follows([Condition::Equal(s.e.dot(&printed), s.omega0 * (s.omega0 * s_star - s.axial * p * pi_star))]);
 
     // second form
@@ -105,7 +109,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
             + s.big_gamma * (s.e[j] * s.nu[k] - s.e[k] * s.nu[j])
     });
     let still = second.by_momentum(&s.stationary(rest, Sym::ZERO));
-    page.claim("eq8.2", "conditions", r"stationary motions in the axes of $A^*$: (6.5) with the arbitrary $\Omega^0 = \dot\varphi'(t_0)$, $\omega = \omega^0\nu$")
+    page.claim("eq8.2", "conditions", r"stationary motions of a free rotor in the axes of $A^*$: (6.5) with the arbitrary $\Omega^0 = \dot\varphi'(t_0)$, $\omega = \omega^0\nu$")
         .under(&s.unit_axis)
         .holds((0..3).map(|i| Line::equation(-still[i], conditions[i], Sym::ZERO)));
     let w = s.w;
@@ -120,7 +124,8 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     let dyad = s.l * s.l.transpose() * s.axial;
     let nu = s.nu * s.omega0;
     let difference = (dyad * nu + s.l * (s.axial * rest) - same).cross(&nu);
-    page.claim("section8.2", "same-motions", r"both forms give the same motions: $A^*\omega + A'\Omega^0l = A\omega + A'p'l$ with $p' = \omega^0\,l\cdot\nu + \Omega^0$")
+    page.claim("section8.2", "same-motions", r"both forms give the same stationary motions of a free rotor: $(A^*-A)\omega + A'\Omega^0l - A'p'l$, the difference of the momenta, has no product with $\omega=\omega^0\nu$ where $p' = \omega^0\,l\cdot\nu + \Omega^0$")
+        .in_words()
         .follows(difference.iter().map(|&x| Condition::Zero(x)));
 }
 

@@ -34,7 +34,7 @@ fn displacements(page: &mut Page) {
         let moving = mechanics::constrained::State { velocity: along(at.velocity, unit(i)), ..at.fixed() };
         violation(&General, &moving).rate.map(|rate| rate.slope)
     });
-    page.claim("eq11", "displacements", r"$\delta y^\kappa=\frac{\partial\dot y^\kappa}{\partial\dot q^i}\delta q^i$: of a geometric constraint the variation $\frac{\partial f}{\partial q^i}\delta q^i$, of a kinematic one Chetaev's")
+    page.claim("eq11", "displacements", r"(11): $\delta y^\kappa=\frac{\partial\dot y^\kappa}{\partial\dot q^i}\delta q^i$: of a geometric constraint the variation $\frac{\partial f}{\partial q^i}\delta q^i$, of a kinematic one Chetaev's")
         .in_words()
         .follows((0..3).flat_map(|i| [Equal(by_velocity[i][0], rows[0][i]), Equal(by_velocity[i][1], rows[1][i])]));
 }
@@ -57,8 +57,9 @@ fn principle(page: &mut Page) {
     )
     .given(work)
     .given([Equal(e1, f1 * lambda), Equal(e2, f2 * lambda), NonZero(f1)])
+    .why(r"$y$ is varied with $q$ by (11), so that the principle has no equation of its own for $y$.")
     .refuted([Zero(ey)], exact([("E1", -1, 1), ("E2", 0, 1), ("Ey", 1, 1), ("f1", 1, 1), ("f2", 0, 1), ("λ", -1, 1)]));
-    page.claim("eq13", "principle-corrected", r"what follows is $E_y=-\lambda$: the multipliers act on $y$ as well. With (13) besides, $\lambda=0$ and there is no constraint. So (13) is a programme for $y$, a postulate; the forces $f_i^\kappa\lambda_\kappa$ are then a control, given forces in the principle, and not reactions")
+    page.claim("eq13", "principle-corrected", r"the principle with (12) gives $E_y=-\lambda$: the multipliers act on $y$ as well. (13) would mean $\lambda=0$, no constraint; it is a programme for $y$, a postulate, and the forces $f_i^\kappa\lambda_\kappa$ are a control, given forces in the principle, and not reactions")
         .given(work)
         .given([Equal(e1, f1 * lambda), NonZero(f1)])
         .by_combination([(Equal(ey, -lambda), vec![3], vec![(0, int(1)), (2, int(-1))])]);
@@ -80,12 +81,13 @@ fn expansion(page: &mut Page) {
     page.claim("eq13", "expansion", r"from $D=D^0$, $\frac{\partial D}{\partial\dot y}=0$, $\frac{\partial^2D}{\partial\dot y^2}=c$ at $y=\dot y=0$ follows $D=D^0+\frac12c\dot y^2+D^{(3)}$: no term $y\dot y$")
         .in_words()
         .given(stated)
+        .why(r"The assumptions leave $\frac{\partial^2D}{\partial y\partial\dot y}$ free, as they do not for $T$.")
         .refuted(
             [Zero(at_rest(d.diff(y).diff(dy)))],
             exact([("Dy", 0, 1), ("Dyy", 0, 1), ("Dyẏ", 1, 1), ("c₀", 1, 1)]),
         );
     let force = letter("Fy");
-    page.claim("eq13", "expansion-corrected", r"$\frac{\partial^2D}{\partial y\partial\dot y}=0$ is to be assumed too, as it is of $T$; otherwise it adds to the stiffness in (15). $\frac{\partial D}{\partial y}$ and $\frac{\partial^2D}{\partial y^2}$ never enter: $-\frac{\partial D}{\partial\dot y}=-c\dot y-D_{,y\dot y}y$")
+    page.claim("eq13", "expansion-corrected", r"the force of $D$ is $-\frac{\partial D}{\partial\dot y}=-c\dot y-D_{,y\dot y}y$: $\frac{\partial^2D}{\partial y\partial\dot y}=0$ is to be assumed too, as it is of $T$; $\frac{\partial D}{\partial y}$ and $\frac{\partial^2D}{\partial y^2}$ do not enter")
         .holds([Line::formula(-d.diff(dy), force, -(c * dy) - mixed * y)]);
     page.correct();
 }
@@ -141,7 +143,7 @@ impl Model {
         page.claim("eq14", "motion", r"(12) in the form (14): accelerations, the multiplier with $M^{-1}J^T$, and terms of the second order in $y,\dot y$, which are $\frac12(a_{,i}\dot y^2-k_{,i}y^2-c_{,\dot\imath}\dot y^2)$; two coordinates, energies arbitrary to the first order")
             .holds([Line::equation(self.left[0] - push - f1 * lambda, m1 * self.acceleration[0], right)]);
         let still = [(y, Sym::ZERO), (dy, Sym::ZERO)];
-        page.claim("eq14", "no-first-order", r"no terms of the first order in $y$ and $\dot y$")
+        page.claim("eq14", "no-first-order", r"(14) has no terms of the first order in $y$ and $\dot y$; two coordinates, energies arbitrary to the first order")
             .in_words()
             .follows(self.left[..2].iter().flat_map(|e| [y, dy].map(|of| Zero(e.diff(of).substitute(&still)))));
     }
@@ -156,14 +158,17 @@ impl Model {
             .note(r"In $dy^\kappa/dt=\dot y^\kappa$ the index goes to $m$ only, as in (10): a kinematic constraint has no $y$, and its row of $k_{\mu\nu}$ is zero.")
             .holds([Line::equation(self.left[2] / a, self.acceleration[2], damping * dy + stiffness * y)]);
         let b = (-(friction + change) / a).substitute(&[(c1, Sym::ZERO), (c2, Sym::ZERO)]);
-        page.claim("eq15", "inertia", r"a positive friction $c$ is therefore not enough: where the inertia $a$ falls faster than $c$ the coefficient $b$ of $\dot y$ is positive")
+        page.claim("eq15", "inertia", r"a positive friction $c$ is not enough for stability of (15): there are $a$, $c>0$ with a positive coefficient $b$ of $\dot y$, where the inertia $a$ falls fast enough")
             .given([Positive(a), Positive(c)])
             .exists([Positive(b)], exact([("a", 1, 1), ("c₀", 1, 1), ("a1", -2, 1), ("a2", 0, 1), ("q̇1", 1, 1), ("q̇2", 0, 1)]));
         let [a0, s, t, w] = letters(["a", "s", "t", "W"]);
         let inertia = a0 - s * t;
         let square = w * a0 / inertia;
-        let growth = -(s / int(2) - s) / inertia;
-        page.claim("eq15", "grows", r"for one: a kinematic constraint with $a=a_0-st$ and $c=s/2>0$ has $\dot y^2=Wa_0/(a_0-st)$, which grows without bound")
+        // b of (15) with c = s/2 and a' = -s
+        let falling = [(c, s / int(2)), (c1, Sym::ZERO), (c2, Sym::ZERO), (v1, Sym::ONE), (a1, -s), (a2, Sym::ZERO)];
+        let growth = -(self.left[2].diff(dy) / a).substitute(&falling).substitute(&[(a, inertia)]);
+        page.claim("eq15", "grows", r"a kinematic constraint with $a=a_0-st$ and $c=s/2>0$ has by (15) $\dot y^2=Wa_0/(a_0-st)$, which grows without bound as $t\to a_0/s$")
+            .in_words()
             .given([NonZero(inertia)])
             .follows([Zero(square.diff(t) - int(2) * growth * square)]);
     }
@@ -188,21 +193,21 @@ fn multipliers(page: &mut Page) {
 
 /// a y'' + c y' + k y = 0
 fn stability(page: &mut Page) {
-    page.claim("section5-stability", "necessary", "asymptotic stability of the trivial solution of (15) is what stabilisation of the constraints (5) means: the condition is necessary and sufficient by definition, as long as the multipliers exist")
+    page.claim("section5-stability", "necessary", "stabilisation of the constraints (5) means asymptotic stability of the trivial solution of (15): the condition is necessary and sufficient by definition, as long as the multipliers exist")
         .note("Lyapunov's theorem on a part of the variables needs what the sentence lists ($V$ positive definite, its derivative negative definite, an infinitely small upper limit, all in $y,\\dot y$) and that $q,\\dot q$ exist for all time. $y$ and $\\dot y$ have an infinitely small upper limit in themselves.")
         .defines([]);
     let [a, c, k, y, dy] = letters(["a", "c₀", "k", "y", "ẏ"]);
     let rate = |v: Sym| v.diff(y) * dy - v.diff(dy) * (c * dy + k * y) / a;
     let energy = (a * dy * dy + k * y * y).half();
-    page.claim("section5-stability", "energy", r"the energy $\frac12(a\dot y^2+ky^2)$ that (13) suggests is not such a function: its derivative $-c\dot y^2$ vanishes where $\dot y=0$, $y\ne0$")
+    page.claim("section5-stability", "energy", r"the energy $\frac12(a\dot y^2+ky^2)$ that (13) suggests has no negative definite derivative along (15): its derivative $-c\dot y^2$ vanishes where $\dot y=0$, $y\ne0$")
         .given([Positive(a), Positive(c), Positive(k), NonZero(y)])
         .exists([Zero(rate(energy))], exact([("a", 1, 1), ("c₀", 1, 1), ("k", 1, 1), ("y", 1, 1), ("ẏ", 0, 1)]));
     let v = energy + (c * y * dy).half() + c * c * y * y / (int(4) * a);
-    page.claim("section5-stability", "function", r"$V=\frac12a\dot y^2+\frac12ky^2+\frac12cy\dot y+\frac{c^2}{4a}y^2$ is: with constant $a,c,k>0$, $\dot V=-\frac c2\dot y^2-\frac{ck}{2a}y^2$")
+    page.claim("section5-stability", "function", r"$V=\frac12a\dot y^2+\frac12ky^2+\frac12cy\dot y+\frac{c^2}{4a}y^2$ has along (15) with constant $a,c,k>0$ the negative definite derivative $\dot V=-\frac c2\dot y^2-\frac{ck}{2a}y^2$")
         .given([Positive(a), Positive(c), Positive(k)])
         .follows([Equal(rate(v), -(c * dy * dy).half() - (c * k * y * y / a).half())]);
     let square = dy + c * y / (int(2) * a);
-    page.claim("section5-stability", "definite", r"and positive definite: $V=\frac a2\left(\dot y+\frac c{2a}y\right)^2+\left(\frac k2+\frac{c^2}{8a}\right)y^2$")
+    page.claim("section5-stability", "definite", r"the function $V$ of section5-stability/function is positive definite for $a,c,k>0$: $V=\frac a2\left(\dot y+\frac c{2a}y\right)^2+\left(\frac k2+\frac{c^2}{8a}\right)y^2$")
         .given([Positive(a), Positive(c), Positive(k)])
         .follows([Equal(v, (a * square * square).half() + (k.half() + c * c / (int(8) * a)) * y * y)]);
 }

@@ -24,15 +24,12 @@ fn constraint(page: &mut Page) {
     let [crank, slider, radius, length] = letters(["q⁶", "q⁷", "rᶜ", "l"]);
     let point = crank.circle();
     let printed = (slider - radius * point.cos).powi(2) + (radius * point.sin).powi(2);
-    // places of crank pin and slider, and their distance
-    let pin = [radius * point.cos, radius * point.sin];
-    let distance = (pin[0] - slider).powi(2) + pin[1].powi(2);
     page.claim(
         "section6-drive",
         "constraint",
-        r"$(q^7-r\cos q^6)^2+(r\sin q^6)^2=l^2$: the rod joins the crank pin and a slider on the line through the axis",
+        r"$(q^7-r\cos q^6)^2+(r\sin q^6)^2=l^2$ ties the slider to the crank: the rod joins the crank pin and a slider on the line through the axis",
     )
-    .holds([Line::equation(distance - length * length, printed, length * length)]);
+    .defines([Line::equation(printed - length * length, printed, length * length)]);
     let moving = |x: Sym| Tangent::variable(x);
     let gap = |angle: Tangent<Sym>, place: Tangent<Sym>| {
         let (r, at) = (Tangent::fixed(radius), angle.circle());
@@ -41,11 +38,18 @@ fn constraint(page: &mut Page) {
     let by_crank = gap(moving(crank), Tangent::fixed(slider)).slope;
     let by_slider = gap(Tangent::fixed(crank), moving(slider)).slope;
     let offset = slider - radius * point.cos;
-    page.claim("section6-drive", "row", r"its row is $(2q^7r\sin q^6,\ 2(q^7-r\cos q^6))$").follows([
+    page.claim(
+        "section6-drive",
+        "row",
+        r"the gradient of the rod's constraint by $(q^6,q^7)$ is $(2q^7r\sin q^6,\ 2(q^7-r\cos q^6))$",
+    )
+    .in_words()
+    .follows([
         Condition::Equal(by_crank, int(2) * slider * radius * point.sin),
         Condition::Equal(by_slider, int(2) * offset),
     ]);
-    page.claim("section6-drive", "regular", r"which vanishes nowhere if the rod is longer than the crank: $q^7=r\cos q^6$ asks for $r^2-l^2=r^2\cos^2q^6\ge0$")
+    page.claim("section6-drive", "regular", r"the gradient of the rod's constraint vanishes nowhere if the rod is longer than the crank: on the constraint $q^7=r\cos q^6$ asks for $r^2-l^2=r^2\cos^2q^6\ge0$")
+        .in_words()
         .given([Condition::Equal(printed, length * length), Condition::Zero(offset)])
         .by_combination([(
             Condition::Equal(radius * radius - length * length, (radius * point.cos).powi(2)),
@@ -95,19 +99,19 @@ fn completed(page: &mut Page) {
     let [.., crank, slider] = at.place;
     let [radius, length] = letters(["rᶜ", "l"]);
     let point = crank.circle();
-    page.claim("section6-drive", "closure", "the constraint of the completed drive is the printed one").holds([
+    page.claim("section6-drive", "closure", "the completed drive has the printed constraint").defines([
         Line::equation(
             drive.constraints(at.time, at.place)[0],
             (slider - radius * point.cos).powi(2) + (radius * point.sin).powi(2),
             length.powi(2),
         ),
     ]);
-    page.claim("section6-drive", "nine", r"its equations of the first order are nine: with $q^3=q^4-q^5$, $\dot q^3=f^4-f^5$ they close in $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$, for no force depends on another charge")
+    page.claim("section6-drive", "nine", r"the completed drive has nine equations of the first order: with $q^3=q^4-q^5$, $\dot q^3=f^4-f^5$ they close in $f^1,f^2,q^3,f^4,f^5,q^6,f^6,q^7,f^7$, for no force depends on another charge")
         .in_words()
         .follows(close_in_nine(&drive, &at));
     let accelerations = letters(["ḟᵈ1", "ḟᵈ2", "ḟᵈ4", "ḟᵈ5", "ḟ⁶", "ḟ⁷"]);
     let supplied = drive.source(at.time) * at.velocity[0] - heat(&drive, at.velocity);
-    page.claim("section6-drive", "power", r"its power balance: the energy of windings, capacitor, crank and slider grows by $Ef^1$ less the heat in resistances, diodes and bearings, plus $\lambda\dot f$, which vanishes where the constraint holds; that is the power by which its runs are monitored")
+    page.claim("section6-drive", "power", r"power balance of the completed drive: the energy of windings, capacitor, crank and slider grows by $Ef^1$ less the heat in resistances, diodes and bearings, plus $\lambda\dot f$, which vanishes where the constraint holds; the program monitors runs of the drive by that power")
         .in_words()
         .follows([
             balance(&drive, &at, accelerations, letter("λᵈ")),

@@ -50,13 +50,18 @@ fn equations(page: &mut Page, s: &TopLetters) {
         moment.z + others.z,
     ];
     let left = [a * rates.x, a * rates.y, c * rates.z];
-    page.claim("eq16", "momentum", r"from the moment of momentum of a body with the gyroscope $\nu$ and a particle $m(t)$ that moves in it: $M=\dot m\,\xi\times(w-\dot\xi)-m\,\xi\times\ddot\xi-2m\,\xi\times(\omega\times\dot\xi)$, reactive, inertial and Coriolis moment, where the mass leaves with the velocity $w$ relative to the body; $\dot A$ does not stand on the left")
+    page.claim("eq16", "momentum", r"(16) from the moment of momentum of a body with the gyroscope $\nu$ and a particle $m(t)$ that moves in it: $M=\dot m\,\xi\times(w-\dot\xi)-m\,\xi\times\ddot\xi-2m\,\xi\times(\omega\times\dot\xi)$, reactive, inertial and Coriolis moment, where the mass leaves with the velocity $w$ relative to the body; $\dot A$ does not stand on the left")
         .note("$A$, $B=A$, $C$ are the moments of body and particles at the instant, whose axes are taken to stay principal. Several particles add up. $\\dot\\gamma_i=\\Gamma_i$ is left open by the paper; on a motion $\\dot\\gamma=\\gamma\\times\\omega$.")
         .in_words()
         .follows((0..3).map(|i| Condition::Equal(derived[i], left[i] - right[i])));
     let [mx, my, mz] = letters(["Mx", "My", "Mz"]);
     let solidified = now.residual(spin, rates, moment + Vector3::new(mx, my, mz));
-    page.claim("eq16", "solidified", "the three equations as printed, $M$ being these moments").holds([
+    page.claim(
+        "eq16",
+        "solidified",
+        r"the first three equations of (16), with $M_x$, $M_y$, $M_z$ the moments of eq16/momentum",
+    )
+    .holds([
         Line::equation(solidified.x, left[0], (a - c) * q * r - nu * q + moment.x + mx),
         Line::equation(solidified.y, left[1], (c - a) * r * p + nu * p + moment.y + my),
         Line::equation(solidified.z, left[2], moment.z + mz),
@@ -76,13 +81,15 @@ fn integrals(page: &mut Page, s: &TopLetters) {
     let momentum = now.momentum(s.at.spin).dot(&s.at.vertical);
     page.claim("eq17", "momentum", r"$f_2$ is the moment of momentum about the vertical, the gyroscope's included")
         .holds([Line::formula(momentum, letter("f₂"), f2)]);
-    page.claim("eq17", "axial", r"$f_3=C(r-r_0)$ and $f_4=\gamma_1^2+\gamma_2^2+\gamma_3^2-1$; $g=\mu_1/R^2$")
+    page.claim("eq17", "axial", r"(17) names $f_3=C(r-r_0)$ and $f_4=\gamma_1^2+\gamma_2^2+\gamma_3^2-1$; $g=\mu_1/R^2$")
         .note("What $f_3$ is equal to is not printed: a constant in general, zero on the motion that is studied. The constant $\\mu$ below (17) is $\\mu_1$.")
-        .defines([Line::formula(f3, letter("f₃"), f3)]);
+        .defines([]);
     let law = s.top.map(|x| x.value).integrals(&s.at, s.aim);
-    page.claim("eq17", "law", "the quantities of the body as it runs are these").in_words().follows([
-        Condition::Equal(law.energy, f1),
-        Condition::Equal(law.vertical_momentum, f2),
-        Condition::Equal(law.axial_momentum, f3),
-    ]);
+    page.claim("eq17", "law", "the program's integrals of the body are $f_1$, $f_2$, $f_3$ of (17)")
+        .in_words()
+        .follows([
+            Condition::Equal(law.energy, f1),
+            Condition::Equal(law.vertical_momentum, f2),
+            Condition::Equal(law.axial_momentum, f3),
+        ]);
 }

@@ -22,11 +22,12 @@ fn perturbations(page: &mut Page) {
     page.claim(
         "section7-perturbations",
         "constants",
-        r"with $\dot f_1=k_{11}f_1+\dots$ the constant value $f_1=C_1$ of (17) is a solution (the other $f$ zero)",
+        r"under $\dot f_1=k_{11}f_1+k_{12}f_2+k_{13}f_3$ the constant value $f_1=C_1$ of (17) is a solution, $\dot f_1=0$ (with $f_2=f_3=0$)",
     )
     .given([Equal(f1, c1), Equal(df1, k11 * f1)])
+    .why(r"The perturbation of the integral is $f_1-C_1$ and not $f_1$.")
     .refuted([Zero(df1)], exact([("f₁", 1, 1), ("C₁", 1, 1), ("k₁₁", 1, 1), ("ḟ₁", 1, 1)]));
-    page.claim("section7-perturbations", "constants-corrected", r"the perturbations are $f_i-C_i$: with $\dot f_1=k_{11}(f_1-C_1)+\dots$ it is. As printed the values $C$ with $kC=0$ alone are kept, for a regular matrix zero")
+    page.claim("section7-perturbations", "constants-corrected", r"with the perturbation $f_1-C_1$ in the place of $f_1$, $\dot f_1=k_{11}(f_1-C_1)+k_{12}f_2+k_{13}f_3$, the constant value $f_1=C_1$ is a solution (with $f_2=f_3=0$)")
         .given([Equal(f1, c1), Equal(df1, k11 * (f1 - c1))])
         .by_combination([(Zero(df1), vec![], vec![(0, k11), (1, int(1))])]);
     page.correct();
@@ -48,7 +49,7 @@ fn system(page: &mut Page, s: &TopLetters) {
     let [h1, h2, h3] = letters(["h₁", "h₂", "h₃"]);
     let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (s.at.spin.into(), s.at.vertical.into());
     let (energy, momentum) = (half(with.energy - without.energy), with.vertical_momentum - without.vertical_momentum);
-    page.claim("eq18", "moments", r"the moments enter $\frac12\dot f_1$ and $\dot f_2$ as printed").holds([
+    page.claim("eq18", "moments", r"(18): the moments enter $\frac12\dot f_1$ and $\dot f_2$ as printed").holds([
         Line::equation(energy - h1, p * moment.x + q * moment.y + r * moment.z, h1),
         Line::equation(momentum - h2, g1 * moment.x + g2 * moment.y + g3 * moment.z, h2),
     ]);
@@ -57,8 +58,8 @@ fn system(page: &mut Page, s: &TopLetters) {
         let with = found(s, Vector3::new(Sym::ZERO, Sym::ZERO, moment), free()).axial_momentum;
         with - without.axial_momentum
     };
-    page.claim("eq18", "axial", r"$Z=h_3$").fails([Line::equation(axial(z + mz) - h3, z, h3)]);
-    page.claim("eq18", "axial-corrected", r"$\tilde Z=h_3$, as (19) has it").holds([Line::equation(
+    page.claim("eq18", "axial", r"(18): $Z=h_3$").why(r"The moment $M_z$ of the variable mass is lost: $\tilde Z=Z+M_z$.").fails([Line::equation(axial(z + mz) - h3, z, h3)]);
+    page.claim("eq18", "axial-corrected", r"(18) has $\tilde Z=h_3$, as (19) does").holds([Line::equation(
         axial(moment.z) - h3,
         moment.z,
         h3,
@@ -66,16 +67,10 @@ fn system(page: &mut Page, s: &TopLetters) {
     page.correct();
     let [k44, f4] = letters(["k₄₄", "f₄"]);
     let along = g1 * free().x + g2 * free().y + g3 * free().z;
-    page.claim("eq18", "length", r"$\gamma\cdot\Gamma=k_{44}f_4$ from $\dot f_4=k_{44}f_4$").fails([Line::equation(
-        half(without.length - k44 * f4),
-        along,
-        k44 * f4,
-    )]);
-    page.claim("eq18", "length-corrected", r"half of it: $f_4$ is a square").holds([Line::equation(
-        half(without.length - k44 * f4),
-        along,
-        half(k44 * f4),
-    )]);
+    page.claim("eq18", "length", r"(18): $\gamma\cdot\Gamma=k_{44}f_4$ from $\dot f_4=k_{44}f_4$")
+        .fails([Line::equation(half(without.length - k44 * f4), along, k44 * f4)]);
+    page.claim("eq18", "length-corrected", r"$\gamma\cdot\Gamma=\frac12k_{44}f_4$ from $\dot f_4=k_{44}f_4$")
+        .holds([Line::equation(half(without.length - k44 * f4), along, half(k44 * f4))]);
     page.correct();
 }
 
@@ -89,8 +84,8 @@ fn right_sides(page: &mut Page, s: &TopLetters) {
     let varying = -half(da * (p * p + q * q)) - half(dc * r * r) + half(s.tide * (da - dc) * g3 * g3);
     let tidal = s.tide * (a - c) * g3 * rate.z;
     let derived = half(wanted[0] - missing.energy);
-    page.claim("section7-h1", "printed", r"$h_1$ as printed")
-        .note(r"Four things: $\frac12\sum k_{1i}f_i$; $\Gamma_3$ and not $\Gamma_2$ beside $Mgz_c$; $\gamma_3$ and not $z_c$ beside $Mg\dot z_c$, as $\tilde h_1$ has it, which is not even of the dimension of the others; $\dot M$ is forgotten.")
+    page.claim("section7-h1", "printed", r"$h_1$ as printed below (18)")
+        .why(r"Four slips: $\frac12\sum k_{1i}f_i$ is meant; $\Gamma_3$ and not $\Gamma_2$ beside $Mgz_c$; $\gamma_3$ and not $z_c$ beside $Mg\dot z_c$, as $\tilde h_1$ has it, which is not even of the dimension of the others; $\dot M$ is forgotten.")
         .fails([Line::formula(derived, h1, wanted[0] - m * g * z * rate.y + tidal + varying - m * g * z * dz)]);
     page.claim("section7-h1", "corrected", r"$h_1$ from $\dot f_1$ along (16)").holds([Line::formula(
         derived,
@@ -100,6 +95,7 @@ fn right_sides(page: &mut Page, s: &TopLetters) {
     page.correct();
 
     page.claim("section7-h2-h3", "printed", r"$h_2=\sum k_{2i}f_i$, $h_3=\sum k_{3i}f_i$ for a body of variable mass")
+        .why(r"The moments of inertia change in $f_2$ and $f_3$ too, and $\dot f_2$ contains $\Gamma$.")
         .fails([
             Line::formula(wanted[1] - missing.vertical_momentum, h2, wanted[1]),
             Line::formula(wanted[2] - missing.axial_momentum, h3, wanted[2]),
@@ -108,7 +104,7 @@ fn right_sides(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-h2-h3",
         "corrected",
-        r"the moments of inertia change in $f_2$ and $f_3$ too, and $h_2$ contains $\Gamma$",
+        r"$h_2$ and $h_3$ from $\dot f_2$ and $\dot f_3$ along (16), for a body of variable mass and free $\Gamma$",
     )
     .holds([
         Line::formula(
@@ -120,7 +116,7 @@ fn right_sides(page: &mut Page, s: &TopLetters) {
     ]);
     page.correct();
     let moving = found(s, Vector3::zeros(), poisson(&s.at));
-    page.claim("section7-h2-h3", "poisson", r"with $\Gamma=\gamma\times\omega$ what contains $\Gamma$ falls out of $h_2$: printed and true differ by $\dot A$ and $\dot C$ alone, and not at all for a body of constant mass")
+    page.claim("section7-h2-h3", "poisson", r"$h_2$ with $\Gamma=\gamma\times\omega$: the printed sum and two terms with $\dot A$ and $\dot C$, so that the print is right for a body of constant mass")
         .holds([Line::formula(
             wanted[1] - moving.vertical_momentum,
             h2,

@@ -103,7 +103,8 @@ impl Bundle {
             "printed",
             r"$V$ as printed, with $\omega^2=3g/R$, has no terms of the first order in $x$",
         )
-        .note(r"The terms with $f_3$ have the dimension of the others for $f_3=r-r_0$ only, and not for (17).")
+        .reading(r"$f_3=r-r_0$ is read in $V$, not $C(r-r_0)$ of (17): the terms with $f_3$ have the dimension of the others then alone.")
+        .why(r"A factor 2 is lost in the coefficient of $f_3$, and $\omega^2=3g/R$ counts the field three times; $\omega^2=g/R$ is right.")
         .refuted(
             [Zero(slope(printed, x3)), Zero(slope(printed, x6))],
             exact([
@@ -118,11 +119,12 @@ impl Bundle {
             ]),
         );
         let right = self.corrected();
-        page.claim("section7-lyapunov", "corrected", r"with $\omega^2=g/R$ and the coefficient $2C\left(\frac{Cr_0+\nu}{2A}-r_0\right)$ of $f_3=r-r_0$: no term of the first order")
+        page.claim("section7-lyapunov", "corrected", r"$V$ with $\omega^2=g/R$ and the coefficient $2C\left(\frac{Cr_0+\nu}{2A}-r_0\right)$ of $f_3=r-r_0$ has no terms of the first order in $x$")
             .in_words()
             .follows(perturbations().map(|x| Zero(unperturbed(right.diff(x)))));
         page.correct();
-        page.claim("section7-lyapunov", "excess", r"what the printed one has instead: $\frac CA(Cr_0+\nu)x_3+4\frac{3g}R(A-C)x_6$, where $\omega^2=3g/R$ counts the field three times")
+        page.claim("section7-lyapunov", "excess", r"$V$ as printed has the terms of the first order $\frac CA(Cr_0+\nu)x_3+4\frac{3g}R(A-C)x_6$: with $\omega^2=3g/R$ it counts the field three times")
+                .in_words()
             .follows([Equal(slope(printed, x3), c * n / a), Equal(slope(printed, x6), int(4) * self.tide * (a - c))]);
     }
 
@@ -131,7 +133,7 @@ impl Bundle {
         let ([a, c, _], [_, _, _, x4, x5, x6]) = (body(), perturbations());
         let square = x4 * x4 + x5 * x5 + x6 * x6;
         let left = int(1) / int(4) * self.tide * (a - c) * square * (square + int(4) * x6);
-        page.claim("section7-lyapunov", "form", r"exactly, $V=A(x_1^2+x_2^2)+\frac{C^2}Ax_3^2+\kappa(x_4^2+x_5^2+x_6^2)-(Cr_0+\nu)(x_1x_4+x_2x_5)-\frac{C(Cr_0+\nu)}Ax_3x_6$ and terms of the third order, with the printed $\kappa=\frac1{2A}(Cr_0+\nu)^2+3\omega^2(A-C)-Mgz_c$; the terms with $f_3^2$ and $f_4^2$ are right")
+        page.claim("section7-lyapunov", "form", r"$V$ corrected is $A(x_1^2+x_2^2)+\frac{C^2}Ax_3^2+\kappa(x_4^2+x_5^2+x_6^2)-(Cr_0+\nu)(x_1x_4+x_2x_5)-\frac{C(Cr_0+\nu)}Ax_3x_6$ and terms of the third order, with the printed $\kappa=\frac1{2A}(Cr_0+\nu)^2+3\omega^2(A-C)-Mgz_c$")
             .in_words()
             .follows([Equal(self.corrected(), self.quadratic() + left)]);
     }
@@ -144,7 +146,7 @@ impl Bundle {
         let squares = a * (shift(x1, x4, n / (a + a)) + shift(x2, x5, n / (a + a)))
             + (c * x3 - half(n * x6)).powi(2) / a
             + rest * (x4 * x4 + x5 * x5 + x6 * x6);
-        page.claim("section7-lyapunov", "squares", r"the form is $A\left(x_1-\frac{N}{2A}x_4\right)^2+A\left(x_2-\frac N{2A}x_5\right)^2+\frac1A\left(Cx_3-\frac N2x_6\right)^2+\frac{D}{4A}(x_4^2+x_5^2+x_6^2)$ with $N=Cr_0+\nu$, $D=N^2-4A\left(Mgz_c-\frac{3g}R(A-C)\right)$: positive definite if and only if $D>0$")
+        page.claim("section7-lyapunov", "squares", r"the quadratic form of $V$ corrected is $A\left(x_1-\frac{N}{2A}x_4\right)^2+A\left(x_2-\frac N{2A}x_5\right)^2+\frac1A\left(Cx_3-\frac N2x_6\right)^2+\frac{D}{4A}(x_4^2+x_5^2+x_6^2)$ with $N=Cr_0+\nu$, $D=N^2-4A\left(Mgz_c-\frac{3g}R(A-C)\right)$: positive definite if and only if $D>0$")
             .in_words()
             .given([Positive(a), Positive(c)])
             .follows([Equal(self.quadratic(), squares)]);
@@ -152,13 +154,13 @@ impl Bundle {
         page.claim(
             "section7-lyapunov",
             "only-if",
-            r"where $D\le0$ it is not: at $x_1=\frac N{2A}x_4$, $x_4\ne0$, the others zero, it is $\frac D{4A}x_4^2$",
+            r"where $D\le0$ the quadratic form of $V$ corrected is not positive definite: at $x_1=\frac N{2A}x_4$, $x_4\ne0$, the other $x$ zero, its value is $\frac D{4A}x_4^2$",
         )
         .in_words()
         .given([Positive(a)])
         .follows([Equal(self.quadratic().substitute(&bowed), rest * x4 * x4)]);
         let v = self.corrected();
-        page.claim("section7-stability", "constant", r"for constant $A$, $C$, $Mz_c$, $\dot V=0$ along (21) corrected: where $D>0$, $V$ is a positive definite integral and the permanent rotation is stable in $p,q,r,\gamma$, by Lyapunov's theorem")
+        page.claim("section7-stability", "constant", r"for constant $A$, $C$, $Mz_c$, $\dot V=0$ along (21) corrected: where $D>0$, $V$ is a positive definite integral and the permanent rotation is stable in $p,q,r,\gamma$ by Lyapunov's theorem, which is cited")
             .in_words()
             .follows([Zero(self.along(v))]);
     }
@@ -174,8 +176,10 @@ impl Bundle {
 fn inequality(page: &mut Page, s: &TopLetters) {
     let [a, c, n] = body();
     let with = |square: Sym| n * n - int(4) * a * (weight() - int(3) * square * (a - c));
-    page.claim("section7-stability", "first", r"$(Cr_0+\nu)^2-4A(Mgz_c-3\omega^2(A-C))>0$ with $\omega^2=3g/R$ ($4a$ in the text) makes $V$ positive definite, that is $D>0$")
+    page.claim("section7-stability", "first", r"$(Cr_0+\nu)^2-4A(Mgz_c-3\omega^2(A-C))>0$ with $\omega^2=3g/R$ makes $V$ positive definite, that is $D>0$")
         .given([Positive(a), Positive(c), Positive(a - c), Positive(with(s.tide))])
+        .reading("The text has $4a$ for $4A$.")
+        .why(r"$\omega^2=3g/R$ counts the field three times: with $A>C$ the condition is weaker than $D>0$, which has $\omega^2=g/R$.")
         .refuted(
             [Positive(with(s.tide / int(3)))],
             exact([
@@ -225,7 +229,7 @@ fn linearised(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-stability",
         "neutral",
-        r"$x_3$ and $x_6$ are constant to the first order: two zero roots beside these four",
+        r"the linearised equations keep $x_3$ and $x_6$: two zero roots beside the four of section7-stability/first-corrected",
     )
     .in_words()
     .under(&Hypotheses::none())

@@ -34,16 +34,17 @@ fn solution(page: &mut Page, s: &TopLetters) {
         Line::formula(found[0], x, (g2 * h1 - q * h2 + (q * g3 - r * g2) * h3) / delta),
         Line::formula(found[2], z, h3),
     ]);
-    page.claim("eq19", "second", r"$\tilde Y$ as printed").fails([Line::formula(
+    page.claim("eq19", "second", r"(19): $\tilde Y$ as printed, from (18)").why(r"$\gamma_3h_1$ is printed for $\gamma_1h_1$.").fails([Line::formula(
         found[1],
         y,
         (p * h2 - g3 * h1 + (r * g1 - p * g3) * h3) / delta,
     )]);
-    page.claim("eq19", "second-corrected", r"with $\gamma_1h_1$ in place of $\gamma_3h_1$").holds([Line::formula(
-        found[1],
-        y,
-        (p * h2 - g1 * h1 + (r * g1 - p * g3) * h3) / delta,
-    )]);
+    page.claim(
+        "eq19",
+        "second-corrected",
+        r"$\tilde Y$ by Cramer's rule from (18) has $\gamma_1h_1$ in the place of $\gamma_3h_1$",
+    )
+    .holds([Line::formula(found[1], y, (p * h2 - g1 * h1 + (r * g1 - p * g3) * h3) / delta)]);
     page.correct();
 }
 
@@ -55,10 +56,11 @@ fn kinematics(page: &mut Page, s: &TopLetters) {
     let square = gamma.dot(&gamma);
     let general = gamma.cross(&c) + gamma * (along / square);
     page.claim("eq19", "vertical", r"$\Gamma_1=c_3\gamma_2-c_2\gamma_3+\gamma_1\gamma^{-2}k_{44}f_4$ and its permutations solve $\gamma\cdot\Gamma=k_{44}f_4$, whatever $c$ (by (18) corrected, $\frac12k_{44}f_4$)")
+        .in_words()
         .given([NonZero(square)])
         .follows([Equal(gamma.dot(&general), along)]);
     let turned = gamma.cross(&free.cross(&gamma));
-    page.claim("eq19", "vertical-all", r"and every solution is of this form, with $c=\gamma^{-2}\,\Gamma\times\gamma$")
+    page.claim("eq19", "vertical-all", r"every solution of $\gamma\cdot\Gamma=k_{44}f_4$ has the form of (19), with $c=\gamma^{-2}\,\Gamma\times\gamma$")
         .given([NonZero(square), Equal(gamma.dot(&free), along)])
         .by_combination(
             (0..3).map(|i| (Equal(free[i], (turned[i] + gamma[i] * along) / square), vec![0], vec![(1, gamma[i])])),
@@ -82,13 +84,13 @@ fn moments(page: &mut Page, s: &TopLetters) {
     let [da, dc, m, dm, z, dz, g] = letters(["Ȧ", "Ċ", "M", "Ṁ", "zc", "żc", "g"]);
     let [twice, _, _] = by_variation(s);
     let spinning = -da * (p * p + q * q) - dc * r * r;
-    page.claim("section7-moments", "h1", r"$2\tilde h_1$ as printed").fails([Line::formula(
+    page.claim("section7-moments", "h1", r"$2\tilde h_1$ as printed below (19)").why(r"The factor 2 of the whole is lost in the last term, and $\dot M$ in the third.").fails([Line::formula(
         twice,
         letter("2h̃₁"),
         spinning - int(2) * m * g * g3 * dz + half(s.tide * (da - dc) * g3 * g3),
     )]);
     let right = spinning - int(2) * g * g3 * (m * dz + dm * z) + s.tide * (da - dc) * g3 * g3;
-    page.claim("section7-moments", "h1-corrected", r"with twice the last term, and with $\dot M$")
+    page.claim("section7-moments", "h1-corrected", r"$2\tilde h_1$ from the rates of $A$, $C$ and $Mz_c$: the last term is twice the printed one, and $\dot M$ occurs")
         .holds([Line::formula(twice, letter("2h̃₁"), right)]);
     page.correct();
 
@@ -98,13 +100,14 @@ fn moments(page: &mut Page, s: &TopLetters) {
     let [mx, my, mz] = letters(["Mx", "My", "Mz"]);
     let (h1, delta) = (half(right), s.delta());
     page.claim("section7-moments", "others", r"$M_x=\gamma_2\tilde h_1/\Delta$, $M_y=p\tilde h_1/\Delta$, $M_z=0$ with $\Delta=p\gamma_2-q\gamma_1$ and the right $\tilde h_1$")
+        .why(r"$p$ is printed for $-\gamma_1$ in $M_y$, and $\tilde h_2$, $\tilde h_3$, the changes of $f_2$, $f_3$ with $A$ and $C$, are left out.")
         .fails([
             Line::formula(others.x, mx, g2 * h1 / delta),
             Line::formula(others.y, my, p * h1 / delta),
             Line::formula(others.z, mz, Sym::ZERO),
         ]);
     let (h2, h3) = (-da * (p * g1 + q * g2) - dc * r * g3, -dc * (r - s.aim));
-    page.claim("section7-moments", "others-corrected", r"the moments that keep $f_1,f_2,f_3$ while $A$, $C$, $Mz_c$ change: with $\tilde h_2=-\dot A(p\gamma_1+q\gamma_2)-\dot Cr\gamma_3$ and $\tilde h_3=-\dot C(r-r_0)$; with constant $A$, $C$ they are $\gamma_2\tilde h_1/\Delta$, $-\gamma_1\tilde h_1/\Delta$, $0$")
+    page.claim("section7-moments", "others-corrected", r"the moments that keep $f_1,f_2,f_3$ while $A$, $C$, $Mz_c$ change, beside $X$, $Y$, $Z$: with $\tilde h_2=-\dot A(p\gamma_1+q\gamma_2)-\dot Cr\gamma_3$ and $\tilde h_3=-\dot C(r-r_0)$; with constant $A$, $C$ they are $\gamma_2\tilde h_1/\Delta$, $-\gamma_1\tilde h_1/\Delta$, $0$")
         .holds([
             Line::formula(others.x, mx, (g2 * h1 - q * h2 + (q * g3 - r * g2) * h3) / delta),
             Line::formula(others.y, my, (p * h2 - g1 * h1 + (r * g1 - p * g3) * h3) / delta),
@@ -123,8 +126,9 @@ fn moments(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-moments",
         "constant",
-        r"and for constant $A$, $C$, $Mz_c$ all that keeps the integrals: $\Delta$ cancels",
+        r"for constant $A$, $C$, $Mz_c$ the moments that keep the integrals are $X$, $Y$, $Z$ as printed: $\Delta$ cancels",
     )
+    .in_words()
     .given([NonZero(delta)])
     .follows((0..3).map(|i| Equal(constant[i], printed[i])));
 }
@@ -153,7 +157,12 @@ fn force_function(page: &mut Page, s: &TopLetters) {
     let (now, [a, c, m, z]) = (s.now(), letters(["A", "C", "M", "zc"]));
     let [g1, g2, g3]: [Sym; 3] = gamma.into();
     let gravity = [(letter("g"), strength / radius.powi(2))];
-    page.claim("eq20", "body", r"with $g=\mu_1/R^2$, $x_c=y_c=0$, $A=B$").holds([Line::formula(
+    page.claim(
+        "eq20",
+        "body",
+        r"the program's force function of the body is (20) with $g=\mu_1/R^2$, $x_c=y_c=0$, $A=B$",
+    )
+    .defines([Line::formula(
         now.force_function(gamma).substitute(&gravity),
         letter("U"),
         -(strength * m / radius.powi(2) * (z * g3))
@@ -167,8 +176,9 @@ fn singular(page: &mut Page, s: &TopLetters) {
     let ([x, y, z], [h1, h2, h3]) = (letters(["X̃", "Ỹ", "Z̃"]), letters(["h₁", "h₂", "h₃"]));
     let delta = s.delta();
     page.claim("eq19", "denominator", r"$p\gamma_2-q\gamma_1=-\dot\gamma_3$: (19) does not exist where the inclination of the axis is stationary, with axis, vertical and angular velocity in one plane")
+        .in_words()
         .follows([Equal(delta, -poisson(&s.at).z)]);
-    page.claim("eq19", "compatible", r"there (18) has a solution only if $p(h_2-\gamma_3h_3)=\gamma_1(h_1-rh_3)$ and $q(h_2-\gamma_3h_3)=\gamma_2(h_1-rh_3)$")
+    page.claim("eq19", "compatible", r"where $p\gamma_2=q\gamma_1$ (18) has a solution only if $p(h_2-\gamma_3h_3)=\gamma_1(h_1-rh_3)$ and $q(h_2-\gamma_3h_3)=\gamma_2(h_1-rh_3)$")
         .given([
             Equal(p * x + q * y + r * z, h1),
             Equal(g1 * x + g2 * y + g3 * z, h2),
@@ -187,7 +197,7 @@ fn singular(page: &mut Page, s: &TopLetters) {
                 vec![(0, g2), (1, -q), (2, q * g3 - r * g2), (3, -x)],
             ),
         ]);
-    page.claim("eq19", "not-unique", r"and then not one: moments along $(-q,p,0)$ and $(-\gamma_2,\gamma_1,0)$, across the plane, change neither $f_1$ nor $f_2$")
+    page.claim("eq19", "not-unique", r"where $p\gamma_2=q\gamma_1$ a solution of (18) is not the only one: moments along $(-q,p,0)$ and $(-\gamma_2,\gamma_1,0)$, across the plane of axis, vertical and angular velocity, change neither $f_1$ nor $f_2$")
         .given([Zero(delta)])
         .by_combination([
             (Zero(dot([p, q], [-g2, g1])), vec![], vec![(0, int(-1))]),
@@ -204,7 +214,7 @@ fn permanent(page: &mut Page, s: &TopLetters) {
     let [da, dc, g] = letters(["Ȧ", "Ċ", "g"]);
     let [_, change] = s.static_moment();
     let names = letters(["ḟ₁", "ḟ₂", "ḟ₃"]);
-    page.claim("eq19", "permanent", r"on the permanent rotation (22), $p=q=\gamma_1=\gamma_2=0$, (19) is 0/0: $X$, $Y$ do not enter at all, $\dot f_2-\dot f_3=\dot Cr_0$ and $\dot f_1-2r_0\dot f_3=\dot Cr_0^2+2g(Mz_c)^{\textstyle\cdot}-\frac{3g}R(\dot A-\dot C)$ whatever the moments: there are integrals (17) only if $\dot Cr_0=0$ and $2g(Mz_c)^{\textstyle\cdot}=\frac{3g}R(\dot A-\dot C)$")
+    page.claim("eq19", "permanent", r"on the permanent rotation (22), $p=q=\gamma_1=\gamma_2=0$, (19) is 0/0: $X$, $Y$ do not enter at all, $\dot f_2-\dot f_3=\dot Cr_0$ and $\dot f_1-2r_0\dot f_3=\dot Cr_0^2+2g(Mz_c)^{\textstyle\cdot}-\frac{3g}R(\dot A-\dot C)$ whatever the moments, so that there are integrals (17) only if $\dot Cr_0=0$ and $2g(Mz_c)^{\textstyle\cdot}=\frac{3g}R(\dot A-\dot C)$")
         .holds([
             Line::equation(
                 names[1] - names[2] - found.vertical_momentum + found.axial_momentum,

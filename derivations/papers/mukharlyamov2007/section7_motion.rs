@@ -24,21 +24,18 @@ fn equations(page: &mut Page, s: &TopLetters) {
     let derived = now.residual(s.at.spin, acceleration, now.moment_of_field(s.at.vertical));
     let weight = m * g * z;
     let first = (a - c) * q * r - nu * q + weight * g2 + s.tide * (c - a) * g2 * g3;
-    page.claim("eq21", "first", "the first and the third equation").holds([
+    page.claim("eq21", "first", "the first and the third equation of (21)").holds([
         Line::equation(derived.x, a * acceleration.x, first),
         Line::equation(derived.z, c * acceleration.z, Sym::ZERO),
     ]);
     let rest = nu * p - weight * g1 + s.tide * (a - c) * g3 * g1;
-    page.claim("eq21", "second", r"the second equation, $(A-C)rp$ as printed").fails([Line::equation(
+    page.claim("eq21", "second", r"the second equation of (21), with $(A-C)rp$ as printed").why("A sign: (16) has $(C-A)rp$.").fails([Line::equation(
         derived.y,
         a * acceleration.y,
         (a - c) * r * p + rest,
     )]);
-    page.claim("eq21", "second-corrected", r"$(C-A)rp$, as in (16)").holds([Line::equation(
-        derived.y,
-        a * acceleration.y,
-        (c - a) * r * p + rest,
-    )]);
+    page.claim("eq21", "second-corrected", r"the second equation of (21) with $(C-A)rp$, as in (16)")
+        .holds([Line::equation(derived.y, a * acceleration.y, (c - a) * r * p + rest)]);
     page.correct();
     let moving = poisson(&s.at);
     let names = letters(["γ̇1", "γ̇2", "γ̇3"]);
@@ -51,12 +48,16 @@ fn equations(page: &mut Page, s: &TopLetters) {
     .holds((0..3).map(|i| Line::formula(moving[i], names[i], printed[i])));
     let moment = now.moment_of_field(s.at.vertical);
     let kept = rates(&s.constant(), &s.at, s.aim, moment, moving);
-    page.claim("eq21", "integrals", "for constant $A$, $C$, $Mz_c$ the equations so corrected have the integrals (17)")
-        .in_words()
-        .follows([kept.energy, kept.vertical_momentum, kept.axial_momentum, kept.length].map(Zero));
+    page.claim(
+        "eq21",
+        "integrals",
+        "(21) with the corrected second equation has the integrals (17) for constant $A$, $C$, $Mz_c$",
+    )
+    .in_words()
+    .follows([kept.energy, kept.vertical_momentum, kept.axial_momentum, kept.length].map(Zero));
     varying(page, s);
     let wrong = int(2) * q * int(2) * (a - c) * r * p;
-    page.claim("eq21", "energy", r"with the printed sign $f_1$ is no integral: $\dot f_1=4(A-C)pqr$")
+    page.claim("eq21", "energy", r"(21) with the printed sign does not keep $f_1$, for constant $A$, $C$, $Mz_c$")
         .holds([Line::formula(kept.energy + wrong, letter("ḟ₁"), int(4) * (a - c) * p * q * r)]);
 }
 
@@ -73,13 +74,14 @@ fn varying(page: &mut Page, s: &TopLetters) {
         "varying",
         r"(17) are integrals of (21) with varying $A$, $C$, $Mz_c$ too, so that $V$ is a bundle of integrals there",
     )
+    .why("(21) leaves out the moments of the variable mass that section 7 has just found to keep them.")
     .fails(line(derived, [Sym::ZERO; 3]));
     let [_, change] = s.static_moment();
     let energy = da * (p * p + q * q) + dc * r * r + int(2) * g * g3 * change - s.tide * (da - dc) * g3 * g3;
     page.claim(
         "eq21",
         "varying-corrected",
-        r"only with the moments of section 7 besides, which (21) leaves out: without them",
+        r"(21) with varying $A$, $C$, $Mz_c$ and without the moments of the variable mass has these rates of (17)",
     )
     .holds(line(derived, [energy, da * (p * g1 + q * g2) + dc * r * g3, dc * (r - s.aim)]));
     page.correct();
@@ -100,6 +102,7 @@ fn perturbed_motion(page: &mut Page, s: &TopLetters) {
         "lost",
         r"the equations of perturbed motion are $x_1=0,\dots,x_6=0$, (22) once more: every perturbation is zero",
     )
+    .why("The text prints (22) twice, in the place of the equations of perturbed motion too.")
     .refuted([Zero(x1)], exact([("ω1", 1, 1)]));
     let [a, c, m, z, nu, g, r0] = letters(["A", "C", "M", "zc", "ν", "g", "r₀"]);
     let names = letters(["ω̇1", "ω̇2", "ω̇3", "η̇4", "η̇5", "η̇6"]);
@@ -117,7 +120,7 @@ fn perturbed_motion(page: &mut Page, s: &TopLetters) {
     page.claim(
         "section7-perturbations",
         "lost-corrected",
-        r"with $x=(p,q,r-r_0,\gamma_1,\gamma_2,\gamma_3-1)$ in (21) corrected",
+        r"the equations of perturbed motion are (21) corrected with $x=(p,q,r-r_0,\gamma_1,\gamma_2,\gamma_3-1)$",
     )
     .holds((0..6).map(|i| Line::formula(found[i], names[i], printed[i])));
     page.correct();

@@ -48,11 +48,12 @@ fn not_asymptotic(page: &mut Page, s: &TopLetters) {
     let on_axis = |e: Sym| e.substitute(&[x1, x2, x4, x5, x6].map(|x| (x, Sym::ZERO)));
     let rates = field(s).map(|rate| on_axis(perturbed(rate)));
     page.claim("section7-stability", "asymptotic", r"under the four inequalities the rotation is asymptotically stable: a perturbation $x_3$ of the axial speed decays, $x_3\dot x_3<0$")
-        .note("The text says with respect to (21), and means (22).")
+        .reading("The text says stable with respect to (21); the particular integrals (22) are meant.")
+        .why(r"$C\dot r=0$ in (21): every perturbation of $r$ stays.")
         .given(printed(&bundle).map(Positive))
         .given([NonZero(x3)])
         .refuted([Positive(-(x3 * rates[2]))], point(instant([("ω3", 1, 1)])));
-    page.claim("section7-stability", "asymptotic-corrected", r"never, whatever $A(t)$, $C(t)$, $Mz_c(t)$: (21) has the motion $p=q=\gamma_1=\gamma_2=0$, $\gamma_3=1$ with every constant $r$, and $\dot r=0$ on all others. The rotation can be stable, and asymptotically at most in what remains with $r$ given; for constant parameters not even so, $V$ being an integral")
+    page.claim("section7-stability", "asymptotic-corrected", r"the rotation is never asymptotically stable, whatever $A(t)$, $C(t)$, $Mz_c(t)$: (21) has the motion $p=q=\gamma_1=\gamma_2=0$, $\gamma_3=1$ with every constant $r$, and $\dot r=0$ on all motions")
         .in_words()
         .follows(rates.into_iter().chain([perturbed(field(s)[2])]).map(Zero));
     page.correct();
@@ -71,9 +72,17 @@ fn rate(page: &mut Page, bundle: &Bundle) {
         .in_words()
         .follows([Zero(bundle.along(bundle.corrected())), Equal(varying(bundle.quadratic()), form)]);
     let length = x4 * x4 + x5 * x5 + x6 * x6 + x6 + x6;
-    page.claim("section7-stability", "on-the-sphere", r"where $x_6=-\frac12(x_4^2+x_5^2+x_6^2)$ is of the second order: on motions with $f_4=0$ the form to be looked at has the variables $x_1,\dots,x_5$ only, and the three printed inequalities are Sylvester's for its negative definiteness")
-        .given([Zero(length)])
-        .by_combination([(Equal(x6, -(x4 * x4 + x5 * x5 + x6 * x6).half()), vec![], vec![(0, int(1) / int(2))])]);
+    let [_, da, de, last] = printed(bundle).map(|inequality| -inequality);
+    let lean = varying(n) / (da + da);
+    let on_sphere =
+        da * ((x1 - lean * x4).powi(2) + (x2 - lean * x5).powi(2)) + de * x3 * x3 - last / da * (x4 * x4 + x5 * x5);
+    page.claim("section7-stability", "on-the-sphere", r"on motions with $f_4=0$, $x_6=-\frac12(x_4^2+x_5^2+x_6^2)$ is of the second order, and the quadratic form of $\dot V$ is $\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\left(\frac{C^2}A\right)^{\textstyle\cdot}x_3^2+\frac1{\dot A}\left(\dot A\dot\kappa-\frac14\dot N^2\right)(x_4^2+x_5^2)$ with $N=Cr_0+\nu$: negative definite if and only if the last three printed inequalities hold")
+        .in_words()
+        .given([Zero(length), NonZero(varying(a))])
+        .by_combination([
+            (Equal(x6, -(x4 * x4 + x5 * x5 + x6 * x6).half()), vec![], vec![(0, int(1) / int(2))]),
+            (Equal(form.substitute(&[(x6, Sym::ZERO)]), on_sphere), vec![], vec![]),
+        ]);
 }
 
 /// Definiteness of dV/dt.
@@ -85,23 +94,27 @@ fn definite(page: &mut Page, bundle: &Bundle) {
     let states = [("ω1", 0, 1), ("ω2", 0, 1), ("ω3", 1, 1), ("η4", 0, 1), ("η5", 0, 1), ("η6", 1, 1)];
     page.claim("section7-stability", "fifth", r"the four inequalities make the quadratic form of $\dot V$ negative in all six perturbations, $f_4\ne0$ included")
         .given(printed(bundle).map(Positive))
+        .why(r"$x_3$ and $x_6$ are coupled by $\left(\frac{NC}A\right)^{\textstyle\cdot}x_3x_6$, which none of the four inequalities bounds.")
         .refuted([Positive(-form)], point(instant(states)));
     let shift = |x: Sym, y: Sym, by: Sym| (x - by * y).powi(2);
     let squares = da * (shift(x1, x4, dn / (da + da)) + shift(x2, x5, dn / (da + da)))
         + de * shift(x3, x6, dm / (de + de))
         + (dk - dn * dn / (int(4) * da)) * (x4 * x4 + x5 * x5)
         + (dk - dm * dm / (int(4) * de)) * x6 * x6;
-    page.claim("section7-stability", "fifth-corrected", r"a fifth is needed for that, $\left(\frac{C^2}A\right)^{\textstyle\cdot}\dot\kappa-\frac14\left(\left(\frac{NC}A\right)^{\textstyle\cdot}\right)^2>0$: the form as a sum of squares whose coefficients are negative if and only if these four hold")
+    page.claim("section7-stability", "fifth-corrected", r"the quadratic form of $\dot V$ in six perturbations needs a fifth inequality, $\left(\frac{C^2}A\right)^{\textstyle\cdot}\dot\kappa-\frac14\left(\left(\frac{NC}A\right)^{\textstyle\cdot}\right)^2>0$: it is a sum of squares whose coefficients $\dot A$, $\left(\frac{C^2}A\right)^{\textstyle\cdot}$, $\dot\kappa-\frac{\dot N^2}{4\dot A}$ and that of $x_6^2$ are negative if and only if the last three printed inequalities and the fifth hold")
         .in_words()
         .given([NonZero(da), NonZero(de)])
         .follows([Equal(form, squares)]);
     page.correct();
     stable(page, bundle);
-    let [t, least, excess] = [letter("t"), letter("A"), letter("C")];
-    let slowing = least + excess / (int(1) + t / letter("h"));
-    let rate = slowing.diff(t);
-    page.claim("section7-stability", "uniform", r"and not even these make $\dot V$ negative definite in Lyapunov's sense: by the paper's own assumption $A\to A_0$, so $\int\dot A\,dt$ is finite and $\dot A<0$ is not bounded away from zero; for $A=A_0+A_1/(1+t/h)$, $-\dot A=A_1h/(h+t)^2$. What follows is stability")
-        .follows([Equal(-rate, excess * letter("h") / (letter("h") + t).powi(2))]);
+    let [t, h, bound] = ["t", "h", "bᴬ"].map(letter);
+    let [least, excess] = ["A₀", "A₁"].map(letter);
+    let rate = (least + excess / (int(1) + t / h)).diff(t);
+    let late = (-rate).substitute(&[(t, excess / bound)]);
+    page.claim("section7-stability", "uniform", r"$\dot A<0$ need not stay away from zero: with $A=A_0+A_1/(1+t/h)$, which tends to $A_0$ as the paper assumes, $-\dot A$ is below every bound $b>0$ at the time $A_1/b$. Since $\dot V=\dot Ax_1^2$ where the other $x$ vanish (section7-stability/rate), $\dot V$ is then not negative definite in Lyapunov's sense, uniformly in $t$")
+        .in_words()
+        .given([excess, h, bound].map(Positive))
+        .by_signs([Positive(bound - late)]);
 }
 
 /// What follows.
@@ -116,7 +129,7 @@ fn stable(page: &mut Page, bundle: &Bundle) {
         + across * (x4 * x4 + x5 * x5)
         + along * x6 * x6;
     let length = x4 * x4 + x5 * x5 + x6 * x6 + x6 + x6;
-    page.claim("section7-stability", "stable", r"on $|\gamma|=1$, not only near the rotation, $\dot V=\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\dot E\left(x_3-\frac{\dot F}{2\dot E}x_6\right)^2+\left(\dot\kappa-\frac{\dot N^2}{4\dot A}\right)(x_4^2+x_5^2)+\left(\dot\chi-\frac{\dot F^2}{4\dot E}\right)x_6^2$ with $E=\frac{C^2}A$, $F=\frac{NC}A$, $\chi=\frac{N^2}{2A}-Mgz_c$: where $D(t)$ stays above a positive number and $\dot A<0$, $\dot E<0$, $\dot A\dot\kappa\ge\frac14\dot N^2$, $\dot E\dot\chi\ge\frac14\dot F^2$, $V$ never grows and the rotation is stable")
+    page.claim("section7-stability", "stable", r"on $|\gamma|=1$ along (21) corrected, not only near the rotation, $\dot V=\dot A\left(x_1-\frac{\dot N}{2\dot A}x_4\right)^2+\dot A\left(x_2-\frac{\dot N}{2\dot A}x_5\right)^2+\dot E\left(x_3-\frac{\dot F}{2\dot E}x_6\right)^2+\left(\dot\kappa-\frac{\dot N^2}{4\dot A}\right)(x_4^2+x_5^2)+\left(\dot\chi-\frac{\dot F^2}{4\dot E}\right)x_6^2$ with $E=\frac{C^2}A$, $F=\frac{NC}A$, $\chi=\frac{N^2}{2A}-Mgz_c$: where $D(t)$ stays above a positive number and $\dot A<0$, $\dot E<0$, $\dot A\dot\kappa\ge\frac14\dot N^2$, $\dot E\dot\chi\ge\frac14\dot F^2$, $V$ never grows, and by Lyapunov's theorem, which is cited, the rotation is stable")
         .in_words()
         .given([NonZero(da), NonZero(de), Zero(length)])
         .by_combination([(

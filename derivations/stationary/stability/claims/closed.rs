@@ -10,7 +10,7 @@ use mechanics::rotation::determinant;
 use nalgebra::Vector3;
 use symbolic::Sym;
 
-use Condition::Equal;
+use Condition::{Equal, Zero};
 
 pub fn claims(page: &mut Page, s: &Letters) {
     page.section("Stability: closed forms");
@@ -22,17 +22,24 @@ pub fn claims(page: &mut Page, s: &Letters) {
     let lambda = upright.multiplier;
     let [h1, h2] = [a1, a2].map(|a| lambda - s.omega0.powi(2) * a);
     let n = h + s.omega0 * (a3 - a1 - a2);
-    page.claim("axis", "polynomial", r"rotor, centre of mass and vertical along one principal axis of $A^*$, the third, $h=A'\Omega$: $\det K=A_3^*z^2\,(A_1^*A_2^*z^4+(A_1^*H_1+A_2^*H_2+n^2)z^2+H_1H_2)$ with $n=h+\omega^0(A_3^*-A_1^*-A_2^*)$, $H_i=\omega^{0\,2}(A_3^*-A_i^*)+\omega^0h\pm\Gamma$, $+$ hanging, $-$ upright. By energy it is stable if and only if $H_1>0$ and $H_2>0$")
-        .follows([Equal(
-            determinant(&upright.pencil(z)),
-            a3 * z.powi(2) * (a1 * a2 * z.powi(4) + (a1 * h1 + a2 * h2 + n.powi(2)) * z.powi(2) + h1 * h2),
-        )]);
+    page.claim("axis", "polynomial", r"rotor, centre of mass and vertical along one principal axis of $A^*$, the third, $h=A'\Omega$: $\det K=A_3^*z^2\,(A_1^*A_2^*z^4+(A_1^*H_1+A_2^*H_2+n^2)z^2+H_1H_2)$ with $n=h+\omega^0(A_3^*-A_1^*-A_2^*)$, $H_i=\omega^{0\,2}(A_3^*-A_i^*)+\omega^0h\pm\Gamma$, $+$ hanging, $-$ upright. The form $Q$ on the plane across the axis is $H_1\delta\nu_1^2+H_2\delta\nu_2^2$")
+        .in_words()
+        .follows([
+            Equal(
+                determinant(&upright.pencil(z)),
+                a3 * z.powi(2) * (a1 * a2 * z.powi(4) + (a1 * h1 + a2 * h2 + n.powi(2)) * z.powi(2) + h1 * h2),
+            ),
+            Equal(upright.energy()[(0, 0)], h1),
+            Equal(upright.energy()[(1, 1)], h2),
+            Zero(upright.energy()[(0, 1)]),
+        ]);
     let gamma = s.big_gamma;
     page.claim(
         "axis",
         "multiplier",
-        r"there $\lambda=\nu\cdot(\omega^0x+\Gamma e)=\omega^{0\,2}A_3^*+\omega^0h\pm\Gamma$",
+        r"with rotor, centre of mass and vertical along one principal axis of $A^*$, the third, $\lambda=\nu\cdot(\omega^0x+\Gamma e)=\omega^{0\,2}A_3^*+\omega^0h\pm\Gamma$, $+$ hanging, $-$ upright",
     )
+    .in_words()
     .follows([Equal(
         ((upright.tensor * upright.vertical * s.omega0 + upright.spin) * s.omega0 + axis(2) * gamma)
             .dot(&upright.vertical),
@@ -43,7 +50,8 @@ pub fn claims(page: &mut Page, s: &Letters) {
         spin: axis(2) * (h + s.axial * s.omega0),
         ..upright
     };
-    page.claim("axis", "free-rotor", r"of a free rotor the polynomial is the same, with $A_3^*-A'$ for $A_3^*$ in front: $p_f=p_c$, so that with every motor $A'z^2\det K_f+Z\det K=z^2(A'(A_3^*-A')z^2+ZA_3^*)A_1^*A_2^*\,p_c$: the motor swings by itself, and neither holds nor disturbs the axis")
+    page.claim("axis", "free-rotor", r"with rotor, centre of mass and vertical along one principal axis of $A^*$, the third, $A_3^*\det K_f=(A_3^*-A')\det K$ for the free rotor: $p_f=p_c$, so that by stability/motor/between every motor has the roots of $p_c$")
+        .in_words()
         .follows([Equal(determinant(&reduced.pencil(z)) * a3, determinant(&upright.pencil(z)) * (a3 - s.axial))]);
     balanced(page, s, z);
     rest(page, s, z, h, axis);
@@ -54,7 +62,8 @@ fn balanced(page: &mut Page, s: &Letters, z: Sym) {
     let any = kept(s);
     let spin = s.nu * (any.multiplier / s.omega0) - any.tensor * s.nu * s.omega0;
     let [det, a, b] = Reduced { spin, ..any }.polynomial();
-    page.claim("balanced", "precession", r"without weight, $\Gamma=0$, $x=\lambda\nu/\omega^0$ stays in space: $p_c$, and with other tensors $p_f$, is divisible by $z^2+\omega^{0\,2}$. So every motor has the roots $\pm i\omega^0$, a constant tilt in space, and damps the others alone")
+    page.claim("balanced", "precession", r"without weight, $\Gamma=0$, where $x=\lambda\nu/\omega^0$, $p_c$ is divisible by $z^2+\omega^{0\,2}$; the identity holds for any tensor, and so for $p_f$. By stability/motor/between every motor has the roots $\pm i\omega^0$, a constant tilt in space")
+        .in_words()
         .under(&s.unit_vertical)
         .follows([Equal(
             det * z.powi(4) + a * z.powi(2) + b,
@@ -75,19 +84,22 @@ fn rest(page: &mut Page, s: &Letters, z: Sym, h: Sym, axis: impl Fn(usize) -> Ve
     let any = Reduced { vertical: s.nu, spin: s.l * h, speed: Sym::ZERO, multiplier: gamma, ..kept(s) };
     let y = super::alphabet::vector("δν");
     let weight = any.weight();
-    page.claim("rest", "hanging", r"hanging at rest, $\omega^0=0$, $\nu=e$, the axes of $A^*$ anywhere: $Q=\Gamma|\delta\nu|^2+(A'\Omega\,l\cdot\delta\nu)^2/\nu\cdot A^*\nu$ is positive: stable with every motor that holds its angle or damps its slip, at every speed of the rotor. At $\nu=-e$ the first term is negative, and of the two squares one at least")
+    page.claim("rest", "hanging", r"hanging at rest, $\omega^0=0$, $\nu=e$, the axes of $A^*$ anywhere: $Q=\Gamma|\delta\nu|^2+(A'\Omega\,l\cdot\delta\nu)^2/\nu\cdot A^*\nu$ is positive for $\Gamma>0$, at every speed of the rotor. Upright, $\nu=-e$, has $-\Gamma$ in the place of $\Gamma$, and $Q<0$ for a tilt across $l$ and $\nu$")
+        .in_words()
         .follows([Equal(
             (any.stiffness() * y).dot(&y) + any.coupling().dot(&y).powi(2) / weight,
             gamma * y.dot(&y) + (h * s.l.dot(&y)).powi(2) / weight,
         )]);
     let across = still(-gamma, axis(0) * h);
-    page.claim("rest", "across", r"upright at rest on a principal axis with the rotor across it, along the first: $\det K=z^2(A_1^*z^2-\Gamma)(A_2^*A_3^*z^2+h^2-\Gamma A_3^*)$: the root $z=\sqrt{\Gamma/A_1^*}$ is there at every speed of the rotor. A rotor across the vertical never holds it")
+    page.claim("rest", "across", r"upright at rest on a principal axis with the rotor across it, along the first: $\det K=z^2(A_1^*z^2-\Gamma)(A_2^*A_3^*z^2+h^2-\Gamma A_3^*)$: the root $z=\sqrt{\Gamma/A_1^*}>0$ is there at every speed of the rotor, $h=A'\Omega$")
+        .in_words()
         .follows([Equal(
             determinant(&across.pencil(z)),
             z.powi(2) * (a1 * z.powi(2) - gamma) * (a2 * a3 * z.powi(2) + h.powi(2) - gamma * a3),
         )]);
     let along = still(-gamma, axis(2) * h);
-    page.claim("rest", "along", r"upright at rest with the rotor along the vertical: $p_c=z^4+\dfrac{h^2-\Gamma(A_1^*+A_2^*)}{A_1^*A_2^*}z^2+\dfrac{\Gamma^2}{A_1^*A_2^*}$")
+    page.claim("rest", "along", r"upright at rest with the rotor along the vertical: $p_c=z^4+\dfrac{h^2-\Gamma(A_1^*+A_2^*)}{A_1^*A_2^*}z^2+\dfrac{\Gamma^2}{A_1^*A_2^*}$, $h=A'\Omega$")
+        .in_words()
         .follows([Equal(
             determinant(&along.pencil(z)),
             a3 * z.powi(2)
@@ -95,7 +107,8 @@ fn rest(page: &mut Page, s: &Letters, z: Sym, h: Sym, axis: impl Fn(usize) -> Ve
         )]);
     let [r1, r2] = [1, 2].map(|i| Sym::named(&format!("√A⋆{i}"), &format!(r"\sqrt{{A^*_{i}}}")));
     let fast = h.powi(2) - gamma * (r1.powi(2) + r2.powi(2));
-    page.claim("rest", "fast", r"its roots are on the axis, and simple, if and only if $(A'\Omega)^2>\Gamma(\sqrt{A_1^*}+\sqrt{A_2^*})^2$: the rotor holds the gyrostat upright, in the first approximation; the energy has two negative squares")
+    page.claim("rest", "fast", r"upright at rest with the rotor along the vertical: the discriminant $(h^2-\Gamma(A_1^*+A_2^*))^2-4\Gamma^2A_1^*A_2^*$ of $p_c$ in $z^2$ is $(h^2-\Gamma(\sqrt{A_1^*}+\sqrt{A_2^*})^2)(h^2-\Gamma(\sqrt{A_1^*}-\sqrt{A_2^*})^2)$: both $z^2$ are negative and different if and only if $h^2>\Gamma(\sqrt{A_1^*}+\sqrt{A_2^*})^2$, $h=A'\Omega$")
+        .in_words()
         .follows([Equal(
             fast.powi(2) - Sym::int(4) * (gamma * r1 * r2).powi(2),
             (h.powi(2) - gamma * (r1 + r2).powi(2)) * (h.powi(2) - gamma * (r1 - r2).powi(2)),

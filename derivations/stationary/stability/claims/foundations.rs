@@ -15,7 +15,7 @@ use mechanics::rotation::{adjugate, determinant};
 use nalgebra::Vector3;
 use symbolic::Sym;
 
-use Condition::Equal;
+use Condition::{Equal, NonZero, Zero};
 
 pub fn claims(page: &mut Page, s: &Letters) {
     page.section("Stability: law, zero roots, energy");
@@ -32,7 +32,7 @@ fn law(page: &mut Page, s: &Letters) {
     let energies = Energies::of(&g);
     let (all, spin) = energies.momenta(s.w, s.dphi);
     let [of_points, of_rotor] = g.angular_momentum(s.w, s.dphi);
-    page.claim("law", "momenta", r"the momenta $\partial T/\partial\omega$ and $\partial T/\partial\dot\varphi'$, from the energies, are the angular momentum $x$ of all mass points about $O$, and that of the rotor's about its axis: the law that is varied is the theorem of angular momentum")
+    page.claim("law", "momenta", r"the gyrostat's momenta $\partial T/\partial\omega$ and $\partial T/\partial\dot\varphi'$, from the energies, are the angular momentum $x$ of all mass points about $O$, and that of the rotor's about its axis: the law that is varied is the theorem of angular momentum")
         .under(&s.unit_axis)
         .follows((0..3).map(|i| Equal(all[i], of_points[i])).chain([Equal(spin, of_rotor.dot(&s.l))]));
 }
@@ -56,15 +56,17 @@ fn zeros(page: &mut Page, s: &Letters) {
     let of_vertical = Vector3::new(missing[3], missing[4], missing[5]);
     let moving = s.nu.zip_map(&vertical, Tangent::moving);
     let (all, _) = energies.momenta(s.w.zip_map(&s.dw, Tangent::moving), Tangent::moving(s.dphi, s.ddphi));
-    page.claim("zeros", "vertical", r"for any state and any rates $\frac12(\nu\cdot\nu)^{\textstyle\cdot}=\nu\cdot(\dot\nu-\nu\times\omega)$: with every motor $|\nu|$ is kept. An integral whose differential does not vanish at an equilibrium gives the first approximation a zero root: $dF\cdot A=0$")
+    page.claim("zeros", "vertical", r"the gyrostat with any motor at any state and rates has $\frac12(\nu\cdot\nu)^{\textstyle\cdot}=\nu\cdot(\dot\nu-\nu\times\omega)$: $|\nu|$ is an integral, and gives the first approximation a zero root where its differential does not vanish")
+        .in_words()
         .follows([Equal(moving.dot(&moving).slope.half(), s.nu.dot(&of_vertical))]);
     let values = all.map(|x| x.value);
-    page.claim("zeros", "momentum", r"and $(x\cdot\nu)^{\textstyle\cdot}=\nu\cdot(\dot x+\omega\times x-\Gamma e\times\nu)+x\cdot(\dot\nu-\nu\times\omega)$, whatever the moment on the rotor: the second zero root, independent of the first because $\partial(x\cdot\nu)/\partial\omega=A^*\nu\ne0$")
+    page.claim("zeros", "momentum", r"the gyrostat with any motor at any state and rates has $(x\cdot\nu)^{\textstyle\cdot}=\nu\cdot(\dot x+\omega\times x-\Gamma e\times\nu)+x\cdot(\dot\nu-\nu\times\omega)$, whatever the moment on the rotor: $x\cdot\nu$ is an integral, independent of $|\nu|$ because $\partial(x\cdot\nu)/\partial\omega=A^*\nu\ne0$, and gives a second zero root")
         .under(&s.unit_axis)
         .follows([Equal(all.dot(&moving).slope, s.nu.dot(&of_carrier) + values.dot(&of_vertical))]);
     let (_, spin) = energies.momenta(s.w.zip_map(&s.dw, Tangent::moving), Tangent::moving(s.dphi, s.ddphi));
     let drive = crate::machines::drive(&any, s.angle(), s.dphi - s.omega_field, &[], &mut []);
-    page.claim("zeros", "rotor", r"a free rotor has the third, $p'=\partial T/\partial\dot\varphi'$: $\dot p'$ is the moment on it. The angles about the vertical and, without a field, of the rotor are cyclic and no states; with them each momentum has a second zero, and a Jordan block: they drift where the momentum is disturbed")
+    page.claim("zeros", "rotor", r"$\dot p'$, $p'=\partial T/\partial\dot\varphi'$, is the moment on the rotor: that of a free rotor is an integral, which gives a third zero root")
+        .in_words()
         .follows([Equal(spin.slope, missing[7] + drive)]);
 }
 
@@ -111,10 +113,12 @@ fn reduced(page: &mut Page, s: &Letters) {
         + s.l * (s.axial * dy.slip)
         - s.l.cross(&s.nu) * (s.axial * s.omega0 * y.slip);
     let vertical = dy.vertical - turning;
-    page.claim("law", "variation", r"every stationary motion has $\Gamma e=\lambda\nu-\omega^0x$. With $\delta\omega=\omega^0\delta\nu+\eta$ its variation is $\delta\dot\nu=\nu\times\eta$, $A^*\dot\eta=\nu\times H\delta\nu+n\times\eta-A'(l\,\delta\ddot\gamma-\omega^0l\times\nu\,\delta\dot\gamma)$ with $H=\lambda-\omega^{0\,2}A^*$, $n=\kappa-\omega^0\operatorname{tr}A^*\nu$, $\kappa=2\omega^0A^*\nu+A'\Omega l$")
+    page.claim("law", "variation", r"a stationary motion, $\Gamma e=\lambda\nu-\omega^0x$, with $\delta\omega=\omega^0\delta\nu+\eta$ has the variation $\delta\dot\nu=\nu\times\eta$, $A^*\dot\eta=\nu\times H\delta\nu+n\times\eta-A'(l\,\delta\ddot\gamma-\omega^0l\times\nu\,\delta\dot\gamma)$ with $H=\lambda-\omega^{0\,2}A^*$, $n=\kappa-\omega^0\operatorname{tr}A^*\nu$, $\kappa=2\omega^0A^*\nu+A'\Omega l$")
+        .in_words()
         .follows((0..3).map(|i| Equal(found[i], expected[i])).chain((0..3).map(|i| Equal(found[3 + i], vertical[i]))));
     let moment = s.angle().cos * s.b0 * y.angle + paper::letter("f") * y.slip;
-    page.claim("law", "rotor", r"and the rotor's, for the synchronous motor without currents: $A'(l\cdot\delta\dot\omega+\delta\ddot\gamma)=-b_0\cos\gamma^0\delta\gamma-f\,\delta\dot\gamma$")
+    page.claim("law", "rotor", r"the variation of the rotor's equation at a stationary motion, for the synchronous motor without currents, is $A'(l\cdot\delta\dot\omega+\delta\ddot\gamma)=-b_0\cos\gamma^0\delta\gamma-f\,\delta\dot\gamma$")
+        .in_words()
         .under(&s.unit_axis)
         .follows([Equal(
             found[7],
@@ -137,23 +141,42 @@ fn energy(page: &mut Page, s: &Letters) {
     let kinetic =
         (carrier.tensor * y.turning).dot(&y.turning) + s.axial * y.slip * (Sym::int(2) * s.l.dot(&y.turning) + y.slip);
     let potential = (carrier.stiffness() * y.vertical).dot(&y.vertical) + s.b0 * s.angle().cos * y.angle.powi(2);
-    page.claim("energy", "second-variation", r"$G=E-\Omega p'-\omega^0x\cdot\nu+\frac12\lambda\nu\cdot\nu$ is stationary, and its second variation is $2T(\eta,\delta\dot\gamma)+\delta\nu\cdot H\delta\nu+b_0\cos\gamma^0\delta\gamma^2$: the kinetic energy of $\eta$, and a form of the vertical alone")
+    page.claim("energy", "second-variation", r"the second variation of $G=E-\Omega p'-\omega^0x\cdot\nu+\frac12\lambda\nu\cdot\nu$ at a stationary motion is $2T(\eta,\delta\dot\gamma)+\delta\nu\cdot H\delta\nu+b_0\cos\gamma^0\delta\gamma^2$ (synchronous motor without currents): twice the kinetic energy of $\eta$, $\delta\dot\gamma$, and forms of the tilt and of the angle alone")
+        .in_words()
         .under(&unit_vectors(s))
         .follows([Equal(form(&linear.energy), kinetic + potential)]);
     let along = linear.integrals[1].iter().zip(&state).fold(Sym::ZERO, |sum, (&slope, &own)| sum + slope * own);
-    page.claim("energy", "fixed-momentum", r"$x\cdot\nu$ is kept where $\nu\cdot(A^*\eta+A'l\,\delta\dot\gamma)+\kappa\cdot\delta\nu=0$. The least kinetic energy that allows it is $(\kappa\cdot\delta\nu)^2/2\nu\cdot A^*\nu$: so $G$ is definite at fixed integrals if and only if $b_0\cos\gamma^0>0$ and $Q=\delta\nu\cdot H\delta\nu+(\kappa\cdot\delta\nu)^2/\nu\cdot A^*\nu$ is on the plane across $\nu$: one condition for every motor that has the angle, for constant speed, and for every motor by slip")
+    // eta shifted along nu until x.nu is kept by the tilt alone
+    let twice = |eta: Vector3<Sym>| {
+        (carrier.tensor * eta).dot(&eta) + s.axial * y.slip * (Sym::int(2) * s.l.dot(&eta) + y.slip)
+    };
+    let tilted = carrier.coupling().dot(&y.vertical);
+    let kept_momentum = s.nu.dot(&(carrier.tensor * y.turning + s.l * (s.axial * y.slip))) + tilted;
+    let share = tilted / carrier.weight();
+    let stiff = (carrier.stiffness() * y.vertical).dot(&y.vertical);
+    page.claim("energy", "fixed-momentum", r"$x\cdot\nu$ is kept where $\nu\cdot(A^*\eta+A'l\,\delta\dot\gamma)+\kappa\cdot\delta\nu=0$. There the second variation of $G$ is $2T(\eta',\delta\dot\gamma)+Q(\delta\nu)+b_0\cos\gamma^0\delta\gamma^2$ with $\eta'=\eta+\nu\,(\kappa\cdot\delta\nu)/\nu\cdot A^*\nu$ and $Q=\delta\nu\cdot H\delta\nu+(\kappa\cdot\delta\nu)^2/\nu\cdot A^*\nu$: forms of variations that do not depend on each other, the first a kinetic energy. At fixed integrals it is definite if and only if $b_0\cos\gamma^0>0$ and $Q$ is positive definite on the plane across $\nu$")
+        .in_words()
         .under(&unit_vectors(s))
-        .follows([Equal(
-            along,
-            s.nu.dot(&(carrier.tensor * y.turning + s.l * (s.axial * y.slip))) + carrier.coupling().dot(&y.vertical),
-        )]);
+        .given([Zero(kept_momentum), NonZero(carrier.weight())])
+        .by_combination([
+            (Equal(along, kept_momentum), vec![], vec![]),
+            (
+                Equal(
+                    twice(y.turning) + stiff,
+                    twice(y.turning + s.nu * share) + stiff + tilted.powi(2) / carrier.weight(),
+                ),
+                vec![],
+                vec![(0, -(share + share))],
+            ),
+        ]);
     let (kept, free) = (kept(s), free(s));
     let quadratic = |carrier: &Reduced<Sym>| {
         (carrier.stiffness() * y.vertical).dot(&y.vertical)
             + carrier.coupling().dot(&y.vertical).powi(2) / carrier.weight()
     };
     let lead = s.l.dot(&y.vertical) * s.omega0 * kept.weight() - s.l.dot(&s.nu) * kept.coupling().dot(&y.vertical);
-    page.claim("energy", "free-rotor", r"of a free rotor ($A$ in the place of $A^*$, $p'$ in that of $A'\Omega$) the form exceeds that at constant speed by $A'\,(\omega^0l\cdot\delta\nu\;\nu\cdot A^*\nu-l\cdot\nu\;\kappa\cdot\delta\nu)^2/(\nu\cdot A\nu\;\nu\cdot A^*\nu)\ge0$: what is stable by energy with a motor is so with a free rotor, and not the other way round")
+    page.claim("energy", "free-rotor", r"the form $Q$ of a free rotor ($A$ in the place of $A^*$, $p'$ in that of $A'\Omega$) exceeds that of a rotor of constant speed by $A'\,(\omega^0l\cdot\delta\nu\;\nu\cdot A^*\nu-l\cdot\nu\;\kappa\cdot\delta\nu)^2/(\nu\cdot A\nu\;\nu\cdot A^*\nu)\ge0$: where $Q$ is positive at constant speed it is so with a free rotor")
+        .in_words()
         .under(&unit_vectors(s))
         .follows([Equal(
             quadratic(&free) - quadratic(&kept),
@@ -175,16 +198,19 @@ fn polynomial(page: &mut Page, s: &Letters) {
     let found = variation(&stationary(s), &machine, &place, &y, &dy);
     let reduced = carrier.pencil(z) * eta;
     page.claim("constant-speed", "pencil", r"with $\delta\nu=\nu\times\eta/z$ the variation of a rotor of constant speed is $K(z)\eta=0$, $K=z^2A^*-z[n]-[\nu]H[\nu]$, $[a]b=a\times b$")
+        .in_words()
         .follows((0..3).map(|i| Equal(z * found[i], reduced[i])));
     let [det, a, b] = carrier.polynomial();
-    page.claim("constant-speed", "polynomial", r"$\det K=z^2\det A^*\,p_c(z)$, $p_c=z^4+a_cz^2+b_c$: $\det A^*a_c=-\operatorname{tr}(\operatorname{adj}A^*[\nu]H[\nu])+n\cdot A^*n$, $\det A^*b_c=(\nu\cdot A^*\nu)(\nu\cdot\operatorname{adj}H\,\nu)+(\nu\times\kappa)\cdot H(\nu\times\kappa)$. Only even powers: roots come in pairs $z,-z$, and the first approximation alone never shows stability")
+    page.claim("constant-speed", "polynomial", r"a rotor of constant speed has $\det K=z^2\det A^*\,p_c(z)$, $p_c=z^4+a_cz^2+b_c$: $\det A^*a_c=-\operatorname{tr}(\operatorname{adj}A^*[\nu]H[\nu])+n\cdot A^*n$, $\det A^*b_c=(\nu\cdot A^*\nu)(\nu\cdot\operatorname{adj}H\,\nu)+(\nu\times\kappa)\cdot H(\nu\times\kappa)$. There are only even powers, so that roots come in pairs $z,-z$, and the first approximation alone does not show stability")
+        .in_words()
         .under(&s.unit_vertical)
         .follows([Equal(
             determinant(&carrier.pencil(z)),
             z.powi(2) * (det * z.powi(4) + a * z.powi(2) + b),
         )]);
     let form = carrier.energy();
-    page.claim("constant-speed", "energy", r"$\det A^*b_c=(\nu\cdot A^*\nu)\det Q$ with the determinant on the plane across $\nu$: $b_c<0$ where $G$ has one negative square; where it has two, $b_c>0$ and the motion may be held by gyroscopic forces")
+    page.claim("constant-speed", "energy", r"a rotor of constant speed has $\det A^*b_c=(\nu\cdot A^*\nu)\det Q$ with the determinant of $Q$ on the plane across $\nu$: $b_c<0$ where $Q$ has one negative square there, $b_c>0$ where it has none or two")
+        .in_words()
         .under(&s.unit_vertical)
         .follows([Equal(carrier.weight() * (adjugate(&form) * s.nu).dot(&s.nu), b)]);
 }
