@@ -28,7 +28,7 @@ pub const PAPER: Paper = Paper {
     key: "synchronism",
     title: "Synchronism of a motor under load",
     citation: "The workbench's own page. The motors are those of B. I. Konosevich, Yu. B. Konosevich 2022, sections 3 and 4; the equation of the motor without currents is that of F. Tricomi 1933, the work along the separatrix V. K. Melnikov's 1963.",
-    summary: r"A rotor under a further load $M$ keeps an angle where $b_0\sin\gamma=-(M+f\Omega)$. The angles on both branches merge at $\cos\gamma=0$, a fold: one eigenvalue passes through zero there, whatever the windings. $V=\frac12A'\dot\gamma^2-b_0\cos\gamma+\sum\frac12L_ki_k^2+(M+f\Omega)\gamma$ never grows, so that a rotor with less of it than both neighbouring balances is in step for ever. With little friction a rotor slips for ever from $M+f\Omega=\frac4\pi f\sqrt{b_0/A'}$ on. In a gyrostat the carrier gives way, and the rotor is as light as $1/(1/A'+l\cdot A^{-1}l)$.",
+    summary: r"A rotor under a further load $M$ keeps an angle where $b_0\sin\gamma=-(M+f\Omega)$. The angles on both branches merge at $\cos\gamma=0$, a fold: one eigenvalue passes through zero there, whatever the windings. $V=\frac12A'\dot\gamma^2-b_0\cos\gamma+\sum\frac12L_ki_k^2+(M+f\Omega)\gamma$ never grows, so that a rotor with less of it than both neighbouring balances stays between them. To the first order in friction a rotor can slip for ever from $M+f\Omega=\frac4\pi f\sqrt{b_0/A'}$ on. In a gyrostat the rotor moves as one with the moment of inertia $1/(1/A'+l\cdot A^{-1}l)$.",
     entries: &["fold", "energy", "separatrix", "carrier"],
     page: claims::page,
 };

@@ -124,7 +124,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     let dyad = s.l * s.l.transpose() * s.axial;
     let nu = s.nu * s.omega0;
     let difference = (dyad * nu + s.l * (s.axial * rest) - same).cross(&nu);
-    page.claim("section8.2", "same-motions", r"both forms give the same stationary motions of a free rotor: $(A^*-A)\omega + A'\Omega^0l - A'p'l$, the difference of the momenta, has no product with $\omega=\omega^0\nu$ where $p' = \omega^0\,l\cdot\nu + \Omega^0$")
+    page.claim("section8.2", "same-motions", r"both forms give the same stationary motions of a free rotor: $(A^*-A)\omega + A'\Omega^0l - A'p'l$, the difference of the momenta, is zero in its vector product with $\omega=\omega^0\nu$ where $p' = \omega^0\,l\cdot\nu + \Omega^0$")
         .in_words()
         .follows(difference.iter().map(|&x| Condition::Zero(x)));
 }

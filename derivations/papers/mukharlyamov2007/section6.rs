@@ -14,7 +14,7 @@ use symbolic::Sym;
 pub fn claims(page: &mut Page) {
     page.section("6. Electromechanical drive");
     page.claim("section6-drive", "model", "supply, alternating-current motor, rectifier, direct-current motor and crank mechanism under gravity: 9 equations of the first order with 9 unknowns, made with MAPLE 7 and integrated by Euler's method with $h=0.01$; completed here as the system `crank_drive`")
-        .note(r"The equations are those of `systems/crank_drive.rs`. The paper's are: the parts and their order, gravity, the constraint of the rod, the names $q^3,q^6,f^6,q^7,f^7$ of the variables drawn, nine equations, the method and its step. Ours are: a transformer for the unit that feeds the rectifier, the bridge of four diodes with their content, capacitor and choke, the motor with a constant field, viscous friction, the rod's mass shared between its ends, the choice of $f^1,f^2,q^3,f^4,f^5$ for the electrical unknowns, and all data. The equations, the data and the scale of the figures are not in the text, so no number can be compared with the figures.")
+        .note(r"The paper gives the parts and their order, gravity, the rod's constraint, the names $q^3,q^6,f^6,q^7,f^7$, the number of equations, the method and its step. Added here: a transformer that feeds the rectifier, four diodes, capacitor and choke, a motor with a constant field, viscous friction, the rod's mass shared between its ends, the electrical unknowns $f^1,f^2,q^3,f^4,f^5$, and all data. Equations, data and the scale of the figures are not in the text: no number can be compared with them.")
         .defines([]);
     constraint(page);
     completed(page);

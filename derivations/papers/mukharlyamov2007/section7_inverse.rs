@@ -68,6 +68,7 @@ fn system(page: &mut Page, s: &TopLetters) {
     let [k44, f4] = letters(["k₄₄", "f₄"]);
     let along = g1 * free().x + g2 * free().y + g3 * free().z;
     page.claim("eq18", "length", r"(18): $\gamma\cdot\Gamma=k_{44}f_4$ from $\dot f_4=k_{44}f_4$")
+        .why(r"$\dot f_4=2\gamma\cdot\Gamma$, for $f_4$ is a sum of squares: the half is lost.")
         .fails([Line::equation(half(without.length - k44 * f4), along, k44 * f4)]);
     page.claim("eq18", "length-corrected", r"$\gamma\cdot\Gamma=\frac12k_{44}f_4$ from $\dot f_4=k_{44}f_4$")
         .holds([Line::equation(half(without.length - k44 * f4), along, half(k44 * f4))]);
