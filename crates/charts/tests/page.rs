@@ -46,6 +46,8 @@ fn all_text_is_escaped() {
         evidence: evil.into(),
         counterexample: vec![(evil.into(), evil.into())],
         difference: Some(evil.into()),
+        why: evil.into(),
+        reading: evil.into(),
         note: evil.into(),
         ..Default::default()
     };

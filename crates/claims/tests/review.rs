@@ -97,3 +97,18 @@ fn verdicts_conditions_and_claims_that_come_and_go_are_told() {
     assert!(matches!(changes.as_slice(), [Change::Gone { .. }, Change::New { .. }]), "{changes:?}");
     assert_eq!(after("2 claims", "3 claims"), []);
 }
+
+#[test]
+fn another_reading_is_told_as_a_remark_and_a_sign_as_a_condition() {
+    let read =
+        PAGE.replace("requires A != 0", "requires A != 0\n           signs A > 0\n           reading: B is restored.");
+    let changes = review(PAGE, &read, &dimension);
+    let [Change::Requires { gained, .. }, Change::Remarks { gained: remarks, lost, .. }] = &changes[..] else {
+        panic!("{changes:?}")
+    };
+    assert_eq!(
+        (gained.as_slice(), remarks.as_slice()),
+        (&["A > 0".to_owned()][..], &["reading: B is restored.".to_owned()][..])
+    );
+    assert!(lost.is_empty());
+}

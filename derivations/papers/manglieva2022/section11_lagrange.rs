@@ -65,12 +65,10 @@ fn energy(page: &mut Page, s: &RodLetters) {
         Line::formula(friction, letter("Qτx"), s.mu * (s.m + s.m1 * c.powi(2))),
         Line::formula(turning, letter("Qτθ"), Sym::ZERO),
     ]);
-    page.claim("eq1.34", "momentum", r"$\partial T/\partial\dot x$").holds([Line::formula(
-        by_dx,
-        letter("∂T/∂ẋ"),
-        (s.m + s.m1) * dx - s.m1 * s.l * turn * sin,
-    )]);
-    page.claim("eq1.34", "cyclic", r"$\partial T/\partial x = 0$").follows([Zero(by_x)]);
+    page.claim("eq1.34", "momentum", r"the derivative $\partial T/\partial\dot x$ of the kinetic energy (1.32)")
+        .holds([Line::formula(by_dx, letter("∂T/∂ẋ"), (s.m + s.m1) * dx - s.m1 * s.l * turn * sin)]);
+    page.claim("eq1.34", "cyclic", r"the kinetic energy (1.32) does not contain $x$: $\partial T/\partial x = 0$")
+        .follows([Zero(by_x)]);
     page.claim("eq1.36", "momentum", r"$\partial T/\partial\dot\theta$ and $\partial T/\partial\theta$").holds([
         Line::formula(by_turn, letter("∂T/∂θ̇"), s.m1 * s.l.powi(2) * turn - s.m1 * s.l * dx * sin),
         Line::formula(by_theta, letter("∂T/∂θ"), -(s.m1 * s.l * dx * turn * c)),
@@ -94,7 +92,7 @@ fn equations(page: &mut Page, s: &RodLetters) {
     page.claim("eq1.34", "principle", r"Lagrange's equations hold with the generalised force of friction: they are the motion of the points with the forces of constraint eliminated ($x$, then $\theta$)")
         .follows([Equal(second_kind[0], along), Equal(second_kind[1], turning)]);
     let turn = s.dtheta.powi(2);
-    page.claim("eq1.35", "sliding", "the equation for $x$").holds([Line::equation(
+    page.claim("eq1.35", "sliding", r"Lagrange's equation for $x$").holds([Line::equation(
         along,
         (s.m + s.m1) * s.ddx - s.m1 * s.l * s.ddtheta * sin - s.m1 * s.l * turn * c,
         s.mu * (s.m + s.m1 * c.powi(2)),
@@ -106,11 +104,8 @@ fn equations(page: &mut Page, s: &RodLetters) {
     page.claim("eq1.36", "weight-corrected", r"the equation for $\theta$ with $m_1g\cos\theta\cdot l$ on the right")
         .holds([Line::equation(turning, printed_left, s.m1 * s.g * c * s.l)]);
     page.correct();
-    page.claim("eq1.37", "turning", r"the equation for $\theta$").holds([Line::equation(
-        turning / (s.m1 * s.l),
-        s.l * s.ddtheta - s.ddx * sin,
-        s.g * c,
-    )]);
+    page.claim("eq1.37", "turning", r"Lagrange's equation for $\theta$, solved for $l\ddot\theta$")
+        .holds([Line::equation(turning / (s.m1 * s.l), s.l * s.ddtheta - s.ddx * sin, s.g * c)]);
 }
 
 /// (1.38)-(1.39): the guide taken away and its reaction put in its place.
@@ -134,7 +129,8 @@ fn released(page: &mut Page, s: &RodLetters) {
         Line::formula(qy, letter("Qy"), (s.m + s.m1) * s.g),
         Line::formula(qtheta, letter("Qθ"), s.m1 * s.g * s.l * c),
     ]);
-    page.claim("eq1.38", "no-weight-along", r"$Q_x=0$").follows([Zero(qx)]);
+    page.claim("eq1.38", "no-weight-along", r"the weights have no generalised force along $x$: $Q_x=0$")
+        .follows([Zero(qx)]);
     let force = [weights[0] + rx, weights[1] + ry, weights[2], weights[3]];
     let at = (Sym::ZERO, [s.x, y, s.theta], [s.dx, dy, s.dtheta]);
     let derived = second_kind::residual(&free, at, force, [s.ddx, ddy, s.ddtheta]);
@@ -159,7 +155,7 @@ fn released(page: &mut Page, s: &RodLetters) {
             s.g * c,
         )]);
     }
-    page.claim("eq1.40", "sign",r"the law $R_x = fR_y\operatorname{sign}\dot x$ with $\operatorname{sign}\dot x=-1$ for $\dot x>0$ brakes on a floor that pushes $M$ upwards").reading(r"The floor is judged; for a guide that holds $M$ down, $R_y>0$, the printed sign is right.").why(r"With $y$ downwards such a floor has $R_y<0$, so that the printed sign makes friction drive.")
+    page.claim("eq1.40", "sign",r"the law, printed $R_x = fR_y\operatorname{sign}\dot x$ with $\operatorname{sign}\dot x=-1$ for $\dot x>0$, brakes on a floor that pushes $M$ upwards").reading(r"The floor is judged; for a guide that holds $M$ down, $R_y>0$, the printed sign is right.").why(r"With $y$ downwards such a floor has $R_y<0$, so that the printed sign makes friction drive.")
         .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
         .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));
     let [normal, speed] = letters(["N", "v"]);
@@ -228,7 +224,7 @@ fn reactions(page: &mut Page, s: &RodLetters) {
     let [name] = letters(["Ry"]);
     page.claim(
         "eq1.42",
-        "one-sided",r"a one-sided guide holds while $R_y>0$, read of a floor with the rod at rest, upright or hanging",
+        "one-sided",r"printed: a one-sided guide holds while $R_y>0$; of a floor with the rod at rest, upright or hanging",
     ).reading(r#"The source says "one-sided" without the side; a floor is judged."#).why(r"The axis $y$ points downwards: $R_y>0$ is the condition for a guide above $M$, which pushes it down; a floor at rest has $R_y=-(m+m_1)g$.")
     .given([Positive(s.m), Positive(s.m1), Positive(s.g), Equal(name, -(s.m + s.m1) * s.g)])
     .refuted([Positive(name)], exact([("m", 1, 1), ("m1", 1, 1), ("g", 1, 1), ("Ry", -2, 1)]));

@@ -233,7 +233,7 @@ fn eliminated(page: &mut Page, s: &RodLetters) {
     page.correct();
 
     let [rx, ry] = letters(["Rx", "Ry"]);
-    page.claim("eq1.29", "direction",r"friction $R_x=\varepsilon fR_y$ with $\varepsilon=-1$ for $\dot x>0$ brakes on a floor that pushes $M$ upwards").why(r"On a floor $R_y<0$, so that $\varepsilon=-1$ makes $R_x$ positive for $\dot x>0$: friction drives.")
+    page.claim("eq1.29", "direction",r"friction, printed $R_x=\varepsilon fR_y$ with $\varepsilon=-1$ for $\dot x>0$, brakes on a floor that pushes $M$ upwards").why(r"On a floor $R_y<0$, so that $\varepsilon=-1$ makes $R_x$ positive for $\dot x>0$: friction drives.")
         .given([Positive(s.f), Positive(s.dx), Positive(-ry), Equal(rx, -s.f * ry)])
         .refuted([Positive(-(rx * s.dx))], exact([("f", 1, 2), ("ẋ", 1, 1), ("Ry", -2, 1), ("Rx", 1, 1)]));
     let [normal, speed] = letters(["N", "v"]);

@@ -108,7 +108,7 @@ fn multipliers(page: &mut Page, s: &RodLetters) {
     let premises = [Positive(s.m), Positive(s.m1), Zero((s.m1 - s.m) * c / s.mobile())];
     page.claim(
         "section1.1-painleve",
-        "only-equal-masses",r"$\lambda_1$ is free of friction with equal masses only: $\partial\lambda_1/\partial\mu=0$ at one position gives $m=m_1$",
+        "only-equal-masses",r"printed: $\lambda_1$ is free of friction with equal masses only, so that $\partial\lambda_1/\partial\mu=0$ at one position gives $m=m_1$",
     ).why(r"At the upright rod, $\cos\theta=0$, the derivative vanishes for any masses; as a statement about all positions the sentence is right.")
     .given(premises)
     .refuted([Equal(s.m1, s.m)], upright);

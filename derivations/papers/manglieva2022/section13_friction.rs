@@ -197,7 +197,7 @@ fn law(page: &mut Page, s: &SteeredLetters) {
     page.correct();
     let way = sign;
     let unit = Hypotheses::none().rule(way, 2, int(1));
-    page.claim("eq1.82", "direction",r"friction $\mu=-f\lambda/(m_1+m_2)$ for $\dot x_1>0$ is against the velocity, on a floor that pushes $M_1$ upwards ($\lambda<0$)").reading(r"The source names no side of the guide; the floor is judged, as in (1.22).").why(r"The sign is that of a guide which holds $M_1$ down, $\lambda>0$; on a floor the printed friction drives.")
+    page.claim("eq1.82", "direction",r"friction, printed $\mu=-f\lambda/(m_1+m_2)$ for $\dot x_1>0$, is against the velocity on a floor that pushes $M_1$ upwards ($\lambda<0$)").reading(r"The source names no side of the guide; the floor is judged, as in (1.22).").why(r"The sign is that of a guide which holds $M_1$ down, $\lambda>0$; on a floor the printed friction drives.")
         .given([Positive(s.dx1), Positive(-s.lambda), Positive(s.f), Positive(s.m1), Positive(s.m2), Equal(s.mu, -(s.f * s.lambda / mass))])
         .refuted([Positive(-(s.mu * s.dx1))], exact([
             ("m1", 1, 1), ("m2", 1, 1), ("f", 1, 2), ("λ", -4, 1), ("μ", 1, 1), ("ẋ1", 1, 1),

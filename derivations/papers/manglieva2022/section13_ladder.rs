@@ -109,7 +109,7 @@ fn normal_reactions_and_friction(page: &mut Page, s: &LadderLetters) {
     let still = tidy(s.uniform(tidy(at_rest.substitute(&[(s.dalpha, Sym::ZERO)]))));
     let f = letter("f");
     let smooth = tidy(still.substitute(&[(f, Sym::ZERO)]));
-    page.claim("eq1.105", "unjustified",r#""a normal reaction that depends on friction is not justified", read: $R_A^n$ of the uniform ladder that begins to slide is the one without friction"#).why(r"By (1.105) the normal reactions of rough walls depend on $f$. Only the multipliers of the constraints do not; they are not normal reactions.")
+    page.claim("eq1.105", "unjustified",r#"printed: "a normal reaction that depends on friction is not justified"; so $R_A^n$ of the uniform ladder that begins to slide would be the one without friction"#).why(r"By (1.105) the normal reactions of rough walls depend on $f$. Only the multipliers of the constraints do not; they are not normal reactions.")
         .given([Positive(s.m), Positive(s.g), Positive(f)])
         .refuted([Equal(still, smooth)], exact([
             ("m", 1, 1), ("g", 1, 1), ("f", 1, 5), ("sin α", 4, 5), ("cos α", 3, 5),
@@ -154,7 +154,7 @@ fn equation(page: &mut Page, s: &LadderLetters) {
         m * g * l * sin,
     )]);
     let balance = s.balance();
-    page.claim("eq1.106", "motion", "the equation of motion").holds([Line::equation(
+    page.claim("eq1.106", "motion", r"the equation of motion of the ladder with friction").holds([Line::equation(
         balance,
         (m * l.powi(2) + s.inertia + two * l.powi(2) * m / both * ((wall - floor) * sin * c - wall * floor)) * turn,
         two * m * l.powi(2) / both * (wall * sin.powi(2) + floor * c.powi(2)) * spin
@@ -164,11 +164,13 @@ fn equation(page: &mut Page, s: &LadderLetters) {
     let f = letter("f");
     let equal = balance.substitute(&[(wall, f), (floor, f)]);
     let both = int(1) + f.powi(2);
-    page.claim("eq1.107", "equal-friction", r"$f_A=f_B=f$").holds([Line::equation(
-        equal,
-        (m * l.powi(2) + s.inertia - two * l.powi(2) * m / both * f.powi(2)) * turn,
-        two * m * l.powi(2) / both * f * spin - two * m * l / both * (f * sin + c) * f * g + m * g * l * sin,
-    )]);
+    page.claim("eq1.107", "equal-friction", r"the equation of motion of the ladder with $f_A=f_B=f$").holds([
+        Line::equation(
+            equal,
+            (m * l.powi(2) + s.inertia - two * l.powi(2) * m / both * f.powi(2)) * turn,
+            two * m * l.powi(2) / both * f * spin - two * m * l / both * (f * sin + c) * f * g + m * g * l * sin,
+        ),
+    ]);
     let [third] = [m * l.powi(2) / int(3)];
     page.claim("eq1.107", "denominator",r"the coefficient of $\ddot\alpha$ for the uniform ladder is $\frac23ml^2(2-f^2)/(1+f^2)$, which vanishes at $f^2=2$ alone").in_words()
         .given([NonZero(both)])

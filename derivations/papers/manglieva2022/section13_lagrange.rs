@@ -28,8 +28,13 @@ fn integral(page: &mut Page, s: &SteeredLetters) {
     let half = (Tangent::moving(s.theta, s.turning()) / Tangent::fixed(int(2))).circle();
     let tangent = half.sin / half.cos;
     let name = letter("d(tg θ/2)/dt");
-    page.claim("section1.3-integral", "exponential",r"the integral $\operatorname{tg}\frac\theta2=e^{x_1}$, by its rate: $\frac{d}{dt}\operatorname{tg}\frac\theta2=\dot x_1\operatorname{tg}\frac\theta2$").why(r"The factor $2/l$ of (1.92) and the constant of integration are lost; the printed exponent has a dimension.")
-        .fails([Line::formula(tangent.slope, name, s.dx1 * tangent.value)]);
+    page.claim(
+        "section1.3-integral",
+        "exponential",
+        r"the integral, printed $\operatorname{tg}\frac\theta2=e^{x_1}$, by its rate",
+    )
+    .why(r"The factor $2/l$ of (1.92) and the constant of integration are lost; the printed exponent has a dimension.")
+    .fails([Line::formula(tangent.slope, name, s.dx1 * tangent.value)]);
     page.claim("section1.3-integral", "exponential-corrected",r"the integral is $\operatorname{tg}\frac\theta2=Ce^{2x_1/l}$, by its rate: $\frac{d}{dt}\operatorname{tg}\frac\theta2=\frac2l\dot x_1\operatorname{tg}\frac\theta2$")
         .holds([Line::formula(tangent.slope, name, int(2) / s.l * s.dx1 * tangent.value)]);
     page.correct();

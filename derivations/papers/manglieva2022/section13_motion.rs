@@ -67,7 +67,12 @@ fn differentiated(page: &mut Page, s: &SteeredLetters) {
     let kept = [(lambda, -s.m1 * s.g + lambda1 * sin - lambda2 * c)];
     let [length, middle, _] = s.differentiated(s.friction()).map(|rate| tidy(rate.substitute(&kept) / s.l));
     let inverse = |mass: Sym| int(1) / mass;
-    page.claim("eq1.86", "substituted", r"with the accelerations of (1.83): $\mu$ drops out").holds([
+    page.claim(
+        "eq1.86",
+        "substituted",
+        r"the differentiated constraints with the accelerations of (1.83), where $\mu$ drops out",
+    )
+    .holds([
         Line::equation(guide, s.m1 * s.g - lambda1 * sin + lambda2 * c + lambda, Sym::ZERO),
         Line::equation(
             length,
@@ -198,8 +203,7 @@ fn painleve(page: &mut Page, s: &SteeredLetters) {
     let at_guide = derived[2].diff(mu);
     page.claim(
         "eq1.91",
-        "at-the-guide",
-        r"$\lambda$ depends on $\mu$ by Painlevé's displacements: $\partial\lambda/\partial\mu\ne0$ for unequal masses",
+        "at-the-guide",r"printed: $\lambda$ depends on $\mu$ by Painlevé's displacements, $\partial\lambda/\partial\mu\ne0$ for unequal masses",
     )
     .why(r"The two terms in $\mu$ cancel in $\lambda = -m_1g+\lambda_1\sin\theta-\lambda_2\cos\theta$.")
     .given([Positive(s.m1), Positive(q), NonZero(q - one)])

@@ -170,11 +170,15 @@ fn solution(page: &mut Page, s: &LadderLetters, u: &Uniform) {
     // the constant for which the right formula has alpha'_0 at alpha_0
     let begins = at_start(corrected.value) - speed.powi(2);
     let derived = -(begins.substitute(&[(constant, Sym::ZERO)]) / begins.diff(constant));
-    page.claim("eq1.109", "constant", r"$\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$ from the initial state")
-        .reading(r"The source prints $e^{-b\alpha}$ without the index; $\alpha_0$ is read.")
-        .why(r"The sign of the exponent is turned, as in $\dot\alpha^2$.")
-        .under(&u.names)
-        .fails([Line::formula(derived, constant, initial / begun)]);
+    page.claim(
+        "eq1.109",
+        "constant",
+        r"the constant from the initial state, printed $\tilde C=e^{-b\alpha_0}[\dot\alpha_0^2-\dots]$",
+    )
+    .reading(r"The source prints $e^{-b\alpha}$ without the index; $\alpha_0$ is read.")
+    .why(r"The sign of the exponent is turned, as in $\dot\alpha^2$.")
+    .under(&u.names)
+    .fails([Line::formula(derived, constant, initial / begun)]);
     page.claim(
         "eq1.109",
         "constant-corrected",

@@ -66,7 +66,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     let [needed] = letters(["N"]);
     let name = s.lambda;
     let unit = Hypotheses::none().rule(sign, 2, int(1));
-    page.claim("section1.3-static", "start",r"beyond (1.100) the friction $R_x=\varepsilon f\lambda$, $\varepsilon$ opposite to the force $N$ that rest would need, has the direction of $N$").why(r"That holds where the floor pushes, $\lambda<0$; at $\theta=0$ with $m_2>m_1$ the guide pulls, $\lambda>0$.")
+    page.claim("section1.3-static", "start",r"printed: beyond (1.100) the friction $R_x=\varepsilon f\lambda$, $\varepsilon$ opposite to the force $N$ that rest would need, has the direction of $N$").why(r"That holds where the floor pushes, $\lambda<0$; at $\theta=0$ with $m_2>m_1$ the guide pulls, $\lambda>0$.")
         .given([
             Positive(s.f), Positive(m1), Positive(m2), Positive(g), Equal(name, weight), Equal(needed, -held),
             Positive(held.powi(2) - (s.f * name).powi(2)), Equal(sign.powi(2), int(1)), Positive(-(sign * needed)),

@@ -21,11 +21,8 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     )]);
     let acceleration = tidy(s.acceleration().substitute(&smooth).substitute(&uniform));
     let quarter = int(3) * g / (int(4) * l);
-    page.claim("section1.3-ladder-ideal", "uniform", "the uniform ladder").holds([Line::formula(
-        acceleration,
-        s.ddalpha,
-        quarter * sin,
-    )]);
+    page.claim("section1.3-ladder-ideal", "uniform", r"the smooth uniform ladder moves by its weight alone")
+        .holds([Line::formula(acceleration, s.ddalpha, quarter * sin)]);
     let half = int(1) / int(2);
     let energy =
         Tangent::fixed(half) * Tangent::moving(s.dalpha, acceleration) * Tangent::moving(s.dalpha, acceleration)
@@ -41,10 +38,11 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
         s.normal_reactions().map(|push| push.substitute(&smooth).substitute(&[(s.ddalpha, acceleration)]));
     let three = int(3) / int(4);
     let spin = s.dalpha.powi(2);
-    page.claim("section1.3-ladder-ideal", "reactions", "reactions of wall and floor").holds([
-        Line::formula(wall, letter("RAn"), m * (three * g * c * sin - l * sin * spin)),
-        Line::formula(floor, letter("RBn"), m * g - m * (three * g * sin.powi(2) + l * c * spin)),
-    ]);
+    page.claim("section1.3-ladder-ideal", "reactions", r"normal reactions of wall and floor on the smooth ladder")
+        .holds([
+            Line::formula(wall, letter("RAn"), m * (three * g * c * sin - l * sin * spin)),
+            Line::formula(floor, letter("RBn"), m * g - m * (three * g * sin.powi(2) + l * c * spin)),
+        ]);
     let start = field::Analytic::circle(letter("α₀")).cos;
     let premises = [
         Positive(m),
@@ -57,7 +55,7 @@ pub fn claims(page: &mut Page, s: &LadderLetters) {
     page.claim(
         "section1.3-ladder-ideal",
         "detachment",
-        r"from rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, at $\cos\alpha=2\cos\alpha_0$",
+        r"from rest at $\alpha_0$ the ladder leaves the wall, $R_A^n=0$, printed at $\cos\alpha=2\cos\alpha_0$",
     )
     .why(r"A factor 3 is lost; besides, $\cos\alpha<\cos\alpha_0$ while the ladder slides down.")
     .given(premises)

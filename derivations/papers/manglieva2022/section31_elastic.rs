@@ -87,7 +87,7 @@ fn work(page: &mut Page, s: &ElasticLetters) {
     let derived = s.work();
     let printed = s.moments[0] + s.drum / rho * s.moments[1] - s.b * psi * s.drum / rho
         + s.b * psi * s.drum * (s.alpha * lambda - s.beta * psi);
-    page.claim("eq3.17", "work-of-rotation", r"$Q_{\varphi_1}$ of the moments, of the rim's $a\lambda\,\delta\lambda+b\psi\,\delta\psi$ and of the moment $-b\psi$ on the disc")
+    page.claim("eq3.17", "work-of-rotation",r"the generalised force $Q_{\varphi_1}$, printed with the moments, the rim and the moment $-b\psi$ on the disc")
         .under(&opposite)
         .why(r"$\delta\lambda=\delta x-R\psi\,\delta\varphi_1$ depends on $\varphi_1$ too: the work $-aR\lambda\psi$ of the rim's force is lost.")
         .reading(format!("The first line prints $+b\\psi\\,\\delta\\varphi_2$, the second and (3.17) the minus, which is taken. {AS_PRINTED}"))
@@ -199,7 +199,7 @@ fn power(page: &mut Page, s: &ElasticLetters) {
     let derived = tidy(rate - s.balance[0] * w - s.balance[1] * dx);
     let [name] = letters(["Ė"]);
     let shafts = s.moments[0] * w + s.moments[1] * second;
-    page.claim("eq3.17", "power", r"the rim of (3.17) stores energy: kinetic energy, springs and $-\frac12a\lambda^2-\frac12b\psi^2$ change by the shafts' power alone")
+    page.claim("eq3.17", "power",r"the rim of the printed (3.17) stores energy: kinetic energy, springs and $-\frac12a\lambda^2-\frac12b\psi^2$ change by the shafts' power alone")
         .under(&Hypotheses::none().given(s.drill, -s.b))
         .why(r"With (3.16) nothing stores the power $-b\psi\omega_2$ of the moment on the disc.")
         .reading(AS_PRINTED)

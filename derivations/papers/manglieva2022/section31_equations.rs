@@ -134,8 +134,7 @@ fn reduced(page: &mut Page, s: &GovernorLetters) {
     let third = law(s.rho).diff(s.rho).diff(s.rho).diff(s.rho);
     page.claim(
         "eq3.5",
-        "riccati",
-        r"(3.5) is called Riccati's equation: its right side, of the second degree in $\rho$, has no third derivative",
+        "riccati",r"printed: (3.5) is Riccati's equation, whose right side is of the second degree in $\rho$ and has no third derivative",
     )
     .why(r"The right side is $k_1/\rho+k_2$, no polynomial in $\rho$.")
     .given([Positive(k1), Positive(s.rho)])

@@ -145,9 +145,9 @@ fn quadrature(page: &mut Page, s: &GovernorLetters) {
     };
     page.claim(ENTRY, "quadrature", r"under constant moments $t$ is an elementary function of $\rho_1$: of $\rho_1$, $\rho_1^2$, $1/\rho_1$, $\ln\rho_1$ and $\ln|M_1(a-\rho_1)+M_2\rho_1|$; its slope against $1/\dot\rho_1$").note(r"For $M_1\ne0$, $M_1\ne M_2$.")
         .holds([slow([s.m1, s.m2], Between::general)]);
-    page.claim(ENTRY, "quadrature-equal", r"with $M_1=M_2$: of $\rho_1^2$, $\rho_1^3$, $1/\rho_1$ and $\ln\rho_1$")
+    page.claim(ENTRY, "quadrature-equal",r"with $M_1=M_2$ the time is a function of $\rho_1^2$, $\rho_1^3$, $1/\rho_1$ and $\ln\rho_1$; its slope against $1/\dot\rho_1$")
         .holds([slow([s.m1, s.m1], Between::equal)]);
-    page.claim(ENTRY, "quadrature-free", r"with $M_1=0$: of $\rho_1$, $\rho_1^2$, $1/\rho_1$ and $1/\rho_1^2$")
+    page.claim(ENTRY, "quadrature-free",r"with $M_1=0$ the time is a function of $\rho_1$, $\rho_1^2$, $1/\rho_1$ and $1/\rho_1^2$; its slope against $1/\dot\rho_1$")
         .holds([slow([Sym::ZERO, s.m2], Between::free_first)]);
     let far = s.distance - s.rho;
     let inertia = s.wheel * s.speed / s.radius + s.speed * s.distance * s.radius * s.first / s.rho.powi(3);

@@ -116,7 +116,8 @@ fn quadrature(page: &mut Page, s: &GovernorLetters) {
         .note(r"For $k_2\ne0$. With $k_2=0$ it is $\rho^2=\rho_0^2+2k_1t/k$.")
         .holds([Line::formula(int(1) / drift, int(1) / s.drho, time(logarithm(log)).slope)]);
     let at_start = time(logarithm(Sym::ZERO)).value.substitute(&[(s.rho, start)]);
-    page.claim("eq3.10", "start", r"$t=0$ at $\rho=\rho_0$").follows([Condition::Zero(at_start)]);
+    page.claim("eq3.10", "start", r"the quadrature (3.10) gives $t=0$ at $\rho=\rho_0$")
+        .follows([Condition::Zero(at_start)]);
     let free = drift.substitute(&[(s.m1, Sym::ZERO)]);
     page.claim("eq3.10", "no-first-moment", r"with $M_1=0$ the rate of $\rho^2$ is constant")
         .under(&s.names())
@@ -187,7 +188,7 @@ fn persidskii(page: &mut Page, s: &GovernorLetters) {
     page.claim(
         entry,
         "stays",
-        r"with $M_2>M_2'>0$ the motion keeps $0<\rho<r_2$ for all time, as Persidskii's criterion needs",
+        r"printed: with $M_2>M_2'>0$ the motion keeps $0<\rho<r_2$ for all time and satisfies Persidskii's criterion",
     )
     .why(r"With $M_1=0$ the wheel leaves the disc at $t=k(r_2^2-\rho_0^2)/(2k_1)$.")
     .given(premises)

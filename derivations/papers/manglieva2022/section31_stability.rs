@@ -256,8 +256,7 @@ fn sign_of_rim(page: &mut Page, q: &Quintic) {
     let of_pushing = tidy(of_resisting.substitute(&[(q.a, -q.a), (q.b, -q.b)]));
     page.claim(
         entry,
-        "z",
-        r"$Z=-\Phi_3\Phi_1+\Phi_4\theta+a\theta$ follows from (3.17) and (3.22), where the rim's force is $+a\lambda$",
+        "z",r"the printed $Z=-\Phi_3\Phi_1+\Phi_4\theta+a\theta$ follows from (3.17) and (3.22), where the rim's force is $+a\lambda$",
     )
     .why(r"The force $+a\lambda$ gives $-a\theta$: (3.17) and $Z$ contradict each other in the sign of $a$.")
     .reading(AS_PRINTED)

@@ -129,7 +129,7 @@ fn function(page: &mut Page, r: &ReleasedLetters) {
     page.correct();
     let slope = regulator.bellman(r.value, r.deviation, u).diff(u);
     let push = letter("u₁");
-    page.claim(entry, "least", r"$\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho'=0$")
+    page.claim(entry, "least",r"the condition of the least, printed $\partial B/\partial u_1=2u_1+2C_{22}z+2C_{13}\xi+2C_{23}\rho^{\prime}=0$")
         .under(&with_unit_weights(r, Hypotheses::none()))
         .why(r"By $m\dot z=u_1$ the bracket has the factor $1/m$, which is lost.")
         .fails([Line::equation(slope, two * price * push, -gradient[2])]);
@@ -242,28 +242,24 @@ fn with_unit_weights(r: &ReleasedLetters, names: Hypotheses) -> Hypotheses {
 fn ends(page: &mut Page, r: &ReleasedLetters) {
     let names = ["C₁₁", "C₂₂", "C₃₃", "C₁₂", "C₁₃", "C₂₃"];
     let [zeta, ..] = r.deviation;
-    page.claim(
-        "eq3.36",
-        "initial",
-        r"with $c_{ij}(0)=0$ the function $V$ is positive definite at $t=0$, as the problem asks at any time",
-    )
-    .why(r"With $c_{ij}(0)=0$ the form vanishes at $t=0$; the condition belongs to the other end of the interval.")
-    .given(letters::<6>(names).map(Zero))
-    .given([NonZero(zeta)])
-    .refuted(
-        [NonZero(quadratic(r.value, r.deviation))],
-        exact([
-            ("C₁₁", 0, 1),
-            ("C₂₂", 0, 1),
-            ("C₃₃", 0, 1),
-            ("C₁₂", 0, 1),
-            ("C₁₃", 0, 1),
-            ("C₂₃", 0, 1),
-            ("ζ", 1, 1),
-            ("ϱ′", 0, 1),
-            ("z", 0, 1),
-        ]),
-    );
+    page.claim("eq3.36", "initial", r"printed: $c_{ij}(0)=0$, with $V$ positive definite at any time, so at $t=0$")
+        .why(r"With $c_{ij}(0)=0$ the form vanishes at $t=0$; the condition belongs to the other end of the interval.")
+        .given(letters::<6>(names).map(Zero))
+        .given([NonZero(zeta)])
+        .refuted(
+            [NonZero(quadratic(r.value, r.deviation))],
+            exact([
+                ("C₁₁", 0, 1),
+                ("C₂₂", 0, 1),
+                ("C₃₃", 0, 1),
+                ("C₁₂", 0, 1),
+                ("C₁₃", 0, 1),
+                ("C₂₃", 0, 1),
+                ("ζ", 1, 1),
+                ("ϱ′", 0, 1),
+                ("z", 0, 1),
+            ]),
+        );
     let regulator = r.regulator();
     let moved = quadratic(regulator.riccati(r.value), r.deviation);
     let derived = moved + regulator.bellman(r.value, r.deviation, r.control);

@@ -22,7 +22,7 @@ fn columns(page: &mut Page, r: &ReleasedLetters) {
     page.claim("eq3.30", "matrix", r"the matrix $W=\{L_1,L_2,L_3\}$, whose determinant decides")
         .defines([Line::equation(Sym::ZERO, det, Sym::function("det", name1))]);
     let [first, second, third] = r.krasovskii();
-    page.claim("eq3.31", "first", r"the column $L_1=(0,0,1)$, with $L_{i+1}=\dot L_i-PL_i$")
+    page.claim("eq3.31", "first", r"the first column, printed $L_1=(0,0,1)$, with $L_{i+1}=\dot L_i-PL_i$")
         .why(r"$u_1$ stands in $m\dot z=u_1$: the divisor $m$ is lost.")
         .fails([Line::formula(first[2], name1, Sym::ONE)]);
     page.claim("eq3.31", "first-corrected", r"the column is $L_1=(0,0,\frac1m)$, since $m\dot z=u_1$")
@@ -111,7 +111,7 @@ fn rank(page: &mut Page, r: &ReleasedLetters) {
     let entry = "section3.2-controllability";
     let det = tidy(determinant(&r.krasovskii()).unwrap_or(Sym::ZERO));
     let w = r.rho.powi(2) * r.drho * s.speed;
-    page.claim(entry, "rank", r"the rank of $W$ is 3 where $w=\rho_0^2\dot\rho_0\omega_2^0\ne0$")
+    page.claim(entry, "rank", r"printed: the rank of $W$ is 3 because $w=\rho_0^2\dot\rho_0\omega_2^0\ne0$")
         .why(r"$\det W$ is a difference of two terms, which can cancel where $w\ne0$.")
         .given(s.real())
         .given([Positive(r.rho), NonZero(w)])

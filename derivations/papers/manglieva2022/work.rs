@@ -15,7 +15,7 @@ pub fn nowhere_zero(page: &mut Page, entry: &'static str, says: &str) {
     let masses: [Sym; 3] = indexed("m#");
     let weighted = std::array::from_fn(|i| reaction[i] / masses[i]);
     let positive = masses.map(Positive);
-    page.claim(entry, "every-displacement", format!("{says}, for every virtual displacement"))
+    page.claim(entry, "every-displacement", format!("printed: {says} for every virtual displacement"))
         .given(positive)
         .given([
             Zero(dot(gradient, displacement)),

@@ -227,6 +227,15 @@ fn numbers_at_the_edge_of_the_range_end_with_a_reason() {
 }
 
 #[test]
+fn a_row_of_the_ledger_says_in_text_and_json_how_it_was_read() {
+    let output = run(&["ledger", "manglieva2022/eq3.17/sleeve", "--format", "json"]);
+    let rows = json(&output);
+    let reading = rows[0]["reading"].as_str().expect("a row that was read in one of two ways says so");
+    let text = String::from_utf8(run(&["ledger", "manglieva2022/eq3.17/sleeve"]).stdout).expect("text");
+    assert!(reading.contains(r"$+a\lambda$") && text.contains(&format!("reading: {reading}")), "{text}");
+}
+
+#[test]
 fn the_ledger_lists_one_verdict_where_it_is_asked_to() {
     let output = run(&["ledger", "konosevich2022/statement", "--verdict", "refuted", "--format", "json"]);
     let rows = json(&output);
