@@ -113,7 +113,7 @@ fn knife_edge(page: &mut Page) {
     let is = inertia(&case.system, &on_way, letters(["v̇", "θ̈"]));
     let weight = on_way.generalised(case.system.force(&on_way.state));
     let (dv, ddtheta) = (letter("v̇"), letter("θ̈"));
-    page.claim("shulgin", "sleigh", r"Lagrange's equations of the knife edge in the blade's speed $v$ and $\dot\theta$, with the constraint put into the energy, $T^*=\frac12m(v^2+d^2\dot\theta^2)+\frac12J\dot\theta^2$")
+    page.claim("shulgin", "sleigh", r"Lagrange's equations with the constraint put into the energy, $T^*=\frac12m(v^2+d^2\dot\theta^2)+\frac12J\dot\theta^2$, are the equations of motion of the knife edge in the blade's speed $v$ and $\dot\theta$")
         .why("The constraint is not integrable, and the momentum along the bracket of its fields is lost from the energy.")
         .fails([
             Line::equation(is[0] - weight[0], m * dv, m * g * point.cos),

@@ -143,7 +143,7 @@ fn diode(page: &mut Page) {
     page.claim(
         "diode",
         "rest",
-        r"a diode without current has the voltage $\frac14(R_{\mathrm r}-R_{\mathrm f})(i_0-\sqrt{i_0^2})$, which is zero for $i_0>0$; with $u'\ge R_{\mathrm f}$ (stabilisation/diode/resistance) it never gives energy, $u(i)\,i\ge R_{\mathrm f}i^2$",
+        r"a diode without current has the voltage $\frac14(R_{\mathrm r}-R_{\mathrm f})(i_0-\sqrt{i_0^2})$, which is zero for $i_0>0$; with $R_{\mathrm r}\ge R_{\mathrm f}$ and so $u'\ge R_{\mathrm f}$ (stabilisation/diode/resistance) it never gives energy, $u(i)\,i\ge R_{\mathrm f}i^2$",
     )
     .in_words()
     .follows([Equal(voltage(&drive, Sym::ZERO), gap * (knee - knee.powi(2).sqrt()) / Sym::int(4))]);

@@ -6,7 +6,7 @@
 //! mass points or energies and from the motors' energies; the right side is the paper's.
 //!
 //! Damaged in the text at hand, and restored here: the third of the relations (6.5) (cyclic permutation of the first
-//! two); `S* != 0 identically` in statements 5 and 6 (an inequality lost between commas); the prime of A' in "the
+//! two); `S* != 0 identically` before and in statement 6 (a formula lost before a comma); the prime of A' in "the
 //! coefficient is written A'D" before (5.4); bold type of vectors throughout.
 //!
 //! # Key results

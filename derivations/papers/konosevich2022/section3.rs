@@ -150,7 +150,7 @@ pub fn current_equations(s: &Letters, bars: u32, rates: &[Sym]) -> Vec<Line> {
 fn asynchronous(page: &mut Page, s: &Letters) {
     let [k, f, kappa] = ["k", "f", "κ"].map(letter);
     let omega = s.omega_field;
-    page.claim("section3-motors", "working-speed", r"$M(0) = k\Omega > 0$ and $-M(\Omega) = \kappa\Omega > 0$ with $M_1(0) = k\Omega$, $M_1(\Omega) = 0$, $M_2(0) = 0$, $M_2(\Omega) = -\kappa\Omega$. The working speed $\Omega' \in (0,\Omega)$ is then the intermediate value theorem's, which is cited for a continuous $M$")
+    page.claim("section3-motors", "working-speed", r"$M(0) = k\Omega > 0$ and $-M(\Omega) = \kappa\Omega > 0$ with $M_1(0) = k\Omega$, $M_1(\Omega) = 0$, $M_2(0) = 0$, $M_2(\Omega) = -\kappa\Omega$. By the intermediate value theorem, which is cited, a continuous $M$ then vanishes at a working speed $\Omega' \in (0,\Omega)$")
         .given([k, kappa, omega].map(Condition::Positive))
         .note(r"The condition $M_1(0) > -M_2(0)$ of the paper is $M_1(0) > 0$, since an odd law of friction vanishes at rest.")
         .by_signs([Condition::Positive(k * omega), Condition::Positive(kappa * omega)]);

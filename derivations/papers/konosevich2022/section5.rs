@@ -108,7 +108,7 @@ fn rotor(page: &mut Page, s: &Letters) {
     page.claim(
         "eq5.4",
         "coefficient",
-        r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$ ",
+        r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$",
     )
     .reading(r"The text has $AD$ here; (5.3) shows the prime.")
     .under(&s.unit_axis)

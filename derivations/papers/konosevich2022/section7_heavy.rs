@@ -138,7 +138,6 @@ fn statement5(page: &mut Page, s: &Letters, f: &Relations) {
     .given(zeros(vanishing))
     .given(zeros(s.l - s.e))
     .given(unit(s))
-    .reading(r"The text has lost an inequality sign; $S^*\equiv0$ is what (7.8) says.")
     .why(
         r"$e$ and $l$ are parallel, so (7.4) and (7.7) are two copies of one projection and say nothing of the others.",
     )
@@ -182,7 +181,7 @@ fn statement6(page: &mut Page, s: &Letters, f: &Relations) {
     )
     .given([Zero(f.s), Zero(f.pi), Zero(f.v)])
     .given(unit(s))
-    .reading(r"The text has lost an inequality sign; statement 6 is read for $S^*\not\equiv0$ that vanishes at $\nu$.")
+    .reading(r"The text has lost a formula before `but $S^*=0$`; it is read as $S^*\not\equiv0$, which the paragraph before statement 6 says in words.")
     .why(r"(7.4) and (7.7) hold there identically, and leave one component of (6.5) undecided.")
     .refuted(zeros(f.all), example.point(s));
     let n = f.weight;
@@ -248,7 +247,7 @@ fn statement7(page: &mut Page, s: &Letters, f: &Relations) {
     page.claim(
         "statement7",
         "sufficient",
-        r"where $S^*\ne0$, (7.11) holds and $|\nu|=1$, $\omega^0$ of (7.10) satisfies the original (6.5): $\nu$ is an axis of rotation",
+        r"where $S^*\ne0$ and (7.11) holds, $\omega^0$ of (7.10) satisfies the original (6.5): $\nu$ is an axis of rotation",
     )
     .in_words()
     .given([Zero(surface), NonZero(f.s)])
