@@ -228,7 +228,8 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
         let before = start.and_then(|at| determinant(self.system, &at, &stretch.regime));
         let now = determinant(self.system, &self.at, &stretch.regime);
         match (before, now) {
-            _ if matches!(failure, integrators::Failure::OutOfTime { .. }) => Ending::Failed(failure),
+            _ if matches!(failure, integrators::Failure::Interrupted { .. }) => Ending::BrokenOff,
+            _ if failure.is_broken_off() => Ending::Failed(failure),
             (Some(before), Some(now)) if now.abs() < 1e-6 * before.abs() => Ending::Critical,
             _ => Ending::Failed(failure),
         }

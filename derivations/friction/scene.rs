@@ -74,7 +74,7 @@ impl Family for RoughScene {
         let mut sound = start.exists() && !start.has_issues();
         issues.extend(start.finish());
         let mut table = top.table("run", "the span of time");
-        let run = of_any_family(&mut table, 1e-14);
+        let run = of_any_family(&mut table, 1e-14, 0);
         sound &= table.exists() && !table.has_issues() && !top.has_issues();
         issues.extend(table.finish());
         let (system, run) = (system.filter(|_| sound)?, run?);

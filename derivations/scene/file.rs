@@ -2,8 +2,12 @@
 
 use super::issue::{Issue, SceneError, nearest};
 use super::read::{At, Table};
-use std::io;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
+
+/// Bytes of a scene file: the largest that the project holds has a hundredth of them.
+const MOST_BYTES: u64 = 1_000_000;
 
 /// What every scene file opens with.
 pub struct Opening {
@@ -35,7 +39,13 @@ pub trait Family: Sized {
         if path.is_dir() {
             return Err(SceneError::whole(&name, "this is a folder", needed));
         }
-        let bytes = std::fs::read(path).map_err(|error| SceneError::whole(&name, unreadable(&error), needed))?;
+        // a device has no size that could be asked for
+        let mut bytes = Vec::new();
+        let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+        read.map_err(|error| SceneError::whole(&name, unreadable(&error), needed))?;
+        if bytes.len() as u64 > MOST_BYTES {
+            return Err(SceneError::whole(&name, format!("this file has more than {MOST_BYTES} bytes"), needed));
+        }
         let text = String::from_utf8(bytes)
             .map_err(|error| SceneError::whole(&name, format!("this is no text: {}", error.utf8_error()), needed))?;
         Self::parse(&name, &text)

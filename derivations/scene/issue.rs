@@ -27,6 +27,9 @@ pub struct SceneError {
     pub issues: Vec<Issue>,
 }
 
+/// Issues that are shown: nobody mends more before looking again.
+const MOST_SHOWN: usize = 30;
+
 impl Issue {
     /// At a place.
     pub fn at(span: Range<usize>, title: impl Into<String>, label: impl Into<String>) -> Self {
@@ -46,10 +49,14 @@ impl SceneError {
         SceneError { path: path.to_owned(), text: String::new(), issues: vec![issue] }
     }
 
-    /// All issues, each with its line of the file and marks under the value.
+    /// The first issues, each with its line of the file and marks under the value, and how many more there are.
     pub fn render(&self, colour: bool) -> String {
         let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
-        let shown: Vec<String> = self.issues.iter().map(|issue| renderer.render(&[self.group(issue)])).collect();
+        let first = self.issues.iter().take(MOST_SHOWN);
+        let mut shown: Vec<String> = first.map(|issue| renderer.render(&[self.group(issue)])).collect();
+        if let Some(more) = self.issues.len().checked_sub(MOST_SHOWN).filter(|more| *more > 0) {
+            shown.push(format!("and {more} more errors in {}", self.path));
+        }
         shown.join("\n\n")
     }
 

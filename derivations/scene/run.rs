@@ -9,6 +9,15 @@ use integrators::Method;
 const FINEST: f64 = 1e-14;
 /// More instants than anyone looks at.
 const MOST_SAMPLES: usize = 1_000_000;
+/// Bytes that the rows of a run may take: with constant steps its states are kept as well, and those of two shorter runs.
+const ROOM: usize = 1 << 28;
+/// Bytes of an instant beside its numbers.
+const BESIDE_NUMBERS: usize = 64;
+
+/// The most instants of a run that are kept in memory, where each has so many numbers.
+pub fn most_samples(columns: usize) -> usize {
+    (ROOM / (columns * size_of::<f64>() + BESIDE_NUMBERS)).min(MOST_SAMPLES)
+}
 
 /// The table `[run]`.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +37,7 @@ pub struct Run {
 /// Reads it; without `known` outputs nobody knows which there are.
 pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String]>) -> Option<Run> {
     let mut table = top.table("run", "the span of time and the tolerance");
-    let run = of_any_family(&mut table, 1e-8);
+    let run = of_any_family(&mut table, 1e-8, known.map_or(0, <[String]>::len));
     let outputs = table.texts("outputs", "[\"slip\"]");
     if let Some(known) = known {
         outputs.iter().for_each(|output| check_output(&mut table, output, known));
@@ -39,14 +48,18 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String
     Some(Run { outputs: outputs.into_iter().map(|output| output.value).collect(), ..run })
 }
 
-/// What every family's table `[run]` may hold, with the tolerance where none is given.
-pub fn of_any_family(table: &mut Table<'_>, usual: f64) -> Option<Run> {
+/// What every family's table `[run]` may hold, with the tolerance where none is given, of a run whose rows have so many columns.
+pub fn of_any_family(table: &mut Table<'_>, usual: f64, columns: usize) -> Option<Run> {
     let span = table.scalar("span", "length of the run", "s");
     if span.value <= 0.0 {
         let issue = Issue::at(span.span, "`span` must be positive", format!("it is {} s", span.value));
         table.report(issue.accepted("a positive time is accepted, such as \"2 s\""));
     }
-    let samples = table.optional_count("samples", "number of instants that are kept", 1, MOST_SAMPLES);
+    let (most, mut kept) = (most_samples(columns), "number of instants that are kept".to_owned());
+    if most < MOST_SAMPLES {
+        kept += &format!(", each with {columns} numbers");
+    }
+    let samples = table.optional_count("samples", &kept, 1, most);
     let tolerance = table.optional_scalar("tolerance", "error allowed in a step", "1");
     if let Some(At { value, span }) = &tolerance
         && !table.has_issue_at(span)

@@ -1,7 +1,7 @@
 //! A problem run: its trajectory as a reader wants it.
 
 use super::{Axes, Problem, Run, Scene};
-use integrators::{Beside, End, Method, Observer, Outcome, Record, Span, Tolerance, beside, integrate};
+use integrators::{Beside, End, Failure, Method, Observer, Outcome, Record, Span, Tolerance, beside, integrate};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -162,12 +162,13 @@ impl Trajectory {
     pub fn stopped(&self) -> Option<String> {
         let failure = || self.outcome.failure().map(|failure| failure.to_string());
         let broken_off = || self.broken_off().then(|| "interrupted".to_owned());
-        self.left.map(|why| format!("left its law: {why}")).or_else(failure).or_else(broken_off)
+        self.left.map(|why| format!("left its law: {why}")).or_else(broken_off).or_else(failure)
     }
 
     /// Whether it went on until it was told to end.
     pub fn broken_off(&self) -> bool {
-        self.left.is_none() && self.outcome.end == End::Halted
+        let told = matches!(self.outcome.end, End::Halted | End::Stopped(Failure::Interrupted { .. }));
+        self.left.is_none() && told
     }
 }
 

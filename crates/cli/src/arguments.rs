@@ -1,5 +1,6 @@
 //! What can be asked on the command line.
 
+use crate::clock::Keeps;
 use crate::{
     bodies, chart, choose, conform, derive, ensemble, failures, ledger, motor, new, phantom, reference, regimes,
     report, review, run, scenes, stationary,
@@ -16,8 +17,9 @@ use std::str::FromStr;
 /// Without a command: the main job. Every paper's statements are judged, every scene is run and charted, and one page
 /// is written that needs nothing else to be read.
 ///
-/// Exit codes: 0 all is well; 1 a run stopped before its end; 2 the input is not acceptable; 130 Ctrl-C ended it: `run`
-/// and `ensemble` then keep what there is, a second Ctrl-C ends them at once.
+/// Exit codes: 0 all is well; 1 a run stopped before its end, or the time was over; 2 the input is not acceptable; 130 Ctrl-C
+/// ended it. Where the time is over, or at Ctrl-C, `run`, `ensemble`, `chart` and `reference` keep what there is; a second Ctrl-C
+/// ends them at once.
 ///
 /// A file is whole under its name or is not there. The end of its name says the form: .csv, .svg, .html or .reference. Folders that
 /// are missing are made. A file that stands there is replaced only if the command wrote it, or with --force; a file that the command
@@ -32,7 +34,43 @@ pub struct Arguments {
     /// Results and errors only: no progress, no names of files that were written
     #[arg(long, short, global = true)]
     pub quiet: bool,
+    /// Ends the command after so many seconds, and keeps what there is; without it after 300, `chart` after 30, and `ensemble`,
+    /// `review` and the report never
+    #[arg(long, global = true, value_name = "N", value_parser = whole::<u32>(1..=86_400))]
+    pub seconds: Option<u32>,
 }
+
+impl Arguments {
+    /// The name of the command, whether it can keep a part of its results, and the seconds that it is given.
+    pub fn timed(&self) -> (&'static str, Keeps, Option<u32>) {
+        use Keeps::{Nothing, Part};
+        let (name, keeps, usual) = match &self.command {
+            None => ("dalembert", Nothing, None),
+            Some(Command::Run(_)) => ("run", Part, Some(USUAL)),
+            Some(Command::Chart(_)) => ("chart", Part, Some(30)),
+            Some(Command::Choose(_)) => ("choose", Nothing, Some(USUAL)),
+            Some(Command::Reference(_)) => ("reference", Part, Some(USUAL)),
+            Some(Command::Ensemble(_)) => ("ensemble", Part, None),
+            Some(Command::Ledger(_)) => ("ledger", Nothing, Some(USUAL)),
+            Some(Command::Review(_)) => ("review", Nothing, None),
+            Some(Command::Derive(_)) => ("derive", Nothing, Some(USUAL)),
+            Some(Command::Bodies(_)) => ("bodies", Nothing, Some(USUAL)),
+            Some(Command::Stationary(_)) => ("stationary", Nothing, Some(USUAL)),
+            Some(Command::Phantom(_)) => ("phantom", Nothing, Some(USUAL)),
+            Some(Command::Motor(_)) => ("motor", Nothing, Some(USUAL)),
+            Some(Command::Conform(_)) => ("conform", Nothing, Some(USUAL)),
+            Some(Command::New(_)) => ("new", Nothing, Some(USUAL)),
+            Some(Command::Regimes(_)) => ("regimes", Nothing, Some(USUAL)),
+            Some(Command::Failures(_)) => ("failures", Nothing, Some(USUAL)),
+            Some(Command::Scenes(_)) => ("scenes", Nothing, Some(USUAL)),
+            Some(Command::Completions { .. }) => ("completions", Nothing, Some(USUAL)),
+        };
+        (name, keeps, self.seconds.or(usual))
+    }
+}
+
+/// Seconds after which a command ends that is not told otherwise.
+const USUAL: u32 = 300;
 
 #[derive(Debug, Subcommand)]
 pub enum Command {

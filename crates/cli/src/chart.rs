@@ -1,12 +1,13 @@
 //! `dalembert chart`: speed against accuracy of one scene, in every formulation with every model.
 
-use crate::arguments::{Format, whole};
-use crate::csv;
+use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use crate::output::{Form, Output, Writes};
+use crate::reference::following;
 use crate::report;
 use crate::run::{one_form, refuse, with_model};
 use crate::speed::{advice::advice, family, model, pictures, tables};
+use crate::{clock, csv};
 use charts::{Table, WorkPrecision};
 use clap::{Args, ValueEnum};
 use derivations::friction::RoughScene;
@@ -18,7 +19,6 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
 
 /// What is to be measured and drawn.
 #[derive(Args, Debug)]
@@ -44,9 +44,6 @@ pub struct Asked {
     /// The equations in the axes of A (first) or of A* (second)
     #[arg(long)]
     pub form: Option<Axes>,
-    /// Time allowed for the reference, and again for the measurements
-    #[arg(long, default_value_t = 10, value_parser = whole::<u32>(1..=3600))]
-    pub seconds: u32,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -57,7 +54,8 @@ pub enum Axis {
     Time,
 }
 
-/// Measures every method, prints the tables, draws the chart where one is asked for.
+/// Measures every method, prints the tables, draws the chart where one is asked for. A third of the time is for the reference, a
+/// third for the runs, a part of what they leave for taking times.
 pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
@@ -77,7 +75,7 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
         one_form(scene, asked.form.is_some(), &asked.scene)?;
     }
     let output = output(asked)?;
-    let allowed = Duration::from_secs(asked.seconds.into());
+    let allowed = clock::left() / 3;
     let trials = Trials { allowed, ..Trials::default() }.with(smooth.run().method);
     let problem = smooth.problem(asked.form.unwrap_or_default());
     let mut ways = smooth.ways();
@@ -87,13 +85,13 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     ways.retain(|way| asked.form.is_none_or(|form| written_in(way, form)));
     let kept = Stored::beside(&asked.scene);
     // beyond the end of its law there is no motion for methods to find
-    let run = problem.simulate(&smooth.run().choice(), |_| ());
+    let run = problem.simulate(&following(smooth.run().choice()), |_| ());
     if run.left.is_some() {
         return no_reference(smooth, &run, &run.stopped().unwrap_or_default());
     }
     match judged(smooth, &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {
-            atlas.take_times(&trials, allowed / 2);
+            atlas.take_times(&trials, clock::left() / 2);
             told(smooth.title(), &atlas, asked, output, |work| report::of_scene(smooth, &atlas, work))
         }
         Err(failure) => no_reference(smooth, &run, &failure.to_string()),
@@ -104,11 +102,11 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
 fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     refuse("a system with rough contacts", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
     let output = output(asked)?;
-    let allowed = Duration::from_secs(asked.seconds.into());
+    let allowed = clock::left() / 3;
     let trials = Trials { allowed, ..Trials::default() }.with(scene.plan.method);
     match scene.judged(&trials, Stored::beside(&asked.scene).as_ref(), allowed) {
         Ok(mut atlas) => {
-            atlas.take_times(&trials, allowed / 2);
+            atlas.take_times(&trials, clock::left() / 2);
             told(&scene.title, &atlas, asked, output, |work| report::of_rough(scene, &atlas, work))
         }
         Err(unknown) => {

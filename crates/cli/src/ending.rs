@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
+use crate::{clock, progress};
 use derivations::scene::SceneError;
 
 /// Whether nothing but results and errors is wanted: said once, when the program begins.
@@ -28,8 +29,6 @@ pub enum Ending {
     Done,
     /// What was asked ran, and did not come out as it should; the reason has been printed.
     Stopped,
-    /// The user asked for the end; what there was is kept and told.
-    Interrupted,
     /// The input is not acceptable.
     Refused(String),
     /// The command line is not acceptable; the reason has been printed.
@@ -68,11 +67,14 @@ impl Ending {
 
     /// Prints the message, if there is one, and gives the exit code.
     pub fn tell(self) -> ExitCode {
+        if matches!(self, Ending::Done | Ending::Stopped)
+            && let Some(code) = clock::broke_off()
+        {
+            return ExitCode::from(code);
+        }
         match self {
             Ending::Done => ExitCode::SUCCESS,
             Ending::Stopped => ExitCode::from(1),
-            // as shells tell a program that SIGINT ended
-            Ending::Interrupted => ExitCode::from(130),
             Ending::Refused(message) => {
                 warn(&message);
                 ExitCode::from(2)
@@ -96,6 +98,10 @@ pub fn rendered(error: &SceneError) -> String {
 
 /// Prints to standard output. A reader who has seen enough and closed the pipe is no error.
 pub fn print(text: &str) -> Result<(), Ending> {
+    let _held = clock::held();
+    // what is printed holds what was found before
+    clock::publish(String::new());
+    progress::clear();
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {

@@ -11,12 +11,13 @@
 //! * [`values`], [`timings`]: exact values and measured times for a reader;
 //! * [`ending`]: exit codes, and writing that survives a closed pipe; [`whole`]: files that survive a kill; [`output`]: one rule
 //!   for what a command may write, and over what;
-//! * [`interrupt`], which is Ctrl-C.
+//! * [`clock`], which is the deadline and Ctrl-C; [`progress`], which it draws.
 
 mod arguments;
 mod bodies;
 mod chart;
 mod choose;
+mod clock;
 mod conform;
 mod crew;
 mod csv;
@@ -24,7 +25,6 @@ mod derive;
 mod ending;
 mod ensemble;
 mod failures;
-mod interrupt;
 mod ledger;
 mod motor;
 mod new;
@@ -65,6 +65,9 @@ fn main() -> ExitCode {
     if arguments.quiet {
         ending::be_quiet();
     }
+    let (command, keeps, seconds) = arguments.timed();
+    clock::start(command, keeps, seconds);
+    let work = progress::Progress::new(command);
     let ending = match arguments.command {
         None => report(&arguments.report),
         Some(Command::Run(asked)) => run::run(&asked),
@@ -86,6 +89,7 @@ fn main() -> ExitCode {
         Some(Command::Scenes(asked)) => scenes::list(&asked),
         Some(Command::Completions { shell }) => ending::print(&completions(shell)).map(|()| Ending::Done),
     };
+    drop(work);
     ending.unwrap_or_else(|refused| refused).tell()
 }
 

@@ -1,29 +1,41 @@
-//! A progress bar for work that takes long.
+//! Progress of work that takes long, on a terminal only: a bar where the part done is known, else the seconds.
 
 use crate::ending::is_quiet;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Below this nobody wants to see a bar.
+/// Below this nobody wants to see a sign.
 const PATIENCE: Duration = Duration::from_millis(700);
 const MARKS: u64 = 1000;
+const WITH_BAR: &str = "{msg} {wide_bar} {percent} % {eta}";
+const WITH_SECONDS: &str = "{spinner} {msg}, {elapsed}";
 
-/// Appears on a terminal once the work has taken longer than a moment, and leaves nothing behind.
+/// What is at work: drawn by the thread of the clock, so that work that tells nothing is seen to go on.
+static WORK: Mutex<Option<Work>> = Mutex::new(None);
+
+struct Work {
+    label: String,
+    begun: Instant,
+    /// Of [`MARKS`]; zero where nobody tells.
+    done: u64,
+    bar: Option<ProgressBar>,
+}
+
+/// A phase of the work; with it goes its sign.
 pub struct Progress {
-    bar: ProgressBar,
-    start: Instant,
+    before: Option<Work>,
     shown: u64,
 }
 
 impl Progress {
     /// Of the work that begins now.
     pub fn new(label: &str) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(MARKS), ProgressDrawTarget::hidden());
-        if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent} % {eta}") {
-            bar.set_style(style);
-        }
-        bar.set_message(label.to_owned());
-        Progress { bar, start: Instant::now(), shown: 0 }
+        clear();
+        // a title may hold what a terminal would obey
+        let label = label.chars().filter(|character| !character.is_control()).collect();
+        let work = Work { label, begun: Instant::now(), done: 0, bar: None };
+        Progress { before: at_work().replace(work), shown: 0 }
     }
 
     /// So much is done. Cheap: nothing happens between two marks of the bar.
@@ -31,19 +43,47 @@ impl Progress {
         let mark = (fraction * MARKS as f64) as u64;
         if mark > self.shown {
             self.shown = mark;
-            if self.start.elapsed() > PATIENCE {
-                if self.bar.is_hidden() && !is_quiet() {
-                    // indicatif draws on terminals only
-                    self.bar.set_draw_target(ProgressDrawTarget::stderr());
-                }
-                self.bar.set_position(mark);
-            }
+            at_work().as_mut().into_iter().for_each(|work| work.done = mark);
         }
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        self.bar.finish_and_clear();
+        clear();
+        *at_work() = self.before.take();
+    }
+}
+
+fn at_work() -> MutexGuard<'static, Option<Work>> {
+    WORK.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The name of what is at work.
+pub fn phase() -> Option<String> {
+    at_work().as_ref().map(|work| work.label.clone())
+}
+
+/// Draws it, once it has taken longer than a moment.
+pub fn draw() {
+    let mut now = at_work();
+    let Some(work) = now.as_mut().filter(|work| work.begun.elapsed() > PATIENCE && !is_quiet()) else { return };
+    let (label, begun) = (&work.label, work.begun);
+    let bar = work.bar.get_or_insert_with(|| {
+        // indicatif draws on terminals only
+        let bar = ProgressBar::with_draw_target(Some(MARKS), ProgressDrawTarget::stderr());
+        bar.with_message(label.clone()).with_elapsed(begun.elapsed())
+    });
+    if let Ok(style) = ProgressStyle::with_template(if work.done > 0 { WITH_BAR } else { WITH_SECONDS }) {
+        bar.set_style(style);
+    }
+    bar.set_position(work.done);
+    bar.tick();
+}
+
+/// Takes the sign away, until it is drawn again.
+pub fn clear() {
+    if let Some(bar) = at_work().as_mut().and_then(|work| work.bar.take()) {
+        bar.finish_and_clear();
     }
 }

@@ -1,15 +1,17 @@
 //! `dalembert reference`: a scene's solution to all digits that two methods share, kept in a file.
 
-use crate::arguments::{Format, whole};
+use crate::arguments::Format;
+use crate::clock;
 use crate::ending::{Ending, print};
 use crate::output::{Form, Output, Writes};
 use clap::Args;
 use derivations::friction::RoughScene;
 use derivations::friction::exact::{Event, Regimes};
-use derivations::scene::{AnyScene, Axes, Family, Smooth, Stored, stored};
+use derivations::scene::stored::{self, Owner};
+use derivations::scene::{AnyScene, Axes, Choice, Family, Smooth, Stored};
+use integrators::Method;
 use std::fmt::Write;
 use std::path::PathBuf;
-use std::time::Duration;
 
 /// Whose solution is to be known to all digits.
 #[derive(Args, Debug)]
@@ -26,12 +28,10 @@ pub struct Asked {
     /// Ends sooner than the scene, s: for one whose motion ends
     #[arg(long, value_name = "T")]
     pub until: Option<f64>,
-    /// Time allowed
-    #[arg(long, default_value_t = 300, value_parser = whole::<u32>(1..=86_400))]
-    pub seconds: u32,
 }
 
-/// Computes it, says what it is, and writes it where charts and the report look for it.
+/// Computes it, says what it is, and writes it where charts and the report look for it. Another computer may share a digit more
+/// or less: a reference that is there gives way to a better one only.
 pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     let scene = AnyScene::open(&asked.scene)?;
     let smooth: &dyn Smooth = match &scene {
@@ -50,22 +50,20 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
         problem.span = end;
     }
     let output = output(asked)?;
-    let run = problem.simulate(&smooth.run().choice(), |_| ());
+    let run = problem.simulate(&following(smooth.run().choice()), |_| ());
     if run.left.is_some() {
         let (why, last) = (run.stopped().unwrap_or_default(), run.outcome.time);
         let accepted = format!("--until with a time up to {last} s is accepted");
         return Err(Ending::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
     }
-    match problem.reference(Duration::from_secs(asked.seconds.into())) {
+    match problem.reference(clock::left()) {
         Ok(found) => {
             let [one, other] = found.methods;
             print(&format!("{}\n{one} and {other} share {:.1} digits\n", smooth.title(), found.digits))?;
             if !found.is_trusted() {
                 return Ok(Ending::Stopped);
             }
-            let scene = asked.scene.display().to_string();
-            output.write_text(&Stored::of(&problem, found, Vec::new()).write(&scene))?.tell(Format::Text)?;
-            Ok(Ending::Done)
+            keep(output, &problem, &Stored::of(&problem, found, Vec::new()), asked)
         }
         Err(failure) => {
             print(&format!("{}\nno reference: {failure}\n", smooth.title()))?;
@@ -77,8 +75,12 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
 /// Where it is kept, before the work.
 fn output(asked: &Asked) -> Result<Output, Ending> {
     let writes = Writes { command: "reference", force: asked.force, reads: vec![&asked.scene] };
-    let path = asked.out.clone().unwrap_or_else(|| stored::place(&asked.scene));
-    writes.output(&path, &[Form::Reference])
+    writes.output(&place(asked), &[Form::Reference])
+}
+
+/// Where it goes.
+fn place(asked: &Asked) -> PathBuf {
+    asked.out.clone().unwrap_or_else(|| stored::place(&asked.scene))
 }
 
 /// The same of a motion with rough contacts, with its events.
@@ -90,7 +92,7 @@ fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
         )));
     }
     let output = output(asked)?;
-    let found = match scene.exact(Duration::from_secs(asked.seconds.into())) {
+    let found = match scene.exact(clock::left()) {
         Ok(found) => found,
         Err(unknown) => {
             print(&format!("{}\nno reference: {unknown}\n", scene.title))?;
@@ -110,7 +112,34 @@ fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     if !found.reference.is_trusted() {
         return Ok(Ending::Stopped);
     }
-    let kept = Stored::of(&Regimes::of(scene), found.reference, found.events);
-    output.write_text(&kept.write(&asked.scene.display().to_string()))?.tell(Format::Text)?;
+    let owner = Regimes::of(scene);
+    keep(output, &owner, &Stored::of(&owner, found.reference, found.events), asked)
+}
+
+/// How the end of a law is looked for: constant steps may lead out of it where the motion does not.
+pub fn following(own: Choice) -> Choice {
+    match own.method.steps() {
+        None => own,
+        Some(_) => Choice { method: Method::RadauIIA { stages: 5 }, tolerance: 1e-9, ..own },
+    }
+}
+
+/// Writes a reference, unless one of the same motion is there whose methods share as many digits.
+fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Asked) -> Result<Ending, Ending> {
+    let path = place(asked);
+    // a pipe would be waited for
+    let there = path.is_file().then(|| std::fs::read_to_string(&path).ok()).flatten();
+    let there = there.and_then(|text| Stored::read(&text).ok());
+    let of_this = |there: &Stored| there.reference.times == made.reference.times && there.belongs_to(owner);
+    match there.filter(of_this).map(|there| there.reference.digits) {
+        Some(digits) if digits >= made.reference.digits && !asked.force => {
+            print(&format!("{} is kept: its methods share {digits:.1} digits\n", path.display()))?;
+        }
+        _ => {
+            // the command as it is given, so that it makes the file again
+            let until = asked.until.map_or_else(String::new, |until| format!(" --until {until}"));
+            output.write_text(&made.write(&format!("{}{until}", asked.scene.display())))?.tell(Format::Text)?;
+        }
+    }
     Ok(Ending::Done)
 }

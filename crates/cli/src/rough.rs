@@ -1,12 +1,11 @@
 //! `dalembert run` of a scene with rough contacts: its log, its table, its section of the report.
 
 use crate::arguments::Format;
-use crate::csv;
 use crate::ending::{Ending, print};
-use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::run::Asked;
 use crate::run::{refuse, writes};
+use crate::{clock, csv};
 use charts::{Panel, Parameter, SceneSection, Table, Track, significant, tolerance};
 use derivations::friction::course::unit;
 use derivations::friction::run::Plan;
@@ -14,7 +13,6 @@ use derivations::friction::{Course, RoughScene};
 use integrators::Tolerance;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
-use std::time::Duration;
 
 /// Runs a scene and prints its log.
 pub fn run(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
@@ -23,7 +21,7 @@ pub fn run(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     let mut plan = Plan {
         method: asked.method.unwrap_or(own.method),
         tolerance: asked.tolerance.map_or(own.tolerance.clone(), Tolerance::both),
-        allowed: Some(Duration::from_secs(asked.seconds.into())),
+        allowed: Some(clock::left()),
         ..own
     };
     if let Some(samples) = asked.samples {
@@ -32,10 +30,9 @@ pub fn run(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     let columns: Vec<String> = scene.columns().iter().map(|name| csv::headed(name, unit(name))).collect();
     let table = csv::Table::at(&writes(asked), asked.out.as_deref(), &columns)?;
     let mut progress = Progress::new(&scene.title);
-    let interrupt = Interrupt::watched();
     let course = scene.follow_while(&plan, &mut |fraction| {
         progress.set(fraction);
-        interrupt.goes_on()
+        clock::goes_on()
     });
     drop(progress);
     let table = table.write(&course.times, &course.rows);
@@ -46,11 +43,7 @@ pub fn run(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     if let Some(written) = table? {
         written.tell(asked.format)?;
     }
-    Ok(match () {
-        () if course.reached => Ending::Done,
-        () if course.broken_off => Ending::Interrupted,
-        () => Ending::Stopped,
-    })
+    Ok(if course.reached { Ending::Done } else { Ending::Stopped })
 }
 
 fn end(course: &Course) -> f64 {

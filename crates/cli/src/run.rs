@@ -1,19 +1,18 @@
 //! `dalembert run`: one scene, one method.
 
 use crate::arguments::{Format, tolerance, whole};
-use crate::csv;
 use crate::ending::{Ending, print, warn};
-use crate::interrupt::Interrupt;
 use crate::output::{self, Writes};
 use crate::progress::Progress;
 use crate::rough;
 use crate::summary::Summary;
+use crate::{clock, csv};
 use clap::Args;
 use derivations::machines::AnyMachine;
-use derivations::scene::{AnyScene, Axes, Choice, Family, NoModel, Scene, Smooth, methods};
-use integrators::Method;
+use derivations::scene::run::most_samples;
+use derivations::scene::{AnyScene, Axes, Choice, Family, NoModel, Scene, Smooth, Told, methods};
+use integrators::{Beside, Method};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 /// How a scene is to be run; what is left out, the scene says.
 #[derive(Args, Debug)]
@@ -49,9 +48,6 @@ pub struct Asked {
     /// Instants of the trajectory beside its start
     #[arg(long, value_name = "N", value_parser = whole::<u32>(1..=1_000_000))]
     pub samples: Option<u32>,
-    /// Stops a run that takes longer, and keeps what there is
-    #[arg(long, default_value_t = 300, value_parser = whole::<u32>(1..=86_400))]
-    pub seconds: u32,
 }
 
 /// What the long help adds: names of methods and models.
@@ -132,41 +128,65 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     let matrix = csv::Matrix::at(&writes, asked.transition.as_deref(), &states.unwrap_or_default())?;
     output::apart(table.output(), matrix.output())?;
 
+    let (columns, most) = (problem.columns.len(), most_samples(problem.columns.len()));
+    if choice.samples > most {
+        let option = if asked.samples.is_some() { "--samples" } else { "samples" };
+        return Err(Ending::refused(format!(
+            "{option} {}: a row of this run has {columns} numbers; a whole number from 1 to {most} is accepted",
+            choice.samples
+        )));
+    }
     let mut progress = Progress::new(scene.title());
-    let interrupt = Interrupt::watched();
     let trajectory = problem.simulate_while(&choice, |fraction| {
         progress.set(fraction);
-        interrupt.goes_on()
+        clock::goes_on()
     });
-    let beside = problem.beside(&choice, &trajectory, || interrupt.goes_on());
     drop(progress);
+    let text = |told: &Told, beside: Option<Beside>| {
+        let summary = Summary { scene, choice: &choice, form, trajectory: &trajectory, told, beside };
+        match asked.format {
+            Format::Text => summary.text(),
+            Format::Json => summary.json(),
+        }
+    };
 
+    // what follows may take longer than the run, and the run is not lost by it
     let table = table.write(&trajectory.times, &trajectory.rows);
+    clock::publish(text(&Told::default(), None));
+    let told = phase("what theory says of the run", || scene.told(&choice, &trajectory));
+    clock::publish(text(&told, None));
+    let beside = phase("the run with half of its step", || problem.beside(&choice, &trajectory, clock::goes_on));
+    clock::publish(text(&told, beside));
+    let mut ending = if trajectory.outcome.reached() { Ending::Done } else { Ending::Stopped };
     let mut depends = Ok(None);
     if let Some(path) = &asked.transition {
-        if trajectory.outcome.reached() {
-            let rows = scene.problem(choice.axes).transition(choice.tolerance);
-            let rows = rows.map_err(|failure| Ending::refused(format!("{}: {failure}", path.display())));
-            depends = rows.and_then(|rows| matrix.write(&rows));
-        } else {
-            warn(&format!("{} is not written: the run did not reach its end", path.display()));
+        let not_written = |why: &str| warn(&format!("{} is not written: {why}", path.display()));
+        let rows = trajectory.outcome.reached().then(|| {
+            let problem = scene.problem(choice.axes);
+            phase("the transition matrix", || problem.transition(choice.tolerance))
+        });
+        match rows {
+            None => not_written("the run did not reach its end"),
+            Some(Ok(rows)) => depends = matrix.write(&rows),
+            Some(Err(failure)) if failure.is_broken_off() => {
+                not_written(failure.name());
+                ending = Ending::Stopped;
+            }
+            Some(Err(failure)) => depends = Err(Ending::refused(format!("{}: {failure}", path.display()))),
         }
     }
-    let told = scene.told(&choice, &trajectory);
-    let summary = Summary { scene, choice: &choice, form, trajectory: &trajectory, told: &told, beside };
-    print(&match asked.format {
-        Format::Text => summary.text(),
-        Format::Json => summary.json(),
-    })?;
+    print(&text(&told, beside))?;
     // what was computed is told in any case
     for written in [table?, depends?].into_iter().flatten() {
         written.tell(asked.format)?;
     }
-    Ok(match () {
-        () if trajectory.outcome.reached() => Ending::Done,
-        () if trajectory.broken_off() => Ending::Interrupted,
-        () => Ending::Stopped,
-    })
+    Ok(ending)
+}
+
+/// A part of a command that may take long.
+fn phase<T>(label: &str, work: impl FnOnce() -> T) -> T {
+    let _progress = Progress::new(label);
+    work()
 }
 
 /// What a run may write.
@@ -194,6 +214,6 @@ fn choice(own: &derivations::scene::Run, asked: &Asked) -> Choice {
         tolerance: asked.tolerance.unwrap_or(own.tolerance),
         axes: asked.form.unwrap_or_default(),
         samples: asked.samples.map_or(own.samples, |samples| samples as usize),
-        allowed: Duration::from_secs(asked.seconds.into()),
+        allowed: clock::left(),
     }
 }

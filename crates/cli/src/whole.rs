@@ -1,17 +1,51 @@
 //! Files that are whole under their names, whenever the program is killed.
 //!
 //! What is written goes to a file beside its place, is brought to the disk, and then takes the place: under the name there
-//! is what was there before, or all of the new. A kill while it is written leaves `.NAME.*.part` behind.
+//! is what was there before, or all of the new. A kill while it is written leaves `.NAME.*.part` behind; Ctrl-C does not.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use tempfile::{Builder, NamedTempFile};
 
 /// A file that is written, beside the place that it has not taken yet; one that is dropped is gone.
 pub struct Beside {
     file: NamedTempFile,
     path: PathBuf,
+    part: Part,
+}
+
+/// Files that stand beside their places: removed where the program is ended in the midst of its work.
+static PARTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// One of them.
+struct Part(PathBuf);
+
+impl Part {
+    fn of(file: &NamedTempFile) -> Self {
+        let path = file.path().to_owned();
+        parts(|parts| parts.push(path.clone()));
+        Part(path)
+    }
+}
+
+impl Drop for Part {
+    fn drop(&mut self) {
+        parts(|parts| parts.retain(|other| *other != self.0));
+    }
+}
+
+fn parts<T>(change: impl FnOnce(&mut Vec<PathBuf>) -> T) -> T {
+    change(&mut PARTS.lock().unwrap_or_else(PoisonError::into_inner))
+}
+
+/// Removes what has not taken its place, where the program is ended.
+pub fn remove_parts() {
+    for part in parts(std::mem::take) {
+        // where it cannot be removed there is nothing else to do
+        let _ = fs::remove_file(part);
+    }
 }
 
 /// Why a file did not take its place.
@@ -27,11 +61,13 @@ impl Beside {
     /// # Errors
     /// Those of the system; then nothing is left behind.
     pub fn write(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Self> {
-        let mut out = BufWriter::new(part(path)?);
+        let file = part(path)?;
+        let part = Part::of(&file);
+        let mut out = BufWriter::new(file);
         content(&mut out)?;
         let file = out.into_inner()?;
         file.as_file().sync_all()?;
-        Ok(Beside { file, path: path.to_owned() })
+        Ok(Beside { file, path: path.to_owned(), part })
     }
 
     /// Takes the place of the file that stands there, with its permissions.
@@ -52,14 +88,14 @@ impl Beside {
     /// # Errors
     /// [`Untaken`].
     pub fn take(self) -> Result<(), Untaken> {
-        let Beside { file, path } = self;
+        let Beside { file, path, part } = self;
         match file.persist_noclobber(&path) {
             Ok(_) => {
                 settle(&path);
                 Ok(())
             }
             Err(refused) if fs::symlink_metadata(&path).is_ok() => {
-                Err(Untaken::Occupied(Beside { file: refused.file, path }))
+                Err(Untaken::Occupied(Beside { file: refused.file, path, part }))
             }
             // some file systems know no way to take a place only if it is free
             Err(refused) => {

@@ -54,7 +54,8 @@ pub fn beside(method: Method, record: &Record<f64>, mut run: impl FnMut(Method) 
         match (left, outcome.failure()) {
             (Some(why), _) => Err(Parting::Stops { at: outcome.time, why }),
             (None, None) if seen.times == record.times => Ok(seen),
-            (None, None | Some(Failure::TooManyEvaluations { .. } | Failure::OutOfTime { .. })) => Err(Parting::Open),
+            (None, None | Some(Failure::TooManyEvaluations { .. })) => Err(Parting::Open),
+            (None, Some(failure)) if failure.is_broken_off() => Err(Parting::Open),
             (None, Some(failure)) => Err(Parting::Stops { at: outcome.time, why: failure.name() }),
         }
     };

@@ -3,8 +3,8 @@
 //! Nothing waits for the slowest: whoever has arrived makes room for the next. What becomes of a member does not depend
 //! on its lane, nor on who is in the others.
 
-use crate::Failure;
 use crate::taylor::reach;
+use crate::{Failure, clock};
 use field::Lanes;
 use pulp::{Arch, Simd, WithSimd};
 
@@ -113,12 +113,13 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         self
     }
 
-    /// Carries members from the start to the end until there are no more.
+    /// Carries members from the start to the end until there are no more, or until the clock of the process ends it: then those
+    /// on the way are lost.
     pub fn run(&mut self, members: &mut impl Members) {
         for lane in 0..L {
             self.admit(lane, members);
         }
-        while self.numbers.iter().any(Option::is_some) {
+        while self.numbers.iter().any(Option::is_some) && clock::over().is_none() {
             self.step(members);
         }
     }

@@ -13,6 +13,8 @@ pub enum Failure {
     TooManyEvaluations { at: f64, allowed: u64 },
     /// The deadline passed.
     OutOfTime { at: f64 },
+    /// The user asked for the end.
+    Interrupted { at: f64 },
     /// Newton's iteration did not converge with any step above rounding.
     NewtonFailed { at: f64, step: f64 },
     /// The rates, or the state, are infinite or undefined beyond this time.
@@ -29,6 +31,11 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// Whether the run was broken off by a clock or the user: nothing is known of what would have come.
+    pub fn is_broken_off(&self) -> bool {
+        matches!(self, Failure::OutOfTime { .. } | Failure::Interrupted { .. })
+    }
+
     /// Its name without its place, so that equal failures stand together.
     pub fn name(&self) -> &'static str {
         match self {
@@ -36,6 +43,7 @@ impl Failure {
             Failure::StepCollapsed { .. } => "step collapsed",
             Failure::TooManyEvaluations { .. } => "too many evaluations",
             Failure::OutOfTime { .. } => "out of time",
+            Failure::Interrupted { .. } => "interrupted",
             Failure::NewtonFailed { .. } => "Newton did not converge",
             Failure::LeftTheNumbers { .. } => "left the numbers",
             Failure::Stiff { .. } => "found it stiff",
@@ -101,6 +109,7 @@ impl fmt::Display for Failure {
                 write!(f, "too many evaluations: the {allowed} allowed were spent at t = {}", Instant(*at))
             }
             Failure::OutOfTime { at } => write!(f, "out of time: the deadline passed at t = {}", Instant(*at)),
+            Failure::Interrupted { at } => write!(f, "interrupted at t = {}", Instant(*at)),
             Failure::NewtonFailed { at, step } => {
                 write!(f, "Newton did not converge at t = {}, with a step down to {step:.1e}", Instant(*at))
             }

@@ -24,6 +24,8 @@
 //! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
 //! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
 //!
+//! [`clock`] ends every integration of a process at one moment, or when the user asks.
+//!
 //! [`beside()`] judges a run with constant steps by shorter ones; [`follow`] goes along curves of equilibria and of motions that repeat, over a parameter.
 //!
 //! Key results: every method has its order on nonlinear laws (`tests/methods/orders.rs`), its outputs are as accurate as its end,
@@ -38,6 +40,7 @@ mod bell;
 mod beside;
 mod branches;
 mod classical;
+pub mod clock;
 mod collocation;
 mod columns;
 mod composition;

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 use std::time::Instant;
 
+use crate::clock::{self, Over};
 use crate::{Failure, Ode, Real, Span, Work};
 
 /// How often the clock is read: reading it costs as much as a small system's rates.
@@ -12,7 +13,7 @@ const CLOCK_EVERY: u64 = 64;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Spent {
     Evaluations,
-    Time,
+    Clock(Over),
 }
 
 /// The law in the run's own time tau = |t - start|. Beyond the budget every rate is NaN: no method, ours or a crate's,
@@ -83,12 +84,17 @@ impl<'a, S: Real> Meter<'a, S> {
             if count > self.allowed {
                 self.spent.set(Some(Spent::Evaluations));
             } else if count / CLOCK_EVERY != self.rates.get() / CLOCK_EVERY
-                && self.deadline.is_some_and(|end| Instant::now() >= end)
+                && let Some(over) = self.clock()
             {
-                self.spent.set(Some(Spent::Time));
+                self.spent.set(Some(Spent::Clock(over)));
             }
         }
         self.spent.get().is_some()
+    }
+
+    /// What the clocks say, that of the run and that of the process.
+    fn clock(&self) -> Option<Over> {
+        clock::over().or_else(|| self.deadline.filter(|end| Instant::now() >= *end).map(|_| Over::Time))
     }
 
     /// Counts so many evaluations at once, for a series that costs as much; false if the budget is spent.
@@ -125,7 +131,7 @@ impl<'a, S: Real> Meter<'a, S> {
     pub fn exhausted(&self, at: f64) -> Option<Failure> {
         self.spent.get().map(|spent| match spent {
             Spent::Evaluations => Failure::TooManyEvaluations { at, allowed: self.allowed },
-            Spent::Time => Failure::OutOfTime { at },
+            Spent::Clock(over) => over.failure(at),
         })
     }
 

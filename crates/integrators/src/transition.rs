@@ -3,6 +3,7 @@
 //! The Taylor method over numbers that carry eight directions: value and derivatives are expanded together, so the
 //! matrix is as accurate as the motion, and nobody writes down variational equations.
 
+use crate::clock;
 use crate::jacobian::{slope, variable};
 use crate::taylor::taylor_order;
 use crate::{DIRECTIONS, Directions, Failure, Refusal, System, TaylorSeries, Tolerance};
@@ -21,7 +22,7 @@ pub struct Transition {
 /// each column is followed relative to its largest entry.
 ///
 /// # Errors
-/// [`Failure`] where the system offers no series, or the series stops.
+/// [`Failure`] where the system offers no series, the series stops, or the clock of the process ends it.
 pub fn transition(
     system: &dyn System,
     tolerance: &Tolerance,
@@ -62,6 +63,9 @@ fn carry(
     let mut steps = 0;
     let (order, direction, mut at) = (taylor_order(tolerance.relative), (to - from).signum(), from);
     while at != to {
+        if let Some(over) = clock::over() {
+            return Err(over.failure(at));
+        }
         series.expand(Directions::from_re(at), y, order);
         let terms = [order, order - 1].map(|k| {
             let share = largest_share(series.coefficients(k), y, tolerance);

@@ -3,7 +3,8 @@
 mod picture;
 mod receipt;
 
-use crate::arguments::{Format, tolerance, whole};
+use crate::arguments::{Format, tolerance};
+use crate::clock;
 use crate::ending::{Ending, print};
 use crate::output::{Form, Writes};
 use crate::run::{refuse, with_model};
@@ -39,10 +40,10 @@ pub struct Asked {
     /// How to print the receipt
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
-    /// Time allowed for taking times, and again for where to switch between models
-    #[arg(long, default_value_t = 3, value_parser = whole::<u32>(1..=3600))]
-    pub seconds: u32,
 }
+
+/// For taking times, and again for where to switch between models.
+const MEASURING: Duration = Duration::from_secs(3);
 
 /// Chooses, prints the receipt, draws what is asked for.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
@@ -70,7 +71,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     };
     let title = scene.title();
     let outputs = outputs(asked, given, models.columns())?;
-    let wish = Wish { tolerance: asked.tolerance, outputs, allowed: Duration::from_secs(asked.seconds.into()) };
+    let wish = Wish { tolerance: asked.tolerance, outputs, allowed: MEASURING.min(clock::left() / 8) };
     let kept = stored::place(&asked.scene);
     let writes = Writes { command: "choose", force: asked.force, reads: vec![&asked.scene, &kept] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;

@@ -4,8 +4,8 @@ mod table;
 mod told;
 
 use crate::arguments::whole;
+use crate::clock;
 use crate::ending::{Ending, print};
-use crate::interrupt::Interrupt;
 use crate::output::Writes;
 use crate::progress::Progress;
 use clap::Args;
@@ -45,12 +45,11 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
 
     let mut progress = Progress::new(&scene.scene.title);
     let mut wrong = Ok(());
-    let interrupt = Interrupt::watched();
     scene.run(done + 1..=all, threads, |row| {
         told.add(row.stopped.as_deref());
         wrong = table.push(&row);
         progress.set(told.members as f64 / all as f64);
-        if wrong.is_ok() { interrupt.goes_on() } else { ControlFlow::Break(()) }
+        if wrong.is_ok() { clock::goes_on() } else { ControlFlow::Break(()) }
     });
     wrong?;
     table.settle()?;
@@ -59,6 +58,6 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
     if told.members == all {
         return Ok(Ending::Done);
     }
-    print(&format!("interrupted: the same command goes on with member {}\n", told.members + 1))?;
-    Ok(Ending::Interrupted)
+    print(&format!("broken off: the same command goes on with member {}\n", told.members + 1))?;
+    Ok(Ending::Stopped)
 }

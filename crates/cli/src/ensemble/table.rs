@@ -177,7 +177,8 @@ fn read(mut table: impl BufRead, scene: &EnsembleScene, fingerprint: &Fingerprin
             again = line(&row, headings.len(), &fingerprint.to_string());
             ControlFlow::Continue(())
         });
-        if again.as_bytes() != last {
+        // a member that the clock broke off comes out in no way
+        if !again.is_empty() && again.as_bytes() != last {
             let why = format!("member {} comes out otherwise today", told.members);
             return Err((told.members as usize + 1, why));
         }

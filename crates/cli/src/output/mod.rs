@@ -14,6 +14,7 @@ mod place;
 pub use form::{Form, Maker};
 
 use crate::arguments::Format;
+use crate::clock;
 use crate::ending::{Ending, is_quiet, print};
 use crate::whole::{self, Beside, Untaken};
 use place::Place;
@@ -133,6 +134,7 @@ impl Output {
 
     /// Writes it, all or nothing, with the mark of its maker where the form has room for one.
     pub fn write(self, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Written, Ending> {
+        let _held = clock::held();
         let Output { path, form, place, rights } = self;
         let unwritable = |error: io::Error| Ending::unwritable(&path, &error);
         let mark = form.mark(rights.maker);

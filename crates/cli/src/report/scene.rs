@@ -78,7 +78,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
         Err(NoReference::Ends) => true,
         // a mechanism may take longer than the report has for it, which is said
         Err(NoReference::Unknown(_)) => true,
-        Err(NoReference::Stopped(failure)) => of_a_mechanism && matches!(failure, Failure::OutOfTime { .. }),
+        Err(NoReference::Stopped(failure)) => of_a_mechanism && failure.is_broken_off(),
         Ok(_) => run.outcome.reached(),
     };
     Some(Prepared { section, reached, atlas, trials, timed })

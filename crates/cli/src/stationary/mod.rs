@@ -7,6 +7,7 @@ mod motor;
 mod text;
 
 use crate::arguments::{Format, finite};
+use crate::clock;
 use crate::ending::{Ending, print};
 use crate::run::with_model;
 use clap::Args;
@@ -80,6 +81,9 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     }
     let refused = |reason: NoAnswer| Ending::refused(format!("{}: {reason}", asked.scene.display()));
     let all = Stationary::of(&scene).map_err(refused)?;
+    if matches!(asked.format, Format::Text) {
+        clock::publish(format!("{}\n{}", scene.title, motor::text(&all.motor)));
+    }
     if asked.cone {
         let census = all.census();
         print(&match asked.format {

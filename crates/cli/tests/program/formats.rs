@@ -106,7 +106,8 @@ fn regimes_are_printed_with_their_margins() {
 
 #[test]
 fn a_chart_is_one_object_with_every_run() {
-    let chart = json(&run(&["chart", "scenes/closed_forms/unloaded_motor.toml", "--seconds", "1", "--format", "json"]));
+    let chart =
+        json(&run(&["chart", "scenes/closed_forms/unloaded_motor.toml", "--seconds", "10", "--format", "json"]));
     assert_eq!(keys(&chart), ["title", "reference", "advice", "runs"]);
     let runs = chart["runs"].as_array().expect("a list");
     assert!(runs.len() > 10 && runs.iter().all(|run| run["error"].is_f64() != run["failure"].is_string()), "{runs:?}");
@@ -116,7 +117,7 @@ fn a_chart_is_one_object_with_every_run() {
 fn a_quiet_run_names_no_file() {
     let (table, picture) = (temporary("quiet.csv"), temporary("quiet.svg"));
     let (table, picture) = (table.to_str().expect("a name"), picture.to_str().expect("a name"));
-    let arguments = ["chart", "scenes/closed_forms/unloaded_motor.toml", "--seconds", "1", "--out"];
+    let arguments = ["chart", "scenes/closed_forms/unloaded_motor.toml", "--seconds", "10", "--out"];
     let told = printed(&[&arguments[..], &[table]].concat());
     let quiet = printed(&[&arguments[..], &[picture, "--quiet"]].concat());
     assert!(told.ends_with(&format!("{table}\n")) && !quiet.contains(picture), "{quiet}");

@@ -109,10 +109,14 @@ fn pages_pictures_and_references_are_whole_whenever_their_program_is_killed() {
 /// Sends Ctrl-C as soon as the program listens to it.
 #[cfg(target_os = "linux")]
 fn interrupted(arguments: &[&str], out: &Path) -> Output {
+    interrupt(program(arguments).arg("--out").arg(out))
+}
+
+/// Starts a program, and sends Ctrl-C as soon as it listens to it.
+#[cfg(target_os = "linux")]
+pub fn interrupt(asked: &mut Command) -> Output {
     const SIGINT: u64 = 1 << 1;
-    let mut asked = program(arguments);
-    let mut child =
-        asked.arg("--out").arg(out).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("it starts");
+    let mut child = asked.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
     let listens = |child: &Child| {
         let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
         let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));

@@ -2,11 +2,14 @@
 
 mod answers;
 mod book;
+mod clock;
 mod ensembles;
 mod formats;
 mod killed;
+mod limits;
 mod motors;
 mod outputs;
+mod references;
 mod refusals;
 mod runs;
 

@@ -114,7 +114,7 @@ fn a_run_that_takes_too_long_is_stopped() {
 fn a_chart_lists_every_method_and_draws_itself() {
     for (file, needle) in [("chart.svg", "<svg"), ("chart.html", "<!DOCTYPE html>")] {
         let path = temporary(file);
-        let output = run(&["chart", "scenes/constant_speed.toml", "--seconds", "1", "--out", &path.to_string_lossy()]);
+        let output = run(&["chart", "scenes/constant_speed.toml", "--seconds", "10", "--out", &path.to_string_lossy()]);
         let table = String::from_utf8(output.stdout).expect("text");
         assert_eq!(output.status.code(), Some(0), "{table}");
         assert!(["Dormand-Prince 8", "Gauss", "Rodas4", "1e-13"].iter().all(|word| table.contains(word)), "{table}");
@@ -291,11 +291,11 @@ fn a_mechanism_writes_its_table_and_takes_another_method() {
 
 #[test]
 fn a_chart_of_a_mechanism_lists_every_method_and_says_why_there_is_none() {
-    let output = run(&["chart", "scenes/governors/drum_programme.toml", "--seconds", "2"]);
+    let output = run(&["chart", "scenes/governors/drum_programme.toml", "--seconds", "10"]);
     let table = String::from_utf8(output.stdout).expect("text");
     assert_eq!(output.status.code(), Some(0), "{table}");
     assert!(["Dormand-Prince 8", "Gauss", "Taylor", "1e-13"].iter().all(|word| table.contains(word)), "{table}");
-    let output = run(&["chart", "scenes/governors/blow_up.toml", "--seconds", "2"]);
+    let output = run(&["chart", "scenes/governors/blow_up.toml", "--seconds", "10"]);
     let table = String::from_utf8(output.stdout).expect("text");
     assert_eq!(output.status.code(), Some(1), "{table}");
     assert!(table.contains("no reference") && table.contains("blow-up in finite time"), "{table}");

@@ -1,0 +1,163 @@
+//! The one clock of a command: its deadline, Ctrl-C, and the thread that sees that both are obeyed.
+//!
+//! A command that can keep something breaks off by itself: its integrations ask [`integrators::clock`]. Everything else,
+//! algebra as deep as it may be, needs to know nothing: the thread of the clock ends the program in its place, after it has
+//! printed the results that were found until then. While something is printed or written the thread waits.
+
+use crate::{progress, whole};
+use integrators::clock::{ask_for_the_end, is_asked, set_deadline, was_obeyed};
+use signal_hook::consts::SIGINT;
+use signal_hook::flag;
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::process;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock, RwLockReadGuard};
+use std::time::{Duration, Instant};
+
+/// A command that can break off by itself is given so long for it.
+const GRACE: Duration = Duration::from_millis(700);
+/// How often the thread looks: below what is felt.
+const TICK: Duration = Duration::from_millis(20);
+/// The sign of progress is drawn ten times a second.
+const TICKS_A_DRAWING: u32 = 5;
+/// The time that is left where nothing limits it.
+const NO_LIMIT: Duration = Duration::from_secs(366 * 86_400);
+/// As shells tell a program that SIGINT ended.
+const BY_CTRL_C: u8 = 130;
+
+/// Whether a command can keep something when it is broken off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keeps {
+    /// Its results are worth something as far as they go.
+    Part,
+    /// Its results are whole or none.
+    Nothing,
+}
+
+struct Clock {
+    command: &'static str,
+    keeps: Keeps,
+    seconds: Option<u32>,
+    deadline: Option<Instant>,
+}
+
+static CLOCK: OnceLock<Clock> = OnceLock::new();
+/// Read by whoever prints or writes, written by the thread when it ends the program.
+static OUTPUT: RwLock<()> = RwLock::new(());
+/// Whether the user pressed Ctrl-C.
+static PRESSED: AtomicBool = AtomicBool::new(false);
+/// What was at work when the end came.
+static PHASE: OnceLock<Option<String>> = OnceLock::new();
+/// Results that are printed if the program is ended before it prints them.
+static FOUND: Mutex<String> = Mutex::new(String::new());
+
+/// Starts the clock of a command; once, before its work.
+pub fn start(command: &'static str, keeps: Keeps, seconds: Option<u32>) {
+    let deadline = seconds.map(|seconds| Instant::now() + Duration::from_secs(seconds.into()));
+    let clock = CLOCK.get_or_init(|| Clock { command, keeps, seconds, deadline });
+    if let (Some(deadline), Keeps::Part) = (deadline, keeps) {
+        set_deadline(deadline);
+    }
+    let pressed = Arc::new(AtomicBool::new(false));
+    // where signals cannot be watched, or no thread can be had, Ctrl-C ends the program as ever
+    let watched = std::thread::Builder::new().name("clock".to_owned());
+    let flag = Arc::clone(&pressed);
+    if watched.spawn(move || clock.watch(&pressed)).is_ok() {
+        let _ = flag::register(SIGINT, flag);
+    }
+}
+
+/// What is left of the time.
+pub fn left() -> Duration {
+    let deadline = CLOCK.get().and_then(|clock| clock.deadline);
+    deadline.map_or(NO_LIMIT, |deadline| deadline.saturating_duration_since(Instant::now()))
+}
+
+/// Breaks off what asks this, once the user asked for the end.
+pub fn goes_on() -> ControlFlow<()> {
+    if is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+}
+
+/// While this lives the clock waits: what is printed or written is not cut.
+pub fn held() -> RwLockReadGuard<'static, ()> {
+    OUTPUT.read().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Results so far: printed if the clock ends the program before more are found.
+pub fn publish(found: String) {
+    *FOUND.lock().unwrap_or_else(PoisonError::into_inner) = found;
+}
+
+/// How a command ended that broke off by itself: the exit code, after the reason was told; `None` where it did not.
+pub fn broke_off() -> Option<u8> {
+    let clock = CLOCK.get().filter(|_| PRESSED.load(Relaxed) || was_obeyed())?;
+    clock.tell("what there is, is kept");
+    Some(clock.code())
+}
+
+impl Clock {
+    /// Until the program ends.
+    fn watch(&self, pressed: &AtomicBool) {
+        let (mut asked, mut turn): (Option<Instant>, u32) = (None, 0);
+        loop {
+            std::thread::sleep(TICK);
+            if pressed.swap(false, Relaxed) {
+                if asked.is_some() {
+                    self.end();
+                }
+                asked = Some(Instant::now());
+                PRESSED.store(true, Relaxed);
+                // to whom results are whole or none, runs that were broken off would be results
+                if self.keeps == Keeps::Part {
+                    ask_for_the_end();
+                }
+            }
+            turn = (turn + 1) % TICKS_A_DRAWING;
+            let over = [asked, self.deadline].into_iter().flatten().min();
+            if over.is_some_and(|over| Instant::now() >= over) {
+                PHASE.get_or_init(progress::phase);
+            }
+            let Ok(_held) = OUTPUT.try_write() else { continue };
+            let grace = if self.keeps == Keeps::Part { GRACE } else { Duration::ZERO };
+            if over.is_some_and(|over| Instant::now() >= over + grace) {
+                self.end();
+            }
+            if turn == 0 {
+                progress::draw();
+            }
+        }
+    }
+
+    /// Ends the program, whatever it does.
+    fn end(&self) -> ! {
+        progress::clear();
+        whole::remove_parts();
+        let found = FOUND.try_lock().map(|found| found.clone()).unwrap_or_default();
+        // a second Ctrl-C may come while a full pipe holds standard output: then nothing is found that is not printed
+        if !found.is_empty() {
+            // where this cannot be written, the exit code must do
+            let _ = io::stdout().write_all(found.as_bytes()).and_then(|()| io::stdout().flush());
+        }
+        self.tell(if found.is_empty() { "nothing is kept" } else { "what was found before is printed" });
+        process::exit(self.code().into())
+    }
+
+    fn code(&self) -> u8 {
+        if PRESSED.load(Relaxed) { BY_CTRL_C } else { 1 }
+    }
+
+    fn tell(&self, kept: &str) {
+        let command = self.command;
+        let phase = PHASE.get().cloned().flatten().filter(|phase| phase != command);
+        let phase = phase.map_or_else(String::new, |phase| format!(" ({phase})"));
+        let told = match self.seconds {
+            Some(seconds) if !PRESSED.load(Relaxed) => format!(
+                "out of time: `{command}`{phase} was broken off after {seconds} s; {kept}; more time is given by --seconds"
+            ),
+            _ => format!("interrupted: `{command}`{phase} was broken off by Ctrl-C; {kept}"),
+        };
+        // where even this cannot be written, the exit code must do
+        let _ = writeln!(io::stderr(), "{told}");
+    }
+}

@@ -1,0 +1,36 @@
+//! References that are there already.
+
+use crate::{root, run, temporary};
+
+#[test]
+fn a_reference_gives_way_to_a_better_one_only() {
+    let path = temporary("again.reference");
+    let asked = ["reference", "scenes/closed_forms/lagrange_top.toml", "--out", &path.to_string_lossy()];
+    let read = || std::fs::read_to_string(&path).expect("it was written");
+    assert!(run(&asked).status.success());
+    let made = read();
+    // a comment that another one would not have
+    let marked = format!("# kept\n{made}");
+    std::fs::write(&path, &marked).expect("it can be written");
+    let output = run(&asked);
+    assert!(output.status.success() && String::from_utf8_lossy(&output.stdout).contains("is kept: its methods share"));
+    assert_eq!(read(), marked);
+    let digits = made.lines().find(|line| line.starts_with("digits = ")).expect("it tells its digits");
+    std::fs::write(&path, marked.replace(digits, "digits = 20.5")).expect("it can be written");
+    assert!(run(&asked).status.success());
+    let again = read();
+    std::fs::remove_file(&path).expect("it is there");
+    assert_eq!(again, made);
+}
+
+#[test]
+fn no_stored_reference_is_changed_by_its_command() {
+    for scene in ["scenes/closed_forms/unloaded_motor", "scenes/failures/stopping_rod"] {
+        let (folder, name) = scene.rsplit_once('/').expect("it is in a folder");
+        let stored = root().join(format!("{folder}/references/{name}.reference"));
+        let before = std::fs::read(&stored).expect("it is there");
+        let output = run(&["reference", &format!("{scene}.toml")]);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        assert!(std::fs::read(&stored).expect("it is there") == before, "{scene}");
+    }
+}

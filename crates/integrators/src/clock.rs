@@ -1,0 +1,66 @@
+//! The clock of the process: the moment at which every integration ends, and the wish of the user that it ends before.
+//!
+//! A command is made of phases: a run, a second one with half the step, a transition matrix, a theory. A deadline that each
+//! phase is handed is counted anew by one of them, or forgotten. This one is set once, by the program, and every law that is
+//! evaluated through a budget asks it. A library that never sets it never meets it.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::time::Instant;
+
+use crate::Failure;
+
+static DEADLINE: OnceLock<Instant> = OnceLock::new();
+static ASKED: AtomicBool = AtomicBool::new(false);
+static OBEYED: AtomicBool = AtomicBool::new(false);
+
+/// Why integrations end now.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    /// The deadline of the process has passed.
+    Time,
+    /// The user asked for the end.
+    Asked,
+}
+
+impl Over {
+    /// The failure of a run whose last good state is at this time.
+    pub fn failure(self, at: f64) -> Failure {
+        match self {
+            Over::Time => Failure::OutOfTime { at },
+            Over::Asked => Failure::Interrupted { at },
+        }
+    }
+}
+
+/// Every integration of the process ends at this moment. The first call counts, later ones change nothing.
+pub fn set_deadline(deadline: Instant) {
+    DEADLINE.get_or_init(|| deadline);
+}
+
+/// Every integration of the process ends now.
+pub fn ask_for_the_end() {
+    ASKED.store(true, Relaxed);
+}
+
+/// Whether the user asked for the end: one load.
+#[inline]
+pub fn is_asked() -> bool {
+    ASKED.load(Relaxed)
+}
+
+/// Whether integrations are to end, and why. Who is told so breaks off what it does.
+pub fn over() -> Option<Over> {
+    let over = match DEADLINE.get() {
+        _ if is_asked() => Over::Asked,
+        Some(end) if Instant::now() >= *end => Over::Time,
+        _ => return None,
+    };
+    OBEYED.store(true, Relaxed);
+    Some(over)
+}
+
+/// Whether anything was broken off by [`over`].
+pub fn was_obeyed() -> bool {
+    OBEYED.load(Relaxed)
+}
