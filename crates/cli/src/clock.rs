@@ -89,6 +89,11 @@ pub fn publish(found: String) {
     *FOUND.lock().unwrap_or_else(PoisonError::into_inner) = found;
 }
 
+/// The phase that is at work when the end comes is the one that is told; the first call counts.
+pub fn note_phase() {
+    PHASE.get_or_init(progress::phase);
+}
+
 /// How a command ended that broke off by itself: the exit code, after the reason was told; `None` where it did not.
 pub fn broke_off() -> Option<u8> {
     let clock = CLOCK.get().filter(|_| PRESSED.load(Relaxed) || was_obeyed())?;
@@ -116,7 +121,7 @@ impl Clock {
             turn = (turn + 1) % TICKS_A_DRAWING;
             let over = [asked, self.deadline].into_iter().flatten().min();
             if over.is_some_and(|over| Instant::now() >= over) {
-                PHASE.get_or_init(progress::phase);
+                note_phase();
             }
             let Ok(_held) = OUTPUT.try_write() else { continue };
             let grace = if self.keeps == Keeps::Part { GRACE } else { Duration::ZERO };

@@ -1,7 +1,9 @@
 //! Progress of work that takes long, on a terminal only: a bar where the part done is known, else the seconds.
 
+use crate::clock;
 use crate::ending::is_quiet;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use integrators::clock::was_obeyed;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -50,6 +52,9 @@ impl Progress {
 
 impl Drop for Progress {
     fn drop(&mut self) {
+        if was_obeyed() {
+            clock::note_phase();
+        }
         clear();
         *at_work() = self.before.take();
     }
