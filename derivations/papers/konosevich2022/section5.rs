@@ -105,14 +105,10 @@ fn rotor(page: &mut Page, s: &Letters) {
             + s.axial * cyclic(|i, _, _| l[i] * (self::right(s)[i] - s.axial * s.ddgamma * l[i]) / a[i]).sum()
             - s.moment,
     )]);
-    page.claim(
-        "eq5.4",
-        "coefficient",
-        r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$",
-    )
-    .reading(r"The text has $AD$ here; (5.3) shows the prime.")
-    .under(&s.unit_axis)
-    .holds([Line::formula(derived.diff(s.ddgamma) / s.axial, letter("D"), singularity(s))]);
+    page.claim("eq5.4", "coefficient", r"the coefficient of $\ddot\gamma$ in (5.3) is $A'D$")
+        .reading(r"The text has $AD$ here; (5.3) shows the prime.")
+        .under(&s.unit_axis)
+        .holds([Line::formula(derived.diff(s.ddgamma) / s.axial, letter("D"), singularity(s))]);
 }
 
 fn determinant_identity(page: &mut Page, s: &Letters) {

@@ -151,14 +151,10 @@ fn conditions(page: &mut Page, s: &Letters) {
         let (l, r) = if k == 0 { ("L1", "R1") } else { ("L2", "R2") };
         Condition::Equal(-(letter(l) * rates[k]).substitute(&[(s.dgamma, Sym::ZERO)]), letter(r) * currents[k])
     });
-    page.claim(
-        "eq6.5",
-        "relations",
-        r"the carrier's equations at a constant state",
-    )
-    .reading("The third relation is damaged in the text at hand; cyclic permutation of the other two restores it.")
-    .under(&s.unit_axis)
-    .holds((0..3).map(|i| Line::equation(-residual[i], printed[i], Sym::ZERO)));
+    page.claim("eq6.5", "relations", r"the carrier's equations at a constant state")
+        .reading("The third relation is damaged in the text at hand; cyclic permutation of the other two restores it.")
+        .under(&s.unit_axis)
+        .holds((0..3).map(|i| Line::equation(-residual[i], printed[i], Sym::ZERO)));
     page.claim("statement2", "conditions", r"at a constant state the residual of (5.2) is that of (6.5), the residual of (4.5) is $-M$ of (6.3), that of (4.6) at any constant $\omega$ is $\omega\times\nu$ of (6.4), and those of (4.7) are $R_1x$, $R_2i_n$ of (6.1), here with $n_2 = 3$: no further condition remains")
         .in_words()
         .under(&s.unit_axis)

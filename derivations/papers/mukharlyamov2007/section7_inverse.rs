@@ -58,7 +58,9 @@ fn system(page: &mut Page, s: &TopLetters) {
         let with = found(s, Vector3::new(Sym::ZERO, Sym::ZERO, moment), free()).axial_momentum;
         with - without.axial_momentum
     };
-    page.claim("eq18", "axial", r"(18): $Z=h_3$").why(r"The moment $M_z$ of the variable mass is lost: $\tilde Z=Z+M_z$.").fails([Line::equation(axial(z + mz) - h3, z, h3)]);
+    page.claim("eq18", "axial", r"(18): $Z=h_3$")
+        .why(r"The moment $M_z$ of the variable mass is lost: $\tilde Z=Z+M_z$.")
+        .fails([Line::equation(axial(z + mz) - h3, z, h3)]);
     page.claim("eq18", "axial-corrected", r"(18) has $\tilde Z=h_3$, as (19) does").holds([Line::equation(
         axial(moment.z) - h3,
         moment.z,

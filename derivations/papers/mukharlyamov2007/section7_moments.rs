@@ -34,11 +34,9 @@ fn solution(page: &mut Page, s: &TopLetters) {
         Line::formula(found[0], x, (g2 * h1 - q * h2 + (q * g3 - r * g2) * h3) / delta),
         Line::formula(found[2], z, h3),
     ]);
-    page.claim("eq19", "second", r"(19): $\tilde Y$ as printed, from (18)").why(r"$\gamma_3h_1$ is printed for $\gamma_1h_1$.").fails([Line::formula(
-        found[1],
-        y,
-        (p * h2 - g3 * h1 + (r * g1 - p * g3) * h3) / delta,
-    )]);
+    page.claim("eq19", "second", r"(19): $\tilde Y$ as printed, from (18)")
+        .why(r"$\gamma_3h_1$ is printed for $\gamma_1h_1$.")
+        .fails([Line::formula(found[1], y, (p * h2 - g3 * h1 + (r * g1 - p * g3) * h3) / delta)]);
     page.claim(
         "eq19",
         "second-corrected",
@@ -84,11 +82,13 @@ fn moments(page: &mut Page, s: &TopLetters) {
     let [da, dc, m, dm, z, dz, g] = letters(["Ȧ", "Ċ", "M", "Ṁ", "zc", "żc", "g"]);
     let [twice, _, _] = by_variation(s);
     let spinning = -da * (p * p + q * q) - dc * r * r;
-    page.claim("section7-moments", "h1", r"$2\tilde h_1$ as printed below (19)").why(r"The factor 2 of the whole is lost in the last term, and $\dot M$ in the third.").fails([Line::formula(
-        twice,
-        letter("2h̃₁"),
-        spinning - int(2) * m * g * g3 * dz + half(s.tide * (da - dc) * g3 * g3),
-    )]);
+    page.claim("section7-moments", "h1", r"$2\tilde h_1$ as printed below (19)")
+        .why(r"The factor 2 of the whole is lost in the last term, and $\dot M$ in the third.")
+        .fails([Line::formula(
+            twice,
+            letter("2h̃₁"),
+            spinning - int(2) * m * g * g3 * dz + half(s.tide * (da - dc) * g3 * g3),
+        )]);
     let right = spinning - int(2) * g * g3 * (m * dz + dm * z) + s.tide * (da - dc) * g3 * g3;
     page.claim("section7-moments", "h1-corrected", r"$2\tilde h_1$ from the rates of $A$, $C$ and $Mz_c$: the last term is twice the printed one, and $\dot M$ occurs")
         .holds([Line::formula(twice, letter("2h̃₁"), right)]);

@@ -29,11 +29,9 @@ fn equations(page: &mut Page, s: &TopLetters) {
         Line::equation(derived.z, c * acceleration.z, Sym::ZERO),
     ]);
     let rest = nu * p - weight * g1 + s.tide * (a - c) * g3 * g1;
-    page.claim("eq21", "second", r"the second equation of (21), with $(A-C)rp$ as printed").why("A sign: (16) has $(C-A)rp$.").fails([Line::equation(
-        derived.y,
-        a * acceleration.y,
-        (a - c) * r * p + rest,
-    )]);
+    page.claim("eq21", "second", r"the second equation of (21), with $(A-C)rp$ as printed")
+        .why("A sign: (16) has $(C-A)rp$.")
+        .fails([Line::equation(derived.y, a * acceleration.y, (a - c) * r * p + rest)]);
     page.claim("eq21", "second-corrected", r"the second equation of (21) with $(C-A)rp$, as in (16)")
         .holds([Line::equation(derived.y, a * acceleration.y, (c - a) * r * p + rest)]);
     page.correct();
