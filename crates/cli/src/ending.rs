@@ -126,5 +126,7 @@ pub fn print_instead(said: &clap::Error) -> Ending {
 
 /// Tells something beside the results: where standard error takes nothing, the exit code must do.
 pub fn warn(text: &str) {
+    let _held = clock::held();
+    progress::clear();
     let _ = writeln!(io::stderr(), "{text}");
 }

@@ -10,7 +10,7 @@ fn a_reference_gives_way_to_a_better_one_only() {
     assert!(run(&asked).status.success());
     let made = read();
     // a comment that another one would not have
-    let marked = format!("# kept\n{made}");
+    let marked = format!("{made}# kept\n");
     std::fs::write(&path, &marked).expect("it can be written");
     let output = run(&asked);
     assert!(output.status.success() && String::from_utf8_lossy(&output.stdout).contains("is kept: its methods share"));
