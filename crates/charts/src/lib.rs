@@ -9,13 +9,14 @@
 //! Texts may hold LaTeX between dollar signs; labels inside pictures are plain text. LaTeX that cannot be typeset is
 //! shown as its source and reported in [`Page::unset`].
 //!
-//! Key results, each a test: nothing is loaded from outside, every text is escaped, no number is silently left out.
+//! Key results, each a test: nothing is loaded from outside, every text is escaped and acts on no reader ([`visible`]), no number is silently left out.
 
 pub mod page;
 
 mod report;
 mod svg;
 mod text;
+mod visible;
 
 pub use claims::Verdict;
 pub use page::Page;
@@ -27,3 +28,4 @@ pub use svg::timings::{Contender, TimingRow, Timings};
 pub use svg::trajectory::{Panel, Track, Trajectory};
 pub use svg::work_precision::{Failure, Method, Point, Work, WorkPrecision};
 pub use text::{Unset, mathml};
+pub use visible::visible;

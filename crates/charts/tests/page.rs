@@ -3,7 +3,7 @@
 #[path = "../examples/specimen/report/mod.rs"]
 mod report;
 
-use charts::{ClaimRow, PaperSection, Report, Verdict, page};
+use charts::{ClaimRow, PaperSection, Report, Trajectory, Verdict, page};
 use report::specimen;
 
 #[test]
@@ -56,6 +56,41 @@ fn all_text_is_escaped() {
     let html = page::render(&report).html;
     assert!(!html.contains("<script>alert") && html.contains("&lt;script&gt;alert"));
     assert_eq!(html.matches("<script").count(), 1);
+}
+
+/// A title as an attacker writes it: markup, LaTeX that is none or that links, a terminal's commands, a turned direction.
+const HOSTILE: &str = "\"><script>alert(1)</script><img src=x onerror=alert(1)>' $\\href{javascript:alert(1)}{x}$ $\\frac{$ \u{1b}]0;T\u{7} \
+                       \u{9b}2J \u{202e}B \u{0}&amp;]]>--></style></title></svg>";
+
+#[test]
+fn a_hostile_title_acts_nowhere_in_the_page() {
+    let mut report = specimen();
+    report.title = HOSTILE.into();
+    report.generated_by = HOSTILE.into();
+    for scene in report.scenes.iter_mut().chain(&mut report.rough) {
+        scene.title = HOSTILE.into();
+        scene.description = HOSTILE.into();
+    }
+    let harmless = page::render(&specimen()).html;
+    let html = page::render(&report).html;
+    assert!(!html.contains(['\u{1b}', '\u{7}', '\u{9b}', '\u{202e}', '\u{0}']));
+    for mark in ["<script", "<img", "</style", "</title", "<a ", "javascript:"] {
+        let count = |html: &str| html.matches(mark).count();
+        let found = html.match_indices(mark).map(|(at, _)| html[at..].chars().take(60).collect::<String>());
+        let plain = mark == "javascript:";
+        assert!(plain || count(&html) == count(&harmless), "{mark}: {:?}", found.collect::<Vec<_>>());
+    }
+    assert!(
+        !html.contains("href=\"javascript") && !html.contains("href=javascript") && !html.contains("onerror=alert(1)>")
+    );
+}
+
+#[test]
+fn a_hostile_title_acts_nowhere_in_a_picture() {
+    let picture = Trajectory { title: HOSTILE.into(), ..Trajectory::default() };
+    let svg = picture.svg();
+    assert!(!svg.contains(['\u{1b}', '\u{7}', '\u{9b}', '\u{202e}', '\u{0}']), "{svg}");
+    assert!(!svg.contains("<script") && !svg.contains("<img") && svg.matches("</svg>").count() == 1, "{svg}");
 }
 
 #[test]

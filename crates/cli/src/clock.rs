@@ -142,7 +142,7 @@ impl Clock {
         // a second Ctrl-C may come while a full pipe holds standard output: then nothing is found that is not printed
         if !found.is_empty() {
             // where this cannot be written, the exit code must do
-            let _ = io::stdout().write_all(found.as_bytes()).and_then(|()| io::stdout().flush());
+            let _ = io::stdout().write_all(charts::visible(&found).as_bytes()).and_then(|()| io::stdout().flush());
         }
         self.tell(if found.is_empty() { "nothing is kept" } else { "what was found before is printed" });
         process::exit(self.code().into())
@@ -163,6 +163,6 @@ impl Clock {
             _ => format!("interrupted: `{command}`{phase} was broken off by Ctrl-C; {kept}"),
         };
         // where even this cannot be written, the exit code must do
-        let _ = writeln!(io::stderr(), "{told}");
+        let _ = writeln!(io::stderr(), "{}", charts::visible(&told));
     }
 }

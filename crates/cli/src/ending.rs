@@ -7,7 +7,11 @@ use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use crate::{clock, progress};
+use charts::visible;
 use derivations::scene::SceneError;
+
+/// Begins what a terminal obeys.
+const ESCAPE: &str = "\u{1b}";
 
 /// Whether nothing but results and errors is wanted: said once, when the program begins.
 static QUIET: AtomicBool = AtomicBool::new(false);
@@ -29,7 +33,7 @@ pub enum Ending {
     Done,
     /// What was asked ran, and did not come out as it should; the reason has been printed.
     Stopped,
-    /// The input is not acceptable.
+    /// The input is not acceptable: a message in which nothing acts on a terminal but our own colours.
     Refused(String),
     /// The command line is not acceptable; the reason has been printed.
     Wrong,
@@ -38,7 +42,7 @@ pub enum Ending {
 impl Ending {
     /// A command that cannot be carried out.
     pub fn refused(error: impl Display) -> Self {
-        Ending::Refused(format!("error: {error}"))
+        Ending::Refused(visible(&format!("error: {error}")).into_owned())
     }
 
     /// A file that cannot be written.
@@ -76,7 +80,7 @@ impl Ending {
             Ending::Done => ExitCode::SUCCESS,
             Ending::Stopped => ExitCode::from(1),
             Ending::Refused(message) => {
-                warn(&message);
+                told(&message);
                 ExitCode::from(2)
             }
             Ending::Wrong => ExitCode::from(2),
@@ -90,20 +94,29 @@ impl From<SceneError> for Ending {
     }
 }
 
-/// All that is wrong with a scene, as standard error takes it.
-pub fn rendered(error: &SceneError) -> String {
+/// All that is wrong with a scene, as standard error takes it: nothing of its texts acts on a terminal.
+fn rendered(error: &SceneError) -> String {
+    let mut error = error.clone();
+    let seen = |text: &mut String| *text = visible(text).into_owned();
+    seen(&mut error.path);
+    for issue in &mut error.issues {
+        seen(&mut issue.title);
+        seen(&mut issue.label);
+        issue.help.iter_mut().for_each(seen);
+    }
     let colours = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-    error.render(colours)
+    // in the lines of the file the renderer has replaced the escape: those that are left begin its own colours
+    error.render(colours).split(ESCAPE).map(visible).collect::<Vec<_>>().join(ESCAPE)
 }
 
-/// Prints to standard output. A reader who has seen enough and closed the pipe is no error.
+/// Prints to standard output, with nothing in it that acts on a terminal. A reader who has seen enough and closed the pipe is no error.
 pub fn print(text: &str) -> Result<(), Ending> {
     let _held = clock::held();
     // what is printed holds what was found before
     clock::publish(String::new());
     progress::clear();
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(visible(text).as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             Err(Ending::refused(format!("standard output cannot be written: {error}")))
         }
@@ -114,6 +127,15 @@ pub fn print(text: &str) -> Result<(), Ending> {
 /// Prints what clap has to say instead of a command: help and version to standard output, which must take them; what is wrong
 /// with a command line to standard error.
 pub fn print_instead(said: &clap::Error) -> Ending {
+    let hostile = std::env::args_os().any(|argument| {
+        let argument = argument.to_string_lossy();
+        visible(&argument) != argument
+    });
+    if said.use_stderr() && hostile {
+        // arguments are repeated as they are
+        warn(said.to_string().trim_end());
+        return Ending::Wrong;
+    }
     let printed = said.print().and_then(|()| io::stdout().flush());
     match printed {
         _ if said.use_stderr() => Ending::Wrong,
@@ -126,7 +148,37 @@ pub fn print_instead(said: &clap::Error) -> Ending {
 
 /// Tells something beside the results: where standard error takes nothing, the exit code must do.
 pub fn warn(text: &str) {
+    told(&visible(text));
+}
+
+/// Tells what is wrong with a scene beside the results.
+pub fn warn_of(error: &SceneError) {
+    told(&rendered(error));
+}
+
+fn told(text: &str) {
     let _held = clock::held();
     progress::clear();
     let _ = writeln!(io::stderr(), "{text}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Ending;
+    use derivations::scene::{Issue, SceneError};
+
+    #[test]
+    fn a_message_about_a_scene_keeps_our_colours_and_nothing_of_others() {
+        let text = "title = \"A\u{1b}[31m\u{9b}2J\u{202e}B\u{7}\" x";
+        let error = |path: &str| SceneError {
+            path: path.to_owned(),
+            text: text.to_owned(),
+            issues: vec![Issue::at(0..text.len(), path, path).accepted(path)],
+        };
+        let Ending::Refused(message) = Ending::from(error("\u{1b}]0;T\u{7}\u{9b}5m\u{202e}")) else {
+            unreachable!("a scene with issues is refused")
+        };
+        assert!(!message.contains(['\u{7}', '\u{9b}', '\u{202e}']), "{message:?}");
+        assert!(message.contains("\\u001b]0;T") && message.contains("\u{241b}[31m"), "{message:?}");
+    }
 }

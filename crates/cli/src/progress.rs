@@ -2,6 +2,7 @@
 
 use crate::clock;
 use crate::ending::is_quiet;
+use charts::visible;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use integrators::clock::was_obeyed;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -35,7 +36,7 @@ impl Progress {
     pub fn new(label: &str) -> Self {
         clear();
         // a title may hold what a terminal would obey
-        let label = label.chars().filter(|character| !character.is_control()).collect();
+        let label = visible(label).into_owned();
         let work = Work { label, begun: Instant::now(), done: 0, bar: None };
         Progress { before: at_work().replace(work), shown: 0 }
     }

@@ -67,7 +67,7 @@ fn document(report: &Report, body: &Markup) -> String {
             }
         }
     };
-    page.into_string()
+    crate::visible(&page.into_string()).into_owned()
 }
 
 /// A name as part of a link: no spaces.

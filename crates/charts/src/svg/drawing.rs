@@ -153,10 +153,11 @@ impl Drawing {
             format!("<text class=\"title\" x=\"8\" y=\"-6\">{}</text>", label.trim_matches('"'))
         };
         let body = &self.body;
-        format!(
+        let svg = format!(
             "<svg{namespace} class=\"picture\" role=\"img\" aria-label={label} viewBox=\"0 {top} {width} {height}\">\
              {style}{title}{body}</svg>"
-        )
+        );
+        crate::visible(&svg).into_owned()
     }
 }
 

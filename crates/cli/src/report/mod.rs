@@ -5,7 +5,7 @@ mod scene;
 mod unread;
 
 use crate::arguments::Format;
-use crate::ending::{Ending, rendered, warn};
+use crate::ending::{Ending, warn_of};
 use crate::output::{Form, Maker, Writes};
 use crate::progress::Progress;
 use crate::rough;
@@ -49,7 +49,7 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
             }
             Ok(scene) => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
             Err(error) => {
-                warn(&rendered(&error));
+                warn_of(&error);
                 unread.push(error);
             }
         }

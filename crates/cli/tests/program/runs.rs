@@ -308,3 +308,29 @@ fn a_chart_of_a_mechanism_lists_every_method_and_says_why_there_is_none() {
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(message.contains("--until with a time up to 0.8"), "{message}");
 }
+
+#[test]
+fn nothing_of_a_title_acts_on_the_terminal_or_in_a_file() {
+    let title = r#""A\u001b[31mRED\u001b]0;TITLE\u0007\u009b2J\u202e B </text><script>""#;
+    let scene = std::fs::read_to_string(root().join("scenes/spin_up.toml")).expect("it is there");
+    let line = scene.lines().find(|line| line.starts_with("title = ")).expect("it has a title");
+    let path = temporary("hostile.toml");
+    std::fs::write(&path, scene.replace(line, &format!("title = {title}"))).expect("a temporary file can be written");
+    let name = path.to_str().expect("the name is text");
+    for arguments in [
+        vec!["run", name],
+        vec!["run", name, "--format", "json"],
+        vec!["stationary", name],
+        vec!["conform", name],
+        vec!["conform", name, "--format", "json"],
+        vec!["bodies", name],
+        vec!["derive", name, "--format", "c"],
+    ] {
+        let output = run(&arguments);
+        let told = String::from_utf8([output.stdout, output.stderr].concat()).expect("it is text");
+        assert!(!told.contains(['\u{1b}', '\u{7}', '\u{9b}', '\u{202e}']), "{arguments:?}: {told:?}");
+    }
+    let object = json(&run(&["conform", name, "--format", "json"]));
+    assert!(object["motor"].as_str().is_some_and(|title| title.contains("\u{1b}[31mRED")), "{object}");
+    std::fs::remove_file(&path).expect("it is there");
+}

@@ -1,0 +1,45 @@
+//! Texts of others as they may stand on a terminal, in a page or in a picture.
+
+use std::borrow::Cow;
+use std::fmt::Write;
+
+/// A text in which nothing acts on its reader: control characters (a terminal obeys those of C0 and C1, XML forbids them) and
+/// signs that turn the direction of writing or break a line are shown by their code, `\u001b`. Line feeds and tabs stay. The
+/// code is that of JSON: a string there keeps its value.
+pub fn visible(text: &str) -> Cow<'_, str> {
+    if !text.chars().any(acts) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len() + 16);
+    for letter in text.chars() {
+        if acts(letter) {
+            // writing to a string cannot fail
+            let _ = write!(shown, "\\u{:04x}", u32::from(letter));
+        } else {
+            shown.push(letter);
+        }
+    }
+    Cow::Owned(shown)
+}
+
+fn acts(letter: char) -> bool {
+    match letter {
+        '\n' | '\t' => false,
+        // marks, embeddings, overrides and isolates of direction
+        '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => true,
+        // line and paragraph separators; what XML forbids
+        '\u{2028}' | '\u{2029}' | '\u{fffe}' | '\u{ffff}' => true,
+        _ => letter.is_control(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::visible;
+
+    #[test]
+    fn what_acts_on_a_reader_is_shown_by_its_code() {
+        assert_eq!(visible("A\u{1b}[31m\u{7}\r\u{9b}2J\u{202e}B"), "A\\u001b[31m\\u0007\\u000d\\u009b2J\\u202eB");
+        assert_eq!(visible("lines\n\tof γ̇, − and é"), "lines\n\tof γ̇, − and é");
+    }
+}
