@@ -1,9 +1,10 @@
 //! Ensembles: each member is the single run of that member, whoever runs beside it.
 
 use derivations::ensemble::draw::Draw;
-use derivations::ensemble::{EnsembleScene, Row};
+use derivations::ensemble::{EnsembleScene, Row, Stopped};
 use derivations::machines::multi_current::{MultiCurrent, Windings};
 use derivations::scene::{Axes, Family, Scene};
+use derivations::systems::gyrostat::admissible::Inadmissible;
 use derivations::systems::gyrostat::driven::Driven;
 use derivations::systems::gyrostat::forms::SecondForm;
 use field::Lanes;
@@ -354,5 +355,23 @@ fn steps_side_by_side_are_the_classical_ones_with_the_time_in_the_law() {
         for i in 0..2 {
             assert!((state[i].0[lane] - y[i]).abs() < 1e-13, "{} and {}", state[i].0[lane], y[i]);
         }
+    }
+}
+
+#[test]
+fn members_are_counted_by_their_kind_whatever_stands_in_the_reason() {
+    let triangle = |axial| Stopped::Bodies(vec![Inadmissible::RotorTriangle { axial, twice_transverse: 1.0 }]);
+    for stopped in [
+        triangle(2.0),
+        triangle(3.0),
+        Stopped::Axial { value: -1.0 },
+        Stopped::NotFinite { datum: "rotor.axis".into() },
+        Stopped::Run(Failure::StepCollapsed { at: 0.5, step: 1e-20 }),
+        Stopped::Run(Failure::LeftTheNumbers { at: 0.5 }),
+        Stopped::Run(Failure::Stiff { at: 0.5 }),
+    ] {
+        let text = stopped.to_string();
+        assert_eq!(Stopped::kind_in(&text), stopped.kind(), "{text}");
+        assert!(text.len() > stopped.kind().len() + 2, "{text}");
     }
 }

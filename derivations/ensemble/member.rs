@@ -1,12 +1,11 @@
 //! One member: its data, as the lanes take them, and its results in the axes of the data.
 
-use super::EnsembleScene;
 use super::kind::form_parameters;
 use super::known::Data;
+use super::{EnsembleScene, Stopped};
 use crate::machines::{Catalogued, Conserved, ForMachine};
 use crate::scene::System;
 use crate::scene::state::rotor_state;
-use crate::systems::gyrostat::admissible::Inadmissible;
 use nalgebra::{Matrix3, Vector3};
 
 /// A member before its run.
@@ -32,28 +31,24 @@ impl EnsembleScene {
     /// A member.
     ///
     /// # Errors
-    /// Why there is none: its bodies cannot exist.
-    pub fn member(&self, number: u64) -> Result<Member, String> {
+    /// Why there is none: its bodies cannot exist, or a datum of its machine is beyond its bound.
+    pub fn member(&self, number: u64) -> Result<Member, Stopped> {
         let mut data = Data::of(&self.scene);
         for varied in &self.varied {
             let drawn = varied.drawn(self.seed, number);
             if drawn.iter().any(|x| !x.is_finite()) {
-                return Err(format!("`{}` is not finite", varied.name));
+                return Err(Stopped::NotFinite { datum: varied.name.clone() });
             }
             varied.put(&drawn, &mut data);
         }
         match &data.system {
-            System::Gyrostat(bodies) => {
-                bodies
-                    .admissible()
-                    .map_err(|broken| broken.iter().map(Inadmissible::to_string).collect::<Vec<_>>().join("; "))?;
-            }
-            System::Bench { axial } if *axial <= 0.0 => return Err(format!("A' > 0 is broken: it is {axial}")),
+            System::Gyrostat(bodies) => bodies.admissible().map_err(Stopped::Bodies)?,
+            System::Bench { axial } if *axial <= 0.0 => return Err(Stopped::Axial { value: *axial }),
             System::Bench { .. } => {}
         }
         let mut known = self.scene.machine_data.clone();
         known.numbers.iter_mut().zip(&data.machine).for_each(|((_, value), new)| *value = *new);
-        let machine = known.machine(self.scene.machine.name()).map_err(|error| error.to_string())?;
+        let machine = known.machine(self.scene.machine.name()).map_err(Stopped::Machine)?;
         let (frame_speed, conserved) = machine.clone().apply(OfMachine);
         let (frame, mut parameters) = form_parameters(&data.system, self.axes);
         parameters.extend(&data.machine);

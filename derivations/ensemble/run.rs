@@ -1,8 +1,8 @@
 //! An ensemble run: lanes in every thread, results in the order of the members.
 
-use super::EnsembleScene;
 use super::kind::{INVARIANT_UNITS, INVARIANTS};
 use super::member::Member;
+use super::{EnsembleScene, Stopped};
 use crate::scene::state::ROTOR_SPEED;
 use integrators::{Ensemble, Failure, Members};
 use std::collections::BTreeMap;
@@ -24,7 +24,7 @@ pub struct Row {
     pub number: u64,
     /// What varies, in SI units.
     pub drawn: Vec<f64>,
-    /// Why it stopped before the end, where it did.
+    /// Why it stopped before the end, where it did: a [`Stopped`] as text.
     pub stopped: Option<String>,
     pub steps: u64,
     /// The last good time and state in the axes of the data, the rotor's relative speed, and by how much each invariant
@@ -159,7 +159,7 @@ impl Members for Worker<'_> {
                 }
                 Err(why) => {
                     let drawn = self.scene.drawn(number);
-                    self.hand_on(Row { number, drawn, stopped: Some(why), steps: 0, last: None });
+                    self.hand_on(Row { number, drawn, stopped: Some(why.to_string()), steps: 0, last: None });
                 }
             }
         }
@@ -173,7 +173,7 @@ impl Members for Worker<'_> {
         let keeps = member.keeps();
         let change = |i: usize| (keeps[i] && (after[i] - before[i]).is_finite()).then_some(after[i] - before[i]);
         let last = Last { time: at, state: member.row(state, self.slip), changes: std::array::from_fn(change) };
-        let (drawn, stopped) = (self.scene.drawn(number), failure.map(|failure| failure.to_string()));
+        let (drawn, stopped) = (self.scene.drawn(number), failure.map(|failure| Stopped::Run(failure).to_string()));
         self.hand_on(Row { number, drawn, stopped, steps, last: Some(last) });
     }
 }

@@ -1,5 +1,6 @@
 //! What became of the members of an ensemble.
 
+use derivations::ensemble::Stopped;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -7,12 +8,12 @@ use std::path::Path;
 #[derive(Default)]
 pub struct Told {
     pub members: u64,
-    /// By their reasons, whatever the numbers in them.
-    stopped: BTreeMap<String, Stopped>,
+    /// By the kind of their reason.
+    stopped: BTreeMap<String, Counted>,
 }
 
-/// Members that stopped for one reason.
-struct Stopped {
+/// Members that stopped for reasons of one kind.
+struct Counted {
     count: u64,
     /// The first of them, and its reason with its numbers.
     member: u64,
@@ -24,8 +25,8 @@ impl Told {
     pub fn add(&mut self, stopped: Option<&str>) {
         self.members += 1;
         if let Some(why) = stopped {
-            let first = || Stopped { count: 0, member: self.members, why: why.to_owned() };
-            self.stopped.entry(words(why)).or_insert_with(first).count += 1;
+            let first = || Counted { count: 0, member: self.members, why: why.to_owned() };
+            self.stopped.entry(Stopped::kind_in(why).to_owned()).or_insert_with(first).count += 1;
         }
     }
 
@@ -34,7 +35,7 @@ impl Told {
         let stopped: u64 = self.stopped.values().map(|stopped| stopped.count).sum();
         let reached = self.members - stopped;
         let mut text = format!("{} members: {reached} reached the end, {stopped} did not\n", self.members);
-        for Stopped { count, member, why } in self.stopped.values() {
+        for Counted { count, member, why } in self.stopped.values() {
             text += &format!("  {count:>8}  such as member {member}: {why}\n");
         }
         if before > 0 {
@@ -44,26 +45,23 @@ impl Told {
     }
 }
 
-/// A reason without its numbers.
-fn words(why: &str) -> String {
-    let is_number = |word: &str| word.trim_matches([',', ';', ':', '(', ')']).parse::<f64>().is_ok();
-    why.split_whitespace().filter(|word| !is_number(word)).collect::<Vec<_>>().join(" ")
-}
-
 #[cfg(test)]
 mod tests {
-    use super::Told;
+    use super::{Stopped, Told};
+    use integrators::Failure;
     use std::path::Path;
 
     #[test]
-    fn reasons_are_whole_and_counted_whatever_their_numbers() {
+    fn reasons_are_whole_and_counted_by_their_kind() {
         let mut told = Told::default();
-        for why in [None, Some("A' < 3: it is 2"), Some("A' < 3: it is 1.5"), Some("out of time at t = 3")] {
+        let [first, second] = [2.0, 1.5].map(|value| Stopped::Axial { value: -value }.to_string());
+        let late = Stopped::Run(Failure::OutOfTime { at: 3.0 }).to_string();
+        for why in [None, Some(first.as_str()), Some(&second), Some(&late)] {
             told.add(why);
         }
         let text = told.text(Path::new("t.csv"), 0);
         assert!(text.starts_with("4 members: 1 reached the end, 3 did not\n"), "{text}");
-        assert!(text.contains("2  such as member 2: A' < 3: it is 2\n"), "{text}");
-        assert!(text.contains("1  such as member 4: out of time at t = 3\n"), "{text}");
+        assert!(text.contains("2  such as member 2: no such bodies exist: A' > 0 is broken: it is -2\n"), "{text}");
+        assert!(text.contains("1  such as member 4: out of time: "), "{text}");
     }
 }

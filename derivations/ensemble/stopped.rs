@@ -1,0 +1,62 @@
+//! Why a member did not come to its end: its kind, by which members are counted, and the reason in its own numbers.
+
+use crate::scene::NoModel;
+use crate::systems::gyrostat::admissible::Inadmissible;
+use integrators::Failure;
+use std::fmt;
+
+/// Why there is no such member, or why it stopped.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stopped {
+    /// What was drawn is no number.
+    NotFinite { datum: String },
+    /// Bodies that cannot exist.
+    Bodies(Vec<Inadmissible>),
+    /// A rotor on a bench without inertia.
+    Axial { value: f64 },
+    /// Data of the machine that are beyond their bounds.
+    Machine(NoModel),
+    /// The run failed.
+    Run(Failure),
+}
+
+/// Between the kind and the reason; no kind holds it.
+const BETWEEN: &str = ": ";
+
+impl Stopped {
+    /// Its name, the same for all members of the kind.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "a datum is not finite",
+            Self::Bodies(_) | Self::Axial { .. } => "no such bodies exist",
+            Self::Machine(_) => "no such machine exists",
+            Self::Run(failure) => failure.name(),
+        }
+    }
+
+    /// The kind in a text that [`Stopped`] was written as.
+    pub fn kind_in(text: &str) -> &str {
+        text.split_once(BETWEEN).map_or(text, |(kind, _)| kind)
+    }
+}
+
+impl fmt::Display for Stopped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{BETWEEN}", self.kind())?;
+        match self {
+            Self::NotFinite { datum } => write!(f, "`{datum}`"),
+            Self::Bodies(broken) => {
+                let broken: Vec<String> = broken.iter().map(Inadmissible::to_string).collect();
+                write!(f, "{}", broken.join("; "))
+            }
+            Self::Axial { value } => write!(f, "A' > 0 is broken: it is {value}"),
+            Self::Machine(reason) => write!(f, "{reason}"),
+            Self::Run(failure) => {
+                // most failures begin with their name
+                let told = failure.to_string();
+                let reason = told.strip_prefix(failure.name()).unwrap_or(&told);
+                write!(f, "{}", reason.trim_start_matches([':', ' ']))
+            }
+        }
+    }
+}
