@@ -15,10 +15,11 @@ fn no_motor_of_the_list_fails_a_check() {
     }
 }
 
-/// The table of a written motor on a bench.
+/// The table of a written motor on a bench; whatever its data, the checks are to judge them.
 fn text(machine: &str) -> Scene {
     let text = format!(
-        "title = \"t\"\nsystem = \"bench\"\n[rotor]\naxial = \"0.01 kg m^2\"\n[machine]\nmodel = \"text\"\n\
+        "title = \"t\"\nsystem = \"bench\"\nallow = [\"zero resistance\", \"negative resistance\", \"negative friction\"]\n\
+         [rotor]\naxial = \"0.01 kg m^2\"\n[machine]\nmodel = \"text\"\n\
          field_speed = \"30 rad/s\"\n{machine}\n[start]\nrotor_speed = \"1 rad/s\"\n[run]\nspan = \"1 s\"\n"
     );
     Scene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"))

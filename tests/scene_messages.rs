@@ -2,6 +2,7 @@
 //!
 //! Each test first asserts what the message points at, then compares the whole message with its snapshot.
 
+use derivations::machines::{Allowed, Bound};
 use derivations::scene::{Family, Scene, SceneError};
 
 const SOUND: &str = r#"title = "A gyrostat with a currentless synchronous motor"
@@ -149,6 +150,12 @@ refuses! {
     no_samples: [("samples = 100", "samples = 0")] => ["0"];
     too_many_samples: [("samples = 100", "samples = 99999999999999999999999")] => ["99999999999999999999999"];
     currents_of_a_machine_without_windings: [("rotor_angle = \"20 deg\"", "currents = \"1 A\"")] => ["\"1 A\""];
+    negative_friction_is_asked_for_by_name: [("f = \"1e-4 N m s\"", "f = \"-1e-4 N m s\"")] => ["\"-1e-4 N m s\""];
+    a_word_that_nothing_can_be_asked_for_by: [("gravity = ", "allow = [\"negative resistence\", \"negative mass\"]\ngravity = ")]
+        => ["\"negative resistence\"", "\"negative mass\""];
+    mutual_inductance_of_a_listed_motor_is_refused_by_name: [("b0 =", "mutual_inductance = \"1 mH\"\nb0 =")] => ["mutual_inductance"];
+    a_mass_beyond_all_numbers_is_the_one_that_is_told: [("mass = \"1.5 kg\"", "mass = \"1.5e300 kg\""), ("9.81 m/s^2", "9.81e10 m/s^2")]
+        => ["\"1.5e300 kg\""];
     the_speed_of_a_machine_that_keeps_another: [
         ("model = \"synchronous\"\nfield_speed = \"150 rad/s\"\nb0 = \"0.15 N m\"\nf = \"1e-4 N m s\"", "model = \"constant_speed\"\nspeed = \"100 rad/s\""),
         ("outputs = [\"slip\"]", ""),
@@ -261,6 +268,30 @@ refuses_laws! {
         => ["l1*x*x"];
     a_current_that_has_the_name_of_a_slip: [("resistance = \"r1\"", "resistance = \"r1\"\ncurrent = \"g'\"")] => ["\"g'\""];
     a_law_that_is_a_number: [("\"-b0*cos(g)\"", "7")] => ["7"];
+    a_resistance_that_is_zero_is_asked_for_by_name: [("r1 = \"1.2 ohm\"", "r1 = \"0 ohm\"")] => ["\"r1\""];
+    a_moment_that_drives_in_both_directions_is_negative_friction: [("f = \"1e-4 N m s\"", "f = \"-1e-4 N m s\"")]
+        => ["\"-mu*g' - f*phi'\""];
+    a_parameter_that_is_no_number_is_told_once: [("a1 = \"30 mWb\"", "a1 = \"nan Wb\""), ("resistance = \"r1\"", "resistance = \"r1\"\nmotional = \"a1\"")]
+        => ["\"nan Wb\""];
+    a_parameter_beyond_double_precision_is_told_once: [("b0 = \"0.15 N m\"", "b0 = 1e400")] => ["1e400"];
+    a_parameter_of_another_unit_is_told_once: [
+        ("l1 = \"30 mH\"", "l1 = \"30 mWb\""),
+        ("resistance = \"r1\"\n", "resistance = \"r1\"\n\n[[machine.winding]]\ninductance = \"l1\"\nresistance = \"r1\"\n\n\
+          [[machine.winding]]\ninductance = \"2*l1\"\nresistance = \"r1\"\n"),
+    ] => ["\"l1\""];
+    a_letter_that_many_laws_hold_is_told_once: [("field_energy = \"-b0*cos(g)\"\nmoment_law = \"-mu*g' - f*phi'\"", "field_energy = \"-b*cos(g)\"\nmoment_law = \"-f*phi' - b\"")]
+        => ["b"];
+    parameters_under_a_misspelt_heading_are_told_once: [("[machine.parameters]", "[machine.parameter]")] => ["parameter"];
+    two_currents_of_one_name_are_told_as_such: [("resistance = \"r1\"\n", "resistance = \"r1\"\ncurrent = \"id\"\n\n[[machine.winding]]\n\
+          inductance = \"l1\"\nresistance = \"r1\"\ncurrent = \"id\"\nmotional = \"a1 + l1*iq\"\n")] => ["\"id\"", "iq"];
+    the_time_is_known_by_no_law: [("resistance = \"r1\"", "resistance = \"r1\"\nsupply = \"a1*cos(field_speed*t)\"")] => ["t"];
+    a_multiple_of_the_angle_beyond_the_highest_tells_the_highest: [("\"-b0*cos(g)\"", "\"-b0*cos(40*g)\"")] => ["cos(40*g)"];
+    mutual_inductance_is_refused_by_its_name: [("resistance = \"r1\"", "resistance = \"r1\"\nmutual = \"l1\"")] => ["mutual"];
+    a_current_in_a_flux_is_mutual_inductance: [("a1*cos(g + t1)", "a1*cos(g) + l1*x")] => ["x"];
+    the_rate_of_a_current_is_mutual_inductance: [("resistance = \"r1\"", "resistance = \"r1\"\nmotional = \"l1*x'\"")] => ["x'"];
+    two_currents_in_one_motional_law_share_flux: [("resistance = \"r1\"\n", "resistance = \"r1\"\nmotional = \"2*l1*x + l1*i1\"\n\n\
+          [[machine.winding]]\ninductance = \"l1\"\nresistance = \"r1\"\nmotional = \"l1*x - l1*i1\"\n")]
+        => ["\"2*l1*x + l1*i1\""];
 }
 
 #[test]
@@ -290,4 +321,126 @@ fn bodies_whose_moments_no_number_holds() {
         &text,
         &["\"9.81 m/s^2\"", "\"0.0096 0 0; 0 0.0102 0; 0 0 0.0034 kg m^2\""],
     );
+}
+
+/// A motor of the list alone on a bench, with its data as a small motor has them but for some.
+fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {
+    let (_, data) = derivations::conformance::sample(model).expect("it is in the list");
+    let numbers = data.numbers.iter().map(|(quantity, number)| match quantity.name == other {
+        true => format!("{other} = \"{value} {}\"\n", quantity.unit),
+        false => format!("{} = \"{number} {}\"\n", quantity.name, quantity.unit),
+    });
+    let counts = data.counts.iter().map(|(name, _, count)| format!("{name} = {count}\n"));
+    let data: String = numbers.chain(counts).collect();
+    let speed = if model == "constant_speed" { "" } else { "rotor_speed = \"0 rad/s\"\n" };
+    format!(
+        "title = \"a motor\"\nsystem = \"bench\"\n{allowed}[rotor]\naxial = \"1 g m^2\"\n[machine]\nmodel = \"{model}\"\n{data}\
+         [start]\n{speed}[run]\nspan = \"1 s\"\n"
+    )
+}
+
+#[test]
+fn every_inductance_resistance_and_friction_of_the_motors_is_judged_and_named() {
+    let mut judged = 0;
+    for (model, _) in derivations::machines::AnyMachine::LIST {
+        let (_, data) = derivations::conformance::sample(model).expect("it is in the list");
+        for (quantity, _) in data.numbers {
+            let (words, accepts_zero) = match &*quantity.unit {
+                "H" => (None, false),
+                "ohm" => (Some("allow = [\"zero resistance\", \"negative resistance\"]\n"), false),
+                "N m s" => (Some("allow = [\"negative friction\"]\n"), true),
+                _ => continue,
+            };
+            for value in ["0", "-0.5"] {
+                let parse =
+                    |allowed: &str| Scene::parse("scene.toml", &on_a_bench(model, &quantity.name, value, allowed));
+                let accepted = accepts_zero && value == "0";
+                match parse("") {
+                    Ok(_) => assert!(accepted, "{model}: {} = {value}", quantity.name),
+                    Err(error) => {
+                        let message = error.to_string();
+                        let named = message.contains(&format!("`{}`", quantity.name));
+                        assert!(!accepted && error.issues.len() == 1 && named, "{message}");
+                        judged += 1;
+                    }
+                }
+                if let Some(words) = words {
+                    parse(words).unwrap_or_else(|error| panic!("{error}"));
+                }
+            }
+        }
+    }
+    assert!(judged > 30, "{judged}");
+}
+
+#[test]
+fn masses_inductances_resistances_and_friction_of_every_scene_are_judged() {
+    let mut files = vec![std::path::PathBuf::from("scenes")];
+    let mut judged = 0;
+    while let Some(path) = files.pop() {
+        if path.is_dir() {
+            files.extend(std::fs::read_dir(&path).expect("a folder").map(|entry| entry.expect("an entry").path()));
+            continue;
+        }
+        if path.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).expect("a scene is text");
+        // what varies over an ensemble, and the parameters of motors as text, are judged by the laws that they enter
+        let end = text.find("[ensemble").or_else(|| text.find("[machine.parameters]")).unwrap_or(text.len());
+        for line in text[..end].lines() {
+            let Some((key, value)) = line.split_once(" = \"") else { continue };
+            let units = ["kg\"", "kg m^2\"", "H\"", "mH\"", "ohm\"", "N m s\"", "N s/m\""];
+            let number =
+                value.split(' ').next().filter(|number| value.split(' ').count() > 1 && number.parse::<f64>().is_ok());
+            let (Some(number), true) = (number, units.iter().any(|unit| value.ends_with(&format!(" {unit}")))) else {
+                continue;
+            };
+            // a moment of momentum has the unit of friction, and a mutual inductance either sign
+            if ["gyroscope", "mutual"].contains(&key.trim()) {
+                continue;
+            }
+            let negative = line.replace(&format!("\"{number}"), "\"-1.25");
+            let error = derivations::scene::AnyScene::parse("scene.toml", &text.replacen(line, &negative, 1))
+                .expect_err(&format!("{}: {negative}", path.display()));
+            assert!(error.to_string().contains("-1.25"), "{}: {error}", path.display());
+            judged += 1;
+        }
+    }
+    assert!(judged > 100, "{judged}");
+}
+
+#[test]
+fn windings_that_share_no_flux_may_say_so() {
+    let two = "resistance = \"r1\"\nmotional = \"2*l1*x + l1*i1\"\n\n[[machine.winding]]\ninductance = \"l1\"\nresistance = \"r1\"\n";
+    let asked = [("resistance = \"r1\"\n", two), ("gravity = ", "allow = [\"separate fluxes\"]\ngravity = ")];
+    Scene::parse("scene.toml", &written(&asked)).unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn a_title_stands_on_one_line() {
+    let title = ("title = \"A gyrostat with a currentless synchronous motor\"", "title = \"two\\nlines\\r of it\"");
+    let scene = Scene::parse("scene.toml", &scene(&[title])).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(scene.title, "two lines of it");
+}
+
+#[test]
+fn a_bound_holds_unless_a_file_asks_for_more() {
+    let none = Allowed::default();
+    assert!(Bound::Resistance.holds(1.0, none) && !Bound::Resistance.holds(0.0, none));
+    assert!(Bound::Friction.holds(0.0, none) && !Bound::Friction.holds(-1.0, none));
+    assert!(!Bound::Positive.holds(0.0, Allowed::ALL) && !Bound::NotZero.holds(0.0, Allowed::ALL));
+    let mut asked = none;
+    assert!(asked.add("negative resistance") && !asked.add("negative inductance"));
+    assert!(Bound::Resistance.holds(-1.0, asked) && !Bound::Resistance.holds(0.0, asked));
+    for bound in [Bound::Any, Bound::Positive, Bound::NotNegative, Bound::NotZero, Bound::Resistance, Bound::Friction] {
+        assert!(!bound.holds(f64::NAN, Allowed::ALL), "{bound:?}");
+    }
+}
+
+#[test]
+fn every_word_of_the_key_is_known() {
+    let mut all = Allowed::default();
+    assert!(Allowed::WORDS.iter().all(|word| all.add(word)));
+    assert_eq!(all, Allowed::ALL);
 }

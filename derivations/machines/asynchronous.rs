@@ -9,9 +9,9 @@ crate::quantities! {
         /// speed of the stator's field
         field_speed: "rad/s",
         /// slope of the moment against slip
-        k: "N m s",
+        k: "N m s" in friction,
         /// viscous friction in the bearings
-        f: "N m s",
+        f: "N m s" in friction,
     }
 }
 

@@ -12,11 +12,11 @@ crate::quantities! {
         /// flux of the magnets: voltage per speed of the rotor, and moment per current
         flux: "Wb",
         /// inductance of the armature
-        inductance: "H",
+        inductance: "H" > 0,
         /// resistance of armature and brushes
-        resistance: "ohm",
+        resistance: "ohm" in resistance,
         /// viscous friction in the bearings
-        f: "N m s",
+        f: "N m s" in friction,
     }
 }
 

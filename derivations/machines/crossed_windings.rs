@@ -12,11 +12,11 @@ crate::quantities! {
         /// greatest flux of the field through a winding
         flux: "Wb",
         /// inductance of a winding
-        inductance: "H",
+        inductance: "H" > 0,
         /// resistance of a winding
-        resistance: "ohm",
+        resistance: "ohm" in resistance,
         /// viscous friction in the bearings
-        f: "N m s",
+        f: "N m s" in friction,
     }
 }
 

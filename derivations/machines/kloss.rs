@@ -8,13 +8,13 @@ crate::quantities! {
     /// again beyond the slip s_k, so the sum with friction can vanish at up to three speeds.
     pub struct Kloss {
         /// speed of the stator's field
-        field_speed: "rad/s",
+        field_speed: "rad/s" != 0,
         /// pull-out moment
         pull_out: "N m",
         /// slip ratio at the pull-out moment
-        pull_out_slip: "1",
+        pull_out_slip: "1" > 0,
         /// viscous friction in the bearings
-        f: "N m s",
+        f: "N m s" in friction,
     }
 }
 

@@ -13,19 +13,19 @@ crate::quantities! {
         /// flux of the field through the excitation winding
         a1: "Wb",
         /// inductance of the excitation winding
-        l1: "H",
+        l1: "H" > 0,
         /// resistance of the excitation winding
-        r1: "ohm",
+        r1: "ohm" in resistance,
         /// flux of the field through a bar's circuit
         a2: "Wb",
         /// inductance of a bar's circuit
-        l2: "H",
+        l2: "H" > 0,
         /// resistance of a bar's circuit
-        r2: "ohm",
+        r2: "ohm" in resistance,
         /// damping proportional to the slip
-        mu: "N m s",
+        mu: "N m s" in friction,
         /// viscous friction in the bearings
-        f: "N m s",
+        f: "N m s" in friction,
     }
 }
 

@@ -13,13 +13,13 @@ crate::quantities! {
         /// flux of the magnets through the windings, scaled likewise
         flux: "Wb",
         /// inductance along the magnets
-        along: "H",
+        along: "H" > 0,
         /// inductance across them
-        across: "H",
+        across: "H" > 0,
         /// resistance of a phase
-        resistance: "ohm",
+        resistance: "ohm" in resistance,
         /// viscous friction in the bearings
-        f: "N m s",
+        f: "N m s" in friction,
     }
 }
 

@@ -11,7 +11,7 @@ crate::quantities! {
         /// greatest moment of the field on the rotor
         b0: "N m",
         /// viscous friction in the bearings
-        f: "N m s",
+        f: "N m s" in friction,
     }
 }
 

@@ -144,11 +144,7 @@ fn number(
     quantity: &'static Quantity,
     places: &mut Vec<(&'static str, f64, Range<usize>)>,
 ) -> f64 {
-    let At { value, span } = table.scalar(&quantity.name, &quantity.meaning, &quantity.unit);
-    if quantity.positive && value <= 0.0 {
-        let title = format!("`{}`, the {}, must be positive", quantity.name, quantity.meaning);
-        table.report(Issue::at(span.clone(), title, format!("it is {value}")).accepted("a positive value is accepted"));
-    }
+    let At { value, span } = table.datum(quantity);
     places.push((&quantity.name, value, span));
     value
 }

@@ -43,7 +43,20 @@ pub fn gyrostat(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Gyrostat
         return None;
     }
     let Err(broken) = gyrostat.admissible() else { return Some(gyrostat) };
+    let size = |data: &[f64]| data.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let sizes = [
+        (size(&[gravity.value]), &gravity.span),
+        (size(&[mass.value]), &mass.span),
+        (size(centre.value.as_slice()), &centre.span),
+        (size(inertia.value.as_slice()), &inertia.span),
+        (size(&[rotor_mass.value]), &rotor_mass.span),
+        (size(rotor_centre.value.as_slice()), &rotor_centre.span),
+        (size(&[axial.value]), &axial.span),
+        (size(&[transverse.value]), &transverse.span),
+    ];
+    let largest = sizes.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)).map_or(0..0, |(_, span)| span.clone());
     let places = Places {
+        largest,
         gravity: gravity.span,
         carrier_mass: mass.span,
         inertia: inertia.span,
@@ -52,7 +65,12 @@ pub fn gyrostat(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Gyrostat
         axial: axial.span,
         transverse: transverse.span,
     };
-    issues.extend(broken.iter().map(|condition| places.issue(condition)));
+    // a datum beyond the range takes all that is made of it along: one cause
+    let mut beyond = broken.iter().filter(|condition| matches!(condition, Inadmissible::NotFinite { .. }));
+    match beyond.next() {
+        Some(first) => issues.push(places.issue(first)),
+        None => issues.extend(broken.iter().map(|condition| places.issue(condition))),
+    }
     None
 }
 
@@ -71,6 +89,8 @@ pub fn bench(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<f64> {
 
 /// Where the data stand that the conditions speak of.
 struct Places {
+    /// The datum of the largest number.
+    largest: Range<usize>,
     gravity: Range<usize>,
     carrier_mass: Range<usize>,
     inertia: Range<usize>,
@@ -84,13 +104,9 @@ impl Places {
     fn issue(&self, condition: &Inadmissible) -> Issue {
         use Inadmissible as Is;
         let (span, accepted) = match condition {
-            Is::NotFinite { quantity, .. } => {
-                let span = match *quantity {
-                    "m g c" => &self.gravity,
-                    "m0 |c0|^2" => &self.carrier_mass,
-                    _ => &self.inertia,
-                };
-                (span, "data whose products are in the range of numbers are accepted".to_owned())
+            Is::NotFinite { .. } => {
+                let accepted = "a smaller value is accepted: products of the data must be in the range of numbers";
+                (&self.largest, accepted.to_owned())
             }
             Is::NotPositive { quantity, .. } => {
                 let span = match *quantity {
@@ -118,6 +134,7 @@ impl Places {
         };
         let problem = match condition {
             Is::Undetermined { .. } => "the motion is not determined",
+            Is::NotFinite { .. } => "what follows from this value is beyond the range of numbers",
             _ => "no such body exists",
         };
         Issue::at(span.clone(), problem, condition.to_string()).accepted(accepted)

@@ -60,7 +60,8 @@ pub trait Family: Sized {
             return Err(SceneError::whole(name, "this file is empty", "the folder `scenes` holds examples"));
         }
         let (entries, errors) = toml::de::DeTable::parse_recoverable(text);
-        let mut issues: Vec<Issue> = errors.iter().map(of_syntax).collect();
+        // what follows the first fault of syntax is often read wrongly because of it
+        let mut issues: Vec<Issue> = errors.iter().take(1).map(of_syntax).collect();
         let mut scene = None;
         if issues.is_empty() {
             let mut top = Table::top(text, &entries);
@@ -82,8 +83,9 @@ pub fn knows<F: Family>(name: &str) -> bool {
 
 /// `None` where the system is not of the family: then the other keys cannot be judged.
 fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
-    let title = top.text("title", "one line that says what happens").value;
+    let title = one_line(&top.text("title", "one line that says what happens").value);
     let description = top.optional_text("description", "what happens and why it is hard");
+    top.read_allowed();
     let system = top.text("system", "name of what moves");
     let name = system.value.as_str();
     if knows::<F>(name) {
@@ -99,6 +101,11 @@ fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
     }
     top.known_all();
     None
+}
+
+/// A text on one line.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The systems of a family, the one that was probably meant first.

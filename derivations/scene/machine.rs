@@ -1,11 +1,11 @@
 //! The machine of a scene, and other machines made of the same data.
 
 use super::issue::{Issue, nearest};
-use super::read::Table;
+use super::read::{Table, in_unit};
 use super::units::Dimension as Unit;
 use super::written;
 use crate::machines::text::{self, Laws};
-use crate::machines::{AnyMachine, Catalogued, ForMachine, Quantity, RotorState, Source};
+use crate::machines::{Allowed, AnyMachine, Bound, Catalogued, ForMachine, Quantity, RotorState, Source};
 use std::borrow::Cow;
 use std::convert::Infallible;
 use std::fmt;
@@ -24,6 +24,8 @@ pub struct MachineData {
     pub counts: Vec<(&'static str, &'static str, usize)>,
     /// Of a motor that is written in the scene.
     pub laws: Option<Arc<Laws>>,
+    /// What the scene asks for beyond the bounds of data.
+    pub allowed: Allowed,
     /// W of a machine whose rotor follows the stator's field: the speed that a machine of constant speed keeps.
     synchronous_speed: Option<f64>,
 }
@@ -33,8 +35,14 @@ pub struct MachineData {
 pub enum NoModel {
     /// No machine has this name.
     Unknown { name: String },
+    /// The motor whose laws stand in a scene, where none do.
+    NoLaws,
     /// A datum that the scene does not give.
     Missing { model: String, datum: Cow<'static, str>, meaning: Cow<'static, str>, unit: Cow<'static, str> },
+    /// A datum beyond its bound.
+    Beyond { datum: Box<Quantity>, value: f64 },
+    /// A resistance or an inductance that follows from a written motor's data, beyond its bound: of which current.
+    Winding { current: String, what: &'static str, unit: &'static str, bound: Bound, value: f64 },
     /// The scene starts with currents, and the other machine has other windings.
     Currents { model: String, given: usize, windings: usize },
 }
@@ -46,7 +54,8 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(AnyMachine,
     if model.value == text::NAME {
         return written::read(table, issues);
     }
-    let mut source = FromTable { table, data: MachineData::default() };
+    let data = MachineData { allowed: table.allowed(), ..MachineData::default() };
+    let mut source = FromTable { table, data };
     let machine = AnyMachine::read(&model.value, &mut source).map(|Ok(machine)| machine);
     let FromTable { mut table, mut data } = source;
     if machine.is_none() {
@@ -72,7 +81,8 @@ impl MachineData {
         value: impl FnMut(&Quantity) -> f64,
         count: usize,
     ) -> Option<(AnyMachine, MachineData)> {
-        let mut source = Sampled { value, count, data: MachineData::default() };
+        let data = MachineData { allowed: Allowed::ALL, ..MachineData::default() };
+        let mut source = Sampled { value, count, data };
         let Ok(machine) = AnyMachine::read(model, &mut source)?;
         let mut data = source.data;
         data.synchronous_speed = machine.clone().apply(SynchronousSpeed);
@@ -80,35 +90,47 @@ impl MachineData {
     }
 
     /// Of a motor that is written in a scene, with its parameters in their order; and the motor.
-    pub(super) fn written(laws: Laws, values: &[f64]) -> (AnyMachine, Self) {
+    pub(super) fn written(laws: Laws, values: &[f64], allowed: Allowed) -> (AnyMachine, Self) {
         let laws = Arc::new(laws);
         let numbers: Vec<_> = laws.parameters().iter().cloned().zip(values.iter().copied()).collect();
         let mut given = values.iter().copied();
         let read = AnyMachine::written(Arc::clone(&laws), |_| Ok::<f64, Infallible>(given.next().unwrap_or_default()));
         let Ok(machine) = read;
         let synchronous_speed = machine.clone().apply(SynchronousSpeed);
-        (machine, MachineData { numbers, counts: Vec::new(), laws: Some(laws), synchronous_speed })
+        (machine, MachineData { numbers, counts: Vec::new(), laws: Some(laws), allowed, synchronous_speed })
     }
 }
 
 impl MachineData {
     /// Another machine, made of these data.
+    ///
+    /// # Errors
+    /// Why it cannot be made: a datum that is missing or beyond its bound.
     pub fn machine(&self, model: &str) -> Result<AnyMachine, NoModel> {
-        AnyMachine::read(model, &mut FromData { model, data: self })
-            .unwrap_or_else(|| Err(NoModel::Unknown { name: model.to_owned() }))
+        let unknown = match model {
+            text::NAME => NoModel::NoLaws,
+            _ => NoModel::Unknown { name: model.to_owned() },
+        };
+        let machine = AnyMachine::read(model, &mut FromData { model, data: self }).unwrap_or(Err(unknown))?;
+        machine.clone().apply(Bounded { allowed: self.allowed })?;
+        Ok(machine)
     }
 
     /// A parameter of a model in SI units.
     ///
     /// # Errors
-    /// [`NoModel::Missing`].
+    /// [`NoModel::Missing`], [`NoModel::Beyond`].
     pub fn number(&self, model: &str, quantity: &Quantity) -> Result<f64, NoModel> {
         let kept = if quantity.name == "speed" { self.synchronous_speed } else { None };
         let given = self.numbers.iter().find(|(given, _)| given.name == quantity.name).map(|(_, value)| *value);
-        given.or(kept).ok_or_else(|| {
+        let value = given.or(kept).ok_or_else(|| {
             let Quantity { name, unit, meaning, .. } = quantity.clone();
             NoModel::Missing { model: model.to_owned(), datum: name, meaning, unit }
-        })
+        })?;
+        match quantity.bound.holds(value, self.allowed) {
+            true => Ok(value),
+            false => Err(NoModel::Beyond { datum: Box::new(quantity.clone()), value }),
+        }
     }
 
     /// A count of a model.
@@ -141,7 +163,7 @@ impl Source for FromTable<'_> {
     type Error = Infallible;
 
     fn quantity(&mut self, quantity: &Quantity) -> Result<f64, Infallible> {
-        let value = self.table.scalar(&quantity.name, &quantity.meaning, &quantity.unit).value;
+        let value = self.table.datum(quantity).value;
         self.data.numbers.push((quantity.clone(), value));
         Ok(value)
     }
@@ -226,6 +248,29 @@ impl Source for FromData<'_> {
     }
 }
 
+/// Whether the circuits of a machine can exist, or are asked for.
+struct Bounded {
+    allowed: Allowed,
+}
+
+impl ForMachine for Bounded {
+    type Output = Result<(), NoModel>;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Result<(), NoModel> {
+        for winding in 0..machine.windings() {
+            let inductance = ("inductance", "H", Bound::Positive, machine.inductance(winding));
+            let resistance = ("resistance", "ohm", Bound::Resistance, machine.resistance(winding));
+            for (what, unit, bound, value) in [inductance, resistance] {
+                if !bound.holds(value, self.allowed) {
+                    let current = machine.current_name(winding);
+                    return Err(NoModel::Winding { current, what, unit, bound, value });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
 struct SynchronousSpeed;
 
 impl ForMachine for SynchronousSpeed {
@@ -250,6 +295,20 @@ impl fmt::Display for NoModel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unknown { name } => write!(f, "unknown machine `{name}`; {}", known_machines(name)),
+            Self::NoLaws => write!(
+                f,
+                "`{}` is the motor whose laws stand in a scene, and none stand here; a scene with `model = \"{0}\"` is accepted",
+                text::NAME
+            ),
+            Self::Beyond { datum, value } => {
+                let Quantity { name, meaning, unit, bound } = &**datum;
+                let (unit, broken, accepted) = (in_unit(unit), bound.broken(), bound.accepted(*value));
+                write!(f, "`{name}`, {meaning}, {broken}: it is {value}{unit}; {accepted}")
+            }
+            Self::Winding { current, what, unit, bound, value } => {
+                let (broken, accepted) = (bound.broken(), bound.accepted(*value));
+                write!(f, "the {what} of the winding of `{current}` {broken}: it is {value} {unit}; {accepted}")
+            }
             Self::Missing { model, datum, meaning, unit } => {
                 write!(f, "`{model}` needs `{datum}` ({meaning}, {unit}), which the scene's [machine] does not give")
             }

@@ -37,6 +37,7 @@ pub mod state;
 pub mod stored;
 mod transition;
 pub mod units;
+mod warned;
 mod written;
 
 pub use crate::mechanisms::MechanismScene;

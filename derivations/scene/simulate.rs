@@ -1,7 +1,9 @@
 //! A problem run: its trajectory as a reader wants it.
 
 use super::{Axes, Problem, Run, Scene};
-use integrators::{Beside, End, Failure, Method, Observer, Outcome, Record, Span, Tolerance, beside, integrate};
+use integrators::{
+    Beside, End, Failure, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside, integrate,
+};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -160,9 +162,21 @@ impl Trajectory {
 
     /// Why the run stopped before its end, if it did.
     pub fn stopped(&self) -> Option<String> {
-        let failure = || self.outcome.failure().map(|failure| failure.to_string());
+        let failure = || self.outcome.failure().map(|failure| self.named(failure));
         let broken_off = || self.broken_off().then(|| "interrupted".to_owned());
         self.left.map(|why| format!("left its law: {why}")).or_else(broken_off).or_else(failure)
+    }
+
+    /// A failure with the name of the state at whose rate it is, where it is at one.
+    fn named(&self, failure: Failure) -> String {
+        let name = match failure {
+            Failure::Refused(Refusal::RatesNotFinite { component }) => self.names.get(component),
+            _ => None,
+        };
+        name.map_or_else(
+            || failure.to_string(),
+            |name| format!("refused: at the start the rate of `{name}` is not finite"),
+        )
     }
 
     /// Whether it went on until it was told to end.

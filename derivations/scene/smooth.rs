@@ -124,7 +124,8 @@ impl Smooth for Scene {
             let off = samples().map(|(time, row)| (known.shown_in_row(row) - known.at(*time)).abs());
             (known.name, off.fold(0.0, f64::max) / size)
         });
-        Told { theory: theory.into_iter().collect(), closed_form: off, ..Told::default() }
+        let theory = theory.into_iter().chain(self.runs_away(trajectory)).collect();
+        Told { theory, closed_form: off, ..Told::default() }
     }
 
     fn ways(&self) -> Vec<Way> {

@@ -80,7 +80,11 @@ fn currents(table: &mut Table<'_>, machine: Option<&AnyMachine>) -> Vec<f64> {
 /// A machine that keeps a speed needs none, and no other would be true.
 fn rotor_speed(table: &mut Table<'_>, machine: Option<&AnyMachine>) -> f64 {
     const KEY: (&str, &str, &str) = ("rotor_speed", "speed of the rotor relative to the carrier", "rad/s");
-    let Some(kept) = machine.and_then(|machine| machine.clone().apply(KeptSpeed)) else {
+    // without a machine nobody knows whether one is needed
+    let Some(machine) = machine else {
+        return table.optional_scalar(KEY.0, KEY.1, KEY.2).map_or(0.0, |given| given.value);
+    };
+    let Some(kept) = machine.clone().apply(KeptSpeed) else {
         return table.scalar(KEY.0, KEY.1, KEY.2).value;
     };
     match table.optional_scalar(KEY.0, KEY.1, KEY.2) {

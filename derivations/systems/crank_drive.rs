@@ -30,9 +30,9 @@ crate::quantities! {
         /// mutual inductance; M^2 < L1 L2
         mutual: "H",
         /// resistance of the primary winding with the source's
-        r1: "ohm",
+        r1: "ohm" in resistance,
         /// resistance of the secondary winding
-        r2: "ohm",
+        r2: "ohm" in resistance,
         /// differential resistance of a diode far forwards
         forward: "ohm" > 0,
         /// differential resistance of a diode far backwards
@@ -44,17 +44,17 @@ crate::quantities! {
         /// inductance of the choke
         l4: "H" > 0,
         /// resistance of the choke
-        r4: "ohm",
+        r4: "ohm" in resistance,
         /// inductance of the armature
         l5: "H" > 0,
         /// resistance of the armature
-        r5: "ohm",
+        r5: "ohm" in resistance,
         /// moment of the motor by its current
         motor: "N m/A",
         /// viscous friction of what turns
-        b6: "N m s",
+        b6: "N m s" in friction,
         /// viscous friction of what slides
-        b7: "N s/m",
+        b7: "N s/m" in friction,
     }
 }
 

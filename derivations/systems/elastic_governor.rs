@@ -65,9 +65,9 @@ crate::quantities! {
         /// beta, curvature of the line of rolling by the angle
         beta: "1/m",
         /// mass of the rim that moves with lambda
-        rim_mass: "kg",
+        rim_mass: "kg" >= 0,
         /// moment of inertia of the rim that turns with psi
-        rim_inertia: "kg m^2",
+        rim_inertia: "kg m^2" >= 0,
     }
 }
 

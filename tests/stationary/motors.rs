@@ -104,7 +104,11 @@ fn a_brushed_motor_has_one_speed_and_one_current() {
     let expected = u * k / (k * k + f * r);
     assert!((speed.to_f64() / expected - 1.0).abs() < 1e-15, "{}", speed.to_f64());
     assert!((currents[0] / (f * expected / k) - 1.0).abs() < 1e-15, "{currents:?}");
-    let ideal = with("machines/brushed", &[("resistance = \"0.6 ohm\"", "resistance = \"0 ohm\"")]);
+    let ideal = [
+        ("resistance = \"0.6 ohm\"", "resistance = \"0 ohm\""),
+        ("system = ", "allow = [\"zero resistance\"]\nsystem = "),
+    ];
+    let ideal = with("machines/brushed", &ideal);
     assert_eq!(Motor::of(&ideal.machine, &ideal.machine_data).map(|_| ()), Err(NoMotor::NoRest));
 }
 

@@ -4,7 +4,7 @@ use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use clap::Args;
 use derivations::conformance::{Finding, Verdict, conform, page, sample};
-use derivations::machines::AnyMachine;
+use derivations::machines::{AnyMachine, text};
 use derivations::scene::{Family, NoModel, Scene};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -39,7 +39,10 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
                 asked.motor
             )));
         }
-        let unknown = || Ending::refused(NoModel::Unknown { name: asked.motor.clone() });
+        let unknown = || match asked.motor.as_str() {
+            text::NAME => Ending::refused(NoModel::NoLaws),
+            name => Ending::refused(NoModel::Unknown { name: name.to_owned() }),
+        };
         let (machine, data) = sample(&asked.motor).ok_or_else(unknown)?;
         let listed = AnyMachine::LIST.iter().find(|(name, _)| *name == machine.name());
         let summary = listed.map_or("", |(_, summary)| summary);

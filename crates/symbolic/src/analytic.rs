@@ -8,7 +8,7 @@ use field::{Analytic, Circle, Rational, Scalar};
 use num_traits::{One, Zero};
 
 /// The highest multiple of an angle that is expanded in its coordinates.
-const HIGHEST_MULTIPLE: i64 = 32;
+pub const HIGHEST_MULTIPLE: i64 = 32;
 
 /// Roots are split by trial division up to this prime.
 const HIGHEST_TRIAL: u64 = 1 << 16;

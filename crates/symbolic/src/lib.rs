@@ -51,6 +51,7 @@ mod recurrence;
 mod sym;
 mod tape;
 
+pub use analytic::HIGHEST_MULTIPLE;
 pub use calculus::substitute_all;
 pub use coefficients::{NotPolynomial, coefficients, degree, univariate};
 pub use dimension::{Dimension, Mismatch, dimension};

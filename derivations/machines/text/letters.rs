@@ -1,6 +1,6 @@
 //! What the expressions of a motor may be made of, and why.
 
-use symbolic::{Dimension, Node, Reason, Sym, Vocabulary, dimension};
+use symbolic::{Dimension, HIGHEST_MULTIPLE, Node, Reason, Sym, Vocabulary, dimension};
 
 /// g, the angle from the stator's field to the rotor.
 pub const ANGLE: &str = "g";
@@ -11,6 +11,9 @@ pub const SPEED: &str = "phi'";
 
 /// What a voltage of conductors that slide is.
 const AFFINE: &str = "affine in the currents: a constant, and constant multiples of them";
+
+/// What a law would have to hold if windings induced in each other.
+const INDUCED: &str = "no winding induces in another: M di/dt stands in no law";
 
 /// The largest numerator and denominator of a number in a law.
 const DIGITS: i32 = 18;
@@ -66,7 +69,28 @@ impl Letters<'_> {
             Motion::Currents => self.currents.to_vec(),
         };
         let names = motion.into_iter().chain(self.parameters.iter().map(|(name, _)| name.clone()));
-        names.collect::<Vec<_>>().join(", ")
+        let mut known: Vec<String> = Vec::new();
+        for name in names {
+            if !known.contains(&name) {
+                known.push(name);
+            }
+        }
+        known.join(", ")
+    }
+
+    /// Why no law knows a name that a reader of textbooks may write; `None` where nothing is known of it.
+    fn never_known(&self, name: &str) -> Option<String> {
+        let rate = name.trim_end_matches(['\'', '\u{2032}', '\u{2033}']);
+        match name {
+            "t" | "time" => Some(
+                "no law of a motor as text knows the time: what turns at constant speed is told by the angle g to the field, as in \
+                 `supply = \"v*cos(g)\"`"
+                    .to_owned(),
+            ),
+            "phi" => Some("no law knows the angle phi itself: laws know g, the angle from the field to the rotor".to_owned()),
+            _ if rate != name && self.is_current(rate) => Some(format!("`{name}` is the rate of a current, and {INDUCED}")),
+            _ => None,
+        }
     }
 
     fn is_current(&self, name: &str) -> bool {
@@ -96,15 +120,17 @@ impl Vocabulary for Letters<'_> {
                 refused("a law of the angle or the currents knows no speed: speeds stand in `moment_law`")
             }
             (_, Motion::Currents) if self.is_current(name) => Ok(Sym::symbol(name)),
-            (_, Motion::Rest) if self.is_current(name) => refused("the data of a winding do not know the currents"),
+            (_, Motion::Rest) if self.is_current(name) => {
+                refused(&format!("the data of a winding do not know the currents: nothing saturates, and {INDUCED}"))
+            }
             (_, Motion::Angle) if self.is_current(name) => {
-                refused("no law of the angle knows a current: what conductors that slide add stands in `motional`")
+                refused(&format!("no law of the angle knows a current: inductances are constant, and {INDUCED}"))
             }
             (_, Motion::Speeds) if self.is_current(name) => {
                 refused("a moment of currents follows from `flux` and `motional`, else energy is lost")
             }
             _ if self.parameters.iter().any(|(known, _)| known == name) => Ok(Sym::symbol(name)),
-            _ => Err(Reason::Name(name.to_owned())),
+            _ => Err(self.never_known(name).map_or_else(|| Reason::Name(name.to_owned()), Reason::Refused)),
         }
     }
 
@@ -129,7 +155,9 @@ impl Vocabulary for Letters<'_> {
         for leaf in part.leaves_of().into_iter().filter(|leaf| self.moves(*leaf)) {
             match leaf.node() {
                 Node::Cos(angle) | Node::Sin(angle) if angle.symbol_name().as_deref() != Some(ANGLE) => {
-                    return refused("the angle enters by whole multiples, as in cos(2*g + a)".to_owned());
+                    return refused(format!(
+                        "the angle enters by whole multiples up to {HIGHEST_MULTIPLE}, as in cos(2*g + a)"
+                    ));
                 }
                 Node::Root(_) => {
                     return refused("roots are of parameters alone: a law is a fraction of polynomials".to_owned());

@@ -3,7 +3,7 @@
 use super::super::{Amiss, Mechanism};
 use crate::ladder::governors::with_data;
 use crate::ladder::{Rung, Written};
-use crate::machines::Quantity;
+use crate::machines::{Bound, Quantity};
 use crate::systems::governor::{Gearing, Governor, Moment};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -30,7 +30,7 @@ crate::quantities! {
         /// rate of M2
         m2_growth: "N m/s",
         /// F11 + F22, friction across the wheel at both contacts, against the growth of rho
-        lateral: "N",
+        lateral: "N" in friction,
     }
 }
 
@@ -60,7 +60,8 @@ impl Gear for Drum {
         ("drum_governor", "a friction governor with a drum, its wheel pushed by a constant force"),
     ];
     const RHO: &'static str = "distance of the wheel from the axis of the second disc";
-    const LENGTH: &'static Quantity = &Quantity::positive("drum", "m", "R, radius of the drum on the first shaft");
+    const LENGTH: &'static Quantity =
+        &Quantity::within("drum", "m", "R, radius of the drum on the first shaft", Bound::Positive);
 
     fn gearing(radius: f64) -> Gearing<f64> {
         Gearing::Drum { radius }
@@ -73,7 +74,8 @@ impl Gear for Discs {
         ("disc_governor", "a friction governor between two discs, its wheel pushed by a constant force"),
     ];
     const RHO: &'static str = "distance of the wheel from the axis of the first disc";
-    const LENGTH: &'static Quantity = &Quantity::positive("distance", "m", "a, distance of the axes of both discs");
+    const LENGTH: &'static Quantity =
+        &Quantity::within("distance", "m", "a, distance of the axes of both discs", Bound::Positive);
 
     fn gearing(distance: f64) -> Gearing<f64> {
         Gearing::Discs { distance }

@@ -1,10 +1,14 @@
 //! Reading a table of a scene file: every value checked, every key accounted for. Texts and counts are read in `words`,
 //! numbers with their units in `quantities`.
 
+mod allowed;
 mod quantities;
 mod words;
 
+pub use allowed::{NO_MUTUAL_INDUCTANCE, in_unit};
+
 use super::issue::{Issue, nearest};
+use crate::machines::Allowed;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -23,6 +27,8 @@ pub struct Table<'a> {
     asked: Vec<String>,
     /// Whether a key that nobody asked for is wrong.
     judged: bool,
+    /// What the file asks for at its top.
+    allowed: Allowed,
     /// Keys that should be here, each with what is told if no misspelt key explains its absence.
     missing: Vec<(String, Issue)>,
     issues: Vec<Issue>,
@@ -45,6 +51,7 @@ impl<'a> Table<'a> {
             entries: Some(entries.get_ref()),
             asked,
             judged: true,
+            allowed: Allowed::default(),
             missing,
             issues,
         }
@@ -53,7 +60,8 @@ impl<'a> Table<'a> {
     fn inside(&self, name: &str, span: Range<usize>, entries: Option<&'a DeTable<'a>>) -> Self {
         let (asked, missing, issues) = (Vec::new(), Vec::new(), Vec::new());
         let name = name.to_owned();
-        Table { name, span, source: self.source, entries, asked, judged: true, missing, issues }
+        let (source, allowed) = (self.source, self.allowed);
+        Table { name, span, source, entries, asked, judged: true, allowed, missing, issues }
     }
 
     /// A table inside this one.
@@ -162,10 +170,14 @@ impl<'a> Table<'a> {
     }
 
     fn missing(&mut self, key: &str, needed: &str) {
+        self.missing_number(key, &format!("the {needed}"));
+    }
+
+    fn missing_number(&mut self, key: &str, needed: &str) {
         if self.exists() {
             let place = if self.name.is_empty() { "in this file".to_owned() } else { format!("in [{}]", self.name) };
             let issue = Issue::at(self.span(), format!("`{key}` is missing"), place);
-            self.missing.push((key.to_owned(), issue.accepted(format!("`{key}` is the {needed}"))));
+            self.missing.push((key.to_owned(), issue.accepted(format!("`{key}` is {needed}"))));
         }
     }
 
@@ -176,14 +188,20 @@ impl<'a> Table<'a> {
 
     /// All that is wrong in the table, keys included that nobody asked for.
     pub fn finish(mut self) -> Vec<Issue> {
-        for key in self.entries.into_iter().flat_map(DeTable::keys) {
+        let keys = self.entries.into_iter().flat_map(DeTable::keys).filter(|_| self.judged);
+        let unknown: Vec<_> = keys.filter(|key| !self.asked.iter().any(|asked| asked == key.get_ref())).collect();
+        // one key that nobody knows in place of one that is missing is that key, however it is spelt
+        let only = match (unknown.as_slice(), self.missing.as_slice()) {
+            ([_], [(missing, _)]) => Some(missing.clone()),
+            _ => None,
+        };
+        for key in unknown {
             let name = key.get_ref().as_ref();
-            if !self.judged || self.asked.iter().any(|asked| asked == name) {
-                continue;
-            }
             let known = || self.asked.iter().map(String::as_str);
             let absent = nearest(name, self.missing.iter().map(|(key, _)| key.as_str())).map(str::to_owned);
+            let absent = absent.or_else(|| only.clone());
             let accepted = match absent.as_deref().or_else(|| nearest(name, known())) {
+                _ if allowed::is_mutual_inductance(name) => allowed::NO_MUTUAL_INDUCTANCE.to_owned(),
                 Some(nearest) => format!("is `{nearest}` meant?"),
                 None => format!("known here: {}", known().collect::<Vec<_>>().join(", ")),
             };

@@ -75,7 +75,8 @@ impl Table<'_> {
     fn numbers(&mut self, key: &str, meaning: &str, rows: usize, columns: usize, needed: Dimension) -> At<Vec<f64>> {
         let harmless = vec![1.0; rows * columns];
         let Some(found) = self.find(key) else {
-            self.missing(key, &format!("{meaning}, such as {key} = {}", quantity::example(rows, columns, needed)));
+            let example = quantity::example(rows, columns, needed);
+            self.missing_number(key, &format!("{}, such as {key} = {example}", with_article(meaning)));
             return At { value: harmless, span: self.span() };
         };
         let span = found.span();
@@ -97,7 +98,15 @@ impl Table<'_> {
     }
 }
 
+/// What a datum means after its name: `the mass`, and of one with a letter in formulas `m, the mass`.
+pub(super) fn with_article(meaning: &str) -> String {
+    match meaning.split_once(", ") {
+        Some((letter, rest)) if !letter.contains(' ') || letter.contains(" + ") => format!("{letter}, the {rest}"),
+        _ => format!("the {meaning}"),
+    }
+}
+
 fn of_quantity(key: &str, meaning: &str, span: Range<usize>, wrong: &NoQuantity, accepted: &str) -> Issue {
-    let title = format!("`{key}`, the {meaning}, cannot be read");
+    let title = format!("`{key}`, {}, cannot be read", with_article(meaning));
     Issue::at(span, title, wrong.to_string()).accepted(accepted)
 }

@@ -46,6 +46,30 @@ fn a_model_that_does_not_exist() {
 }
 
 #[test]
+fn a_motor_whose_laws_stand_nowhere() {
+    refused("a_motor_whose_laws_stand_nowhere", &["conform", "text"]);
+    refused("a_model_whose_laws_stand_nowhere", &["run", "scenes/spin_up.toml", "--model", "text"]);
+}
+
+#[test]
+fn nothing_of_an_argument_acts_on_the_terminal() {
+    let hostile = "A\u{1b}[31m\u{1b}]0;T\u{7}\u{9b}2J\u{202e}B";
+    for arguments in [
+        ["run", "scenes/spin_up.toml", "--model", hostile],
+        ["run", hostile, "--seconds", "1"],
+        ["run", "scenes/spin_up.toml", "--method", hostile],
+        ["derive", hostile, "--principle", hostile],
+        ["conform", hostile, "--format", "text"],
+        ["bodies", "scenes/spin_up.toml", hostile, hostile],
+    ] {
+        let output = run(&arguments);
+        let message = String::from_utf8(output.stderr).expect("messages are text");
+        assert_eq!(output.status.code(), Some(2), "{message:?}");
+        assert!(!message.contains(['\u{1b}', '\u{7}', '\u{9b}', '\u{202e}']), "{message:?}");
+    }
+}
+
+#[test]
 fn a_method_that_does_not_exist() {
     refused("a_method_that_does_not_exist", &["run", "scenes/spin_up.toml", "--method", "radau5"]);
 }

@@ -1,0 +1,52 @@
+//! Laws of the moment that drive a rotor ever harder.
+
+use super::{Catalogued, ForMachine, Machine};
+
+/// The directions, backwards and forwards, in which a machine's moment law drives its rotor ever harder: negative friction drives
+/// in both, a law even in the speed, such as that of a fan, in one.
+#[derive(Clone, Copy, Debug)]
+pub struct Runaway;
+
+/// A speed beyond which a moment law drives, ever harder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Driven {
+    /// phi', rad/s; zero where the law drives at every speed of its direction
+    pub beyond: f64,
+    /// m phi' at some speed beyond, W: what the law gives the rotor
+    pub power: f64,
+    /// That speed, rad/s.
+    pub at: f64,
+}
+
+/// Powers of two over the machine's own speed, from which on the highest power of the speed in a law outweighs the others.
+const FAR: [i32; 3] = [20, 30, 40];
+
+impl ForMachine for Runaway {
+    type Output = [Option<Driven>; 2];
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
+        [-1.0, 1.0].map(|direction| driven(&machine, direction))
+    }
+}
+
+fn driven(machine: &impl Machine<f64>, direction: f64) -> Option<Driven> {
+    let own = direction * machine.frame_speed().abs().max(1.0);
+    let moment = |speed: f64| machine.moment_law(speed - machine.frame_speed(), speed);
+    let [near, far, farther] = FAR.map(|power| own * f64::from(power).exp2());
+    let drives = [near, far, farther].iter().all(|&speed| moment(speed) * speed > 0.0);
+    // a constant moment drives too, as a weight does, but not harder
+    let harder = moment(farther).abs() > 2.0 * moment(far).abs() && moment(far).abs() > 2.0 * moment(near).abs();
+    if !(drives && harder) {
+        return None;
+    }
+    // the driving begins between a speed far below the machine's own and one far above, which are halved by their ratio
+    let (mut brakes, mut drives) = (own * f64::from(-FAR[0]).exp2(), near);
+    if moment(brakes) * brakes > 0.0 {
+        return Some(Driven { beyond: 0.0, power: moment(own) * own, at: own });
+    }
+    for _ in 0..64 {
+        let middle = direction * (brakes * drives).sqrt();
+        if moment(middle) * middle > 0.0 { drives = middle } else { brakes = middle }
+    }
+    Some(Driven { beyond: drives, power: moment(2.0 * drives) * 2.0 * drives, at: 2.0 * drives })
+}

@@ -1,0 +1,29 @@
+//! What a reader of a run is warned of: laws that hold in one direction only.
+
+use super::state::ROTOR_SPEED;
+use super::{Scene, Trajectory};
+use crate::machines::{Driven, Runaway};
+
+impl Scene {
+    /// The moment law drives the rotor ever harder in a direction, and whether the run turns there.
+    pub(super) fn runs_away(&self, trajectory: &Trajectory) -> impl Iterator<Item = String> + use<> {
+        let column = trajectory.column(ROTOR_SPEED);
+        let rows: Vec<f64> =
+            trajectory.rows.iter().chain([&trajectory.last]).filter_map(|row| Some(row[column?])).collect();
+        let names = [("backwards", f64::min as fn(f64, f64) -> f64), ("forwards", f64::max)];
+        let found = self.machine.clone().apply(Runaway).into_iter().zip(names);
+        found.filter_map(move |(driven, (direction, farthest))| {
+            let Driven { beyond, power, at } = driven?;
+            let reached = rows.iter().copied().fold(0.0, farthest);
+            let run = match reached.abs() > beyond.abs() {
+                false => "this run does not turn so".to_owned(),
+                true => format!("this run does, at up to {:.4} rad/s", reached.abs()),
+            };
+            let faster = if beyond == 0.0 { String::new() } else { format!(" faster than {:.4} rad/s", beyond.abs()) };
+            Some(format!(
+                "the moment law drives a rotor that turns {direction}{faster}, ever harder: {power:.4} W at phi' = {at:.4} rad/s; {run}. \
+                 A law that brakes in both directions is odd in phi', as -c*phi'^3 is"
+            ))
+        })
+    }
+}
