@@ -316,11 +316,7 @@ fn a_text_in_which_nothing_stands() {
 #[test]
 fn bodies_whose_moments_no_number_holds() {
     let text = scene(&[("mass = \"300 g\"\ncentre = \"0 0 60 mm\"", "mass = \"300 g\"\ncentre = \"1e300 0 0 m\"")]);
-    refused(
-        "bodies_whose_moments_no_number_holds",
-        &text,
-        &["\"9.81 m/s^2\"", "\"0.0096 0 0; 0 0.0102 0; 0 0 0.0034 kg m^2\""],
-    );
+    refused("bodies_whose_moments_no_number_holds", &text, &["\"1e300 0 0 m\""]);
 }
 
 /// A motor of the list alone on a bench, with its data as a small motor has them but for some.

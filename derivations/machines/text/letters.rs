@@ -13,7 +13,7 @@ pub const SPEED: &str = "phi'";
 const AFFINE: &str = "affine in the currents: a constant, and constant multiples of them";
 
 /// What a law would have to hold if windings induced in each other.
-const INDUCED: &str = "no winding induces in another: M di/dt stands in no law";
+pub const INDUCED: &str = "no winding induces in another: M di/dt stands in no law";
 
 /// The largest numerator and denominator of a number in a law.
 const DIGITS: i32 = 18;

@@ -7,7 +7,7 @@ mod laws;
 mod letters;
 
 pub use laws::{FIELD_SPEED, Laws, TooLong, Winding};
-pub use letters::{ANGLE, Letters, Motion, SLIP, SPEED, is_taken};
+pub use letters::{ANGLE, INDUCED, Letters, Motion, SLIP, SPEED, is_taken};
 
 use super::{Catalogued, Datum, Machine, Quantity, RotorState, Source};
 use field::{Base, Circle, Over};

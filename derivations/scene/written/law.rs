@@ -1,10 +1,10 @@
 //! One law of a written motor: an expression of a dimension.
 
 use super::super::issue::{Issue, nearest};
-use super::super::read::{At, Table};
+use super::super::read::{At, NO_MUTUAL_INDUCTANCE, Table};
 use super::super::units::Dimension;
 use super::names::Names;
-use crate::machines::text::Motion;
+use crate::machines::text::{INDUCED, Motion};
 use symbolic::{NotExpression, Reason, Sym, parse_in};
 
 /// A law of more letters is not written by a person.
@@ -93,7 +93,12 @@ impl<'a> Reader<'a> {
             }
             _ => None,
         };
-        let known = format!("{}known here: {}", meant.unwrap_or_default(), letters.known());
+        let known = match &reason {
+            Reason::Refused(why) if why.ends_with(INDUCED) && ["flux", "motional"].contains(&kind.key) => {
+                NO_MUTUAL_INDUCTANCE.to_owned()
+            }
+            _ => format!("{}known here: {}", meant.unwrap_or_default(), letters.known()),
+        };
         let place = table.part(text, &span);
         table.report(Issue::at(place, kind.cannot_be_read(), reason.to_string()).accepted(known));
     }

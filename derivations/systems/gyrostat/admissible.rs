@@ -33,7 +33,9 @@ pub enum Inadmissible {
 impl fmt::Display for Inadmissible {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotFinite { quantity, value } => write!(f, "{quantity} is {value}: a finite number is needed"),
+            Self::NotFinite { quantity, .. } => {
+                write!(f, "{quantity} is beyond the range of numbers: a finite number is needed")
+            }
             Self::NotPositive { quantity, value } => write!(f, "{quantity} > 0 is broken: it is {value}"),
             Self::NegativeGravity { value } => {
                 write!(f, "g >= 0 is broken: it is {value}; the vertical already points downwards")
