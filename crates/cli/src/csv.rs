@@ -30,12 +30,12 @@ impl Table {
         let Table { output, heading } = self;
         let content = |out: &mut dyn Write| {
             let mut table = table(out);
-            table.write_record(&heading)?;
+            table.write_record(&heading).map_err(of_system)?;
             let mut record = ByteRecord::new();
             for (time, row) in times.iter().zip(rows) {
                 record.clear();
                 std::iter::once(time).chain(row).for_each(|value| record.push_field(value.to_string().as_bytes()));
-                table.write_byte_record(&record)?;
+                table.write_byte_record(&record).map_err(of_system)?;
             }
             table.flush()
         };
@@ -66,9 +66,10 @@ impl Matrix {
         let Matrix { output, columns } = self;
         let content = |out: &mut dyn Write| {
             let mut table = table(out);
-            table.write_record(heading(&columns))?;
+            table.write_record(heading(&columns)).map_err(of_system)?;
             for (name, row) in columns.iter().zip(rows) {
-                table.write_record(std::iter::once(name.clone()).chain(row.iter().map(f64::to_string)))?;
+                let cells = std::iter::once(name.clone()).chain(row.iter().map(f64::to_string));
+                table.write_record(cells).map_err(of_system)?;
             }
             table.flush()
         };
@@ -92,6 +93,14 @@ pub fn line<C: AsRef<[u8]>>(cells: &[C]) -> String {
     let _ = table.write_record(cells);
     let bytes = table.into_inner().unwrap_or_default();
     String::from_utf8_lossy(&bytes).trim_end_matches('\n').to_owned()
+}
+
+/// What the system said, with its kind: a full disk, a reader who is gone.
+fn of_system(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        kind => io::Error::other(format!("{kind:?}")),
+    }
 }
 
 fn table<W: io::Write>(out: W) -> Writer<W> {

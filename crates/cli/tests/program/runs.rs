@@ -284,7 +284,8 @@ fn a_mechanism_writes_its_table_and_takes_another_method() {
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let table = std::fs::read_to_string(&path).expect("it was written");
     std::fs::remove_file(&path).expect("it is there");
-    let columns = "time [s],f1 [A],f2 [A],q3 [A s],f4 [A],f5 [A],q6 [rad],f6 [rad/s],q7 [m],f7 [m/s],work [J],violation [m^2],";
+    let columns =
+        "time [s],f1 [A],f2 [A],q3 [A s],f4 [A],f5 [A],q6 [rad],f6 [rad/s],q7 [m],f7 [m/s],work [J],violation [m^2],";
     assert!(table.starts_with(columns), "{table}");
     assert_eq!(table.lines().count(), 7);
 }
