@@ -322,9 +322,10 @@ fn bodies_whose_moments_no_number_holds() {
 /// A motor of the list alone on a bench, with its data as a small motor has them but for some.
 fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {
     let (_, data) = derivations::conformance::sample(model).expect("it is in the list");
-    let numbers = data.numbers.iter().map(|(quantity, number)| match quantity.name == other {
-        true => format!("{other} = \"{value} {}\"\n", quantity.unit),
-        false => format!("{} = \"{number} {}\"\n", quantity.name, quantity.unit),
+    let numbers = data.numbers.iter().map(|(quantity, number)| {
+        let number = if quantity.name == other { value.to_owned() } else { number.to_string() };
+        let unit = if quantity.unit == "1" { "" } else { &quantity.unit };
+        format!("{} = \"{number} {unit}\"\n", quantity.name)
     });
     let counts = data.counts.iter().map(|(name, _, count)| format!("{name} = {count}\n"));
     let data: String = numbers.chain(counts).collect();

@@ -13,7 +13,6 @@ mod references;
 mod refusals;
 mod runs;
 
-
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
