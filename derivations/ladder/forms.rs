@@ -10,7 +10,7 @@ use super::{Ladder, Loss, Rung};
 use crate::scene::{Axes, Stored};
 use integrators::Method;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// The ladders of one scene, in each form that it has, and the exact motion where it is kept.
 pub struct Forms {
@@ -18,6 +18,8 @@ pub struct Forms {
     pub kept: Option<Stored>,
 }
 
+/// The name of a run of several models.
+pub const SWITCHING: &str = "switching";
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
 /// A model whose error is so many times what is allowed is not followed further.
 const HOPELESS: f64 = 10.0;
@@ -29,10 +31,6 @@ const CHEAPER: f64 = 0.7;
 impl Models for Forms {
     fn columns(&self) -> &[String] {
         &self.ladders[0].own.columns
-    }
-
-    fn made(&self) -> Duration {
-        self.ladders.iter().map(|ladder| ladder.made).sum()
     }
 
     fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
@@ -53,6 +51,7 @@ impl Models for Forms {
                 states: rung.start.len(),
                 verdict: Verdict::of(&model, tolerance),
                 model,
+                asked_as: rung.shows_all(&watched.names).then_some(rung.name),
                 choice: None,
             });
         }
@@ -104,22 +103,19 @@ impl Models for Forms {
         let spans = schedule.spans().into_iter().map(|(from, to)| format!("{from:.3} to {to:.3} s"));
         let (rung, name) = (&ladder.rungs[at], &lines[rich].name);
         let line = Line {
-            name: "switching".to_owned(),
-            dropped: format!(
-                "{name}, and from {} {}",
-                spans.collect::<Vec<_>>().join(", "),
-                rung.name.replace('_', " ")
-            ),
+            name: SWITCHING.to_owned(),
+            dropped: format!("{name}, and from {} {}", spans.collect::<Vec<_>>().join(", "), rung.name),
             loss: rung.loss,
             states: ladder.start.len(),
             model: Ok(Estimate { first: schedule.promised, ..Estimate::nothing(watched.columns.len()) }),
+            asked_as: None,
             verdict: Verdict::Suffices,
             choice: None,
         };
         let sides = [(plan.method, plan.tolerance), (low.method, low.tolerance)];
-        let go = move |finer: f64| {
+        let go = move |finer: f64, times: &[f64]| {
             let sides = sides.map(|(method, tolerance)| (method, (tolerance * finer).max(FINEST)));
-            ladder.run_switching(rung, &schedule, sides, MOST)
+            ladder.run_switching(rung, &schedule, sides, MOST, times)
         };
         Some(Mixed { line, plan, go: Box::new(go) })
     }
@@ -130,7 +126,7 @@ impl Models for Forms {
 fn cheaper(ladder: &Ladder, line: usize, rich: usize) -> bool {
     let work = |line: usize| {
         let states = line.checked_sub(1).map_or(ladder.own.state.len(), |rung| ladder.rungs[rung].start.len());
-        let (run, evaluations) = runnable(ladder, line, Axes::First).run(Method::DormandPrince8, PILOTS[0], MOST);
+        let (run, evaluations) = runnable(ladder, line, Axes::First).run(Method::DormandPrince8, PILOTS[0], MOST, None);
         run.map(|_| evaluations as f64 * states as f64)
     };
     matches!((work(line), work(rich)), (Some(low), Some(rich)) if low < CHEAPER * rich)

@@ -2,12 +2,14 @@
 
 mod answers;
 mod book;
+mod chosen;
 mod clock;
 mod ensembles;
 mod formats;
 mod killed;
 mod limits;
 mod motors;
+mod odd_data;
 mod outputs;
 mod references;
 mod refusals;
