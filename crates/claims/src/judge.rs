@@ -114,6 +114,12 @@ impl Claim {
                     judged.counterexample =
                         point.values().iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
                 }
+                if let (Proof::NormalForm, Verdict::Refuted, Some(witness)) =
+                    (&theorem.proof, judged.verdict, theorem.witness())
+                {
+                    judged.counterexample =
+                        witness.point.iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
+                }
                 judged.objections = examine::theorem(theorem, dimension);
                 judged.mixed(examine::mixed_conclusions(theorem, dimension));
             }
