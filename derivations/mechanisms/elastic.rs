@@ -113,7 +113,7 @@ impl Mechanism for ElasticGovernor<f64> {
             true => "stable, by Hurwitz' minors, which are all positive",
             false => "unstable, by Hurwitz' minors, which are not all positive",
         };
-        let growth = growth(self, speed).map_or_else(String::new, |rate| {
+        let growth = growth(self, speed).filter(|rate| rate.is_finite()).map_or_else(String::new, |rate| {
             format!("; a disturbance changes by e^({rate:.3e} t) in the long run, by the eigenvalues")
         });
         vec![format!("the stationary motion at omega1 = {speed:.9} rad/s, x = {} m is {verdict}{growth}", self.rest)]

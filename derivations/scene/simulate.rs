@@ -2,7 +2,7 @@
 
 use super::{Axes, Problem, Run, Scene};
 use integrators::{
-    Beside, End, Failure, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside, integrate,
+    Beside, Deviation, End, Failure, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside, integrate,
 };
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -79,7 +79,13 @@ impl Problem {
             .with_deadline(Instant::now() + choice.allowed);
         span.outputs.insert(0, 0.0);
         for invariant in &self.invariants {
-            span = span.with_monitor(invariant.name, |time, y| (invariant.value)(time, y));
+            let first = (invariant.value)(0.0, &self.state);
+            // a step that has left the law is none of the run
+            let value = move |time: f64, y: &[f64]| match (self.outside)(y) {
+                Some(_) => first,
+                None => (invariant.value)(time, y),
+            };
+            span = span.with_monitor(invariant.name, value);
         }
         let mut kept = Kept {
             problem: self,
@@ -177,6 +183,14 @@ impl Trajectory {
             || failure.to_string(),
             |name| format!("refused: at the start the rate of `{name}` is not finite"),
         )
+    }
+
+    /// What has no value: columns at the end, quantities that are conserved along the run.
+    pub fn undefined(&self) -> Vec<&str> {
+        let columns = self.names.iter().zip(&self.last).filter(|(_, value)| !value.is_finite());
+        let lost = |deviation: &&Deviation| !(deviation.first.is_finite() && deviation.largest.is_finite());
+        let kept = self.outcome.deviations.iter().filter(lost);
+        columns.map(|(name, _)| name.as_str()).chain(kept.map(|deviation| deviation.name.as_str())).collect()
     }
 
     /// Whether it went on until it was told to end.

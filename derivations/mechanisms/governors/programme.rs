@@ -120,7 +120,7 @@ impl<G: Gear> Mechanism for Programme<G> {
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {
         let [[_, now], [_, first]] = [run.last, run.start].map(|y| self.governor.levers(y[0]));
         let at = self.closed(run.start[0]).and_then(|closed| match closed.course {
-            Course::ReachesAxis { time } => Some(time),
+            Course::ReachesAxis { time } => Some(time).filter(|time| time.is_finite()),
             _ => None,
         });
         if !run.left && now > NEAR * first && !at.is_some_and(|at| run.was_before(at)) {
@@ -155,11 +155,17 @@ impl<G: Gear> Mechanism for Programme<G> {
     fn theory(&self, start: &[f64], _method: Method, _span: f64) -> Vec<String> {
         let said = self.closed(start[0]).map(|closed| match closed.course {
             Course::Rest => "the moments balance: the wheel rests".to_owned(),
+            Course::ReachesAxis { time } if !time.is_finite() => {
+                "the wheel comes to the axis of the second disc, at a time that doubles do not hold".to_owned()
+            }
             Course::ReachesAxis { time } => {
                 format!("the wheel comes to the axis of the second disc at t = {time:.9} s, and no motion goes on")
             }
             Course::TendsTo { distance: 0.0 } => {
                 "the wheel tends to the axis of the first disc, whose speed grows without bound".to_owned()
+            }
+            Course::TendsTo { distance } if !distance.is_finite() => {
+                "the wheel tends to a distance that doubles do not hold".to_owned()
             }
             Course::TendsTo { distance } => format!("the wheel tends to rho = {distance:.9} m"),
             Course::Grows => "rho grows without bound: the wheel leaves every disc".to_owned(),

@@ -139,7 +139,8 @@ impl Between<f64> {
         let attracts = (m2 - m1) / self.first > 0.0;
         if outwards == 0.0 {
             Course::Rest
-        } else if attracts && 0.0 < balance && balance < self.distance {
+        // without a moment on the second shaft they balance at its axis alone
+        } else if attracts && 0.0 < balance && balance <= self.distance {
             Course::TendsTo { distance: balance }
         } else if outwards > 0.0 {
             Course::ReachesAxis { time: self.time(start, self.distance) }

@@ -154,6 +154,13 @@ impl Tape {
         self.once
     }
 
+    /// The first constant that is none in `f64`: beyond its range, or so small that it is rounded to zero.
+    pub fn beyond_range(&self) -> Option<Rational> {
+        let lost =
+            |(exact, rounded): &(&Rational, &f64)| !rounded.is_finite() || **rounded == 0.0 && exact.sign() != Some(0);
+        self.constants.iter().zip(&self.rounded).find(lost).map(|(exact, _)| *exact)
+    }
+
     /// The constants to the nearest `f64`.
     pub fn rounded(&self) -> &[f64] {
         &self.rounded
