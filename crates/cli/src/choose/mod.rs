@@ -38,7 +38,7 @@ pub struct Asked {
     /// Replaces the file of --out even where `choose` did not write what stands there
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// How to print the receipt
+    /// How to print the receipt; JSON has null where a number is not defined
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

@@ -26,7 +26,7 @@ fn what_is_taken_runs_by_the_words_that_are_printed() {
     let mut taken = 0;
     for scene in scenes() {
         let path = scene.to_string_lossy();
-        let output = run(&["choose", &path, "--tol", "1e-1", "--seconds", "1", "--format", "json"]);
+        let output = run(&["choose", &path, "--tol", "1e-1", "--format", "json"]);
         if !matches!(output.status.code(), Some(0)) {
             // a model that stops, or a scene of another kind
             continue;
