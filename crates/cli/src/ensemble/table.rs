@@ -196,7 +196,7 @@ fn cells(line: &[u8]) -> Option<StringRecord> {
 
 /// A row of so many columns, with its end; what a member has not is empty.
 fn line(row: &Row, columns: usize, fingerprint: &str) -> String {
-    let number = |x: Option<f64>| x.map_or_else(String::new, |x| x.to_string());
+    let number = |x: Option<f64>| x.filter(|x| x.is_finite()).map_or_else(String::new, |x| x.to_string());
     let mut cells = vec![row.number.to_string()];
     cells.extend(row.drawn.iter().map(f64::to_string));
     // a row is one line
