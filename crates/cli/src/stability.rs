@@ -131,7 +131,9 @@ const SLOW: f64 = 1e-9;
 fn grows([low, high]: [f64; 2]) -> String {
     let rate = 0.5 * (low + high);
     if rate >= SLOW {
-        return format!("the fastest deviation grows by {} 1/s", significant(rate, 2));
+        let plain = (1e-3..1e6).contains(&rate);
+        let rate = if plain { significant(rate, 2) } else { format!("{rate:.1e}") };
+        return format!("the fastest deviation grows by {rate} 1/s");
     }
     let rate = if low > 0.0 { format!("{rate:.1e}") } else { format!("less than {high:.1e}") };
     format!(
