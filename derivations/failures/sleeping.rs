@@ -54,14 +54,19 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let shared = tensor.z * spin / decimal.rotor.axial;
     let speed = Sym::symbol("speed");
     let symbolic = lifted(&decimal);
-    let discriminant = discriminant(jacobian(&form(&symbolic), speed + Sym::constant(shared)));
-    let Some(slowest) = first_positive(discriminant, speed).filter(|_| upright && spins_alike) else {
+    let discriminant = discriminant(jacobian(&form(&symbolic), speed));
+    let resting = first_positive(discriminant, speed).filter(|_| upright && spins_alike);
+    let Some(resting) = resting.filter(|resting| resting.to_f64() > shared.to_f64()) else {
         let accepted = "axis and centre of mass along z, and equal moments about x and y where the carrier spins,";
         return Err(NotFound::unsuitable(path, "it has no slowest speed", accepted));
     };
-    let at = slowest.to_f64();
-    let of_resting_carrier = at + shared.to_f64();
-    let exact = Exact::Root(slowest);
+    let of_resting_carrier = resting.to_f64();
+    let at = of_resting_carrier - shared.to_f64();
+    let exact = match shared.sign() {
+        Some(0) => Exact::Root(resting),
+        Some(-1) => Exact::Formula(format!("{} + {}", Exact::Root(resting), -shared), at),
+        _ => Exact::Formula(format!("{} - {shared}", Exact::Root(resting)), at),
+    };
     let sleeps = |speed: f64| stays(&scene, speed);
     let thresholds = vec![Threshold {
         of: "slowest speed of the rotor at which the top sleeps with the carrier's spin of the scene, by runs",

@@ -55,7 +55,7 @@ pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Strin
         let not = line.model.as_ref().err().map_or_else(String::new, |why| format!("; {why}"));
         let largest = line.model.as_ref().ok().filter(|model| model.first > 0.0 && line.name != SWITCHING);
         let largest = largest.map_or_else(String::new, |model| format!("; its error is largest at {:.4e} s", model.at));
-        let unasked = if line.asked_as.is_none() { "; `dalembert run` takes no such model" } else { "" };
+        let unasked = if line.asked_as.is_none() { "; `dalembert run` cannot be asked for it" } else { "" };
         let _ = writeln!(out, "  {}: {} ({why}){largest}{not}{unasked}", line.name, line.dropped);
     }
     if let (Some(at), Some(command)) = (receipt.taken, command) {
@@ -71,12 +71,12 @@ pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Strin
         {
             let _ = writeln!(
                 out,
-                "not taken, since `dalembert run` takes no such model: {}, beside which the scene's own takes {saved:.2} times as many evaluations",
+                "not taken, since `dalembert run` cannot be asked for it: {}, beside which the scene's own takes {saved:.2} times as many evaluations",
                 receipt.lines[cheapest].name
             );
         }
     } else {
-        let _ = writeln!(out, "\nno model that `dalembert run` takes meets the tolerance");
+        let _ = writeln!(out, "\nno model that `dalembert run` can be asked for meets the tolerance");
     }
     let _ = writeln!(out, "{}\n{}", decided(receipt), promise(receipt));
     out

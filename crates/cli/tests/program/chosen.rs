@@ -68,7 +68,7 @@ fn a_receipt_says_when_it_promises_and_which_cheaper_model_cannot_be_run() {
     for words in [
         "taken: friction",
         "run it: dalembert run crates/cli/tests/program/odd/choose_not_runnable.toml --method ",
-        "takes no such model: regime held",
+        "cannot be asked for it: regime held",
         "the largest error of the whole run",
     ] {
         assert!(told.contains(words), "{words} in {told}");
