@@ -54,19 +54,31 @@ impl Run {
     }
 }
 
-/// Keeps the rows of a run.
-pub struct Along<F> {
+/// Keeps the rows of a run, and ends it where it leaves its law.
+pub struct Along<'a, F> {
     row: F,
+    outside: &'a dyn Fn(f64, &[f64]) -> bool,
+    left: bool,
     asked: Vec<Row>,
     steps: Vec<Row>,
     stride: usize,
     seen: usize,
 }
 
-impl<F: Fn(f64, &[f64]) -> Vec<f64>> Along<F> {
+impl<'a, F: Fn(f64, &[f64]) -> Vec<f64>> Along<'a, F> {
     /// Of a run whose states are shown so.
     pub fn of(row: F) -> Self {
-        Along { row, asked: Vec::new(), steps: Vec::new(), stride: 1, seen: 0 }
+        Self::within(row, &|_, _| false)
+    }
+
+    /// The same with what is outside of its law.
+    pub fn within(row: F, outside: &'a dyn Fn(f64, &[f64]) -> bool) -> Self {
+        Along { row, outside, left: false, asked: Vec::new(), steps: Vec::new(), stride: 1, seen: 0 }
+    }
+
+    /// Whether it has left its law.
+    pub fn left(&self) -> bool {
+        self.left
     }
 
     /// Its rows.
@@ -75,12 +87,17 @@ impl<F: Fn(f64, &[f64]) -> Vec<f64>> Along<F> {
     }
 }
 
-impl<F: Fn(f64, &[f64]) -> Vec<f64>> Observer<f64> for Along<F> {
+impl<F: Fn(f64, &[f64]) -> Vec<f64>> Observer<f64> for Along<'_, F> {
     fn sample(&mut self, time: f64, state: &[f64]) {
         self.asked.push((time, (self.row)(time, state)));
     }
 
+    fn enough(&self) -> bool {
+        self.left
+    }
+
     fn step(&mut self, time: f64, state: &[f64]) {
+        self.left |= (self.outside)(time, state);
         self.seen += 1;
         if !self.seen.is_multiple_of(self.stride) {
             return;
@@ -115,8 +132,14 @@ mod tests {
 
     #[test]
     fn a_difference_between_two_instants_is_seen_where_there_are_steps() {
-        let watched =
-            Watched { names: vec!["x".into()], columns: vec![0], sizes: vec![2.0], states: Vec::new(), stiff: false };
+        let watched = Watched {
+            names: vec!["x".into()],
+            columns: vec![0],
+            sizes: vec![2.0],
+            states: Vec::new(),
+            stiff: false,
+            left: None,
+        };
         let row = |time, value| (time, vec![value]);
         let coarse = Run { asked: vec![row(1.0, 0.0)], steps: vec![row(0.1, 3.0), row(1.0, 0.0)], evaluations: 0 };
         assert_eq!(coarse.times(), [0.1, 1.0]);

@@ -34,7 +34,8 @@ impl Models for Forms {
     }
 
     fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
-        self.ladders[0].watched(names).map_err(|failure| failure.to_string())
+        let (watched, evaluations) = self.ladders[0].watched(names).map_err(|failure| failure.to_string())?;
+        watched.left.map_or(Ok((watched, evaluations)), |why| Err(format!("left its law: {why}")))
     }
 
     fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {
@@ -138,10 +139,14 @@ fn runnable(ladder: &Ladder, line: usize, axes: Axes) -> Runnable<'_> {
     match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
         None => {
             let (law, start) = (Arc::clone(&ladder.own.law), ladder.own.state.clone());
-            Runnable::of_law(axes, law, start, span, |time, y| (ladder.own.row)(time, y))
+            let outside = |_: f64, y: &[f64]| (ladder.own.outside)(y).is_some();
+            Runnable::of_law(axes, law, start, span, |time, y| (ladder.own.row)(time, y), outside)
         }
-        Some(rung) => Runnable::of_law(axes, Arc::clone(&rung.law), rung.start.clone(), span, |time, z| {
-            ladder.row(time, &rung.lifted(time, z, ladder.start.len()))
-        }),
+        Some(rung) => {
+            let lifted = move |time: f64, z: &[f64]| rung.lifted(time, z, ladder.start.len());
+            let outside = move |time: f64, z: &[f64]| ladder.left(time, &lifted(time, z)).is_some();
+            let row = move |time: f64, z: &[f64]| ladder.row(time, &lifted(time, z));
+            Runnable::of_law(axes, Arc::clone(&rung.law), rung.start.clone(), span, row, outside)
+        }
     }
 }

@@ -69,20 +69,21 @@ impl<'a> Runnable<'a> {
         Runnable { axes, span, go: Box::new(go) }
     }
 
-    /// A law from a state over a span.
+    /// A law from a state over a span, with what is shown of a state and whether it is outside of the law.
     pub fn of_law(
         axes: Axes,
         law: Arc<dyn Law>,
         start: Vec<f64>,
         span: f64,
         row: impl Fn(f64, &[f64]) -> Vec<f64> + 'a,
+        outside: impl Fn(f64, &[f64]) -> bool + 'a,
     ) -> Self {
         Self::new(axes, span, move |method, tolerance, most, times| {
             let span = Span::new(0.0, span, &start).with_outputs(times).with_evaluations(most);
-            let mut along = Along::of(&row);
+            let mut along = Along::within(&row, &outside);
             let outcome = integrate(&*law, method, &Tolerance::both(tolerance), &span, &mut along);
             let evaluations = outcome.work.rates + outcome.work.jacobians * start.len() as u64;
-            (outcome.reached().then(|| along.run(evaluations)), evaluations)
+            ((outcome.reached() && !along.left()).then(|| along.run(evaluations)), evaluations)
         })
     }
 

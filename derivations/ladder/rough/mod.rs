@@ -186,7 +186,7 @@ impl Models for RoughLadder {
     fn forms(&self, line: usize) -> Vec<Runnable<'_>> {
         let of_law = |law: &Arc<dyn Law>| {
             let row = |time: f64, y: &[f64]| (self.row)(time, y);
-            Runnable::of_law(Axes::First, Arc::clone(law), self.start.clone(), self.span, row)
+            Runnable::of_law(Axes::First, Arc::clone(law), self.start.clone(), self.span, row, |_, _| false)
         };
         let one = match (line, &self.held) {
             (0, _) => Some(self.own.across(self.span)),
