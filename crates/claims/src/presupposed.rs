@@ -21,7 +21,11 @@ impl Judged {
     /// of what is listed already.
     pub(crate) fn divided_by(&mut self, divisors: &[Sym], given: &[Condition]) {
         let mut divisors: Vec<Sym> = divisors.iter().map(|divisor| radicand(*divisor)).collect();
-        divisors.sort_by_cached_key(|divisor| divisor.to_string().chars().count());
+        // by length, then by text: the order in which they were met depends on what was written before
+        divisors.sort_by_cached_key(|divisor| {
+            let text = divisor.to_string();
+            (text.chars().count(), text)
+        });
         let mut known = given.to_vec();
         for divisor in divisors {
             if !differs_from_zero(divisor, &known) {
