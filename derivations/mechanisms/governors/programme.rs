@@ -5,9 +5,10 @@ use super::super::points::Turning;
 use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism, steered};
 use super::NEAR;
-use super::gear::{Gear, amiss, governor, left, without_friction};
+use super::gear::{Gear, amiss, governor, margins, without_friction};
 use crate::ladder::{Rung, Written, governors as ladder};
 use crate::machines::Quantity;
+use crate::scene::Margin;
 use crate::systems::governor::constant::{ConstantMoments, Course};
 use crate::systems::governor::servo::Kept;
 use crate::systems::governor::{Governor, Moment};
@@ -113,8 +114,8 @@ impl<G: Gear> Mechanism for Programme<G> {
         still.into_iter().chain(amiss(self.governor.gearing, true, start[0])).collect()
     }
 
-    fn outside(&self, y: &[f64]) -> Option<&'static str> {
-        left(self.governor.gearing, true, y[0])
+    fn margins(&self, _start: &[f64], y: &[f64], dy: &[f64]) -> Vec<Margin> {
+        margins(self.governor.gearing, true, [y[0], dy[0]])
     }
 
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {
