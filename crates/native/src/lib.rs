@@ -4,7 +4,11 @@
 //! operation by operation through a table. Here each of its operations is one instruction: in the order of the tape, none
 //! regrouped and none fused that is not so on the tape, so that the values have the very bits of [`symbolic::Tape::evaluate`] in
 //! `f64`.
+//!
+//! This is the one crate with unsafe code. Its conditions are few: the code is whole before it becomes executable, it lives as long as
+//! [`Code`] does, its frame on the stack is bounded and touched page by page, and [`Code::run`] checks every length that it relies on.
 
+mod live;
 mod write;
 
 use cranelift_codegen::isa::OwnedTargetIsa;
@@ -30,16 +34,27 @@ pub struct Code {
 impl Code {
     /// The code of a tape whose last input is the time.
     ///
-    /// None where it has no input, where this processor or system is not known, where the tape has fused operations and the
-    /// processor none, or where the system gives no pages to run: then the tape itself is followed.
+    /// None where the tape has no input, where this processor or system is not known, where the tape has fused operations and the
+    /// processor none, where the tape is longer than [`MOST_STEPS`] or its numbers would need more of the stack than [`MOST_STACK`], or
+    /// where the system gives no executable pages: then the tape itself is followed.
     pub fn of(tape: &Tape) -> Option<Self> {
         let (isa, inputs) = (processor()?, tape.inputs().checked_sub(1)?);
-        let instructions = write::instructions(tape, isa)?;
+        // where many numbers wait on the stack the generator's time grows as their square: asked before it begins
+        if tape.steps().len() > MOST_STEPS || live::most_live(tape) * WAITING > MOST_STACK as usize {
+            return None;
+        }
+        let write::Written { instructions, frame } = write::instructions(tape, isa)?;
+        if frame > MOST_STACK {
+            return None;
+        }
         let mut pages = MmapMut::map_anon(instructions.len()).ok()?;
         pages.copy_from_slice(&instructions);
         let pages = pages.make_exec().ok()?;
-        // SAFETY: the pages hold a whole function of this signature in the calling convention of `extern "C"`, which
-        // refers to nothing but them and `write::circle`.
+        fetch_anew(&pages)?;
+        // SAFETY: `pages` begins with the first instruction of one whole function. Cranelift wrote it for this processor, in the
+        // calling convention that `extern "C"` has on this system, with the four parameters of `Entry` and no result. The pages are
+        // executable, no longer writable, and known to the instruction cache. The function refers to nothing outside of them but
+        // `write::circle` and its like, which live as long as the program. `Code` owns the pages, and lends `entry` to nobody.
         let entry = unsafe { std::mem::transmute::<*const u8, Entry>(pages.as_ptr()) };
         Some(Code { entry, inputs, outputs: tape.outputs(), constants: tape.rounded().into(), pages })
     }
@@ -50,7 +65,11 @@ impl Code {
         if state.len() != self.inputs || values.len() < self.outputs {
             return None;
         }
-        // SAFETY: the code reads the `inputs` first numbers and all constants, and writes the `outputs` first, which are there.
+        // SAFETY: the code reads `inputs` numbers at the first pointer and the tape's constants at the last, and writes `outputs`
+        // numbers at the third: the lengths of `state` and `values` were checked above, `constants` holds what `tape.rounded()` gave when
+        // the code was written. All are aligned as slices of `f64` are, and what is written overlaps nothing that is read, since
+        // `values` is borrowed mutably. The code keeps none of the pointers, changes no state of its own, and its frame of at most
+        // `MOST_STACK` bytes is touched page by page, so that a stack that is too short ends in its guard page.
         unsafe { (self.entry)(state.as_ptr(), time, values.as_mut_ptr(), self.constants.as_ptr()) };
         Some(())
     }
@@ -65,6 +84,22 @@ impl fmt::Debug for Code {
 /// Where `extern "C"` gives two numbers back in two registers, as the code expects of [`write::circle`].
 const KNOWN: bool = cfg!(all(unix, any(target_arch = "x86_64", target_arch = "aarch64")));
 
+/// Steps of the longest tape that becomes code: the generator takes some microseconds for each, and following the tape a tenth of one.
+pub const MOST_STEPS: usize = 1 << 17;
+
+/// Bytes of the largest frame on the stack, of the two megabytes that a thread has by default.
+pub const MOST_STACK: u32 = 1 << 15;
+
+/// Bytes in which a number waits on the stack: the generator keeps a whole vector register there.
+const WAITING: usize = 16;
+
+/// Makes the processor fetch what was written to these pages, on every core; x86-64 does so by itself.
+fn fetch_anew(pages: &Mmap) -> Option<()> {
+    // SAFETY: the range is that of one mapping, which is there and readable.
+    unsafe { wasmtime_internal_jit_icache_coherence::clear_cache(pages.as_ptr().cast(), pages.len()) }.ok()?;
+    wasmtime_internal_jit_icache_coherence::pipeline_flush_mt().ok()
+}
+
 /// What this processor can, where the code generator knows it.
 fn processor() -> Option<&'static OwnedTargetIsa> {
     static PROCESSOR: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
@@ -75,10 +110,79 @@ fn processor() -> Option<&'static OwnedTargetIsa> {
         let mut flags = settings::builder();
         // what is read twice is read once; of sums and products nothing changes
         flags.set("opt_level", "speed").ok()?;
-        // a long program's room on the stack is touched page by page, by the code itself
+        // a long program's room on the stack is touched page by page, by the code itself: a guard page is never stepped over
+        flags.set("enable_probestack", "true").ok()?;
         flags.set("probestack_strategy", "inline").ok()?;
         flags.set("enable_verifier", "false").ok()?;
         cranelift_native::builder().ok()?.finish(settings::Flags::new(flags)).ok()
     });
     found.as_ref()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use field::{Analytic, Scalar};
+    use symbolic::Sym;
+
+    /// A tape of which so many numbers are in use at once: each is needed by a first product, and by a second one at the end.
+    fn crowded(numbers: i64) -> Tape {
+        let [x, t] = ["x", "t"].map(Sym::symbol);
+        let roots: Vec<Sym> = (1..=numbers).map(|k| (x * x + Sym::int(k)).sqrt()).collect();
+        let product = |by: Sym| roots.iter().fold(Sym::ONE, |product, root| product * (*root + by));
+        Tape::record(&[x, t], &[product(x), product(t)]).expect("it has values")
+    }
+
+    #[test]
+    #[cfg(target_arch = "x86_64")]
+    fn a_frame_of_several_pages_is_touched_page_by_page_before_it_is_used() {
+        let Some(isa) = processor() else { return };
+        let Some(written) = write::instructions(&crowded(1500), isa) else { panic!("it can be written") };
+        assert!((8192..=MOST_STACK).contains(&written.frame), "{} bytes", written.frame);
+        // mov dword ptr [rsp], 0: in the prologue, for each page or in a loop
+        let touch = [0xC7, 0x04, 0x24, 0, 0, 0, 0];
+        let prologue = &written.instructions[..256];
+        assert!(prologue.windows(touch.len()).any(|bytes| bytes == touch), "{prologue:02X?}");
+        let small = write::instructions(&crowded(3), isa).expect("it can be written");
+        assert!(small.frame < 4096 && !small.instructions.windows(touch.len()).any(|bytes| bytes == touch));
+    }
+
+    #[test]
+    fn a_frame_that_is_larger_than_allowed_is_not_run() {
+        let Some(isa) = processor() else { return };
+        let large = crowded(i64::from(MOST_STACK) / 16 + 100);
+        assert!(write::instructions(&large, isa).is_some_and(|written| written.frame > MOST_STACK));
+        assert!(Code::of(&large).is_none());
+        // of one that would take the generator minutes nothing is written
+        assert!(Code::of(&crowded(20_000)).is_none());
+    }
+
+    #[test]
+    fn numbers_in_use_are_counted_from_their_first_reader_to_the_last() {
+        let [x, t] = ["x", "t"].map(Sym::symbol);
+        let chain = (0..9).fold(x, |y, k| (y * y + Sym::int(k)).sqrt());
+        let tape = Tape::record(&[x, t], &[chain]).expect("it has values");
+        assert_eq!(live::most_live(&tape), 1);
+        let points = Tape::record(&[x, t], &[x.circle().cos, x.circle().sin, t.circle().sin]).expect("it has values");
+        assert_eq!(live::most_live(&points), 3);
+        assert!((100..110).contains(&live::most_live(&crowded(100))));
+        assert_eq!(live::most_live(&Tape::record(&[x, t], &[x, Sym::ONE]).expect("it has values")), 0);
+    }
+
+    #[test]
+    fn code_with_a_large_frame_has_the_values_of_its_tape() {
+        let tape = crowded(1500);
+        let Some(code) = Code::of(&tape) else { return };
+        let (mut own, mut all) = ([0.0; 2], [0.0; 2]);
+        tape.over::<f64>().evaluate(&[1e-3, 0.5], &mut all);
+        // on a stack that has little more than the frame
+        let run = std::thread::Builder::new().stack_size(1 << 18);
+        own = run
+            .spawn(move || code.run(&[1e-3], 0.5, &mut own).map(|()| own))
+            .expect("a thread begins")
+            .join()
+            .expect("it ends")
+            .expect("it runs");
+        assert_eq!(own.map(f64::to_bits), all.map(f64::to_bits));
+    }
 }

@@ -17,8 +17,15 @@ const MEMORY: MemFlags = MemFlags::trusted().with_readonly().with_can_move();
 /// Two numbers at once are aligned as one.
 const TOGETHER: MemFlags = MemFlags::new().with_notrap();
 
+/// A whole function.
+pub struct Written {
+    pub instructions: Vec<u8>,
+    /// Bytes that it takes on the stack below the caller's frame pointer.
+    pub frame: u32,
+}
+
 /// A function `(all inputs but the last, the last, outputs, constants)` that refers to nothing but itself and circle points.
-pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Vec<u8>> {
+pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Written> {
     let (pointer, convention) = (isa.pointer_type(), isa.default_call_conv());
     let signature = |takes: &[ir::Type], gives: &[ir::Type]| {
         let mut signature = Signature::new(convention);
@@ -62,7 +69,11 @@ pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Vec<u8>> {
     code.finalize();
     let compiled = context.compile(&**isa, &mut ControlPlane::default()).ok()?;
     // what would have to be filled in later is nothing that is written here
-    compiled.buffer.relocs().is_empty().then(|| compiled.code_buffer().to_vec())
+    if !compiled.buffer.relocs().is_empty() {
+        return None;
+    }
+    let frame = compiled.buffer.frame_layout()?.frame_to_fp_offset;
+    Some(Written { instructions: compiled.code_buffer().to_vec(), frame })
 }
 
 /// Where a number of a tape is found.

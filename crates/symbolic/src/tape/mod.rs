@@ -122,8 +122,9 @@ impl Operation {
         }
     }
 
+    /// How many registers it fills: two by cosine and sine, else one.
     #[inline(always)]
-    fn results(self) -> usize {
+    pub fn results(self) -> usize {
         if matches!(self, Operation::Circle(_)) { 2 } else { 1 }
     }
 }
