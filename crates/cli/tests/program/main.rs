@@ -1,9 +1,9 @@
 //! The program as its users meet it: what it prints, what it writes, how it ends.
 
 mod answers;
-mod book;
 mod chosen;
 mod clock;
+mod documents;
 mod ensembles;
 mod formats;
 mod killed;
@@ -23,13 +23,18 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The program, started by what `DALEMBERT_RUNNER` names where its processor is emulated.
+/// The program in the project's folder.
 fn program(arguments: &[&str]) -> Command {
+    program_in(&root(), arguments)
+}
+
+/// The program in a folder, started by what `DALEMBERT_RUNNER` names where its processor is emulated.
+fn program_in(folder: &Path, arguments: &[&str]) -> Command {
     let binary = env!("CARGO_BIN_EXE_dalembert");
     let runner = std::env::var("DALEMBERT_RUNNER").unwrap_or_default();
     let mut words = runner.split_whitespace().chain([binary]);
     let mut command = Command::new(words.next().unwrap_or(binary));
-    command.current_dir(root()).args(words).args(arguments);
+    command.current_dir(folder).args(words).args(arguments);
     command
 }
 
