@@ -35,7 +35,7 @@ pub struct Motor {
     /// A scene with its laws as text in the place of a file of the program
     #[arg(long)]
     pub text: bool,
-    /// The folder of the project
+    /// The folder of the project; with --text any folder
     #[arg(long, value_name = "FOLDER", default_value = ".")]
     pub project: PathBuf,
 }
@@ -57,16 +57,19 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
     let name = asked.name.as_str();
     names::check_letters(name)?;
     let list = asked.project.join(LIST);
-    let listed = fs::read_to_string(&list).ok().filter(|text| text.contains(BEGINS)).ok_or_else(|| {
+    let listed = fs::read_to_string(&list).ok().filter(|text| text.contains(BEGINS));
+    if listed.is_none() && !asked.text {
         let folder = asked.project.display();
-        Ending::refused(format!(
-            "{folder} is not the project: there is no list of machines in {LIST}; its folder is accepted: --project FOLDER"
-        ))
-    })?;
-    let begun = begun(asked);
+        return Err(Ending::refused(format!(
+            "{folder} is not the project: there is no list of machines in {LIST}; its folder is accepted: --project FOLDER; \
+             a motor as text, --text, needs no project"
+        )));
+    }
+    let scene = scene_place(asked, listed.is_some());
+    let begun = begun(asked, &scene);
     for Begun { place, .. } in &begun {
         // a folder of the name would be the same module
-        if place.exists() || place.with_extension("").is_dir() {
+        if place.exists() || (!asked.text && place.with_extension("").is_dir()) {
             let place = place.display();
             return Err(Ending::refused(format!(
                 "{place} exists; the name of a motor that does not exist is accepted"
@@ -74,7 +77,7 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
         }
     }
     names::check_free(name, &asked.project)?;
-    if listed.contains(&format!(": {};", camel(name))) {
+    if listed.as_ref().is_some_and(|listed| listed.contains(&format!(": {};", camel(name)))) {
         return Err(Ending::refused(format!(
             "the list has a motor `{}` already; another name is accepted",
             camel(name)
@@ -86,15 +89,14 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
             return Err(refused);
         }
     }
-    if !asked.text {
+    if let Some(listed) = listed.as_ref().filter(|_| !asked.text) {
         let line = format!("    mod {name}: {};", camel(name));
-        if let Err(error) = whole::replace(&list, &with_line(&listed, &line)) {
+        if let Err(error) = whole::replace(&list, &with_line(listed, &line)) {
             begun.iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
             return Err(Ending::unwritable(&list, &error));
         }
     }
     let mut told: String = begun.iter().map(|begun| format!("wrote {}\n", begun.place.display())).collect();
-    let scene = scene_place(asked);
     let scene = scene.display();
     told += &match asked.text {
         true => {
@@ -106,24 +108,28 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
             list.display()
         ),
     };
-    told += &format!("a scene in `scenes` is kept with its reference: dalembert reference {scene}\n");
+    if listed.is_some() {
+        told += &format!("a scene in `scenes` is kept with its reference: dalembert reference {scene}\n");
+    }
     print(&told)?;
     Ok(Ending::Done)
 }
 
-fn scene_place(asked: &Motor) -> PathBuf {
-    asked.project.join("scenes/machines").join(&asked.name).with_extension("toml")
+/// Among the project's scenes; without the project in the folder itself.
+fn scene_place(asked: &Motor, in_project: bool) -> PathBuf {
+    let folder = if in_project { "scenes/machines" } else { "" };
+    asked.project.join(folder).join(&asked.name).with_extension("toml")
 }
 
-fn begun(asked: &Motor) -> Vec<Begun> {
+fn begun(asked: &Motor, scene: &Path) -> Vec<Begun> {
     let name = asked.name.as_str();
     let filled = |template: &str| template.replace("plain_name", name).replace("CamelName", &camel(name));
     if asked.text {
-        return vec![Begun { place: scene_place(asked), text: filled(TEXT) }];
+        return vec![Begun { place: scene.to_owned(), text: filled(TEXT) }];
     }
     vec![
         Begun { place: asked.project.join("derivations/machines").join(format!("{name}.rs")), text: filled(MACHINE) },
-        Begun { place: scene_place(asked), text: filled(SCENE) },
+        Begun { place: scene.to_owned(), text: filled(SCENE) },
         Begun { place: asked.project.join("tests").join(format!("{name}.rs")), text: filled(TEST) },
     ]
 }

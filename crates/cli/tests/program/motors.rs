@@ -1,6 +1,6 @@
 //! Motors begun and checked from the command line.
 
-use crate::{json, root, run, temporary};
+use crate::{json, program_in, root, run, temporary};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -71,6 +71,17 @@ fn a_new_motor_as_text_is_a_scene_that_conforms_and_runs() {
     let equations = String::from_utf8(run(&["derive", &scene]).stdout).expect("it is text");
     assert!(equations.starts_with("M = ") && equations.contains("l*dx/dt = "), "{equations}");
     assert_eq!(run(&["run", &scene]).status.code(), Some(0));
+}
+
+#[test]
+fn a_new_motor_as_text_needs_no_project() {
+    let folder = tempfile::tempdir().expect("a folder can be made");
+    let begin = |name: &str| program_in(folder.path(), &["new", "motor", name, "--text"]).output().expect("it starts");
+    assert_eq!(begin("mine").status.code(), Some(0));
+    assert_eq!(program_in(folder.path(), &["run", "mine.toml"]).output().expect("it starts").status.code(), Some(0));
+    assert_eq!(begin("mine").status.code(), Some(2));
+    assert_eq!(begin("con").status.code(), Some(2));
+    assert_eq!(std::fs::read_dir(folder.path()).expect("it is there").count(), 1);
 }
 
 #[test]
