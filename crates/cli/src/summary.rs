@@ -39,6 +39,7 @@ impl Summary<'_> {
                 "factorisations": work.factorisations,
                 "steps": work.steps,
                 "rejected": work.rejected,
+                "outputs": work.outputs,
             },
             "invariants": invariants,
             "model": scene.model(),

@@ -23,6 +23,8 @@ pub(crate) struct Meter<'a, S> {
     pub start: S,
     pub direction: S,
     backwards: bool,
+    /// See [`Span`].
+    pub within_step: bool,
     allowed: u64,
     deadline: Option<Instant>,
     rates: Cell<u64>,
@@ -40,6 +42,7 @@ impl<'a, S: Real> Meter<'a, S> {
             start: S::lift(span.start),
             direction: S::lift(span.direction()),
             backwards: span.direction() < 0.0,
+            within_step: span.within_step,
             allowed: span.budget.evaluations,
             deadline: span.budget.deadline,
             rates: Cell::new(0),
