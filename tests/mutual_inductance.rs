@@ -82,11 +82,11 @@ fn an_induction_machine_in_decoupled_currents_has_the_moment_and_the_rates_of_th
 
     let (i_d, i_q, speed) = (t * j_d, t * j_q, slip + 157.0);
     let (flux_d, flux_q) = (inductances() * i_d, inductances() * i_q);
-    let resisted = |i: Vector2<f64>| i.component_mul(&RESISTANCES.into());
+    let resisted = |i: Vector2<f64>| i.component_mul(&Vector2::from(RESISTANCES));
     let [v_d, v_q] = [(2.0 * angle).cos(), -(2.0 * angle).sin()].map(|wave| Vector2::new(VOLTAGE * wave, 0.0));
     let inverse = inductances().try_inverse().expect("inductances are regular");
-    let rate_d = inverse * (v_d - resisted(i_d) + Vector2::new(POLES * flux_q[0] * speed, 0.0));
-    let rate_q = inverse * (v_q - resisted(i_q) - Vector2::new(POLES * flux_d[0] * speed, 0.0));
+    let rate_d: Vector2<f64> = inverse * (v_d - resisted(i_d) + Vector2::new(POLES * flux_q[0] * speed, 0.0));
+    let rate_q: Vector2<f64> = inverse * (v_q - resisted(i_q) - Vector2::new(POLES * flux_d[0] * speed, 0.0));
     let printed = POLES * MUTUAL * (i_d[1] * i_q[0] - i_q[1] * i_d[0]) - 10.0;
 
     let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());

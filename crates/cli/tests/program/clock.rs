@@ -50,7 +50,7 @@ fn an_ensemble_says_where_it_goes_on_when_the_time_is_over() {
     let asked = ["ensemble", &scene.to_string_lossy(), "--threads", "1", "--seconds", "1", "--out"];
     let (code, out, error) = soon(|| program(&asked).arg(&path).output().expect("it starts"));
     let table = std::fs::read_to_string(&path).expect("it was written");
-    [&scene, &path].map(|path| std::fs::remove_file(path).expect("it is there"));
+    [&scene, &path].into_iter().for_each(|path| std::fs::remove_file(path).expect("it is there"));
     assert_eq!(code, Some(1), "{out}{error}");
     assert!(out.contains("the same command goes on with member ") && table.ends_with('\n'), "{out}");
     assert!(error.contains("out of time: `ensemble`"), "{error}");
