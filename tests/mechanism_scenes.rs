@@ -163,7 +163,7 @@ fn samples_change_no_step_of_any_method() {
             scene.simulate(&choice, |_| ())
         };
         let few = run(5);
-        if few.outcome.failure().is_some() {
+        if !few.outcome.reached() {
             continue;
         }
         let many = run(1234);
@@ -193,7 +193,8 @@ fn implicit_methods_meet_tight_tolerances_on_stiff_circuits() {
 fn the_longest_step_that_euler_bears_is_found() {
     let (_, _, told) = run("drive/euler_bears");
     let said = told.theory.iter().find(|said| said.contains("longest steps")).expect("theory tells the steps");
-    assert!(said.contains(" to 0.0890"), "{said}");
+    let greatest = said.split(" s to ").nth(1).and_then(|rest| rest.split(' ').next()).map(str::parse::<f64>);
+    assert!(greatest.is_some_and(|step| step.is_ok_and(|step| (0.0890..0.0900).contains(&step))), "{said}");
 }
 
 /// What a mechanism shows at a state; every datum is 1 but those that are told.

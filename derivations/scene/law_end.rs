@@ -23,9 +23,6 @@ pub struct Margin {
 /// The margins of a state y with the rates dy, always as many.
 pub type Margins = dyn Fn(&[f64], &[f64]) -> Vec<Margin> + Send + Sync;
 
-/// Doublings of a rounding of the time, by which a state within the law is looked for before its end.
-const BACK: i32 = 8;
-
 impl Problem {
     /// Why the law does not hold at a state, where it does not.
     pub fn outside(&self, y: &[f64]) -> Option<&'static str> {
@@ -70,22 +67,10 @@ impl Ending<'_> {
         let Some(Event { signal, .. }) = event else { return (outcome, None) };
         let margins = (self.margins)(&outcome.state, &still);
         if outside(&margins).is_some() {
-            let before = self.just_before(outcome.time, &outcome.state, span.direction());
-            (outcome.time, outcome.state) = before.unwrap_or((good.time, good.state));
+            // the motion could not be computed again up to there
+            (outcome.time, outcome.state) = (good.time, good.state);
         }
         (outcome, margins.get(signal).map(|margin| margin.what))
-    }
-
-    /// A state within the law a few roundings before its end, over which every motion is straight; `None` where there is none.
-    fn just_before(&self, end: f64, state: &[f64], direction: f64) -> Option<(f64, Vec<f64>)> {
-        let mut rates = vec![0.0; state.len()];
-        Ode::<f64>::rates(self.law, end, state, &mut rates);
-        (0..BACK).find_map(|k| {
-            let back = direction * f64::EPSILON * end.abs() * f64::from(k).exp2();
-            let before: Vec<f64> = state.iter().zip(&rates).map(|(y, rate)| y - back * rate).collect();
-            let is_within = outside(&(self.margins)(&before, &rates)).is_none() && before.iter().all(|y| y.is_finite());
-            is_within.then_some((end - back, before))
-        })
     }
 }
 
@@ -119,6 +104,10 @@ impl Switches for Ends<'_> {
             let [value, rate] = [value, rate].map(|number| if number.is_finite() { number } else { -1.0 });
             *signal = Signal { value, rate, noise: 0.0 };
         }
+    }
+
+    fn ends_above(&self) -> bool {
+        true
     }
 }
 

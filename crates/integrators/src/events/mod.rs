@@ -30,6 +30,12 @@ pub trait Switches {
 
     /// All of them at a state; `out` has their count.
     fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]);
+
+    /// Whether the state of a fall must be one at which the signal is positive still: a rounding before it is zero, where a
+    /// law ends with it.
+    fn ends_above(&self) -> bool {
+        false
+    }
 }
 
 /// What a signal did.

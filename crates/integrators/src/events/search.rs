@@ -10,6 +10,9 @@ const MOST_HALVINGS: u32 = 45;
 /// Instants of one step after which no more are computed: a signal that is noise leaves every half open.
 const MOST_KNOWN: usize = 256;
 
+/// Doublings of a rounding of the time, by which an instant before a fall is looked for.
+const ROUNDINGS: i32 = 20;
+
 /// A doubt below this share of what the cubic changes leaves no doubt of its shape.
 const SETTLED: f64 = 0.05;
 
@@ -149,7 +152,20 @@ impl Search<'_, '_> {
     fn fall(&mut self, [a, b]: [&Instant; 2]) -> Seen {
         let signal = self.signal;
         let found = self.again.root(self.step, [a, b], |at| (at.signals[signal].value, at.signals[signal].rate));
-        self.event(Happening::Falls, found.unwrap_or_else(|| b.clone()))
+        let found = found.unwrap_or_else(|| b.clone());
+        let above = if self.again.switches.ends_above() { self.above([a, &found]) } else { None };
+        self.event(Happening::Falls, above.unwrap_or(found))
+    }
+
+    /// The last instant that is found a few roundings before a fall and at which the signal is positive.
+    fn above(&mut self, [a, found]: [&Instant; 2]) -> Option<Instant> {
+        let way = found.time - a.time;
+        let rounding = f64::EPSILON * found.time.abs().max(way.abs()).copysign(way);
+        let times = (0..ROUNDINGS).map(|k| found.time - rounding * f64::from(k).exp2());
+        times.filter(|time| (time - a.time) * way > 0.0).find_map(|time| {
+            let instant = self.again.at(self.step, a, time)?;
+            (self.of(&instant).value > 0.0).then_some(instant)
+        })
     }
 
     /// The least value in an interval, where the rate changes its sign: nothing, a touch, or a fall before it.
