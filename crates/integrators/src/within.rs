@@ -6,7 +6,7 @@
 //! states at Chebyshev's points, if it meets one more of them as well as the tolerance asks: a step costs at most so much,
 //! however many outputs lie in it. (Berrut and Trefethen, SIAM Review 46, 2004: the barycentric formula.)
 
-use crate::{Failure, Outcome, Real, Span, Tolerance};
+use crate::{Failure, Outcome, Real, Span, Tolerance, clock};
 use std::time::Instant;
 
 /// Of the polynomial through states of one step.
@@ -43,7 +43,10 @@ impl<'a, S: Real> Within<'a, S> {
     /// # Errors
     /// [`Failure`] where the run's budget is spent, or the method fails within a step that it has accepted.
     pub fn state(&mut self, run: &Span<'_, S>, begin: Place<'_, S>, time: f64) -> Result<Vec<S>, Failure> {
-        // a step takes too few evaluations for its own clock to be read
+        // a step takes too few evaluations for its own clocks to be read
+        if let Some(over) = clock::over() {
+            return Err(over.failure(begin.time));
+        }
         if run.budget.deadline.is_some_and(|deadline| Instant::now() >= deadline) {
             return Err(Failure::OutOfTime { at: begin.time });
         }
