@@ -65,7 +65,7 @@ impl Bound {
             Self::Any => !value.is_nan(),
             Self::Positive => value > 0.0,
             Self::NotNegative => value >= 0.0,
-            Self::NotZero => value > 0.0 || value < 0.0,
+            Self::NotZero => value.abs() > 0.0,
             Self::Resistance if value < 0.0 => allowed.negative_resistance,
             Self::Resistance => value > 0.0 || value == 0.0 && allowed.zero_resistance,
             Self::Friction => value >= 0.0 || value < 0.0 && allowed.negative_friction,

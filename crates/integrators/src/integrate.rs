@@ -83,13 +83,16 @@ pub(crate) fn collocate_gauss<S: Working>(
     (outcome, turns)
 }
 
+/// The same method over another span, without an observer.
+type Again<'a, S> = &'a dyn Fn(&Span<'_, S>) -> Outcome<S>;
+
 /// Checks the data, then runs.
 fn prepared<S: Working>(
     system: &dyn System,
     method: Method,
     tolerance: &Tolerance,
     span: &Span<'_, S>,
-    (observer, again): (&mut dyn Observer<S>, &dyn Fn(&Span<'_, S>) -> Outcome<S>),
+    (observer, again): (&mut dyn Observer<S>, Again<'_, S>),
     run: impl FnOnce(&Meter<S>, Watch<'_, '_, S>) -> Outcome<S>,
 ) -> Outcome<S> {
     let law = S::law(system);

@@ -136,7 +136,11 @@ fn a_motor_that_fails_a_check_ends_with_one_and_says_which() {
     assert_eq!(project.begin(&["wrong", "--text"]).0, Some(0));
     let place = project.0.join("scenes/machines/wrong.toml");
     let text = fs::read_to_string(&place).expect("it is written");
-    fs::write(&place, text.replace("\"-f*phi'\"", "\"f*phi'\"")).expect("a file can be written");
+    let driving = text.replace("\"-f*phi'\"", "\"f*phi'\"");
+    fs::write(&place, &driving).expect("a file can be written");
+    // what is usually a mistake is to be asked for
+    assert_eq!(run(&["conform", &place.to_string_lossy()]).status.code(), Some(2));
+    fs::write(&place, format!("allow = [\"negative friction\"]\n{driving}")).expect("a file can be written");
     let output = run(&["conform", &place.to_string_lossy()]);
     let said = String::from_utf8(output.stdout).expect("it is text");
     assert_eq!(output.status.code(), Some(1), "{said}");
