@@ -33,8 +33,9 @@ const NEAR: usize = 2;
 const MORE: usize = 4;
 const WEIGHED: usize = 8;
 
-/// A step is taken with up to so many times what the orders in full are chosen for: the next may need one more.
-const ALLOWED: f64 = 4.0;
+/// The orders in full are chosen for this part of what is allowed of a step, and a step is taken with all of it: the next may
+/// need one more.
+const CHOSEN: f64 = 0.25;
 
 /// What the steps so far tell of rounding.
 #[derive(Clone, Debug)]
@@ -102,12 +103,12 @@ impl<T> Taylor<T> {
                 return reach;
             }
             self.weigh(y, reach, fine + WEIGHED);
-            let mut is_enough = self.rounding.last_beyond(ALLOWED) <= fine;
+            let mut is_enough = self.rounding.last_beyond(1.0) <= fine;
             if is_enough && !self.rounding.is_known(reach, fine) {
                 let fine = self.measure(time, y, reach, fine);
-                is_enough = self.rounding.last_beyond(1.0) <= fine;
+                is_enough = self.rounding.last_beyond(CHOSEN) <= fine;
             }
-            self.rounding.fine = self.rounding.last_beyond(1.0).max(1);
+            self.rounding.fine = self.rounding.last_beyond(CHOSEN).max(1);
             if is_enough {
                 self.rounding.measured.rest = self.rounding.measured.rest.saturating_sub(1);
                 return reach;
