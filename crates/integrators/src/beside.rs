@@ -41,6 +41,8 @@ pub type Shorter = (Outcome<f64>, Record<f64>, Option<&'static str>);
 const SEEN: f64 = 0.01;
 /// Convergence of order 1 halves differences: above this share they do not converge.
 const SLOWEST: f64 = 0.75;
+/// An error of order 1 is twice the difference that half the step makes: from here on it is as large as the state.
+const WHOLE: f64 = 0.5;
 /// States are nothing below this share of the largest: rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -125,6 +127,15 @@ impl Parting {
         matches!(self, Parting::Parts { .. } | Parting::Stops { .. })
     }
 
+    /// Whether the run tells something of its law: its error is estimated below the size of each state.
+    pub fn serves(&self) -> bool {
+        match self {
+            Parting::Follows { apart } => *apart < WHOLE,
+            Parting::Parts { .. } | Parting::Stops { .. } => false,
+            Parting::Open => true,
+        }
+    }
+
     /// Without its place.
     pub fn name(&self) -> &'static str {
         match self {
@@ -139,7 +150,12 @@ impl Parting {
 impl fmt::Display for Beside {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.parting {
-            Parting::Follows { apart } => write!(f, "half of each changes a state by {apart:.1e} of its size at most")?,
+            Parting::Follows { apart } => {
+                write!(f, "half of each changes a state by {apart:.1e} of its size at most")?;
+                if !self.parting.serves() {
+                    write!(f, ": the error is as large as the state")?;
+                }
+            }
             Parting::Parts { from } => {
                 write!(f, "they do not follow the law: from t = {} s on shorter ones lead elsewhere", Instant(from))?;
             }

@@ -68,7 +68,7 @@ pub(crate) fn drive<S: Real>(
     let (mut tau, mut proposed, mut last_cause) = (S::zero(), first, Cause::Error);
     let mut even = Even { plan: None, all: 0, done: 0 };
     while watch.goes_on() {
-        let stop = if stepper.reads_between() { watch.length() } else { watch.stop() };
+        let stop = if stepper.reads_between() { watch.length() } else { watch.landing() };
         let remaining = stop - tau;
         if let Some(reach) = stepper.reach(tau, watch.state(), meter) {
             proposed = reach;
@@ -173,15 +173,23 @@ fn shorten<S: Real>(proposed: f64, remaining: S) -> S {
     }
 }
 
+/// A state below so many times its tolerance, as where a run begins anew at a zero, is small beside its rate, which says nothing
+/// of the step.
+const SMALL: f64 = 10.0;
+
 /// A first step for a method of order p (Gladwell, Shampine and Brankin 1987; Hairer, Norsett and Wanner, II.4): such
-/// that an explicit Euler step of a hundredth, and the second derivative it shows, stay within the tolerance.
+/// that an explicit Euler step of a hundredth, and the second derivative it shows, stay within the tolerance. Within an
+/// accepted step, the whole length.
 pub(crate) fn first_step<S: Real>(meter: &Meter<S>, y: &[S], tolerance: &Tolerance, order: u32, length: f64) -> f64 {
+    if meter.within_step {
+        return length;
+    }
     let n = y.len();
     let (mut f0, mut f1, mut y1) = (vec![S::zero(); n], vec![S::zero(); n], vec![S::zero(); n]);
     meter.rates(S::zero(), y, &mut f0);
     let size = |v: &[S]| tolerance.norm(y, y, |i| v[i].approx());
     let (d0, d1) = (size(y), size(&f0));
-    let guess = if d0 < 1e-5 || d1 < 1e-5 { 1e-6 * length } else { 0.01 * d0 / d1 };
+    let guess = if d0 < SMALL || d1 < 1e-5 { 1e-6 * length } else { 0.01 * d0 / d1 };
     let h0 = guess.min(length);
     for i in 0..n {
         y1[i] = y[i] + S::lift(h0) * f0[i];

@@ -15,6 +15,7 @@ use crate::splitting::Split;
 use crate::taylor::TaylorStepper;
 use crate::theta::Theta;
 use crate::watch::Watch;
+use crate::within::Within;
 use crate::{End, Failure, Method, Observer, Outcome, Real, Refusal, Span, System, Tolerance, Work, Working};
 
 /// Integrates a system over a span. The tolerance is ignored by a method with a constant step.
@@ -45,7 +46,8 @@ pub fn integrate(
         }
         _ => run_own(system, method, tolerance, meter, watch),
     };
-    prepared(system, method, tolerance, span, observer, run)
+    let again = |span: &Span<'_, f64>| integrate(system, method.once(), tolerance, span, &mut ());
+    prepared(system, method, tolerance, span, (observer, &again), run)
 }
 
 /// Integrates in any working field: the methods that are `exact` by their traits, the others are refused.
@@ -57,7 +59,8 @@ pub fn integrate_in<S: Working>(
     observer: &mut dyn Observer<S>,
 ) -> Outcome<S> {
     let run = |meter: &Meter<S>, watch: Watch<'_, '_, S>| run_own(system, method, tolerance, meter, watch);
-    prepared(system, method, tolerance, span, observer, run)
+    let again = |span: &Span<'_, S>| integrate_in(system, method.once(), tolerance, span, &mut ());
+    prepared(system, method, tolerance, span, (observer, &again), run)
 }
 
 /// Gauss collocation with the integral of the spectral radius along its way: how much there was to follow.
@@ -74,9 +77,14 @@ pub(crate) fn collocate_gauss<S: Working>(
         (outcome, turns) = collocate(system, Family::Gauss, stages.into(), tolerance, meter, watch);
         outcome
     };
-    let outcome = prepared(system, Method::Gauss { stages }, tolerance, span, observer, run);
+    let method = Method::Gauss { stages };
+    let again = |span: &Span<'_, S>| integrate_in(system, method, tolerance, span, &mut ());
+    let outcome = prepared(system, method, tolerance, span, (observer, &again), run);
     (outcome, turns)
 }
+
+/// The same method over another span, without an observer.
+type Again<'a, S> = &'a dyn Fn(&Span<'_, S>) -> Outcome<S>;
 
 /// Checks the data, then runs.
 fn prepared<S: Working>(
@@ -84,7 +92,7 @@ fn prepared<S: Working>(
     method: Method,
     tolerance: &Tolerance,
     span: &Span<'_, S>,
-    observer: &mut dyn Observer<S>,
+    (observer, again): (&mut dyn Observer<S>, Again<'_, S>),
     run: impl FnOnce(&Meter<S>, Watch<'_, '_, S>) -> Outcome<S>,
 ) -> Outcome<S> {
     let law = S::law(system);
@@ -97,7 +105,7 @@ fn prepared<S: Working>(
     if let Some(component) = rates.iter().position(|rate| !rate.finite()) {
         return refused(span, Refusal::RatesNotFinite { component });
     }
-    run(&Meter::new(law, span), Watch::new(span, observer))
+    run(&Meter::new(law, span), Watch::new(span, observer, Within::new(again, followed)))
 }
 
 /// A run that did not begin.

@@ -28,7 +28,7 @@
 //!
 //! [`beside()`] judges a run with constant steps by shorter ones; [`follow`] goes along curves of equilibria and of motions that repeat, over a parameter.
 //!
-//! Key results: every method has its order on nonlinear laws (`tests/methods/orders.rs`), its outputs are as accurate as its end,
+//! Key results: every method has its order on nonlinear laws (`tests/methods/orders.rs`), outputs change no step and are as accurate as the end,
 //! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double
 //! gives 26 digits at any stiffness in milliseconds.
 
@@ -76,6 +76,7 @@ mod tolerance;
 mod transition;
 mod turns;
 mod watch;
+mod within;
 mod work_precision;
 
 pub use attempt::{Across, Attempt, Means};

@@ -23,6 +23,8 @@ pub(crate) struct Meter<'a, S> {
     pub start: S,
     pub direction: S,
     backwards: bool,
+    /// See [`Span`].
+    pub within_step: bool,
     allowed: u64,
     deadline: Option<Instant>,
     rates: Cell<u64>,
@@ -40,6 +42,7 @@ impl<'a, S: Real> Meter<'a, S> {
             start: S::lift(span.start),
             direction: S::lift(span.direction()),
             backwards: span.direction() < 0.0,
+            within_step: span.within_step,
             allowed: span.budget.evaluations,
             deadline: span.budget.deadline,
             rates: Cell::new(0),
@@ -92,7 +95,7 @@ impl<'a, S: Real> Meter<'a, S> {
         self.spent.get().is_some()
     }
 
-    /// What the clocks say, that of the run and that of the process.
+    /// The verdict of both clocks, that of the run and that of the process.
     fn clock(&self) -> Option<Over> {
         clock::over().or_else(|| self.deadline.filter(|end| Instant::now() >= *end).map(|_| Over::Time))
     }

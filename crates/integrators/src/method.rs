@@ -60,14 +60,12 @@ pub struct Traits {
     pub adaptive: bool,
     /// Runs in double-double too.
     pub exact: bool,
-    /// Lands its steps on the outputs; otherwise reads them off its own polynomial.
-    pub lands: bool,
 }
 
 impl Method {
     /// The method's properties.
     pub fn traits(self) -> Traits {
-        let adaptive = Traits { order: None, implicit: false, adaptive: true, exact: true, lands: true };
+        let adaptive = Traits { order: None, implicit: false, adaptive: true, exact: true };
         match self {
             Method::Euler { .. } => Traits { order: Some(1), adaptive: false, ..adaptive },
             Method::RungeKutta4 { .. } => Traits { order: Some(4), adaptive: false, ..adaptive },
@@ -81,14 +79,13 @@ impl Method {
             Method::Verner6 => Traits { order: Some(6), exact: false, ..adaptive },
             Method::Verner9 => Traits { order: Some(9), exact: false, ..adaptive },
             Method::Radau5 | Method::Kvaerno5 => Traits { order: Some(5), exact: false, implicit: true, ..adaptive },
-            Method::GraggBulirschStoer => adaptive,
+            Method::GraggBulirschStoer | Method::Taylor => adaptive,
             Method::Gauss { stages } => Traits { order: Some(2 * u32::from(stages)), implicit: true, ..adaptive },
             Method::RadauIIA { stages } => {
                 Traits { order: Some((2 * u32::from(stages)).saturating_sub(1)), implicit: true, ..adaptive }
             }
             Method::Rodas4 => Traits { order: Some(4), exact: false, implicit: true, ..adaptive },
             Method::BaderDeuflhard => Traits { implicit: true, exact: false, ..adaptive },
-            Method::Taylor => Traits { lands: false, ..adaptive },
         }
     }
 
@@ -117,7 +114,7 @@ impl Method {
     }
 
     /// The same with one step over the span, where steps are constant.
-    pub(crate) fn once(self) -> Self {
+    pub fn once(self) -> Self {
         self.with_steps(1)
     }
 

@@ -30,6 +30,8 @@ pub struct Work {
     pub steps: u64,
     /// Rejected steps.
     pub rejected: u64,
+    /// Steps made again for outputs that lie between two steps: neither they nor their evaluations are in another count.
+    pub outputs: u64,
 }
 
 /// The largest distance of a monitored quantity from its first value.
@@ -67,6 +69,7 @@ impl std::ops::Add for Work {
             constraints: self.constraints + b.constraints,
             steps: self.steps + b.steps,
             rejected: self.rejected + b.rejected,
+            outputs: self.outputs + b.outputs,
         }
     }
 }
@@ -94,6 +97,9 @@ impl fmt::Display for Work {
         }
         if self.constraints > 0 {
             write!(f, ", {} of the constraints alone", self.constraints)?;
+        }
+        if self.outputs > 0 {
+            write!(f, "; beside them {} steps for outputs between the steps", self.outputs)?;
         }
         Ok(())
     }

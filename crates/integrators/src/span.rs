@@ -35,18 +35,26 @@ pub struct Span<'a, S> {
     pub end: f64,
     /// The state at `start`.
     pub state: Vec<S>,
-    /// Where the observer is shown the state: in the run's order, from `start` to `end`. The methods land their steps
-    /// on them, so an output is as accurate as a step; only the Taylor method reads its polynomial instead.
+    /// Where the observer is shown the state: in the run's order, from `start` to `end`. In `f64` they change no step: the
+    /// state between two steps is as accurate as a step and has the method's order. In double-double the steps land on them.
     pub outputs: Vec<f64>,
     pub monitors: Vec<Monitor<'a, S>>,
     pub budget: Budget,
+    /// Whether the span lies within a step that the method has accepted: then its own first step is the whole of it.
+    pub(crate) within_step: bool,
 }
 
 impl<'a, S: Real> Span<'a, S> {
     /// From `start` to `end` with the state at `start` given; one output, at the end.
     pub fn new(start: f64, end: f64, state: &[S]) -> Self {
         let (outputs, monitors) = (vec![end], Vec::new());
-        Span { start, end, state: state.to_vec(), outputs, monitors, budget: Budget::default() }
+        Span { start, end, state: state.to_vec(), outputs, monitors, budget: Budget::default(), within_step: false }
+    }
+
+    /// The same, known to lie within an accepted step.
+    pub(crate) fn within_step(mut self) -> Self {
+        self.within_step = true;
+        self
     }
 
     /// The same with these outputs.

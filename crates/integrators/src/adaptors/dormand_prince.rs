@@ -1,8 +1,7 @@
 //! Dormand and Prince's pairs from the crate `ode_solvers`: 5(4) and 8(5,3), after Hairer, Norsett and Wanner's codes.
 //!
-//! The crate gives dense output at equal distances only, and stores every accepted step. So each stretch between two
-//! outputs is a run of its own, whose last step lands on the output, and a stretch of very many steps is cut: memory
-//! stays bounded. The step size goes over from stretch to stretch.
+//! The crate stores every accepted step, so a run of very many steps is cut into stretches: memory stays bounded. The step
+//! size goes over from stretch to stretch.
 //!
 //! Version 0.6.2 has c_12 = 0 instead of 1 in the pair 8(5,3): order 1 for laws that depend on time (reported as pull
 //! request 42 of srenevey/ode-solvers). The rows of the matrix are right, so time is made one more component there.
@@ -41,7 +40,7 @@ pub(crate) fn run(
     let mut step = first_step(meter, watch.state(), tolerance, order, watch.length());
     let units = Units::of(tolerance, meter.dimension());
     while watch.goes_on() {
-        let stretch = Stretch { pair, meter, units: &units, tolerance, from: watch.tau(), to: watch.stop(), step };
+        let stretch = Stretch { pair, meter, units: &units, tolerance, from: watch.tau(), to: watch.landing(), step };
         let (longest, result) = stretch.run_in_its_dimension(&mut watch);
         let at = watch.time();
         if let Some(failure) = meter.exhausted(at) {

@@ -1,9 +1,16 @@
 //! Verner's pairs, Radau5 and Kvaerno's pair from Ryan Gast's crate `differential-equations`, taken step by step.
 //!
-//! Its dense output is good to 1e-6 only, so the steps land on the outputs. A step that must be cut for it is the first
-//! of a new run: the crate's Radau5 goes on with the factors of the uncut step, and takes too few iterations with them. Tolerances are given by component: with a scalar its Radau5 transforms the one number once for
-//! every component. The crate's Radau5 needs arrays of static size, so a state is padded with components at rest to the
-//! next size; its Jacobian is ours.
+//! Tolerances are given by component: with a scalar its Radau5 transforms the one number once for every component. The
+//! crate's Radau5 needs arrays of static size, so a state is padded with components at rest to the next size; its Jacobian
+//! is ours.
+//!
+//! The crate's Radau5 once keeps the factors of its matrices where a step is as long as the last, and from then on keeps them
+//! at steps of other lengths too: Newton's iteration converges to the right stages, but slowly, and at tight tolerances not
+//! within its iterations, whatever the step. So the step after one that kept its factors begins a new run, unless it is as
+//! long; so does the last step, which is cut to land on the end.
+//!
+//! Newton's iteration ends at a size of its corrections that rounding may not allow. Where steps are rejected one after another,
+//! or nearly every second one, that size is taken [ten times](LOOSER) as large, up to what the tolerance allows a step.
 
 use std::cell::RefCell;
 
@@ -34,6 +41,19 @@ const MOST: usize = 64;
 
 /// Rejections in a row after which no shorter step is tried.
 const MOST_REJECTIONS: u32 = 60;
+
+/// Rejections in a row after which Newton's iteration is thought to be at rounding.
+const STALLED: u32 = 12;
+
+/// So many attempts are looked at, of which at least this share must be rejected for the same to be thought.
+const WINDOW: u32 = 200;
+const MOSTLY: f64 = 0.3;
+
+/// What is left by Newton's iteration is multiplied by this where it stalls.
+const LOOSER: f64 = 10.0;
+
+/// How much larger a state may become before what Newton may leave is found anew.
+const GROWN: f64 = 2.0;
 
 /// Runs one method to the end of the span, or to its failure.
 pub(crate) fn run(
@@ -92,39 +112,42 @@ fn in_size<const N: usize>(
     let law = Law::<N> { meter, jacobian: RefCell::new((Jacobian::of(system), vec![0.0; n * n])) };
     let relative = [tolerance.relative; N];
     let absolute: [f64; N] = std::array::from_fn(|i| if i < n { tolerance.absolute(i) } else { 1.0 });
-    let finest = absolute.iter().copied().fold(1.0, f64::min);
     let order = if choice == Choice::Verner9 { 9 } else { 5 };
     let mut step = first_step(meter, watch.state(), tolerance, order, watch.length());
+    let mut looser = 1.0;
     while watch.goes_on() {
-        let first = step.min(watch.stop() - watch.tau());
+        let first = step.min(watch.landing() - watch.tau());
         if first <= f64::EPSILON * watch.tau().max(f64::EPSILON * watch.length()) {
             let at = watch.time();
             return watch.fail(Failure::LeftTheNumbers { at }, meter);
         }
+        let left = Left::by_newton(choice, tolerance, watch.state(), looser);
         let result = match choice {
             Choice::Verner6 => {
                 let method = ExplicitRungeKutta::rkv655e().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
-                stretch(method.rtol(relative).atol(absolute), &law, &mut watch)
+                stretch(method.rtol(relative).atol(absolute), &law, left, &mut watch)
             }
             Choice::Verner9 => {
                 let method = ExplicitRungeKutta::rkv988e().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
-                stretch(method.rtol(relative).atol(absolute), &law, &mut watch)
+                stretch(method.rtol(relative).atol(absolute), &law, left, &mut watch)
             }
             Choice::Radau5 => {
                 let method = ImplicitRungeKutta::radau5().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
-                let method = method.newton_tol(radau5_newton(tolerance.relative));
-                stretch(method.rtol(relative).atol(absolute), &law, &mut watch)
+                let method = method.newton_tol(left.size);
+                stretch(method.rtol(relative).atol(absolute), &law, left, &mut watch)
             }
             Choice::Kvaerno5 => {
                 let method =
                     DiagonallyImplicitRungeKutta::kvaerno745().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
-                let method = method.newton_tol(0.1 * finest);
-                stretch(method.rtol(relative).atol(absolute), &law, &mut watch)
+                let method = method.newton_tol(left.size);
+                stretch(method.rtol(relative).atol(absolute), &law, left, &mut watch)
             }
         };
         match result {
-            Ok(next) if first < step && next.clean => step = step.max(next.step),
-            Ok(next) => step = next.step,
+            Ok(next) => {
+                step = if first < step && next.clean { step.max(next.step) } else { next.step };
+                looser *= if next.stalled { LOOSER } else { 1.0 };
+            }
             Err(failure) => return watch.fail(failure, meter),
         }
     }
@@ -132,11 +155,45 @@ fn in_size<const N: usize>(
     watch.finish(end, meter)
 }
 
-/// What Newton may leave in units of Radau5's inner tolerance, 0.1 relative^(2/3): Hairer's rule, which the crate replaces
-/// by a constant.
-fn radau5_newton(relative: f64) -> f64 {
-    let inner = 0.1 * relative.powf(2.0 / 3.0);
-    inner.sqrt().min(0.03).max(10.0 * f64::EPSILON / inner)
+/// What Newton's iteration may leave.
+#[derive(Clone, Copy)]
+struct Left {
+    choice: Choice,
+    /// As the crate takes it.
+    size: f64,
+    /// Whether the tolerance allows more.
+    may_grow: bool,
+    /// The size of the state for which it was found, where it depends on one.
+    scale: Option<f64>,
+}
+
+impl Left {
+    /// Of Radau5 in units of its inner tolerance, 0.1 relative^(2/3): Hairer's rule, which the crate replaces by a constant. Of
+    /// Kvaerno's pair the largest component: a tenth of the finest absolute tolerance, or ten roundings of the state.
+    fn by_newton(choice: Choice, tolerance: &Tolerance, state: &[f64], looser: f64) -> Self {
+        let scale = state.iter().fold(0.0_f64, |scale, y| scale.max(y.abs()));
+        let (least, most) = match choice {
+            Choice::Verner6 | Choice::Verner9 => (0.0, 0.0),
+            Choice::Radau5 => {
+                let inner = 0.1 * tolerance.relative.powf(2.0 / 3.0);
+                let least = inner.sqrt().min(0.03).max(10.0 * f64::EPSILON / inner);
+                (least, least.max(tolerance.relative / inner))
+            }
+            Choice::Kvaerno5 => {
+                let finest = (0..state.len()).map(|i| tolerance.absolute(i)).fold(1.0, f64::min);
+                let least = (0.1 * finest).max(10.0 * f64::EPSILON * scale);
+                (least, least.max(finest + tolerance.relative * scale))
+            }
+        };
+        let size = (looser * least).min(most);
+        let scale = (choice == Choice::Kvaerno5).then_some(scale);
+        Left { choice, size, may_grow: size < most, scale }
+    }
+
+    /// Whether a state has become too large for it.
+    fn outgrown(&self, state: &[f64]) -> bool {
+        self.scale.is_some_and(|scale| state.iter().any(|y| y.abs() > GROWN * scale.max(1.0)))
+    }
 }
 
 /// How to go on after some steps.
@@ -144,33 +201,46 @@ struct Next {
     step: f64,
     /// No step was rejected.
     clean: bool,
+    /// Newton's iteration does not come to its end.
+    stalled: bool,
 }
 
-/// Steps up to an output, to where a step must be cut to land on one, or to a step that left the numbers.
+/// Steps up to the end, to where a step must be cut to land on it, to a step that left the numbers, or to where the method must
+/// begin anew.
 fn stretch<const N: usize, M: OrdinaryNumericalMethod<f64, [f64; N]>>(
     mut method: M,
     law: &Law<'_, N>,
+    left: Left,
     watch: &mut Watch<'_, '_, f64>,
 ) -> Result<Next, Failure> {
-    let (meter, n, stop) = (law.meter, law.meter.dimension(), watch.stop());
+    let (meter, n, stop) = (law.meter, law.meter.dimension(), watch.landing());
     let mut y = [0.0; N];
     y[..n].copy_from_slice(watch.state());
     let started = method.init(law, watch.tau(), stop, &y);
     started.map_err(|error| name(&error, meter, watch.time(), method.h()))?;
     method.set_status(Status::Solving);
     let (mut rejections, mut clean, mut fresh) = (0, true, true);
+    let (mut attempts, mut rejected) = (0, 0);
     while watch.tau() < stop && watch.goes_on() {
         let (at, remaining, step) = (watch.time(), stop - watch.tau(), method.h());
         let lands = step >= remaining * (1.0 - 1e-10);
         if lands && !fresh {
-            return Ok(Next { step, clean });
+            return Ok(Next { step, clean, stalled: false });
         }
+        let mostly = attempts >= WINDOW && f64::from(rejected) > MOSTLY * f64::from(attempts);
+        if attempts >= WINDOW {
+            (attempts, rejected) = (0, 0);
+        }
+        let stalled = left.may_grow && (rejections >= STALLED || mostly) && step.is_finite();
         let collapsed = !lands && step <= 4.0 * f64::EPSILON * at.abs().max(watch.tau());
         let stuck = rejections > MOST_REJECTIONS || collapsed || !step.is_finite();
-        if stuck && meter.was_undefined() {
-            return Err(Failure::LeftTheNumbers { at });
-        } else if stuck {
-            return Err(Failure::StepCollapsed { at, step });
+        if stuck || stalled {
+            match meter.was_undefined() {
+                true if stuck => return Err(Failure::LeftTheNumbers { at }),
+                false if stalled => return Ok(Next { step, clean: false, stalled }),
+                false => return Err(Failure::StepCollapsed { at, step }),
+                true => (),
+            }
         }
         let result: Result<Evals, _> = method.step(law);
         fresh = false;
@@ -181,21 +251,30 @@ fn stretch<const N: usize, M: OrdinaryNumericalMethod<f64, [f64; N]>>(
         for _ in 0..work.decompositions.max(work.solves.min(work.jacobian)) {
             meter.count_factorisation();
         }
+        attempts += 1;
+        let keeps_factors = left.choice == Choice::Radau5 && work.decompositions == 0;
+        let is_stale = |next: f64| keeps_factors && next != step;
         if matches!(method.status(), Status::RejectedStep) {
             watch.reject();
-            (rejections, clean) = (rejections + 1, false);
+            (rejections, rejected, clean) = (rejections + 1, rejected + 1, false);
+            if is_stale(method.h()) && method.h().is_finite() {
+                return Ok(Next { step: method.h(), clean, stalled: false });
+            }
             continue;
         }
         // the crate's explicit pairs take an undefined error for none: back to the last good state
         if !method.y().iter().all(|y| y.is_finite()) {
             watch.reject();
-            return Ok(Next { step: 0.25 * step, clean: false });
+            return Ok(Next { step: 0.25 * step, clean: false, stalled: false });
         }
         meter.was_undefined();
         rejections = 0;
         watch.accept(if lands { stop } else { method.t() }, &method.y()[..n]);
+        if is_stale(method.h()) || left.outgrown(&method.y()[..n]) {
+            break;
+        }
     }
-    Ok(Next { step: method.h(), clean })
+    Ok(Next { step: method.h(), clean, stalled: false })
 }
 
 /// The crate's errors by our names.

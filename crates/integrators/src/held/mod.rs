@@ -23,6 +23,7 @@ use crate::integrate::{constant, refused};
 use crate::jacobian::Jacobian;
 use crate::meter::Meter;
 use crate::watch::Watch;
+use crate::within::Within;
 use crate::{Directions, MOST_STAGES, Method, Observer, Ode, Outcome, Refusal, Span, System, Working};
 use collocated::Collocated;
 use field::{DoubleDouble, Scalar};
@@ -80,6 +81,16 @@ impl Holding {
         }
     }
 
+    /// The same with one step over the span.
+    fn once(self) -> Self {
+        match self {
+            Holding::HalfExplicitEuler { .. } => Holding::HalfExplicitEuler { steps: 1 },
+            Holding::HalfExplicitRungeKutta4 { .. } => Holding::HalfExplicitRungeKutta4 { steps: 1 },
+            Holding::RadauIIA { stages, .. } => Holding::RadauIIA { stages, steps: 1 },
+            Holding::ProjectedGauss { stages, .. } => Holding::ProjectedGauss { stages, steps: 1 },
+        }
+    }
+
     fn check(self) -> Result<(), Refusal> {
         match self {
             _ if self.steps() == 0 => Err(Refusal::Steps { given: 0 }),
@@ -125,7 +136,8 @@ pub fn hold<S: Working>(
     if let Some(component) = rates.iter().position(|rate| !rate.finite()) {
         return refused(span, Refusal::RatesNotFinite { component });
     }
-    let (meter, watch) = (Meter::new(&whole, span), Watch::new(span, observer));
+    let again = |span: &Span<'_, S>| hold(system, method.once(), span, &mut ());
+    let (meter, watch) = (Meter::new(&whole, span), Watch::new(span, observer, Within::new(&again, None)));
     let step = watch.length() / S::int(method.steps().into());
     let onto = Onto::new(law, system);
     let slopes = Whole { law: system as &dyn Held<Directions>, n, m };
@@ -161,7 +173,8 @@ pub fn integrate_projected<S: Working>(
     if let Err(refusal) = span.check(n, None).and_then(|()| method.check(n)).and(fits) {
         return refused(span, refusal);
     }
-    let (meter, watch) = (Meter::new(law, span), Watch::new(span, observer));
+    let again = |span: &Span<'_, S>| integrate_projected(system, held, method.once(), span, &mut ());
+    let (meter, watch) = (Meter::new(law, span), Watch::new(span, observer, Within::new(&again, None)));
     match constant(|| Jacobian::of(system), method, watch.length(), n) {
         Some(inner) => drive(&mut Projected::new(inner, Onto::new(S::held(held), held)), 0.0, &meter, watch),
         None => refused(span, Refusal::FollowsTolerance),

@@ -13,3 +13,4 @@ mod references;
 mod regret;
 mod splittings;
 mod taylor;
+mod zeros;

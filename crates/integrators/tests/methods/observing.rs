@@ -30,6 +30,42 @@ fn every_output_is_as_accurate_as_the_end() {
     }
 }
 
+/// Of two outputs some lie in a step; of 1000 many lie in each.
+#[test]
+fn outputs_change_no_step_and_are_as_accurate_as_steps() {
+    let ellipse = Kepler { eccentricity: 0.3 };
+    let start = ellipse.state::<f64>(0.0);
+    let fixed =
+        [Method::Euler { steps: 300_000 }, Method::RungeKutta4 { steps: 400 }, Method::ImplicitMidpoint { steps: 997 }];
+    for method in METHODS.into_iter().chain([Method::Taylor, Method::BaderDeuflhard]).chain(fixed) {
+        let run = |outputs: usize| {
+            let span = Span::new(0.0, 5.0, &start).with_even_outputs(outputs);
+            let mut record = Record::new();
+            let outcome = integrate(&ellipse, method, &Tolerance::both(1e-9), &span, &mut record);
+            (outcome, record, span.outputs)
+        };
+        let (alone, _, _) = run(1);
+        if !alone.reached() {
+            assert_eq!(method, Method::Taylor);
+            continue;
+        }
+        let end = distance(&alone.state, &ellipse.state::<f64>(5.0));
+        for outputs in [2, 7, 1000] {
+            let (outcome, record, times) = run(outputs);
+            assert_eq!((&outcome.state, outcome.work.steps), (&alone.state, alone.work.steps), "{method}, {outputs}");
+            assert_eq!(
+                (outcome.work.rates, outcome.work.rejected),
+                (alone.work.rates, alone.work.rejected),
+                "{method}"
+            );
+            assert_eq!(record.times, times, "{method}");
+            let errors = record.times.iter().zip(&record.states).map(|(t, y)| distance(y, &ellipse.state::<f64>(*t)));
+            let largest = errors.fold(0.0, f64::max);
+            assert!(largest < (2.0 * end).max(1e-7), "{method}, {outputs}: {largest:.1e}, at the end {end:.1e}");
+        }
+    }
+}
+
 #[test]
 fn outputs_at_the_start_and_between_are_shown_at_their_exact_times() {
     let times = [0.0, 0.1, 0.7000000000000001, 1.0];

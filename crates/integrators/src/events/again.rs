@@ -1,0 +1,106 @@
+//! The motion within a step, computed again.
+
+use super::{Instant, Switches};
+use crate::taylor::taylor_order;
+use crate::{Method, Span, System, TaylorSeries, Tolerance, Work, integrate};
+
+/// A halving gains one bit, and there are no more in a double.
+const MOST_TRIALS: usize = 120;
+
+/// Evaluations that a part of a step may take, for each state and as many again.
+const PATIENCE: u64 = 50;
+
+/// Computes states within a step of a run.
+pub(super) struct Again<'a> {
+    pub system: &'a dyn System,
+    pub method: Method,
+    pub tolerance: &'a Tolerance,
+    pub switches: &'a dyn Switches,
+    pub evaluations: u64,
+    /// The motion as a polynomial, where the method has it, and where that begins.
+    pub series: Option<Box<dyn TaylorSeries<f64> + 'a>>,
+    pub expanded_at: Option<f64>,
+    /// What it took.
+    pub extra: Work,
+}
+
+impl Again<'_> {
+    /// The instant at a time, from one before it in the same step. `None` where the motion could not be computed again.
+    pub fn at(&mut self, step: &Instant, from: &Instant, time: f64) -> Option<Instant> {
+        let mut instant = from.clone();
+        if time == from.time {
+            return Some(instant);
+        }
+        if let Some(series) = &mut self.series {
+            if self.expanded_at != Some(step.time) {
+                let order = taylor_order(self.tolerance.relative);
+                series.expand(step.time, &step.state, order);
+                self.extra.rates += order as u64;
+                self.expanded_at = Some(step.time);
+            }
+            let mut state = from.state.clone();
+            series.sum(time - step.time, &mut state);
+            instant.move_to(self.switches, time, &state);
+            return Some(instant);
+        }
+        // a part of one step takes few, and where the law is singular any number is in vain
+        let most = self.evaluations.min(PATIENCE * (from.state.len() as u64 + PATIENCE));
+        let span = || Span::new(from.time, time, &from.state).with_evaluations(most);
+        let run = |span: &Span<'_, f64>| integrate(self.system, self.method, self.tolerance, span, &mut ());
+        let mut outcome = run(&span().within_step());
+        self.extra = self.extra + outcome.work;
+        if !outcome.reached() {
+            outcome = run(&span());
+            self.extra = self.extra + outcome.work;
+        }
+        outcome.reached().then(|| {
+            instant.move_to(self.switches, time, &outcome.state);
+            instant
+        })
+    }
+
+    /// Where a function of the signals, positive or zero at the beginning, is no longer so: Newton's method with its rate, kept
+    /// in the bracket by halving. `None` where the motion could not be computed again; where a law ends with the function, it is
+    /// taken to end before an instant that cannot be computed.
+    pub fn root(
+        &mut self,
+        step: &Instant,
+        [from, end]: [&Instant; 2],
+        function: impl Fn(&Instant) -> (f64, f64),
+    ) -> Option<Instant> {
+        let (mut low, mut high) = (from.time, end.time);
+        let (mut best, mut before, mut beyond) = (end.clone(), from.clone(), end.clone());
+        let ends_above = self.switches.ends_above();
+        for trial in 0..MOST_TRIALS {
+            let (value, rate) = function(&best);
+            if value == 0.0 {
+                return Some(best);
+            }
+            if value > 0.0 {
+                low = best.time;
+                before.clone_from(&best);
+            } else if (best.time - from.time).abs() < (high - from.time).abs() {
+                high = best.time;
+                beyond.clone_from(&best);
+            }
+            let newton = best.time - value / rate;
+            let inside = (newton - low) * (newton - high) < 0.0;
+            // a halving now and then, lest Newton creep
+            let next = if inside && trial % 8 != 7 { newton } else { low + 0.5 * (high - low) };
+            if next == low || next == high {
+                // nothing between: a signal that jumps has its new value beyond
+                return Some(if ends_above { before } else { beyond });
+            }
+            let closest = f64::EPSILON * best.time.abs().max((end.time - from.time).abs());
+            if inside && (next - best.time).abs() <= closest {
+                return Some(best);
+            }
+            match self.at(step, from, next) {
+                Some(found) => best = found,
+                None if ends_above => high = next,
+                None => return None,
+            }
+        }
+        Some(best)
+    }
+}

@@ -1,0 +1,258 @@
+//! Runs that end where something happens: the fall of a signal through zero, located to rounding.
+//!
+//! A step is looked at when it is accepted. Value and rate of a signal at both ends bound it over the step ([`bounds`]), with a
+//! doubt that follows from the step before and from how far the signal bends. Where the bounds leave open whether there is a
+//! zero, the motion is computed again to the middle of the step, by the same method, and both halves are looked at; so a step
+//! may be as long as its method likes, and have several zeros. The event is computed in the same way, not interpolated: its
+//! state is as accurate as any state of the run. The Taylor method's step is a polynomial as accurate as its end: there a trial
+//! is one sum, and a step is looked at in parts from the start.
+
+mod again;
+mod bounds;
+mod search;
+
+use crate::{End, Method, Observer, Outcome, Span, System, Tolerance, Work, integrate};
+use again::Again;
+use search::{Search, Seen, look};
+
+/// The value of a signal, its rate along the motion, and how large a value still counts as zero.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Signal {
+    pub value: f64,
+    pub rate: f64,
+    pub noise: f64,
+}
+
+/// Signals that are watched. Each counts from when it was first positive: one that starts at zero may rise first.
+pub trait Switches {
+    /// How many.
+    fn count(&self) -> usize;
+
+    /// All of them at a state; `out` has their count.
+    fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]);
+
+    /// Whether the state of a fall must be one at which the signal is positive still: a rounding before it is zero, where a
+    /// law ends with it.
+    fn ends_above(&self) -> bool {
+        false
+    }
+}
+
+/// What a signal did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Happening {
+    /// It fell through zero.
+    Falls,
+    /// It came down to zero, within its noise, and rose again.
+    Touches,
+    /// It was zero or negative at the start, and negative then, without having been positive.
+    StartsBelow,
+}
+
+/// Where a run ended before its span.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Event {
+    /// Which signal.
+    pub signal: usize,
+    pub what: Happening,
+    pub time: f64,
+}
+
+/// Integrates until the first event, or to the end of the span, or to a failure. The outcome's state is that of the
+/// event. The observer sees nothing beyond it.
+pub fn integrate_to_event(
+    system: &dyn System,
+    method: Method,
+    tolerance: &Tolerance,
+    span: &Span<'_, f64>,
+    switches: &dyn Switches,
+    observer: &mut dyn Observer<f64>,
+) -> (Outcome<f64>, Option<Event>) {
+    let count = switches.count();
+    let mut guard = Guard {
+        again: Again {
+            system,
+            // a constant step again is one step
+            method: method.once(),
+            tolerance,
+            switches,
+            evaluations: span.budget.evaluations,
+            series: if method == Method::Taylor { system.taylor() } else { None },
+            expanded_at: None,
+            extra: Work::default(),
+        },
+        observer,
+        armed: vec![false; count],
+        earlier: None,
+        before: Instant::of(switches, span.start, &span.state),
+        after: Instant::of(switches, span.start, &span.state),
+        parts: Vec::new(),
+        known: Vec::new(),
+        samples: Vec::new(),
+        found: None,
+    };
+    guard.arm();
+    let mut outcome = integrate(system, method, tolerance, span, &mut guard);
+    outcome.work = outcome.work + guard.again.extra;
+    let Some((event, state)) = guard.found else { return (outcome, None) };
+    (outcome.end, outcome.time, outcome.state) = (End::Halted, event.time, state);
+    (outcome, Some(event))
+}
+
+/// An event with its state.
+type Found = (Event, Vec<f64>);
+
+/// Times that differ by so many roundings are not told apart.
+const TOGETHER: f64 = 8.0;
+
+/// So many parts of a step that is a polynomial are looked at one by one.
+const PARTS: usize = 8;
+
+/// A state with its signals.
+#[derive(Clone, Debug)]
+struct Instant {
+    time: f64,
+    state: Vec<f64>,
+    signals: Vec<Signal>,
+}
+
+impl Instant {
+    fn of(switches: &dyn Switches, time: f64, state: &[f64]) -> Self {
+        let mut signals = vec![Signal::default(); switches.count()];
+        switches.signals(time, state, &mut signals);
+        Instant { time, state: state.to_vec(), signals }
+    }
+
+    fn move_to(&mut self, switches: &dyn Switches, time: f64, state: &[f64]) {
+        self.time = time;
+        self.state.copy_from_slice(state);
+        switches.signals(time, state, &mut self.signals);
+    }
+}
+
+/// Stands between the run and its observer: looks at each step before the observer does.
+struct Guard<'a> {
+    again: Again<'a>,
+    observer: &'a mut dyn Observer<f64>,
+    /// Which signals were positive once.
+    armed: Vec<bool>,
+    /// Where the interval before this one began.
+    earlier: Option<Instant>,
+    before: Instant,
+    after: Instant,
+    /// Within the step, where the method shows it.
+    parts: Vec<Instant>,
+    /// Within the interval, computed again.
+    known: Vec<Instant>,
+    /// Outputs of the step that was not looked at yet.
+    samples: Vec<(f64, Vec<f64>)>,
+    found: Option<Found>,
+}
+
+impl Guard<'_> {
+    fn arm(&mut self) {
+        for (armed, signal) in self.armed.iter_mut().zip(&self.before.signals) {
+            *armed |= signal.value > signal.noise;
+        }
+    }
+
+    /// Goes on to the interval that begins where the last one ends.
+    fn go_on(&mut self) {
+        let begin = self.earlier.get_or_insert_with(|| self.before.clone());
+        std::mem::swap(begin, &mut self.before);
+        std::mem::swap(&mut self.before, &mut self.after);
+        self.arm();
+    }
+
+    /// Whether an event comes before another. Of two that fall together within rounding, as the ends of one rod stop, the one
+    /// whose signal is steeper beside its noise: its time is known better.
+    fn comes_before(&self, (event, state): &Found, (known, known_state): &Found) -> bool {
+        let rounding = TOGETHER * f64::EPSILON * event.time.abs().max(known.time.abs());
+        if (event.time - known.time).abs() > rounding {
+            let direction = (self.after.time - self.before.time).signum();
+            return (event.time - known.time) * direction < 0.0;
+        }
+        let steepness = |event: &Event, state: &[f64]| {
+            let Signal { rate, noise, .. } = Instant::of(self.again.switches, event.time, state).signals[event.signal];
+            rate.abs() / noise
+        };
+        steepness(event, state) > steepness(known, known_state)
+    }
+
+    /// The first event between the two instants, within the step that began at another.
+    fn first_event(&mut self, step: &Instant) -> Option<Found> {
+        self.known.clear();
+        let mut first: Option<Found> = None;
+        for signal in 0..self.armed.len() {
+            let ends = [&self.before, &self.after];
+            let earlier = self.earlier.as_ref().map(|at| (at.signals[signal], at.time));
+            let doubt = Search::doubt(earlier, ends.map(|at| (at.signals[signal], at.time)));
+            let mut search = Search { again: &mut self.again, step, known: &mut self.known, signal };
+            match look(&mut search, ends, self.armed[signal], doubt) {
+                Seen::Nothing { armed } => self.armed[signal] = armed,
+                Seen::Happened(event, state) => {
+                    let found = (event, state);
+                    if first.as_ref().is_none_or(|known| self.comes_before(&found, known)) {
+                        first = Some(found);
+                    }
+                }
+            }
+        }
+        first
+    }
+}
+
+impl Observer<f64> for Guard<'_> {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        if time == self.before.time {
+            self.observer.sample(time, state);
+        } else {
+            self.samples.push((time, state.to_vec()));
+        }
+    }
+
+    fn between(&mut self, begin: f64, end: f64, state_at: &dyn Fn(f64, &mut [f64])) {
+        self.parts.resize(PARTS - 1, self.before.clone());
+        let mut state = self.before.state.clone();
+        for (number, part) in self.parts.iter_mut().enumerate() {
+            let time = begin + (end - begin) * (number + 1) as f64 / PARTS as f64;
+            state_at(time, &mut state);
+            part.move_to(self.again.switches, time, &state);
+        }
+    }
+
+    fn step(&mut self, time: f64, state: &[f64]) {
+        let step = self.before.clone();
+        let mut parts = std::mem::take(&mut self.parts);
+        for part in &mut parts {
+            std::mem::swap(&mut self.after, part);
+            self.found = self.first_event(&step);
+            if self.found.is_some() {
+                break;
+            }
+            self.go_on();
+        }
+        self.parts = parts;
+        if self.found.is_none() {
+            self.after.move_to(self.again.switches, time, state);
+            self.found = self.first_event(&step);
+        }
+        let direction = (time - step.time).signum();
+        let last = self.found.as_ref().map_or(time, |(event, _)| event.time);
+        for (output, state) in self.samples.drain(..).filter(|(output, _)| (last - output) * direction >= 0.0) {
+            self.observer.sample(output, &state);
+        }
+        if self.found.is_none() {
+            self.observer.step(time, state);
+            self.go_on();
+        }
+    }
+
+    fn progress(&mut self, fraction: f64) {
+        self.observer.progress(fraction);
+    }
+
+    fn enough(&self) -> bool {
+        self.found.is_some() || self.observer.enough()
+    }
+}
