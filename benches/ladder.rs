@@ -6,7 +6,7 @@ mod drawn;
 
 use derivations::friction::RoughScene;
 use derivations::friction::course::WORKS;
-use derivations::ladder::followed::followed;
+use derivations::ladder::followed::{followed_at, instants};
 use derivations::ladder::rough::RoughLadder;
 use derivations::ladder::{Ladder, Loss, Models};
 use derivations::scene::{Axes, Family, Scene};
@@ -141,12 +141,17 @@ fn seen(scene: &Scene) -> (Vec<Seen>, usize) {
     let ladder = Ladder::of_scene(scene, Axes::First);
     let span = ladder.own.span;
     let (mut all, mut lost) = (Vec::new(), 0);
-    let exact = followed(&*ladder.law, &Tolerance::both(TIGHT), span, &ladder.start);
-    let (Ok((exact, _)), Ok((watched, _))) = (exact, ladder.watched(&scene.run.outputs)) else { return (all, 1) };
+    let Ok((watched, _)) = ladder.watched(&scene.run.outputs) else { return (all, 1) };
     for rung in ladder.rungs.iter().filter(|rung| matches!(rung.loss, Loss::Small { .. })) {
-        let low = followed(&*rung.law, &Tolerance::both(TIGHT), span, &rung.start);
-        match (low, ladder.estimate(rung, &watched, 1e-6)) {
-            (Ok((low, _)), Ok(found)) => {
+        let estimate = ladder.estimate(rung, &watched, 1e-6);
+        // where the error is largest by the estimate, too
+        let mut times: Vec<f64> = instants(span).chain(estimate.as_ref().ok().map(|found| found.at)).collect();
+        times.retain(|time| *time > 0.0);
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let run = |law, start: &Vec<f64>| followed_at(law, &Tolerance::both(TIGHT), &times, start);
+        match (run(&*rung.law, &rung.start), run(&*ladder.law, &ladder.start), estimate) {
+            (Ok((low, _)), Ok((exact, _)), Ok(found)) => {
                 let error = ladder.difference(rung, &low, &exact, &watched);
                 if error > LEAST {
                     all.push((rung.name, error, found.first, found.second));

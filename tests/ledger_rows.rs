@@ -31,7 +31,7 @@ fn none(fault: &str, at_fault: impl Fn(&Judged) -> bool) {
     assert!(offenders.is_empty(), "{} rows {fault}:\n{}", offenders.len(), offenders.join("\n"));
 }
 
-/// What a reader sees of a row: its sentence and the remarks beside it.
+/// The visible text of a row: its sentence and the remarks beside it.
 fn sentences(row: &Judged) -> [&str; 4] {
     [&row.says, &row.why, &row.reading, &row.note]
 }

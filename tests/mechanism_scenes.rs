@@ -129,6 +129,76 @@ fn no_method_steps_over_the_axis() {
     }
 }
 
+/// Adaptive methods, and one with a constant step that is fine enough.
+fn accurate_methods() -> impl Iterator<Item = Method> {
+    let named = methods::list().filter_map(|(written, _)| methods::method(&written).ok());
+    named.chain([Method::RungeKutta4 { steps: 5000 }])
+}
+
+/// The angle goes through zero as smoothly as through any other value, but the law divides by 1 - cos^2 theta, which is zero in double
+/// precision where theta is below 1.05e-8: the last step that a method can make ends before that, much nearer than its tolerance.
+#[test]
+fn the_disc_lies_flat_at_one_time_by_every_method_at_every_tolerance() {
+    let scene = open("bodies/falling_disc");
+    for method in accurate_methods() {
+        for tolerance in [1e-4, 1e-6, 1e-9, 1e-12] {
+            let choice = Choice { method, tolerance, ..scene.run.choice() };
+            let trajectory = scene.simulate(&choice, |_| ());
+            let told = scene.told(&choice, &trajectory);
+            assert!(trajectory.left.is_some_and(|what| what.contains("lies flat")), "{method}: {:?}", trajectory.left);
+            assert!(told.diagnosis.is_some_and(|what| what.starts_with("the disc lies flat")), "{method}");
+            let (time, theta) = (trajectory.outcome.time, trajectory.last[3]);
+            assert!(trajectory.last.iter().all(|number| number.is_finite()), "{method}: {:?}", trajectory.last);
+            assert!((time - 0.804644).abs() < (10.0 * tolerance).max(1e-6), "{method} at {tolerance:e}: {time}");
+            assert!((0.0..(1e-2 * tolerance).max(1e-7)).contains(&theta), "{method} at {tolerance:e}: {theta:e}");
+        }
+    }
+}
+
+#[test]
+fn samples_change_no_step_of_any_method() {
+    let scene = open("bodies/coin");
+    let steps = |written: String| methods::method(&written.replace("STEPS", "977")).expect("it is in the list");
+    for method in methods::list().map(|(written, _)| steps(written)) {
+        let run = |samples: usize| {
+            let choice = Choice { method, tolerance: 1e-8, samples, ..scene.run.choice() };
+            scene.simulate(&choice, |_| ())
+        };
+        let few = run(5);
+        if !few.outcome.reached() {
+            continue;
+        }
+        let many = run(1234);
+        let work = |run: &Trajectory| (run.outcome.work.steps, run.outcome.work.rates, run.outcome.work.rejected);
+        assert_eq!((work(&many), &many.last), (work(&few), &few.last), "{method}");
+        assert_eq!((few.times.len(), many.times.len()), (6, 1235), "{method}");
+    }
+}
+
+/// The crate's Radau5 goes on with factors of other steps, and Kvaerno's iteration wants less than rounding: both are dealt with.
+#[test]
+fn implicit_methods_meet_tight_tolerances_on_stiff_circuits() {
+    for name in ["drive/stiff_diode", "drive/euler_bears"] {
+        let scene = open(name);
+        for (method, tolerance) in
+            [(Method::Radau5, 1e-11), (Method::Radau5, 3e-12), (Method::Radau5, 1e-13), (Method::Kvaerno5, 1e-13)]
+        {
+            let choice = Choice { method, tolerance, samples: 10, ..scene.run.choice() };
+            let trajectory = scene.simulate(&choice, |_| ());
+            assert!(trajectory.outcome.reached(), "{name}, {method} at {tolerance:e}: {:?}", trajectory.stopped());
+        }
+    }
+}
+
+/// The step that Euler bears is longest for an instant: between a hundred instants it was missed.
+#[test]
+fn the_longest_step_that_euler_bears_is_found() {
+    let (_, _, told) = run("drive/euler_bears");
+    let said = told.theory.iter().find(|said| said.contains("longest steps")).expect("theory tells the steps");
+    let greatest = said.split(" s to ").nth(1).and_then(|rest| rest.split(' ').next()).map(str::parse::<f64>);
+    assert!(greatest.is_some_and(|step| step.is_ok_and(|step| (0.0890..0.0900).contains(&step))), "{said}");
+}
+
 /// What a mechanism shows at a state; every datum is 1 but those that are told.
 fn shown<M: Mechanism>(name: &str, y: &[f64], told: &[(&str, f64)]) -> f64 {
     let datum = |name: &str| told.iter().find(|(told, _)| *told == name).map_or(1.0, |(_, value)| *value);

@@ -56,10 +56,10 @@ fn a_run_that_is_broken_off_keeps_what_there_is() {
     let mut steps = 0;
     let course = scene.follow_while(&scene.plan, &mut |_| {
         steps += 1;
-        if steps < 100 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        if steps < 20 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     });
     assert!(course.broken_off && !course.reached && course.ending == "interrupted", "{}", course.ending);
-    assert_eq!((steps, course.rows.is_empty(), course.log.is_empty()), (100, false, false));
+    assert_eq!((steps, course.rows.is_empty(), course.log.is_empty()), (20, false, false));
     assert!(course.times.last().is_some_and(|last| *last < scene.plan.end));
 }
 

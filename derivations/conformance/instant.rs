@@ -2,7 +2,7 @@
 
 use crate::machines::{Machine, RotorState, drive, state_names};
 use field::{Analytic, Circle};
-use symbolic::{Hypotheses, Sym, decide};
+use symbolic::{Decision, Hypotheses, Sym, decide};
 
 /// Any state of a motor, and what follows from it. (A symbol with a space in its name is no parameter of any motor.)
 pub struct Instant {
@@ -36,12 +36,29 @@ impl Instant {
     }
 }
 
-/// That all of these vanish, for all states and data; otherwise which does not, and where.
-pub fn vanish(residuals: impl IntoIterator<Item = (String, Sym)>) -> Result<(), String> {
-    residuals.into_iter().try_for_each(|(what, residual)| {
-        let decision = decide(residual, &Hypotheses::none());
-        if decision.is_zero() { Ok(()) } else { Err(format!("{what} is off: {decision}")) }
-    })
+/// That all of these vanish, for all states and data; otherwise which does not, and where. One that does not vanish is found
+/// behind one that was not decided.
+pub fn vanish(residuals: impl IntoIterator<Item = (String, Sym)>) -> Result<(), Doubt> {
+    let mut doubt = Ok(());
+    for (what, residual) in residuals {
+        match decide(residual, &Hypotheses::none()) {
+            Decision::Zero(_) => {}
+            Decision::GaveUp(reason) => doubt = doubt.and(Err(Doubt::Open(format!("{what}: {reason}")))),
+            off @ (Decision::NonZero(_) | Decision::Undefined(_)) => {
+                return Err(Doubt::Off(format!("{what} is off: {off}")));
+            }
+        }
+    }
+    doubt
+}
+
+/// Why something is not proved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Doubt {
+    /// It is not so.
+    Off(String),
+    /// The prover gave up.
+    Open(String),
 }
 
 /// The state of a motor on a bench as symbols, by the names of its states.

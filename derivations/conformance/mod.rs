@@ -22,7 +22,7 @@ mod units;
 use crate::machines::{AnyMachine, Catalogued, ForMachine, Quantity};
 use crate::scene::{MachineData, Named};
 use crate::stationary::motor::Decimals;
-use instant::Instant;
+use instant::{Doubt, Instant};
 use std::fmt::Write;
 use symbolic::Sym;
 
@@ -35,6 +35,8 @@ pub enum Verdict {
     Tested(String),
     /// And why.
     Fails(String),
+    /// The prover gave up, and why: neither that it holds nor that it fails is known.
+    Undecided(String),
     /// And why not.
     DoesNotApply(String),
 }
@@ -54,6 +56,7 @@ impl Verdict {
             Verdict::Proved(_) => "proved",
             Verdict::Tested(_) => "tested",
             Verdict::Fails(_) => "fails",
+            Verdict::Undecided(_) => "undecided",
             Verdict::DoesNotApply(_) => "does not apply",
         }
     }
@@ -61,12 +64,20 @@ impl Verdict {
     /// What holds, or why nothing does.
     pub fn says(&self) -> &str {
         match self {
-            Verdict::Proved(says) | Verdict::Tested(says) | Verdict::Fails(says) | Verdict::DoesNotApply(says) => says,
+            Verdict::Proved(says)
+            | Verdict::Tested(says)
+            | Verdict::Fails(says)
+            | Verdict::Undecided(says)
+            | Verdict::DoesNotApply(says) => says,
         }
     }
 
-    fn of(proof: Result<(), String>, says: &str) -> Self {
-        proof.map_or_else(Verdict::Fails, |()| Verdict::Proved(says.to_owned()))
+    fn of(proof: Result<(), Doubt>, says: &str) -> Self {
+        match proof {
+            Ok(()) => Verdict::Proved(says.to_owned()),
+            Err(Doubt::Off(why)) => Verdict::Fails(why),
+            Err(Doubt::Open(why)) => Verdict::Undecided(format!("the prover gave up: {why}")),
+        }
     }
 }
 

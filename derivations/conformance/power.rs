@@ -6,7 +6,7 @@ use crate::machines::{Machine, RotorState, heat, motional_moment, stored_energy,
 use crate::stationary::motor::{Fraction, NoMotor};
 use field::{Analytic, Circle, Rational, Scalar, Tangent};
 use symbolic::real::Root;
-use symbolic::{Hypotheses, Sym, decide};
+use symbolic::{Decision, Hypotheses, Sym, decide};
 
 /// M phi' + d/dt (U + sum 1/2 L i^2) = W dK/dg + phi' m + sum v i - sum R i^2, by moving the stored energy along the motion.
 pub(super) fn balance<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
@@ -50,7 +50,8 @@ pub(super) fn passivity<M: Machine<Sym>>(machine: &M, written: &M) -> Verdict {
         Ok(()) => Verdict::Proved(format!("seen from the field it gives nothing: E - W p + c0 g never grows{beyond}")),
         Err(reason) => match from_housing(machine) {
             Ok(()) => Verdict::Proved(format!("seen from the housing it gives nothing: E never grows{beyond}")),
-            Err(_) => Verdict::Fails(reason.told(written)),
+            Err(Gives::Unknown(why)) => Verdict::Undecided(why.to_string()),
+            Err(_) => reason.judged(written),
         },
     }
 }
@@ -59,7 +60,7 @@ pub(super) fn passivity<M: Machine<Sym>>(machine: &M, written: &M) -> Verdict {
 fn from_field<M: Machine<Sym>>(machine: &M) -> Result<(), Gives> {
     let currents = currents(machine);
     let slid = machine.frame_speed() * motional_moment(machine, &currents);
-    if !vanishes(slid) {
+    if !vanishes(slid)? {
         return Err(Gives::Sliding);
     }
     let (frame_speed, slip) = (machine.frame_speed(), Sym::symbol("the slip"));
@@ -71,8 +72,10 @@ fn from_field<M: Machine<Sym>>(machine: &M) -> Result<(), Gives> {
 fn from_housing<M: Machine<Sym>>(machine: &M) -> Result<(), Gives> {
     let varied = Sym::symbol("the angle").circle().moving(Sym::ONE);
     let fluxes = (0..machine.windings()).map(|k| machine.linkage(k, varied).slope);
-    if !fluxes.chain([machine.field_energy(varied).slope]).all(vanishes) {
-        return Err(Gives::Field);
+    for slope in fluxes.chain([machine.field_energy(varied).slope]) {
+        if !vanishes(slope)? {
+            return Err(Gives::Field);
+        }
     }
     let slip = Sym::symbol("the slip");
     let speed = slip + machine.frame_speed();
@@ -92,8 +95,8 @@ enum Gives {
 }
 
 impl Gives {
-    fn told<M: Machine<Sym>>(&self, machine: &M) -> String {
-        match self {
+    fn judged<M: Machine<Sym>>(&self, machine: &M) -> Verdict {
+        Verdict::Fails(match self {
             Gives::Sliding => "conductors that slide under a turning field give W sum c i".to_owned(),
             Gives::Field => "the field turns, and gives W dK/dg".to_owned(),
             Gives::Moment { below } => {
@@ -101,8 +104,8 @@ impl Gives {
                 let moment = machine.moment_law(Sym::symbol("g'"), Sym::symbol("phi'"));
                 format!("the moment m gives {side} synchronism: {moment}")
             }
-            Gives::Unknown(reason) => reason.to_string(),
-        }
+            Gives::Unknown(reason) => return Verdict::Undecided(reason.to_string()),
+        })
     }
 }
 
@@ -116,8 +119,11 @@ fn currents<M: Machine<Sym>>(machine: &M) -> Vec<Sym> {
     (0..machine.windings()).map(|k| Sym::symbol(&format!("current {k}"))).collect()
 }
 
-fn vanishes(expression: Sym) -> bool {
-    decide(expression, &Hypotheses::none()).is_zero()
+fn vanishes(expression: Sym) -> Result<bool, Gives> {
+    match decide(expression, &Hypotheses::none()) {
+        Decision::GaveUp(reason) => Err(Gives::Unknown(NoMotor::NotAlgebraic(reason))),
+        decision => Ok(decision.is_zero()),
+    }
 }
 
 /// Of a constant.

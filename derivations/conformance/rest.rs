@@ -5,7 +5,7 @@ use super::instant::{Instant, vanish};
 use crate::machines::{Bench, Catalogued, ForMachine, Machine, RotorState, drive, is_fed, resting_currents};
 use crate::recorded::Recorded;
 use crate::scene::MachineData;
-use crate::stationary::motor::{Motor, States};
+use crate::stationary::motor::{Motor, NoMotor, States};
 use integrators::{Directions, Jacobian, Method, Ode, Span, Tolerance, integrate, spectrum};
 use nalgebra::Complex;
 use std::sync::Arc;
@@ -77,7 +77,11 @@ impl Rest {
         M: Catalogued + Clone + Send + Sync + 'static,
     {
         let motor = States { data, name, load: 0.0 }.apply(machine.clone());
-        let known = motor.map_err(|reason| Verdict::Fails(reason.to_string())).and_then(|motor| {
+        let unknown = |reason: NoMotor| match reason {
+            NoMotor::NotAlgebraic(_) => Verdict::Undecided(reason.to_string()),
+            NoMotor::Data(_) | NoMotor::NoRest | NoMotor::AnyAngle => Verdict::Fails(reason.to_string()),
+        };
+        let known = motor.map_err(unknown).and_then(|motor| {
             let bench = Bench { machine: machine.clone(), axial: AXIAL };
             let starts = states(&motor, machine);
             if bench.dimension() == 0 {

@@ -1,7 +1,7 @@
 //! Dimensions of what the laws come to.
 
 use super::Verdict;
-use super::instant::Instant;
+use super::instant::{Doubt, Instant};
 use symbolic::{Dimension, Sym, dimension};
 
 /// M in N m and di/dt in A/s, from the units of the parameters.
@@ -15,9 +15,9 @@ pub(super) fn dimensions(at: &Instant, parameters: &[(String, Dimension)]) -> Ve
     };
     let moment = Dimension::of(1, 2, -2, 0);
     let agrees = |what: &str, law: Sym, wanted: Dimension| match dimension(law, &of) {
-        Ok(Some(found)) if found != wanted => Err(format!("{what} is {found}, not {wanted}")),
+        Ok(Some(found)) if found != wanted => Err(Doubt::Off(format!("{what} is {found}, not {wanted}"))),
         Ok(_) => Ok(()),
-        Err(mismatch) => Err(format!("in {what} {mismatch}")),
+        Err(mismatch) => Err(Doubt::Off(format!("in {what} {mismatch}"))),
     };
     let rates = at.rates.iter().map(|&rate| ("the rate of a current", rate, Dimension::current() / Dimension::time()));
     let mut all = std::iter::once(("the moment", at.moment, moment)).chain(rates);

@@ -14,14 +14,14 @@ use std::hash::Hasher;
 /// `HASH:VERSION:PROCESSOR`, without a character that a table quotes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fingerprint {
-    /// Of law, data, span, tolerance and seed.
+    /// Hash of law, data, span, tolerance and seed.
     of_members: String,
     /// The version of the program, and how the processor rounds.
     maker: String,
 }
 
 impl Fingerprint {
-    /// That of the rows which this program computes here.
+    /// The fingerprint of the rows which this program computes here.
     pub fn of(scene: &EnsembleScene) -> Self {
         let mut hash = Hashed(SipHasher24::new());
         let EnsembleScene { scene: base, members: _, seed, varied, kind, axes } = scene;

@@ -13,13 +13,13 @@ pub mod kind;
 pub mod known;
 pub mod member;
 pub mod run;
-mod stopped;
+mod stop_reason;
 pub mod vary;
 
 pub use fingerprint::Fingerprint;
 pub use member::Member;
 pub use run::{Last, Row};
-pub use stopped::Stopped;
+pub use stop_reason::Stopped;
 
 use crate::scene::file::Opening;
 use crate::scene::issue::Issue;

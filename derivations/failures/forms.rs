@@ -44,6 +44,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     if bodies.rotor.axis != Vector3::z() {
         return Err(NotFound::unsuitable(path, "the rotor's axis is not along z", accepted));
     }
+    // friction damps the swing, and another step is the longest
+    if motor.f != 0.0 {
+        return Err(NotFound::unsuitable(path, "its rotor is braked", "f = \"0 N m s\""));
+    }
     let exact = decimals(bodies);
     let answer = turning(&first_of(&exact, exact.reduced_tensor()), Rational::one());
     let square = Rational::decimal(motor.b0) * answer;

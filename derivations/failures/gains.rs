@@ -82,7 +82,7 @@ struct Lost<'a> {
 
 impl Observer<f64> for Lost<'_> {
     fn step(&mut self, _time: f64, y: &[f64]) {
-        self.lost |= self.drive.outside(&y[..Drive::STATE.len()]).is_some();
+        self.lost |= self.drive.outside(y, &y[..Drive::STATE.len()]).is_some();
     }
 
     fn enough(&self) -> bool {

@@ -54,7 +54,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         measured,
         within: Within::Share(parts),
     };
-    let determined = |angle: f64| RoughScene { angle, spin: 0.0, ..scene.clone() }.apply(Determined);
+    let determined = |angle: f64| RoughScene { angle, ..scene.clone() }.apply(Determined);
     let course = scene.follow(&scene.plan, &mut |_| ());
     let last = course.column("angle").and_then(|angle| course.last().get(angle).copied());
     let thresholds = vec![

@@ -7,6 +7,7 @@ use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::friction::stretch::{motion_of_contacts, parts};
 use crate::friction::{Course, Rough, RoughScene};
 use crate::scene::Family;
+use crate::scene::law_end::Margins;
 use crate::systems::steered_rod::SteeredRod;
 use field::{Analytic, Over, Rational, Scalar};
 use integrators::{Method, Observer, Ode, Slopes, Tolerance, integrate};
@@ -88,9 +89,9 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let mut trials: Vec<Trial> =
         every_method(STEPS).filter_map(|(by, method)| by_events(&scene, &by, method)).collect();
-    let free: &dyn Fn(&[f64]) -> Option<&'static str> = &|_| None;
+    let free: &Margins = &|_, _| Vec::new();
     let tried =
-        Tried { law: &law, state: &start, span, tolerance: 1e-9, steps: STEPS, outputs: 1, budget: FEW, outside: free };
+        Tried { law: &law, state: &start, span, tolerance: 1e-9, steps: STEPS, outputs: 1, budget: FEW, margins: free };
     let resting = |y: &[f64]| y.get(4).is_some_and(|speed| speed.abs() < REST);
     let signed = tried.all(|record| record.states.last().is_some_and(|y| resting(y)));
     trials.extend(signed.into_iter().map(|trial| Trial { by: format!("as a sign, {}", trial.by), ..trial }));

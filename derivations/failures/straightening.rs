@@ -5,6 +5,7 @@ use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::friction::{Rough, RoughScene};
 use crate::mechanisms::bodies::charted;
 use crate::scene::Family;
+use crate::scene::law_end::Margins;
 use crate::systems::steered_rod::SteeredRod;
 use field::{Analytic, Over};
 use integrators::{Method, Observer, Ode, Record, Span, Tolerance, integrate};
@@ -57,7 +58,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         within: Within::Share(20),
     };
     let tolerance = 1e-9;
-    let free: &dyn Fn(&[f64]) -> Option<&'static str> = &|_| None;
+    let free: &Margins = &|_, _| Vec::new();
     let tried = Tried {
         law: &by_place,
         state: &start,
@@ -66,7 +67,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         steps: 2_000,
         outputs: 10,
         budget: BUDGET,
-        outside: free,
+        margins: free,
     };
     let speeds = |record: &Record<f64>, of: &dyn Fn(&[f64]) -> f64| Record {
         times: record.times.clone(),

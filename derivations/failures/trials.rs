@@ -1,11 +1,10 @@
 //! Every method on a scene under a budget, and what became of each.
 
 use crate::friction::Course;
-use crate::scene::simulate::Leaves;
+use crate::scene::law_end::{Ending, Margins};
 use crate::scene::{Problem, methods};
-use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside, integrate};
+use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside};
 use std::fmt;
-use std::ops::ControlFlow;
 
 /// What became of a method.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,8 +46,8 @@ pub struct Tried<'a> {
     pub outputs: usize,
     /// Evaluations that a method may spend.
     pub budget: u64,
-    /// Why the law does not hold at a state, where it does not.
-    pub outside: &'a dyn Fn(&[f64]) -> Option<&'static str>,
+    /// How far a state is from where the law ends.
+    pub margins: &'a Margins,
 }
 
 /// Every method by the name that the command line reads, those of constant step with so many.
@@ -62,19 +61,18 @@ pub fn every_method(steps: u32) -> impl Iterator<Item = (String, Method)> {
 impl<'a> Tried<'a> {
     /// A problem, seen at four instants, with a thousand steps where they are constant.
     pub fn of(problem: &'a Problem, tolerance: f64) -> Self {
-        let Problem { law, state, span, outside, .. } = problem;
-        Tried { law: &**law, state, span: *span, tolerance, steps: 1_000, outputs: 4, budget: BUDGET, outside }
+        let Problem { law, state, span, margins, .. } = problem;
+        Tried { law: &**law, state, span: *span, tolerance, steps: 1_000, outputs: 4, budget: BUDGET, margins }
     }
 
     /// One method: how it ended, what it showed, and why the law ended where it did.
     pub fn run(&self, method: Method) -> (Outcome<f64>, Record<f64>, Option<&'static str>) {
         let span = Span::new(0.0, self.span, self.state).with_even_outputs(self.outputs).with_evaluations(self.budget);
-        let goes_on = &mut || ControlFlow::Continue(());
-        let mut leaves = Leaves { outside: self.outside, left: None, goes_on, broken_off: false };
         let mut record = Record::new();
-        let mut watch = (&mut record, &mut leaves);
-        let outcome = integrate(self.law, method, &Tolerance::both(self.tolerance), &span, &mut watch);
-        (outcome, record, leaves.left)
+        let ending = Ending { law: self.law, margins: self.margins };
+        let tolerance = Tolerance::both(self.tolerance);
+        let (outcome, left) = ending.integrate((method, &tolerance), &span, &mut record);
+        (outcome, record, left)
     }
 
     /// What is right, by a collocation of high order.

@@ -62,6 +62,8 @@ pub enum Ending<const K: usize> {
     Unfit(Unfit),
     /// The state, the force or the constraints are not regular.
     Undefined,
+    /// The end was reached, with an energy that is off by more than all energy that was there.
+    Unbalanced,
     /// The integration failed.
     Failed(Failure),
     /// The observer had seen enough.
@@ -98,6 +100,11 @@ impl Watched {
     }
 }
 
+/// With six digits after the point, or as a power of ten where these would be no digits of it.
+fn plain(value: f64) -> String {
+    if value.abs() < 1e9 { format!("{value:.6}") } else { format!("{value:.6e}") }
+}
+
 impl Cause {
     /// In words.
     pub fn describe<const K: usize>(&self, names: &Names<K>) -> String {
@@ -105,9 +112,9 @@ impl Cause {
         let verb = if *what == Happening::Touches { "touches zero" } else { "falls to zero" };
         let what = watched.describe(names);
         match watched {
-            Watched::Condition(..) => format!("{what} {verb} (rate {rate:.6})"),
-            Watched::Sliding(_) => format!("{what} stops (acceleration {rate:.6})"),
-            Watched::Gap(_) => format!("{what} closes (velocity {rate:.6})"),
+            Watched::Condition(..) => format!("{what} {verb} (rate {})", plain(*rate)),
+            Watched::Sliding(_) => format!("{what} stops (acceleration {})", plain(*rate)),
+            Watched::Gap(_) => format!("{what} closes (velocity {})", plain(*rate)),
             Watched::Determinant => format!("{what} {verb}"),
             Watched::Uniqueness => format!("{what} is no longer the only motion"),
             Watched::Rest => format!("{what} no longer allow rest"),
@@ -134,6 +141,9 @@ impl<const K: usize> Ending<K> {
             Self::TooManyEvents => "more events than are allowed, in ever shorter time".into(),
             Self::Unfit(unfit) => unfit.to_string(),
             Self::Undefined => "the state has no defined acceleration".into(),
+            Self::Unbalanced => {
+                "the energy balance is open by more than all energy: the run does not follow its law".into()
+            }
             Self::Failed(failure) => failure.to_string(),
             Self::BrokenOff => "interrupted".into(),
         }

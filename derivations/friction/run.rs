@@ -98,6 +98,11 @@ where
     let energy = kinetic_energy(system.masses(), course.at.velocity);
     [course.run.friction_work, course.run.force_work] = course.works;
     course.run.imbalance = energy - course.energy - course.works[0] - course.works[1];
+    let all = course.energy + course.works[0].abs() + course.works[1].abs();
+    let open = course.run.imbalance.abs();
+    if course.run.ending == Ending::Reached && (!open.is_finite() || all > 0.0 && open > all) {
+        course.run.ending = Ending::Unbalanced;
+    }
     course.run.state = course.at;
     course.run
 }
@@ -171,6 +176,9 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
             };
             let Some(watched) = stretch.watched().nth(event.signal) else { return Ending::Undefined };
             let rate = self.rate_of(&stretch, event.signal);
+            if !rate.is_finite() {
+                return Ending::Undefined;
+            }
             cause = Cause::Signal { watched, what: event.what, rate };
             match self.after(&stretch, watched) {
                 Ok(next) => touch = next,

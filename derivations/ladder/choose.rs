@@ -1,15 +1,18 @@
 //! The cheapest rung, method and form that meet a tolerance in the outputs that matter.
+//!
+//! What is cheap is counted in evaluations of the law, and never timed: the same scene has the same choice on any machine.
 
-use super::plan::{FINEST, Plan, Run, Runnable, plans};
-use super::receipt::{Choice, Line, Receipt, Verdict, Wish};
+use super::along::Run;
+use super::followed::instants;
+use super::plan::{FINEST, Plan, Runnable, plans};
+use super::receipt::{Choice, Line, Receipt, Verdict, Wish, cheapest};
 use super::watched::Watched;
 use integrators::taking_turns;
-use std::time::{Duration, Instant};
 
 /// The method's share of the tolerance, with room for what its pilots do not tell.
 pub(super) const OF_METHOD: f64 = 0.1;
-/// Plans of a rung that are timed.
-const TIMED: usize = 3;
+/// Plans of a rung that are run.
+const TRIED: usize = 3;
 /// A finer run tells the method's error: their tolerances apart.
 const FINER: f64 = 1e-2;
 /// Evaluations of a run.
@@ -19,9 +22,6 @@ pub(super) const MOST: u64 = 5_000_000;
 pub trait Models {
     /// The names of a row.
     fn columns(&self) -> &[String];
-
-    /// What deriving the models took.
-    fn made(&self) -> Duration;
 
     /// The outputs of these names with their sizes, by a coarse run of the scene's own model; and its evaluations.
     ///
@@ -46,25 +46,27 @@ pub trait Models {
     }
 }
 
+/// A run at tolerances finer by a factor, with rows at these times; `None` where it does not reach its end.
+pub type Finer<'a> = dyn Fn(f64, &[f64]) -> Option<Run> + 'a;
+
 /// A run of several models.
 pub struct Mixed<'a> {
     pub line: Line,
     pub plan: Plan,
-    /// At tolerances finer by a factor; `None` where it does not reach its end.
-    pub go: Box<dyn Fn(f64) -> Option<Run> + 'a>,
+    pub go: Box<Finer<'a>>,
 }
 
-/// Chooses. What is promised is the model's estimate, first and second order, and the distance of the run from a finer one;
-/// none of these is a bound.
+/// Chooses among the models that a run takes by name. What is promised is the model's estimate, first and second order, and
+/// the distance of the run from a finer one, each the largest of the whole run; none of these is a bound.
 ///
 /// # Errors
 /// Why the scene's own model does not reach its end even coarsely.
 pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
-    let begin = Instant::now();
     let (watched, mut deciding) = models.watched(&wish.outputs)?;
     let (mut lines, spent) = models.lines(&watched, wish.tolerance);
     deciding += spent;
     let forms: Vec<Vec<Runnable<'_>>> = (0..lines.len()).map(|line| models.forms(line)).collect();
+    let span = forms.iter().flatten().map(|form| form.span).fold(0.0, f64::max);
     let mut tried: Vec<(usize, Plan)> = Vec::new();
     for (at, line) in lines.iter_mut().enumerate() {
         if line.verdict != Verdict::Suffices {
@@ -75,7 +77,7 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
         if found.is_empty() {
             line.verdict = Verdict::NotRun;
         }
-        tried.extend(found.into_iter().take(TIMED).map(|plan| (at, plan)));
+        tried.extend(found.into_iter().take(TRIED).map(|plan| (at, plan)));
     }
     let mixed = models.mixed(&watched, &lines, &tried, wish).map(|mixed| {
         tried.push((lines.len(), mixed.plan));
@@ -83,50 +85,49 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
         mixed.go
     });
     let own = forms.len();
-    let go = |(line, plan): &(usize, Plan), finer: f64| match &mixed {
-        Some(mixed) if *line == own => mixed(finer),
+    let go = |(line, plan): &(usize, Plan), finer: f64, times: Option<&[f64]>| match &mixed {
+        Some(mixed) if *line == own => {
+            mixed(finer, times.map_or_else(|| instants(span).collect(), <[f64]>::to_vec).as_slice())
+        }
         _ => {
             let form = forms[*line].iter().find(|form| form.axes == plan.axes)?;
-            form.run(plan.method, (plan.tolerance * finer).max(FINEST), MOST).0
+            form.run(plan.method, (plan.tolerance * finer).max(FINEST), MOST, times).0
         }
     };
     // a pilot may have been the run
-    let mut found = |one: &(usize, Plan), finer: f64| {
+    let mut found = |one: &(usize, Plan), finer: f64, times: Option<&[f64]>| {
         let known = one.1.known(one.1.tolerance * finer).filter(|_| one.0 != own);
-        known.cloned().or_else(|| go(one, finer).inspect(|run| deciding += run.evaluations))
+        known.cloned().or_else(|| go(one, finer, times).inspect(|run| deciding += run.evaluations))
     };
-    let (ended, finer): (Vec<Option<Run>>, Vec<Option<Run>>) =
-        tried.iter().map(|one| (found(one, 1.0), found(one, FINER))).unzip();
-    let took = (begin.elapsed() + models.made()).as_secs_f64();
-    let times = taking_turns(tried.len(), wish.allowed, |at| ended[at].is_some() && go(&tried[at], 1.0).is_some());
-    // costs of different kinds are not compared: without all times, evaluations decide
-    let timed = times.iter().zip(&ended).all(|(time, run)| time.is_some() || run.is_none());
+    let runs: Vec<Option<(Run, f64)>> = tried
+        .iter()
+        .map(|one| {
+            let run = found(one, 1.0, None)?;
+            let finer = found(one, FINER, Some(&run.times()))?;
+            let apart = run.apart(&finer, &watched)?;
+            Some((run, apart))
+        })
+        .collect();
+    let times = taking_turns(tried.len(), wish.allowed, |at| runs[at].is_some() && go(&tried[at], 1.0, None).is_some());
     let exact = models.exact();
-    for ((((line, plan), run), finer), time) in tried.into_iter().zip(ended).zip(finer).zip(times) {
+    for (((line, plan), run), time) in tried.into_iter().zip(runs).zip(times) {
         let line = &mut lines[line];
-        let (Some(run), Some(finer), Ok(model)) = (run, finer, &line.model) else { continue };
-        let apart = |rows: &mut dyn Iterator<Item = f64>| rows.fold(0.0, f64::max);
-        let method = apart(&mut run.rows.iter().zip(&finer.rows).map(|((_, row), (_, finer))| watched.off(row, finer)));
-        let measured = exact
-            .as_ref()
-            .map(|exact| apart(&mut run.rows.iter().zip(exact).map(|((_, row), exact)| watched.off(row, exact))));
+        let (Some((run, method)), Ok(model)) = (run, &line.model) else { continue };
         let promised = model.promised() + method;
-        if promised > wish.tolerance {
+        // what is no number is promised to nobody
+        if promised.is_nan() || promised > wish.tolerance {
             continue;
         }
-        let seconds = time.filter(|_| timed).map(|time| time.seconds);
-        let choice = Choice { plan, evaluations: run.evaluations, seconds, promised, measured, rows: run.rows };
-        if line.choice.as_ref().is_none_or(|known| cost(&choice) < cost(known)) {
-            line.choice = Some(choice);
+        let rows = run.at_instants(span);
+        let measured = exact
+            .as_ref()
+            .map(|exact| rows.iter().zip(exact).map(|((_, row), exact)| watched.off(row, exact)).fold(0.0, f64::max));
+        let (evaluations, seconds) = (run.evaluations, time.map(|time| time.seconds));
+        if line.choice.as_ref().is_none_or(|known| evaluations < known.evaluations) {
+            line.choice = Some(Choice { plan, evaluations, seconds, promised, measured, rows });
         }
     }
-    let serving = (0..lines.len()).filter_map(|at| Some((at, cost(lines[at].choice.as_ref()?))));
-    let taken = serving.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(at, _)| at);
+    let taken = cheapest(&lines, |line| line.asked_as.is_some());
     let (tolerance, columns) = (wish.tolerance, models.columns().to_vec());
-    Ok(Receipt { watched, tolerance, lines, taken, deciding, took, columns })
-}
-
-/// Time where all were taken, else evaluations.
-fn cost(choice: &Choice) -> f64 {
-    choice.seconds.unwrap_or(choice.evaluations as f64)
+    Ok(Receipt { watched, tolerance, lines, taken, deciding, columns })
 }

@@ -1,7 +1,7 @@
-//! How far a lower model is off: the carried error at the instants at which errors are taken.
+//! How far a lower model is off: the carried error at every step of the run that carries it, and at even instants besides.
 
 use super::carried::carried;
-use super::followed::{COARSE, followed, followed_while, instants};
+use super::followed::{COARSE, followed_at, followed_while, looks};
 use super::rung::Straight;
 use super::watched::{Watched, largest};
 use super::{Ladder, Rung};
@@ -12,18 +12,20 @@ const CARRIED: f64 = 1e-4;
 /// The error need not be known better than to this share of what is allowed.
 const OF_ALLOWED: f64 = 1e-2;
 
-/// What a model loses, estimated: relative to the sizes, the largest over the instants, for each output.
+/// What a model loses, estimated: relative to the sizes, the largest over the run, for each output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     pub each: Vec<f64>,
     /// The largest of them.
     pub first: f64,
+    /// The time of it, s.
+    pub at: f64,
     /// The largest term of the second order: where it is not small beside the first, the estimate is no estimate.
     pub second: f64,
     /// Of the law that carries the error.
     pub evaluations: u64,
-    /// The rows of the lower run at the instants, with the first order added: better by an order, and of unknown error.
-    pub corrected: Vec<Vec<f64>>,
+    /// Times with the rows of the lower run there, the first order added: better by an order, and of unknown error.
+    pub corrected: Vec<(f64, Vec<f64>)>,
     /// The largest value of the small parameter along the lower run, where it has one.
     pub small: Option<f64>,
     /// Whether it was not followed to the end, being beyond all that is allowed: then it is at least this.
@@ -36,6 +38,7 @@ impl Estimate {
         Estimate {
             each: vec![0.0; outputs],
             first: 0.0,
+            at: 0.0,
             second: 0.0,
             evaluations: 0,
             corrected: Vec::new(),
@@ -65,7 +68,7 @@ pub(super) struct Carrying<'a> {
 
 impl Carrying<'_> {
     /// Carries from a start, law after law, each to its time. It may err by so much of the sizes of z, and by a small part of
-    /// this tolerance in the errors. Given up at the first instant at which more than `most` would be promised.
+    /// this tolerance in the errors. Given up at the first step or instant at which more than `most` would be promised.
     ///
     /// # Errors
     /// Where a law does not reach its end.
@@ -85,17 +88,15 @@ impl Carrying<'_> {
         let mut stiff = self.watched.stiff;
         let (mut from, end) = (0.0, laws.last().map_or(0.0, |(end, _)| *end));
         for (to, law) in laws {
-            let mut outputs: Vec<f64> = instants(end).filter(|time| *time > from && time < to).collect();
+            let mut outputs: Vec<f64> = looks(end).filter(|time| *time > from && time < to).collect();
             outputs.push(*to);
             let (before, mut last) = (found.clone(), from);
             let mut goes_on = |time: f64, state: &[f64]| {
-                if time <= last {
+                if time < last {
                     found = before.clone();
                 }
                 last = time;
-                if instants(end).any(|instant| instant == time) {
-                    self.add(&mut found, time, state);
-                }
+                self.add(&mut found, time, state);
                 found.promised() <= most
             };
             let (record, evaluations) =
@@ -114,7 +115,7 @@ impl Carrying<'_> {
         Ok(found)
     }
 
-    /// What is off at an instant.
+    /// What is off at a time.
     fn add(&self, found: &mut Estimate, time: f64, state: &[f64]) {
         let (z, errors) = state.split_at(self.kept);
         let y = (self.lift)(time, z);
@@ -126,14 +127,18 @@ impl Carrying<'_> {
         let (first, second) = (moved(&errors[..y.len()]), moved(&errors[y.len()..]));
         let Watched { columns, sizes, .. } = self.watched;
         // no number where one of them is none: of those the largest is not asked for
-        let larger = |a: f64, b: f64| if a >= b { a } else { b };
+        let larger = |a: f64, b: f64| if a >= b || a.is_nan() { a } else { b };
         for (each, (&at, size)) in found.each.iter_mut().zip(columns.iter().zip(sizes)) {
             *each = larger(*each, (first[at] - row[at]).abs() / size);
-            found.first = larger(found.first, *each);
+            if larger(found.first, *each) != found.first {
+                (found.first, found.at) = (*each, time);
+            }
         }
         found.second = larger(found.second, self.watched.off(&second, &row));
         found.small = (self.small)(time, z).map(|value| value.max(found.small.unwrap_or(0.0)));
-        found.corrected.push(first);
+        if found.corrected.last().is_none_or(|(last, _)| *last < time) {
+            found.corrected.push((time, first));
+        }
     }
 }
 
@@ -146,7 +151,7 @@ impl Ladder {
         self.estimate_within(rung, watched, tolerance, f64::INFINITY)
     }
 
-    /// The same, given up at the first instant at which more than this would be promised.
+    /// The same, given up at the first step or instant at which more than this would be promised.
     ///
     /// # Errors
     /// As [`Self::estimate`].
@@ -169,7 +174,8 @@ impl Ladder {
             Some(places) => places.iter().map(|&place| watched.states[place]).collect(),
             // how large states of its own become, its own run tells
             None => {
-                let (coarse, _) = followed(&*rung.law, &Tolerance::both(COARSE), span, &rung.start)?;
+                let looks: Vec<f64> = looks(span).collect();
+                let (coarse, _) = followed_at(&*rung.law, &Tolerance::both(COARSE), &looks, &rung.start)?;
                 let states = || coarse.states.iter().chain([&rung.start]);
                 (0..rung.start.len()).map(|i| largest(states().map(|state| state[i]))).collect()
             }

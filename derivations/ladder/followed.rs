@@ -9,9 +9,22 @@ const PATIENCE: u64 = 100_000;
 /// Relative, of a run that is to show sizes or pilot a choice.
 pub const COARSE: f64 = 1e-5;
 
+/// Instants beside the start at which an error is looked at, besides every step of the run that carries it. The instants
+/// of the references are among them.
+pub const LOOKS: usize = 64;
+
 /// The instants of a run from time zero.
 pub fn instants(span: f64) -> impl Iterator<Item = f64> {
-    (1..=INSTANTS).map(move |k| span * (k as f64 / INSTANTS as f64))
+    even(span, INSTANTS)
+}
+
+/// The instants at which an error is looked at.
+pub(super) fn looks(span: f64) -> impl Iterator<Item = f64> {
+    even(span, LOOKS)
+}
+
+fn even(span: f64, count: usize) -> impl Iterator<Item = f64> {
+    (1..=count).map(move |k| span * (k as f64 / count as f64))
 }
 
 /// A run at the instants, by an explicit method, or where that meets stiffness by an implicit one.
@@ -24,12 +37,24 @@ pub fn followed(
     span: f64,
     start: &[f64],
 ) -> Result<(Record<f64>, u64), Failure> {
-    let outputs: Vec<f64> = instants(span).collect();
-    let mut stiff = false;
-    followed_while(law, tolerance, 0.0, &outputs, start, &mut stiff, &mut |_, _| true)
+    followed_at(law, tolerance, &instants(span).collect::<Vec<_>>(), start)
 }
 
-/// The same from a time to the last of these, as long as it may go on; whoever is asked is asked anew by the implicit method.
+/// The same from time zero at these times, the last of which is the end.
+///
+/// # Errors
+/// Where neither method reaches the end.
+pub fn followed_at(
+    law: &dyn System,
+    tolerance: &Tolerance,
+    times: &[f64],
+    start: &[f64],
+) -> Result<(Record<f64>, u64), Failure> {
+    followed_while(law, tolerance, 0.0, times, start, &mut false, &mut |_, _| true)
+}
+
+/// The same from a time to the last of these, as long as it may go on: asked at the outputs and at every step, and from the
+/// beginning anew where the implicit method begins anew.
 /// What is known to be stiff is not tried by the explicit one, and is known after it.
 pub(super) fn followed_while(
     law: &dyn System,
@@ -74,6 +99,10 @@ impl Observer<f64> for Seen<'_> {
             self.record.sample(time, state);
             self.over = !(self.goes_on)(time, state);
         }
+    }
+
+    fn step(&mut self, time: f64, state: &[f64]) {
+        self.over = self.over || !(self.goes_on)(time, state);
     }
 
     fn enough(&self) -> bool {

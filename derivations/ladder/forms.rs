@@ -10,7 +10,7 @@ use super::{Ladder, Loss, Rung};
 use crate::scene::{Axes, Stored};
 use integrators::Method;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// The ladders of one scene, in each form that it has, and the exact motion where it is kept.
 pub struct Forms {
@@ -18,6 +18,8 @@ pub struct Forms {
     pub kept: Option<Stored>,
 }
 
+/// The name of a run of several models.
+pub const SWITCHING: &str = "switching";
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
 /// A model whose error is so many times what is allowed is not followed further.
 const HOPELESS: f64 = 10.0;
@@ -31,12 +33,9 @@ impl Models for Forms {
         &self.ladders[0].own.columns
     }
 
-    fn made(&self) -> Duration {
-        self.ladders.iter().map(|ladder| ladder.made).sum()
-    }
-
     fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
-        self.ladders[0].watched(names).map_err(|failure| failure.to_string())
+        let (watched, evaluations) = self.ladders[0].watched(names).map_err(|failure| failure.to_string())?;
+        watched.left.map_or(Ok((watched, evaluations)), |why| Err(format!("left its law: {why}")))
     }
 
     fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {
@@ -53,6 +52,7 @@ impl Models for Forms {
                 states: rung.start.len(),
                 verdict: Verdict::of(&model, tolerance),
                 model,
+                asked_as: rung.shows_all(&watched.names).then_some(rung.name),
                 choice: None,
             });
         }
@@ -104,22 +104,19 @@ impl Models for Forms {
         let spans = schedule.spans().into_iter().map(|(from, to)| format!("{from:.3} to {to:.3} s"));
         let (rung, name) = (&ladder.rungs[at], &lines[rich].name);
         let line = Line {
-            name: "switching".to_owned(),
-            dropped: format!(
-                "{name}, and from {} {}",
-                spans.collect::<Vec<_>>().join(", "),
-                rung.name.replace('_', " ")
-            ),
+            name: SWITCHING.to_owned(),
+            dropped: format!("{name}, and from {} {}", spans.collect::<Vec<_>>().join(", "), rung.name),
             loss: rung.loss,
             states: ladder.start.len(),
             model: Ok(Estimate { first: schedule.promised, ..Estimate::nothing(watched.columns.len()) }),
+            asked_as: None,
             verdict: Verdict::Suffices,
             choice: None,
         };
         let sides = [(plan.method, plan.tolerance), (low.method, low.tolerance)];
-        let go = move |finer: f64| {
+        let go = move |finer: f64, times: &[f64]| {
             let sides = sides.map(|(method, tolerance)| (method, (tolerance * finer).max(FINEST)));
-            ladder.run_switching(rung, &schedule, sides, MOST)
+            ladder.run_switching(rung, &schedule, sides, MOST, times)
         };
         Some(Mixed { line, plan, go: Box::new(go) })
     }
@@ -130,7 +127,7 @@ impl Models for Forms {
 fn cheaper(ladder: &Ladder, line: usize, rich: usize) -> bool {
     let work = |line: usize| {
         let states = line.checked_sub(1).map_or(ladder.own.state.len(), |rung| ladder.rungs[rung].start.len());
-        let (run, evaluations) = runnable(ladder, line, Axes::First).run(Method::DormandPrince8, PILOTS[0], MOST);
+        let (run, evaluations) = runnable(ladder, line, Axes::First).run(Method::DormandPrince8, PILOTS[0], MOST, None);
         run.map(|_| evaluations as f64 * states as f64)
     };
     matches!((work(line), work(rich)), (Some(low), Some(rich)) if low < CHEAPER * rich)
@@ -142,10 +139,14 @@ fn runnable(ladder: &Ladder, line: usize, axes: Axes) -> Runnable<'_> {
     match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
         None => {
             let (law, start) = (Arc::clone(&ladder.own.law), ladder.own.state.clone());
-            Runnable::of_law(axes, law, start, span, |time, y| (ladder.own.row)(time, y))
+            let outside = |_: f64, y: &[f64]| ladder.own.outside(y).is_some();
+            Runnable::of_law(axes, law, start, span, |time, y| (ladder.own.row)(time, y), outside)
         }
-        Some(rung) => Runnable::of_law(axes, Arc::clone(&rung.law), rung.start.clone(), span, |time, z| {
-            ladder.row(time, &rung.lifted(time, z, ladder.start.len()))
-        }),
+        Some(rung) => {
+            let lifted = move |time: f64, z: &[f64]| rung.lifted(time, z, ladder.start.len());
+            let outside = move |time: f64, z: &[f64]| ladder.left(time, &lifted(time, z)).is_some();
+            let row = move |time: f64, z: &[f64]| ladder.row(time, &lifted(time, z));
+            Runnable::of_law(axes, Arc::clone(&rung.law), rung.start.clone(), span, row, outside)
+        }
     }
 }

@@ -10,7 +10,6 @@ use crate::systems::governor::series::Programme;
 use field::{Analytic, Over, Scalar};
 use integrators::Ode;
 use std::sync::Arc;
-use std::time::Instant;
 use symbolic::Sym;
 
 /// A mechanism's law without the work that is done on it.
@@ -30,14 +29,13 @@ impl<S: Over<f64> + Analytic, M: Mechanism> Ode<S> for Alone<M> {
 impl Ladder {
     /// Of a mechanism with its initial value problem, whose last state is the work.
     pub fn of_mechanism<M: Mechanism>(mechanism: &M, start: &[f64], own: Problem) -> Self {
-        let begin = Instant::now();
         let written: Arc<dyn Written> = Arc::new(Alone(mechanism.clone()));
         let rungs = mechanism.smaller(start, &written);
         let state = mechanism.state(start);
         let whole = |_: f64, y: &[f64]| [y, &[0.0]].concat();
         let law = ready(Alone(mechanism.clone()));
-        let (model, whole, made) = (M::NAME, Box::new(whole), begin.elapsed());
-        Ladder { model, own, written, law, start: state, whole, rungs, lumping: None, made }
+        let (model, whole) = (M::NAME, Box::new(whole));
+        Ladder { model, own, written, law, start: state, whole, rungs, lumping: None }
     }
 }
 

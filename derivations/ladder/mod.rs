@@ -10,12 +10,13 @@
 //! * [`carried`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
 //! * [`dual`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
 //! * [`switching`]: a smaller model on those stretches only; [`linear`]: what weighs its losses;
-//! * [`plan`]: the cheapest method and form for a rung; [`choose`](mod@choose): the cheapest of any [`choose::Models`], those
+//! * [`along`]: a run's rows at its steps; [`plan`]: the cheapest method and form for a rung; [`choose`](mod@choose): the cheapest of any [`choose::Models`], those
 //!   of [`forms`] and of rough contacts alike, with its [`receipt`].
 //!
 //! Key results: a step with a vanishing defect is exact, which is decided over expressions; of every other the error is
 //! estimated to first order, with the second order beside it. Neither is a bound; [`lumping::merged_at_most`] is one.
 
+pub mod along;
 pub mod carried;
 pub mod choose;
 pub mod currents;
@@ -51,7 +52,6 @@ use crate::scene::atlas::{Formulation, Standing, Treated, Way};
 use crate::scene::problem::Law;
 use crate::taped::Program;
 use std::sync::Arc;
-use std::time::Duration;
 
 /// What a step down loses.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,6 +75,9 @@ pub struct Rung {
     pub lower: Lower,
     pub law: Arc<dyn Law>,
     pub start: Vec<f64>,
+    /// The outputs that a run of the scene with the machine of this name shows as they are meant here: none of a model that is
+    /// no machine, which a run cannot be asked for.
+    pub shows: Vec<String>,
     /// The value of the small parameter at a state with its rates, where it has one there.
     pub small: Option<Box<Small>>,
     lift: Program,
@@ -100,8 +103,6 @@ pub struct Ladder {
     pub rungs: Vec<Rung>,
     /// How windings were lumped, where they were.
     pub lumping: Option<Lumping>,
-    /// What deriving it took.
-    pub made: Duration,
 }
 
 impl Rung {
@@ -109,7 +110,7 @@ impl Rung {
     pub fn new(name: &'static str, dropped: &str, loss: Loss, lower: Lower, start: Vec<f64>) -> Option<Self> {
         let lift = Program::of(lower.dimension, |time, z| (lower.lift)(time, z))?;
         let law = lower.law()?;
-        Some(Rung { name, dropped: dropped.to_owned(), loss, lower, law, start, small: None, lift })
+        Some(Rung { name, dropped: dropped.to_owned(), loss, lower, law, start, shows: Vec::new(), small: None, lift })
     }
 
     /// The state of the richer law: Y(t, z).
@@ -120,6 +121,11 @@ impl Rung {
         y
     }
 
+    /// Whether a run can be asked for it, and shows these outputs.
+    pub fn shows_all(&self, names: &[String]) -> bool {
+        !self.shows.is_empty() && names.iter().all(|name| self.shows.contains(name))
+    }
+
     /// Whether it loses nothing.
     pub fn is_exact(&self) -> bool {
         !matches!(self.loss, Loss::Small { .. })
@@ -127,6 +133,11 @@ impl Rung {
 }
 
 impl Ladder {
+    /// Why the law of the scene does not hold at a state of the law that the rungs are derived from, where it does not.
+    pub fn left(&self, time: f64, state: &[f64]) -> Option<&'static str> {
+        self.own.outside(&(self.whole)(time, state))
+    }
+
     /// What a run shows, from a state of the law that the rungs are derived from.
     pub fn row(&self, time: f64, state: &[f64]) -> Vec<f64> {
         (self.own.row)(time, &(self.whole)(time, state))

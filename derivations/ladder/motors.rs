@@ -10,7 +10,6 @@ use crate::stationary::motor::Decimals;
 use crate::systems::gyrostat::driven::Driven;
 use field::Rational;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 use symbolic::Sym;
 
 /// That bars at any angles close in the sums of their currents.
@@ -19,7 +18,6 @@ const CLOSURE: &str = "konosevich2022/beyond-damper/closure";
 impl Ladder {
     /// Of a scene in the axes of a form.
     pub fn of_scene(scene: &Scene, axes: Axes) -> Self {
-        let begin = Instant::now();
         let own = scene.problem(axes);
         let under = scene.machine.clone().apply(Under { scene, axes, start: &own.state });
         let Within { written, start, whole, lumping, rungs } = under;
@@ -27,15 +25,14 @@ impl Ladder {
             (Some(_), Some(lumped)) => Arc::clone(&lumped.law),
             _ => Arc::clone(&own.law),
         };
-        let (model, made) = (scene.machine.name(), Duration::ZERO);
-        let mut ladder = Ladder { model, own, written, law, start, whole, rungs, lumping, made };
+        let model = scene.machine.name();
+        let mut ladder = Ladder { model, own, written, law, start, whole, rungs, lumping };
         let known = AnyMachine::LIST.iter().map(|(name, _)| *name).take_while(|name| *name != scene.machine.name());
         // the equivalent windings are what lumping finds
         let known = known.filter(|name| *name != "equivalent_windings").collect::<Vec<_>>();
         for model in known.into_iter().rev() {
             ladder.rungs.extend(smaller::rung(scene, axes, &ladder, model));
         }
-        ladder.made = begin.elapsed();
         ladder
     }
 }

@@ -5,11 +5,12 @@
 //! a power of it (those of Taylor's method grow less, and are then overrated). So the tolerance for an error and the cost
 //! there are told before the run. Both are estimates.
 
-use super::followed::INSTANTS;
+use super::along::{Along, Run};
+use super::followed::instants;
 use super::watched::Watched;
 use crate::scene::Axes;
 use crate::scene::problem::Law;
-use integrators::{Method, Record, Span, Tolerance, integrate};
+use integrators::{Method, Span, Tolerance, integrate};
 use std::sync::Arc;
 
 /// What is tried: one of each family that the atlas finds on its fronts.
@@ -29,15 +30,14 @@ const PATIENCE: u64 = 20;
 /// A model in a form, as rows of the scene's own outputs.
 pub struct Runnable<'a> {
     pub axes: Axes,
+    /// The end of its runs, from time zero.
+    pub span: f64,
     go: Box<Go<'a>>,
 }
 
-/// A run by a method, at a tolerance, within so many evaluations, with rows at the instants; and the evaluations that it took.
-/// Without rows where it does not reach its end.
-pub type Go<'a> = dyn Fn(Method, f64, u64) -> (Option<Run>, u64) + 'a;
-
-/// The row of a time and a state.
-pub type Shown<'a> = dyn Fn(f64, &[f64]) -> Vec<f64> + 'a;
+/// A run by a method, at a tolerance, within so many evaluations, with rows at its steps and at these times, the last of which
+/// is its end; and the evaluations that it took. Without rows where it does not reach its end.
+pub type Go<'a> = dyn Fn(Method, f64, u64, &[f64]) -> (Option<Run>, u64) + 'a;
 
 /// How to run it.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,41 +63,34 @@ impl Plan {
     }
 }
 
-/// A run of a plan.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Run {
-    pub rows: Vec<(f64, Vec<f64>)>,
-    pub evaluations: u64,
-}
-
 impl<'a> Runnable<'a> {
     /// What runs by itself.
-    pub fn new(axes: Axes, go: impl Fn(Method, f64, u64) -> (Option<Run>, u64) + 'a) -> Self {
-        Runnable { axes, go: Box::new(go) }
+    pub fn new(axes: Axes, span: f64, go: impl Fn(Method, f64, u64, &[f64]) -> (Option<Run>, u64) + 'a) -> Self {
+        Runnable { axes, span, go: Box::new(go) }
     }
 
-    /// A law from a state over a span.
+    /// A law from a state over a span, with what is shown of a state and whether it is outside of the law.
     pub fn of_law(
         axes: Axes,
         law: Arc<dyn Law>,
         start: Vec<f64>,
         span: f64,
         row: impl Fn(f64, &[f64]) -> Vec<f64> + 'a,
+        outside: impl Fn(f64, &[f64]) -> bool + 'a,
     ) -> Self {
-        Self::new(axes, move |method, tolerance, most| {
-            let span = Span::new(0.0, span, &start).with_even_outputs(INSTANTS).with_evaluations(most);
-            let mut record = Record::new();
-            let outcome = integrate(&*law, method, &Tolerance::both(tolerance), &span, &mut record);
+        Self::new(axes, span, move |method, tolerance, most, times| {
+            let span = Span::new(0.0, span, &start).with_outputs(times).with_evaluations(most);
+            let mut along = Along::within(&row, &outside);
+            let outcome = integrate(&*law, method, &Tolerance::both(tolerance), &span, &mut along);
             let evaluations = outcome.work.rates + outcome.work.jacobians * start.len() as u64;
-            let rows = record.times.iter().zip(&record.states).map(|(time, y)| (*time, row(*time, y)));
-            let rows = outcome.reached().then(|| rows.collect());
-            (rows.map(|rows| Run { rows, evaluations }), evaluations)
+            ((outcome.reached() && !along.left()).then(|| along.run(evaluations)), evaluations)
         })
     }
 
-    /// A run.
-    pub fn run(&self, method: Method, tolerance: f64, most: u64) -> (Option<Run>, u64) {
-        (self.go)(method, tolerance, most)
+    /// A run, with rows at its steps and at these times or, where there are none, at the instants.
+    pub fn run(&self, method: Method, tolerance: f64, most: u64, times: Option<&[f64]>) -> (Option<Run>, u64) {
+        let instants = || instants(self.span).collect::<Vec<_>>();
+        (self.go)(method, tolerance, most, times.map_or_else(instants, <[f64]>::to_vec).as_slice())
     }
 
     /// The first pilot of each method that reaches the end in the first round in which some do.
@@ -109,7 +102,7 @@ impl<'a> Runnable<'a> {
                 if method.traits().implicit && !ended.is_empty() {
                     continue;
                 }
-                let (run, evaluations) = self.run(method, PILOTS[0], most);
+                let (run, evaluations) = self.run(method, PILOTS[0], most, None);
                 *spent += evaluations;
                 ended.extend(run.map(|run| (method, run)));
             }
@@ -124,11 +117,12 @@ impl<'a> Runnable<'a> {
 
     /// The plan for an error by one method; none where the second pilot does not reach its end.
     fn plan(&self, method: Method, coarse: &Run, watched: &Watched, error: f64, spent: &mut u64) -> Option<Plan> {
-        let (fine, evaluations) = self.run(method, PILOTS[1], PATIENCE * coarse.evaluations.max(1));
+        let times = coarse.times();
+        let (fine, evaluations) = self.run(method, PILOTS[1], PATIENCE * coarse.evaluations.max(1), Some(&times));
         *spent += evaluations;
         let fine = fine?;
-        let off = coarse.rows.iter().zip(&fine.rows).map(|((_, a), (_, b))| watched.off(a, b)).fold(1e-16, f64::max);
-        let tolerance = (PILOTS[0] * error / off).clamp(FINEST, PILOTS[0]);
+        let off = coarse.apart(&fine, watched)?.max(1e-16);
+        let tolerance = two_digits((PILOTS[0] * error / off).clamp(FINEST, PILOTS[0])).max(FINEST);
         let slope = (fine.evaluations as f64 / coarse.evaluations as f64).ln() / (PILOTS[0] / PILOTS[1]).ln();
         let foretold = coarse.evaluations as f64 * (PILOTS[0] / tolerance).powf(slope.max(0.0));
         let error = (off * tolerance / PILOTS[0]).max(1e-15);
@@ -149,7 +143,25 @@ pub fn plans(forms: &[Runnable<'_>], watched: &Watched, error: f64) -> Vec<Plan>
         methods = ended.into_iter().map(|(method, _)| method).collect();
     }
     found.iter_mut().for_each(|plan| plan.spent = spent);
-    // a Taylor step is an expansion: its evaluations are dearer, and times decide between the best
     found.sort_by(|a, b| a.foretold.total_cmp(&b.foretold));
     found
+}
+
+/// A positive number that is written with two digits, at most so large: the tolerance that is printed is the one that was run.
+fn two_digits(value: f64) -> f64 {
+    let power = value.log10().floor();
+    let digits = (value / 10_f64.powf(power) * 10.0 * (1.0 + 1e-9)).floor();
+    format!("{digits}e{}", power - 1.0).parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::two_digits;
+
+    #[test]
+    fn a_tolerance_has_two_digits_and_is_not_raised() {
+        for (given, found) in [(1e-4, 1e-4), (3.199e-5, 3.1e-5), (9.99e-13, 9.9e-13), (1e-13, 1e-13)] {
+            assert_eq!(two_digits(given), found, "{given:e}");
+        }
+    }
 }

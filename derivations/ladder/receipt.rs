@@ -1,6 +1,7 @@
 //! What was asked for, what was chosen, and why.
 
 use super::Loss;
+use super::along::Row;
 use super::estimate::Estimate;
 use super::plan::Plan;
 use super::watched::Watched;
@@ -32,6 +33,8 @@ pub struct Line {
     pub states: usize,
     /// Why there is none, in words, where it was not carried.
     pub model: Result<Estimate, String>,
+    /// The name by which a run is asked for it; none of a model that no run takes by name.
+    pub asked_as: Option<&'static str>,
     /// Why it is not taken, where it cannot be.
     pub verdict: Verdict,
     /// The best run of it.
@@ -39,11 +42,11 @@ pub struct Line {
 }
 
 impl Line {
-    /// The scene's own model.
-    pub fn own(name: &str, states: usize, outputs: usize) -> Self {
+    /// The scene's own model, by its name.
+    pub fn own(name: &'static str, states: usize, outputs: usize) -> Self {
         let model = Ok(Estimate::nothing(outputs));
-        let (dropped, loss, verdict) = (String::new(), Loss::Own, Verdict::Suffices);
-        Line { name: name.to_owned(), dropped, loss, states, model, verdict, choice: None }
+        let (name, asked_as, dropped) = (name.to_owned(), Some(name), String::new());
+        Line { name, dropped, loss: Loss::Own, states, model, asked_as, verdict: Verdict::Suffices, choice: None }
     }
 }
 
@@ -87,8 +90,8 @@ pub struct Choice {
     pub promised: f64,
     /// By the reference that is kept, where there is one.
     pub measured: Option<f64>,
-    /// Rows at the instants.
-    pub rows: Vec<(f64, Vec<f64>)>,
+    /// Rows at the instants of the references.
+    pub rows: Vec<Row>,
 }
 
 /// What was chosen and why.
@@ -98,31 +101,41 @@ pub struct Receipt {
     pub tolerance: f64,
     /// From the scene's own model down.
     pub lines: Vec<Line>,
-    /// The line that was taken; none where none serves.
+    /// The line that was taken, of those that a run takes by name; none where none serves.
     pub taken: Option<usize>,
     /// Evaluations of all pilots, estimates and runs; the transition matrices of a schedule come on top.
     pub deciding: u64,
-    /// What all of that took, s, deriving the models and the schedule too; taking times on top is for the receipt.
-    pub took: f64,
     /// Names of a row.
     pub columns: Vec<String>,
 }
 
 impl Receipt {
-    /// Time of the scene's own model by its best method over that of the one taken.
-    pub fn saved(&self) -> Option<f64> {
-        let seconds = |line: &Line| line.choice.as_ref().and_then(|choice| choice.seconds);
-        Some(seconds(self.lines.first()?)? / seconds(&self.lines[self.taken?])?)
+    /// The cheapest line of all: what no run takes by name too.
+    pub fn cheapest(&self) -> Option<usize> {
+        cheapest(&self.lines, |_| true)
+    }
+
+    /// The work of the scene's own model by its best method over that of a line.
+    pub fn saved(&self, line: usize) -> Option<f64> {
+        let work = |line: &Line| line.choice.as_ref().map(|choice| choice.evaluations as f64);
+        Some(work(self.lines.first()?)? / work(self.lines.get(line)?)?)
     }
 
     /// What deciding took in runs of the scene's own model.
     pub fn worth(&self) -> Option<f64> {
-        Some(self.took / self.lines.first()?.choice.as_ref()?.seconds?)
+        Some(self.deciding as f64 / self.lines.first()?.choice.as_ref()?.evaluations as f64)
     }
 
     /// The run from which on it has paid to decide; none where nothing is saved.
     pub fn pays_from(&self) -> Option<u64> {
-        let saved = 1.0 - 1.0 / self.saved()?;
+        let saved = 1.0 - 1.0 / self.saved(self.taken?)?;
         (saved > 0.0).then_some((self.worth()? / saved).ceil() as u64)
     }
+}
+
+/// The line with the least work; of equals the one with fewer states, then the one further down.
+pub(super) fn cheapest(lines: &[Line], is: impl Fn(&Line) -> bool) -> Option<usize> {
+    let serving = lines.iter().enumerate().rev().filter(|(_, line)| is(line));
+    let serving = serving.filter_map(|(at, line)| Some((at, (line.choice.as_ref()?.evaluations, line.states))));
+    serving.min_by_key(|(_, cost)| *cost).map(|(at, _)| at)
 }

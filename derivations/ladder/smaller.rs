@@ -4,6 +4,7 @@ use super::motors::written;
 use super::rung::{Lower, Written};
 use super::{Ladder, Loss, Rung};
 use crate::machines::{Catalogued, ForMachine};
+use crate::scene::state::outputs;
 use crate::scene::{Axes, Scene, System};
 use field::Over;
 use std::sync::Arc;
@@ -54,7 +55,11 @@ pub(super) fn rung(scene: &Scene, axes: Axes, ladder: &Ladder, model: &'static s
     start.extend(turning.then_some(scene.start.rotor_angle));
     let lower = Lower { dimension: start.len(), lift: Arc::new(lift), rates: Arc::new(rates), kept: None };
     let (dropped, parameter) = dropped(model);
-    Rung::new(model, dropped, Loss::Small { parameter }, lower, start)
+    let mut rung = Rung::new(model, dropped, Loss::Small { parameter }, lower, start)?;
+    // its own run counts the slip against its own field
+    let shown = outputs(scene.on_bench(), &smaller.machine);
+    rung.shows = shown.into_iter().filter(|name| name != "slip" || lag == 0.0).collect();
+    Some(rung)
 }
 
 /// What a smaller machine leaves out, and what must be small for that.

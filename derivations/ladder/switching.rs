@@ -2,13 +2,12 @@
 //!
 //! Along a coarse run of the richer law each stretch is run by the smaller one too: from the state mapped down, and at the
 //! end mapped up again, with the currents that are consistent there. What it is off is weighed by the transition matrices for
-//! every output and instant. The smaller model is taken up where this is below a threshold and left where it is above a
+//! every output at the end of every stretch. The smaller model is taken up where this is below a threshold and left where it is above a
 //! higher one, so that it does not come and go; the threshold is the largest with which the sum of what is lost stays within
 //! what is allowed. An estimate, to first order.
 
-use super::followed::{INSTANTS, instants};
+use super::along::{Along, Run};
 use super::linear::{Knot, propagator};
-use super::plan::Run;
 use super::watched::Watched;
 use super::{Ladder, Rung};
 use integrators::{Failure, Jacobian, Method, Record, Span, Tolerance, integrate};
@@ -66,7 +65,7 @@ pub struct Course {
     times: Vec<f64>,
     /// At their beginnings, and at the end.
     states: Vec<Vec<f64>>,
-    /// Of each stretch, for every output at every instant after it.
+    /// Of each stretch, for every output at the end of it and of every later one.
     weights: Vec<Vec<Vec<f64>>>,
 }
 
@@ -99,7 +98,7 @@ impl Ladder {
         let matrices: Vec<DMatrix<f64>> = short.chunks(KNOTS).map(whole).collect();
         let states: Vec<Vec<f64>> = knots.into_iter().step_by(KNOTS).map(|(_, state, _)| state).collect();
         let mut weights = vec![Vec::new(); STRETCHES];
-        for end in (1..=INSTANTS).map(|instant| STRETCHES * instant / INSTANTS) {
+        for end in 1..=STRETCHES {
             for (&column, size) in watched.columns.iter().zip(&watched.sizes) {
                 let mut weight = self.output(column, *size, times[end - 1], &states[end]);
                 for k in (0..end).rev() {
@@ -151,16 +150,23 @@ impl Ladder {
         course.weights[k].iter().map(lost).fold(0.0, f64::max)
     }
 
-    /// The run of a schedule, with rows at the instants; `None` where it does not reach its end.
-    pub fn run_switching(&self, rung: &Rung, schedule: &Schedule, sides: Sides, most: u64) -> Option<Run> {
+    /// The run of a schedule, with rows at its steps and at these times; `None` where it does not reach its end.
+    pub fn run_switching(
+        &self,
+        rung: &Rung,
+        schedule: &Schedule,
+        sides: Sides,
+        most: u64,
+        times: &[f64],
+    ) -> Option<Run> {
         let kept = rung.lower.kept.as_ref()?;
         let (law, start) = (&self.law, &self.start);
         let n = self.start.len();
         let (mut at, mut y) = (0.0, start.clone());
-        let mut run = Run { rows: Vec::new(), evaluations: 0 };
+        let mut run = Run { asked: Vec::new(), steps: Vec::new(), evaluations: 0 };
         for stretches in schedule.stretches.chunk_by(|a, b| a.1 == b.1) {
             let (end, low) = *stretches.last()?;
-            let mut outputs: Vec<f64> = instants(self.own.span).filter(|time| *time > at && *time <= end).collect();
+            let mut outputs: Vec<f64> = times.iter().copied().filter(|time| *time > at && *time <= end).collect();
             let seen = outputs.len();
             if outputs.last() != Some(&end) {
                 outputs.push(end);
@@ -168,15 +174,16 @@ impl Ladder {
             let state = if low { kept.iter().map(|&place| y[place]).collect() } else { y.clone() };
             let span = Span::new(at, end, &state).with_outputs(&outputs).with_evaluations(most);
             let (method, tolerance) = sides[usize::from(low)];
-            let mut record = Record::new();
-            let system = if low { &rung.law } else { law };
-            let outcome = integrate(&**system, method, &Tolerance::both(tolerance), &span, &mut record);
-            run.evaluations += outcome.work.rates + outcome.work.jacobians * state.len() as u64;
-            outcome.reached().then_some(())?;
             let whole = |time: f64, state: &[f64]| if low { rung.lifted(time, state, n) } else { state.to_vec() };
-            for (time, state) in record.times.iter().zip(&record.states).take(seen) {
-                run.rows.push((*time, self.row(*time, &whole(*time, state))));
-            }
+            let mut along = Along::of(|time: f64, state: &[f64]| self.row(time, &whole(time, state)));
+            let system = if low { &rung.law } else { law };
+            let outcome = integrate(&**system, method, &Tolerance::both(tolerance), &span, &mut along);
+            let evaluations = outcome.work.rates + outcome.work.jacobians * state.len() as u64;
+            outcome.reached().then_some(())?;
+            let part = along.run(run.evaluations + evaluations);
+            run.asked.extend(part.asked.into_iter().take(seen));
+            run.steps.extend(part.steps);
+            run.evaluations = part.evaluations;
             y = whole(end, &outcome.state);
             at = end;
         }

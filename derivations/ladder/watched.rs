@@ -1,7 +1,7 @@
 //! What of a run matters, and by what its errors are measured.
 
 use super::Ladder;
-use super::followed::{COARSE, followed_while, instants};
+use super::followed::{COARSE, followed_while, looks};
 use integrators::{Failure, Tolerance};
 
 /// What of a run matters, with the sizes by which errors are measured.
@@ -15,6 +15,8 @@ pub struct Watched {
     pub states: Vec<f64>,
     /// Whether that law is stiff: a law that carries errors by it is so too.
     pub stiff: bool,
+    /// Why the scene's own model left its law, where it did.
+    pub left: Option<&'static str>,
 }
 
 /// What stays at rounding is measured by one.
@@ -27,20 +29,29 @@ pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl Ladder {
-    /// The outputs of these names, by a coarse run. With the evaluations that it took.
+    /// The outputs of these names, by a coarse run at its steps and at even instants. With the evaluations that it took.
     ///
     /// # Errors
     /// Where the run does not reach its end.
     pub fn watched(&self, names: &[String]) -> Result<(Watched, u64), Failure> {
         let (law, start) = (&self.law, &self.start);
-        let (outputs, mut stiff): (Vec<f64>, bool) = (instants(self.own.span).collect(), false);
+        let (outputs, mut stiff): (Vec<f64>, bool) = (looks(self.own.span).collect(), false);
         let coarse = Tolerance::both(COARSE);
-        let (record, evaluations) =
-            followed_while(&**law, &coarse, 0.0, &outputs, start, &mut stiff, &mut |_, _| true)?;
-        let states = || std::iter::once((&0.0, start)).chain(record.times.iter().zip(&record.states));
-        let rows: Vec<Vec<f64>> = states().map(|(time, state)| self.row(*time, state)).collect();
-        let sizes = (0..start.len()).map(|i| largest(states().map(|(_, state)| state[i]))).collect();
-        Ok((Watched { stiff, ..Watched::of(&self.own.columns, names, &rows, sizes) }, evaluations))
+        let mut seen = vec![(0.0, start.clone())];
+        let mut left = None;
+        let mut keep = |time: f64, state: &[f64]| {
+            // the implicit method begins anew
+            if seen.last().is_some_and(|(last, _)| time < *last) {
+                seen.truncate(1);
+            }
+            seen.push((time, state.to_vec()));
+            left = self.left(time, state);
+            left.is_none()
+        };
+        let (_, evaluations) = followed_while(&**law, &coarse, 0.0, &outputs, start, &mut stiff, &mut keep)?;
+        let rows: Vec<Vec<f64>> = seen.iter().map(|(time, state)| self.row(*time, state)).collect();
+        let sizes = (0..start.len()).map(|i| largest(seen.iter().map(|(_, state)| state[i]))).collect();
+        Ok((Watched { stiff, left, ..Watched::of(&self.own.columns, names, &rows, sizes) }, evaluations))
     }
 }
 
@@ -58,7 +69,7 @@ impl Watched {
         let sizes = known.iter().map(|(name, column)| vector(name).unwrap_or_else(|| size(*column)));
         let sizes = sizes.map(|size| if size > ROUNDING { size } else { 1.0 }).collect();
         let (names, columns) = known.into_iter().unzip();
-        Watched { names, columns, sizes, states, stiff: false }
+        Watched { names, columns, sizes, states, stiff: false, left: None }
     }
 
     /// The largest difference of two rows, relative to the sizes.

@@ -17,7 +17,7 @@ pub enum Bound {
     Friction,
 }
 
-/// What a file asks for in its key `allow`, because usually it is a mistake.
+/// Data that a file asks for in its key `allow`, because they are usually a mistake.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Allowed {
     pub zero_resistance: bool,
@@ -72,7 +72,7 @@ impl Bound {
         }
     }
 
-    /// What is wrong with a value beyond the bound, after the name of the datum.
+    /// The fault of a value beyond the bound, told after the name of the datum.
     pub fn broken(self) -> &'static str {
         match self {
             Self::Any => "must be a number",
@@ -82,7 +82,7 @@ impl Bound {
         }
     }
 
-    /// What would be accepted in place of a value.
+    /// The values that would be accepted in its place.
     pub fn accepted(self, value: f64) -> String {
         let asked = |word: &str| format!("; if it is meant, `allow = [\"{word}\"]` at the top of the file asks for it");
         match self {

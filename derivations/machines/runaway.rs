@@ -14,7 +14,7 @@ pub struct Driven {
     pub beyond: f64,
     /// m phi' at some speed beyond, W: what the law gives the rotor
     pub power: f64,
-    /// That speed, rad/s.
+    /// The speed at which it is so, rad/s.
     pub at: f64,
 }
 

@@ -7,6 +7,7 @@ use super::points::{self, Turning};
 use super::rewritten::{Rewritten, redundant};
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::machines::Quantity;
+use crate::scene::Margin;
 use crate::stabilisation::law::Stabilised;
 use crate::systems::crank_slider::CrankSlider;
 use crate::systems::disc::Disc;
@@ -83,14 +84,15 @@ impl Mechanism for Disc<f64> {
     }
 
     fn amiss(&self, start: &[f64]) -> Vec<Amiss> {
-        self.outside(start)
+        self.outside(start, start)
             .map(|what| Amiss { name: "theta", what, accepted: INCLINED.to_owned() })
             .into_iter()
             .collect()
     }
 
-    fn outside(&self, y: &[f64]) -> Option<&'static str> {
-        (y[3].sin() <= 0.0).then_some("the disc is not above the plane: it lies flat or beyond")
+    fn margins(&self, _start: &[f64], y: &[f64], dy: &[f64]) -> Vec<Margin> {
+        let what = "the disc is not above the plane: it lies flat or beyond";
+        vec![Margin { value: y[3].sin(), rate: y[3].cos() * dy[3], what }]
     }
 
     fn rewritten(&self, start: &[f64]) -> Vec<Rewritten> {

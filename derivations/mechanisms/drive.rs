@@ -4,14 +4,16 @@ use super::bodies::rod_too_short;
 use super::rewritten::{Rewritten, ready, redundant};
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::machines::Quantity;
+use crate::scene::Margin;
 use crate::scene::atlas::{Formulation, Treated};
+use crate::stabilisation::bearable::bearable_steps;
 use crate::stabilisation::drive_law::{Nine, Seven, instant, violation};
 use crate::stabilisation::regions::decays;
 use crate::stabilisation::schemes::Scheme;
 use crate::systems::crank_drive::{Circuit, CrankDrive};
 use crate::systems::crank_slider::CrankSlider;
 use field::{Analytic, Over};
-use integrators::{Method, Ode, Record, Span, Tolerance, integrate};
+use integrators::{Method, Ode};
 use mechanics::constrained::energies;
 
 /// The nine equations with the data of a scene.
@@ -96,12 +98,11 @@ impl Mechanism for Drive {
         coupled.into_iter().chain(diode).chain(rod_too_short(&self.0.drive.mechanism)).collect()
     }
 
-    fn outside(&self, y: &[f64]) -> Option<&'static str> {
-        let violated = violation(&self.0.drive, y).0.abs();
-        // the negation also takes what is no number
-        let kept = violated <= LOST * self.0.drive.mechanism.rod.powi(2);
-        (!kept)
-            .then_some("the rod's constraint is lost: it is violated by more than a tenth of the rod's length squared")
+    fn margins(&self, _start: &[f64], y: &[f64], _dy: &[f64]) -> Vec<Margin> {
+        let (violated, rate) = violation(&self.0.drive, y);
+        let what = "the rod's constraint is lost: it is violated by more than a tenth of the rod's length squared";
+        let value = LOST * self.0.drive.mechanism.rod.powi(2) - violated.abs();
+        vec![Margin { value, rate: -violated.signum() * rate, what }]
     }
 
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {
@@ -143,7 +144,8 @@ impl Mechanism for Drive {
                 Bears::Nowhere => "bears the circuit at no instant",
             };
             format!(
-                "Euler {bears} with h = {step} s: its longest steps along the motion are {least:.6} s to {most:.6} s"
+                "Euler {bears} with h = {step} s: its longest steps along the motion are {least:.6} s to {most:.6} s, \
+                 as found by search"
             )
         });
         gains.into_iter().chain(circuit).collect()
@@ -168,9 +170,6 @@ enum Bears {
     Nowhere,
 }
 
-/// Instants at which the step is judged.
-const INSTANTS: usize = 100;
-
 impl Drive {
     /// h b and h^2 k.
     fn in_steps(&self, step: f64) -> (f64, f64) {
@@ -183,23 +182,14 @@ impl Drive {
         };
         let (beta, kappa) = self.in_steps(step);
         let gains = (beta != 0.0 || kappa != 0.0).then(|| decays(scheme, beta, kappa));
-        let bearable = (scheme == Scheme::Euler).then(|| self.bearable(start, span)).flatten();
+        let bearable = (scheme == Scheme::Euler)
+            .then(|| bearable_steps(&Seven { drive: self.0.drive }, start, span).ok())
+            .flatten();
         let circuit = bearable.map(|[least, most]| match step {
             step if step < least => (Bears::Everywhere, [least, most]),
             step if step > most => (Bears::Nowhere, [least, most]),
             _ => (Bears::Somewhere, [least, most]),
         });
         Foreseen { step, gains, circuit }
-    }
-
-    /// The least and the greatest of the steps that Euler bears at the instants of the motion, s.
-    fn bearable(&self, start: &[f64], span: f64) -> Option<[f64; 2]> {
-        let seven = Seven { drive: self.0.drive };
-        let span = Span::new(0.0, span, start).with_even_outputs(INSTANTS).with_evaluations(1_000_000);
-        let mut record = Record::new();
-        let method = Method::RadauIIA { stages: 3 };
-        integrate(&seven, method, &Tolerance::both(1e-8), &span, &mut record).reached().then_some(())?;
-        let steps = record.times.iter().zip(&record.states).map(|(time, y)| seven.bearable_step(*time, y));
-        Some(steps.fold([f64::INFINITY, 0.0], |[least, most], step| [least.min(step), most.max(step)]))
     }
 }

@@ -6,6 +6,7 @@ use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::governors::{growth, has_positive_minors};
 use crate::ladder::{Rung, Written, governors};
 use crate::machines::Quantity;
+use crate::scene::Margin;
 use crate::systems::elastic_governor::ElasticGovernor;
 use field::{Analytic, Over};
 use integrators::Method;
@@ -71,15 +72,16 @@ impl Mechanism for ElasticGovernor<f64> {
 
     fn amiss(&self, start: &[f64]) -> Vec<Amiss> {
         let accepted = format!("a place between {} m and {} m is accepted", self.offset, 2.0 * self.link);
-        self.outside(start).map(|what| Amiss { name: "x", what, accepted }).into_iter().collect()
+        self.outside(start, start).map(|what| Amiss { name: "x", what, accepted }).into_iter().collect()
     }
 
-    fn outside(&self, y: &[f64]) -> Option<&'static str> {
-        match y[1] {
-            x if x <= self.offset => Some("the wheel has come to the axis of the disc"),
-            x if x >= 2.0 * self.link => Some("the links are stretched: the balls are on the axis"),
-            _ => None,
-        }
+    fn margins(&self, _start: &[f64], y: &[f64], dy: &[f64]) -> Vec<Margin> {
+        let of_axis = "the wheel has come to the axis of the disc";
+        let of_links = "the links are stretched: the balls are on the axis";
+        vec![
+            Margin { value: y[1] - self.offset, rate: dy[1], what: of_axis },
+            Margin { value: 2.0 * self.link - y[1], rate: -dy[1], what: of_links },
+        ]
     }
 
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {
@@ -113,7 +115,7 @@ impl Mechanism for ElasticGovernor<f64> {
             true => "stable, by Hurwitz' minors, which are all positive",
             false => "unstable, by Hurwitz' minors, which are not all positive",
         };
-        let growth = growth(self, speed).map_or_else(String::new, |rate| {
+        let growth = growth(self, speed).filter(|rate| rate.is_finite()).map_or_else(String::new, |rate| {
             format!("; a disturbance changes by e^({rate:.3e} t) in the long run, by the eigenvalues")
         });
         vec![format!("the stationary motion at omega1 = {speed:.9} rad/s, x = {} m is {verdict}{growth}", self.rest)]

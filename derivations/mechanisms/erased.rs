@@ -55,6 +55,7 @@ impl<M: Mechanism> Erased for M {
         state.push(0.0);
         let law = ready(Balanced(self.clone()));
         let (energetic, showing, judging) = (self.clone(), self.clone(), self.clone());
+        let start = start.to_vec();
         let balance = move |time: f64, y: &[f64]| energetic.energy(time, &y[..count]) - y[count];
         Problem {
             law,
@@ -63,7 +64,7 @@ impl<M: Mechanism> Erased for M {
             invariants: vec![Invariant { name: "energy_less_work", value: Box::new(balance) }],
             columns: self.columns().iter().map(|quantity| quantity.name.to_string()).collect(),
             row: Box::new(move |time, y| [y, &showing.shown(time, &y[..count])].concat()),
-            outside: Box::new(move |y| judging.outside(&y[..count])),
+            margins: Box::new(move |y, dy| judging.margins(&start, &y[..count], &dy[..count])),
         }
     }
 

@@ -4,6 +4,7 @@ use super::rewritten::Rewritten;
 use crate::ladder::{Rung, Written};
 use crate::machines::Quantity;
 use crate::scene::atlas::Formulation;
+use crate::scene::law_end::{Margin, outside};
 use field::{Analytic, Over};
 use integrators::{Method, Ode};
 use std::fmt::Debug;
@@ -54,9 +55,14 @@ pub trait Mechanism: Clone + Debug + Send + Sync + 'static {
         Vec::new()
     }
 
-    /// Why the law does not hold at a state, where it does not.
-    fn outside(&self, _y: &[f64]) -> Option<&'static str> {
-        None
+    /// How far a state is from where the law ends, of a motion with this start; `dy` are the rates. Always as many.
+    fn margins(&self, _start: &[f64], _y: &[f64], _dy: &[f64]) -> Vec<Margin> {
+        Vec::new()
+    }
+
+    /// Why the law does not hold at a state of a motion with this start, where it does not.
+    fn outside(&self, start: &[f64], y: &[f64]) -> Option<&'static str> {
+        outside(&self.margins(start, y, &vec![0.0; y.len()]))
     }
 
     /// The name of what a motion that ended early has come to, if its last state shows it or it has left its law.
@@ -103,7 +109,7 @@ pub struct Ended<'a> {
     /// The last good state, and its time, s.
     pub last: &'a [f64],
     pub time: f64,
-    /// Whether the next state was [outside](Mechanism::outside) the law.
+    /// Whether a [margin](Mechanism::margins) of the law has come to its end.
     pub left: bool,
     pub method: Method,
     /// What it was asked for, s.

@@ -2,6 +2,7 @@
 
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::machines::Quantity;
+use crate::scene::Margin;
 use crate::systems::variable_top::{Attitude, StationaryInclination, Top, poisson, prescribing};
 use field::{Analytic, Over, Rational, Scalar};
 
@@ -99,6 +100,13 @@ impl Mechanism for PrescribedTop<f64> {
         vec![nodding(y)]
     }
 
+    fn margins(&self, start: &[f64], y: &[f64], dy: &[f64]) -> Vec<Margin> {
+        let sign = nodding(start).signum();
+        let rate = dy[0] * y[4] + y[0] * dy[4] - dy[1] * y[3] - y[1] * dy[3];
+        let what = "p g2 = q g1: the inclination of the axis is stationary, and no moment leads the integrals";
+        vec![Margin { value: sign * nodding(y), rate: sign * rate, what }]
+    }
+
     /// By the decimals that were written: in doubles equal products may differ.
     fn amiss(&self, start: &[f64]) -> Vec<Amiss> {
         let exact: Vec<Rational> = start.iter().map(|value| Rational::decimal(*value)).collect();
@@ -111,6 +119,6 @@ impl Mechanism for PrescribedTop<f64> {
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {
         let what = "p g2 = q g1: the inclination of the axis becomes stationary, where the moments that lead the integrals \
                     are infinite";
-        (nodding(run.last).abs() < NEAR * nodding(run.start).abs()).then_some(Diagnosis { what, at: None })
+        (run.left || nodding(run.last).abs() < NEAR * nodding(run.start).abs()).then_some(Diagnosis { what, at: None })
     }
 }

@@ -24,7 +24,7 @@ pub struct MachineData {
     pub counts: Vec<(&'static str, &'static str, usize)>,
     /// Of a motor that is written in the scene.
     pub laws: Option<Arc<Laws>>,
-    /// What the scene asks for beyond the bounds of data.
+    /// The data beyond their bounds that the scene asks for.
     pub allowed: Allowed,
     /// W of a machine whose rotor follows the stator's field: the speed that a machine of constant speed keeps.
     synchronous_speed: Option<f64>,

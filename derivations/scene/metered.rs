@@ -1,6 +1,7 @@
 //! A motor's scene with the work of its supply metered: a run then shows whether energy went where the laws send it.
 
 use super::by_program::by_program;
+use super::law_end::of_leading;
 use super::problem::{Invariant, Law, Problem};
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
@@ -17,7 +18,7 @@ impl Scene {
         let Some((law, balance)) = self.machine.clone().apply(Metering { system: &self.system, axes }) else {
             return plain;
         };
-        let Problem { mut state, span, invariants, mut columns, row, outside, .. } = plain;
+        let Problem { mut state, span, invariants, mut columns, row, margins, .. } = plain;
         let own = state.len();
         state.push(0.0);
         columns.push("work".to_owned());
@@ -32,8 +33,7 @@ impl Scene {
             row.push(y[own]);
             row
         };
-        let outside = move |y: &[f64]| outside(&y[..own]);
-        Problem { law, state, span, invariants, columns, row: Box::new(row), outside: Box::new(outside) }
+        Problem { law, state, span, invariants, columns, row: Box::new(row), margins: of_leading(margins, own) }
     }
 }
 

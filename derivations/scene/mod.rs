@@ -9,8 +9,8 @@
 //! * [`bodies`], [`machine`], [`start`], [`run`]: the tables of a scene;
 //! * `written`: a motor whose laws stand in the scene;
 //! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data;
-//! * [`problem`], [`simulate`]: the law that any method integrates, and the run; [`smooth`]: scenes of every family that
-//!   has one;
+//! * [`problem`], [`simulate`]: the law that any method integrates, and the run; [`law_end`]: where a law ends; [`smooth`]:
+//!   scenes of every family that has one;
 //! * [`code`]: the right-hand side and its Jacobian as code of other languages;
 //! * [`measured`], [`atlas`]: every method on every formulation with every model, speed against accuracy; [`stored`]:
 //!   what errors are measured by, kept in files.
@@ -22,6 +22,7 @@ mod by_program;
 pub mod code;
 pub mod file;
 pub mod issue;
+pub mod law_end;
 pub mod machine;
 pub mod measured;
 mod metered;
@@ -30,6 +31,7 @@ pub mod problem;
 pub mod quantity;
 pub mod read;
 pub mod run;
+mod runaway;
 pub mod simulate;
 pub mod smooth;
 pub mod start;
@@ -37,7 +39,6 @@ pub mod state;
 pub mod stored;
 mod transition;
 pub mod units;
-mod warned;
 mod written;
 
 pub use crate::mechanisms::MechanismScene;
@@ -45,6 +46,7 @@ pub use any::AnyScene;
 pub use atlas::Atlas;
 pub use file::Family;
 pub use issue::{Issue, SceneError, nearest};
+pub use law_end::Margin;
 pub use machine::{MachineData, Named, NoModel};
 pub use measured::{Trials, judged};
 pub use problem::{Invariant, Problem};

@@ -1,6 +1,7 @@
 //! A scene as an initial value problem, its types forgotten: what any method runs.
 
 use super::by_program::by_program;
+use super::law_end::Margins;
 use super::state::outputs;
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
@@ -26,8 +27,8 @@ pub struct Problem {
     pub columns: Vec<String>,
     /// What is shown of a state at a time.
     pub row: Box<Row>,
-    /// Why the law does not hold at a state, where it does not.
-    pub outside: Box<Outside>,
+    /// How far a state is from where the law ends.
+    pub margins: Box<Margins>,
 }
 
 /// A system that can be shared between threads.
@@ -36,7 +37,6 @@ impl<L: integrators::System + Send + Sync> Law for L {}
 
 type Function = dyn Fn(f64, &[f64]) -> f64 + Send + Sync;
 pub(crate) type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
-type Outside = dyn Fn(&[f64]) -> Option<&'static str> + Send + Sync;
 
 /// A function of time and state that keeps its first value.
 pub struct Invariant {
@@ -58,7 +58,7 @@ impl Scene {
             invariants,
             columns: outputs(self.on_bench(), &self.machine),
             row: Box::new(self.row(axes)),
-            outside: Box::new(|_| None),
+            margins: Box::new(|_, _| Vec::new()),
         }
     }
 }

@@ -48,7 +48,7 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String
     Some(Run { outputs: outputs.into_iter().map(|output| output.value).collect(), ..run })
 }
 
-/// What every family's table `[run]` may hold, with the tolerance where none is given, of a run whose rows have so many columns.
+/// The keys that every family's table `[run]` may hold, with the tolerance where none is given, of a run whose rows have so many columns.
 pub fn of_any_family(table: &mut Table<'_>, usual: f64, columns: usize) -> Option<Run> {
     let span = table.scalar("span", "length of the run", "s");
     if span.value <= 0.0 {

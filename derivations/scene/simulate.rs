@@ -1,8 +1,9 @@
 //! A problem run: its trajectory as a reader wants it.
 
+use super::problem::Row;
 use super::{Axes, Problem, Run, Scene};
 use integrators::{
-    Beside, End, Failure, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside, integrate,
+    Beside, Deviation, End, Failure, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside,
 };
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -31,9 +32,9 @@ pub struct Trajectory {
     pub states: Vec<Vec<f64>>,
     /// The last good state, written like a row.
     pub last: Vec<f64>,
-    /// As the integrator gave it; where the run left its law, up to the last good state.
+    /// As the integrator gave it; where the law ended, up to there.
     pub outcome: Outcome<f64>,
-    /// Why the law did not hold any more after the last good state: a method had stepped over its end.
+    /// Why the law does not hold any more after the last good state, where it ended.
     pub left: Option<&'static str>,
 }
 
@@ -73,31 +74,31 @@ impl Problem {
 
     /// Runs until `progress`, told the fraction done after every step, breaks it off; what there is is kept.
     pub fn simulate_while(&self, choice: &Choice, progress: impl FnMut(f64) -> ControlFlow<()>) -> Trajectory {
-        let samples = divisor(choice.method, choice.samples);
         let mut span = Span::new(0.0, self.span, &self.state)
-            .with_even_outputs(samples)
+            .with_even_outputs(choice.samples)
             .with_deadline(Instant::now() + choice.allowed);
         span.outputs.insert(0, 0.0);
         for invariant in &self.invariants {
-            span = span.with_monitor(invariant.name, |time, y| (invariant.value)(time, y));
+            let first = (invariant.value)(0.0, &self.state);
+            // a step that has left the law is none of the run
+            let value = move |time: f64, y: &[f64]| match self.outside(y) {
+                Some(_) => first,
+                None => (invariant.value)(time, y),
+            };
+            span = span.with_monitor(invariant.name, value);
         }
         let mut kept = Kept {
-            problem: self,
+            row: &*self.row,
             times: Vec::new(),
             rows: Vec::new(),
             states: choice.method.steps().map(|_| Vec::new()),
-            good: (0.0, self.state.clone()),
-            left: None,
             broken_off: false,
             progress,
         };
         let tolerance = Tolerance::both(choice.tolerance);
-        let mut outcome = integrate(&*self.law, choice.method, &tolerance, &span, &mut kept);
-        let Kept { times, rows, states, good, left, .. } = kept;
+        let (outcome, left) = self.integrate(choice.method, &tolerance, &span, &mut kept);
+        let Kept { times, rows, states, .. } = kept;
         let states = states.unwrap_or_default();
-        if left.is_some() {
-            (outcome.time, outcome.state) = good;
-        }
         let last = (self.row)(outcome.time, &outcome.state);
         Trajectory { names: self.columns.clone(), times, rows, states, last, outcome, left }
     }
@@ -120,38 +121,28 @@ impl Problem {
             let mut span = Span::new(0.0, self.span, &self.state).with_deadline(Instant::now() + choice.allowed);
             span.outputs.clone_from(&record.times);
             let mut seen = Record::new();
-            let mut ends = Leaves { outside: &*self.outside, left: None, goes_on: &mut goes_on, broken_off: false };
+            let mut told = Told { goes_on: &mut goes_on, broken_off: false };
             let tolerance = Tolerance::both(choice.tolerance);
-            let outcome = integrate(&*self.law, method, &tolerance, &span, &mut (&mut seen, &mut ends));
-            (outcome, seen, ends.left)
+            let (outcome, left) = self.integrate(method, &tolerance, &span, &mut (&mut seen, &mut told));
+            (outcome, seen, left)
         })
     }
 }
 
-/// Ends a run where its law does, or where it is broken off.
-pub(crate) struct Leaves<'a> {
-    pub outside: &'a dyn Fn(&[f64]) -> Option<&'static str>,
-    pub left: Option<&'static str>,
-    pub goes_on: &'a mut dyn FnMut() -> ControlFlow<()>,
-    pub broken_off: bool,
+/// Ends a run where it is told to.
+struct Told<'a> {
+    goes_on: &'a mut dyn FnMut() -> ControlFlow<()>,
+    broken_off: bool,
 }
 
-impl Observer<f64> for Leaves<'_> {
-    fn step(&mut self, _time: f64, state: &[f64]) {
-        self.left = (self.outside)(state);
+impl Observer<f64> for Told<'_> {
+    fn step(&mut self, _time: f64, _state: &[f64]) {
         self.broken_off |= (self.goes_on)().is_break();
     }
 
     fn enough(&self) -> bool {
-        self.left.is_some() || self.broken_off
+        self.broken_off
     }
-}
-
-/// Methods land their steps on the samples. One of constant step keeps its steps only where their number is a multiple.
-fn divisor(method: Method, samples: usize) -> usize {
-    let Some(steps) = method.steps() else { return samples };
-    let steps = steps as usize;
-    (1..=samples.min(steps)).rev().find(|samples| steps.is_multiple_of(*samples)).unwrap_or(1)
 }
 
 impl Trajectory {
@@ -179,6 +170,14 @@ impl Trajectory {
         )
     }
 
+    /// What has no value: columns at the end, quantities that are conserved along the run.
+    pub fn undefined(&self) -> Vec<&str> {
+        let columns = self.names.iter().zip(&self.last).filter(|(_, value)| !value.is_finite());
+        let lost = |deviation: &&Deviation| !(deviation.first.is_finite() && deviation.largest.is_finite());
+        let kept = self.outcome.deviations.iter().filter(lost);
+        columns.map(|(name, _)| name.as_str()).chain(kept.map(|deviation| deviation.name.as_str())).collect()
+    }
+
     /// Whether it went on until it was told to end.
     pub fn broken_off(&self) -> bool {
         let told = matches!(self.outcome.end, End::Halted | End::Stopped(Failure::Interrupted { .. }));
@@ -186,36 +185,23 @@ impl Trajectory {
     }
 }
 
-/// Keeps the rows, and passes the progress on. Ends the run where the law does not hold.
+/// Keeps the rows, and passes the progress on.
 struct Kept<'a, F> {
-    problem: &'a Problem,
+    row: &'a Row,
     times: Vec<f64>,
     rows: Vec<Vec<f64>>,
     /// Where they are asked for.
     states: Option<Vec<Vec<f64>>>,
-    /// The last state at which the law holds.
-    good: (f64, Vec<f64>),
-    left: Option<&'static str>,
     broken_off: bool,
     progress: F,
 }
 
 impl<F: FnMut(f64) -> ControlFlow<()>> Observer<f64> for Kept<'_, F> {
     fn sample(&mut self, time: f64, state: &[f64]) {
-        if (self.problem.outside)(state).is_none() {
-            self.times.push(time);
-            self.rows.push((self.problem.row)(time, state));
-            if let Some(states) = &mut self.states {
-                states.push(state.to_vec());
-            }
-        }
-    }
-
-    fn step(&mut self, time: f64, state: &[f64]) {
-        self.left = (self.problem.outside)(state);
-        if self.left.is_none() {
-            self.good.0 = time;
-            self.good.1.copy_from_slice(state);
+        self.times.push(time);
+        self.rows.push((self.row)(time, state));
+        if let Some(states) = &mut self.states {
+            states.push(state.to_vec());
         }
     }
 
@@ -224,6 +210,6 @@ impl<F: FnMut(f64) -> ControlFlow<()>> Observer<f64> for Kept<'_, F> {
     }
 
     fn enough(&self) -> bool {
-        self.left.is_some() || self.broken_off
+        self.broken_off
     }
 }

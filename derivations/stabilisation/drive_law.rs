@@ -88,10 +88,16 @@ impl Seven {
 
 type Five = [[f64; 5]; 5];
 
+/// Beyond this no step is looked for, s.
+const LONGEST: f64 = 1e6;
+
 /// The longest step with which I + h A has no eigenvalue outside the unit circle.
 fn longest(matrix: &Five) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..30 {
+    while high < LONGEST && !grows(matrix, high) {
+        (low, high) = (high, 2.0 * high);
+    }
+    for _ in 0..40 {
         let middle = 0.5 * (low + high);
         if grows(matrix, middle) { high = middle } else { low = middle }
     }

@@ -1,5 +1,6 @@
 //! The experiment with the drive: Euler with the step 0.01 s, with and without stabilisation, and what step it can bear.
 
+use super::bearable::bearable_steps;
 use super::drive_law::{Nine, Seven, violation};
 use crate::systems::crank_drive::{Circuit, CrankDrive};
 use crate::systems::crank_slider::CrankSlider;
@@ -103,7 +104,7 @@ pub fn exact(outputs: usize) -> Result<(Vec<Sample>, f64), Failure> {
 }
 
 /// What step Euler can bear, s. By theory: the longest with which I + h A has no eigenvalue outside the unit circle, A the
-/// Jacobian of the circuit's five equations at the instants of the exact motion. By measurement: the longest with which a
+/// Jacobian of the circuit's five equations at the instants of the motion. By measurement: the longest with which a
 /// run keeps its currents bounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bearable {
@@ -122,10 +123,7 @@ pub struct Bearable {
 /// # Errors
 /// Where the exact motion broke off.
 pub fn bearable() -> Result<Bearable, Failure> {
-    let (points, _) = exact(200)?;
-    let steps = points.iter().map(|(time, y)| Seven { drive: DRIVE }.bearable_step(*time, &y[..7]));
-    let (least, greatest) =
-        steps.fold((f64::INFINITY, 0.0_f64), |(least, most), step| (least.min(step), most.max(step)));
+    let [least, greatest] = bearable_steps(&Seven { drive: DRIVE }, &start()[..7], SPAN)?;
     Ok(Bearable { least, greatest, plain: measured(0.0, 0.0), stabilised: measured(2.0, 1.0) })
 }
 

@@ -9,6 +9,7 @@
 //! * [`regions`], [`treatments`]: gains and treatments of a constraint, measured.
 
 mod alphabet;
+pub mod bearable;
 pub mod drifting;
 pub mod drive;
 pub mod drive_law;

@@ -17,8 +17,8 @@ pub enum Motor {
     Free,
     /// The speed that it keeps, rad/s.
     Kept { speed: Root },
-    /// In step with the field: the angles at which the moment vanishes.
-    InStep { speed: Root, angles: Vec<Angle>, bears: Option<Bears> },
+    /// In step with the field: the angles at which the moment vanishes, and whether a supply feeds currents there.
+    InStep { speed: Root, angles: Vec<Angle>, bears: Option<Bears>, fed: bool },
     /// The speeds relative to the carrier at which the moment vanishes.
     Slipping { speeds: Vec<Slip>, extremes: Vec<Extreme> },
 }
@@ -78,7 +78,9 @@ impl std::fmt::Display for NoMotor {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Data(reason) => reason.fmt(f),
-            Self::NotAlgebraic(reason) => write!(f, "the motor's moment is not algebraic: {reason}"),
+            Self::NotAlgebraic(reason) => {
+                write!(f, "the motor's moment is not known as a fraction of polynomials: {reason}")
+            }
             Self::AnyAngle => {
                 write!(
                     f,
@@ -165,7 +167,9 @@ impl ForMachine for States<'_> {
         let kept = kept.ok_or_else(|| NoMotor::NotAlgebraic("the field's speed is no fraction".into()));
         match M::ROTOR {
             RotorState::Prescribed => Ok(Motor::Kept { speed: kept? }),
-            RotorState::AngleAndSpeed => in_step(kept?, |angle| Resting::of(&machine, angle, Sym::ZERO)),
+            RotorState::AngleAndSpeed => {
+                in_step(kept?, is_fed(&machine), |angle| Resting::of(&machine, angle, Sym::ZERO))
+            }
             RotorState::Speed => {
                 let speed = Sym::symbol("speed");
                 let angle = Circle { cos: Sym::int(1), sin: Sym::ZERO };
@@ -235,7 +239,11 @@ impl Fraction {
     }
 }
 
-fn in_step(speed: Root, resting: impl Fn(Circle<Sym>) -> Result<Resting, NoMotor>) -> Result<Motor, NoMotor> {
+fn in_step(
+    speed: Root,
+    fed: bool,
+    resting: impl Fn(Circle<Sym>) -> Result<Resting, NoMotor>,
+) -> Result<Motor, NoMotor> {
     let t = Sym::symbol("t");
     let (of_angle, currents) = resting(Circle::from_half_tangent(t))?.fractions(t)?;
     // near half a turn the angle is pi - 2 u for the half tangent 1/u
@@ -265,7 +273,7 @@ fn in_step(speed: Root, resting: impl Fn(Circle<Sym>) -> Result<Resting, NoMotor
         let range = range.unwrap_or(Bears { least: moment, greatest: moment });
         Some(Bears { least: range.least.min(moment), greatest: range.greatest.max(moment) })
     });
-    Ok(Motor::InStep { speed, angles, bears })
+    Ok(Motor::InStep { speed, angles, bears, fed })
 }
 
 fn slipping(resting: &Resting, speed: Sym) -> Result<Motor, NoMotor> {

@@ -1,6 +1,6 @@
 //! The same ladder under governors.
 
-use super::{exactly, mechanism, truly};
+use super::{mechanism, truly};
 use derivations::ladder::{Ladder, Loss};
 
 fn effectivity(ladder: &Ladder, outputs: &[&str], name: &str) -> (f64, f64) {
@@ -8,7 +8,7 @@ fn effectivity(ladder: &Ladder, outputs: &[&str], name: &str) -> (f64, f64) {
     let (watched, _) = ladder.watched(&names).expect("it runs");
     let rung = ladder.rungs.iter().find(|rung| rung.name == name).unwrap_or_else(|| panic!("{name} is on the ladder"));
     let found = ladder.estimate(rung, &watched, 1e-8).expect("it is carried");
-    let error = truly(ladder, rung, &exactly(ladder), &watched).expect("it runs");
+    let error = truly(ladder, rung, &found, &watched).expect("it runs");
     (error, found.first / error)
 }
 

@@ -8,9 +8,9 @@ mod governors;
 mod lumping;
 mod rough;
 
-use derivations::ladder::followed::followed;
+use derivations::ladder::followed::{followed, followed_at, instants};
 use derivations::ladder::watched::Watched;
-use derivations::ladder::{Ladder, Rung};
+use derivations::ladder::{Estimate, Ladder, Rung};
 use derivations::scene::{AnyScene, Axes, Family, MechanismScene, Scene};
 use integrators::{Record, Tolerance};
 use std::path::PathBuf;
@@ -45,8 +45,24 @@ fn exactly(ladder: &Ladder) -> Record<f64> {
     followed(&*ladder.law, &tight(), ladder.own.span, &ladder.start).expect("it reaches its end").0
 }
 
-/// What a rung is truly off, by runs of both models.
-fn truly(ladder: &Ladder, rung: &Rung, exact: &Record<f64>, watched: &Watched) -> Option<f64> {
-    let (low, _) = followed(&*rung.law, &tight(), ladder.own.span, &rung.start).ok()?;
-    Some(ladder.difference(rung, &low, exact, watched))
+/// At these times, the last of which is the end.
+fn exactly_at(ladder: &Ladder, times: &[f64]) -> Record<f64> {
+    followed_at(&*ladder.law, &tight(), times, &ladder.start).expect("it reaches its end").0
+}
+
+/// What a rung is truly off, by runs of both models: at the instants, and where the estimate is largest.
+fn truly(ladder: &Ladder, rung: &Rung, found: &Estimate, watched: &Watched) -> Option<f64> {
+    let mut times: Vec<f64> = instants(ladder.own.span).chain((found.at > 0.0).then_some(found.at)).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    let (low, _) = followed_at(&*rung.law, &tight(), &times, &rung.start).ok()?;
+    Some(ladder.difference(rung, &low, &exactly_at(ladder, &times), watched))
+}
+
+/// What the run of an estimate with the first order added is off, where it was looked at.
+fn corrected(ladder: &Ladder, found: &Estimate, watched: &Watched) -> f64 {
+    let times: Vec<f64> = found.corrected.iter().map(|(time, _)| *time).collect();
+    let exact = exactly_at(ladder, &times);
+    let rows = found.corrected.iter().zip(exact.times.iter().zip(&exact.states));
+    rows.map(|((_, row), (time, y))| watched.off(row, &ladder.row(*time, y))).fold(0.0, f64::max)
 }

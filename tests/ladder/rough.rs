@@ -80,7 +80,11 @@ fn the_margin_of_a_regime_is_the_least_speed_of_its_run() {
         let wish = Wish { tolerance: 1e-8, outputs: names(&["sliding_guide"]), allowed: Duration::ZERO };
         let receipt = choose(&ladder, &wish).expect("it runs");
         let Loss::Held { margin, at } = receipt.lines[1].loss else { panic!("{:?}", receipt.lines[1]) };
-        let rows = &receipt.lines[0].choice.as_ref().expect("it serves").rows;
+        // sizes are those at even instants
+        let times: Vec<f64> = (1..=64).map(|k| span * (f64::from(k) / 64.0)).collect();
+        let method = integrators::Method::DormandPrince8;
+        let (own, _) = ladder.forms(0)[0].run(method, 1e-10, u64::MAX, Some(&times));
+        let rows = own.expect("it reaches its end").asked;
         let of =
             |row: &[f64], name: &str| row[ladder.columns().iter().position(|known| known == name).expect("a column")];
         let speed = |row: &[f64]| ["dx1", "dy1", "dx2", "dy2"].iter().map(|name| of(row, name).abs()).sum::<f64>();

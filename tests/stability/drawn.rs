@@ -79,7 +79,12 @@ impl Data {
         let angle = |t: Rational, slope: i32| Angle { half_tangent: Root::rational(t), slope, currents: vec![] };
         let speed = Root::rational(Rational::int(self.speed)).unwrap();
         let one = Rational::int(1);
-        Motor::InStep { speed, angles: vec![angle(Data::angle(), -1), angle(one / Data::angle(), 1)], bears: None }
+        Motor::InStep {
+            speed,
+            angles: vec![angle(Data::angle(), -1), angle(one / Data::angle(), 1)],
+            bears: None,
+            fed: false,
+        }
     }
 
     fn by_slip(self) -> Motor {

@@ -81,6 +81,7 @@ pub fn in_step(speed: Rational) -> Driven<Synchronous<Sym>, Synchronous<f64>> {
             speed: Root::rational(speed).unwrap(),
             angles: vec![angle(r(-1, 3), -1), angle(r(-3, 1), 1)],
             bears: None,
+            fed: false,
         },
         kept: Kept::RelativeSpeed,
         value: speed,
@@ -94,7 +95,12 @@ pub fn without_friction(speed: Rational, b0: Rational) -> Driven<Synchronous<Sym
     Driven {
         exact: Synchronous { field_speed: constant(speed), b0: constant(b0), f: Sym::int(0) },
         running: Synchronous { field_speed: speed.to_f64(), b0: b0.to_f64(), f: 0.0 },
-        motor: Motor::InStep { speed: Root::rational(speed).unwrap(), angles: vec![held, driven_away], bears: None },
+        motor: Motor::InStep {
+            speed: Root::rational(speed).unwrap(),
+            angles: vec![held, driven_away],
+            bears: None,
+            fed: false,
+        },
         kept: Kept::RelativeSpeed,
         value: speed,
     }

@@ -10,7 +10,7 @@ pub struct Report {
     pub title: String,
     /// One paragraph of text: what was examined and what came out.
     pub summary: String,
-    /// What made the page, for the last line and the generator that the head names: program and version.
+    /// The maker of the page, for the last line and the generator that the head names: program and version.
     pub generated_by: String,
     pub papers: Vec<PaperSection>,
     pub scenes: Vec<SceneSection>,
@@ -88,7 +88,7 @@ pub struct ClaimRow {
     pub correction: Option<Box<ClaimRow>>,
     /// Why the print fails: text, empty where it does not.
     pub why: String,
-    /// How a damaged or ambiguous text was read: text, empty where there was nothing to choose.
+    /// The reading of a damaged or ambiguous text; empty where there was nothing to choose.
     pub reading: String,
     /// Anything else a reader should know: text, empty where there is nothing.
     pub note: String,

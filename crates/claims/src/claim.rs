@@ -21,7 +21,7 @@ pub struct Claim {
     pub correction: Option<Box<Claim>>,
     /// Why the print fails, where it does: the slip that explains it.
     pub why: String,
-    /// How a damaged or ambiguous text was read: what the source shows, what was restored, which reading is judged.
+    /// The reading of a damaged or ambiguous text: the source's signs, the restored ones, and the reading that is judged.
     pub reading: String,
     /// Anything else a reader should know.
     pub note: String,

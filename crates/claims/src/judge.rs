@@ -1,11 +1,11 @@
 //! Deciding a claim.
 
-use crate::presupposed::told;
+use crate::premises::told;
 use crate::proof::Finding;
 use crate::{Claim, Condition, Line, Proof, Statement, Verdict, examine};
 use symbolic::{Decision, Dimension, Hypotheses, decide, normal};
 
-/// So many characters of a statement are read at once.
+/// The most characters of a statement: more are not read at once.
 const AT_ONCE: usize = 600;
 
 /// A claim with what was found, as text only: it can leave the thread whose expressions it was made of.
@@ -34,7 +34,7 @@ pub struct Judged {
     pub correction: Option<Box<Judged>>,
     /// Why the print fails, of a refuted claim.
     pub why: String,
-    /// How a damaged or ambiguous text was read; empty where there was nothing to choose.
+    /// The reading of a damaged or ambiguous text; empty where there was nothing to choose.
     pub reading: String,
     pub note: String,
     /// What the cross-examination objects to: empty for a sound claim.
@@ -113,6 +113,12 @@ impl Claim {
                 {
                     judged.counterexample =
                         point.values().iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
+                }
+                if let (Proof::NormalForm, Verdict::Refuted, Some(witness)) =
+                    (&theorem.proof, judged.verdict, theorem.witness())
+                {
+                    judged.counterexample =
+                        witness.point.iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
                 }
                 judged.objections = examine::theorem(theorem, dimension);
                 judged.mixed(examine::mixed_conclusions(theorem, dimension));

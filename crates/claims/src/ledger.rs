@@ -19,7 +19,7 @@ pub struct Entry {
     pub requires: Vec<String>,
     /// Why the print fails, of a refuted claim.
     pub why: Option<String>,
-    /// How a damaged or ambiguous text was read.
+    /// The reading of a damaged or ambiguous text.
     pub reading: Option<String>,
     /// A remark.
     pub note: Option<String>,

@@ -21,7 +21,7 @@ pub mod examine;
 mod judge;
 mod ledger;
 mod page;
-mod presupposed;
+mod premises;
 mod proof;
 pub mod review;
 mod snapshot;

@@ -101,7 +101,7 @@ impl<'a> Draft<'a> {
         self
     }
 
-    /// How a damaged or ambiguous text was read: what the source shows, what was restored, which reading is judged.
+    /// The reading of a damaged or ambiguous text: the source's signs, the restored ones, and the reading that is judged.
     pub fn reading(mut self, reading: impl Into<String>) -> Self {
         self.reading = reading.into();
         self

@@ -3,7 +3,7 @@
 use crate::univariate::{polynomial, vanish_at_zero_alone};
 use crate::{Condition, Point, Theorem, Verdict};
 use num_traits::{One, Zero};
-use symbolic::{Decision, Hypotheses, Sym, coefficients, decide, normal};
+use symbolic::{Decision, Hypotheses, Sym, Witness, coefficients, decide, normal};
 
 /// How an implication is shown, or shown wrong. Each is checked by exact arithmetic; none is taken on trust.
 #[derive(Clone, Debug)]
@@ -37,7 +37,7 @@ pub struct Combination {
     pub factor: Option<Sym>,
 }
 
-/// What a check came to.
+/// The result of a check.
 pub(crate) struct Finding {
     pub verdict: Verdict,
     /// The reason in a few words.
@@ -55,7 +55,7 @@ impl Finding {
 impl Theorem {
     pub(crate) fn decide(&self) -> Finding {
         match &self.proof {
-            Proof::NormalForm => self.all(|_, conclusion| self.vanishes(conclusion.expression())),
+            Proof::NormalForm => self.all(|_, conclusion| self.follows(conclusion)),
             Proof::Combinations(certificates) => self.all(|k, conclusion| match certificates.get(k) {
                 Some(certificate) => self.combine(certificate, conclusion),
                 None => Finding::of(Verdict::Open, format!("no certificate is given for {conclusion}")),
@@ -88,14 +88,38 @@ impl Theorem {
         Finding { divisors, ..last }
     }
 
+    /// The first exact point that satisfies all that is given and at which a conclusion, an equality, fails: that of a normal
+    /// form which is not zero.
+    pub(crate) fn witness(&self) -> Option<Witness> {
+        self.then.iter().find_map(|conclusion| match decide(conclusion.expression(), &self.rules) {
+            Decision::NonZero(witness) => Some(witness).filter(|witness| self.admits(witness)),
+            _ => None,
+        })
+    }
+
+    /// Whether all that is given beside the rules, which any witness satisfies, holds at its point.
+    fn admits(&self, witness: &Witness) -> bool {
+        let values = witness.point.iter().filter_map(|(symbol, value)| Some((*symbol, value.as_constant()?)));
+        let point = Point::of(values);
+        self.given.iter().all(|condition| condition.holds_at(&point) == Some(true))
+    }
+
+    fn follows(&self, conclusion: Condition) -> Finding {
+        match decide(conclusion.expression(), &self.rules) {
+            Decision::NonZero(witness) if self.admits(&witness) => {
+                Finding::of(Verdict::Refuted, format!("the difference is not zero: {witness}"))
+            }
+            _ => self.vanishes(conclusion.expression()),
+        }
+    }
+
     fn vanishes(&self, expression: Sym) -> Finding {
         match decide(expression, &self.rules) {
             Decision::Zero(proof) => {
                 Finding { divisors: proof.requires, ..Finding::of(Verdict::Proved, "normal form zero") }
             }
-            Decision::NonZero(witness) => {
-                Finding::of(Verdict::Undecided, format!("the difference is not zero: {witness}"))
-            }
+            // the point would be one of this proof and not of the statement
+            Decision::NonZero(_) => Finding::of(Verdict::Undecided, "the proof that is given does not show it"),
             Decision::Undefined(denominator) => {
                 Finding::of(Verdict::Undefined, format!("{denominator} vanishes identically"))
             }

@@ -110,6 +110,23 @@ fn a_certificate_with_a_wrong_cofactor_proves_nothing() {
     assert_eq!(with(a - b), Verdict::Undecided);
 }
 
+/// A normal form that is not zero refutes, unless what is given beside the rules excludes the point that shows it.
+#[test]
+fn what_a_point_contradicts_is_refuted_and_shows_the_point() {
+    let [a, b] = symbols(["a", "b"]);
+    let with = |given: &[Condition]| {
+        judged(|page| {
+            page.claim("eq1", "x", "").given(given.iter().copied()).follows([Condition::Equal(a, b)]);
+        })
+    };
+    let refuted = with(&[]);
+    assert_eq!(refuted.verdict, Verdict::Refuted, "{}", refuted.evidence);
+    assert_eq!(refuted.counterexample.len(), 2, "{:?}", refuted.counterexample);
+    let unused = with(&[Condition::Equal(a, b)]);
+    assert_eq!(unused.verdict, Verdict::Undecided, "{}", unused.evidence);
+    assert!(unused.counterexample.is_empty() && !unused.evidence.contains(" at "), "{}", unused.evidence);
+}
+
 #[test]
 fn a_certificate_may_not_divide_by_what_may_vanish() {
     let [a, b] = symbols(["a", "b"]);

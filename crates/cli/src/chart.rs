@@ -35,7 +35,7 @@ pub struct Asked {
     /// How to print the results: text is for reading, JSON has one object for every run
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
-    /// What the work of a picture is counted in; without it in evaluations
+    /// The unit in which the work of a picture is counted; without it evaluations
     #[arg(long, value_enum, requires = "out")]
     pub x: Option<Axis>,
     /// Another machine, made of the scene's data

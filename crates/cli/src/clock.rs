@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 
 /// A command that can break off by itself is given so long for it.
 const GRACE: Duration = Duration::from_millis(700);
-/// How often the thread looks: below what is felt.
+/// The interval at which the thread looks: shorter than a user feels.
 const TICK: Duration = Duration::from_millis(20);
 /// The sign of progress is drawn ten times a second.
 const TICKS_A_DRAWING: u32 = 5;
@@ -47,7 +47,7 @@ static CLOCK: OnceLock<Clock> = OnceLock::new();
 static OUTPUT: RwLock<()> = RwLock::new(());
 /// Whether the user pressed Ctrl-C.
 static PRESSED: AtomicBool = AtomicBool::new(false);
-/// What was at work when the end came.
+/// The phase that was at work when the end came.
 static PHASE: OnceLock<Option<String>> = OnceLock::new();
 /// Results that are printed if the program is ended before it prints them.
 static FOUND: Mutex<String> = Mutex::new(String::new());
@@ -68,7 +68,7 @@ pub fn start(command: &'static str, keeps: Keeps, seconds: Option<u32>) {
     }
 }
 
-/// What is left of the time.
+/// The time that is left.
 pub fn left() -> Duration {
     let deadline = CLOCK.get().and_then(|clock| clock.deadline);
     deadline.map_or(NO_LIMIT, |deadline| deadline.saturating_duration_since(Instant::now()))
@@ -94,7 +94,7 @@ pub fn note_phase() {
     PHASE.get_or_init(progress::phase);
 }
 
-/// How a command ended that broke off by itself: the exit code, after the reason was told; `None` where it did not.
+/// The exit code of a command that broke off by itself, after the reason was told; `None` where it did not.
 pub fn broke_off() -> Option<u8> {
     let clock = CLOCK.get().filter(|_| PRESSED.load(Relaxed) || was_obeyed())?;
     clock.tell("what there is, is kept");

@@ -52,8 +52,9 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         Format::Text => page(&title, &findings),
         Format::Json => format!("{:#}\n", object(&title, &findings)),
     })?;
-    let fails = findings.iter().any(|finding| matches!(finding.verdict, Verdict::Fails(_)));
-    Ok(if fails { Ending::Stopped } else { Ending::Done })
+    // what was not decided is not known to hold
+    let open = |finding: &Finding| matches!(finding.verdict, Verdict::Fails(_) | Verdict::Undecided(_));
+    Ok(if findings.iter().any(open) { Ending::Stopped } else { Ending::Done })
 }
 
 fn object(title: &str, findings: &[Finding]) -> Value {

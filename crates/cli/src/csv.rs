@@ -1,4 +1,4 @@
-//! Tables: names of columns with their units, then rows, every number with all its digits.
+//! Tables: names of columns with their units, then rows, every number with all its digits; a cell is empty where there is none.
 
 use crate::ending::Ending;
 use crate::output::{Form, Output, Writes, Written};
@@ -34,7 +34,7 @@ impl Table {
             let mut record = ByteRecord::new();
             for (time, row) in times.iter().zip(rows) {
                 record.clear();
-                std::iter::once(time).chain(row).for_each(|value| record.push_field(value.to_string().as_bytes()));
+                std::iter::once(time).chain(row).for_each(|value| record.push_field(cell(*value).as_bytes()));
                 table.write_byte_record(&record).map_err(of_system)?;
             }
             table.flush()
@@ -68,7 +68,7 @@ impl Matrix {
             let mut table = table(out);
             table.write_record(heading(&columns)).map_err(of_system)?;
             for (name, row) in columns.iter().zip(rows) {
-                let cells = std::iter::once(name.clone()).chain(row.iter().map(f64::to_string));
+                let cells = std::iter::once(name.clone()).chain(row.iter().copied().map(cell));
                 table.write_record(cells).map_err(of_system)?;
             }
             table.flush()
@@ -79,6 +79,11 @@ impl Matrix {
 
 fn heading(columns: &[String]) -> Vec<String> {
     std::iter::once("end by start".to_owned()).chain(columns.iter().cloned()).collect()
+}
+
+/// With all its digits; empty where it is no number.
+fn cell(value: f64) -> String {
+    if value.is_finite() { value.to_string() } else { String::new() }
 }
 
 /// The name of a column with its unit.
@@ -95,7 +100,7 @@ pub fn line<C: AsRef<[u8]>>(cells: &[C]) -> String {
     String::from_utf8_lossy(&bytes).trim_end_matches('\n').to_owned()
 }
 
-/// What the system said, with its kind: a full disk, a reader who is gone.
+/// The error of the system, with its kind: a full disk, a reader who is gone.
 fn of_system(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,

@@ -140,10 +140,26 @@ fn residuals(equations: &[Equation], written: &Written) -> Result<String, Ending
     let letters = letters(equations);
     let sides: Vec<Sym> = equations.iter().map(|each| each.left - each.right).collect();
     let tape = Tape::record(&letters, &sides).map_err(Ending::refused)?;
+    in_doubles(&tape)?;
     let names: Vec<String> = letters.iter().map(Sym::to_string).collect();
     let Written { language, comment, needs } = written;
     let code = tape.source(*language, "residuals");
     Ok(format!("{comment} The letters y: {}.\n{comment} Left sides less right sides.\n{needs}{code}", names.join(", ")))
+}
+
+/// Refuses a law one of whose constants is no double: its code would compute with infinity or zero instead.
+fn in_doubles(tape: &Tape) -> Result<(), Ending> {
+    tape.beyond_range().map_or(Ok(()), |constant| {
+        let mut digits = constant.to_string();
+        if digits.len() > 40 {
+            digits.truncate(40);
+            digits += "...";
+        }
+        Err(Ending::refused(format!(
+            "a constant of the law is beyond the range of double precision, {digits}; data whose products and quotients lie \
+             between 1e-307 and 1e308 are accepted"
+        )))
+    })
 }
 
 /// A scene's motor for reading, or the scene's rates and Jacobian as functions.
@@ -175,6 +191,7 @@ fn of_scene(asked: &Asked) -> Result<String, Ending> {
     let form = asked.form.unwrap_or_default();
     let (rates, jacobian) = (scene.tape(form), scene.jacobian_tape(form));
     let (rates, jacobian) = (rates.map_err(Ending::refused)?, jacobian.map_err(Ending::refused)?);
+    in_doubles(&rates).and_then(|()| in_doubles(&jacobian))?;
     let start: Vec<String> = scene.state(form).iter().map(|y| format!("{y:?}")).collect();
     let mut text = format!(
         "{comment} The states y: {}; in the axes of the {} form.\n{comment} At the start: {}\n{comment} `rates` is dy/dt, \

@@ -12,7 +12,7 @@ use derivations::papers::{self, Paper};
 /// Which claims are to be listed.
 #[derive(Args, Debug)]
 pub struct Asked {
-    /// Claims whose id contains this, such as konosevich2022/eq5.3 or statement3
+    /// Claims whose id contains this, such as konosevich2022/eq5.3 or statement3; those whose id begins with it come first
     #[arg(default_value = "")]
     pub filter: String,
     /// Claims with this verdict only: refuted, undefined, undecided, proved, enclosed, tested, definition, open
@@ -69,7 +69,10 @@ fn those_with(filter: &str) -> Vec<Judged> {
         crew.add(1.0, place, move || (paper.page)().judged(|claim| claim.id.contains(filter)).collect());
     }
     crew.work(|_| ());
-    judged.into_iter().flatten().flatten().collect()
+    let mut all: Vec<Judged> = judged.into_iter().flatten().flatten().collect();
+    // who names a page or the beginning of an id means these: what has the word elsewhere comes behind
+    all.sort_by_key(|claim| !claim.id.starts_with(filter));
+    all
 }
 
 /// A paper's section of the report, and whether every claim in it is sound.

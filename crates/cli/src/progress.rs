@@ -14,7 +14,7 @@ const MARKS: u64 = 1000;
 const WITH_BAR: &str = "{msg} {wide_bar} {percent} % {eta}";
 const WITH_SECONDS: &str = "{spinner} {msg}, {elapsed}";
 
-/// What is at work: drawn by the thread of the clock, so that work that tells nothing is seen to go on.
+/// The phase at work: drawn by the thread of the clock, so that silent work is seen to go on.
 static WORK: Mutex<Option<Work>> = Mutex::new(None);
 
 struct Work {

@@ -116,7 +116,7 @@ fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     keep(output, &owner, &Stored::of(&owner, found.reference, found.events), asked)
 }
 
-/// How the end of a law is looked for: constant steps may lead out of it where the motion does not.
+/// The search for the end of a law: constant steps may lead out of it where the motion does not.
 pub fn following(own: Choice) -> Choice {
     match own.method.steps() {
         None => own,

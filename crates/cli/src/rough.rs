@@ -60,13 +60,19 @@ fn text(scene: &RoughScene, plan: &Plan, course: &Course) -> String {
     let _ = writeln!(text, "t = {:>12.9} s  {}", end(course), course.ending);
     let _ = writeln!(
         text,
-        "work of friction {:.9} J; energy balance open by {:.1e} J",
-        course.friction_work, course.imbalance
+        "work of friction {}; energy balance {}",
+        joules(course.friction_work, |work| format!("{work:.9} J")),
+        joules(course.imbalance, |open| format!("open by {open:.1e} J"))
     );
     if let Some(check) = scene.check(course) {
         let _ = writeln!(text, "{}: off by {:.1e}", check.what, check.deviation);
     }
     text
+}
+
+/// An energy, where it has a value.
+fn joules(value: f64, written: impl Fn(f64) -> String) -> String {
+    if value.is_finite() { written(value) } else { "undefined".to_owned() }
 }
 
 fn json(scene: &RoughScene, plan: &Plan, course: &Course) -> String {
@@ -111,8 +117,8 @@ pub fn section(id: &str, scene: &RoughScene) -> SceneSection {
         (text("method"), format!("{}, tolerance {}", scene.plan.method, tolerance(scene.plan.tolerance.relative))),
         (text("work"), format!("{} evaluations, {} steps", course.work.rates, course.work.steps)),
         (text("ends"), format!("at {} s: {}", significant(end(&course), 6), course.ending)),
-        (text("work of friction"), format!("{} J", significant(course.friction_work, 6))),
-        (text("energy balance"), format!("open by {} J", significant(course.imbalance.abs(), 2))),
+        (text("work of friction"), joules(course.friction_work, |work| format!("{} J", significant(work, 6)))),
+        (text("energy balance"), joules(course.imbalance, |open| format!("open by {} J", significant(open.abs(), 2)))),
     ];
     if let Some(check) = scene.check(&course) {
         facts.push((text("closed form"), format!("{}: off by {}", check.what, significant(check.deviation, 2))));

@@ -42,7 +42,8 @@ pub struct Asked {
     /// Replaces the files of --out and --transition even where `run` did not write what stands there
     #[arg(long)]
     pub force: bool,
-    /// How to print the summary; JSON is one object: time, state, work, invariants, model, method
+    /// How to print the summary; JSON is one object: time, state, work, invariants, model, method; null where a number is not
+    /// defined
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
     /// Instants of the trajectory beside its start
@@ -157,7 +158,10 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     clock::publish(text(&told, None));
     let beside = phase("the run with half of its step", || problem.beside(&choice, &trajectory, clock::goes_on));
     clock::publish(text(&told, beside));
-    let mut ending = if trajectory.outcome.reached() { Ending::Done } else { Ending::Stopped };
+    // what has no value, or parts from its law, is no result
+    let serves = beside.is_none_or(|beside| beside.parting.serves()) && trajectory.undefined().is_empty();
+    let reached = trajectory.outcome.reached() && trajectory.left.is_none();
+    let mut ending = if reached && serves { Ending::Done } else { Ending::Stopped };
     let mut depends = Ok(None);
     if let Some(path) = &asked.transition {
         let not_written = |why: &str| warn(&format!("{} is not written: {why}", path.display()));
@@ -189,7 +193,7 @@ fn phase<T>(label: &str, work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// What a run may write.
+/// The outputs of a run.
 pub fn writes(asked: &Asked) -> Writes<'_> {
     Writes { command: "run", force: asked.force, reads: vec![&asked.scene] }
 }

@@ -1,5 +1,6 @@
 //! Verdicts on the stability of stationary motions, with what each rests on, as text and JSON.
 
+use charts::significant;
 use derivations::stationary::motor::Motor;
 use derivations::stationary::stability::{Along, Integral, Judged, Reason, Verdict};
 use mechanics::first_approximation::{HalfPlanes, Inertia};
@@ -86,6 +87,7 @@ fn object(one: &Judged) -> Value {
         "energy": one.energy.map(|Inertia { positive, zero, negative }| json!({
             "positive": positive, "zero": zero, "negative": negative })),
         "energy_is_conserved": one.conservative,
+        "growth": one.growth,
     })
 }
 
@@ -122,6 +124,23 @@ fn letter(integral: Integral) -> &'static str {
     }
 }
 
+/// Nobody waits for deviations that grow more slowly, 1/s: by e in thirty years.
+const SLOW: f64 = 1e-9;
+
+/// How fast deviations grow.
+fn grows([low, high]: [f64; 2]) -> String {
+    let rate = 0.5 * (low + high);
+    if rate >= SLOW {
+        let plain = (1e-3..1e6).contains(&rate);
+        let rate = if plain { significant(rate, 2) } else { format!("{rate:.1e}") };
+        return format!("the fastest deviation grows by {rate} 1/s");
+    }
+    let rate = if low > 0.0 { format!("{rate:.1e}") } else { format!("less than {high:.1e}") };
+    format!(
+        "no deviation grows by more than {rate} 1/s: nobody sees that, and one digit more of the data may turn its sign"
+    )
+}
+
 /// What a verdict rests on.
 fn because(judged: &Judged) -> String {
     let number = |n: usize, name: &str| format!("{n} {name}{}", if n == 1 { "" } else { "s" });
@@ -147,7 +166,8 @@ fn because(judged: &Judged) -> String {
         Verdict::Unstable { right } => {
             let all = judged.roots.map_or(0, |roots| roots.degree());
             let lie = if right == 1 { "lies" } else { "lie" };
-            format!("{right} of {} {lie} to the right, {beside} (Routh)", number(all, "root"))
+            let growth = judged.growth.map_or_else(String::new, |growth| format!("; {}", grows(growth)));
+            format!("{right} of {} {lie} to the right, {beside} (Routh){growth}", number(all, "root"))
         }
         Verdict::CannotTell(reason) => {
             let why = match reason {

@@ -39,6 +39,7 @@ impl Summary<'_> {
                 "factorisations": work.factorisations,
                 "steps": work.steps,
                 "rejected": work.rejected,
+                "outputs": work.outputs,
             },
             "invariants": invariants,
             "model": scene.model(),
@@ -47,6 +48,7 @@ impl Summary<'_> {
             "tolerance": choice.tolerance,
             "reached": outcome.reached(),
             "stopped": trajectory.stopped(),
+            "undefined": trajectory.undefined(),
             "theory": told.theory,
             "diagnosis": told.diagnosis,
             "steps": beside.map(judged),
@@ -81,10 +83,20 @@ impl Summary<'_> {
             line(&format!("  {name}"), readable(*value));
         }
         for deviation in &outcome.deviations {
-            line(&deviation.name, format!("{}, kept to {:.1e}", readable(deviation.first), deviation.largest));
+            let kept = if deviation.largest.is_finite() {
+                format!("kept to {:.1e}", deviation.largest)
+            } else {
+                format!("without a value at t = {} s", deviation.at)
+            };
+            line(&deviation.name, format!("{}, {kept}", readable(deviation.first)));
         }
         if let Some((what, deviation)) = told.closed_form {
-            line("closed form", format!("off by {deviation:.1e} from {what}"));
+            let off = if deviation.is_finite() { format!("{deviation:.1e}") } else { UNDEFINED.to_owned() };
+            line("closed form", format!("off by {off} from {what}"));
+        }
+        let undefined = trajectory.undefined();
+        if !undefined.is_empty() {
+            line("undefined", format!("{}: the law gives no number there", undefined.join(", ")));
         }
         text
     }
@@ -108,7 +120,13 @@ fn judged(beside: Beside) -> Value {
             "evaluations": beside.work.rates })
 }
 
+/// Of a quantity without a value.
+const UNDEFINED: &str = "undefined";
+
 /// With nine digits after the point, or as a power of ten where those would say nothing.
 fn readable(value: f64) -> String {
+    if !value.is_finite() {
+        return UNDEFINED.to_owned();
+    }
     if value == 0.0 || (1e-4..1e7).contains(&value.abs()) { format!("{value:.9}") } else { format!("{value:.9e}") }
 }

@@ -1,10 +1,10 @@
 //! The models of rough contacts, from a scene's own system: each runs once, which tells its regimes.
 
 use super::super::Loss;
-use super::super::followed::instants;
-use super::super::plan::Run;
+use super::super::along::Along;
+use super::super::followed::looks;
 use super::super::rung::Lower;
-use super::{HeldThrough, Model, Piece, RoughLadder, Row};
+use super::{HeldThrough, Model, OWN, Piece, RoughLadder, Row};
 use crate::friction::course::{names, row};
 use crate::friction::held::Held;
 use crate::friction::log::Names;
@@ -17,7 +17,6 @@ use mechanics::constrained::contacts::Contacts;
 use mechanics::constrained::{State, kinetic_energy};
 use mechanics::regimes::{Mode, Sizes};
 use std::sync::Arc;
-use std::time::Instant;
 
 /// The tolerance of the runs that tell when events are.
 const CLOCK: f64 = 1e-10;
@@ -47,7 +46,6 @@ impl ForRough for Derived<'_> {
     where
         Q: Contacts<N, C, K, Given = f64> + Copy + Send + Sync + 'static,
     {
-        let begin = Instant::now();
         let (system, rough, span) = (*system, self.scene.system, self.scene.plan.end);
         let shown: Arc<Row> = Arc::new(move |time: f64, y: &[f64]| {
             row(&rough, &system, &parts::<f64, N>(time, y), [y[2 * N], y[2 * N + 1]])
@@ -55,7 +53,7 @@ impl ForRough for Derived<'_> {
         let fine = self.scene.plan.tolerance.relative;
         let subject = Subject { start, contacts, span, fine, row: Arc::clone(&shown) };
         let y0 = [&start.place[..], &start.velocity[..], &[0.0; 2]].concat();
-        let (own, regimes) = subject.model("friction", String::new(), Loss::Own, system);
+        let (own, regimes) = subject.model(OWN, String::new(), Loss::Own, system);
         let held = subject.held(system, &own, &regimes, &y0);
         let all = system.contacts(0.0, start.place);
         let with_friction: Vec<usize> = (0..K).filter(|&k| all[k].friction != 0.0).collect();
@@ -81,7 +79,7 @@ impl ForRough for Derived<'_> {
         });
         let smooth = smooth.collect();
         let columns = names(&rough, &contacts);
-        RoughLadder { columns, span, start: y0, row: shown, own, held, smooth, made: begin.elapsed() }
+        RoughLadder { columns, span, start: y0, row: shown, own, held, smooth }
     }
 }
 
@@ -122,19 +120,19 @@ impl<const N: usize, const K: usize> Subject<N, K> {
         Q: Contacts<N, C, K, Given = f64> + Copy + Send + Sync + 'static,
     {
         let (start, span, shown) = (self.start, self.span, Arc::clone(&self.row));
-        let outputs: Vec<f64> = instants(span).collect();
-        let plan = move |method: Method, tolerance: f64, evaluations: Option<u64>| Plan {
+        let looks: Vec<f64> = looks(span).collect();
+        let plan = move |method: Method, tolerance: f64, evaluations: Option<u64>, times: &[f64]| Plan {
             method,
             tolerance: Tolerance::both(tolerance),
             end: span,
-            outputs: outputs.clone(),
+            outputs: times.to_vec(),
             most_events: EVENTS,
             allowed: None,
             evaluations,
         };
         let mut states = Vec::new();
         let mut keep = Samples(|time: f64, y: &[f64]| states.push((time, y.to_vec())));
-        let found = run(&system, &start, &plan(Method::DormandPrince8, CLOCK, None), &mut keep);
+        let found = run(&system, &start, &plan(Method::DormandPrince8, CLOCK, None, &looks), &mut keep);
         let (mut pieces, mut regimes) = (Vec::new(), Vec::new());
         for (place, entry) in found.entries.iter().enumerate() {
             let next = found.entries.get(place + 1);
@@ -152,16 +150,15 @@ impl<const N: usize, const K: usize> Subject<N, K> {
         let course = match found.ending {
             Ending::Reached => Ok(pieces),
             // close to where no motion is left the tolerance decides what is met
-            _ => Err(run(&system, &start, &plan(Method::DormandPrince8, self.fine, None), &mut ())
+            _ => Err(run(&system, &start, &plan(Method::DormandPrince8, self.fine, None, &looks), &mut ())
                 .ending
                 .describe(&self.contacts)),
         };
-        let go = move |method: Method, tolerance: f64, most: u64| {
-            let mut rows = Vec::new();
-            let mut keep = Samples(|time: f64, y: &[f64]| rows.push((time, shown(time, y))));
-            let found = run(&system, &start, &plan(method, tolerance, Some(most)), &mut keep);
+        let go = move |method: Method, tolerance: f64, most: u64, times: &[f64]| {
+            let mut along = Along::of(|time: f64, y: &[f64]| shown(time, y));
+            let found = run(&system, &start, &plan(method, tolerance, Some(most), times), &mut along);
             let evaluations = found.work.rates;
-            ((found.ending == Ending::Reached).then_some(Run { rows, evaluations }), evaluations)
+            ((found.ending == Ending::Reached).then(|| along.run(evaluations)), evaluations)
         };
         let evaluations = found.work.rates;
         (

@@ -20,7 +20,6 @@ use crate::friction::held::Margin;
 use crate::scene::Axes;
 use crate::scene::problem::Law;
 use std::sync::Arc;
-use std::time::Duration;
 
 mod derived;
 
@@ -34,8 +33,10 @@ pub struct RoughLadder {
     /// Its one regime by itself; or why it cannot be held.
     held: Result<HeldThrough, String>,
     smooth: Vec<Model>,
-    made: Duration,
 }
+
+/// The name of the scene's own model.
+const OWN: &str = "friction";
 
 type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
 
@@ -53,14 +54,14 @@ struct Model {
     run: Box<Go<'static>>,
     /// The regimes that it goes through; or why it does not reach its end.
     course: Result<Vec<Piece>, String>,
-    /// Its states at the instants.
+    /// Its states at the even instants at which errors are looked at.
     states: Vec<At>,
     evaluations: u64,
 }
 
 impl Model {
-    fn across(&self) -> Runnable<'_> {
-        Runnable::new(Axes::First, |method, tolerance, most| (self.run)(method, tolerance, most))
+    fn across(&self, span: f64) -> Runnable<'_> {
+        Runnable::new(Axes::First, span, |method, tolerance, most, times| (self.run)(method, tolerance, most, times))
     }
 }
 
@@ -133,10 +134,6 @@ impl Models for RoughLadder {
         &self.columns
     }
 
-    fn made(&self) -> Duration {
-        self.made
-    }
-
     fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
         self.own.course.as_ref().map_err(Clone::clone)?;
         let states = || std::iter::once((0.0, &self.start)).chain(self.own.states.iter().map(|(time, y)| (*time, y)));
@@ -151,7 +148,7 @@ impl Models for RoughLadder {
         let nothing = || Estimate::nothing(watched.columns.len());
         let held = self.held.as_ref();
         let mut lines = vec![
-            Line::own(&self.own.name, states, watched.columns.len()),
+            Line::own(OWN, states, watched.columns.len()),
             Line {
                 name: "regime held".to_owned(),
                 dropped: match held {
@@ -164,6 +161,7 @@ impl Models for RoughLadder {
                 }),
                 states,
                 verdict: if held.is_ok() { Verdict::Suffices } else { Verdict::NotHeld },
+                asked_as: None,
                 model: held.map(|_| nothing()).map_err(Clone::clone),
                 choice: None,
             },
@@ -178,6 +176,7 @@ impl Models for RoughLadder {
                 states,
                 verdict: Verdict::of(&model, tolerance),
                 model,
+                asked_as: None,
                 choice: None,
             });
         }
@@ -187,12 +186,12 @@ impl Models for RoughLadder {
     fn forms(&self, line: usize) -> Vec<Runnable<'_>> {
         let of_law = |law: &Arc<dyn Law>| {
             let row = |time: f64, y: &[f64]| (self.row)(time, y);
-            Runnable::of_law(Axes::First, Arc::clone(law), self.start.clone(), self.span, row)
+            Runnable::of_law(Axes::First, Arc::clone(law), self.start.clone(), self.span, row, |_, _| false)
         };
         let one = match (line, &self.held) {
-            (0, _) => Some(self.own.across()),
+            (0, _) => Some(self.own.across(self.span)),
             (1, held) => held.as_ref().ok().map(|held| of_law(&held.law)),
-            _ => self.smooth.get(line - 2).map(Model::across),
+            _ => self.smooth.get(line - 2).map(|model| model.across(self.span)),
         };
         one.into_iter().collect()
     }

@@ -12,7 +12,7 @@ pub const SPEED: &str = "phi'";
 /// What a voltage of conductors that slide is.
 const AFFINE: &str = "affine in the currents: a constant, and constant multiples of them";
 
-/// What a law would have to hold if windings induced in each other.
+/// The voltages that a law would have to hold if windings induced in each other.
 pub const INDUCED: &str = "no winding induces in another: M di/dt stands in no law";
 
 /// The largest numerator and denominator of a number in a law.

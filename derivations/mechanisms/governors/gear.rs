@@ -4,6 +4,7 @@ use super::super::{Amiss, Mechanism};
 use crate::ladder::governors::with_data;
 use crate::ladder::{Rung, Written};
 use crate::machines::{Bound, Quantity};
+use crate::scene::law_end::{Margin, outside};
 use crate::systems::governor::{Gearing, Governor, Moment};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -113,14 +114,18 @@ pub(super) fn amiss(gearing: Gearing<f64>, kept: bool, rho: f64) -> Option<Amiss
         [_, most] if most.is_infinite() => "a positive distance is accepted".to_owned(),
         [least, most] => format!("a distance between {least} m and {most} m is accepted"),
     };
-    left(gearing, kept, rho).map(|what| Amiss { name: "rho", what, accepted })
+    outside(&margins(gearing, kept, [rho, 0.0])).map(|what| Amiss { name: "rho", what, accepted })
 }
 
-pub(super) fn left(gearing: Gearing<f64>, kept: bool, rho: f64) -> Option<&'static str> {
+/// Of rho with its rate.
+pub(super) fn margins(gearing: Gearing<f64>, kept: bool, [rho, rate]: [f64; 2]) -> Vec<Margin> {
     let [least, most] = range(gearing, kept);
-    match gearing {
-        Gearing::Drum { .. } if rho <= least => Some("the wheel has come to the axis of the second disc, or beyond"),
-        Gearing::Discs { .. } if rho <= least => Some("the wheel has come to the axis of the first disc, or beyond"),
-        _ => (rho >= most).then_some("the wheel has come to the axis of the second disc, or beyond"),
-    }
+    let first = match gearing {
+        Gearing::Drum { .. } => "the wheel has come to the axis of the second disc, or beyond",
+        Gearing::Discs { .. } => "the wheel has come to the axis of the first disc, or beyond",
+    };
+    let last = "the wheel has come to the axis of the second disc, or beyond";
+    let below = least.is_finite().then_some(Margin { value: rho - least, rate, what: first });
+    let above = most.is_finite().then_some(Margin { value: most - rho, rate: -rate, what: last });
+    below.into_iter().chain(above).collect()
 }

@@ -5,9 +5,10 @@ use super::super::points::Turning;
 use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism, steered};
 use super::NEAR;
-use super::gear::{Gear, amiss, governor, left, without_friction};
+use super::gear::{Gear, amiss, governor, margins, without_friction};
 use crate::ladder::{Rung, Written, governors as ladder};
 use crate::machines::Quantity;
+use crate::scene::Margin;
 use crate::systems::governor::constant::{ConstantMoments, Course};
 use crate::systems::governor::servo::Kept;
 use crate::systems::governor::{Governor, Moment};
@@ -113,14 +114,14 @@ impl<G: Gear> Mechanism for Programme<G> {
         still.into_iter().chain(amiss(self.governor.gearing, true, start[0])).collect()
     }
 
-    fn outside(&self, y: &[f64]) -> Option<&'static str> {
-        left(self.governor.gearing, true, y[0])
+    fn margins(&self, _start: &[f64], y: &[f64], dy: &[f64]) -> Vec<Margin> {
+        margins(self.governor.gearing, true, [y[0], dy[0]])
     }
 
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {
         let [[_, now], [_, first]] = [run.last, run.start].map(|y| self.governor.levers(y[0]));
         let at = self.closed(run.start[0]).and_then(|closed| match closed.course {
-            Course::ReachesAxis { time } => Some(time),
+            Course::ReachesAxis { time } => Some(time).filter(|time| time.is_finite()),
             _ => None,
         });
         if !run.left && now > NEAR * first && !at.is_some_and(|at| run.was_before(at)) {
@@ -155,11 +156,17 @@ impl<G: Gear> Mechanism for Programme<G> {
     fn theory(&self, start: &[f64], _method: Method, _span: f64) -> Vec<String> {
         let said = self.closed(start[0]).map(|closed| match closed.course {
             Course::Rest => "the moments balance: the wheel rests".to_owned(),
+            Course::ReachesAxis { time } if !time.is_finite() => {
+                "the wheel comes to the axis of the second disc, at a time that doubles do not hold".to_owned()
+            }
             Course::ReachesAxis { time } => {
                 format!("the wheel comes to the axis of the second disc at t = {time:.9} s, and no motion goes on")
             }
             Course::TendsTo { distance: 0.0 } => {
                 "the wheel tends to the axis of the first disc, whose speed grows without bound".to_owned()
+            }
+            Course::TendsTo { distance } if !distance.is_finite() => {
+                "the wheel tends to a distance that doubles do not hold".to_owned()
             }
             Course::TendsTo { distance } => format!("the wheel tends to rho = {distance:.9} m"),
             Course::Grows => "rho grows without bound: the wheel leaves every disc".to_owned(),

@@ -5,9 +5,10 @@ use super::super::points::{self, Turning};
 use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism};
 use super::NEAR;
-use super::gear::{Gear, amiss, governor, left, without_friction};
+use super::gear::{Gear, amiss, governor, margins, without_friction};
 use crate::ladder::{Rung, Written};
 use crate::machines::Quantity;
+use crate::scene::Margin;
 use crate::systems::governor::{Gearing, Governor};
 use field::{Analytic, Over};
 use mechanics::constrained::State;
@@ -73,8 +74,8 @@ impl<G: Gear> Mechanism for Released<G> {
         amiss(self.governor.gearing, false, start[1]).into_iter().collect()
     }
 
-    fn outside(&self, y: &[f64]) -> Option<&'static str> {
-        left(self.governor.gearing, false, y[1])
+    fn margins(&self, _start: &[f64], y: &[f64], dy: &[f64]) -> Vec<Margin> {
+        margins(self.governor.gearing, false, [y[1], dy[1]])
     }
 
     fn smaller(&self, start: &[f64], written: &Arc<dyn Written>) -> Vec<Rung> {

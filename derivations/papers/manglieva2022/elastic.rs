@@ -8,10 +8,10 @@ use mechanics::constrained::motion::Motion;
 use mechanics::constrained::{Charted, System, kinetic_energy};
 use symbolic::{Hypotheses, Sym};
 
-/// How the signs of the rim's force and moment are read up to (3.22).
+/// The reading of the signs of the rim's force and moment up to (3.22).
 pub const AS_PRINTED: &str = r"Judged with the printed force $+a\lambda$ and moment $+b\psi$: a rim that resists then has $a<0$, $b<0$. The printed $Z$ belongs to $-a\lambda$.";
 
-/// How they are read from Z on.
+/// The reading of these signs from Z on.
 pub const AS_STIFFNESS: &str = r"Judged for a rim that resists, with the force $-a\lambda$ and the moment $-b\psi$, $a>0$, $b>0$: the printed $Z$ belongs to it, the printed $+a\lambda$ of (3.17) does not.";
 
 /// The letters of the elastic governor; the paper's r1 is R, the radius of the drum.
@@ -180,7 +180,7 @@ impl ElasticLetters {
         matrix
     }
 
-    /// What the named letters stand for at the stationary motion, with d = -b as (3.17) prints it.
+    /// The values of the named letters at the stationary motion, with d = -b as (3.17) prints it.
     pub fn names(&self, wanted: &[&str]) -> Hypotheses {
         self.named(wanted, Hypotheses::none().given(self.drill, -self.b))
     }

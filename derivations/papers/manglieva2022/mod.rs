@@ -57,6 +57,7 @@ mod section22_law;
 mod section31_elastic;
 mod section31_equations;
 mod section31_governor2;
+mod section31_hurwitz;
 mod section31_programme;
 mod section31_stability;
 mod section32_bellman;

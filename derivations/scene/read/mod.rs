@@ -1,11 +1,11 @@
 //! Reading a table of a scene file: every value checked, every key accounted for. Texts and counts are read in `words`,
 //! numbers with their units in `quantities`.
 
-mod allowed;
+mod allowances;
 mod quantities;
 mod words;
 
-pub use allowed::{NO_MUTUAL_INDUCTANCE, in_unit};
+pub use allowances::{NO_MUTUAL_INDUCTANCE, in_unit};
 
 use super::issue::{Issue, nearest};
 use crate::machines::Allowed;
@@ -27,7 +27,7 @@ pub struct Table<'a> {
     asked: Vec<String>,
     /// Whether a key that nobody asked for is wrong.
     judged: bool,
-    /// What the file asks for at its top.
+    /// The allowances at the top of the file.
     allowed: Allowed,
     /// Keys that should be here, each with what is told if no misspelt key explains its absence.
     missing: Vec<(String, Issue)>,
@@ -201,7 +201,7 @@ impl<'a> Table<'a> {
             let absent = nearest(name, self.missing.iter().map(|(key, _)| key.as_str())).map(str::to_owned);
             let absent = absent.or_else(|| only.clone());
             let accepted = match absent.as_deref().or_else(|| nearest(name, known())) {
-                _ if allowed::is_mutual_inductance(name) => allowed::NO_MUTUAL_INDUCTANCE.to_owned(),
+                _ if allowances::is_mutual_inductance(name) => allowances::NO_MUTUAL_INDUCTANCE.to_owned(),
                 Some(nearest) => format!("is `{nearest}` meant?"),
                 None => format!("known here: {}", known().collect::<Vec<_>>().join(", ")),
             };

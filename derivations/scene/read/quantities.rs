@@ -98,7 +98,7 @@ impl Table<'_> {
     }
 }
 
-/// What a datum means after its name: `the mass`, and of one with a letter in formulas `m, the mass`.
+/// The meaning of a datum after its name: `the mass`, and of one with a letter in formulas `m, the mass`.
 pub(super) fn with_article(meaning: &str) -> String {
     match meaning.split_once(", ") {
         Some((letter, rest)) if !letter.contains(' ') || letter.contains(" + ") => format!("{letter}, the {rest}"),

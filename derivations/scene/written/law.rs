@@ -10,13 +10,13 @@ use symbolic::{NotExpression, Reason, Sym, parse_in};
 /// A law of more letters is not written by a person.
 const LETTERS: usize = 2000;
 
-/// What a law is, for messages.
+/// The name of a law, for messages.
 #[derive(Clone, Copy)]
 pub struct Kind {
     pub key: &'static str,
     pub meaning: &'static str,
     pub unit: &'static str,
-    /// What of the motion it may know.
+    /// The letters of the motion that it may use.
     pub motion: Motion,
 }
 
@@ -109,7 +109,7 @@ impl<'a> Reader<'a> {
         self.mismatched.push((issue, names));
     }
 
-    /// What is wrong with the dimensions of laws: laws that are off by the same dimension and hold a common parameter have one
+    /// Faults in the dimensions of laws: laws that are off by the same dimension and hold a common parameter have one
     /// cause, which is told once.
     pub fn mismatches(self) -> Vec<Issue> {
         let mut told: Vec<(Issue, Vec<String>, usize)> = Vec::new();

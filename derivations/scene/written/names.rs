@@ -24,7 +24,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Of the field's speed alone.
+    /// A law of the field's speed alone.
     pub fn new(field_speed: f64) -> Self {
         let mut names = Names::default();
         names.add(FIELD_SPEED, Dimension::of(&FIELD_SPEED.unit), field_speed);

@@ -4,7 +4,7 @@ use super::approximation::Approximation;
 use super::family::cross;
 use super::linear::{Integral, Linear};
 use super::verdict::{Reason, Verdict};
-use mechanics::first_approximation::{HalfPlanes, Inertia, characteristic};
+use mechanics::first_approximation::{HalfPlanes, Inertia, characteristic, growth};
 use symbolic::real::Ordered;
 
 /// A verdict with what it rests on.
@@ -26,6 +26,8 @@ pub struct Judged {
     pub energy: Option<Inertia>,
     /// Whether the energy is conserved; otherwise it falls unless the motor drives.
     pub conservative: bool,
+    /// Of an unstable motion: between which numbers the largest growth rate lies, 1/s.
+    pub growth: Option<[f64; 2]>,
     /// det(mu - A) without the structural zeros, highest power first, rounded.
     pub polynomial: Vec<f64>,
 }
@@ -60,6 +62,7 @@ impl Judged {
             roots: None,
             energy: None,
             conservative: approximation.conservative,
+            growth: None,
             polynomial: Vec::new(),
         }
     }
@@ -125,8 +128,10 @@ impl Judged {
         let damps = *steady || of_slip.iter().all(|slope| slope.sign() == Some(1));
         let falls = damps && of_currents.iter().all(|one| one.sign().is_some_and(|sign| sign >= 0));
         let neutral = polynomial.last().is_some_and(|c| c.sign() == Some(0));
+        let unstable = roots.is_some_and(|roots| roots.right > 0);
         Judged {
             verdict: Verdict::of(roots, energy, *conservative, falls, neutral),
+            growth: if unstable { growth(&polynomial) } else { None },
             integrals,
             along,
             aside,

@@ -135,11 +135,12 @@ impl Between<f64> {
     pub fn course(&self, start: f64) -> Course {
         let [m1, m2] = self.moments;
         let outwards = -self.pull(start) / self.first;
-        let balance = m1 * self.distance / (m1 - m2);
+        // without a moment on the second shaft they balance at its axis
+        let balance = if m2 == 0.0 { self.distance } else { m1 * self.distance / (m1 - m2) };
         let attracts = (m2 - m1) / self.first > 0.0;
         if outwards == 0.0 {
             Course::Rest
-        } else if attracts && 0.0 < balance && balance < self.distance {
+        } else if attracts && 0.0 < balance && balance <= self.distance {
             Course::TendsTo { distance: balance }
         } else if outwards > 0.0 {
             Course::ReachesAxis { time: self.time(start, self.distance) }

@@ -25,10 +25,14 @@ impl Tenths {
     }
 }
 
-/// A value with so many significant digits: plain between 0.001 and a million, with a power of ten elsewhere.
+/// A value with so many significant digits: plain between 0.001 and a million, with a power of ten elsewhere; a word where it
+/// is no number.
 pub fn significant(value: f64, digits: usize) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return if value == 0.0 { "0".to_owned() } else { format!("{value}") };
+    match value {
+        0.0 => return "0".to_owned(),
+        value if value.is_nan() => return "undefined".to_owned(),
+        value if value.is_infinite() => return "unbounded".to_owned(),
+        _ => {}
     }
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));

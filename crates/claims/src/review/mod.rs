@@ -36,7 +36,7 @@ pub enum Change {
     Requires { id: String, gained: Vec<String>, lost: Vec<String> },
     /// Another sentence.
     Sentence { id: String, from: String, to: String },
-    /// What is remarked: why the print fails, how it was read.
+    /// The remarks: why the print fails, how it was read.
     Remarks { id: String, gained: Vec<String>, lost: Vec<String> },
     /// Another exact point, or another excess at it.
     Point { id: String },

@@ -1,5 +1,6 @@
 //! `dalembert choose`: the smallest model that meets a tolerance in the outputs that matter, with its receipt.
 
+mod command;
 mod picture;
 mod receipt;
 
@@ -37,12 +38,12 @@ pub struct Asked {
     /// Replaces the file of --out even where `choose` did not write what stands there
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// How to print the receipt
+    /// How to print the receipt; JSON has null where a number is not defined
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
 
-/// For taking times, and again for where to switch between models.
+/// For taking times, which are told and decide nothing, and again for where to switch between models.
 const MEASURING: Duration = Duration::from_secs(3);
 
 /// Chooses, prints the receipt, draws what is asked for.
@@ -82,9 +83,13 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
             return Ok(Ending::Stopped);
         }
     };
+    let command = receipt.taken.and_then(|at| {
+        let formed = matches!(scene, AnyScene::Driven(_));
+        command::of(&asked.scene, asked.model.as_deref(), at, &receipt.lines[at], formed)
+    });
     print(&match asked.format {
-        Format::Text => receipt::text(title, &receipt),
-        Format::Json => format!("{:#}\n", receipt::object(title, &receipt)),
+        Format::Text => receipt::text(title, &receipt, command.as_deref()),
+        Format::Json => format!("{:#}\n", receipt::object(title, &receipt, command.as_deref())),
     })?;
     if let Some(output) = output {
         output.write_text(&picture::of(title, &*models, &wish, receipt.clone()).svg())?.tell(asked.format)?;

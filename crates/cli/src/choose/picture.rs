@@ -17,7 +17,7 @@ pub fn of(title: &str, models: &dyn Models, wish: &Wish, first: Receipt) -> Work
         for line in &receipt.lines {
             let Some(choice) = &line.choice else { continue };
             let point = Point { work: choice.evaluations as f64, error: choice.measured.unwrap_or(choice.promised) };
-            let name = line.name.replace('_', " ");
+            let name = line.name.clone();
             match series.iter_mut().find(|known| known.name == name) {
                 Some(known) => known.points.push(point),
                 None => series.push(Method {

@@ -1,12 +1,16 @@
 //! The receipt of a choice, for readers and for programs.
 
+use super::command::typed;
+use derivations::ladder::followed::{INSTANTS, LOOKS};
+use derivations::ladder::forms::SWITCHING;
+use derivations::ladder::switching::STRETCHES;
 use derivations::ladder::{Estimate, Line, Loss, Receipt, Verdict};
 use derivations::scene::methods;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// For readers.
-pub fn text(title: &str, receipt: &Receipt) -> String {
+pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> String {
     let mut out = format!("{title}\n\nto {:.0e} in {}\n\n", receipt.tolerance, receipt.watched.names.join(", "));
     let head = ["model", "states", "its error", "2nd order", "small", "evaluations", "time", "promised", "measured"];
     let widths = [37, 8, 11, 11, 11, 13, 8, 11, 10];
@@ -22,7 +26,7 @@ pub fn text(title: &str, receipt: &Receipt) -> String {
         let model = line.model.as_ref().ok();
         let exact = !matches!(line.loss, Loss::Small { .. });
         out += &row([
-            format!("{}{mark}", line.name.replace('_', " ")),
+            format!("{}{mark}", line.name),
             line.states.to_string(),
             if exact { "none".to_owned() } else { error(model) },
             if exact { String::new() } else { told(model.map(|model| model.second)) },
@@ -49,48 +53,62 @@ pub fn text(title: &str, receipt: &Receipt) -> String {
             Loss::Small { parameter } => format!("small: {parameter}"),
         };
         let not = line.model.as_ref().err().map_or_else(String::new, |why| format!("; {why}"));
-        let _ = writeln!(out, "  {}: {} ({why}){not}", line.name.replace('_', " "), line.dropped);
+        let largest = line.model.as_ref().ok().filter(|model| model.first > 0.0 && line.name != SWITCHING);
+        let largest = largest.map_or_else(String::new, |model| format!("; its error is largest at {:.4e} s", model.at));
+        let unasked = if line.asked_as.is_none() { "; `dalembert run` cannot be asked for it" } else { "" };
+        let _ = writeln!(out, "  {}: {} ({why}){largest}{not}{unasked}", line.name, line.dropped);
     }
-    if let Some((line, choice)) =
-        receipt.taken.and_then(|at| Some((&receipt.lines[at], receipt.lines[at].choice.as_ref()?)))
-    {
-        let _ = writeln!(
-            out,
-            "\ntaken: {} by {} in the axes of the {} form at {:.1e}",
-            line.name.replace('_', " "),
-            choice.plan.method,
-            choice.plan.axes,
-            choice.plan.tolerance
-        );
-    } else {
-        let _ = writeln!(out, "\nno model meets the tolerance");
-    }
-    if let Some(saved) = receipt.saved() {
-        let _ = writeln!(out, "saved: the scene's own model by its best method takes {saved:.2} times as long");
-    }
-    let _ = writeln!(
-        out,
-        "{}\npromised errors are estimates of first and second order with the distance from a finer run, and no bounds{}",
-        decided(receipt),
-        if receipt.lines.iter().any(|line| line.model.as_ref().is_ok_and(|model| model.given_up)) {
-            "; errors beyond ten times what is allowed (>) were not followed further"
-        } else {
-            ""
+    if let (Some(at), Some(command)) = (receipt.taken, command) {
+        let _ = writeln!(out, "\ntaken: {}\nrun it: {}", receipt.lines[at].name, typed(command));
+        if let Some(saved) = receipt.saved(at).filter(|_| at > 0) {
+            let _ = writeln!(
+                out,
+                "saved: the scene's own model by its best method takes {saved:.2} times as many evaluations"
+            );
         }
-    );
+        if let Some((cheapest, saved)) =
+            receipt.cheapest().filter(|cheapest| *cheapest != at).and_then(|line| Some((line, receipt.saved(line)?)))
+        {
+            let _ = writeln!(
+                out,
+                "not taken, since `dalembert run` cannot be asked for it: {}, beside which the scene's own takes {saved:.2} times as many evaluations",
+                receipt.lines[cheapest].name
+            );
+        }
+    } else {
+        let _ = writeln!(out, "\nno model that `dalembert run` can be asked for meets the tolerance");
+    }
+    let _ = writeln!(out, "{}\n{}", decided(receipt), promise(receipt));
     out
+}
+
+/// For which times errors are promised, and by what.
+fn promise(receipt: &Receipt) -> String {
+    let mut text = format!(
+        "promised: the largest error of the whole run, seen at the steps of runs and estimates and at {LOOKS} even instants; an \
+         estimate of first and second order with the distance from a finer run, and no bound"
+    );
+    if receipt.lines.iter().any(|line| line.name == SWITCHING) {
+        text += &format!("; of switching at the ends of {STRETCHES} stretches alone");
+    }
+    if receipt.lines.iter().any(|line| line.choice.as_ref().is_some_and(|choice| choice.measured.is_some())) {
+        text += &format!("\nmeasured: at the {INSTANTS} instants of the reference alone");
+    }
+    if receipt.lines.iter().any(|line| line.model.as_ref().is_ok_and(|model| model.given_up)) {
+        text += "\n>: an error beyond ten times what is allowed was not followed further";
+    }
+    text
 }
 
 /// What deciding cost, and whether that comes back.
 fn decided(receipt: &Receipt) -> String {
     let worth = receipt
         .worth()
-        .map_or_else(String::new, |runs| format!(", as long as {runs:.0} runs of the scene's own model"));
+        .map_or_else(String::new, |runs| format!(", as many as {runs:.0} runs of the scene's own model"));
     let pays = match receipt.pays_from() {
         Some(1) => "it has paid with the first run".to_owned(),
         Some(run) => format!("it has paid from run {run} on"),
-        None if receipt.worth().is_some() => "nothing is saved".to_owned(),
-        None => "times were not taken, so that what is saved is not known".to_owned(),
+        None => "nothing is saved".to_owned(),
     };
     format!("deciding took {} evaluations{worth}: {pays}", receipt.deciding)
 }
@@ -104,7 +122,8 @@ fn error(model: Option<&Estimate>) -> String {
 }
 
 fn told(value: Option<f64>) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.1e}"))
+    let known = value.filter(|value| value.is_finite());
+    known.map_or_else(|| "-".to_owned(), |value| format!("{value:.1e}"))
 }
 
 /// Why a line has no run.
@@ -121,7 +140,7 @@ fn said(line: &Line) -> String {
 }
 
 /// For programs.
-pub fn object(title: &str, receipt: &Receipt) -> Value {
+pub fn object(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Value {
     let line = |line: &Line| {
         let model = line.model.as_ref().ok();
         let loss = match line.loss {
@@ -140,9 +159,11 @@ pub fn object(title: &str, receipt: &Receipt) -> Value {
             "estimate": model.map(|model| json!({
                 "first": model.first,
                 "second": model.second,
+                "at": model.at,
                 "given_up": model.given_up,
                 "outputs": receipt.watched.names.iter().cloned().zip(model.each.iter().map(|each| json!(each))).collect::<serde_json::Map<_, _>>(),
             })),
+            "run_takes_it": line.asked_as.is_some(),
             "why_not": line.model.as_ref().err(),
             "verdict": line.choice.as_ref().map_or_else(|| said(line), |_| "suffices".to_owned()),
             "run": line.choice.as_ref().map(|choice| json!({
@@ -161,7 +182,11 @@ pub fn object(title: &str, receipt: &Receipt) -> Value {
         "tolerance": receipt.tolerance,
         "outputs": receipt.watched.names,
         "taken": receipt.taken.map(|at| &receipt.lines[at].name),
-        "saved": receipt.saved(),
+        "command": command,
+        "cheapest": receipt.cheapest().map(|at| &receipt.lines[at].name),
+        "saved": receipt.taken.and_then(|at| receipt.saved(at)),
+        "promised_at": { "steps": true, "even_instants": LOOKS },
+        "measured_at": { "even_instants": INSTANTS },
         "deciding": { "evaluations": receipt.deciding, "own_runs": receipt.worth(), "pays_from_run": receipt.pays_from() },
         "models": receipt.lines.iter().map(line).collect::<Vec<_>>(),
     })

@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 /// Rows are written when there are so many bytes of them.
 const BLOCK: usize = 1 << 14;
 
-/// What is written is brought to the disk so often.
+/// The interval at which written rows are brought to the disk.
 const CHUNK: Duration = Duration::from_millis(500);
 
 /// No row is as long.
@@ -32,11 +32,11 @@ pub struct Table {
     path: PathBuf,
     file: File,
     fingerprint: String,
-    /// How many columns there are.
+    /// The number of columns.
     columns: usize,
     /// Rows that are not written yet.
     waiting: String,
-    /// How long the file is.
+    /// The length of the file, in bytes.
     length: u64,
     settled: Instant,
 }
@@ -130,7 +130,7 @@ impl Table {
     }
 }
 
-/// How many bytes of a file are whole rows of the ensemble, and what they tell. One line is held at a time.
+/// The number of bytes of a file that are whole rows of the ensemble, and their summary. One line is held at a time.
 fn read(mut table: impl BufRead, scene: &EnsembleScene, fingerprint: &Fingerprint) -> Result<(u64, Told), Foreign> {
     let headings = scene.headings();
     let heading = csv::line(&headings) + "\n";
@@ -196,7 +196,7 @@ fn cells(line: &[u8]) -> Option<StringRecord> {
 
 /// A row of so many columns, with its end; what a member has not is empty.
 fn line(row: &Row, columns: usize, fingerprint: &str) -> String {
-    let number = |x: Option<f64>| x.map_or_else(String::new, |x| x.to_string());
+    let number = |x: Option<f64>| x.filter(|x| x.is_finite()).map_or_else(String::new, |x| x.to_string());
     let mut cells = vec![row.number.to_string()];
     cells.extend(row.drawn.iter().map(f64::to_string));
     // a row is one line

@@ -1,10 +1,10 @@
-//! What became of the members of an ensemble.
+//! The fates of the members of an ensemble.
 
 use derivations::ensemble::Stopped;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// What became of the members.
+/// The fates of the members.
 #[derive(Default)]
 pub struct Told {
     pub members: u64,

@@ -1,4 +1,4 @@
-//! What may name a new motor: a file, a module, a type and a test on every system, beside all names that are there.
+//! Names of new motors: each must serve as a file, a module, a type and a test on every system, beside all names that are there.
 
 use super::{LIST, MACHINE, TEST, camel};
 use crate::ending::Ending;

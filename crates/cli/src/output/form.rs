@@ -8,7 +8,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// What is written.
+/// The kind of file that is written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Form {
     /// A picture, SVG.
@@ -41,7 +41,7 @@ impl Maker {
 }
 
 impl Form {
-    /// How names of its files end.
+    /// The extensions of its files.
     pub fn ends(&self) -> &'static [&'static str] {
         match self {
             Form::Picture => &["svg"],
@@ -67,7 +67,7 @@ impl Form {
         }
     }
 
-    /// What is written before the content.
+    /// The text before the content.
     pub fn mark(&self, maker: Maker) -> String {
         match self {
             Form::Picture => format!("<!-- {} -->\n", maker.generator()),

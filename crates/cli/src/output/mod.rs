@@ -22,7 +22,7 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// What a command may do to files.
+/// The rights of a command over files.
 pub struct Writes<'a> {
     /// The name of the command, by which it knows its own files.
     pub command: &'static str,
@@ -127,7 +127,7 @@ impl Rights {
 }
 
 impl Output {
-    /// What is to be written.
+    /// The content to be written.
     pub fn form(&self) -> &Form {
         &self.form
     }

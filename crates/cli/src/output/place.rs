@@ -1,10 +1,10 @@
-//! What a name stands for: a file, there or not yet, or a pipe or device that is opened at once.
+//! The thing behind a name: a file, there or not yet, or a pipe or device that is opened at once.
 
 use std::fs::{self, File, FileType, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What a name stands for.
+/// The thing behind a name.
 pub enum Place {
     /// A file, there or not yet; links are followed.
     File(PathBuf),

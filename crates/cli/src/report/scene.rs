@@ -123,7 +123,11 @@ fn facts(scene: &dyn Smooth, run: &Trajectory) -> Vec<(String, String)> {
     facts.extend(run.stopped().map(|why| ("stopped".to_owned(), why)));
     facts.extend(told.diagnosis.map(|what| ("diagnosis".to_owned(), what)));
     for deviation in &run.outcome.deviations {
-        facts.push((deviation.name.replace('_', " "), format!("kept to {}", significant(deviation.largest, 2))));
+        let kept = match deviation.largest.is_finite() {
+            true => format!("kept to {}", significant(deviation.largest, 2)),
+            false => format!("without a value at {} s", significant(deviation.at, 6)),
+        };
+        facts.push((deviation.name.replace('_', " "), kept));
     }
     if let Some((what, deviation)) = told.closed_form {
         facts.push(("closed form".to_owned(), format!("off by {} from {what}", significant(deviation, 2))));

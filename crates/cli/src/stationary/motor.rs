@@ -15,9 +15,9 @@ pub(super) fn text(motor: &Motor) -> String {
     let _ = match motor {
         Motor::Free => writeln!(out, "motor: none; any speed of the rotor is stationary"),
         Motor::Kept { speed } => writeln!(out, "motor: keeps the rotor at {} rad/s", speed.to_f64()),
-        Motor::InStep { speed, angles, bears } => {
-            let fed = if angles.iter().all(|angle| angle.currents.is_empty()) { ", without currents" } else { "" };
-            let _ = writeln!(out, "motor: in step with its field at {} rad/s{fed}", speed.to_f64());
+        Motor::InStep { speed, angles, bears, fed } => {
+            let without = if *fed { "" } else { ", without currents" };
+            let _ = writeln!(out, "motor: in step with its field at {} rad/s{without}", speed.to_f64());
             if bears.is_some_and(|bears| bears.least == bears.greatest) {
                 let _ = writeln!(out, "  no angle: in step nothing holds the rotor, it can only slip");
                 return out;
@@ -73,8 +73,8 @@ pub(super) fn object(motor: &Motor) -> Value {
     match motor {
         Motor::Free => json!({ "kind": "free" }),
         Motor::Kept { speed } => json!({ "kind": "kept", "speed": speed.to_f64() }),
-        Motor::InStep { speed, angles, bears } => json!({
-            "kind": "in_step", "speed": speed.to_f64(), "angles": angles.iter().map(angle).collect::<Vec<_>>(),
+        Motor::InStep { speed, angles, bears, fed } => json!({
+            "kind": "in_step", "speed": speed.to_f64(), "fed": fed, "angles": angles.iter().map(angle).collect::<Vec<_>>(),
             "bears": bears.map(|bears| [bears.least, bears.greatest]),
         }),
         Motor::Slipping { speeds, extremes } => json!({

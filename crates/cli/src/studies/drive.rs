@@ -155,7 +155,7 @@ fn table(runs: &[&Run]) -> Table {
 fn bounds(digits: f64, bearable: Result<Bearable, Failure>, most_damping: f64) -> String {
     let step = match bearable {
         Ok(found) => format!(
-            r"At the instants of the reference, Euler multiplies no disturbance of the five electrical unknowns by more than one for steps below {} s to {} s (frozen coefficients, so neither bound is a theorem on the run). By measurement the currents of a run stay bounded up to $h={}$ s without stabilisation and up to $h={}$ s with it.",
+            r"At the instants of the motion, Euler multiplies no disturbance of the five electrical unknowns by more than one for steps below {} s to {} s (frozen coefficients, so neither bound is a theorem on the run). By measurement the currents of a run stay bounded up to $h={}$ s without stabilisation and up to $h={}$ s with it.",
             significant(found.least, 3),
             significant(found.greatest, 3),
             significant(found.plain, 3),

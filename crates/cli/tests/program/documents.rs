@@ -12,7 +12,7 @@ use std::path::Path;
 struct Shown {
     words: Vec<String>,
     code: i32,
-    /// What it prints, as far as the document says.
+    /// The lines that it prints, as far as the document says.
     lines: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! What is too large is refused where it stands, with what would be accepted.
+//! Sizes beyond a limit are refused at their place, with the sizes that are accepted.
 
 use crate::{root, run, temporary};
 

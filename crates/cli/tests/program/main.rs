@@ -1,6 +1,7 @@
 //! The program as its users meet it: what it prints, what it writes, how it ends.
 
 mod answers;
+mod chosen;
 mod clock;
 mod documents;
 mod ensembles;
@@ -8,6 +9,7 @@ mod formats;
 mod killed;
 mod limits;
 mod motors;
+mod odd_data;
 mod outputs;
 mod references;
 mod refusals;

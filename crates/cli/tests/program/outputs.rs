@@ -1,4 +1,4 @@
-//! What commands write, and what they never write over.
+//! The files that commands write, and those that they never write over.
 
 use crate::{program, root, run};
 use std::path::{Path, PathBuf};

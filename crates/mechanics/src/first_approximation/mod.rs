@@ -4,6 +4,7 @@
 //! * [`characteristic`]: det(mu - A) without a division, for any size;
 //! * [`HalfPlanes`]: how many roots lie to the left of the imaginary axis, on it and to the right of it, by Routh's array as
 //!   the remainders of Euclid's algorithm, so that rows that vanish or begin with zero are no exception;
+//! * [`growth`]: the largest real part of a root, between two numbers;
 //! * [`real_roots`]: how many different real ones, by Sturm's theorem over the same numbers;
 //! * [`Inertia`]: the signs of a quadratic form, also on the subspace where given linear forms vanish;
 //! * [`resultant`]: where polynomials over a ring have a common root.
@@ -16,11 +17,13 @@
 //! Berkowitz 1984 (the polynomial); Routh 1877, Gantmacher 1959 chapter XV (the count, singular cases included).
 
 mod characteristic;
+mod growth;
 mod half_planes;
 mod inertia;
 mod resultant;
 
 pub use characteristic::characteristic;
+pub use growth::growth;
 pub use half_planes::{HalfPlanes, real_roots};
 pub use inertia::Inertia;
 pub use resultant::{derivative, resultant};

@@ -122,7 +122,7 @@ impl Operation {
         }
     }
 
-    /// How many registers it fills: two by cosine and sine, else one.
+    /// The number of registers that it fills: two by cosine and sine, else one.
     #[inline(always)]
     pub fn results(self) -> usize {
         if matches!(self, Operation::Circle(_)) { 2 } else { 1 }
@@ -153,6 +153,13 @@ impl Tape {
     /// Whether a circle point is [`field::Analytic::circle_once`].
     pub fn rounds_once(&self) -> bool {
         self.once
+    }
+
+    /// The first constant that is none in `f64`: beyond its range, or so small that it is rounded to zero.
+    pub fn beyond_range(&self) -> Option<Rational> {
+        let lost =
+            |(exact, rounded): &(&Rational, &f64)| !rounded.is_finite() || **rounded == 0.0 && exact.sign() != Some(0);
+        self.constants.iter().zip(&self.rounded).find(lost).map(|(exact, _)| *exact)
     }
 
     /// The constants to the nearest `f64`.

@@ -8,7 +8,7 @@ use std::fmt;
 /// Why there is no such member, or why it stopped.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stopped {
-    /// What was drawn is no number.
+    /// A drawn value is no number.
     NotFinite { datum: String },
     /// Bodies that cannot exist.
     Bodies(Vec<Inadmissible>),

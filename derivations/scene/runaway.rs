@@ -1,4 +1,4 @@
-//! What a reader of a run is warned of: laws that hold in one direction only.
+//! Warnings beside a run: laws that brake in one direction and drive in the other.
 
 use super::state::ROTOR_SPEED;
 use super::{Scene, Trajectory};

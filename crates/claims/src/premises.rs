@@ -1,4 +1,4 @@
-//! What a verdict rests on: the conditions that are given, and everything that was divided by.
+//! The premises of a verdict: the conditions that are given, and every divisor of its proof.
 
 use crate::proof::one_sign;
 use crate::{Condition, Judged};

@@ -8,7 +8,7 @@ use crate::scene::issue::{Issue, nearest};
 /// The key at the top of a file.
 const KEY: &str = "allow";
 
-/// What to do where windings induce in each other.
+/// Advice where windings induce in each other.
 pub const NO_MUTUAL_INDUCTANCE: &str = "no law here holds the voltage M di/dt that one winding induces in another: `motional` holds \
      voltages per speed alone. Linear combinations of the currents that make the matrices of inductances and of resistances \
      diagonal, both at once, are accepted (they exist where all resistances are positive; CONTRIBUTING.md shows how)";
@@ -35,7 +35,7 @@ impl Table<'_> {
         }
     }
 
-    /// What the file asks for.
+    /// The allowances of the file.
     pub fn allowed(&self) -> Allowed {
         self.allowed
     }

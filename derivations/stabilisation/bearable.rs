@@ -1,0 +1,112 @@
+//! The steps that Euler bears of the drive's circuit along a whole motion: the least and the greatest.
+//!
+//! The longest step at an instant follows the diodes, whose knees are passed in milliseconds. It is looked at wherever a method of
+//! order 5 steps and at so many instants more, and about the least and the greatest found it is searched by golden sections.
+
+use super::drive_law::Seven;
+use integrators::{Failure, Method, Observer, Span, Tolerance, integrate};
+
+/// Instants that are looked at, beside the steps of the method.
+const INSTANTS: usize = 4000;
+
+/// So many of the least and of the greatest are searched about.
+const SEARCHED: usize = 6;
+
+/// Golden sections: the interval is then a millionth of what it was.
+const SECTIONS: usize = 30;
+
+const METHOD: Method = Method::RadauIIA { stages: 3 };
+const TOLERANCE: f64 = 1e-8;
+
+/// Evaluations of the whole motion: a stiff circuit takes some hundred thousands.
+const EVALUATIONS: u64 = 1_000_000;
+
+/// The motion with the longest bearable step at each instant.
+struct Course<'a> {
+    law: &'a Seven,
+    points: Vec<Point>,
+}
+
+struct Point {
+    time: f64,
+    state: Vec<f64>,
+    step: f64,
+}
+
+impl Point {
+    fn of(law: &Seven, time: f64, state: &[f64]) -> Self {
+        Point { time, state: state.to_vec(), step: law.bearable_step(time, state) }
+    }
+}
+
+impl Observer<f64> for Course<'_> {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        self.points.push(Point::of(self.law, time, state));
+    }
+
+    fn step(&mut self, time: f64, state: &[f64]) {
+        if self.points.last().is_none_or(|last| last.time < time) {
+            self.points.push(Point::of(self.law, time, state));
+        }
+    }
+}
+
+/// The least and the greatest of the longest steps that Euler bears at an instant of the motion from a start to a time, s.
+///
+/// # Errors
+/// Where the motion breaks off, or is not done with a million evaluations.
+pub fn bearable_steps(law: &Seven, start: &[f64], end: f64) -> Result<[f64; 2], Failure> {
+    let mut span = Span::new(0.0, end, start).with_even_outputs(INSTANTS).with_evaluations(EVALUATIONS);
+    span.outputs.insert(0, 0.0);
+    let mut course = Course { law, points: Vec::new() };
+    match integrate(law, METHOD, &Tolerance::both(TOLERANCE), &span, &mut course).failure() {
+        None => Ok([-course.greatest(|step| -step), course.greatest(|step| step)]),
+        Some(failure) => Err(failure),
+    }
+}
+
+impl Course<'_> {
+    /// The greatest value of a function of the step, searched about the greatest that were seen.
+    fn greatest(&self, of: impl Fn(f64) -> f64) -> f64 {
+        let value = |k: usize| of(self.points[k].step);
+        let last = self.points.len() - 1;
+        let is_peak = |k: &usize| (*k == 0 || value(k - 1) <= value(*k)) && (*k == last || value(k + 1) <= value(*k));
+        let mut peaks: Vec<usize> = (0..=last).filter(is_peak).collect();
+        peaks.sort_by(|a, b| value(*b).total_cmp(&value(*a)));
+        let searched = peaks.iter().take(SEARCHED).map(|&k| self.about([k.saturating_sub(1), last.min(k + 1)], &of));
+        searched.chain(peaks.first().map(|&k| value(k))).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The greatest value between two points, by golden sections.
+    fn about(&self, [begin, end]: [usize; 2], of: &impl Fn(f64) -> f64) -> f64 {
+        let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let (mut low, mut high) = (self.points[begin].time, self.points[end].time);
+        let mut best = f64::NEG_INFINITY;
+        let mut value = |time: f64| {
+            let value = self.step_at(&self.points[begin], time).map_or(f64::NEG_INFINITY, of);
+            best = best.max(value);
+            value
+        };
+        let inner = |low: f64, high: f64| [high - ratio * (high - low), low + ratio * (high - low)];
+        let [mut left, mut right] = inner(low, high).map(&mut value);
+        for _ in 0..SECTIONS {
+            if left > right {
+                (high, right) = (inner(low, high)[1], left);
+                left = value(inner(low, high)[0]);
+            } else {
+                (low, left) = (inner(low, high)[0], right);
+                right = value(inner(low, high)[1]);
+            }
+        }
+        best
+    }
+
+    fn step_at(&self, from: &Point, time: f64) -> Option<f64> {
+        if time <= from.time {
+            return Some(from.step);
+        }
+        let span = Span::new(from.time, time, &from.state);
+        let outcome = integrate(self.law, METHOD, &Tolerance::both(TOLERANCE), &span, &mut ());
+        outcome.reached().then(|| self.law.bearable_step(time, &outcome.state))
+    }
+}
