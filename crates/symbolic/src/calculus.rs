@@ -5,34 +5,56 @@ use crate::graph::Node;
 use field::{Analytic, Scalar};
 use rustc_hash::FxHashMap;
 
+/// The derivative of expressions whose symbols change at given rates, forward through the graph: d/dt along a motion where the
+/// rates are velocities, d/dx where x alone has the rate one. (A derivation in the sense of algebra: linear, with the product rule.)
+/// What it has met it knows: expressions that share parts cost each part once.
+pub struct Derivation {
+    known: FxHashMap<Sym, Sym>,
+}
+
+impl Derivation {
+    /// Each of these expressions, usually symbols, changes at a rate; all other symbols rest. An expression that is no symbol is
+    /// taken as an independent quantity wherever it occurs.
+    pub fn new(rates: impl IntoIterator<Item = (Sym, Sym)>) -> Self {
+        Derivation { known: rates.into_iter().collect() }
+    }
+
+    /// The rate of an expression.
+    pub fn of(&mut self, expression: Sym) -> Sym {
+        if let Some(&known) = self.known.get(&expression) {
+            return known;
+        }
+        let open = Sym::reached(&[expression], |each, _| !self.known.contains_key(&each));
+        for each in open {
+            if self.known.contains_key(&each) {
+                continue;
+            }
+            let slope = |a: &Sym| self.known[a];
+            let value = match each.node() {
+                Node::Constant(_) | Node::Symbol(_) => Sym::ZERO,
+                Node::Sum(a, b) => slope(&a) + slope(&b),
+                Node::Difference(a, b) => slope(&a) - slope(&b),
+                Node::Product(a, b) => slope(&a) * b + a * slope(&b),
+                Node::Quotient(a, b) if slope(&b) == Sym::ZERO => slope(&a) / b,
+                Node::Quotient(a, b) => (slope(&a) - each * slope(&b)) / b,
+                Node::Negation(a) => -slope(&a),
+                Node::Power(a, n) => Sym::int(n.into()) * a.powi(n as i32 - 1) * slope(&a),
+                Node::Cos(a) => -(Sym::from_node(Node::Sin(a)) * slope(&a)),
+                Node::Sin(a) => Sym::from_node(Node::Cos(a)) * slope(&a),
+                Node::Root(a) => slope(&a) / (Sym::int(2) * each),
+                Node::Function(name, order, a) => Sym::function_of_order(name, order + 1, a) * slope(&a),
+            };
+            self.known.insert(each, value);
+        }
+        self.known[&expression]
+    }
+}
+
 impl Sym {
     /// The partial derivative with respect to `variable`, everything else held fixed. `variable` is usually a symbol;
     /// any other expression is taken as an independent quantity wherever it occurs.
     pub fn diff(self, variable: Sym) -> Sym {
-        let mut slopes: FxHashMap<Sym, Sym> = FxHashMap::default();
-        for each in Sym::ascending(&[self]) {
-            let slope = |a: &Sym| slopes[a];
-            let value = if each == variable {
-                Sym::ONE
-            } else {
-                match each.node() {
-                    Node::Constant(_) | Node::Symbol(_) => Sym::ZERO,
-                    Node::Sum(a, b) => slope(&a) + slope(&b),
-                    Node::Difference(a, b) => slope(&a) - slope(&b),
-                    Node::Product(a, b) => slope(&a) * b + a * slope(&b),
-                    Node::Quotient(a, b) if slope(&b) == Sym::ZERO => slope(&a) / b,
-                    Node::Quotient(a, b) => (slope(&a) - each * slope(&b)) / b,
-                    Node::Negation(a) => -slope(&a),
-                    Node::Power(a, n) => Sym::int(n.into()) * a.powi(n as i32 - 1) * slope(&a),
-                    Node::Cos(a) => -(Sym::from_node(Node::Sin(a)) * slope(&a)),
-                    Node::Sin(a) => Sym::from_node(Node::Cos(a)) * slope(&a),
-                    Node::Root(a) => slope(&a) / (Sym::int(2) * each),
-                    Node::Function(name, order, a) => Sym::function_of_order(name, order + 1, a) * slope(&a),
-                }
-            };
-            slopes.insert(each, value);
-        }
-        slopes[&self]
+        Derivation::new([(variable, Sym::ONE)]).of(self)
     }
 
     /// The expression with every `(old, new)` replaced, all at once. Old ones are usually symbols, but any expression
@@ -44,6 +66,11 @@ impl Sym {
     /// Of what rational operations make the expression: symbols, cosines, sines, roots, functions, in the order of making.
     pub fn leaves_of(self) -> Vec<Sym> {
         Sym::ascending_to_leaves(&[self]).into_iter().filter(|each| each.node().is_leaf()).collect()
+    }
+
+    /// How many different parts expressions have together: what they cost to evaluate or to walk through.
+    pub fn operations_of(expressions: &[Sym]) -> usize {
+        Sym::ascending(expressions).len()
     }
 
     /// The symbols in the expression, by name in natural order (l2 before l10).

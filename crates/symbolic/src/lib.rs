@@ -52,7 +52,7 @@ mod sym;
 mod tape;
 
 pub use analytic::HIGHEST_MULTIPLE;
-pub use calculus::substitute_all;
+pub use calculus::{Derivation, substitute_all};
 pub use coefficients::{NotPolynomial, coefficients, degree, univariate};
 pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
@@ -60,7 +60,10 @@ pub use formulas::Formulas;
 pub use fraction::Fraction;
 pub use graph::{Node, Sym, apart};
 pub use parse::{NotExpression, Reason, Vocabulary, parse, parse_in};
-pub use prove::{Decision, Hypotheses, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, normal};
+pub use prove::{
+    Decision, Hypotheses, Identity, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, identified,
+    normal,
+};
 pub use recurrence::{Abreast, Equations, Expansion, Fused, Recurrence};
 pub use sym::symbols;
 pub use tape::{Algebraic, Language, Operation, Program, Register, Source, Tape, Untapeable};

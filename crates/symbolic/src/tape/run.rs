@@ -49,6 +49,16 @@ impl Tape {
         Some(())
     }
 
+    /// The same with registers on the heap, for a tape of any length: each evaluation takes and gives back their room.
+    pub fn evaluate_long<S: Analytic>(&self, constants: &[S], inputs: impl Iterator<Item = S>, outputs: &mut [S]) {
+        let mut registers: Vec<S> = Vec::with_capacity(self.registers);
+        registers.extend(inputs.take(self.inputs));
+        registers.resize(self.inputs, S::zero());
+        registers.extend_from_slice(constants);
+        registers.resize(self.registers, S::zero());
+        self.follow(&mut registers, outputs);
+    }
+
     /// The outputs by registers that hold the inputs.
     #[inline(always)]
     fn follow<S: Analytic>(&self, registers: &mut [S], outputs: &mut [S]) {
