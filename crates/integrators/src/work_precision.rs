@@ -49,7 +49,12 @@ pub fn judge(attempts: &[Attempt<'_>], course: &Course<'_>, tolerances: &[f64], 
         let tolerance = Tolerance::scaled(relative, course.sizes);
         let mut record = Record::new();
         let outcome = attempt.run(&tolerance, &bare(course.span, Instant::now() + share), &mut record);
-        let error = outcome.failure().map_or_else(|| Ok((course.error)(&record)), Err);
+        // an error that is no number: the run is not at the instants of what it is compared with
+        let compared = |error: f64| match error.is_nan() {
+            true => Err(Failure::OtherCourse { at: outcome.time }),
+            false => Ok(error),
+        };
+        let error = outcome.failure().map_or_else(|| compared((course.error)(&record)), Err);
         let means = attempt.means();
         let tolerance = means.steps().is_none().then_some(relative);
         let evaluations = attempt.evaluations(&outcome.work);
