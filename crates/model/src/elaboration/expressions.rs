@@ -1,0 +1,319 @@
+//! Parts of an expression, each from those that it is made of.
+
+use super::value::Value;
+use super::{Elaborator, Named, Sound, unknown};
+use crate::arena::{Number, Scalar, Vector};
+use crate::expression::{Exponent, Expression, Form};
+use crate::{Fault, FrameId, PointId, ScalarId, Text, VectorId};
+use field::Rational;
+use std::ops::Range;
+use symbolic::Dimension;
+
+/// The longest number that is made of numbers.
+const MOST_BITS: u64 = 1 << 20;
+
+/// What a part stands for, or a body, which is no value of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Meaning {
+    Value(Value),
+    Body(crate::BodyId),
+}
+
+impl Elaborator<'_> {
+    /// The value of an expression that stands in a text.
+    pub(super) fn value_of(&mut self, text: &Text, expression: &Expression) -> Sound<Value> {
+        let mut meanings: Vec<Meaning> = Vec::with_capacity(expression.parts.len());
+        for (form, span) in expression.parts.iter().zip(&expression.spans) {
+            let meaning = self.meaning(text, form, &text.part(span), &meanings, &expression.spans)?;
+            meanings.push(meaning);
+        }
+        match meanings.last() {
+            Some(Meaning::Value(value)) => Ok(*value),
+            Some(Meaning::Body(body)) => {
+                let name = &self.model.bodies[body.0].name;
+                let title = format!("the body `{name}` is no expression");
+                Err(Box::new(Fault::at(text.span(), title, "a body", format!("its motion: velocity({name} at P)"))))
+            }
+            None => Err(Box::new(Fault::at(text.span(), "nothing stands here", "empty", super::EXAMPLES))),
+        }
+    }
+
+    fn meaning(
+        &mut self,
+        text: &Text,
+        form: &Form,
+        span: &Range<usize>,
+        known: &[Meaning],
+        spans: &[Range<usize>],
+    ) -> Sound<Meaning> {
+        let operand = |part: &usize| match known[*part] {
+            Meaning::Value(value) => Ok(value),
+            Meaning::Body(_) => Err(Box::new(Fault::at(
+                text.part(&spans[*part]),
+                "a body is no operand",
+                "a body",
+                "its points and motion are: velocity(disc at P)",
+            ))),
+        };
+        let value = match form {
+            Form::Number(digits) => self.number(span, digits, "")?,
+            Form::Quantity { number, unit } => self.number(span, number, unit)?,
+            Form::Name(name) => return self.named(span, name),
+            Form::Member { of, name } => self.member(span, of, name)?,
+            Form::Negation(a) => match operand(a)? {
+                Value::Scalar(a) => {
+                    let dimension = self.dimension_of(a.0);
+                    Value::Scalar(self.scalar(Scalar::Negation(a), dimension))
+                }
+                Value::Vector(a) => {
+                    let dimension = self.dimension_of(a.0);
+                    Value::Vector(self.vector(Vector::Negation(a), dimension))
+                }
+                other => return Err(no_operation(span, "negated", &[other])),
+            },
+            Form::Sum(a, b) => self.sum(span, operand(a)?, operand(b)?)?,
+            Form::Difference(a, b) => self.difference(span, operand(a)?, operand(b)?)?,
+            Form::Product(a, b) => self.product(span, operand(a)?, operand(b)?)?,
+            Form::Quotient(a, b) => self.quotient(span, operand(a)?, operand(b)?)?,
+            Form::Dot(a, b) => self.dot(span, operand(a)?, operand(b)?)?,
+            Form::Power(a, exponent) => self.power(span, operand(a)?, *exponent)?,
+            Form::Call { function, arguments } => self.call(text, span, function, arguments, known)?,
+            Form::Comparison(..) => return Err(not_yet(span, "a comparison")),
+        };
+        Ok(Meaning::Value(value))
+    }
+
+    fn number(&mut self, span: &Range<usize>, digits: &str, unit: &str) -> Sound<Value> {
+        let value = units::quantity::finite(digits).map_err(|wrong| {
+            Box::new(Fault::at(span.clone(), wrong.to_string(), "no number", "a decimal number such as 0.25 or 1e-4"))
+        })?;
+        let read = units::Unit::parse(unit).map_err(|wrong| {
+            Box::new(Fault::at(span.clone(), wrong.to_string(), "no unit", "a number with its unit, such as (20 mm)"))
+        })?;
+        let dimension = (value != 0.0).then(|| read.dimension().of_expressions());
+        let [times, per] = read.factors();
+        Ok(Value::Scalar(self.scalar(Scalar::Number(Number { value, times, per }), dimension)))
+    }
+
+    fn named(&mut self, span: &Range<usize>, name: &str) -> Sound<Meaning> {
+        match self.names.get(name) {
+            Some(Named::Value(value)) => return Ok(Meaning::Value(*value)),
+            Some(Named::Body(body)) => return Ok(Meaning::Body(*body)),
+            None => {}
+        }
+        let plain = name.replace('′', "'").replace('″', "''");
+        let base = plain.trim_end_matches('\'');
+        let order = plain.len() - base.len();
+        let coordinate = self.model.coordinates.iter().position(|coordinate| coordinate.name == base);
+        match (coordinate, order) {
+            (Some(coordinate), 1 | 2) => {
+                let per = Dimension::time().power(Rational::new(order as i64, 1));
+                let dimension = self.model.coordinates[coordinate].dimension / per;
+                let rate = self.scalar(Scalar::Rate { coordinate, order }, Some(dimension));
+                Ok(Meaning::Value(Value::Scalar(rate)))
+            }
+            (Some(_), _) => Err(Box::new(Fault::at(
+                span.clone(),
+                format!("`{name}` is a rate of order {order}"),
+                "too high",
+                format!("`{base}'` and `{base}''`"),
+            ))),
+            (None, _) if order > 0 && self.names.contains_key(base) => Err(Box::new(Fault::at(
+                span.clone(),
+                format!("`{base}` is no coordinate, so `{name}` is not known"),
+                "no coordinate",
+                format!("rate({base}) is the rate of any scalar"),
+            ))),
+            (None, _) => {
+                let rates = self.model.coordinates.iter().map(|coordinate| coordinate.name.as_str());
+                let known: Vec<&str> = self.names.keys().map(String::as_str).chain(rates).collect();
+                Err(Box::new(unknown(
+                    &self.broken,
+                    span.clone(),
+                    name,
+                    "letter, point, frame or definition",
+                    known.into_iter(),
+                )))
+            }
+        }
+    }
+
+    fn member(&mut self, span: &Range<usize>, of: &str, name: &str) -> Sound<Value> {
+        let frame = self.frame(&Text::at(of, span.start))?;
+        let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) else {
+            let title = format!("a frame has no part `{name}`");
+            return Err(Box::new(Fault::at(span.clone(), title, "not known", format!("{of}.x, {of}.y, {of}.z"))));
+        };
+        Ok(Value::Vector(self.vector(Vector::Axis { frame, axis }, Some(Dimension::none()))))
+    }
+
+    /// The dimension of two parts that are added; zero fits to everything.
+    fn common(&self, span: &Range<usize>, a: usize, b: usize) -> Sound<Option<Dimension>> {
+        match (self.dimension_of(a), self.dimension_of(b)) {
+            (Some(left), Some(right)) if left != right => Err(Box::new(Fault::at(
+                span.clone(),
+                "the two sides have different dimensions",
+                format!("{left} and {right}"),
+                "terms of one dimension are added; a number with a unit stands in parentheses: (20 mm)",
+            ))),
+            (left, right) => Ok(left.or(right)),
+        }
+    }
+
+    fn sum(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        Ok(match (a, b) {
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                let dimension = self.common(span, a.0, b.0)?;
+                Value::Scalar(self.scalar(Scalar::Sum(a, b), dimension))
+            }
+            (Value::Vector(a), Value::Vector(b)) => Value::Vector(self.vector_sum(span, a, b)?),
+            (Value::Point { base, way }, Value::Vector(b)) | (Value::Vector(b), Value::Point { base, way }) => {
+                self.must_measure(span, b.0, "a way between points", Some(Dimension::length()))?;
+                let way = match way {
+                    Some(way) => self.vector_sum(span, way, b)?,
+                    None => b,
+                };
+                Value::Point { base, way: Some(way) }
+            }
+            _ => return Err(no_operation(span, "added", &[a, b])),
+        })
+    }
+
+    fn vector_sum(&mut self, span: &Range<usize>, a: VectorId, b: VectorId) -> Sound<VectorId> {
+        let dimension = self.common(span, a.0, b.0)?;
+        Ok(self.vector(Vector::Sum(a, b), dimension))
+    }
+
+    fn difference(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        Ok(match (a, b) {
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                let dimension = self.common(span, a.0, b.0)?;
+                Value::Scalar(self.scalar(Scalar::Difference(a, b), dimension))
+            }
+            (Value::Vector(a), Value::Vector(b)) => {
+                let dimension = self.common(span, a.0, b.0)?;
+                Value::Vector(self.vector(Vector::Difference(a, b), dimension))
+            }
+            (Value::Point { .. }, Value::Vector(b)) => {
+                let dimension = self.dimension_of(b.0);
+                let back = self.vector(Vector::Negation(b), dimension);
+                self.sum(span, a, Value::Vector(back))?
+            }
+            (Value::Point { base: to, way: to_way }, Value::Point { base: from, way: from_way }) => {
+                let (from, to) = (self.point_of(from, from_way), self.point_of(to, to_way));
+                Value::Vector(self.between(from, to))
+            }
+            _ => return Err(no_operation(span, "subtracted", &[a, b])),
+        })
+    }
+
+    pub(super) fn between(&mut self, from: PointId, to: PointId) -> VectorId {
+        self.vector(Vector::Between { from, to }, Some(Dimension::length()))
+    }
+
+    fn product(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        Ok(match (a, b) {
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                let dimension = self.multiplied(a.0, b.0);
+                Value::Scalar(self.scalar(Scalar::Product(a, b), dimension))
+            }
+            (Value::Scalar(a), Value::Vector(b)) | (Value::Vector(b), Value::Scalar(a)) => {
+                let dimension = self.multiplied(a.0, b.0);
+                Value::Vector(self.vector(Vector::Scaled(a, b), dimension))
+            }
+            (Value::Vector(_), Value::Vector(_)) => {
+                return Err(Box::new(Fault::at(
+                    span.clone(),
+                    "two vectors are multiplied by *",
+                    "which product is meant?",
+                    "a . b (with spaces) or dot(a, b); cross(a, b)",
+                )));
+            }
+            _ => return Err(no_operation(span, "multiplied", &[a, b])),
+        })
+    }
+
+    fn multiplied(&self, a: usize, b: usize) -> Option<Dimension> {
+        Some(self.dimension_of(a)? * self.dimension_of(b)?)
+    }
+
+    fn divided(&self, a: usize, b: usize) -> Option<Dimension> {
+        Some(self.dimension_of(a)? / self.dimension_of(b)?)
+    }
+
+    fn quotient(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        let Value::Scalar(below) = b else { return Err(no_operation(span, "divided", &[a, b])) };
+        if self.dimension_of(below.0).is_none() {
+            return Err(Box::new(Fault::at(
+                span.clone(),
+                "a division by zero",
+                "zero below",
+                "a divisor other than zero",
+            )));
+        }
+        Ok(match a {
+            Value::Scalar(a) => {
+                let dimension = self.divided(a.0, below.0);
+                Value::Scalar(self.scalar(Scalar::Quotient(a, below), dimension))
+            }
+            Value::Vector(a) => {
+                let one =
+                    self.scalar(Scalar::Number(Number { value: 1.0, times: 1.0, per: 1.0 }), Some(Dimension::none()));
+                let inverse = self.divided(one.0, below.0);
+                let inverse = self.scalar(Scalar::Quotient(one, below), inverse);
+                let dimension = self.divided(a.0, below.0);
+                Value::Vector(self.vector(Vector::Scaled(inverse, a), dimension))
+            }
+            _ => return Err(no_operation(span, "divided", &[a, b])),
+        })
+    }
+
+    pub(super) fn dot(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        let (Value::Vector(a), Value::Vector(b)) = (a, b) else {
+            return Err(no_operation(span, "multiplied as vectors", &[a, b]));
+        };
+        let dimension = self.multiplied(a.0, b.0);
+        Ok(Value::Scalar(self.scalar(Scalar::Dot(a, b), dimension)))
+    }
+
+    fn power(&mut self, span: &Range<usize>, a: Value, exponent: Exponent) -> Sound<Value> {
+        let Value::Scalar(a) = a else {
+            return Err(no_operation(span, "raised to a power", &[a]));
+        };
+        if !matches!(exponent.denominator, 1 | 2) {
+            return Err(not_yet(span, "an exponent that is no multiple of 1/2"));
+        }
+        if self.bits[a.0].is_some_and(|bits| bits.saturating_mul(exponent.numerator.unsigned_abs().into()) > MOST_BITS)
+        {
+            let title = "this number has more digits than anything needs";
+            return Err(Box::new(Fault::at(span.clone(), title, "too long", "a decimal number such as 1.5e-3")));
+        }
+        let share = Rational::new(exponent.numerator.into(), exponent.denominator.into());
+        let dimension = self.dimension_of(a.0).map(|dimension| dimension.power(share));
+        Ok(Value::Scalar(self.scalar(Scalar::Power(a, exponent), dimension)))
+    }
+
+    /// A scalar part by its id.
+    pub(super) fn as_scalar(&self, span: &Range<usize>, what: &str, value: Value) -> Sound<ScalarId> {
+        match value {
+            Value::Scalar(id) => Ok(id),
+            other => Err(super::mismatch(span, what, "a scalar", &other)),
+        }
+    }
+
+    /// The frame of a name in an expression.
+    pub(super) fn seen_from(&self, name: &str, span: Range<usize>) -> Sound<FrameId> {
+        self.frame(&Text::at(name, span.start))
+    }
+}
+
+pub(super) fn no_operation(span: &Range<usize>, done: &str, values: &[Value]) -> Box<Fault> {
+    let found = values.iter().map(Value::describe).collect::<Vec<_>>().join(" and ");
+    let accepted = "scalars, vectors, and a point with a vector or a point";
+    Box::new(Fault::at(span.clone(), format!("{found} cannot be {done}"), found, accepted))
+}
+
+pub(super) fn not_yet(span: &Range<usize>, what: &str) -> Box<Fault> {
+    let title = format!("{what} is not there yet");
+    Box::new(Fault::at(span.clone(), title, "not there yet", "sums, products, quotients, powers, sin, cos, tan, sqrt"))
+}

@@ -1,0 +1,233 @@
+//! Functions in expressions: of numbers, of vectors, of motions.
+
+use super::expressions::{Meaning, no_operation, not_yet};
+use super::value::Value;
+use super::{Elaborator, Sound, unknown};
+use crate::arena::{Function, Scalar, Vector};
+use crate::expression::{Argument, Preposition};
+use crate::{Fault, FrameId, Material, Text};
+use field::Rational;
+use std::ops::Range;
+use symbolic::Dimension;
+
+/// Functions that the language has.
+const FUNCTIONS: [&str; 13] = [
+    "sin",
+    "cos",
+    "tan",
+    "sqrt",
+    "dot",
+    "cross",
+    "norm",
+    "unit",
+    "distance",
+    "velocity",
+    "acceleration",
+    "angular_velocity",
+    "rate",
+];
+
+/// Functions that the language will have.
+const LATER: [&str; 12] =
+    ["exp", "ln", "tanh", "atan2", "abs", "sign", "min", "max", "if", "table", "reaction", "angular_acceleration"];
+
+/// An argument as it was found.
+struct Found {
+    meaning: Meaning,
+    place: Option<(Preposition, String, Range<usize>)>,
+}
+
+impl Elaborator<'_> {
+    pub(super) fn call(
+        &mut self,
+        text: &Text,
+        span: &Range<usize>,
+        function: &str,
+        arguments: &[Argument],
+        known: &[Meaning],
+    ) -> Sound<Value> {
+        let found: Vec<Found> = arguments
+            .iter()
+            .map(|argument| Found {
+                meaning: known[argument.value],
+                place: argument.place.clone().map(|(word, name, place)| (word, name, text.part(&place))),
+            })
+            .collect();
+        let count = |needed: usize| match found.len() == needed {
+            true => Ok(()),
+            false => {
+                let plural = if needed == 1 { "" } else { "s" };
+                let title = format!("`{function}` has {needed} argument{plural}");
+                Err(Box::new(Fault::at(span.clone(), title, format!("{} stand here", found.len()), usage(function))))
+            }
+        };
+        let plain = |place: usize| match &found[place] {
+            Found { meaning: Meaning::Value(value), place: None } => Ok(*value),
+            _ => Err(Box::new(Fault::at(
+                span.clone(),
+                format!("`{function}` has no such argument"),
+                "here",
+                usage(function),
+            ))),
+        };
+        if let Some(named) = Function::named(function) {
+            count(1)?;
+            return self.function(span, named, plain(0)?);
+        }
+        match function {
+            "dot" | "cross" | "distance" => {
+                count(2)?;
+                let (a, b) = (plain(0)?, plain(1)?);
+                match function {
+                    "dot" => self.dot(span, a, b),
+                    "cross" => self.cross(span, a, b),
+                    _ => self.distance(span, a, b),
+                }
+            }
+            "norm" | "unit" => {
+                count(1)?;
+                self.length(span, function == "unit", plain(0)?)
+            }
+            "velocity" | "acceleration" => {
+                count(1)?;
+                self.motion(span, function, &found[0])
+            }
+            "angular_velocity" => {
+                count(1)?;
+                let of = match found[0].meaning {
+                    Meaning::Value(Value::Frame(frame)) => frame,
+                    Meaning::Body(body) => self.turning(span, body)?,
+                    Meaning::Value(other) => {
+                        return Err(super::mismatch(span, "what turns", "a frame or a body", &other));
+                    }
+                };
+                let seen = self.seen(span, function, &found[0])?;
+                let per_second = Dimension::none() / Dimension::time();
+                Ok(Value::Vector(self.vector(Vector::AngularVelocity { of, seen }, Some(per_second))))
+            }
+            "rate" => {
+                count(1)?;
+                self.rate(span, &found[0])
+            }
+            later if LATER.contains(&later) => Err(not_yet(span, &format!("the function `{later}`"))),
+            other => Err(Box::new(unknown(&self.broken, span.clone(), other, "function", FUNCTIONS.into_iter()))),
+        }
+    }
+
+    fn function(&mut self, span: &Range<usize>, function: Function, of: Value) -> Sound<Value> {
+        let of = self.as_scalar(span, "the argument", of)?;
+        let dimension = match function {
+            Function::Sqrt => self.dimension_of(of.0).map(|dimension| dimension.power(Rational::new(1, 2))),
+            _ => {
+                self.must_measure(span, of.0, "an angle", Some(Dimension::none()))?;
+                Some(Dimension::none())
+            }
+        };
+        Ok(Value::Scalar(self.scalar(Scalar::Function(function, of), dimension)))
+    }
+
+    fn cross(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        let (Value::Vector(a), Value::Vector(b)) = (a, b) else {
+            return Err(no_operation(span, "multiplied as vectors", &[a, b]));
+        };
+        let dimension = self.dimension_of(a.0).zip(self.dimension_of(b.0)).map(|(a, b)| a * b);
+        Ok(Value::Vector(self.vector(Vector::Cross(a, b), dimension)))
+    }
+
+    fn distance(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        let (Value::Point { base: from, way: first }, Value::Point { base: to, way: second }) = (a, b) else {
+            return Err(no_operation(span, "measured apart", &[a, b]));
+        };
+        let (from, to) = (self.point_of(from, first), self.point_of(to, second));
+        let between = self.between(from, to);
+        Ok(Value::Scalar(self.scalar(Scalar::Norm(between), Some(Dimension::length()))))
+    }
+
+    /// The length of a vector, or the vector of length one along it.
+    fn length(&mut self, span: &Range<usize>, along: bool, of: Value) -> Sound<Value> {
+        let Value::Vector(of) = of else { return Err(no_operation(span, "measured", &[of])) };
+        let dimension = self.dimension_of(of.0);
+        let norm = self.scalar(Scalar::Norm(of), dimension);
+        if !along {
+            return Ok(Value::Scalar(norm));
+        }
+        let one = crate::arena::Number { value: 1.0, times: 1.0, per: 1.0 };
+        let one = self.scalar(Scalar::Number(one), Some(Dimension::none()));
+        let inverse = self.scalar(Scalar::Quotient(one, norm), dimension.map(|of| Dimension::none() / of));
+        Ok(Value::Vector(self.vector(Vector::Scaled(inverse, of), dimension.map(|_| Dimension::none()))))
+    }
+
+    /// `velocity(P)`, `velocity(disc)`, `velocity(disc at P)`, `velocity(P in B)`.
+    fn motion(&mut self, span: &Range<usize>, function: &str, found: &Found) -> Sound<Value> {
+        let of = match (found.meaning, &found.place) {
+            (Meaning::Body(body), Some((Preposition::At, point, place))) => {
+                let point = self.point(&Text::at(point.as_str(), place.start))?;
+                Material { body: Some(body), point }
+            }
+            (Meaning::Body(body), _) => Material { body: Some(body), point: self.centre(body, span)? },
+            (Meaning::Value(Value::Point { base, way }), place) if !matches!(place, Some((Preposition::At, ..))) => {
+                Material { body: None, point: self.point_of(base, way) }
+            }
+            _ => {
+                return Err(Box::new(Fault::at(
+                    span.clone(),
+                    "a point or a body at a point moves",
+                    "here",
+                    usage(function),
+                )));
+            }
+        };
+        let seen = self.seen(span, function, found)?;
+        let metre_per_second = Dimension::length() / Dimension::time();
+        Ok(Value::Vector(match function {
+            "velocity" => self.vector(Vector::Velocity { of, seen }, Some(metre_per_second)),
+            _ => self.vector(Vector::Acceleration { of, seen }, Some(metre_per_second / Dimension::time())),
+        }))
+    }
+
+    /// The frame from which a motion is seen: the ground where none is named.
+    fn seen(&mut self, span: &Range<usize>, function: &str, found: &Found) -> Sound<FrameId> {
+        match &found.place {
+            Some((Preposition::In, name, place)) => self.seen_from(name, place.clone()),
+            Some((Preposition::At, ..))
+                if !matches!(found.meaning, Meaning::Body(_)) || function == "angular_velocity" =>
+            {
+                Err(Box::new(Fault::at(span.clone(), "only a body has points", "`at` stands here", usage(function))))
+            }
+            _ => Ok(FrameId::GROUND),
+        }
+    }
+
+    fn turning(&mut self, span: &Range<usize>, body: crate::BodyId) -> Sound<FrameId> {
+        let name = self.model.bodies[body.0].name.clone();
+        self.frame(&Text::at(name, span.start))
+    }
+
+    fn rate(&mut self, span: &Range<usize>, found: &Found) -> Sound<Value> {
+        match (found.meaning, &found.place) {
+            (Meaning::Value(Value::Scalar(of)), None) => {
+                let dimension = self.dimension_of(of.0).map(|of| of / Dimension::time());
+                Ok(Value::Scalar(self.scalar(Scalar::RateOf(of), dimension)))
+            }
+            (Meaning::Value(Value::Vector(of)), place) if !matches!(place, Some((Preposition::At, ..))) => {
+                let seen = self.seen(span, "rate", found)?;
+                let dimension = self.dimension_of(of.0).map(|of| of / Dimension::time());
+                Ok(Value::Vector(self.vector(Vector::RateOf { of, seen }, dimension)))
+            }
+            _ => Err(Box::new(Fault::at(span.clone(), "a scalar or a vector has a rate", "here", usage("rate")))),
+        }
+    }
+}
+
+fn usage(function: &str) -> &'static str {
+    match function {
+        "dot" | "cross" => "dot(a, b), cross(a, b) of two vectors",
+        "norm" | "unit" => "norm(a), unit(a) of a vector",
+        "distance" => "distance(P, Q) of two points",
+        "velocity" => "velocity(P), velocity(disc at P), velocity(P in B)",
+        "acceleration" => "acceleration(P), acceleration(disc at P), acceleration(P in B)",
+        "angular_velocity" => "angular_velocity(B), angular_velocity(B in A) of a frame or a body",
+        "rate" => "rate(e) of a scalar, rate(v in B) of a vector",
+        _ => "one scalar",
+    }
+}

@@ -1,0 +1,193 @@
+//! Forces, torques, energies, constraints, outputs, and the start.
+
+use super::value::Value;
+use super::{Elaborator, Sound, mismatch};
+use crate::{Constraint, ConstraintSource, Entry, Fault, Force, LoadSource, Output, StartValue, Text, Torque};
+use field::Rational;
+use symbolic::Dimension;
+
+fn newton() -> Dimension {
+    Dimension::mass() * Dimension::length() / Dimension::time().power(Rational::new(2, 1))
+}
+
+fn joule() -> Dimension {
+    newton() * Dimension::length()
+}
+
+impl Elaborator<'_> {
+    pub(super) fn loads(&mut self) {
+        if let Some(gravity) = &self.source.gravity {
+            let needed = Dimension::length() / Dimension::time().power(Rational::new(2, 1));
+            let found = self.vector_value(gravity, "the acceleration of free fall", Some(needed));
+            self.model.gravity = self.kept(found);
+        }
+        for energy in &self.source.energies {
+            let found = self.energy(energy);
+            self.kept(found);
+        }
+        for force in &self.source.forces {
+            let found = self.force(force);
+            if let Some(force) = self.kept(found) {
+                self.model.forces.push(force);
+            }
+        }
+        for torque in &self.source.torques {
+            let found = self.torque(torque);
+            if let Some(torque) = self.kept(found) {
+                self.model.torques.push(torque);
+            }
+        }
+        for constraint in &self.source.constraints {
+            let found = self.constraint(constraint);
+            self.kept(found);
+        }
+        for output in &self.source.outputs {
+            let found = self.output(output);
+            self.kept(found);
+        }
+    }
+
+    fn energy(&mut self, Entry { name, value }: &Entry) -> Sound<()> {
+        let needed = match name.text.as_str() {
+            "dissipation" => joule() / Dimension::time(),
+            _ => joule(),
+        };
+        let what = format!("the {} energy", name.text);
+        let id = self.scalar_value(value, &what, Some(needed))?;
+        let energies = &mut self.model.energies;
+        match name.text.as_str() {
+            "kinetic" => energies.kinetic = Some(id),
+            "potential" => energies.potential = Some(id),
+            "dissipation" => energies.dissipation = Some(id),
+            other => {
+                let accepted = "kinetic, potential, dissipation";
+                return Err(Box::new(Fault::at(
+                    name.span(),
+                    format!("no energy is called `{other}`"),
+                    "not known",
+                    accepted,
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    /// `on` or `between`, one of them.
+    fn places<'a>(&self, load: &'a LoadSource, kind: &str) -> Sound<Result<&'a Text, &'a [Text; 2]>> {
+        let fault = |title: String, label: &str| {
+            let accepted = format!("on = \"disc at P\", or between = [\"a at P\", \"b at Q\"], in [[{kind}]]");
+            Err(Box::new(Fault::at(load.at.clone(), title, label, accepted)))
+        };
+        match (&load.on, &load.between) {
+            (Some(on), None) => Ok(Ok(on)),
+            (None, Some(between)) => Ok(Err(between)),
+            (None, None) => fault(format!("a {kind} acts on something"), "neither `on` nor `between`"),
+            (Some(_), Some(_)) => {
+                fault(format!("a {kind} acts on one thing or between two"), "both `on` and `between`")
+            }
+        }
+    }
+
+    fn force(&mut self, load: &LoadSource) -> Sound<Force> {
+        match self.places(load, "force")? {
+            Ok(on) => {
+                let at = self.material(on)?;
+                Ok(Force::On { at, is: self.vector_value(&load.is, "the force on a point", Some(newton()))? })
+            }
+            Err([first, second]) => {
+                let points = [self.material(first)?, self.material(second)?];
+                Ok(Force::Between {
+                    points,
+                    is: self.scalar_value(&load.is, "the force between two points", Some(newton()))?,
+                })
+            }
+        }
+    }
+
+    fn torque(&mut self, load: &LoadSource) -> Sound<Torque> {
+        match self.places(load, "torque")? {
+            Ok(on) => {
+                let frame = self.frame(on)?;
+                Ok(Torque::On { frame, is: self.vector_value(&load.is, "a torque", Some(joule()))? })
+            }
+            Err([first, second]) => {
+                let frames = [self.frame(first)?, self.frame(second)?];
+                Ok(Torque::Between { frames, is: self.vector_value(&load.is, "a torque", Some(joule()))? })
+            }
+        }
+    }
+
+    fn constraint(&mut self, constraint: &ConstraintSource) -> Sound<()> {
+        let name = constraint.name.as_ref().map(|name| name.text.clone());
+        for text in &constraint.zero {
+            let made = match self.value(text)? {
+                Value::Scalar(zero) => Constraint::Scalar { name: name.clone(), zero, at: text.span() },
+                Value::Vector(zero) => Constraint::Vector { name: name.clone(), zero, at: text.span() },
+                other => {
+                    return Err(mismatch(&text.span(), "a constraint", "a scalar or a vector that is zero", &other));
+                }
+            };
+            self.model.constraints.push(made);
+        }
+        Ok(())
+    }
+
+    fn output(&mut self, Entry { name, value }: &Entry) -> Sound<()> {
+        let is = self.scalar_value(value, &format!("the output `{}`", name.text), None)?;
+        let dimension = self.dimension_of(is.0).unwrap_or(Dimension::none());
+        self.model.outputs.push(Output { name: name.text.clone(), is, dimension });
+        Ok(())
+    }
+
+    pub(super) fn start(&mut self) {
+        for entry in &self.source.start {
+            let found = self.start_value(entry);
+            if let Some(start) = self.kept(found) {
+                self.model.start.push(start);
+            }
+        }
+    }
+
+    /// `theta = "30 deg"`, `theta' = "guess 2 rad/s"`.
+    fn start_value(&mut self, Entry { name, value }: &Entry) -> Sound<StartValue> {
+        let order = usize::from(name.text.ends_with(['\'', '′']));
+        let base = name.text.trim_end_matches(['\'', '′']);
+        let Some(coordinate) = self.model.coordinates.iter().position(|known| known.name == base) else {
+            let known: Vec<String> =
+                self.model.coordinates.iter().flat_map(|c| [c.name.clone(), format!("{}'", c.name)]).collect();
+            return Err(Box::new(super::unknown(
+                &self.broken,
+                name.span(),
+                &name.text,
+                "coordinate",
+                known.iter().map(String::as_str),
+            )));
+        };
+        if self.model.start.iter().any(|known| (known.coordinate, known.order) == (coordinate, order)) {
+            return Err(Box::new(Fault::at(
+                name.span(),
+                format!("`{}` starts twice", name.text),
+                "again",
+                "one value",
+            )));
+        }
+        let dimension = self.model.coordinates[coordinate].dimension;
+        let needed = if order == 0 { dimension } else { dimension / Dimension::time() };
+        let (is_guess, number) = match value.text.trim().strip_prefix("guess ") {
+            Some(rest) => (true, rest),
+            None => (false, value.text.as_str()),
+        };
+        let fault = |label: String| {
+            let title = format!("the start of `{}` cannot be read", name.text);
+            let accepted =
+                format!("a number with a unit of the dimension {needed}, such as \"0.3 rad\" or \"guess 0.3 rad\"");
+            Box::new(Fault::at(value.span(), title, label, accepted))
+        };
+        let (si, found) = units::quantity::parse_any(number).map_err(|wrong| fault(wrong.to_string()))?;
+        let found = found.of_expressions();
+        if found != needed {
+            return Err(fault(format!("this has the dimension {found}")));
+        }
+        Ok(StartValue { coordinate, order, value: si, is_guess })
+    }
+}

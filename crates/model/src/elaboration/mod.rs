@@ -1,0 +1,332 @@
+//! From a system as it was written to a model: names resolved in the order in which they need each other, dimensions checked.
+
+mod expressions;
+mod functions;
+mod loads;
+mod order;
+mod system;
+mod value;
+
+use crate::arena::{Arena, Scalar, Vector};
+use crate::expression::{Expression, read};
+use crate::{BodyId, Fault, Frame, FrameId, Material, Model, Point, PointId, ScalarId, Source, Text, VectorId};
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::ops::Range;
+use symbolic::Dimension;
+use value::Value;
+
+/// Names that have a meaning of their own.
+const RESERVED: [&str; 4] = ["t", "N", "O", "ground"];
+
+/// Whether a name has a meaning of its own.
+pub fn is_reserved(name: &str) -> bool {
+    RESERVED.contains(&name)
+}
+
+/// So many coordinates, bodies, points and so on a system may have of each.
+const MOST: usize = 1000;
+
+/// Resolves a system.
+pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
+    let mut elaborator = Elaborator::new(source);
+    elaborator.letters();
+    for kind in order::ordered(source, &mut elaborator.faults, &mut elaborator.broken) {
+        elaborator.define(kind);
+    }
+    elaborator.bodies();
+    elaborator.loads();
+    elaborator.start();
+    match elaborator.faults.is_empty() {
+        true => Ok(elaborator.model),
+        false => {
+            elaborator.faults.sort_by_key(|fault| fault.span.start);
+            Err(elaborator.faults)
+        }
+    }
+}
+
+/// What a name of the system stands for.
+#[derive(Clone, Debug)]
+enum Named {
+    Value(Value),
+    Body(BodyId),
+}
+
+/// A fault stops what it stands in, and nothing else.
+type Sound<T> = Result<T, Box<Fault>>;
+
+struct Elaborator<'s> {
+    source: &'s Source,
+    model: Model,
+    names: FxHashMap<String, Named>,
+    /// Of each part of an expression; none for zero, which is of every dimension.
+    dimensions: Vec<Option<Dimension>>,
+    /// Of each part that is a number: how many bits it may have.
+    bits: Vec<Option<u64>>,
+    /// Names whose definition is wrong: nothing more is said of them.
+    broken: FxHashSet<String>,
+    faults: Vec<Fault>,
+}
+
+impl<'s> Elaborator<'s> {
+    fn new(source: &'s Source) -> Self {
+        let mut model = Model::default();
+        model.frames.push(Frame { name: "N".to_owned(), parent: None });
+        model.points.push(Point { name: "O".to_owned(), base: None });
+        let mut made = Elaborator {
+            source,
+            model,
+            names: FxHashMap::default(),
+            dimensions: Vec::new(),
+            bits: Vec::new(),
+            broken: FxHashSet::default(),
+            faults: Vec::new(),
+        };
+        let time = made.scalar(Scalar::Time, Some(Dimension::time()));
+        made.names.insert("t".to_owned(), Named::Value(Value::Scalar(time)));
+        for ground in ["N", "ground"] {
+            made.names.insert(ground.to_owned(), Named::Value(Value::Frame(FrameId::GROUND)));
+        }
+        made.names.insert("O".to_owned(), Named::Value(Value::Point { base: PointId::ORIGIN, way: None }));
+        made
+    }
+
+    fn arena(&mut self) -> &mut Arena {
+        &mut self.model.arena
+    }
+
+    fn scalar(&mut self, scalar: Scalar, dimension: Option<Dimension>) -> ScalarId {
+        self.dimensions.push(dimension);
+        self.bits.push(self.bits_of(&scalar));
+        self.arena().scalar(scalar)
+    }
+
+    /// How many bits a number may have that is made of numbers.
+    fn bits_of(&self, scalar: &Scalar) -> Option<u64> {
+        let of = |id: &ScalarId| self.bits[id.0];
+        match scalar {
+            // a decimal of seventeen digits between 1e-308 and 1e308
+            Scalar::Number(_) => Some(2_200),
+            Scalar::Negation(a) => of(a),
+            Scalar::Sum(a, b) | Scalar::Difference(a, b) | Scalar::Product(a, b) | Scalar::Quotient(a, b) => {
+                Some(of(a)?.saturating_add(of(b)?).saturating_add(1))
+            }
+            Scalar::Power(a, exponent) => Some(of(a)?.saturating_mul(exponent.numerator.unsigned_abs().into())),
+            _ => None,
+        }
+    }
+
+    fn vector(&mut self, vector: Vector, dimension: Option<Dimension>) -> VectorId {
+        self.dimensions.push(dimension);
+        self.bits.push(None);
+        self.arena().vector(vector)
+    }
+
+    fn dimension_of(&self, part: usize) -> Option<Dimension> {
+        self.dimensions[part]
+    }
+
+    /// Keeps a fault, and goes on with what does not depend on it.
+    fn kept<T>(&mut self, found: Sound<T>) -> Option<T> {
+        match found {
+            Ok(found) => Some(found),
+            Err(fault) => {
+                self.faults.extend((!fault.is_consequence()).then_some(*fault));
+                None
+            }
+        }
+    }
+
+    /// The same of what gives a name its meaning.
+    fn kept_as<T>(&mut self, name: &Text, found: Sound<T>) -> Option<T> {
+        if found.is_err() {
+            self.broken.insert(name.text.clone());
+        }
+        self.kept(found)
+    }
+
+    /// Gives a name its meaning, once.
+    fn give(&mut self, name: &Text, named: Named) {
+        let text = name.text.as_str();
+        let refused = |why: &str, accepted: &str| Fault::at(name.span(), format!("`{text}` {why}"), "here", accepted);
+        let fault = if !crate::expression::is_name(text) || text.ends_with(['\'', '′', '″']) {
+            Some(refused("is no name", "letters, digits and _ after a first letter; primes are for rates"))
+        } else if is_reserved(text) {
+            Some(refused(
+                "has a meaning of its own",
+                "t is the time, N the ground's frame, O its origin; another name is accepted",
+            ))
+        } else if self.names.contains_key(text) {
+            Some(refused("is defined twice", "each name stands for one thing"))
+        } else {
+            None
+        };
+        match fault {
+            Some(fault) => self.faults.push(fault),
+            None => {
+                self.names.insert(text.to_owned(), named);
+            }
+        }
+    }
+
+    fn read(&self, text: &Text) -> Sound<Expression> {
+        read(&text.text).map_err(|wrong| {
+            let title = "this is no expression";
+            Box::new(Fault::at(text.part(&wrong.span), title, wrong.reason.to_string(), EXAMPLES))
+        })
+    }
+
+    /// The value of an expression.
+    fn value(&mut self, text: &Text) -> Sound<Value> {
+        let expression = self.read(text)?;
+        self.value_of(text, &expression)
+    }
+
+    /// A scalar; of a dimension, where one is needed.
+    fn scalar_value(&mut self, text: &Text, what: &str, needed: Option<Dimension>) -> Sound<ScalarId> {
+        match self.value(text)? {
+            Value::Scalar(id) => {
+                self.must_measure(&text.span(), id.0, what, needed)?;
+                Ok(id)
+            }
+            other => Err(mismatch(&text.span(), what, "a scalar", &other)),
+        }
+    }
+
+    /// A vector; of a dimension, where one is needed.
+    fn vector_value(&mut self, text: &Text, what: &str, needed: Option<Dimension>) -> Sound<VectorId> {
+        match self.value(text)? {
+            Value::Vector(id) => {
+                self.must_measure(&text.span(), id.0, what, needed)?;
+                Ok(id)
+            }
+            Value::Scalar(id) if self.dimension_of(id.0).is_none() => Ok(self.vector(Vector::Zero, None)),
+            other => Err(mismatch(&text.span(), what, "a vector", &other)),
+        }
+    }
+
+    fn must_measure(&self, span: &Range<usize>, part: usize, what: &str, needed: Option<Dimension>) -> Sound<()> {
+        match (self.dimension_of(part), needed) {
+            (Some(found), Some(needed)) if found != needed => Err(Box::new(Fault::at(
+                span.clone(),
+                format!("{what} has the dimension {needed}"),
+                format!("this has the dimension {found}"),
+                format!("an expression of the dimension {needed}"),
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    /// A point of a body, or one that moves by itself: `disc at G`, `P`, or a body's centre of mass by the body alone.
+    fn material(&mut self, text: &Text) -> Sound<Material> {
+        if let Some((body, point)) = text.text.split_once(" at ") {
+            let start = text.text.len() - point.len();
+            let body = self.body(&text.slice(0..body.trim_end().len()))?;
+            let point = self.point(&text.slice(start..text.text.len()))?;
+            return Ok(Material { body: Some(body), point });
+        }
+        if let Some(Named::Body(body)) = self.names.get(text.text.trim()) {
+            let body = *body;
+            return Ok(Material { body: Some(body), point: self.centre(body, &text.span())? });
+        }
+        match self.value(text)? {
+            Value::Point { base, way } => Ok(Material { body: None, point: self.point_of(base, way) }),
+            other => Err(mismatch(&text.span(), "what a force acts on", "a point, or a body at a point,", &other)),
+        }
+    }
+
+    fn body(&self, name: &Text) -> Sound<BodyId> {
+        match self.names.get(name.text.trim()) {
+            Some(Named::Body(body)) => Ok(*body),
+            _ => {
+                let known = self
+                    .names
+                    .iter()
+                    .filter(|(_, named)| matches!(named, Named::Body(_)))
+                    .map(|(name, _)| name.as_str());
+                Err(Box::new(unknown(&self.broken, name.span(), &name.text, "body", known)))
+            }
+        }
+    }
+
+    fn centre(&self, body: BodyId, span: &Range<usize>) -> Sound<PointId> {
+        self.model.bodies[body.0].centre.ok_or_else(|| {
+            let name = &self.model.bodies[body.0].name;
+            // a mass without a centre is told where it stands
+            if self.source.bodies.iter().any(|body| body.name.text == *name && body.mass.is_some()) {
+                return Box::new(Fault::consequence(span.clone()));
+            }
+            Box::new(Fault::at(
+                span.clone(),
+                format!("the body `{name}` has no centre of mass"),
+                "no point of it is known",
+                format!("`centre` in [bodies.{name}], or a point: `{name} at P`"),
+            ))
+        })
+    }
+
+    fn point(&mut self, text: &Text) -> Sound<PointId> {
+        match self.value(text)? {
+            Value::Point { base, way } => Ok(self.point_of(base, way)),
+            other => Err(mismatch(&text.span(), "this", "a point", &other)),
+        }
+    }
+
+    /// A point of its own for a way from another.
+    fn point_of(&mut self, base: PointId, way: Option<VectorId>) -> PointId {
+        let Some(way) = way else { return base };
+        self.model.points.push(Point { name: String::new(), base: Some((base, way)) });
+        PointId(self.model.points.len() - 1)
+    }
+
+    /// A frame by its name; of a body the frame that it turns with.
+    fn frame(&self, name: &Text) -> Sound<FrameId> {
+        match self.names.get(name.text.trim()) {
+            Some(Named::Value(Value::Frame(frame))) => Ok(*frame),
+            Some(Named::Body(body)) => self.model.bodies[body.0].frame.ok_or_else(|| {
+                let title = format!("the body `{}` does not turn", name.text);
+                let accepted = format!("`frame` or `turns` in [bodies.{}] says how it turns", name.text);
+                Box::new(Fault::at(name.span(), title, "a particle", accepted))
+            }),
+            _ => {
+                let is_frame = |named: &Named| matches!(named, Named::Value(Value::Frame(_)) | Named::Body(_));
+                let known = self.names.iter().filter(|(_, named)| is_frame(named)).map(|(name, _)| name.as_str());
+                Err(Box::new(unknown(&self.broken, name.span(), &name.text, "frame", known)))
+            }
+        }
+    }
+}
+
+const EXAMPLES: &str =
+    "for example `k*(x - (20 mm))`, `O + l*(cos(theta)*N.x + sin(theta)*N.y)`, `velocity(disc at P) . N.x`";
+
+fn mismatch(span: &Range<usize>, what: &str, needed: &str, found: &Value) -> Box<Fault> {
+    let found = found.describe();
+    Box::new(Fault::at(
+        span.clone(),
+        format!("{what} is {needed}"),
+        format!("this is {found}"),
+        format!("{needed} is accepted"),
+    ))
+}
+
+/// A name that is not known; of a name whose definition is wrong, a consequence of that.
+fn unknown<'a>(
+    broken: &FxHashSet<String>,
+    span: Range<usize>,
+    name: &str,
+    kind: &str,
+    known: impl Iterator<Item = &'a str>,
+) -> Fault {
+    if broken.contains(name.trim()) {
+        return Fault::consequence(span);
+    }
+    let mut known: Vec<&str> = known.collect();
+    known.sort_unstable();
+    let accepted = match units::nearest(name, known.iter().copied()) {
+        Some(nearest) => format!("is `{nearest}` meant?"),
+        None if known.is_empty() => format!("the system has no {kind}"),
+        None => format!("known here: {}", known.join(", ")),
+    };
+    Fault::at(span, format!("no {kind} is called `{name}`"), "not known", accepted)
+}

@@ -1,0 +1,118 @@
+//! The order in which definitions need each other: any order in the file is accepted, only a circle is wrong.
+
+use crate::expression::{Expression, Form, read};
+use crate::{Fault, Source, Text};
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Something that has a name and may need other names: its place in the table of its kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Definition {
+    Value(usize),
+    Frame(usize),
+    Point(usize),
+    Body(usize),
+}
+
+/// All definitions, each after those that it needs; those of a circle are left out and told.
+pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxHashSet<String>) -> Vec<Definition> {
+    let mut all: Vec<(Definition, &Text, Vec<&Text>)> = Vec::new();
+    let entries = |entries: &'_ [crate::Entry]| entries.len();
+    for (count, kind) in [
+        (entries(&source.definitions), Definition::Value as fn(usize) -> Definition),
+        (entries(&source.frames), Definition::Frame),
+        (entries(&source.points), Definition::Point),
+    ] {
+        for at in 0..count {
+            let definition = kind(at);
+            let entry = match definition {
+                Definition::Value(at) => &source.definitions[at],
+                Definition::Frame(at) => &source.frames[at],
+                Definition::Point(at) | Definition::Body(at) => &source.points[at],
+            };
+            all.push((definition, &entry.name, vec![&entry.value]));
+        }
+    }
+    for (at, body) in source.bodies.iter().enumerate() {
+        let texts = [&body.turns, &body.frame, &body.centre].into_iter().flatten().collect();
+        all.push((Definition::Body(at), &body.name, texts));
+    }
+    let places: FxHashMap<&str, usize> =
+        all.iter().enumerate().map(|(place, (_, name, _))| (name.text.as_str(), place)).collect();
+    let needs: Vec<Vec<usize>> = all
+        .iter()
+        .map(|(_, _, texts)| {
+            let names = texts.iter().flat_map(|text| names_in(&text.text));
+            let mut needs: Vec<usize> = names.filter_map(|name| places.get(name.as_str()).copied()).collect();
+            needs.sort_unstable();
+            needs.dedup();
+            needs
+        })
+        .collect();
+    let mut done = vec![false; all.len()];
+    let mut order = Vec::new();
+    let mut told: FxHashSet<usize> = FxHashSet::default();
+    for first in 0..all.len() {
+        // a path through what is needed, without recursion: each with the place of the next need to look at
+        let mut path: Vec<(usize, usize)> = vec![(first, 0)];
+        while let Some((at, next)) = path.last().copied() {
+            if done[at] {
+                path.pop();
+            } else if let Some(&need) = needs[at].get(next) {
+                if let Some(last) = path.last_mut() {
+                    last.1 += 1;
+                }
+                match path.iter().position(|(on_path, _)| *on_path == need) {
+                    Some(begin) => {
+                        let circle: Vec<usize> = path[begin..].iter().map(|(at, _)| *at).collect();
+                        broken.extend(circle.iter().map(|at| all[*at].1.text.clone()));
+                        if circle.iter().all(|at| told.insert(*at)) {
+                            faults.push(circular(&circle, |at| all[at].1));
+                        }
+                    }
+                    None if !done[need] => path.push((need, 0)),
+                    None => {}
+                }
+            } else {
+                done[at] = true;
+                if !told.contains(&at) {
+                    order.push(all[at].0);
+                }
+                path.pop();
+            }
+        }
+    }
+    order
+}
+
+fn circular<'a>(circle: &[usize], name: impl Fn(usize) -> &'a Text) -> Fault {
+    let names: Vec<&str> = circle.iter().chain(circle.first()).map(|at| name(*at).text.as_str()).collect();
+    let first = name(circle[0]);
+    let title = format!("`{}` is defined by itself", first.text);
+    Fault::at(first.span(), title, names.join(" needs "), "definitions in any order, none of which needs itself")
+}
+
+/// Every name in a text of a definition.
+fn names_in(text: &str) -> Vec<String> {
+    let words = || text.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\'')).map(str::to_owned);
+    match read(text) {
+        Ok(expression) => names_of(&expression),
+        // `N turned theta about z` is none
+        Err(_) => words().filter(|word| !word.is_empty()).collect(),
+    }
+}
+
+fn names_of(expression: &Expression) -> Vec<String> {
+    let mut names = Vec::new();
+    for form in &expression.parts {
+        match form {
+            Form::Name(name) | Form::Member { of: name, .. } => names.push(name.clone()),
+            Form::Call { arguments, .. } => {
+                names.extend(
+                    arguments.iter().filter_map(|argument| argument.place.as_ref().map(|(_, name, _)| name.clone())),
+                );
+            }
+            _ => {}
+        }
+    }
+    names
+}

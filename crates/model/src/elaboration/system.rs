@@ -1,0 +1,269 @@
+//! Letters, frames, points and bodies.
+
+use super::order::Definition;
+use super::value::Value;
+use super::{Elaborator, MOST, Named, Sound, mismatch};
+use crate::arena::Scalar;
+use crate::{
+    Body, BodyId, BodySource, Coordinate, Entry, Fault, Frame, FrameId, Inertia, InertiaSource, Parameter, Point,
+    PointId, Text, Turn,
+};
+use symbolic::Dimension;
+
+impl Elaborator<'_> {
+    /// Parameters and coordinates: names that need no others.
+    pub(super) fn letters(&mut self) {
+        for entry in &self.source.parameters {
+            let found = self.parameter(entry);
+            if let Some(parameter) = self.kept_as(&entry.name, found) {
+                let dimension = parameter.dimension;
+                self.model.parameters.push(parameter);
+                let letter = self.scalar(Scalar::Parameter(self.model.parameters.len() - 1), Some(dimension));
+                self.give(&entry.name, Named::Value(Value::Scalar(letter)));
+            }
+        }
+        for entry in &self.source.coordinates {
+            let found = self.unit(&entry.value, "a coordinate has a unit", "x = \"m\", theta = \"rad\"");
+            let Some((dimension, unit)) = self.kept_as(&entry.name, found) else { continue };
+            self.model.coordinates.push(Coordinate { name: entry.name.text.clone(), dimension, unit });
+            let letter = self.scalar(Scalar::Coordinate(self.model.coordinates.len() - 1), Some(dimension));
+            self.give(&entry.name, Named::Value(Value::Scalar(letter)));
+        }
+        let counts = [
+            ("coordinates", self.source.coordinates.len()),
+            ("parameters", self.source.parameters.len()),
+            ("frames", self.source.frames.len()),
+            ("points", self.source.points.len()),
+            ("bodies", self.source.bodies.len()),
+        ];
+        for (kind, count) in counts.into_iter().filter(|(_, count)| *count > MOST) {
+            let accepted = format!("at most {MOST} of each kind");
+            self.faults.push(Fault::at(0..0, format!("{count} {kind}"), "too many", accepted));
+        }
+        if self.source.coordinates.is_empty() {
+            let accepted = "[coordinates] names what moves: theta = \"rad\"";
+            self.faults.push(Fault::at(0..0, "the system has no coordinates", "nothing moves", accepted));
+        }
+    }
+
+    fn unit(&self, text: &Text, what: &str, accepted: &str) -> Sound<(Dimension, String)> {
+        let fault = |label: String| Box::new(Fault::at(text.span(), what, label, accepted));
+        match units::Unit::parse(&text.text) {
+            Ok(unit) if !text.text.trim().is_empty() => {
+                Ok((unit.dimension().of_expressions(), text.text.trim().to_owned()))
+            }
+            Ok(_) => Err(fault("nothing stands here".to_owned())),
+            Err(wrong) => Err(fault(wrong.to_string())),
+        }
+    }
+
+    /// `"2 kg"` with a value, `"N/m"` without.
+    fn parameter(&self, Entry { name, value }: &Entry) -> Sound<Parameter> {
+        let number = value.text.split_whitespace().next().map(units::quantity::finite);
+        let fault = |label: String| {
+            let title = format!("the parameter `{}` cannot be read", name.text);
+            Box::new(Fault::at(
+                value.span(),
+                title,
+                label,
+                "a number and its unit (\"2 kg\"), or a unit alone: no value",
+            ))
+        };
+        let (dimension, value_in_si) = match number {
+            Some(Ok(_)) => {
+                let (si, dimension) =
+                    units::quantity::parse_any(&value.text).map_err(|wrong| fault(wrong.to_string()))?;
+                (dimension, Some(si))
+            }
+            _ => {
+                let unit = units::Unit::parse(&value.text).map_err(|wrong| fault(wrong.to_string()))?;
+                if value.text.trim().is_empty() {
+                    return Err(fault("nothing stands here".to_owned()));
+                }
+                (unit.dimension(), None)
+            }
+        };
+        let unit = dimension.coherent();
+        Ok(Parameter { name: name.text.clone(), dimension: dimension.of_expressions(), unit, value: value_in_si })
+    }
+
+    /// One definition, after those that it needs.
+    pub(super) fn define(&mut self, definition: Definition) {
+        match definition {
+            Definition::Value(at) => {
+                let entry = &self.source.definitions[at];
+                let found = match is_frame(&entry.value.text) {
+                    true => self.turned(entry).map(Value::Frame),
+                    false => self.value(&entry.value),
+                };
+                if let Some(value) = self.kept_as(&entry.name, found) {
+                    self.give(&entry.name, Named::Value(value));
+                }
+            }
+            Definition::Frame(at) => {
+                let entry = &self.source.frames[at];
+                let found = self.turned(entry);
+                if let Some(frame) = self.kept_as(&entry.name, found) {
+                    self.give(&entry.name, Named::Value(Value::Frame(frame)));
+                }
+            }
+            Definition::Point(at) => {
+                let entry = &self.source.points[at];
+                let found = self.placed(entry);
+                if let Some(base) = self.kept_as(&entry.name, found) {
+                    self.give(&entry.name, Named::Value(Value::Point { base, way: None }));
+                }
+            }
+            Definition::Body(at) => {
+                let body = &self.source.bodies[at];
+                let found = self.moved(body);
+                if let Some(body_id) = self.kept_as(&body.name, found) {
+                    self.give(&body.name, Named::Body(body_id));
+                }
+            }
+        }
+    }
+
+    fn placed(&mut self, entry: &Entry) -> Sound<PointId> {
+        match self.value(&entry.value)? {
+            Value::Point { base, way: Some(way) } => {
+                self.model.points.push(Point { name: entry.name.text.clone(), base: Some((base, way)) });
+                Ok(PointId(self.model.points.len() - 1))
+            }
+            Value::Point { base, way: None } => Ok(base),
+            other => Err(mismatch(&entry.value.span(), &format!("`{}`", entry.name.text), "a point", &other)),
+        }
+    }
+
+    /// `N turned theta about z`, `A turned -lean about x`.
+    fn turned(&mut self, entry: &Entry) -> Sound<FrameId> {
+        let text = &entry.value;
+        let wrong = |title: &str, label: &str| {
+            Box::new(Fault::at(
+                text.span(),
+                title.to_owned(),
+                label.to_owned(),
+                "for example \"N turned theta about z\"",
+            ))
+        };
+        if text.text.trim_end().ends_with(" free") {
+            return Err(wrong("a free frame is not there yet", "not there yet: three turns one after the other are"));
+        }
+        let parsed = text
+            .text
+            .split_once(" turned ")
+            .and_then(|(parent, rest)| Some((parent, rest, rest.rsplit_once(" about ")?)));
+        let Some((parent, rest, (angle, axis))) = parsed else {
+            return Err(wrong("a frame is a turn of another about an axis", "this is none"));
+        };
+        let angle_start = text.text.len() - rest.len();
+        let parent = self.frame(&text.slice(0..parent.len()))?;
+        let angle_text = text.slice(angle_start..angle_start + angle.len());
+        let Some(axis) = ["x", "y", "z"].iter().position(|name| *name == axis.trim()) else {
+            return Err(wrong("a frame turns about x, y or z of its parent", "another axis"));
+        };
+        let angle = self.scalar_value(&angle_text, "the angle of a turn", Some(Dimension::none()))?;
+        Ok(self.new_frame(&entry.name.text, parent, Turn { axis, angle }))
+    }
+
+    fn new_frame(&mut self, name: &str, parent: FrameId, turn: Turn) -> FrameId {
+        self.model.frames.push(Frame { name: name.to_owned(), parent: Some((parent, turn)) });
+        FrameId(self.model.frames.len() - 1)
+    }
+
+    /// How a body moves.
+    fn moved(&mut self, body: &BodySource) -> Sound<BodyId> {
+        let frame = match (&body.turns, &body.frame) {
+            (Some(turns), Some(_)) => {
+                let title = format!("`turns` and `frame` both say how `{}` turns", body.name.text);
+                return Err(Box::new(Fault::at(turns.span(), title, "twice", "one of them")));
+            }
+            (Some(turns), None) => {
+                let angle = self.scalar_value(turns, "the angle of a turn", Some(Dimension::none()))?;
+                Some(self.new_frame(&body.name.text, FrameId::GROUND, Turn { axis: 2, angle }))
+            }
+            (None, Some(frame)) => Some(self.frame(frame)?),
+            (None, None) => None,
+        };
+        let centre = match &body.centre {
+            Some(centre) => Some(self.point(centre)?),
+            None => None,
+        };
+        let name = body.name.text.clone();
+        self.model.bodies.push(Body { name, frame, centre, mass: None, inertia: None, at: body.name.span() });
+        Ok(BodyId(self.model.bodies.len() - 1))
+    }
+
+    /// Masses and moments of inertia, once every name is known.
+    pub(super) fn bodies(&mut self) {
+        for body in &self.source.bodies {
+            let Some(place) = self.model.bodies.iter().position(|known| known.name == body.name.text) else { continue };
+            let found = self.weighed(body);
+            if let Some((mass, inertia)) = self.kept(found) {
+                (self.model.bodies[place].mass, self.model.bodies[place].inertia) = (mass, inertia);
+            }
+        }
+        let has_energy = !self.source.energies.is_empty();
+        if self.source.bodies.is_empty() && !has_energy {
+            let accepted = "[bodies.NAME] with `mass` and `centre`, or [energies]";
+            self.faults.push(Fault::at(
+                0..0,
+                "the system has no bodies and no energies",
+                "nothing has inertia",
+                accepted,
+            ));
+        }
+    }
+
+    fn weighed(&mut self, body: &BodySource) -> Sound<(Option<crate::ScalarId>, Option<Inertia>)> {
+        let name = &body.name.text;
+        let mass = match &body.mass {
+            Some(mass) => Some(self.scalar_value(mass, "the mass", Some(Dimension::mass()))?),
+            None => None,
+        };
+        let fault =
+            |title: String, accepted: &str| Err(Box::new(Fault::at(body.name.span(), title, "this body", accepted)));
+        if mass.is_some() && body.centre.is_none() {
+            return fault(
+                format!("the body `{name}` has a mass and no centre"),
+                "`centre`, the point where its mass may stand",
+            );
+        }
+        if mass.is_none() && body.inertia.is_none() {
+            return fault(
+                format!("the body `{name}` has no mass and no inertia"),
+                "`mass` with `centre`, or `inertia`",
+            );
+        }
+        let frame = self.model.bodies.iter().find(|known| known.name == *name).and_then(|known| known.frame);
+        let needed = Some(Dimension::mass() * Dimension::length().power(field::Rational::new(2, 1)));
+        let inertia = match (&body.inertia, frame) {
+            (None, _) => None,
+            (Some(_), None) => {
+                return fault(format!("the body `{name}` has an inertia and does not turn"), "`frame` or `turns`");
+            }
+            (Some(InertiaSource::Axial(axial)), Some(_)) => {
+                Some(Inertia::Axial(self.scalar_value(axial, "the moment of inertia", needed)?))
+            }
+            (Some(InertiaSource::Tensor { axes, entries }), Some(frame)) => {
+                let axes = match axes {
+                    Some(axes) => self.frame(axes)?,
+                    None => frame,
+                };
+                let mut found = [None; 6];
+                for (found, entry) in found.iter_mut().zip(entries.iter()) {
+                    if let Some(entry) = entry {
+                        *found = Some(self.scalar_value(entry, "a moment of inertia", needed)?);
+                    }
+                }
+                Some(Inertia::Tensor { axes, entries: found })
+            }
+        };
+        Ok((mass, inertia))
+    }
+}
+
+/// Whether a definition is a frame.
+fn is_frame(text: &str) -> bool {
+    text.contains(" turned ") || text.trim_end().ends_with(" free")
+}

@@ -1,0 +1,61 @@
+//! The equations of motion in matrix form, with constraints and their multipliers:
+//!
+//!   M u' + h = J^T lambda,    J u' + c = 0,    u = q'
+//!
+//! with h = inertia that depends on speeds less all forces. A constraint of positions counts twice differentiated, one of speeds
+//! once.
+
+mod constraints;
+mod elimination;
+
+pub use constraints::{Equation, Level};
+pub use elimination::Singular;
+
+use crate::Trace;
+use crate::principles::{NotApplicable, Principle};
+use symbolic::{Sym, substitute_all};
+
+/// The equations of motion of a model, over the symbols of a trace.
+#[derive(Clone, Debug)]
+pub struct Equations {
+    /// M, row after row; symmetric.
+    pub mass: Vec<Vec<Sym>>,
+    /// h.
+    pub bias: Vec<Sym>,
+    /// One for each scalar constraint.
+    pub constraints: Vec<Equation>,
+}
+
+impl Equations {
+    /// By a principle.
+    ///
+    /// # Errors
+    /// Where the principle does not apply to the model.
+    pub fn by(principle: Principle, trace: &Trace<'_>) -> Result<Self, NotApplicable> {
+        let residual = principle.residual(trace)?;
+        let n = residual.len();
+        let mass = residual.iter().map(|row| (0..n).map(|j| trace.by_acceleration(*row, j)).collect()).collect();
+        let at_rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&symbol| (symbol, Sym::ZERO)).collect();
+        let bias = substitute_all(&residual, &at_rest);
+        Ok(Equations { mass, bias, constraints: constraints::equations(trace) })
+    }
+
+    /// By the first principle that applies: the projected equations of the bodies, or Lagrange's where an energy is given.
+    pub fn of(trace: &Trace<'_>) -> Self {
+        let given = trace.model.energies.kinetic.is_some();
+        let principle = if given { Principle::Lagrange } else { Principle::VirtualPower };
+        Equations::by(principle, trace).unwrap_or_else(|_| Equations {
+            mass: Vec::new(),
+            bias: Vec::new(),
+            constraints: Vec::new(),
+        })
+    }
+
+    /// The accelerations u' and the multipliers lambda.
+    ///
+    /// # Errors
+    /// The first coordinate, or constraint, without a pivot that is not zero as it stands.
+    pub fn solved(&self) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
+        elimination::solved(self)
+    }
+}

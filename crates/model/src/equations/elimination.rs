@@ -1,0 +1,94 @@
+//! Accelerations and multipliers by elimination, unrolled: M = L D L^T, then the same of J M^-1 J^T.
+//!
+//! Pivots are taken in order. M is positive definite where the system is regular, so that every pivot is positive there; entries
+//! that are the constant zero cost nothing.
+
+use super::Equations;
+use std::fmt;
+use symbolic::Sym;
+
+/// A pivot that is zero as it stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Singular {
+    /// No inertia resists this coordinate.
+    Massless { coordinate: usize },
+    /// This constraint says nothing that others before it do not, or nothing at all.
+    Redundant { constraint: usize },
+}
+
+impl fmt::Display for Singular {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Massless { coordinate } => write!(f, "no inertia resists coordinate {coordinate}"),
+            Self::Redundant { constraint } => write!(f, "constraint {constraint} depends on those before it"),
+        }
+    }
+}
+
+/// The factors of a symmetric matrix: rows of L without its ones, and D.
+struct Factors {
+    lower: Vec<Vec<Sym>>,
+    pivots: Vec<Sym>,
+}
+
+impl Factors {
+    /// None at the first pivot that is zero: its place.
+    fn of(matrix: &[Vec<Sym>]) -> Result<Self, usize> {
+        let (mut lower, mut pivots): (Vec<Vec<Sym>>, Vec<Sym>) = (Vec::new(), Vec::new());
+        for (i, entries) in matrix.iter().enumerate() {
+            // row i of L D
+            let mut scaled: Vec<Sym> = Vec::with_capacity(i);
+            for j in 0..i {
+                let known = (0..j).map(|k| scaled[k] * lower[j][k]).fold(entries[j], |rest, each| rest - each);
+                scaled.push(known);
+            }
+            let row: Vec<Sym> = (0..i).map(|j| scaled[j] / pivots[j]).collect();
+            let pivot = (0..i).map(|k| scaled[k] * row[k]).fold(entries[i], |rest, each| rest - each);
+            if pivot == Sym::ZERO || pivot == Sym::UNDEFINED {
+                return Err(i);
+            }
+            lower.push(row);
+            pivots.push(pivot);
+        }
+        Ok(Factors { lower, pivots })
+    }
+
+    fn solve(&self, right: &[Sym]) -> Vec<Sym> {
+        let n = right.len();
+        let mut x = right.to_vec();
+        for i in 0..n {
+            x[i] = (0..i).map(|k| self.lower[i][k] * x[k]).fold(x[i], |rest, each| rest - each);
+        }
+        for (x, pivot) in x.iter_mut().zip(&self.pivots) {
+            *x /= *pivot;
+        }
+        for i in (0..n).rev() {
+            x[i] = (i + 1..n).map(|k| self.lower[k][i] * x[k]).fold(x[i], |rest, each| rest - each);
+        }
+        x
+    }
+}
+
+pub(super) fn solved(equations: &Equations) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
+    let Equations { mass, bias, constraints } = equations;
+    let inertia = Factors::of(mass).map_err(|coordinate| Singular::Massless { coordinate })?;
+    let free: Vec<Sym> = inertia.solve(&bias.iter().map(|h| -*h).collect::<Vec<_>>());
+    if constraints.is_empty() {
+        return Ok((free, Vec::new()));
+    }
+    let dot = |a: &[Sym], b: &[Sym]| a.iter().zip(b).fold(Sym::ZERO, |sum, (&a, &b)| sum + a * b);
+    // each column M^-1 J^T
+    let moved: Vec<Vec<Sym>> = constraints.iter().map(|constraint| inertia.solve(&constraint.row)).collect();
+    let matrix: Vec<Vec<Sym>> = constraints
+        .iter()
+        .map(|constraint| moved.iter().map(|column| dot(&constraint.row, column)).collect())
+        .collect();
+    let factors = Factors::of(&matrix).map_err(|constraint| Singular::Redundant { constraint })?;
+    let right: Vec<Sym> =
+        constraints.iter().map(|constraint| -(constraint.bias + dot(&constraint.row, &free))).collect();
+    let multipliers = factors.solve(&right);
+    let accelerations = (0..free.len())
+        .map(|i| moved.iter().zip(&multipliers).fold(free[i], |sum, (column, &lambda)| sum + column[i] * lambda))
+        .collect();
+    Ok((accelerations, multipliers))
+}

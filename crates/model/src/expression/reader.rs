@@ -1,0 +1,338 @@
+//! Reads an expression.
+
+use super::token::{Placed, Token, tokens};
+use super::{Argument, Exponent, Expression, Form, NotExpression, Part, Preposition, Reason, Relation};
+use std::ops::Range;
+
+/// So deep may parentheses stand in each other.
+const DEEPEST: usize = 100;
+/// The largest number in an exponent.
+const LARGEST: i32 = 64;
+
+/// Reads an expression.
+///
+/// # Errors
+/// [`NotExpression`]: the first place that cannot be read, and why.
+pub fn read(text: &str) -> Result<Expression, NotExpression> {
+    let mut reader = Reader {
+        text,
+        tokens: tokens(text)?,
+        at: 0,
+        depth: 0,
+        expression: Expression { parts: Vec::new(), spans: Vec::new() },
+    };
+    reader.comparison()?;
+    match reader.peek() {
+        None => Ok(reader.expression),
+        Some(Token::Sign(')')) => Err(reader.wrong(Reason::Parenthesis)),
+        Some(_) => Err(reader.wrong(Reason::Operator)),
+    }
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    tokens: Vec<Placed<'a>>,
+    at: usize,
+    depth: usize,
+    expression: Expression,
+}
+
+impl<'a> Reader<'a> {
+    fn peek(&self) -> Option<&Token<'a>> {
+        self.tokens.get(self.at).map(|(_, token)| token)
+    }
+
+    /// Where the next token stands, or the end.
+    fn span(&self) -> Range<usize> {
+        let end = self.text.len();
+        self.tokens.get(self.at).map_or(end..end, |(span, _)| span.clone())
+    }
+
+    /// Where the token before the next one ends.
+    fn end(&self) -> usize {
+        self.at.checked_sub(1).and_then(|last| self.tokens.get(last)).map_or(0, |(span, _)| span.end)
+    }
+
+    fn wrong(&self, reason: Reason) -> NotExpression {
+        NotExpression { span: self.span(), reason }
+    }
+
+    fn takes(&mut self, sign: char) -> bool {
+        let found = self.peek() == Some(&Token::Sign(sign));
+        self.at += usize::from(found);
+        found
+    }
+
+    fn push(&mut self, form: Form, from: usize) -> Part {
+        let end = self.end();
+        self.expression.parts.push(form);
+        self.expression.spans.push(from..end);
+        self.expression.whole()
+    }
+
+    /// A sum, or two that are compared.
+    fn comparison(&mut self) -> Result<Part, NotExpression> {
+        let from = self.span().start;
+        let left = self.sum()?;
+        let relation = match self.peek() {
+            Some(Token::Sign('<')) => Relation::Less,
+            Some(Token::Sign('≤')) => Relation::LessOrEqual,
+            Some(Token::Sign('>')) => Relation::Greater,
+            Some(Token::Sign('≥')) => Relation::GreaterOrEqual,
+            _ => return Ok(left),
+        };
+        self.at += 1;
+        let right = self.sum()?;
+        Ok(self.push(Form::Comparison(relation, left, right), from))
+    }
+
+    fn sum(&mut self) -> Result<Part, NotExpression> {
+        let from = self.span().start;
+        let mut sum = self.product()?;
+        loop {
+            let plus = self.takes('+');
+            if !plus && !self.takes('-') {
+                return Ok(sum);
+            }
+            let term = self.product()?;
+            sum = self.push(if plus { Form::Sum(sum, term) } else { Form::Difference(sum, term) }, from);
+        }
+    }
+
+    fn product(&mut self) -> Result<Part, NotExpression> {
+        let from = self.span().start;
+        let mut product = self.signed()?;
+        loop {
+            let form: fn(Part, Part) -> Form = match self.peek() {
+                Some(Token::Sign('*')) => Form::Product,
+                Some(Token::Sign('/')) => Form::Quotient,
+                Some(Token::Dot) => Form::Dot,
+                _ => return Ok(product),
+            };
+            self.at += 1;
+            let factor = self.signed()?;
+            product = self.push(form(product, factor), from);
+        }
+    }
+
+    /// A minus holds less tightly than a power: -x^2 is -(x^2).
+    fn signed(&mut self) -> Result<Part, NotExpression> {
+        let from = self.span().start;
+        let mut negative = false;
+        loop {
+            if self.takes('-') {
+                negative = !negative;
+            } else if !self.takes('+') {
+                let power = self.power()?;
+                return Ok(if negative { self.push(Form::Negation(power), from) } else { power });
+            }
+        }
+    }
+
+    fn power(&mut self) -> Result<Part, NotExpression> {
+        let from = self.span().start;
+        let base = self.atom()?;
+        if !self.takes('^') {
+            return Ok(base);
+        }
+        let exponent = self.exponent()?;
+        Ok(self.push(Form::Power(base, exponent), from))
+    }
+
+    /// `2`, `-1`, `(-1)`, `(1/2)`.
+    fn exponent(&mut self) -> Result<Exponent, NotExpression> {
+        let begin = self.span();
+        let closed = self.takes('(');
+        let negative = self.takes('-');
+        let mut numerator = self.small()?;
+        let mut denominator = 1;
+        if closed && self.takes('/') {
+            denominator = self.small()?;
+        }
+        if denominator == 0 {
+            return Err(NotExpression { span: begin.start..self.end(), reason: Reason::Exponent });
+        }
+        if closed && !self.takes(')') {
+            return Err(self.wrong(Reason::Parenthesis));
+        }
+        let divisor = common_divisor(numerator, denominator);
+        (numerator, denominator) = (numerator / divisor, denominator / divisor);
+        Ok(Exponent { numerator: if negative { -numerator } else { numerator }, denominator })
+    }
+
+    fn small(&mut self) -> Result<i32, NotExpression> {
+        let Some(Token::Number(digits)) = self.peek() else { return Err(self.wrong(Reason::Exponent)) };
+        let size = digits.parse().ok().filter(|size| (0..=LARGEST).contains(size));
+        let size = size.ok_or_else(|| self.wrong(Reason::Exponent))?;
+        self.at += 1;
+        Ok(size)
+    }
+
+    fn atom(&mut self) -> Result<Part, NotExpression> {
+        let from = self.span().start;
+        let Some(token) = self.peek().cloned() else { return Err(self.wrong(Reason::Operand)) };
+        match token {
+            Token::Number(text) => {
+                self.at += 1;
+                Ok(self.push(Form::Number(text.to_owned()), from))
+            }
+            Token::Sign('(') => match self.quantity() {
+                Some(form) => Ok(self.push(form, from)),
+                None => self.inside(),
+            },
+            Token::Name(name) => {
+                self.at += 1;
+                match self.peek() {
+                    Some(Token::Sign('(')) => self.call(name, from),
+                    Some(Token::Part) => {
+                        self.at += 1;
+                        let Some(Token::Name(part)) = self.peek().cloned() else {
+                            return Err(self.wrong(Reason::Operand));
+                        };
+                        self.at += 1;
+                        Ok(self.push(Form::Member { of: name.to_owned(), name: part.to_owned() }, from))
+                    }
+                    _ => Ok(self.push(Form::Name(name.to_owned()), from)),
+                }
+            }
+            Token::Sign(_) | Token::Dot | Token::Part => Err(self.wrong(Reason::Operand)),
+        }
+    }
+
+    /// `(20 mm)`, `(-9.81 m/s^2)`: a number that a name follows without a sign between them.
+    fn quantity(&mut self) -> Option<Form> {
+        let sign = usize::from(matches!(self.tokens.get(self.at + 1), Some((_, Token::Sign('-')))));
+        let (number, Token::Number(_)) = self.tokens.get(self.at + 1 + sign)? else { return None };
+        let (unit, Token::Name(_)) = self.tokens.get(self.at + 2 + sign)? else { return None };
+        let rest = &self.tokens[self.at + 2 + sign..];
+        let length = rest.iter().position(|(_, token)| *token == Token::Sign(')'))?;
+        let begin = self.tokens[self.at + 1].0.start;
+        let form = Form::Quantity {
+            number: self.text[begin..number.end].replace(' ', "").replace('−', "-"),
+            unit: self.text[unit.start..rest[length].0.start].trim().to_owned(),
+        };
+        self.at += 3 + sign + length;
+        Some(form)
+    }
+
+    /// A sum in parentheses.
+    fn inside(&mut self) -> Result<Part, NotExpression> {
+        let open = self.open()?;
+        let sum = self.sum()?;
+        self.close(open)?;
+        Ok(sum)
+    }
+
+    fn open(&mut self) -> Result<Range<usize>, NotExpression> {
+        if self.depth >= DEEPEST {
+            return Err(self.wrong(Reason::Depth { most: DEEPEST }));
+        }
+        let open = self.span();
+        self.depth += 1;
+        self.at += 1;
+        Ok(open)
+    }
+
+    fn close(&mut self, open: Range<usize>) -> Result<(), NotExpression> {
+        if !self.takes(')') {
+            let ended = self.at >= self.tokens.len();
+            let (span, reason) = if ended { (open, Reason::Parenthesis) } else { (self.span(), Reason::Operator) };
+            return Err(NotExpression { span, reason });
+        }
+        self.depth -= 1;
+        Ok(())
+    }
+
+    fn call(&mut self, function: &str, from: usize) -> Result<Part, NotExpression> {
+        let open = self.open()?;
+        let mut arguments = vec![self.argument()?];
+        while self.takes(',') {
+            arguments.push(self.argument()?);
+        }
+        self.close(open)?;
+        Ok(self.push(Form::Call { function: function.to_owned(), arguments }, from))
+    }
+
+    fn argument(&mut self) -> Result<Argument, NotExpression> {
+        let value = self.comparison()?;
+        let preposition = match self.peek() {
+            Some(Token::Name("at")) => Preposition::At,
+            Some(Token::Name("in")) => Preposition::In,
+            _ => return Ok(Argument { value, place: None }),
+        };
+        self.at += 1;
+        let span = self.span();
+        let Some(Token::Name(name)) = self.peek().cloned() else { return Err(self.wrong(Reason::Preposition)) };
+        self.at += 1;
+        Ok(Argument { value, place: Some((preposition, name.to_owned(), span)) })
+    }
+}
+
+fn common_divisor(a: i32, b: i32) -> i32 {
+    let (mut divisor, mut rest) = (a.abs(), b.abs());
+    while rest != 0 {
+        (divisor, rest) = (rest, divisor % rest);
+    }
+    divisor.max(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(text: &str) -> String {
+        let read = read(text).unwrap_or_else(|wrong| panic!("{text}: {wrong:?}"));
+        fn part(e: &Expression, at: Part) -> String {
+            let of = |at: &Part| part(e, *at);
+            match &e.parts[at] {
+                Form::Number(text) | Form::Name(text) => text.clone(),
+                Form::Quantity { number, unit } => format!("[{number} {unit}]"),
+                Form::Member { of, name } => format!("{of}.{name}"),
+                Form::Negation(a) => format!("(-{})", of(a)),
+                Form::Sum(a, b) => format!("({} + {})", of(a), of(b)),
+                Form::Difference(a, b) => format!("({} - {})", of(a), of(b)),
+                Form::Product(a, b) => format!("({} * {})", of(a), of(b)),
+                Form::Quotient(a, b) => format!("({} / {})", of(a), of(b)),
+                Form::Dot(a, b) => format!("({} . {})", of(a), of(b)),
+                Form::Power(a, Exponent { numerator, denominator }) => format!("{}^({numerator}/{denominator})", of(a)),
+                Form::Comparison(relation, a, b) => format!("{} {relation:?} {}", of(a), of(b)),
+                Form::Call { function, arguments } => {
+                    let each = arguments.iter().map(|Argument { value, place }| match place {
+                        None => of(value),
+                        Some((word, name, _)) => format!("{} {word:?} {name}", of(value)),
+                    });
+                    format!("{function}({})", each.collect::<Vec<_>>().join(", "))
+                }
+            }
+        }
+        part(&read, read.whole())
+    }
+
+    #[test]
+    fn expressions_are_read_by_the_usual_precedence() {
+        assert_eq!(shown("-x^2 + 2*a/b - c"), "(((-x^(2/1)) + ((2 * a) / b)) - c)");
+        assert_eq!(
+            shown("O + r*(cos(theta)*N.x + sin(theta)*N.y)"),
+            "(O + (r * ((cos(theta) * N.x) + (sin(theta) * N.y))))"
+        );
+        assert_eq!(shown("velocity(disc at P) . N.x"), "(velocity(disc At P) . N.x)");
+        assert_eq!(shown("if(t < (2 s), Fmax, 0)"), "if(t Less [2 s], Fmax, 0)");
+        assert_eq!(shown("k*(x - (20 mm))*(-9.81 m/s^2)"), "((k * (x - [20 mm])) * [-9.81 m/s^2])");
+        assert_eq!(shown("(x^2 + y^2)^(2/4)"), "(x^(2/1) + y^(2/1))^(1/2)");
+        assert_eq!(shown("rate(velocity(P in B) in N)"), "rate(velocity(P In B) In N)");
+    }
+
+    #[test]
+    fn a_text_that_is_no_expression_is_refused_at_its_place() {
+        let wrong = |text: &str| read(text).map_err(|wrong| (wrong.span, wrong.reason)).expect_err(text);
+        assert_eq!(wrong(""), (0..0, Reason::Operand));
+        assert_eq!(wrong("2x"), (1..2, Reason::Operator));
+        assert_eq!(wrong("a*(b"), (2..3, Reason::Parenthesis));
+        assert_eq!(wrong("a)"), (1..2, Reason::Parenthesis));
+        assert_eq!(wrong("x^y"), (2..3, Reason::Exponent));
+        assert_eq!(wrong("x^(1/0)"), (2..6, Reason::Exponent));
+        assert_eq!(wrong("a # b"), (2..3, Reason::Letter('#')));
+        assert_eq!(wrong("velocity(P in)"), (13..14, Reason::Preposition));
+        assert_eq!(wrong(&("(".repeat(101) + "x")).1, Reason::Depth { most: 100 });
+    }
+}

@@ -1,0 +1,37 @@
+//! What is wrong with a system as it was written, and where.
+
+use std::ops::Range;
+
+/// One thing that is wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Bytes of the text that the system was read from.
+    pub span: Range<usize>,
+    /// The fault in one line.
+    pub title: String,
+    /// A few words for the place itself.
+    pub label: String,
+    /// What would be accepted.
+    pub accepted: String,
+}
+
+impl Fault {
+    /// What follows from another fault, which is told: nothing is said of it.
+    pub(crate) fn consequence(span: Range<usize>) -> Self {
+        Fault { span, title: String::new(), label: String::new(), accepted: String::new() }
+    }
+
+    pub(crate) fn is_consequence(&self) -> bool {
+        self.title.is_empty()
+    }
+
+    /// At a place.
+    pub fn at(
+        span: Range<usize>,
+        title: impl Into<String>,
+        label: impl Into<String>,
+        accepted: impl Into<String>,
+    ) -> Self {
+        Fault { span, title: title.into(), label: label.into(), accepted: accepted.into() }
+    }
+}

@@ -1,0 +1,47 @@
+//! A system as data: what moves, what acts on it, what holds it; and its equations of motion by every principle.
+//!
+//! # Overview
+//! * [`Source`]: a system as somebody wrote it, by keys whose values are expressions ([`expression`]);
+//! * [`Model`]: the same with every name resolved and every dimension checked. It owns its expressions and may be sent between
+//!   threads;
+//! * [`Trace`]: the model over symbols, in the graph of one thread: positions, velocities and accelerations formed recursively,
+//!   each in a frame that is at hand;
+//! * [`principles`]: the equations of motion, each principle by derivatives that nobody writes down.
+//!
+//! ```
+//! use model::{Model, Source, Trace, principles::Principle};
+//!
+//! let mut source = Source::default();
+//! source.parameters = vec![("m", "2 kg").into(), ("l", "1 m").into(), ("g", "9.81 m/s^2").into()];
+//! source.coordinates = vec![("theta", "rad").into()];
+//! source.points = vec![("P", "O + l*(sin(theta)*N.x - cos(theta)*N.y)").into()];
+//! source.bodies = vec![model::BodySource::particle("bob", "P", "m")];
+//! source.gravity = Some("-g*N.y".into());
+//! let model = Model::of(&source).unwrap();
+//! let left = symbolic::apart(|| Principle::Lagrange.residual(&Trace::of(&model)).unwrap()[0].to_string());
+//! assert!(left.contains("theta''"));
+//! ```
+
+mod agreement;
+mod arena;
+mod elaboration;
+pub mod equations;
+pub mod expression;
+mod fault;
+mod parts;
+pub mod principles;
+mod reading;
+mod source;
+mod trace;
+
+pub use agreement::{Agreement, agreement};
+pub use arena::{Function, Number, ScalarId, VectorId};
+pub use elaboration::is_reserved;
+pub use fault::Fault;
+pub use parts::{
+    Body, BodyId, Constraint, Coordinate, Energies, Force, Frame, FrameId, Inertia, Material, Model, Output, Parameter,
+    Point, PointId, StartValue, Torque, Turn,
+};
+pub use reading::{Readable, readable, vectors};
+pub use source::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source, Text};
+pub use trace::{Trace, Vector};

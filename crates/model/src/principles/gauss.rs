@@ -1,0 +1,25 @@
+//! Gauss's principle: the motion makes Z = S - sum F . a - T . w' least among all accelerations; potentials and Rayleigh's function
+//! enter by their second rates.
+
+use super::appell::energy_of_accelerations;
+use super::loads::{forces, torques};
+use crate::Trace;
+use symbolic::Sym;
+
+pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
+    let mut constraint = energy_of_accelerations(trace);
+    for force in forces(trace, true) {
+        constraint -= trace.dot(force.is, trace.material_acceleration(force.at));
+    }
+    for torque in torques(trace) {
+        constraint -= trace.dot(torque.is, trace.vector_rate(trace.turning(torque.on)));
+    }
+    let energies = &trace.model.energies;
+    if let Some(potential) = energies.potential {
+        constraint += trace.rate_of(trace.rate_of(trace.scalar(potential)));
+    }
+    if let Some(dissipation) = energies.dissipation {
+        constraint += trace.rate_of(trace.scalar(dissipation));
+    }
+    (0..trace.speeds.len()).map(|i| trace.by_acceleration(constraint, i)).collect()
+}

@@ -1,0 +1,28 @@
+//! Lagrange's equations of the second kind: d/dt dT/du - dT/dq + dV/dq = sum F . dr/dq + T . dw/du.
+
+use super::loads::{by_energies, forces, torques};
+use crate::Trace;
+use symbolic::Sym;
+
+pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
+    let kinetic = trace.kinetic_energy();
+    // weights by their potential where they have one
+    let uniform = trace.uniform_gravity();
+    let (forces, torques) = (forces(trace, uniform.is_none()), torques(trace));
+    let displaced = |i: usize| -> Sym {
+        let by_forces = forces.iter().map(|force| trace.dot(force.is, trace.material_displacement(force.at, i)));
+        let by_torques =
+            torques.iter().map(|torque| trace.dot(torque.is, trace.vector_by_speed(trace.turning(torque.on), i)));
+        by_forces.chain(by_torques).fold(Sym::ZERO, |sum, each| sum + each)
+    };
+    let weights = |i: usize| -> Sym {
+        let Some(gravity) = uniform else { return Sym::ZERO };
+        let of = |body: &crate::Body| -> Option<Sym> {
+            let height = trace.dot(gravity, trace.position(body.centre?));
+            Some(trace.scalar(body.mass?) * trace.by_coordinate(height, i))
+        };
+        trace.model.bodies.iter().filter_map(of).fold(Sym::ZERO, |sum, each| sum + each)
+    };
+    let inertia = |i: usize| trace.rate_of(trace.by_speed(kinetic, i)) - trace.by_coordinate(kinetic, i);
+    (0..trace.speeds.len()).map(|i| inertia(i) - weights(i) - displaced(i) + by_energies(trace, i)).collect()
+}

@@ -1,0 +1,70 @@
+//! What acts: forces at points, torques on frames, whoever asks for them.
+
+use crate::trace::{Trace, Vector};
+use crate::{Force, FrameId, Material, Torque};
+use field::Analytic;
+use symbolic::Sym;
+
+/// A force at a point.
+pub(super) struct PointForce {
+    pub at: Material,
+    pub is: Vector,
+}
+
+/// A torque on a frame.
+pub(super) struct FrameTorque {
+    pub on: FrameId,
+    pub is: Vector,
+}
+
+/// Every force but those of potentials, one for each point that it acts on; the weights where they are asked for.
+pub(super) fn forces(trace: &Trace<'_>, weights: bool) -> Vec<PointForce> {
+    let mut all = Vec::new();
+    for force in &trace.model.forces {
+        match force {
+            Force::On { at, is } => all.push(PointForce { at: *at, is: trace.vector(*is) }),
+            Force::Between { points: [first, second], is } => {
+                let line = trace.between(first.point, second.point);
+                let size = trace.scalar(*is) / trace.dot(line, line).sqrt();
+                let on_second = line.map(|component| size * component);
+                all.push(PointForce { at: *second, is: on_second });
+                all.push(PointForce { at: *first, is: on_second.map(|component| -component) });
+            }
+        }
+    }
+    if let (true, Some(gravity)) = (weights, trace.model.gravity) {
+        let gravity = trace.vector(gravity);
+        for body in &trace.model.bodies {
+            if let (Some(mass), Some(point)) = (body.mass, body.centre) {
+                let mass = trace.scalar(mass);
+                let at = Material { body: None, point };
+                all.push(PointForce { at, is: gravity.map(|component| mass * component) });
+            }
+        }
+    }
+    all
+}
+
+/// Every torque, one for each frame that it acts on.
+pub(super) fn torques(trace: &Trace<'_>) -> Vec<FrameTorque> {
+    let mut all = Vec::new();
+    for torque in &trace.model.torques {
+        match torque {
+            Torque::On { frame, is } => all.push(FrameTorque { on: *frame, is: trace.vector(*is) }),
+            Torque::Between { frames: [first, second], is } => {
+                let is = trace.vector(*is);
+                all.push(FrameTorque { on: *second, is });
+                all.push(FrameTorque { on: *first, is: is.map(|component| -component) });
+            }
+        }
+    }
+    all
+}
+
+/// What the given potential and Rayleigh's function add to the residual: dV/dq + dD/du.
+pub(super) fn by_energies(trace: &Trace<'_>, speed: usize) -> Sym {
+    let energies = &trace.model.energies;
+    let potential = energies.potential.map_or(Sym::ZERO, |id| trace.by_coordinate(trace.scalar(id), speed));
+    let dissipation = energies.dissipation.map_or(Sym::ZERO, |id| trace.by_speed(trace.scalar(id), speed));
+    potential + dissipation
+}

@@ -1,0 +1,76 @@
+//! Equations of motion by every principle, at a size known when the program runs.
+//!
+//! Each principle gives the residual of one equation for each speed: linear in the accelerations, zero along every motion, of the
+//! form
+//!
+//!   M u' + h - Q  (inertia less the forces; constraints add - J^T lambda)
+//!
+//! They share the kinematics of the trace and nothing else: that they agree is a statement that is decided for every model.
+
+mod appell;
+mod gauss;
+mod lagrange;
+mod loads;
+mod virtual_power;
+
+use crate::Trace;
+use std::fmt;
+use symbolic::Sym;
+
+/// A principle of mechanics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Principle {
+    /// d/dt dT/du - dT/dq = Q: forces by virtual displacements, weights by their potential.
+    Lagrange,
+    /// Newton's and Euler's equations of every body, projected onto the partial velocities (Jourdain; Kane).
+    VirtualPower,
+    /// dS/du' = Q with the energy of accelerations S (Gibbs, Appell).
+    Appell,
+    /// The least constraint: dZ/du' = 0, forces by the accelerations of the points that they act on.
+    Gauss,
+}
+
+/// Why a principle does not apply to a model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotApplicable(pub &'static str);
+
+impl fmt::Display for NotApplicable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.0)
+    }
+}
+
+impl std::error::Error for NotApplicable {}
+
+impl Principle {
+    pub const ALL: [Principle; 4] = [Principle::Lagrange, Principle::VirtualPower, Principle::Appell, Principle::Gauss];
+
+    /// As commands name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Principle::Lagrange => "lagrange",
+            Principle::VirtualPower => "virtual-power",
+            Principle::Appell => "appell",
+            Principle::Gauss => "gauss",
+        }
+    }
+
+    /// Inertia less forces, for each speed; reactions of constraints left out.
+    ///
+    /// # Errors
+    /// Where the model gives an energy whose bodies are not known to a principle that asks for bodies.
+    pub fn residual(self, trace: &Trace<'_>) -> Result<Vec<Sym>, NotApplicable> {
+        let has_energy = trace.model.energies.kinetic.is_some();
+        if has_energy && self != Principle::Lagrange {
+            return Err(NotApplicable(
+                "a kinetic energy is given: accelerations of its bodies are not known to this principle",
+            ));
+        }
+        Ok(match self {
+            Principle::Lagrange => lagrange::residual(trace),
+            Principle::VirtualPower => virtual_power::residual(trace),
+            Principle::Appell => appell::residual(trace),
+            Principle::Gauss => gauss::residual(trace),
+        })
+    }
+}

@@ -1,0 +1,133 @@
+//! A system as somebody wrote it: keys with texts, each text with its place.
+
+use std::ops::Range;
+
+/// A text and the byte of its file at which it begins.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Text {
+    pub text: String,
+    pub start: usize,
+}
+
+impl Text {
+    /// A text at a place.
+    pub fn at(text: impl Into<String>, start: usize) -> Self {
+        Text { text: text.into(), start }
+    }
+
+    /// The bytes of the whole text.
+    pub fn span(&self) -> Range<usize> {
+        self.start..self.start + self.text.len()
+    }
+
+    /// The bytes of a part of it.
+    pub fn part(&self, part: &Range<usize>) -> Range<usize> {
+        self.start + part.start..self.start + part.end
+    }
+
+    /// A part as a text of its own.
+    pub fn slice(&self, part: Range<usize>) -> Text {
+        Text { start: self.start + part.start, text: self.text[part].to_owned() }
+    }
+}
+
+impl From<&str> for Text {
+    fn from(text: &str) -> Self {
+        Text::at(text, 0)
+    }
+}
+
+/// A name and what it stands for.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Entry {
+    pub name: Text,
+    pub value: Text,
+}
+
+impl From<(&str, &str)> for Entry {
+    fn from((name, value): (&str, &str)) -> Self {
+        Entry { name: name.into(), value: value.into() }
+    }
+}
+
+/// A system: each field is a table of the same name in a file, and is empty where that is left out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Source {
+    /// `m = "2 kg"`; a unit alone leaves the parameter without a value.
+    pub parameters: Vec<Entry>,
+    /// `theta = "rad"`: the unit of each.
+    pub coordinates: Vec<Entry>,
+    /// Scalars, vectors, points or frames by names.
+    pub definitions: Vec<Entry>,
+    /// `A = "N turned theta about z"`.
+    pub frames: Vec<Entry>,
+    /// `P = "O + l*A.x"`.
+    pub points: Vec<Entry>,
+    pub bodies: Vec<BodySource>,
+    /// The acceleration of free fall, a vector: a force on every body with a mass.
+    pub gravity: Option<Text>,
+    /// `kinetic`, `potential`, `dissipation`: scalars, beside those of the bodies.
+    pub energies: Vec<Entry>,
+    pub forces: Vec<LoadSource>,
+    pub torques: Vec<LoadSource>,
+    pub constraints: Vec<ConstraintSource>,
+    /// Scalars and vectors that a run shows.
+    pub outputs: Vec<Entry>,
+    /// `theta = "30 deg"`, `theta' = "2 rad/s"`; zero where left out.
+    pub start: Vec<Entry>,
+}
+
+/// A body: with a mass and a centre a particle, with an inertia it turns with its frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BodySource {
+    pub name: Text,
+    /// An angle about N.z, for a body of a planar system.
+    pub turns: Option<Text>,
+    /// The frame that it is fixed in.
+    pub frame: Option<Text>,
+    /// Its centre of mass.
+    pub centre: Option<Text>,
+    pub mass: Option<Text>,
+    pub inertia: Option<InertiaSource>,
+}
+
+impl BodySource {
+    /// A point with a mass.
+    pub fn particle(name: &str, centre: &str, mass: &str) -> Self {
+        BodySource { name: name.into(), centre: Some(centre.into()), mass: Some(mass.into()), ..BodySource::default() }
+    }
+}
+
+/// Moments of inertia about the centre of mass.
+#[derive(Clone, Debug, PartialEq)]
+pub enum InertiaSource {
+    /// About the axis z, for a body that turns about no other.
+    Axial(Text),
+    /// In the axes of a frame that is fixed in the body (its own where none is named): xx, yy, zz, xy, xz, yz, where
+    /// xy = - integral of x y dm.
+    Tensor { axes: Option<Text>, entries: Box<[Option<Text>; 6]> },
+}
+
+/// A force or a torque.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LoadSource {
+    pub name: Option<Text>,
+    /// `"disc at G"`, or a body: then at its centre of mass.
+    pub on: Option<Text>,
+    /// Equal and opposite: of a force along the line of the two points, positive apart; a torque on the second, its opposite on
+    /// the first.
+    pub between: Option<[Text; 2]>,
+    pub is: Text,
+    /// Where it stands.
+    pub at: Range<usize>,
+}
+
+/// Expressions that are zero along every motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ConstraintSource {
+    pub name: Option<Text>,
+    /// Scalars, or vectors: of these each component.
+    pub zero: Vec<Text>,
+    /// Where it stands.
+    pub at: Range<usize>,
+}

@@ -1,0 +1,82 @@
+//! Momenta of bodies.
+
+use super::{Trace, Vector};
+use crate::{Body, FrameId, Inertia};
+use symbolic::Sym;
+
+impl Trace<'_> {
+    /// The mass of a body and its centre's velocity and acceleration; none without a mass.
+    pub fn carried(&self, body: &Body) -> Option<(Sym, Vector, Vector)> {
+        let (mass, centre) = (body.mass?, body.centre?);
+        Some((self.scalar(mass), self.velocity(centre), self.acceleration(centre)))
+    }
+
+    /// The angular velocity of a body that has an inertia.
+    pub fn turned<'b>(&self, body: &'b Body) -> Option<(&'b Inertia, Vector)> {
+        body.inertia.as_ref().zip(body.frame).map(|(inertia, frame)| (inertia, self.turning(frame)))
+    }
+
+    /// I v, in the axes of the inertia.
+    pub fn inertia_times(&self, inertia: &Inertia, vector: Vector) -> Vector {
+        match inertia {
+            Inertia::Axial(axial) => {
+                let axial = self.scalar(*axial);
+                let [_, _, z] = vector.components;
+                Vector { frame: vector.frame, components: [Sym::ZERO, Sym::ZERO, axial * z] }
+            }
+            Inertia::Tensor { axes, entries } => {
+                let [x, y, z] = self.express(vector, *axes);
+                let [xx, yy, zz, xy, xz, yz] = entries.map(|entry| entry.map_or(Sym::ZERO, |entry| self.scalar(entry)));
+                let components = [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z];
+                Vector { frame: *axes, components }
+            }
+        }
+    }
+
+    /// Bodies with an axial inertia that turn about another axis than z, by their names.
+    pub fn tilted(&self) -> Vec<&str> {
+        let tilted = |body: &&Body| match (&body.inertia, body.frame) {
+            (Some(Inertia::Axial(_)), Some(frame)) => {
+                let [x, y, _] = self.turning(frame).components;
+                (x, y) != (Sym::ZERO, Sym::ZERO)
+            }
+            _ => false,
+        };
+        self.model.bodies.iter().filter(tilted).map(|body| body.name.as_str()).collect()
+    }
+
+    /// The kinetic energy of all bodies, with what is given beside them.
+    pub fn kinetic_energy(&self) -> Sym {
+        let half = Sym::constant(field::Rational::new(1, 2));
+        let mut sum = self.model.energies.kinetic.map_or(Sym::ZERO, |kinetic| self.scalar(kinetic));
+        for body in &self.model.bodies {
+            if let Some((mass, velocity, _)) = self.carried(body) {
+                sum += half * mass * self.dot(velocity, velocity);
+            }
+            if let Some((inertia, turning)) = self.turned(body) {
+                sum += half * self.dot(turning, self.inertia_times(inertia, turning));
+            }
+        }
+        sum
+    }
+
+    /// Free fall, where it is the same at every place and time: then weights have the potential energy -m g . r.
+    pub fn uniform_gravity(&self) -> Option<Vector> {
+        let gravity = self.vector(self.model.gravity?);
+        let is_constant = |component: &Sym| self.rate_of(*component) == Sym::ZERO;
+        (gravity.frame == FrameId::GROUND && gravity.components.iter().all(is_constant)).then_some(gravity)
+    }
+
+    /// The potential energy: of the weights of all bodies in uniform gravity, and what is given.
+    pub fn potential_energy(&self) -> Sym {
+        let mut sum = self.model.energies.potential.map_or(Sym::ZERO, |potential| self.scalar(potential));
+        if let Some(gravity) = self.uniform_gravity() {
+            for body in &self.model.bodies {
+                if let (Some(mass), Some(centre)) = (body.mass, body.centre) {
+                    sum -= self.scalar(mass) * self.dot(gravity, self.position(centre));
+                }
+            }
+        }
+        sum
+    }
+}

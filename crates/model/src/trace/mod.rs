@@ -1,0 +1,228 @@
+//! A model over symbols, in the graph of one thread.
+//!
+//! Coordinates are symbols by their names, speeds and accelerations carry primes. Parameters are letters; a run gives them their
+//! values later. Every vector stands in the axes of one frame; a sum stands in those of the frame further down the tree, so that
+//! angles of frames turned one after the other are never added.
+
+mod bodies;
+mod motion;
+mod vector;
+
+pub use vector::Vector;
+
+use crate::arena::{Function, Number, Part, Scalar};
+use crate::expression::Exponent;
+use crate::{FrameId, Model, ScalarId, VectorId};
+use field::{Analytic, Over, Rational};
+use std::cell::RefCell;
+use symbolic::{Derivation, Sym};
+use vector::Frames;
+
+/// A model over symbols.
+pub struct Trace<'m> {
+    pub model: &'m Model,
+    pub time: Sym,
+    pub parameters: Vec<Sym>,
+    /// The coordinates q.
+    pub coordinates: Vec<Sym>,
+    /// Their rates u = q'.
+    pub speeds: Vec<Sym>,
+    /// u'.
+    pub accelerations: Vec<Sym>,
+    /// Along the motion: q' = u, u' by its own symbols, t' = 1.
+    rate: RefCell<Derivation>,
+    /// By each speed alone.
+    by_speed: Vec<RefCell<Derivation>>,
+    /// By each acceleration alone.
+    by_acceleration: Vec<RefCell<Derivation>>,
+    /// By each coordinate alone.
+    by_coordinate: Vec<RefCell<Derivation>>,
+    frames: Frames,
+    points: RefCell<Vec<motion::PointMotion>>,
+    scalars: Vec<Sym>,
+    vectors: Vec<Vector>,
+}
+
+impl<'m> Trace<'m> {
+    /// Writes the model down: expressions in the order in which they were read.
+    pub fn of(model: &'m Model) -> Self {
+        let letters = |primes: &str, dots: &str| -> Vec<Sym> {
+            let named = |coordinate: &crate::Coordinate| {
+                let letter = Sym::symbol(&coordinate.name).latex();
+                Sym::named(&format!("{}{primes}", coordinate.name), &format!("{dots}{{{letter}}}"))
+            };
+            model.coordinates.iter().map(named).collect()
+        };
+        let coordinates: Vec<Sym> = model.coordinates.iter().map(|coordinate| Sym::symbol(&coordinate.name)).collect();
+        let time = Sym::symbol("t");
+        let (speeds, accelerations) = (letters("'", r"\dot"), letters("''", r"\ddot"));
+        let alone = |symbols: &[Sym]| -> Vec<RefCell<Derivation>> {
+            symbols.iter().map(|&symbol| RefCell::new(Derivation::new([(symbol, Sym::ONE)]))).collect()
+        };
+        let along = coordinates.iter().zip(&speeds).chain(speeds.iter().zip(&accelerations));
+        let rates = along.map(|(&symbol, &rate)| (symbol, rate)).chain([(time, Sym::ONE)]);
+        let mut trace = Trace {
+            model,
+            time,
+            parameters: model.parameters.iter().map(|parameter| Sym::symbol(&parameter.name)).collect(),
+            rate: RefCell::new(Derivation::new(rates)),
+            by_speed: alone(&speeds),
+            by_acceleration: alone(&accelerations),
+            by_coordinate: alone(&coordinates),
+            coordinates,
+            speeds,
+            accelerations,
+            frames: Frames::default(),
+            points: RefCell::new(Vec::new()),
+            scalars: vec![Sym::ZERO; model.arena.parts.len()],
+            vectors: vec![Vector::ZERO; model.arena.parts.len()],
+        };
+        trace.turn_frames(0);
+        for (place, part) in model.arena.parts.iter().enumerate() {
+            match part {
+                Part::Scalar(scalar) => trace.scalars[place] = trace.scalar_of(scalar),
+                Part::Vector(vector) => trace.vectors[place] = trace.vector_of(vector),
+            }
+            trace.turn_frames(place + 1);
+        }
+        trace
+    }
+
+    /// The frames whose angles are among so many parts.
+    fn turn_frames(&mut self, traced: usize) {
+        while let Some(frame) = self.model.frames.get(self.frames.count()) {
+            let turned = match frame.parent {
+                None => None,
+                Some((parent, turn)) if turn.angle.0 < traced => {
+                    let angle = self.scalar(turn.angle);
+                    Some((parent, turn.axis, angle.circle(), self.rate_of(angle)))
+                }
+                Some(_) => return,
+            };
+            self.frames.push(turned);
+        }
+    }
+
+    /// A scalar expression.
+    pub fn scalar(&self, id: ScalarId) -> Sym {
+        self.scalars[id.0]
+    }
+
+    /// A vector expression.
+    pub fn vector(&self, id: VectorId) -> Vector {
+        self.vectors[id.0]
+    }
+
+    /// The rate of a scalar along the motion.
+    pub fn rate_of(&self, scalar: Sym) -> Sym {
+        self.rate.borrow_mut().of(scalar)
+    }
+
+    /// The partial derivative of a scalar by a speed.
+    pub fn by_speed(&self, scalar: Sym, speed: usize) -> Sym {
+        self.by_speed[speed].borrow_mut().of(scalar)
+    }
+
+    /// The partial derivative of a scalar by an acceleration.
+    pub fn by_acceleration(&self, scalar: Sym, acceleration: usize) -> Sym {
+        self.by_acceleration[acceleration].borrow_mut().of(scalar)
+    }
+
+    /// The partial derivative of a scalar by a coordinate.
+    pub fn by_coordinate(&self, scalar: Sym, coordinate: usize) -> Sym {
+        self.by_coordinate[coordinate].borrow_mut().of(scalar)
+    }
+
+    /// The scalar product.
+    pub fn dot(&self, a: Vector, b: Vector) -> Sym {
+        self.frames.dot(a, b)
+    }
+
+    /// The sum of two vectors.
+    pub fn sum(&self, a: Vector, b: Vector) -> Vector {
+        self.frames.sum(a, b)
+    }
+
+    /// The vector product.
+    pub fn cross(&self, a: Vector, b: Vector) -> Vector {
+        self.frames.cross(a, b)
+    }
+
+    /// A vector in the axes of a frame.
+    pub fn express(&self, vector: Vector, frame: FrameId) -> [Sym; 3] {
+        self.frames.express(vector, frame).components
+    }
+
+    /// The rate of a vector as the ground sees it.
+    pub fn vector_rate(&self, vector: Vector) -> Vector {
+        let own = vector.map(|component| self.rate_of(component));
+        self.frames.sum(own, self.frames.cross(self.frames.turning(vector.frame), vector))
+    }
+
+    fn scalar_of(&self, scalar: &Scalar) -> Sym {
+        let of = |id: &ScalarId| self.scalar(*id);
+        match scalar {
+            Scalar::Number(number) => exactly(number),
+            Scalar::Parameter(place) => self.parameters[*place],
+            Scalar::Coordinate(place) => self.coordinates[*place],
+            Scalar::Rate { coordinate, order: 1 } => self.speeds[*coordinate],
+            Scalar::Rate { coordinate, .. } => self.accelerations[*coordinate],
+            Scalar::Time => self.time,
+            Scalar::Negation(a) => -of(a),
+            Scalar::Sum(a, b) => of(a) + of(b),
+            Scalar::Difference(a, b) => of(a) - of(b),
+            Scalar::Product(a, b) => of(a) * of(b),
+            Scalar::Quotient(a, b) => of(a) / of(b),
+            Scalar::Power(a, Exponent { numerator, denominator: 1 }) => of(a).powi(*numerator),
+            Scalar::Power(a, Exponent { numerator, .. }) => of(a).sqrt().powi(*numerator),
+            Scalar::Function(function, a) => {
+                let a = of(a);
+                match function {
+                    Function::Sin => a.circle().sin,
+                    Function::Cos => a.circle().cos,
+                    Function::Tan => a.circle().sin / a.circle().cos,
+                    Function::Sqrt => a.sqrt(),
+                }
+            }
+            Scalar::Dot(a, b) => self.dot(self.vector(*a), self.vector(*b)),
+            Scalar::Norm(a) => {
+                let a = self.vector(*a);
+                self.dot(a, a).sqrt()
+            }
+            Scalar::RateOf(a) => self.rate_of(of(a)),
+        }
+    }
+
+    fn vector_of(&self, vector: &crate::arena::Vector) -> Vector {
+        use crate::arena::Vector as Form;
+        let of = |id: &VectorId| self.vector(*id);
+        match vector {
+            Form::Zero => Vector::ZERO,
+            Form::Axis { frame, axis } => Vector::axis(*frame, *axis),
+            Form::Negation(a) => of(a).map(|component| -component),
+            Form::Sum(a, b) => self.sum(of(a), of(b)),
+            Form::Difference(a, b) => self.sum(of(a), of(b).map(|component| -component)),
+            Form::Scaled(scale, a) => {
+                let scale = self.scalar(*scale);
+                of(a).map(|component| scale * component)
+            }
+            Form::Cross(a, b) => self.frames.cross(of(a), of(b)),
+            Form::Between { from, to } => self.between(*from, *to),
+            Form::Velocity { of, seen } => self.seen_velocity(*of, *seen),
+            Form::Acceleration { of, seen } => self.seen_acceleration(*of, *seen),
+            Form::AngularVelocity { of, seen } => self.turning_beside(*of, *seen),
+            Form::RateOf { of: vector, seen } => self.rate_seen(of(vector), *seen),
+        }
+    }
+}
+
+/// The decimal as it was written, in its unit.
+fn exactly(number: &Number) -> Sym {
+    let Number { value, times, per } = *number;
+    let factor = |value: f64| -> Sym { Sym::lift(value) };
+    let decimal: Sym = Sym::constant(Rational::decimal(value));
+    match (times == 1.0, per == 1.0) {
+        (true, true) => decimal,
+        _ => decimal * factor(times) / factor(per),
+    }
+}

@@ -1,0 +1,156 @@
+//! Positions, velocities and accelerations of points: each from those of the point that it is found from.
+
+use super::{Trace, Vector};
+use crate::{BodyId, FrameId, Material, PointId};
+
+/// A point in motion, beside the origin of the ground.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PointMotion {
+    position: Vector,
+    velocity: Vector,
+    acceleration: Vector,
+}
+
+impl Trace<'_> {
+    /// The motion of a point; those that it is found from first.
+    fn moving(&self, point: PointId) -> PointMotion {
+        let rest = PointMotion { position: Vector::ZERO, velocity: Vector::ZERO, acceleration: Vector::ZERO };
+        loop {
+            // a point is found from those before it
+            let next = self.points.borrow().len();
+            if let Some(known) = self.points.borrow().get(point.0) {
+                return *known;
+            }
+            let moving = match self.model.points[next].base {
+                None => rest,
+                Some((base, way)) => {
+                    let base = self.points.borrow()[base.0];
+                    let way = self.vector(way);
+                    let way_velocity = self.vector_rate(way);
+                    PointMotion {
+                        position: self.sum(base.position, way),
+                        velocity: self.sum(base.velocity, way_velocity),
+                        acceleration: self.sum(base.acceleration, self.vector_rate(way_velocity)),
+                    }
+                }
+            };
+            self.points.borrow_mut().push(moving);
+        }
+    }
+
+    /// From the origin to a point.
+    pub fn position(&self, point: PointId) -> Vector {
+        self.moving(point).position
+    }
+
+    /// The velocity of a point as the ground sees it.
+    pub fn velocity(&self, point: PointId) -> Vector {
+        self.moving(point).velocity
+    }
+
+    /// The acceleration of a point as the ground sees it.
+    pub fn acceleration(&self, point: PointId) -> Vector {
+        self.moving(point).acceleration
+    }
+
+    /// From a point to another.
+    pub fn between(&self, from: PointId, to: PointId) -> Vector {
+        // along the points that both are found from nothing is added
+        let path = |mut point: PointId| {
+            let mut path = vec![point];
+            while let Some((base, _)) = self.model.points[point.0].base {
+                path.push(base);
+                point = base;
+            }
+            path
+        };
+        let (from, to) = (path(from), path(to));
+        let shared = from.iter().rev().zip(to.iter().rev()).take_while(|(a, b)| a == b).count();
+        let way = |path: &[PointId]| {
+            let ways = path[..path.len() - shared].iter().rev().filter_map(|point| self.model.points[point.0].base);
+            ways.fold(Vector::ZERO, |sum, (_, way)| self.sum(sum, self.vector(way)))
+        };
+        self.sum(way(&to), way(&from).map(|component| -component))
+    }
+
+    /// The angular velocity of a frame as another sees it.
+    pub(super) fn turning_beside(&self, of: FrameId, seen: FrameId) -> Vector {
+        self.sum(self.frames.turning(of), self.frames.turning(seen).map(|component| -component))
+    }
+
+    /// The angular velocity of a frame.
+    pub fn turning(&self, frame: FrameId) -> Vector {
+        self.frames.turning(frame)
+    }
+
+    /// The rate of a vector as a frame sees it.
+    pub(super) fn rate_seen(&self, vector: Vector, seen: FrameId) -> Vector {
+        let carried = self.frames.cross(self.frames.turning(seen), vector);
+        self.sum(self.vector_rate(vector), carried.map(|component| -component))
+    }
+
+    /// The velocity of a point of a body: v_C + w x (P - C); of a point alone its own.
+    pub fn material_velocity(&self, Material { body, point }: Material) -> Vector {
+        match self.rigid(body, point) {
+            Some((centre, turning, arm)) => self.sum(self.velocity(centre), self.frames.cross(turning, arm)),
+            None => self.velocity(point),
+        }
+    }
+
+    /// The acceleration of a point of a body: a_C + w' x r + w x (w x r).
+    pub fn material_acceleration(&self, Material { body, point }: Material) -> Vector {
+        match self.rigid(body, point) {
+            Some((centre, turning, arm)) => {
+                let angular = self.vector_rate(turning);
+                let across = self.frames.cross(turning, self.frames.cross(turning, arm));
+                let around = self.sum(self.frames.cross(angular, arm), across);
+                self.sum(self.acceleration(centre), around)
+            }
+            None => self.acceleration(point),
+        }
+    }
+
+    /// The point whose motion a body's points follow, its angular velocity, and the way to one of them; none where the point
+    /// itself is that point.
+    fn rigid(&self, body: Option<BodyId>, point: PointId) -> Option<(PointId, Vector, Vector)> {
+        let body = &self.model.bodies[body?.0];
+        let (frame, centre) = (body.frame?, body.centre?);
+        (centre != point).then(|| (centre, self.frames.turning(frame), self.between(centre, point)))
+    }
+
+    pub(super) fn seen_velocity(&self, of: Material, seen: FrameId) -> Vector {
+        let velocity = self.material_velocity(of);
+        let carried = self.frames.cross(self.frames.turning(seen), self.position(of.point));
+        self.sum(velocity, carried.map(|component| -component))
+    }
+
+    pub(super) fn seen_acceleration(&self, of: Material, seen: FrameId) -> Vector {
+        if seen == FrameId::GROUND {
+            return self.material_acceleration(of);
+        }
+        self.rate_seen(self.seen_velocity(of, seen), seen)
+    }
+
+    /// The partial derivative of a vector by a speed: frames turn with coordinates alone.
+    pub fn vector_by_speed(&self, vector: Vector, speed: usize) -> Vector {
+        vector.map(|component| self.by_speed(component, speed))
+    }
+
+    /// The partial derivative of a vector by a coordinate, as the ground sees it: the frame turns with the coordinate too.
+    pub fn vector_by_coordinate(&self, vector: Vector, coordinate: usize) -> Vector {
+        let own = vector.map(|component| self.by_coordinate(component, coordinate));
+        let turning = self.vector_by_speed(self.frames.turning(vector.frame), coordinate);
+        self.sum(own, self.frames.cross(turning, vector))
+    }
+
+    /// The displacement of a point of a body, per that of a coordinate: of its position, with a body's turn carried along.
+    pub fn material_displacement(&self, Material { body, point }: Material, coordinate: usize) -> Vector {
+        match self.rigid(body, point) {
+            Some((centre, turning, arm)) => {
+                let turned = self.frames.cross(self.vector_by_speed(turning, coordinate), arm);
+                self.sum(self.vector_by_coordinate(self.position(centre), coordinate), turned)
+            }
+            None => self.vector_by_coordinate(self.position(point), coordinate),
+        }
+    }
+}
