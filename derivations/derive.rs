@@ -27,6 +27,10 @@ pub enum Principle {
     Lagrange,
     /// Lagrange and Maxwell, with charges as coordinates: for motors.
     Maxwell,
+    /// Newton's and Euler's equations projected onto partial velocities: for systems that are written in their files.
+    VirtualPower,
+    /// The least constraint: for systems that are written in their files.
+    Gauss,
 }
 
 /// An equation: what is multiplied by accelerations (or rates of currents) on the left.
@@ -92,7 +96,7 @@ fn gyrostat(s: &Letters, principle: Principle) -> Result<Vec<Equation>, NotDeriv
             accelerations = second.to_vec();
             g.by_lagrange(angles, rates, second, s.moment)
         }
-        Principle::Maxwell => {
+        Principle::Maxwell | Principle::VirtualPower | Principle::Gauss => {
             return Err(NotDerived::Inapplicable { system: "gyrostat", accepted: "momentum, appell, hamel, lagrange" });
         }
     };

@@ -67,6 +67,10 @@ fn masses_inductances_resistances_and_friction_of_every_scene_are_judged() {
             continue;
         }
         let text = std::fs::read_to_string(&path).expect("a scene is text");
+        // of a system that is written in its file, `crates/scenes` judges masses as they come out of its expressions
+        if text.contains("\n[coordinates]") {
+            continue;
+        }
         // what varies over an ensemble, and the parameters of motors as text, are judged by the laws that they enter
         let end = text.find("[ensemble").or_else(|| text.find("[machine.parameters]")).unwrap_or(text.len());
         for line in text[..end].lines() {

@@ -10,12 +10,15 @@ const LAYERS: &[(&str, u32)] = &[
     ("dalembert-field", 0),
     ("dalembert-symbolic", 1),
     ("dalembert-native", 2),
+    ("dalembert-units", 2),
     ("dalembert-mechanics", 2),
     ("dalembert-integrators", 2),
+    ("dalembert-model", 3),
     ("dalembert-claims", 3),
     ("dalembert-charts", 4),
     ("dalembert", 5),
-    ("dalembert-cli", 6),
+    ("dalembert-scenes", 6),
+    ("dalembert-cli", 7),
 ];
 
 #[test]
@@ -52,7 +55,7 @@ fn every_dependency_has_its_reason() {
 
 #[test]
 fn the_machinery_names_no_system() {
-    for folder in ["field", "symbolic", "native", "mechanics", "integrators", "claims", "charts"] {
+    for folder in ["field", "symbolic", "units", "native", "mechanics", "model", "integrators", "claims", "charts"] {
         for file in rust_files(&root().join("crates").join(folder).join("src")) {
             let text = read(&file).to_lowercase();
             for system in ["gyrostat", "konosevich", "damper"] {

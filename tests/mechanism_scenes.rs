@@ -308,7 +308,7 @@ fn what_is_wrong_with_a_mechanism_is_told_at_its_place() {
         (SOUND, "mutual = \"300 mH\"", "mutual = \"600 mH\"", "\"600 mH\"", "M^2 < L1 L2 is broken"),
         (SOUND, "reverse = \"10 kohm\"", "reverse = \"1 mohm\"", "\"1 mohm\"", "conducts better backwards"),
         (SOUND, "c3 = \"50 mA s/V\"", "c3 = \"0 A s/V\"", "\"0 A s/V\"", "must be positive"),
-        (SOUND, "c3 = \"50 mA s/V\"", "c3 = \"50 mF\"", "\"50 mF\"", "cannot be read"),
+        (SOUND, "c3 = \"50 mA s/V\"", "c3 = \"50 mQ\"", "\"50 mQ\"", "cannot be read"),
         (SOUND, "l4 = \"500 mH\"\n", "", "[data]", "`l4` is missing"),
         (SOUND, "q6 = \"0.3 rad\"", "q7 = \"0.3 m\"", "q7", "unknown key `q7`"),
         (SOUND, "\"violation\"]", "\"violaton\"]", "\"violaton\"", "unknown output"),

@@ -1,5 +1,6 @@
 //! What errors are measured by: kept for every scene, made by two methods, and their own where a scene has changed.
 
+use derivations::scene::any::holds_model;
 use derivations::scene::{AnyScene, Axes, Family, Problem, Stored, stored};
 use field::{DoubleDouble, Over};
 use integrators::{
@@ -11,12 +12,18 @@ use std::time::Duration;
 /// The digits that every scene's reference has.
 const DIGITS: f64 = 25.0;
 
+/// Those whose system is written in the file are for `crates/scenes`, which reads them.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("the project has scenes");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("it can be listed").path()).collect();
     paths.sort();
     let inside = |path: PathBuf| if path.is_dir() { files(&path) } else { vec![path] };
-    paths.into_iter().flat_map(inside).filter(|path| path.extension().is_some_and(|end| end == "toml")).collect()
+    paths.into_iter().flat_map(inside).filter(is_own).collect()
+}
+
+fn is_own(path: &PathBuf) -> bool {
+    let holds_its_system = || std::fs::read_to_string(path).is_ok_and(|text| holds_model(&text));
+    path.extension().is_some_and(|end| end == "toml") && !holds_its_system()
 }
 
 /// Every scene that is one initial value problem, with what is kept of it.

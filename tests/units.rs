@@ -1,8 +1,8 @@
 //! Units and quantities: a table of what is accepted, with its value in SI, and of what is not.
 
-use derivations::scene::quantity::{NoQuantity, parse};
-use derivations::scene::units::{Dimension, NoUnit, Unit};
 use std::f64::consts::{PI, TAU};
+use units::quantity::{NoQuantity, parse};
+use units::{Dimension, NoUnit, Unit};
 
 #[test]
 fn units_mean_what_the_si_says() {
@@ -22,6 +22,9 @@ fn units_mean_what_the_si_says() {
         ("47 \u{3a9}", 47.0, "ohm"),
         ("1.5 mH", 0.0015, "V s/A"),
         ("80 mWb", 0.08, "V s"),
+        ("50 mF", 0.05, "A s/V"),
+        ("3 mC", 0.003, "A s"),
+        ("2 kPa", 2000.0, "N/m^2"),
         ("7 ms", 0.007, "s"),
         ("2 min", 120.0, "s"),
         ("3 kN m", 3000.0, "N m"),

@@ -1,10 +1,12 @@
 //! A scene of any family: the one place that lists the families.
 
-use super::file::{Family, Opening, knows};
+use super::file::{self, Family, Opening, knows};
 use super::issue::Issue;
 use super::read::Table;
-use super::{MechanismScene, Scene, Smooth};
+use super::{MechanismScene, Scene, SceneError, Smooth};
 use crate::friction::RoughScene;
+use std::fmt;
+use std::sync::{Arc, OnceLock};
 
 /// A scene of any family.
 #[derive(Clone, Debug)]
@@ -15,6 +17,24 @@ pub enum AnyScene {
     Rough(Box<RoughScene>),
     /// Governors, drives, bodies that roll.
     Mechanism(Box<MechanismScene>),
+    /// A system that is written in the file.
+    Model(Arc<dyn Modelled>),
+}
+
+/// A scene whose system is data.
+pub trait Modelled: Smooth + fmt::Debug {}
+
+/// Reads a file whose system is written in it; the first argument is what messages call it.
+pub type ModelReader = fn(&str, &str) -> Result<Arc<dyn Modelled>, SceneError>;
+
+/// The key by which a file is known whose system is written in it.
+const MODEL: &str = "coordinates";
+
+static MODEL_READER: OnceLock<ModelReader> = OnceLock::new();
+
+/// Gives files with `[coordinates]` their reader; the first one given holds.
+pub fn read_models_by(reader: ModelReader) {
+    MODEL_READER.get_or_init(|| reader);
 }
 
 impl Family for AnyScene {
@@ -22,6 +42,13 @@ impl Family for AnyScene {
 
     fn systems() -> Vec<(&'static str, &'static str)> {
         [Scene::systems(), RoughScene::systems(), MechanismScene::systems()].concat()
+    }
+
+    fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
+        match MODEL_READER.get() {
+            Some(reader) if holds_model(text) => reader(name, text).map(Self::Model),
+            _ => file::parse(name, text),
+        }
     }
 
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
@@ -44,6 +71,7 @@ impl AnyScene {
             Self::Driven(scene) => &scene.title,
             Self::Rough(scene) => &scene.title,
             Self::Mechanism(scene) => scene.title(),
+            Self::Model(scene) => scene.title(),
         }
     }
 
@@ -52,7 +80,14 @@ impl AnyScene {
         match self {
             Self::Driven(scene) => Some(&**scene),
             Self::Mechanism(scene) => Some(&**scene),
+            Self::Model(scene) => Some(&**scene),
             Self::Rough(_) => None,
         }
     }
+}
+
+/// Whether a file holds its own system: it names coordinates, and no system of the list.
+pub fn holds_model(text: &str) -> bool {
+    let (entries, _) = toml::de::DeTable::parse_recoverable(text);
+    entries.get_ref().contains_key(MODEL) && !entries.get_ref().contains_key("system")
 }

@@ -1,10 +1,11 @@
 //! Scene files: what each opens with, and how its rest is left to the family of systems that it names.
 
-use super::issue::{Issue, SceneError, nearest};
+use super::issue::{Issue, SceneError};
 use super::read::{At, Table};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
+use units::nearest;
 
 /// Bytes of a scene file: the largest that the project holds has a hundredth of them.
 const MOST_BYTES: u64 = 1_000_000;
@@ -34,21 +35,7 @@ pub trait Family: Sized {
     /// # Errors
     /// All that is wrong with it, each at its place.
     fn open(path: &Path) -> Result<Self, SceneError> {
-        let name = path.display().to_string();
-        let needed = "a TOML file that describes a scene is accepted; the folder `scenes` holds examples";
-        if path.is_dir() {
-            return Err(SceneError::whole(&name, "this is a folder", needed));
-        }
-        // a device has no size that could be asked for
-        let mut bytes = Vec::new();
-        let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
-        read.map_err(|error| SceneError::whole(&name, unreadable(&error), needed))?;
-        if bytes.len() as u64 > MOST_BYTES {
-            return Err(SceneError::whole(&name, format!("this file has more than {MOST_BYTES} bytes"), needed));
-        }
-        let text = String::from_utf8(bytes)
-            .map_err(|error| SceneError::whole(&name, format!("this is no text: {}", error.utf8_error()), needed))?;
-        Self::parse(&name, &text)
+        Self::parse(&path.display().to_string(), &read_text(path)?)
     }
 
     /// Reads a text; `name` is what messages call it.
@@ -56,23 +43,62 @@ pub trait Family: Sized {
     /// # Errors
     /// All that is wrong with it, each at its place.
     fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
-        if text.trim().is_empty() {
-            return Err(SceneError::whole(name, "this file is empty", "the folder `scenes` holds examples"));
-        }
-        let (entries, errors) = toml::de::DeTable::parse_recoverable(text);
-        // what follows the first fault of syntax is often read wrongly because of it
-        let mut issues: Vec<Issue> = errors.iter().take(1).map(of_syntax).collect();
-        let mut scene = None;
-        if issues.is_empty() {
-            let mut top = Table::top(text, &entries);
-            scene = opening::<Self>(&mut top).and_then(|opening| Self::read(opening, &mut top, &mut issues));
-            issues.extend(top.finish());
-        }
-        issues.sort_by_key(|issue| issue.span.as_ref().map_or(0, |span| span.start));
-        match scene {
-            Some(scene) if issues.is_empty() => Ok(scene),
-            _ => Err(SceneError { path: name.to_owned(), text: text.to_owned(), issues }),
-        }
+        parse(name, text)
+    }
+}
+
+/// The text of a scene file, of a size that a scene has.
+///
+/// # Errors
+/// Where there is no such file, or it is no text.
+pub fn read_text(path: &Path) -> Result<String, SceneError> {
+    let name = path.display().to_string();
+    let needed = "a TOML file that describes a scene is accepted; the folder `scenes` holds examples";
+    if path.is_dir() {
+        return Err(SceneError::whole(&name, "this is a folder", needed));
+    }
+    // a device has no size that could be asked for
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+    read.map_err(|error| SceneError::whole(&name, unreadable(&error), needed))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(SceneError::whole(&name, format!("this file has more than {MOST_BYTES} bytes"), needed));
+    }
+    let text = String::from_utf8(bytes)
+        .map_err(|error| SceneError::whole(&name, format!("this is no text: {}", error.utf8_error()), needed))?;
+    Ok(text)
+}
+
+/// Reads a text that opens with the name of a system.
+pub(super) fn parse<F: Family>(name: &str, text: &str) -> Result<F, SceneError> {
+    tables(name, text, |top, issues| opening::<F>(top).and_then(|opening| F::read(opening, top, issues)))
+}
+
+/// Reads a text as TOML, and its tables by a reader; what is wrong with either goes into the error.
+///
+/// # Errors
+/// All that is wrong with it, each at its place.
+pub fn tables<T>(
+    name: &str,
+    text: &str,
+    read: impl FnOnce(&mut Table<'_>, &mut Vec<Issue>) -> Option<T>,
+) -> Result<T, SceneError> {
+    if text.trim().is_empty() {
+        return Err(SceneError::whole(name, "this file is empty", "the folder `scenes` holds examples"));
+    }
+    let (entries, errors) = toml::de::DeTable::parse_recoverable(text);
+    // what follows the first fault of syntax is often read wrongly because of it
+    let mut issues: Vec<Issue> = errors.iter().take(1).map(of_syntax).collect();
+    let mut scene = None;
+    if issues.is_empty() {
+        let mut top = Table::top(text, &entries);
+        scene = read(&mut top, &mut issues);
+        issues.extend(top.finish());
+    }
+    issues.sort_by_key(|issue| issue.span.as_ref().map_or(0, |span| span.start));
+    match scene {
+        Some(scene) if issues.is_empty() => Ok(scene),
+        _ => Err(SceneError { path: name.to_owned(), text: text.to_owned(), issues }),
     }
 }
 

@@ -1,8 +1,8 @@
 //! The machine of a scene, and other machines made of the same data.
 
-use super::issue::{Issue, nearest};
+use super::issue::Issue;
 use super::read::{Table, in_unit};
-use super::units::Dimension as Unit;
+
 use super::written;
 use crate::machines::text::{self, Laws};
 use crate::machines::{Allowed, AnyMachine, Bound, Catalogued, ForMachine, Quantity, RotorState, Source};
@@ -11,6 +11,7 @@ use std::convert::Infallible;
 use std::fmt;
 use std::sync::Arc;
 use symbolic::{Dimension, Sym};
+use units::{Dimension as Unit, nearest};
 
 /// More bars than any damper has.
 const MOST: usize = 1000;

@@ -1,7 +1,7 @@
 //! The methods of integration by the names that scenes and the command line use.
 
-use super::nearest;
 use integrators::{MOST_STAGES, Method, Splitting};
+use units::nearest;
 
 /// How a method is named: some take a number after a colon.
 enum Named {

@@ -4,7 +4,6 @@
 //! * [`Family`]: systems that are read in one way; its `open` reads a file and tells *all* that is wrong with it, each at
 //!   its place; [`AnyScene`] lists the families;
 //! * [`Scene`]: the family of systems with a motor;
-//! * [`units`], [`quantity`]: `"0.02 kg m^2"`;
 //! * [`read`], [`issue`]: tables with places, and messages with marks under the value;
 //! * [`bodies`], [`machine`], [`start`], [`run`]: the tables of a scene;
 //! * `written`: a motor whose laws stand in the scene;
@@ -28,7 +27,6 @@ pub mod measured;
 mod metered;
 pub mod methods;
 pub mod problem;
-pub mod quantity;
 pub mod read;
 pub mod run;
 mod runaway;
@@ -38,14 +36,13 @@ pub mod start;
 pub mod state;
 pub mod stored;
 mod transition;
-pub mod units;
 mod written;
 
 pub use crate::mechanisms::MechanismScene;
-pub use any::AnyScene;
+pub use any::{AnyScene, Modelled, read_models_by};
 pub use atlas::Atlas;
 pub use file::Family;
-pub use issue::{Issue, SceneError, nearest};
+pub use issue::{Issue, SceneError};
 pub use law_end::Margin;
 pub use machine::{MachineData, Named, NoModel};
 pub use measured::{Trials, judged};

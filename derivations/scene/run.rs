@@ -1,9 +1,10 @@
 //! How long, how exactly and by which method a scene runs.
 
-use super::issue::{Issue, nearest};
+use super::issue::Issue;
 use super::methods;
 use super::read::{At, Table};
 use integrators::Method;
+use units::nearest;
 
 /// The finest tolerance that double precision leaves room for.
 const FINEST: f64 = 1e-14;

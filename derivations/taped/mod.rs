@@ -57,6 +57,15 @@ impl Program {
         })
     }
 
+    /// The same of any length.
+    pub fn of_any_length(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
+        apart(|| {
+            let (state, time) = symbols(n);
+            let values = function(time, &state);
+            Program::recorded(Tape::record(&[&state[..], &[time]].concat(), &values).ok()?.arranged())
+        })
+    }
+
     /// The right-hand side of a law.
     pub fn of_law(law: &(impl Ode<Sym> + Sync)) -> Option<Self> {
         written(law, |Written { state, time, rates }| Program::taped(&[&state[..], &[*time]].concat(), rates))
@@ -64,7 +73,10 @@ impl Program {
 
     fn taped(inputs: &[Sym], outputs: &[Sym]) -> Option<Self> {
         let tape = Tape::record(inputs, outputs).ok()?.arranged();
-        (tape.registers() <= MANY).then_some(())?;
+        (tape.registers() <= MANY).then(|| Program::recorded(tape)).flatten()
+    }
+
+    fn recorded(tape: Tape) -> Option<Self> {
         let (plain, slopes, exact) = (tape.constants(), tape.constants(), tape.constants());
         let code = Code::of(&tape).map(Arc::new);
         Some(Program { code, plain, slopes, exact, tape })
@@ -95,7 +107,11 @@ impl Program {
             few if few <= FEW => self.tape.evaluate::<S, FEW>(constants, inputs, values),
             some if some <= SOME => self.tape.evaluate::<S, SOME>(constants, inputs, values),
             more if more <= MORE => self.tape.evaluate::<S, MORE>(constants, inputs, values),
-            _ => self.tape.evaluate::<S, MANY>(constants, inputs, values),
+            many if many <= MANY => self.tape.evaluate::<S, MANY>(constants, inputs, values),
+            _ => {
+                self.tape.evaluate_long(constants, inputs, values);
+                Some(())
+            }
         }
     }
 }

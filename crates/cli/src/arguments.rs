@@ -2,7 +2,7 @@
 
 use crate::clock::Keeps;
 use crate::{
-    bodies, chart, choose, conform, derive, ensemble, failures, ledger, motor, new, phantom, reference, regimes,
+    bodies, chart, choose, conform, derive, ensemble, failures, ledger, motor, new, phantom, prove, reference, regimes,
     report, review, run, scenes, stationary,
 };
 use clap::{Parser, Subcommand, ValueEnum};
@@ -54,6 +54,7 @@ impl Arguments {
             Some(Command::Ledger(_)) => ("ledger", Nothing, Some(USUAL)),
             Some(Command::Review(_)) => ("review", Nothing, None),
             Some(Command::Derive(_)) => ("derive", Nothing, Some(USUAL)),
+            Some(Command::Prove(_)) => ("prove", Nothing, Some(USUAL)),
             Some(Command::Bodies(_)) => ("bodies", Nothing, Some(USUAL)),
             Some(Command::Stationary(_)) => ("stationary", Nothing, Some(USUAL)),
             Some(Command::Phantom(_)) => ("phantom", Nothing, Some(USUAL)),
@@ -91,6 +92,8 @@ pub enum Command {
     Review(review::Asked),
     /// Equations of motion by a chosen principle
     Derive(derive::Asked),
+    /// Whether every principle gives the same equations of motion, for a system that is written in its file
+    Prove(prove::Asked),
     /// What the bodies of a scene come to: both inertia tensors, principal axes, centre of mass, weight
     Bodies(bodies::Asked),
     /// All stationary motions of a scene's gyrostat with its motor, and why none is missing

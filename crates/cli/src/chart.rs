@@ -67,9 +67,10 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
         AnyScene::Rough(rough) => return across_events(rough, asked),
         AnyScene::Driven(scene) => &**scene,
         AnyScene::Mechanism(scene) => &**scene,
+        AnyScene::Model(scene) => &**scene,
     };
-    if matches!(scene, AnyScene::Mechanism(_)) {
-        refuse("a mechanism", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+    if matches!(scene, AnyScene::Mechanism(_) | AnyScene::Model(_)) {
+        refuse("a system without a motor", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
     }
     if let AnyScene::Driven(scene) = &scene {
         one_form(scene, asked.form.is_some(), &asked.scene)?;
@@ -150,7 +151,7 @@ fn smaller(scene: &AnyScene, known: &[Way]) -> Vec<Way> {
         }
         AnyScene::Driven(scene) => (Ladder::of_scene(scene, Axes::First), Formulation::First),
         AnyScene::Mechanism(scene) => (scene.ladder(), Formulation::Minimal),
-        AnyScene::Rough(_) => return Vec::new(),
+        AnyScene::Rough(_) | AnyScene::Model(_) => return Vec::new(),
     };
     let mut ways = Arc::new(ladder).ways(formulation);
     ways.retain(|way| known.iter().all(|known| known.model != way.model));

@@ -2,16 +2,21 @@
 
 use crate::ending::{Ending, print};
 use crate::run::one_form;
+use ::scenes::read_model;
 use clap::{Args, ValueEnum};
 use derivations::derive::{Equation, Principle, derive as equations_of, motor_of};
+use derivations::scene::any::holds_model;
+use derivations::scene::file::read_text;
 use derivations::scene::{Axes, Family, Scene};
+use model::{Readable, Trace, readable, vectors};
 use std::path::Path;
 use symbolic::{Language, Sym, Tape};
 
 /// What is to be derived, and how.
 #[derive(Args, Debug)]
 pub struct Asked {
-    /// The system: gyrostat, motor; or a scene, SCENE.toml, whose right-hand side and Jacobian are written as code
+    /// The system: gyrostat, motor; a file with `[coordinates]`, whose equations of motion are written; or another scene, SCENE.toml,
+    /// whose right-hand side and Jacobian are written as code
     #[arg(value_name = "SYSTEM|SCENE.toml")]
     pub system: String,
     /// The principle; without it the first that applies
@@ -23,6 +28,9 @@ pub struct Asked {
     /// For a scene's code: the equations in the axes of A (first) or of A* (second); without it the first
     #[arg(long)]
     pub form: Option<Axes>,
+    /// Of a file with `[coordinates]`: first the angular velocity of every frame, and position, velocity and acceleration of every point
+    #[arg(long)]
+    pub echo: bool,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -37,6 +45,10 @@ pub enum PrincipleName {
     Lagrange,
     /// Lagrange and Maxwell, for motors
     Maxwell,
+    /// Newton's and Euler's equations of every body, projected onto partial velocities (Jourdain, Kane)
+    VirtualPower,
+    /// Gauss, from the least constraint
+    Gauss,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -56,7 +68,12 @@ pub enum Equations {
 
 /// Prints the equations.
 pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
+    let path = Path::new(&asked.system);
+    if asked.echo && !is_model(path) {
+        return Err(Ending::refused("--echo is about the vectors of a file with `[coordinates]`; leave it out"));
+    }
     let text = match asked.system.ends_with(".toml") {
+        true if is_model(path) => of_model(asked, path)?,
         true => of_scene(asked)?,
         false => {
             refuse_form(asked, "equations are in the axes of no form")?;
@@ -67,6 +84,41 @@ pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
     };
     print(&text)?;
     Ok(Ending::Done)
+}
+
+/// Whether a file holds its own system.
+fn is_model(path: &Path) -> bool {
+    read_text(path).is_ok_and(|text| holds_model(&text))
+}
+
+/// The equations of motion of a system that is written in its file.
+fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
+    refuse_form(asked, "a system that is written in its file has one form")?;
+    let model = read_model(path)?;
+    let principle = match asked.principle {
+        None if model.energies.kinetic.is_some() => model::principles::Principle::Lagrange,
+        None | Some(PrincipleName::VirtualPower) => model::principles::Principle::VirtualPower,
+        Some(PrincipleName::Lagrange) => model::principles::Principle::Lagrange,
+        Some(PrincipleName::Appell) => model::principles::Principle::Appell,
+        Some(PrincipleName::Gauss) => model::principles::Principle::Gauss,
+        Some(PrincipleName::Momentum | PrincipleName::Hamel | PrincipleName::Maxwell) => {
+            return Err(Ending::refused(
+                "for a system that is written in its file the principle may be: virtual-power, lagrange, appell, gauss",
+            ));
+        }
+    };
+    // what is written there means nothing outside of its graph
+    symbolic::apart(|| {
+        let trace = Trace::of(&model);
+        let mut text = String::new();
+        if asked.echo {
+            text += &(vectors(&trace).join("\n") + "\n\n");
+        }
+        let equations = readable(&trace, principle).map_err(Ending::refused)?;
+        let equations: Vec<Equation> =
+            equations.into_iter().map(|Readable { left, right }| Equation { left, right }).collect();
+        Ok(text + &written(&equations, asked.format.unwrap_or(Equations::Text))?)
+    })
 }
 
 /// Forms are of a scene's code alone.
@@ -216,6 +268,8 @@ impl From<PrincipleName> for Principle {
             PrincipleName::Hamel => Principle::Hamel,
             PrincipleName::Lagrange => Principle::Lagrange,
             PrincipleName::Maxwell => Principle::Maxwell,
+            PrincipleName::VirtualPower => Principle::VirtualPower,
+            PrincipleName::Gauss => Principle::Gauss,
         }
     }
 }

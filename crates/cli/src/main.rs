@@ -32,6 +32,7 @@ mod output;
 mod phantom;
 mod pictures;
 mod progress;
+mod prove;
 mod reference;
 mod regimes;
 mod region_map;
@@ -65,6 +66,7 @@ fn main() -> ExitCode {
     if arguments.quiet {
         ending::be_quiet();
     }
+    ::scenes::register();
     let (command, keeps, seconds) = arguments.timed();
     clock::start(command, keeps, seconds);
     let work = progress::Progress::new(command);
@@ -78,6 +80,7 @@ fn main() -> ExitCode {
         Some(Command::Ledger(asked)) => ledger::list(&asked),
         Some(Command::Review(asked)) => review::review(&asked),
         Some(Command::Derive(asked)) => derive::derive(&asked),
+        Some(Command::Prove(asked)) => prove::prove(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),
         Some(Command::Phantom(asked)) => phantom::show(&asked),

@@ -38,6 +38,7 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
         AnyScene::Rough(rough) => return across_events(rough, asked),
         AnyScene::Driven(scene) => &**scene,
         AnyScene::Mechanism(scene) => &**scene,
+        AnyScene::Model(scene) => &**scene,
     };
     let mut problem = smooth.problem(Axes::default());
     if let Some(end) = asked.until {

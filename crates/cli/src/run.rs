@@ -85,6 +85,10 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
             refuse("a mechanism", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
             follow(&*scene, asked, None)
         }
+        AnyScene::Model(scene) => {
+            refuse("a system that is written in its file", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+            follow(&*scene, asked, None)
+        }
     }
 }
 

@@ -3,7 +3,8 @@
 use super::quantities::with_article;
 use super::{At, Table};
 use crate::machines::{Allowed, Quantity};
-use crate::scene::issue::{Issue, nearest};
+use crate::scene::issue::Issue;
+use units::nearest;
 
 /// The key at the top of a file.
 const KEY: &str = "allow";

@@ -7,11 +7,12 @@ mod words;
 
 pub use allowances::{NO_MUTUAL_INDUCTANCE, in_unit};
 
-use super::issue::{Issue, nearest};
+use super::issue::Issue;
 use crate::machines::Allowed;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+use units::nearest;
 
 /// A table, the keys that were asked for, and what was found wrong. A value that is wrong is replaced by a harmless one,
 /// so that reading goes on and all that is wrong is told at once; a file with issues gives no scene.
@@ -184,6 +185,21 @@ impl<'a> Table<'a> {
     fn wrong_kind(&mut self, span: Range<usize>, key: &str, found: &DeValue<'_>, accepted: &str) {
         let title = format!("`{key}` has the wrong type");
         self.report(Issue::at(span, title, format!("this is a TOML {}", found.type_str())).accepted(accepted));
+    }
+
+    /// Takes over all that is wrong in a table inside this one.
+    pub fn absorb(&mut self, inner: Table<'_>) {
+        self.issues.extend(inner.finish());
+    }
+
+    /// Where the value of a key stands.
+    pub fn place_of(&self, key: &str) -> Option<Range<usize>> {
+        self.entries?.get(key).map(Spanned::span)
+    }
+
+    /// Whether a key holds a table.
+    pub fn is_table(&self, key: &str) -> bool {
+        matches!(self.entries.and_then(|entries| entries.get(key)).map(Spanned::get_ref), Some(DeValue::Table(_)))
     }
 
     /// All that is wrong in the table, keys included that nobody asked for.

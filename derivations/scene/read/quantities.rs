@@ -2,11 +2,11 @@
 
 use super::{At, Table};
 use crate::scene::issue::Issue;
-use crate::scene::quantity::{self, NoQuantity};
-use crate::scene::units::Dimension;
 use nalgebra::{Matrix3, Vector3};
 use std::ops::Range;
 use toml::de::DeValue;
+use units::Dimension;
+use units::quantity::{self, NoQuantity};
 
 impl Table<'_> {
     /// One quantity, in SI units.

@@ -32,6 +32,26 @@ impl Table<'_> {
         Some(At { value, span: found.span() })
     }
 
+    /// A text, or a number as it was written, that may be left out.
+    pub fn written(&mut self, key: &str, needed: &str) -> Option<At<String>> {
+        let found = self.find(key)?;
+        match found.get_ref() {
+            DeValue::Float(number) => Some(At { value: number.as_str().to_owned(), span: found.span() }),
+            DeValue::Integer(number) if number.radix() == 10 => {
+                Some(At { value: number.as_str().to_owned(), span: found.span() })
+            }
+            _ => self.optional_text(key, needed).filter(|text| !text.value.is_empty()),
+        }
+    }
+
+    /// A text or a list of texts, one at least.
+    pub fn text_or_texts(&mut self, key: &str, needed: &str) -> Vec<At<String>> {
+        match self.find(key).map(|found| found.get_ref()) {
+            Some(DeValue::Array(items)) if !items.is_empty() => self.texts(key, &format!("[\"a\", \"b\"]: {needed}")),
+            _ => vec![self.text(key, needed)].into_iter().filter(|text| !text.value.is_empty()).collect(),
+        }
+    }
+
     /// A list of texts; empty where it is left out.
     pub fn texts(&mut self, key: &str, needed: &str) -> Vec<At<String>> {
         let Some(found) = self.find(key) else { return Vec::new() };

@@ -1,11 +1,12 @@
 //! One law of a written motor: an expression of a dimension.
 
-use super::super::issue::{Issue, nearest};
+use super::super::issue::Issue;
 use super::super::read::{At, NO_MUTUAL_INDUCTANCE, Table};
-use super::super::units::Dimension;
+
 use super::names::Names;
 use crate::machines::text::{INDUCED, Motion};
 use symbolic::{NotExpression, Reason, Sym, parse_in};
+use units::{Dimension, nearest};
 
 /// A law of more letters is not written by a person.
 const LETTERS: usize = 2000;

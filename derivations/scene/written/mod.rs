@@ -79,7 +79,7 @@ pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<(Any
             names.read_parameters(&mut parameters);
             wrong.extend(parameters.finish());
         }
-        None if table.keys().iter().any(|key| super::nearest(&key.value, ["parameters"]).is_some()) => {
+        None if table.keys().iter().any(|key| units::nearest(&key.value, ["parameters"]).is_some()) => {
             names.lose_parameters();
         }
         None => {}

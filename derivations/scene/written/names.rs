@@ -2,11 +2,12 @@
 
 use super::super::issue::Issue;
 use super::super::read::{At, Table};
-use super::super::units::Dimension;
+
 use crate::machines::text::{FIELD_SPEED, Letters, Motion, is_taken};
 use crate::machines::{Bound, Quantity};
 use std::cell::RefCell;
 use symbolic::Sym;
+use units::Dimension;
 
 /// The names of a file, and those whose faults are told already.
 #[derive(Default)]

@@ -47,6 +47,8 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
             Ok(AnyScene::Rough(scene)) => {
                 rough.push(ReadRough { id: id(file), scene: *scene, kept: Stored::beside(file) });
             }
+            // the page is to stay small enough to be sent: `chart` makes a page for each of these
+            Ok(AnyScene::Model(_)) => {}
             Ok(scene) => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
             Err(error) => {
                 warn_of(&error);

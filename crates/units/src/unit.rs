@@ -47,6 +47,9 @@ const NAMED: &[(&str, f64, f64, [i32; 4])] = &[
     ("T", 1.0, 1.0, [1, 0, -2, -1]),
     ("H", 1.0, 1.0, [1, 2, -2, -2]),
     ("ohm", 1.0, 1.0, [1, 2, -3, -2]),
+    ("C", 1.0, 1.0, [0, 0, 1, 1]),
+    ("F", 1.0, 1.0, [-1, -2, 4, 2]),
+    ("Pa", 1.0, 1.0, [1, -1, -2, 0]),
     ("rad", 1.0, 1.0, NUMBER),
 ];
 
@@ -91,6 +94,11 @@ impl Unit {
     /// A number of this unit in SI units.
     pub fn to_si(self, number: f64) -> f64 {
         number * self.times / self.per
+    }
+
+    /// `times` and `per`: the unit is `times / per` of the coherent one.
+    pub fn factors(self) -> [f64; 2] {
+        [self.times, self.per]
     }
 
     /// What it measures.
@@ -177,7 +185,7 @@ fn named(name: &str) -> Result<Unit, NoUnit> {
         return Err(NoUnit::Hertz);
     }
     let single = USUAL.iter().copied().filter(|unit| !unit.contains([' ', '/', '^']));
-    Err(NoUnit::Unknown { name: name.to_owned(), nearest: super::nearest(name, single) })
+    Err(NoUnit::Unknown { name: name.to_owned(), nearest: crate::nearest(name, single) })
 }
 
 impl fmt::Display for Dimension {

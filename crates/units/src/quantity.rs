@@ -1,6 +1,6 @@
 //! Quantities as texts: numbers, then a unit.
 
-use super::units::{Dimension, NoUnit, Unit};
+use crate::{Dimension, NoUnit, Unit};
 use std::fmt;
 
 /// Why a text is not the quantity asked for.

@@ -1,0 +1,207 @@
+//! A scene whose system is written in its file.
+
+use crate::admissible::impossible;
+use crate::compiled::{CompiledSystem, ENERGIES, NotCompiled};
+use crate::start::{Open, Unmet, consistent};
+use crate::text;
+use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
+use derivations::scene::file::{read_text, tables};
+use derivations::scene::problem::Invariant;
+use derivations::scene::read::Table;
+use derivations::scene::smooth::Parameter;
+use derivations::scene::{Axes, Issue, Modelled, Problem, Run, SceneError, Smooth, read_models_by, run};
+use integrators::Reference;
+use model::Model;
+use model::equations::Level;
+use std::borrow::Cow;
+use std::path::Path;
+use std::sync::Arc;
+
+/// A system that is data, with a run.
+#[derive(Debug)]
+pub struct ModelScene {
+    pub title: String,
+    /// What happens and why it is hard.
+    pub description: String,
+    pub model: Arc<Model>,
+    pub system: Arc<CompiledSystem>,
+    /// Coordinates, then speeds, at time zero: the constraints hold.
+    pub start: Vec<f64>,
+    pub run: Run,
+}
+
+/// Makes every command read files with `[coordinates]`.
+pub fn register() {
+    read_models_by(|name, text| Ok(Arc::new(ModelScene::parse(name, text)?)));
+}
+
+/// Reads the system of a file, and leaves its run alone: for what needs neither values nor a run.
+///
+/// # Errors
+/// All that is wrong with the system, each at its place.
+pub fn read_model(path: &Path) -> Result<Model, SceneError> {
+    let text = read_text(path)?;
+    tables(&path.display().to_string(), &text, |top, issues| {
+        top.known(&["title", "description", "run", "ensemble"]);
+        model(top, issues)
+    })
+}
+
+/// The system of a file; what is wrong with it goes into the list.
+fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Model> {
+    let source = text::source(top);
+    let faults = match Model::of(&source) {
+        Ok(model) => return Some(model),
+        Err(faults) => faults,
+    };
+    // what could not be read explains what is missing
+    if !top.has_issues() {
+        issues.extend(faults.into_iter().map(text::issue));
+    }
+    None
+}
+
+impl ModelScene {
+    /// Reads a file; `name` is what messages call it.
+    ///
+    /// # Errors
+    /// All that is wrong with it, each at its place.
+    pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
+        tables(name, text, |top, issues| {
+            let title = top.text("title", "one line that says what happens").value;
+            let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
+            let description = top.optional_text("description", "what happens and why it is hard");
+            let model = model(top, issues).map(Arc::new);
+            let names = model.as_deref().map(columns);
+            let run = run::read(top, issues, names.as_deref());
+            let model = model?;
+            let bodies = impossible(&model);
+            let exist = bodies.is_empty();
+            issues.extend(bodies);
+            let ready = exist.then(|| ready(&model))?;
+            let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
+            let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
+            Some(ModelScene { title, description, model, system, start, run: run? })
+        })
+    }
+}
+
+/// The start, completed, and the law that runs from it.
+fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
+    let not_compiled = |reason: NotCompiled| {
+        let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
+        issue.accepted("`dalembert derive` writes its equations down without running them")
+    };
+    // before the law: what depends on others makes it singular
+    let start = consistent(model).map_err(|unmet| match unmet {
+        Unmet::Open(open) => inconsistent(&open),
+        Unmet::Redundant(at) => {
+            let title = "this constraint follows from those before it";
+            let issue = Issue::at(at, title, "at the start it holds no direction of its own");
+            issue.accepted("constraints that are independent: leave this one out")
+        }
+        Unmet::NotCompiled(reason) => not_compiled(reason),
+    })?;
+    let system = CompiledSystem::of(model).map_err(not_compiled)?;
+    Ok((start, Arc::new(system)))
+}
+
+/// A constraint that the start does not meet.
+fn inconsistent(Open { at, name, residual, level }: &Open) -> Issue {
+    let name = if name.is_empty() { "this constraint".to_owned() } else { format!("the constraint `{name}`") };
+    let what = if *level == Level::Position { "the coordinates" } else { "the speeds" };
+    let title = format!("{name} does not hold at the start");
+    let label = format!("{residual:.6e} by {what} that [start] gives, and not zero");
+    Issue::at(at.clone(), title, label).accepted(
+        "values in [start] that agree; one that is left out, or written as \"guess 0.3 rad\", is completed so that constraints hold",
+    )
+}
+
+/// Names of a row: coordinates, speeds, outputs, energies.
+fn columns(model: &Model) -> Vec<String> {
+    let coordinates = model.coordinates.iter().map(|coordinate| coordinate.name.clone());
+    let speeds = model.coordinates.iter().map(|coordinate| format!("{}'", coordinate.name));
+    let outputs = model.outputs.iter().map(|output| output.name.clone());
+    coordinates
+        .chain(speeds)
+        .chain(outputs)
+        .chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()])
+        .collect()
+}
+
+impl Modelled for ModelScene {}
+
+impl Smooth for ModelScene {
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    fn description(&self) -> &str {
+        &self.description
+    }
+
+    fn model(&self) -> &'static str {
+        "model"
+    }
+
+    fn run(&self) -> &Run {
+        &self.run
+    }
+
+    fn problem(&self, _axes: Axes) -> Problem {
+        let (shown, kept) = (Arc::clone(&self.system), Arc::clone(&self.system));
+        let row = move |time: f64, state: &[f64]| [state, &shown.outputs(time, state)].concat();
+        let mut invariants = Vec::new();
+        if self.system.keeps_energy {
+            let energy = move |time: f64, state: &[f64]| {
+                let outputs = kept.outputs(time, state);
+                outputs[outputs.len() - ENERGIES..].iter().sum()
+            };
+            invariants.push(Invariant { name: "energy", value: Box::new(energy) });
+        }
+        Problem {
+            law: self.system.law(),
+            state: self.start.clone(),
+            span: self.run.span,
+            invariants,
+            columns: columns(&self.model),
+            row: Box::new(row),
+            margins: Box::new(|_, _| Vec::new()),
+        }
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        let datum = |parameter: &model::Parameter| Parameter {
+            name: parameter.name.clone().into(),
+            value: parameter.value.map_or_else(String::new, |value| value.to_string()),
+            unit: if parameter.unit == "1" { "".into() } else { parameter.unit.clone().into() },
+            meaning: "parameter".into(),
+        };
+        self.model.parameters.iter().map(datum).collect()
+    }
+
+    fn ways(&self) -> Vec<Way> {
+        vec![Way::of(Formulation::Minimal, "", Standing::Own, self.problem(Axes::First))]
+    }
+
+    fn observed(&self, reference: &Reference) -> Vec<Observed> {
+        let names = columns(&self.model);
+        names.into_iter().zip(&reference.sizes).map(|(name, size)| Observed { name, size: *size }).collect()
+    }
+
+    fn unit(&self, name: &str) -> Cow<'static, str> {
+        let coordinates = &self.model.coordinates;
+        let found = coordinates.iter().find_map(|coordinate| {
+            if name == coordinate.name {
+                return Some(coordinate.unit.clone());
+            }
+            (name.strip_suffix('\'') == Some(&coordinate.name)).then(|| format!("{}/s", coordinate.unit))
+        });
+        let energy = || ["kinetic_energy", "potential_energy"].contains(&name).then(|| "J".to_owned());
+        let output = || {
+            let output = self.model.outputs.iter().find(|output| output.name == name)?;
+            Some(output.dimension.to_string())
+        };
+        found.or_else(energy).or_else(output).unwrap_or_else(|| "1".to_owned()).into()
+    }
+}

@@ -1,0 +1,170 @@
+//! The tables of a file as a system: keys, texts and their places.
+
+use derivations::scene::Issue;
+use derivations::scene::read::{At, Table};
+use model::{BodySource, ConstraintSource, Entry, Fault, InertiaSource, LoadSource, Source, Text};
+
+/// Tables that the language will have.
+const LATER: [(&str, &str); 6] = [
+    ("contact", "contacts with friction"),
+    ("drive", "drives"),
+    ("circuit", "circuits"),
+    ("event", "events"),
+    ("inputs", "inputs"),
+    ("controls", "controls"),
+];
+
+/// Reads every table of the system.
+pub fn source(top: &mut Table<'_>) -> Source {
+    // there is one version
+    top.optional_count("language", "version of the language", 1, 1);
+    for (key, what) in LATER {
+        if let Some(span) = top.place_of(key) {
+            top.known(&[key]);
+            let issue = Issue::at(span, format!("{what} are not there yet"), "not there yet");
+            top.report(issue.accepted("parameters, coordinates, definitions, frames, points, bodies, energies, forces, torques, constraints, outputs, start"));
+        }
+    }
+    Source {
+        parameters: entries(top, "parameters"),
+        coordinates: entries(top, "coordinates"),
+        definitions: entries(top, "definitions"),
+        frames: entries(top, "frames"),
+        points: entries(top, "points"),
+        bodies: bodies(top),
+        gravity: top.optional_text("gravity", "acceleration of free fall, \"-g*N.z\"").map(|text| placed(top, &text)),
+        energies: entries(top, "energies"),
+        forces: loads(top, "force"),
+        torques: loads(top, "torque"),
+        constraints: constraints(top),
+        outputs: entries(top, "outputs"),
+        start: entries(top, "start"),
+    }
+}
+
+/// A fault of the model at its place in the file.
+pub fn issue(fault: Fault) -> Issue {
+    let Fault { span, title, label, accepted } = fault;
+    Issue::at(span, title, label).accepted(accepted)
+}
+
+/// A text with its place in the file, which begins behind the quote.
+fn placed(table: &Table<'_>, text: &At<String>) -> Text {
+    let start = table.part(text, &(0..0)).start;
+    Text::at(text.value.clone(), start)
+}
+
+fn key_text(key: &At<String>) -> Text {
+    // a quoted key is longer by its quotes
+    let quote = usize::from(key.span.len() > key.value.len());
+    Text::at(key.value.clone(), key.span.start + quote)
+}
+
+fn entries(top: &mut Table<'_>, name: &str) -> Vec<Entry> {
+    let Some(mut table) = top.optional_table(name) else { return Vec::new() };
+    let mut entries = Vec::new();
+    for key in table.keys() {
+        if let Some(value) = table.written(&key.value, &format!("`{}` in [{name}]", key.value)) {
+            let value = placed(&table, &value);
+            entries.push(Entry { name: key_text(&key), value });
+        }
+    }
+    top.absorb(table);
+    entries
+}
+
+fn bodies(top: &mut Table<'_>) -> Vec<BodySource> {
+    let Some(mut table) = top.optional_table("bodies") else { return Vec::new() };
+    let mut bodies = Vec::new();
+    for key in table.keys() {
+        let mut body = table.table(&key.value, "a body");
+        let mut text = |key: &str, needed: &str| {
+            let found = body.written(key, needed)?;
+            Some(placed(&body, &found))
+        };
+        let (turns, frame) = (text("turns", "angle about N.z"), text("frame", "frame that the body is fixed in"));
+        let (centre, mass) = (text("centre", "centre of mass, a point"), text("mass", "mass"));
+        let inertia = if body.is_table("inertia") {
+            Some(tensor(&mut body))
+        } else {
+            text_of(&mut body, "inertia", "moment of inertia").map(InertiaSource::Axial)
+        };
+        bodies.push(BodySource { name: key_text(&key), turns, frame, centre, mass, inertia });
+        table.absorb(body);
+    }
+    top.absorb(table);
+    bodies
+}
+
+fn text_of(table: &mut Table<'_>, key: &str, needed: &str) -> Option<Text> {
+    let found = table.written(key, needed)?;
+    Some(placed(table, &found))
+}
+
+/// `{ axes = "C", principal = [...] }` or `{ xx = ..., xy = ... }`.
+fn tensor(body: &mut Table<'_>) -> InertiaSource {
+    let mut table = body.table("inertia", "moments of inertia");
+    let axes = text_of(&mut table, "axes", "frame that is fixed in the body");
+    let principal = table.texts("principal", "[\"m*r^2/4\", \"m*r^2/2\", \"m*r^2/4\"]");
+    let mut entries: [Option<Text>; 6] = std::array::from_fn(|_| None);
+    for (entry, key) in entries.iter_mut().zip(["xx", "yy", "zz", "xy", "xz", "yz"]) {
+        *entry = text_of(&mut table, key, "moment of inertia");
+    }
+    if table.has("principal") {
+        if principal.len() != 3 || entries.iter().any(Option::is_some) {
+            let issue = Issue::at(table.span(), "`principal` has three moments, and no others stand beside it", "here");
+            table.report(issue.accepted("principal = [\"A\", \"B\", \"C\"], or xx, yy, zz, xy, xz, yz"));
+        }
+        for (entry, moment) in entries.iter_mut().zip(&principal) {
+            *entry = Some(placed(&table, moment));
+        }
+    }
+    body.absorb(table);
+    InertiaSource::Tensor { axes, entries: Box::new(entries) }
+}
+
+fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
+    let needed = format!("each [[{name}]] is a table");
+    let mut loads = Vec::new();
+    for mut table in top.tables(name, &needed) {
+        let own_name = text_of(&mut table, "name", "name");
+        let on = text_of(&mut table, "on", "\"disc at G\"");
+        let pair = table.texts("between", "[\"a at P\", \"b at Q\"]");
+        let between = match pair.as_slice() {
+            [] => None,
+            [first, second] => Some([placed(&table, first), placed(&table, second)]),
+            _ => {
+                let issue = Issue::at(table.span(), "`between` has two places", format!("{} stand here", pair.len()));
+                table.report(issue.accepted("between = [\"a at P\", \"b at Q\"]"));
+                None
+            }
+        };
+        let is = table.text("is", "value: a vector, or a scalar along a line");
+        let is = placed(&table, &is);
+        let at = table.span();
+        let sound = !table.has_issues();
+        top.absorb(table);
+        if sound {
+            loads.push(LoadSource { name: own_name, on, between, is, at });
+        }
+    }
+    loads
+}
+
+fn constraints(top: &mut Table<'_>) -> Vec<ConstraintSource> {
+    let mut constraints = Vec::new();
+    for mut table in top.tables("constraint", "each [[constraint]] is a table") {
+        let name = text_of(&mut table, "name", "name");
+        if let Some(span) = table.place_of("programmed") {
+            table.known(&["programmed"]);
+            let issue = Issue::at(span, "programmed constraints are not there yet", "not there yet");
+            table.report(issue.accepted("zero = \"x - a*sin(w*t)\": kept by a reaction"));
+        }
+        let zero = table.text_or_texts("zero", "expression that is zero, or a list of such");
+        let zero = zero.iter().map(|text| placed(&table, text)).collect();
+        let at = table.span();
+        top.absorb(table);
+        constraints.push(ConstraintSource { name, zero, at });
+    }
+    constraints
+}

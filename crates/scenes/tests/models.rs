@@ -1,0 +1,180 @@
+//! Systems as text: read, proved, run, beside closed forms and beside what must stay what it is.
+
+use derivations::scene::{Axes, Choice, Smooth, Stored, stored};
+use integrators::Method;
+use model::principles::Principle;
+use model::{Agreement, Trace, agreement};
+use scenes::{ModelScene, read_model};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/models")
+}
+
+fn path(name: &str) -> PathBuf {
+    folder().join(name).with_extension("toml")
+}
+
+fn all() -> Vec<PathBuf> {
+    let files = std::fs::read_dir(folder()).expect("it is there");
+    let mut all: Vec<PathBuf> = files.map(|file| file.expect("it can be listed").path()).collect();
+    all.retain(|path| path.extension().is_some_and(|end| end == "toml"));
+    all.sort();
+    assert!(all.len() >= 5, "{all:?}");
+    all
+}
+
+fn open(path: &Path) -> ModelScene {
+    let text = std::fs::read_to_string(path).expect("it is there");
+    ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The last row of a run, and how far every invariant went.
+fn end(scene: &ModelScene, method: Method, tolerance: f64) -> (Vec<f64>, Vec<f64>) {
+    let problem = scene.problem(Axes::First);
+    let choice = Choice { method, tolerance, axes: Axes::First, samples: 10, allowed: Duration::from_secs(60) };
+    let run = problem.simulate(&choice, |_| ());
+    assert!(run.outcome.reached(), "{}: {method}: {:?}", scene.title, run.stopped());
+    let start: Vec<f64> = problem.invariants.iter().map(|one| (one.value)(0.0, &problem.state)).collect();
+    let kept = problem.invariants.iter().zip(&start);
+    (run.last.clone(), kept.map(|(one, start)| (one.value)(run.outcome.time, &run.outcome.state) - start).collect())
+}
+
+#[test]
+fn every_principle_gives_every_model_the_same_equations() {
+    for path in all() {
+        let model = read_model(&path).unwrap_or_else(|error| panic!("{error}"));
+        symbolic::apart(|| {
+            let trace = Trace::of(&model);
+            for other in Principle::ALL {
+                let found = agreement(&trace, Principle::Lagrange, other).expect("it applies");
+                assert!(matches!(found, Agreement::Proved { .. }), "{}, {}: {found}", path.display(), other.name());
+            }
+        });
+    }
+}
+
+#[test]
+fn methods_of_different_families_come_to_the_same_end_and_invariants_stay() {
+    for path in all().into_iter().filter(|path| !path.ends_with("double_pendulum.toml")) {
+        let scene = open(&path);
+        let (explicit, kept) = end(&scene, Method::DormandPrince8, 1e-11);
+        assert!(kept.iter().all(|moved| moved.abs() < 1e-8), "{}: {kept:?}", path.display());
+        for other in [Method::Taylor, Method::RadauIIA { stages: 5 }] {
+            let (found, _) = end(&scene, other, 1e-11);
+            for (a, b) in explicit.iter().zip(&found) {
+                assert!((a - b).abs() < 1e-6 * (1.0 + a.abs()), "{}, {other}: {a} {b}", path.display());
+            }
+        }
+    }
+}
+
+/// m = 1 kg, J = 0.1 kg m^2, a = 0.1 m, u = 1 m/s, w = 1 rad/s.
+#[test]
+fn chaplygins_sleigh_has_its_closed_form() {
+    let scene = open(&path("chaplygin_sleigh"));
+    let problem = scene.problem(Axes::First);
+    let (row, _) = end(&scene, Method::DormandPrince8, 1e-12);
+    let of = |name: &str| row[problem.columns.iter().position(|known| known == name).expect("a column")];
+    assert!((of("along") - 1.04550269978978).abs() < 1e-12, "{}", of("along"));
+    assert!((of("psi'") - 0.392244181048335).abs() < 1e-12, "{}", of("psi'"));
+}
+
+#[test]
+fn a_start_is_completed_so_that_the_constraints_hold() {
+    let text = std::fs::read_to_string(path("slider_crank")).expect("it is there");
+    let turned = text.replace("s = \"0.4 m\"", "theta = \"0.5 rad\"\n\"theta'\" = \"2 rad/s\"\ns = \"guess 0.35 m\"");
+    let scene = ModelScene::parse("scene.toml", &turned).unwrap_or_else(|error| panic!("{error}"));
+    let [theta, phi, s] = [scene.start[0], scene.start[1], scene.start[2]];
+    assert_eq!(theta, 0.5);
+    // r sin(theta) = l sin(phi), s = r cos(theta) + l cos(phi)
+    assert!(
+        (0.1 * theta.sin() - 0.3 * phi.sin()).abs() < 1e-10 && (s - 0.1 * theta.cos() - 0.3 * phi.cos()).abs() < 1e-10
+    );
+    let [rate, slide] = [scene.start[4], scene.start[5]];
+    assert!((0.2 * theta.cos() - 0.3 * phi.cos() * rate).abs() < 1e-9 && slide < 0.0, "{rate} {slide}");
+    let wrong = text.replace("s = \"0.4 m\"", "theta = \"0 rad\"\nphi = \"0 rad\"\ns = \"0.5 m\"");
+    let refused = ModelScene::parse("scene.toml", &wrong).expect_err("the loop is open").to_string();
+    assert!(refused.contains("`pin` does not hold at the start") && refused.contains("1.000000e-1"), "{refused}");
+}
+
+/// A bead on a hoop that turns at a constant speed: its energy changes, and is not said to be kept.
+#[test]
+fn a_driven_system_is_not_said_to_keep_its_energy() {
+    let hoop = |turned: &str| {
+        format!(
+            "title = \"A bead\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"0.1 kg\"\nR = \"20 cm\"\ng = \"9.81 m/s^2\"\nw = \"10 rad/s\"\n\
+             [coordinates]\nth = \"rad\"\n[frames]\nH = \"N turned {turned} about z\"\n\
+             [points]\nP = \"O + R*(sin(th)*H.x - cos(th)*H.z)\"\n[bodies.bead]\ncentre = \"P\"\nmass = \"m\"\n\
+             [start]\nth = \"1 rad\"\n[run]\nspan = \"2 s\"\n"
+        )
+    };
+    let kept = |turned: &str| {
+        let scene = ModelScene::parse("scene.toml", &hoop(turned)).unwrap_or_else(|error| panic!("{error}"));
+        scene.system.keeps_energy
+    };
+    assert!(!kept("w*t") && kept("0*w*t") && kept("0.3"));
+}
+
+#[test]
+fn every_model_has_a_reference_of_25_digits_that_is_its_own() {
+    for path in all() {
+        let text =
+            std::fs::read_to_string(stored::place(&path)).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let kept = Stored::read(&text).unwrap_or_else(|wrong| panic!("{}: {wrong}", path.display()));
+        assert!(kept.reference.digits >= 25.0, "{}: {} digits", path.display(), kept.reference.digits);
+        let problem = open(&path).problem(Axes::First);
+        assert!(
+            kept.belongs_to(&problem),
+            "{} has changed: `dalembert reference` makes its reference anew",
+            path.display()
+        );
+        let run = problem.simulate(
+            &Choice {
+                method: Method::Taylor,
+                tolerance: 1e-12,
+                axes: Axes::First,
+                samples: 8,
+                allowed: Duration::from_secs(60),
+            },
+            |_| (),
+        );
+        let (last, exact) = (&run.outcome.state, kept.reference.states.last().expect("there are instants"));
+        for ((found, exact), size) in last.iter().zip(exact).zip(&kept.reference.sizes) {
+            assert!((found - exact.hi()).abs() < 1e-7 * size.max(1e-9), "{}: {found} {exact:?}", path.display());
+        }
+    }
+}
+
+/// Twenty links, each turned in the one before, level at the start.
+fn chain(links: usize) -> String {
+    let numbered = |line: &dyn Fn(usize) -> String| (1..=links).map(|k| line(k) + "\n").collect::<String>();
+    let before = |name: &str, first: &str, k: usize| if k == 1 { first.to_owned() } else { format!("{name}{}", k - 1) };
+    [
+        "title = \"A chain\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\nl = \"0.5 m\"\ng = \"9.81 m/s^2\"\n[coordinates]\n".to_owned(),
+        numbered(&|k| format!("q{k} = \"rad\"")),
+        "[frames]\n".to_owned(),
+        numbered(&|k| format!("A{k} = \"{} turned q{k} about z\"", before("A", "N", k))),
+        "[points]\n".to_owned(),
+        numbered(&|k| format!("G{k} = \"{0} - l/2*A{k}.y\"\nE{k} = \"{0} - l*A{k}.y\"", before("E", "O", k))),
+        numbered(&|k| format!("[bodies.b{k}]\nframe = \"A{k}\"\ncentre = \"G{k}\"\nmass = \"m\"\ninertia = \"m*l^2/12\"")),
+        "[start]\nq1 = \"90 deg\"\n[run]\nspan = \"0.2 s\"\n".to_owned(),
+    ]
+    .concat()
+}
+
+#[test]
+fn a_chain_of_twenty_links_is_identified_and_runs() {
+    let scene = ModelScene::parse("chain.toml", &chain(20)).unwrap_or_else(|error| panic!("{error}"));
+    symbolic::apart(|| {
+        let trace = Trace::of(&scene.model);
+        for other in [Principle::VirtualPower, Principle::Appell, Principle::Gauss] {
+            let found = agreement(&trace, Principle::Lagrange, other).expect("it applies");
+            let Agreement::Identified { error, .. } = found else { panic!("{}: {found}", other.name()) };
+            assert!(error < -100.0, "{error}");
+        }
+    });
+    let (_, kept) = end(&scene, Method::DormandPrince8, 1e-10);
+    assert!(!kept.is_empty() && kept.iter().all(|moved| moved.abs() < 1e-7), "{kept:?}");
+}
