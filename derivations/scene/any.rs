@@ -28,7 +28,7 @@ pub trait Modelled: Smooth + fmt::Debug {}
 pub type ModelReader = fn(&str, &str) -> Result<Arc<dyn Modelled>, SceneError>;
 
 /// The key by which a file is known whose system is written in it.
-const MODEL: &str = "coordinates";
+pub(super) const MODEL: &str = "coordinates";
 
 static MODEL_READER: OnceLock<ModelReader> = OnceLock::new();
 

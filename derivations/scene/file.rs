@@ -112,6 +112,13 @@ fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
     let title = one_line(&top.text("title", "one line that says what happens").value);
     let description = top.optional_text("description", "what happens and why it is hard");
     top.read_allowed();
+    if let (Some(span), false) = (top.place_of(super::any::MODEL), top.has("system")) {
+        let title = "this command does not read a system that is written in its file";
+        let issue = Issue::at(span, title, "the system's own coordinates");
+        top.report(issue.accepted("`derive`, `prove`, `run`, `chart` and `reference` read it"));
+        top.known_all();
+        return None;
+    }
     let system = top.text("system", "name of what moves");
     let name = system.value.as_str();
     if knows::<F>(name) {

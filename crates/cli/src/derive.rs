@@ -8,7 +8,7 @@ use derivations::derive::{Equation, Principle, derive as equations_of, motor_of}
 use derivations::scene::any::holds_model;
 use derivations::scene::file::read_text;
 use derivations::scene::{Axes, Family, Scene};
-use model::{Readable, Trace, readable, vectors};
+use model::{Readable, Trace, constraints, readable, vectors};
 use std::path::Path;
 use symbolic::{Language, Sym, Tape};
 
@@ -28,7 +28,7 @@ pub struct Asked {
     /// For a scene's code: the equations in the axes of A (first) or of A* (second); without it the first
     #[arg(long)]
     pub form: Option<Axes>,
-    /// Of a file with `[coordinates]`: first the angular velocity of every frame, and position, velocity and acceleration of every point
+    /// Of a file with `[coordinates]`: first the angular velocity of every frame, the position, velocity and acceleration of every point, and the kind of every constraint
     #[arg(long)]
     pub echo: bool,
 }
@@ -112,7 +112,8 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
         let trace = Trace::of(&model);
         let mut text = String::new();
         if asked.echo {
-            text += &(vectors(&trace).join("\n") + "\n\n");
+            let lines = [vectors(&trace), constraints(&trace)].concat();
+            text += &(lines.join("\n") + "\n\n");
         }
         let equations = readable(&trace, principle).map_err(Ending::refused)?;
         let equations: Vec<Equation> =

@@ -8,7 +8,7 @@
 mod constraints;
 mod elimination;
 
-pub use constraints::{Equation, Level};
+pub use constraints::{Equation, Level, equations as constraints_of};
 pub use elimination::Singular;
 
 use crate::Trace;

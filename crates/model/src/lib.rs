@@ -42,6 +42,6 @@ pub use parts::{
     Body, BodyId, Constraint, Coordinate, Energies, Force, Frame, FrameId, Inertia, Material, Model, Output, Parameter,
     Point, PointId, StartValue, Torque, Turn,
 };
-pub use reading::{Readable, readable, vectors};
+pub use reading::{Readable, constraints, readable, vectors};
 pub use source::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source, Text};
 pub use trace::{Trace, Vector};

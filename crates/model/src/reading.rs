@@ -1,6 +1,6 @@
 //! Equations of motion for reading: accelerations on the left, everything else on the right, each term in normal form.
 
-use crate::equations::Equations;
+use crate::equations::{Equation, Equations, Level, constraints_of as equations_of};
 use crate::principles::{NotApplicable, Principle};
 use crate::{FrameId, PointId, Trace, Vector};
 use num_traits::Zero;
@@ -70,6 +70,27 @@ pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
         ]
     });
     frames.chain(points).collect()
+}
+
+/// What every constraint speaks of, each on a line: positions or speeds; in the speeds linear, affine or nonlinear; with the time or
+/// without.
+pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
+    let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
+    let kind = |(k, constraint): (usize, Equation)| {
+        let moves =
+            constraint.row.iter().any(|slope| slope.symbols_of().iter().any(|symbol| trace.speeds.contains(symbol)));
+        let kind = match constraint.level {
+            Level::Position => "of positions",
+            Level::Speed if moves => "of speeds, nonlinear",
+            Level::Speed if simplified(constraint.zero.substitute(&at_rest)).is_zero() => "of speeds, linear",
+            Level::Speed => "of speeds, affine",
+        };
+        let knows_time = constraint.zero.symbols_of().contains(&trace.time);
+        let name = if constraint.name.is_empty() { String::new() } else { format!(" `{}`", constraint.name) };
+        let time = if knows_time { ", with the time" } else { "" };
+        format!("constraint {}{name}: {kind}{time}", k + 1)
+    };
+    equations_of(trace).into_iter().enumerate().map(kind).collect()
 }
 
 /// Expressions with more operations are left as they are.

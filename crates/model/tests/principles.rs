@@ -97,3 +97,23 @@ fn principles_agree_on_a_double_pendulum() {
 fn principles_agree_on_a_leaning_disc() {
     agree(&disc());
 }
+
+#[test]
+fn constraints_are_told_apart_by_what_they_speak_of() {
+    let mut source = disc();
+    let held = |zero: &str| model::ConstraintSource { zero: vec![zero.into()], ..model::ConstraintSource::default() };
+    source.parameters.push(("w", "1 rad/s").into());
+    source.constraints = vec![
+        held("velocity(disc at P) . N.x"),
+        held("lean - w*t"),
+        held("x' - w*y - (1 m/s)"),
+        held("x'^2 + y'^2 - (1 m/s)^2"),
+    ];
+    let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let told = apart(|| model::constraints(&Trace::of(&model)));
+    let kinds = ["of speeds, linear", "of positions, with the time", "of speeds, affine", "of speeds, nonlinear"];
+    assert_eq!(told.len(), kinds.len());
+    for (told, kind) in told.iter().zip(kinds) {
+        assert!(told.ends_with(kind), "{told}");
+    }
+}

@@ -8,6 +8,7 @@ mod ensembles;
 mod formats;
 mod killed;
 mod limits;
+mod models;
 mod motors;
 mod odd_data;
 mod outputs;

@@ -30,7 +30,7 @@ pub struct Equation {
 }
 
 /// One for each scalar, and for each component of a vector that is not the constant zero.
-pub(super) fn equations(trace: &Trace<'_>) -> Vec<Equation> {
+pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
     let mut all = Vec::new();
     for constraint in &trace.model.constraints {
         match constraint {
