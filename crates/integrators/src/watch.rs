@@ -64,7 +64,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         self.tau < self.length && self.failed.is_none() && !self.observer.enough()
     }
 
-    /// How a run ends whose method did not fail.
+    /// The end of a run whose method did not fail.
     pub fn end(&self) -> End {
         match self.failed {
             Some(failure) => End::Stopped(failure),

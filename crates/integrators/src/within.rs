@@ -9,19 +9,19 @@
 use crate::{Failure, Outcome, Real, Span, Tolerance, clock};
 use std::time::Instant;
 
-/// Of the polynomial through states of one step.
+/// The degree of the polynomial through states of one step.
 const DEGREE: usize = 16;
 
-/// How exactly the polynomial must meet the states of a method that follows no tolerance, relative to their size.
+/// The accuracy with which the polynomial must meet the states of a method that follows no tolerance, relative to their size.
 const MET: f64 = 1e-11;
 
-/// What makes steps again.
+/// Makes parts of steps again.
 pub(crate) struct Within<'a, S> {
     /// Runs the method over a span that lies within one of its steps.
     again: &'a dyn Fn(&Span<'_, S>) -> Outcome<S>,
     /// None for a method with a constant step.
     tolerance: Option<&'a Tolerance>,
-    /// How many steps were made again.
+    /// The number of steps made again.
     pub steps: u64,
     evaluations: u64,
 }

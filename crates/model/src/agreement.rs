@@ -5,7 +5,7 @@ use crate::principles::{NotApplicable, Principle};
 use std::fmt;
 use symbolic::{Decision, Hypotheses, Identity, Sym, decide, identified};
 
-/// How well it is known that two principles agree.
+/// The degree to which two principles are known to agree.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Agreement {
     /// The normal form of every difference is zero: for all values of all letters for which no divisor vanishes.

@@ -94,7 +94,7 @@ pub enum Vector {
         of: Material,
         seen: FrameId,
     },
-    /// Of a frame beside another.
+    /// A frame's angular velocity relative to another frame.
     AngularVelocity {
         of: FrameId,
         seen: FrameId,

@@ -1,4 +1,4 @@
-//! What is wrong with a system as it was written, and where.
+//! Faults of a system as it was written, each with its place.
 
 use std::ops::Range;
 
@@ -11,12 +11,12 @@ pub struct Fault {
     pub title: String,
     /// A few words for the place itself.
     pub label: String,
-    /// What would be accepted.
+    /// A text that would be accepted.
     pub accepted: String,
 }
 
 impl Fault {
-    /// What follows from another fault, which is told: nothing is said of it.
+    /// A consequence of another fault, which is told: nothing is said of this one.
     pub(crate) fn consequence(span: Range<usize>) -> Self {
         Fault { span, title: String::new(), label: String::new(), accepted: String::new() }
     }

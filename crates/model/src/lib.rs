@@ -29,8 +29,8 @@ pub mod equations;
 pub mod expression;
 mod fault;
 mod parts;
+mod presentation;
 pub mod principles;
-mod reading;
 mod source;
 mod trace;
 
@@ -42,6 +42,6 @@ pub use parts::{
     Body, BodyId, Constraint, Coordinate, Energies, Force, Frame, FrameId, Inertia, Material, Model, Output, Parameter,
     Point, PointId, StartValue, Torque, Turn,
 };
-pub use reading::{Readable, constraints, readable, vectors};
+pub use presentation::{Readable, constraints, readable, vectors};
 pub use source::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source, Text};
 pub use trace::{Trace, Vector};

@@ -1,11 +1,11 @@
 //! Whether bodies with these masses and moments of inertia can exist.
 
-use crate::compiled::values;
+use crate::compiled_system::values;
 use derivations::scene::Issue;
 use model::{Body, Inertia, Model, ScalarId, Trace};
 use symbolic::{apart, substitute_all};
 
-/// So much may a moment exceed the sum of the two others, for data with few digits.
+/// The share by which a moment may exceed the sum of the two others, for data with few digits.
 const ROUNDING: f64 = 1e-9;
 
 /// All bodies that cannot exist, where numbers tell so: a mass that is not positive, a moment of inertia that is negative, or that is

@@ -6,11 +6,11 @@
 //! * [`CompiledSystem`]: the equations of motion as machine code, as series, and over every field that runs.
 
 mod admissible;
-mod compiled;
+mod compiled_system;
 mod scene;
 mod start;
 pub mod text;
 
-pub use compiled::{CompiledSystem, NotCompiled};
+pub use compiled_system::{CompiledSystem, NotCompiled};
 pub use scene::{ModelScene, read_model, register};
 pub use start::{Open, Unmet, consistent};

@@ -1,7 +1,7 @@
 //! A scene whose system is written in its file.
 
 use crate::admissible::impossible;
-use crate::compiled::{CompiledSystem, ENERGIES, NotCompiled};
+use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
 use crate::start::{Open, Unmet, consistent};
 use crate::text;
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
@@ -21,7 +21,7 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub struct ModelScene {
     pub title: String,
-    /// What happens and why it is hard.
+    /// The motion in one sentence, and why it is hard.
     pub description: String,
     pub model: Arc<Model>,
     pub system: Arc<CompiledSystem>,

@@ -3,7 +3,7 @@
 //! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the constraints
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
-use crate::compiled::{NotCompiled, has_values, values};
+use crate::compiled_system::{NotCompiled, has_values, values};
 use derivations::taped::Program;
 use model::equations::{Equation, Equations, Level};
 use model::{Model, Trace};
@@ -28,7 +28,7 @@ pub struct Open {
     /// Where the model has the constraint.
     pub at: Range<usize>,
     pub name: String,
-    /// What is zero along every motion.
+    /// The value of what should be zero.
     pub residual: f64,
     /// Whether it is the constraint of positions, or that of speeds.
     pub level: Level,
@@ -46,7 +46,7 @@ const RANK: f64 = 1e-10;
 /// The constraints of a model with their derivatives.
 struct Constraints {
     program: Program,
-    /// Of positions first.
+    /// Constraints of positions stand first.
     known: Vec<(Level, String, Range<usize>)>,
     coordinates: usize,
 }

@@ -10,7 +10,7 @@ const TEXTS: [&str; 5] = [
     include_str!("../../../scenes/models/chaplygin_sleigh.toml"),
 ];
 
-/// What is put in the place of a part of a text.
+/// Pieces that take the place of a part of a text.
 const PIECES: [&str; 48] = [
     "0",
     "-1",

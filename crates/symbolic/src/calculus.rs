@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 
 /// The derivative of expressions whose symbols change at given rates, forward through the graph: d/dt along a motion where the
 /// rates are velocities, d/dx where x alone has the rate one. (A derivation in the sense of algebra: linear, with the product rule.)
-/// What it has met it knows: expressions that share parts cost each part once.
+/// It keeps every rate that it has found: expressions that share parts cost each part once.
 pub struct Derivation {
     known: FxHashMap<Sym, Sym>,
 }
@@ -68,7 +68,7 @@ impl Sym {
         Sym::ascending_to_leaves(&[self]).into_iter().filter(|each| each.node().is_leaf()).collect()
     }
 
-    /// How many different parts expressions have together: what they cost to evaluate or to walk through.
+    /// The number of different parts of expressions together: the cost to evaluate them or to walk through them.
     pub fn operations_of(expressions: &[Sym]) -> usize {
         Sym::ascending(expressions).len()
     }

@@ -1,7 +1,7 @@
 //! The program as its users meet it: what it prints, what it writes, how it ends.
 
 mod answers;
-mod chosen;
+mod choice;
 mod clock;
 mod documents;
 mod ensembles;

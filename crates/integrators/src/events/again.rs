@@ -20,7 +20,7 @@ pub(super) struct Again<'a> {
     /// The motion as a polynomial, where the method has it, and where that begins.
     pub series: Option<Box<dyn TaylorSeries<f64> + 'a>>,
     pub expanded_at: Option<f64>,
-    /// What it took.
+    /// The work of it.
     pub extra: Work,
 }
 

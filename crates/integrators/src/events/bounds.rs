@@ -19,7 +19,7 @@ pub(super) struct Bounds {
     b: Signal,
     /// From a to b, negative backwards.
     length: f64,
-    /// How far the signal may be from the cubic in the middle.
+    /// The distance that the signal may have from the cubic in the middle.
     doubt: f64,
 }
 
@@ -48,13 +48,13 @@ impl Bounds {
         [a, 0.25 * (a + 3.0 * p), 0.5 * (p + q), 0.25 * (3.0 * q + b), b]
     }
 
-    /// How far the cubic is from its chord.
+    /// The largest distance of the cubic from its chord, by its inner coefficients.
     pub fn bow(&self) -> f64 {
         let ([p, q], rise) = (self.inner(), self.b.value - self.a.value);
         (p - self.a.value - rise / 3.0).abs().max((q - self.b.value + rise / 3.0).abs())
     }
 
-    /// How much the cubic changes.
+    /// The range of the cubic, by its coefficients.
     pub fn spread(&self) -> f64 {
         let all = self.coefficients();
         all.iter().copied().fold(f64::NEG_INFINITY, f64::max) - all.iter().copied().fold(f64::INFINITY, f64::min)
@@ -99,7 +99,7 @@ impl Bounds {
         steps.iter().all(|step| *step >= 0.0) || steps.iter().all(|step| *step <= 0.0)
     }
 
-    /// How far the signal, known in the middle, is from the cubic, by its value and by its rate.
+    /// The distance of the signal, known in the middle, from the cubic, by its value and by its rate.
     pub fn error_at_middle(&self, middle: Signal) -> f64 {
         let [p, q] = self.inner();
         let value = 0.125 * (self.a.value + 3.0 * (p + q) + self.b.value);
@@ -107,7 +107,7 @@ impl Bounds {
         (value - middle.value).abs().max(0.25 * (rise - self.length * middle.rate).abs())
     }
 
-    /// How far the signal is from the cubic of the interval before, continued, in the measure of the doubt of this interval:
+    /// The distance of the signal from the cubic of the interval before, continued, in the measure of the doubt of this interval:
     /// both errors go with the fourth derivative.
     pub fn error_of_continued(before: &Bounds, next: Signal, length: f64) -> f64 {
         // at 1 + r the cubic is off by (1 + r)^2 r^2, in the middle of the next by r^4/16, each times the same

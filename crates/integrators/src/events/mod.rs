@@ -25,7 +25,7 @@ pub struct Signal {
 
 /// Signals that are watched. Each counts from when it was first positive: one that starts at zero may rise first.
 pub trait Switches {
-    /// How many.
+    /// The number of signals.
     fn count(&self) -> usize;
 
     /// All of them at a state; `out` has their count.
@@ -38,7 +38,7 @@ pub trait Switches {
     }
 }
 
-/// What a signal did.
+/// The way in which a signal met zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Happening {
     /// It fell through zero.
@@ -105,7 +105,7 @@ type Found = (Event, Vec<f64>);
 /// Times that differ by so many roundings are not told apart.
 const TOGETHER: f64 = 8.0;
 
-/// So many parts of a step that is a polynomial are looked at one by one.
+/// The number of parts of a step that is a polynomial; each is looked at.
 const PARTS: usize = 8;
 
 /// A state with its signals.

@@ -16,26 +16,26 @@ const ROUNDINGS: i32 = 20;
 /// A doubt below this share of what the cubic changes leaves no doubt of its shape.
 const SETTLED: f64 = 0.05;
 
-/// Of how far the cubic is from its chord, the doubt that a step leaves by itself.
+/// The doubt that a step leaves by itself, as a part of the bow of the cubic.
 const OF_BOW: f64 = 0.25;
 
-/// Of a doubt that was measured at the middle, what is left for each half: a sixteenth of it would be for short ones.
+/// The part of a doubt measured at the middle that is left for each half: a sixteenth of it would be for short ones.
 const OF_HALF: f64 = 0.25;
 
 /// The least share that a halving leaves of a doubt, lest one value that happens to lie on the cubic hide others.
 const LEAST_OF_HALF: f64 = 1.0 / 64.0;
 
-/// What is known of a step.
+/// Everything known of a step.
 pub(super) struct Search<'s, 'a> {
     pub again: &'s mut Again<'a>,
     /// The beginning of the step.
     pub step: &'s Instant,
-    /// What was computed again within it so far, for any signal.
+    /// The instants computed again within it so far, for any signal.
     pub known: &'s mut Vec<Instant>,
     pub signal: usize,
 }
 
-/// What became of a signal over an interval.
+/// The course of a signal over an interval.
 pub(super) enum Seen {
     /// Nothing; whether it has been positive.
     Nothing {
@@ -80,7 +80,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Of a signal that was positive; `None` where that is open.
+    /// The course of a signal that was positive; `None` where that is open.
     fn falls(&mut self, [a, b]: [&Instant; 2], bounds: &Bounds, is_last: bool) -> Option<Seen> {
         let (left, right) = (self.of(a), self.of(b));
         let noise = left.noise.max(right.noise);
@@ -101,7 +101,7 @@ impl Search<'_, '_> {
         (is_clear && bounds.is_monotone()).then_some(Seen::Nothing { armed: true })
     }
 
-    /// Of a signal that was not positive yet; `None` where that is open.
+    /// The course of a signal that was not positive yet; `None` where that is open.
     fn rises(&mut self, [a, b]: [&Instant; 2], bounds: &Bounds, is_last: bool) -> Option<Seen> {
         let (left, right) = (self.of(a), self.of(b));
         let noise = left.noise.max(right.noise);

@@ -12,7 +12,7 @@ use symbolic::Dimension;
 /// The longest number that is made of numbers.
 const MOST_BITS: u64 = 1 << 20;
 
-/// What a part stands for, or a body, which is no value of its own.
+/// The meaning of a part: a value, or a body, which is no value of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meaning {
     Value(Value),

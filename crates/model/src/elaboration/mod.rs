@@ -23,7 +23,7 @@ pub fn is_reserved(name: &str) -> bool {
     RESERVED.contains(&name)
 }
 
-/// So many coordinates, bodies, points and so on a system may have of each.
+/// The largest number of coordinates, of bodies, of points and of each other kind in one system.
 const MOST: usize = 1000;
 
 /// Resolves a system.
@@ -45,7 +45,7 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     }
 }
 
-/// What a name of the system stands for.
+/// The meaning of a name of the system.
 #[derive(Clone, Debug)]
 enum Named {
     Value(Value),
@@ -59,9 +59,9 @@ struct Elaborator<'s> {
     source: &'s Source,
     model: Model,
     names: FxHashMap<String, Named>,
-    /// Of each part of an expression; none for zero, which is of every dimension.
+    /// The dimension of each part of an expression; none for zero, which has every dimension.
     dimensions: Vec<Option<Dimension>>,
-    /// Of each part that is a number: how many bits it may have.
+    /// A bound of the bits of each part that is a number.
     bits: Vec<Option<u64>>,
     /// Names whose definition is wrong: nothing more is said of them.
     broken: FxHashSet<String>,
@@ -101,7 +101,7 @@ impl<'s> Elaborator<'s> {
         self.arena().scalar(scalar)
     }
 
-    /// How many bits a number may have that is made of numbers.
+    /// A bound of the bits of a number that is made of numbers.
     fn bits_of(&self, scalar: &Scalar) -> Option<u64> {
         let of = |id: &ScalarId| self.bits[id.0];
         match scalar {

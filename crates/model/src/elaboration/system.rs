@@ -171,7 +171,7 @@ impl Elaborator<'_> {
         FrameId(self.model.frames.len() - 1)
     }
 
-    /// How a body moves.
+    /// The motion of a body: its frame and its centre.
     fn moved(&mut self, body: &BodySource) -> Sound<BodyId> {
         let frame = match (&body.turns, &body.frame) {
             (Some(turns), Some(_)) => {

@@ -1,8 +1,8 @@
-//! What an expression, or a part of one, stands for.
+//! Values of expressions and of their parts.
 
 use crate::{FrameId, PointId, ScalarId, VectorId};
 
-/// What an expression stands for.
+/// The value of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Value {
     Scalar(ScalarId),

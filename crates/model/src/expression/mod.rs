@@ -39,7 +39,7 @@ impl Expression {
     }
 }
 
-/// What a part is.
+/// A part of an expression, made of parts before it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
     /// A decimal number, as written.
@@ -111,7 +111,7 @@ pub struct NotExpression {
     pub reason: Reason,
 }
 
-/// What is wrong there.
+/// The fault of a text that is no expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// The text ends, or another sign stands, where an operand must.

@@ -4,7 +4,7 @@ use super::token::{Placed, Token, tokens};
 use super::{Argument, Exponent, Expression, Form, NotExpression, Part, Preposition, Reason, Relation};
 use std::ops::Range;
 
-/// So deep may parentheses stand in each other.
+/// The deepest nesting of parentheses.
 const DEEPEST: usize = 100;
 /// The largest number in an exponent.
 const LARGEST: i32 = 64;

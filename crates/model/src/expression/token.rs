@@ -6,7 +6,7 @@ use std::ops::Range;
 /// The longest text of one expression, in bytes.
 const LONGEST: usize = 20_000;
 
-/// What stands in a text.
+/// A number, a name or a sign of a text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Token<'a> {
     Number(&'a str),

@@ -1,4 +1,4 @@
-//! What acts: forces at points, torques on frames, whoever asks for them.
+//! Applied loads: forces at points, torques on frames, for every principle.
 
 use crate::trace::{Trace, Vector};
 use crate::{Force, FrameId, Material, Torque};
@@ -61,7 +61,7 @@ pub(super) fn torques(trace: &Trace<'_>) -> Vec<FrameTorque> {
     all
 }
 
-/// What the given potential and Rayleigh's function add to the residual: dV/dq + dD/du.
+/// The terms of the given potential and of Rayleigh's function in the residual: dV/dq + dD/du.
 pub(super) fn by_energies(trace: &Trace<'_>, speed: usize) -> Sym {
     let energies = &trace.model.energies;
     let potential = energies.potential.map_or(Sym::ZERO, |id| trace.by_coordinate(trace.scalar(id), speed));

@@ -5,7 +5,7 @@ mod decide;
 mod fraction;
 mod generators;
 mod hypotheses;
-mod identified;
+mod identity;
 mod kernel;
 mod lowest;
 mod normal;
@@ -14,6 +14,6 @@ mod witness;
 
 pub use decide::{Decision, Proof, decide, decide_modulo};
 pub use hypotheses::{Hypotheses, Refused};
-pub use identified::{Identity, identified};
+pub use identity::{Identity, identified};
 pub use normal::{NormalForm, NotNormal, normal};
 pub use witness::Witness;

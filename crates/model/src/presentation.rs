@@ -72,7 +72,7 @@ pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
     frames.chain(points).collect()
 }
 
-/// What every constraint speaks of, each on a line: positions or speeds; in the speeds linear, affine or nonlinear; with the time or
+/// The kind of every constraint, each on a line: of positions or of speeds; in the speeds linear, affine or nonlinear; with the time or
 /// without.
 pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
     let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();

@@ -27,7 +27,7 @@ const MOST_POINTS: usize = 64;
 /// Points in vain, at which a denominator vanishes, after which it is taken to vanish everywhere.
 const MOST_IN_VAIN: usize = 16;
 
-/// What a test at random points says.
+/// The result of a test at random points.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Identity {
     /// The expression vanishes at every point: it is zero, but for a probability of error of at most 2^`error`.
