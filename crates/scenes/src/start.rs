@@ -131,6 +131,7 @@ impl Constraints {
     /// The first constraint whose direction depends on those of the others before it.
     fn redundant(&self, state: &[f64]) -> Option<Range<usize>> {
         let (_, jacobian) = self.at(state, None);
+        let largest = jacobian.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
         let mut kept: Vec<DVector<f64>> = Vec::new();
         for (row, (_, _, at)) in self.known.iter().enumerate() {
             let whole: DVector<f64> = jacobian.row(row).transpose();
@@ -138,7 +139,7 @@ impl Constraints {
             let rest =
                 (0..2).fold(whole.clone(), |rest, _| kept.iter().fold(rest, |rest, one| &rest - one * one.dot(&rest)));
             let length = rest.norm();
-            if length <= RANK * whole.norm() || length == 0.0 {
+            if length <= RANK * whole.norm() || whole.norm() <= RANK * largest || length == 0.0 {
                 return Some(at.clone());
             }
             kept.push(rest / length);

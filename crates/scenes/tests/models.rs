@@ -117,6 +117,20 @@ fn a_driven_system_is_not_said_to_keep_its_energy() {
     assert!(!kept("w*t") && kept("0*w*t") && kept("0.3"));
 }
 
+/// Down a plane inclined by 20 degrees a cylinder runs with 2/3 g sin(20 deg), its constraint a vector whose second component vanishes by
+/// cos^2 + sin^2 = 1 alone.
+#[test]
+fn components_of_a_constraint_that_vanish_identically_drop_out() {
+    let text = "title = \"A cylinder\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"2 kg\"\nR = \"0.1 m\"\ng = \"9.81 m/s^2\"\n\
+                inc = \"20 deg\"\n[coordinates]\nx = \"m\"\nw = \"rad\"\n[frames]\nI = \"N turned -inc about z\"\nC = \"I turned w about z\"\n\
+                [points]\nK = \"O + x*I.x\"\nG = \"K + R*I.y\"\n[bodies.cyl]\nframe = \"C\"\ncentre = \"G\"\nmass = \"m\"\ninertia = \"m*R^2/2\"\n\
+                [[constraint]]\nzero = \"velocity(cyl at K)\"\n[run]\nspan = \"1 s\"\n";
+    let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    let (row, _) = end(&scene, Method::DormandPrince8, 1e-12);
+    let exact = 9.81 * 20.0_f64.to_radians().sin() / 3.0;
+    assert!((row[0] - exact).abs() < 1e-11, "{} {exact}", row[0]);
+}
+
 #[test]
 fn every_model_has_a_reference_of_25_digits_that_is_its_own() {
     for path in all() {

@@ -2,7 +2,7 @@
 
 use crate::{Constraint, Trace};
 use std::ops::Range;
-use symbolic::Sym;
+use symbolic::{Hypotheses, Identity, Sym, decide, identified};
 
 /// Whether a constraint speaks of positions or of speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +29,7 @@ pub struct Equation {
     pub at: Range<usize>,
 }
 
-/// One for each scalar, and for each component of a vector that is not the constant zero.
+/// One for each scalar, and for each component of a vector that does not vanish identically.
 pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
     let mut all = Vec::new();
     for constraint in &trace.model.constraints {
@@ -37,12 +37,21 @@ pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
             Constraint::Scalar { name, zero, at } => all.push(equation(trace, name, trace.scalar(*zero), at)),
             Constraint::Vector { name, zero, at } => {
                 let components = trace.vector(*zero).components.into_iter();
-                let held = components.filter(|component| *component != Sym::ZERO);
+                let held = components.filter(|component| !vanishes(*component));
                 all.extend(held.map(|component| equation(trace, name, component, at)));
             }
         }
     }
     all
+}
+
+/// Whether a component is zero for all values: by random points of prime fields, or by its normal form where it has roots.
+fn vanishes(component: Sym) -> bool {
+    match identified(&[component]) {
+        Identity::Identified { .. } => true,
+        Identity::NotZero => false,
+        Identity::Untested(_) => decide(component, &Hypotheses::none()).is_zero(),
+    }
 }
 
 fn equation(trace: &Trace<'_>, name: &Option<String>, zero: Sym, at: &Range<usize>) -> Equation {
