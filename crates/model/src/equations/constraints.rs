@@ -1,6 +1,6 @@
 //! Constraints as equations between accelerations.
 
-use crate::{Constraint, Trace};
+use crate::{Constraint, FrameId, Trace, Vector};
 use std::ops::Range;
 use symbolic::{Hypotheses, Identity, Sym, decide, identified};
 
@@ -36,13 +36,24 @@ pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
         match constraint {
             Constraint::Scalar { name, zero, at } => all.push(equation(trace, name, trace.scalar(*zero), at)),
             Constraint::Vector { name, zero, at } => {
-                let components = trace.vector(*zero).components.into_iter();
-                let held = components.filter(|component| !vanishes(*component));
-                all.extend(held.map(|component| equation(trace, name, component, at)));
+                let held = independent(trace, trace.vector(*zero));
+                all.extend(held.into_iter().map(|component| equation(trace, name, component, at)));
             }
         }
     }
     all
+}
+
+/// The components of a vector that do not vanish, in the axes in which the most of them do: those of its frame, or of one that this
+/// turns in. A vector along a line has one there, and two that depend on each other in axes that turn.
+fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<Sym> {
+    let above = |frame: &FrameId| trace.model.frames[frame.0].parent.map(|(parent, _)| parent);
+    let frames = std::iter::successors(Some(vector.frame), above);
+    let held = frames.map(|frame| {
+        let components = trace.express(vector, frame).into_iter();
+        components.filter(|component| !vanishes(*component)).collect::<Vec<_>>()
+    });
+    held.min_by_key(Vec::len).unwrap_or_default()
 }
 
 /// Whether a component is zero for all values: by random points of prime fields, or by its normal form where it has roots.
