@@ -69,7 +69,7 @@ pub struct Point {
 }
 
 /// A point, of a body or of none.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Material {
     pub body: Option<BodyId>,
     pub point: PointId,
@@ -134,20 +134,22 @@ pub struct Energies {
     pub dissipation: Option<ScalarId>,
 }
 
-/// An expression that is zero along every motion.
+/// An expression f that is zero along every motion, or is led to zero.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Constraint {
-    Scalar {
-        name: Option<String>,
-        zero: ScalarId,
-        at: Range<usize>,
-    },
+pub struct Constraint {
+    pub name: Option<String>,
+    pub zero: Zero,
+    /// Of one that is led to zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
+    pub gains: Option<Vec<ScalarId>>,
+    pub at: Range<usize>,
+}
+
+/// The expression of a constraint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Zero {
+    Scalar(ScalarId),
     /// Every component that does not vanish by itself.
-    Vector {
-        name: Option<String>,
-        zero: VectorId,
-        at: Range<usize>,
-    },
+    Vector(VectorId),
 }
 
 /// A scalar that a run shows.
@@ -156,6 +158,47 @@ pub struct Output {
     pub name: String,
     pub is: ScalarId,
     pub dimension: Dimension,
+}
+
+/// A quantity that acts from outside: a force, a voltage, a prescribed angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Input {
+    pub name: String,
+    pub dimension: Dimension,
+    pub unit: String,
+    /// An expression of time and state; none where it is left open.
+    pub value: Option<ScalarId>,
+}
+
+/// The direction in which an expression passes zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    Up,
+    Down,
+    Both,
+}
+
+/// An instant at which an expression passes zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// Empty where it has none.
+    pub name: String,
+    pub when: ScalarId,
+    pub direction: Direction,
+    /// The state after it.
+    pub set: Vec<Assignment>,
+    /// Whether the motion ends.
+    pub ends: bool,
+    pub at: Range<usize>,
+}
+
+/// A coordinate, or its speed, after an event: an expression of the state before it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assignment {
+    pub coordinate: usize,
+    /// Zero for the coordinate, one for its speed.
+    pub order: usize,
+    pub is: ScalarId,
 }
 
 /// A coordinate, or its speed, at time zero.
@@ -187,6 +230,10 @@ pub struct Model {
     pub torques: Vec<Torque>,
     pub constraints: Vec<Constraint>,
     pub outputs: Vec<Output>,
+    pub inputs: Vec<Input>,
+    /// Expressions at whose zeros something is chosen anew.
+    pub switches: Vec<ScalarId>,
+    pub events: Vec<Event>,
     pub start: Vec<StartValue>,
     pub(crate) arena: Arena,
 }

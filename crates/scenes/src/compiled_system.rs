@@ -1,5 +1,6 @@
 //! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
 
+use crate::modes::{Case, held};
 use derivations::differentiated::Differentiated;
 use derivations::recorded::Recorded;
 use derivations::scene::problem::Law;
@@ -15,14 +16,16 @@ use symbolic::{Hypotheses, Sym, decide, substitute_all};
 /// Why a model has no law that runs.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotCompiled {
-    /// A parameter without a value.
-    Open { parameter: String },
+    /// A parameter or an input without a value.
+    Open { what: &'static str, name: String },
     /// An axial inertia on a body that tilts.
     Tilted { body: String },
     /// No inertia resists a coordinate.
     Massless { coordinate: String },
     /// A constraint that others imply.
     Redundant { constraint: usize },
+    /// A switch that no value between its cases keeps at zero.
+    NotHeld { switch: usize },
     /// Longer than what can be run.
     TooLong,
 }
@@ -30,7 +33,10 @@ pub enum NotCompiled {
 impl fmt::Display for NotCompiled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Open { parameter } => write!(f, "the parameter `{parameter}` has no value: a run needs one"),
+            Self::Open { what, name } => write!(f, "the {what} `{name}` has no value: a run needs one"),
+            Self::NotHeld { switch } => {
+                write!(f, "condition {} cannot be kept at zero: nothing in the law grows with it alone", switch + 1)
+            }
             Self::Tilted { body } => {
                 write!(f, "`{body}` turns about another axis than z: one moment of inertia does not say how it resists")
             }
@@ -47,6 +53,8 @@ impl fmt::Display for NotCompiled {
 #[derive(Debug)]
 pub struct CompiledSystem {
     model: Arc<Model>,
+    /// Of each switch of the model, the case in which the law holds.
+    pub mode: Vec<Case>,
     rates: Program,
     /// Scalars that a run shows beside the state.
     outputs: Program,
@@ -55,17 +63,17 @@ pub struct CompiledSystem {
 }
 
 impl CompiledSystem {
-    /// Writes the equations down and compiles them.
+    /// Writes the equations down and compiles them; `mode` has the case of each switch.
     ///
     /// # Errors
     /// Why there is no law that runs.
-    pub fn of(model: &Arc<Model>) -> Result<Self, NotCompiled> {
+    pub fn of(model: &Arc<Model>, mode: &[Case]) -> Result<Self, NotCompiled> {
         has_values(model)?;
         let states = 2 * model.coordinates.len();
         let (mut wrong, mut keeps_energy) = (None, false);
         let rates = Program::of_any_length(states, |time, state| {
             keeps_energy = conserves(model);
-            rates(model, time, state).unwrap_or_else(|reason| {
+            rates(model, mode, time, state).unwrap_or_else(|reason| {
                 wrong = Some(reason);
                 Vec::new()
             })
@@ -74,9 +82,10 @@ impl CompiledSystem {
             return Err(reason);
         }
         let outputs =
-            Program::of_any_length(states, |time, state| outputs(model, time, state)).ok_or(NotCompiled::TooLong)?;
+            Program::of_any_length(states, |time, state| outputs(model, mode, time, state)).ok_or(NotCompiled::TooLong)?;
         Ok(CompiledSystem {
             model: Arc::clone(model),
+            mode: mode.to_vec(),
             rates: rates.ok_or(NotCompiled::TooLong)?,
             outputs,
             keeps_energy,
@@ -96,11 +105,14 @@ impl CompiledSystem {
     }
 }
 
-/// Whether every parameter has a value.
+/// Whether every parameter and every input has a value.
 pub(crate) fn has_values(model: &Model) -> Result<(), NotCompiled> {
-    match model.parameters.iter().find(|parameter| parameter.value.is_none()) {
-        Some(open) => Err(NotCompiled::Open { parameter: open.name.clone() }),
-        None => Ok(()),
+    let parameter = model.parameters.iter().find(|parameter| parameter.value.is_none()).map(|open| &open.name);
+    let input = model.inputs.iter().find(|input| input.value.is_none()).map(|open| &open.name);
+    match (parameter, input) {
+        (Some(open), _) => Err(NotCompiled::Open { what: "parameter", name: open.clone() }),
+        (None, Some(open)) => Err(NotCompiled::Open { what: "input", name: open.clone() }),
+        (None, None) => Ok(()),
     }
 }
 
@@ -108,24 +120,42 @@ pub(crate) fn has_values(model: &Model) -> Result<(), NotCompiled> {
 pub const ENERGIES: usize = 2;
 
 /// The rates of the state over symbols of it.
-fn rates(model: &Model, time: Sym, state: &[Sym]) -> Result<Vec<Sym>, NotCompiled> {
+fn rates(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Result<Vec<Sym>, NotCompiled> {
     let trace = Trace::of(model);
-    if let Some(body) = trace.tilted().first() {
-        return Err(NotCompiled::Tilted { body: (*body).to_owned() });
-    }
-    let (accelerations, _) = Equations::of(&trace).solved().map_err(|singular| match singular {
-        Singular::Massless { coordinate } => {
-            NotCompiled::Massless { coordinate: model.coordinates[coordinate].name.clone() }
-        }
-        Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
-    })?;
+    let Motion { accelerations, .. } = Motion::of(&trace, mode)?;
     let all: Vec<Sym> = trace.speeds.iter().copied().chain(accelerations).collect();
     Ok(substitute_all(&all, &values(&trace, time, state)))
+}
+
+/// Accelerations in a mode, and the values of the switches.
+pub(crate) struct Motion {
+    pub accelerations: Vec<Sym>,
+    /// 1, 0, or what keeps the condition at zero.
+    pub switches: Vec<Sym>,
+}
+
+impl Motion {
+    pub(crate) fn of(trace: &Trace<'_>, mode: &[Case]) -> Result<Self, NotCompiled> {
+        let model = trace.model;
+        if let Some(body) = trace.tilted().first() {
+            return Err(NotCompiled::Tilted { body: (*body).to_owned() });
+        }
+        let (accelerations, _) = Equations::of(trace).solved().map_err(|singular| match singular {
+            Singular::Massless { coordinate } => {
+                NotCompiled::Massless { coordinate: model.coordinates[coordinate].name.clone() }
+            }
+            Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
+        })?;
+        held(trace, mode, accelerations)
+    }
 }
 
 /// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
 fn conserves(model: &Model) -> bool {
     let acts = !(model.forces.is_empty() && model.torques.is_empty()) || model.energies.dissipation.is_some();
+    if !(model.switches.is_empty() && model.events.is_empty()) {
+        return false;
+    }
     if acts || model.gravity.is_some() && Trace::of(model).uniform_gravity().is_none() {
         return false;
     }
@@ -139,7 +169,7 @@ fn conserves(model: &Model) -> bool {
         let moves = one.row.iter().any(|slope| slope.symbols_of().iter().any(|symbol| trace.speeds.contains(symbol)));
         one.level == Level::Position || !moves && one.zero.substitute(&at_rest) == Sym::ZERO
     };
-    let do_no_work = held.clone().all(|one| !knows_time(&one.zero) && is_linear(one));
+    let do_no_work = held.clone().all(|one| one.gains.is_none() && !knows_time(&one.zero) && is_linear(one));
     // a system that is driven at a speed of its own moves where its coordinates rest
     let driven = trace.kinetic_energy().substitute(&at_rest);
     let is_driven = driven != Sym::ZERO && !decide(driven, &Hypotheses::none()).is_zero();
@@ -147,14 +177,17 @@ fn conserves(model: &Model) -> bool {
 }
 
 /// The outputs, the kinetic and the potential energy.
-fn outputs(model: &Model, time: Sym, state: &[Sym]) -> Vec<Sym> {
+fn outputs(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Vec<Sym> {
     let trace = Trace::of(model);
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
     let mut all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
     let used: Vec<Sym> = all.iter().flat_map(|each| each.symbols_of()).collect();
-    if trace.accelerations.iter().any(|symbol| used.contains(symbol))
-        && let Ok((accelerations, _)) = Equations::of(&trace).solved()
+    let mut moved = trace.accelerations.iter().chain(&trace.switches);
+    if moved.any(|symbol| used.contains(symbol))
+        && let Ok(Motion { accelerations, switches }) = Motion::of(&trace, mode)
     {
+        let known: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches).collect();
+        all = substitute_all(&all, &known);
         let known: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations).collect();
         all = substitute_all(&all, &known);
     }
@@ -193,7 +226,7 @@ impl Ode<Sym> for CompiledSystem {
     }
 
     fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
-        match rates(&self.model, t, y) {
+        match rates(&self.model, &self.mode, t, y) {
             Ok(rates) => dy.copy_from_slice(&rates),
             Err(_) => dy.fill(Sym::UNDEFINED),
         }

@@ -7,10 +7,12 @@
 
 mod admissible;
 mod compiled_system;
+mod modes;
 mod scene;
 mod start;
 pub mod text;
 
 pub use compiled_system::{CompiledSystem, NotCompiled};
+pub use modes::Case;
 pub use scene::{ModelScene, read_model, register};
 pub use start::{Open, Unmet, consistent};

@@ -70,6 +70,18 @@ impl Table<'_> {
         texts
     }
 
+    /// `true` or `false`; false where it is left out.
+    pub fn flag(&mut self, key: &str) -> bool {
+        let Some(found) = self.find(key) else { return false };
+        match found.get_ref() {
+            DeValue::Boolean(value) => *value,
+            other => {
+                self.wrong_kind(found.span(), key, other, "true or false is accepted");
+                false
+            }
+        }
+    }
+
     /// A whole number of at least `least`.
     pub fn count(&mut self, key: &str, meaning: &str, least: usize, most: usize) -> At<usize> {
         self.optional_count(key, meaning, least, most).unwrap_or_else(|| {

@@ -17,6 +17,8 @@ const MOST_BITS: u64 = 1 << 20;
 pub(super) enum Meaning {
     Value(Value),
     Body(crate::BodyId),
+    /// A comparison, as its switch.
+    Condition(crate::ScalarId),
 }
 
 impl Elaborator<'_> {
@@ -34,6 +36,7 @@ impl Elaborator<'_> {
                 let title = format!("the body `{name}` is no expression");
                 Err(Box::new(Fault::at(text.span(), title, "a body", format!("its motion: velocity({name} at P)"))))
             }
+            Some(Meaning::Condition(_)) => Err(lone_condition(text.span())),
             None => Err(Box::new(Fault::at(text.span(), "nothing stands here", "empty", super::EXAMPLES))),
         }
     }
@@ -54,6 +57,7 @@ impl Elaborator<'_> {
                 "a body",
                 "its points and motion are: velocity(disc at P)",
             ))),
+            Meaning::Condition(_) => Err(lone_condition(text.part(&spans[*part]))),
         };
         let value = match form {
             Form::Number(digits) => self.number(span, digits, "")?,
@@ -78,7 +82,10 @@ impl Elaborator<'_> {
             Form::Dot(a, b) => self.dot(span, operand(a)?, operand(b)?)?,
             Form::Power(a, exponent) => self.power(span, operand(a)?, *exponent)?,
             Form::Call { function, arguments } => self.call(text, span, function, arguments, known)?,
-            Form::Comparison(..) => return Err(not_yet(span, "a comparison")),
+            Form::Comparison(relation, a, b) => {
+                let switch = self.comparison(span, *relation, operand(a)?, operand(b)?)?;
+                return Ok(Meaning::Condition(switch));
+            }
         };
         Ok(Meaning::Value(value))
     }
@@ -148,7 +155,7 @@ impl Elaborator<'_> {
     }
 
     /// The dimension of two parts that are added; zero fits to everything.
-    fn common(&self, span: &Range<usize>, a: usize, b: usize) -> Sound<Option<Dimension>> {
+    pub(super) fn common(&self, span: &Range<usize>, a: usize, b: usize) -> Sound<Option<Dimension>> {
         match (self.dimension_of(a), self.dimension_of(b)) {
             (Some(left), Some(right)) if left != right => Err(Box::new(Fault::at(
                 span.clone(),
@@ -305,6 +312,11 @@ impl Elaborator<'_> {
     pub(super) fn seen_from(&self, name: &str, span: Range<usize>) -> Sound<FrameId> {
         self.frame(&Text::at(name, span.start))
     }
+}
+
+pub(super) fn lone_condition(span: Range<usize>) -> Box<Fault> {
+    let accepted = "if(t < (2 s), a, b)";
+    Box::new(Fault::at(span, "a condition stands in `if` alone", "a condition", accepted))
 }
 
 pub(super) fn no_operation(span: &Range<usize>, done: &str, values: &[Value]) -> Box<Fault> {

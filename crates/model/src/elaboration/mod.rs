@@ -1,5 +1,8 @@
 //! From a system as it was written to a model: names resolved in the order in which they need each other, dimensions checked.
 
+mod choices;
+mod elementary;
+mod events;
 mod expressions;
 mod functions;
 mod loads;
@@ -35,6 +38,7 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     }
     elaborator.bodies();
     elaborator.loads();
+    elaborator.events();
     elaborator.start();
     match elaborator.faults.is_empty() {
         true => Ok(elaborator.model),
@@ -96,9 +100,14 @@ impl<'s> Elaborator<'s> {
     }
 
     fn scalar(&mut self, scalar: Scalar, dimension: Option<Dimension>) -> ScalarId {
-        self.dimensions.push(dimension);
-        self.bits.push(self.bits_of(&scalar));
-        self.arena().scalar(scalar)
+        let bits = self.bits_of(&scalar);
+        let id = self.arena().scalar(scalar, dimension);
+        // what was written before has its dimension
+        if id.0 == self.dimensions.len() {
+            self.dimensions.push(dimension);
+            self.bits.push(bits);
+        }
+        id
     }
 
     /// A bound of the bits of a number that is made of numbers.
@@ -117,9 +126,12 @@ impl<'s> Elaborator<'s> {
     }
 
     fn vector(&mut self, vector: Vector, dimension: Option<Dimension>) -> VectorId {
-        self.dimensions.push(dimension);
-        self.bits.push(None);
-        self.arena().vector(vector)
+        let id = self.arena().vector(vector);
+        if id.0 == self.dimensions.len() {
+            self.dimensions.push(dimension);
+            self.bits.push(None);
+        }
+        id
     }
 
     fn dimension_of(&self, part: usize) -> Option<Dimension> {

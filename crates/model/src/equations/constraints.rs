@@ -1,6 +1,6 @@
 //! Constraints as equations between accelerations.
 
-use crate::{Constraint, FrameId, Trace, Vector};
+use crate::{Constraint, FrameId, Trace, Vector, Zero};
 use std::ops::Range;
 use symbolic::{Hypotheses, Identity, Sym, decide, identified};
 
@@ -23,8 +23,10 @@ pub struct Equation {
     pub rate: Sym,
     /// The row of J: the derivatives of that by the speeds.
     pub row: Vec<Sym>,
-    /// c: what is left of the next rate where accelerations are zero.
+    /// c: what is left of the next rate where accelerations are zero, with the gains of a constraint that is led to zero.
     pub bias: Sym,
+    /// Of one that is led to zero, and may start elsewhere, the number of its gains.
+    pub gains: Option<usize>,
     /// Where the model has it.
     pub at: Range<usize>,
 }
@@ -33,11 +35,11 @@ pub struct Equation {
 pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
     let mut all = Vec::new();
     for constraint in &trace.model.constraints {
-        match constraint {
-            Constraint::Scalar { name, zero, at } => all.push(equation(trace, name, trace.scalar(*zero), at)),
-            Constraint::Vector { name, zero, at } => {
-                let held = independent(trace, trace.vector(*zero));
-                all.extend(held.into_iter().map(|component| equation(trace, name, component, at)));
+        match constraint.zero {
+            Zero::Scalar(zero) => all.push(equation(trace, constraint, trace.scalar(zero))),
+            Zero::Vector(zero) => {
+                let held = independent(trace, trace.vector(zero));
+                all.extend(held.into_iter().map(|component| equation(trace, constraint, component)));
             }
         }
     }
@@ -65,7 +67,8 @@ fn vanishes(component: Sym) -> bool {
     }
 }
 
-fn equation(trace: &Trace<'_>, name: &Option<String>, zero: Sym, at: &Range<usize>) -> Equation {
+fn equation(trace: &Trace<'_>, constraint: &Constraint, zero: Sym) -> Equation {
+    let Constraint { name, gains, at, .. } = constraint;
     let symbols = zero.symbols_of();
     let level = match trace.speeds.iter().any(|speed| symbols.contains(speed)) {
         true => Level::Speed,
@@ -74,6 +77,11 @@ fn equation(trace: &Trace<'_>, name: &Option<String>, zero: Sym, at: &Range<usiz
     let rate = if level == Level::Position { trace.rate_of(zero) } else { zero };
     let row: Vec<Sym> = (0..trace.speeds.len()).map(|i| trace.by_speed(rate, i)).collect();
     let at_rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&symbol| (symbol, Sym::ZERO)).collect();
-    let bias = trace.rate_of(rate).substitute(&at_rest);
-    Equation { name: name.clone().unwrap_or_default(), level, zero, rate, row, bias, at: at.clone() }
+    let mut bias = trace.rate_of(rate).substitute(&at_rest);
+    let below: &[Sym] = if level == Level::Position { &[rate, zero] } else { &[zero] };
+    for (&gain, &lower) in gains.iter().flatten().zip(below) {
+        bias += trace.scalar(gain) * lower;
+    }
+    let (name, gains) = (name.clone().unwrap_or_default(), gains.as_ref().map(Vec::len));
+    Equation { name, level, zero, rate, row, bias, gains, at: at.clone() }
 }

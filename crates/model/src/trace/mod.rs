@@ -12,7 +12,7 @@ pub use vector::Vector;
 
 use crate::arena::{Function, Number, Part, Scalar};
 use crate::expression::Exponent;
-use crate::{FrameId, Model, ScalarId, VectorId};
+use crate::{FrameId, Input, Model, ScalarId, VectorId};
 use field::{Analytic, Over, Rational};
 use std::cell::RefCell;
 use symbolic::{Derivation, Sym};
@@ -27,6 +27,8 @@ pub struct Trace<'m> {
     pub coordinates: Vec<Sym>,
     /// Their rates u = q'.
     pub speeds: Vec<Sym>,
+    /// A letter for each switch, 1 or 0, which no motion changes.
+    pub switches: Vec<Sym>,
     /// u'.
     pub accelerations: Vec<Sym>,
     /// Along the motion: q' = u, u' by its own symbols, t' = 1.
@@ -71,6 +73,7 @@ impl<'m> Trace<'m> {
             by_coordinate: alone(&coordinates),
             coordinates,
             speeds,
+            switches: Vec::new(),
             accelerations,
             frames: Frames::default(),
             points: RefCell::new(Vec::new()),
@@ -80,12 +83,28 @@ impl<'m> Trace<'m> {
         trace.turn_frames(0);
         for (place, part) in model.arena.parts.iter().enumerate() {
             match part {
+                Part::Scalar(Scalar::Switch(_)) => {
+                    let letter = trace.letter_of_next_switch();
+                    trace.switches.push(letter);
+                    trace.scalars[place] = letter;
+                }
                 Part::Scalar(scalar) => trace.scalars[place] = trace.scalar_of(scalar),
                 Part::Vector(vector) => trace.vectors[place] = trace.vector_of(vector),
             }
             trace.turn_frames(place + 1);
         }
         trace
+    }
+
+    /// The bracket of Iverson: 1 where the condition holds, else 0.
+    fn letter_of_next_switch(&self) -> Sym {
+        let number = self.switches.len();
+        let condition = self.scalar(self.model.switches[number]);
+        let (text, latex) = match Sym::operations_of(&[condition]) {
+            few if few <= MOST_IN_BRACKETS => (condition.to_string(), condition.latex()),
+            _ => (format!("condition {}", number + 1), format!(r"\text{{condition {}}}", number + 1)),
+        };
+        Sym::named(&format!("[{text} > 0]"), &format!("[{latex} > 0]"))
     }
 
     /// The frames whose angles are among so many parts.
@@ -168,6 +187,11 @@ impl<'m> Trace<'m> {
             Scalar::Rate { coordinate, order: 1 } => self.speeds[*coordinate],
             Scalar::Rate { coordinate, .. } => self.accelerations[*coordinate],
             Scalar::Time => self.time,
+            Scalar::Switch(switch) => self.switches[*switch],
+            Scalar::Input(input) => match &self.model.inputs[*input] {
+                Input { value: Some(value), .. } => self.scalar(*value),
+                Input { name, value: None, .. } => Sym::symbol(name),
+            },
             Scalar::Negation(a) => -of(a),
             Scalar::Sum(a, b) => of(a) + of(b),
             Scalar::Difference(a, b) => of(a) - of(b),
@@ -184,6 +208,7 @@ impl<'m> Trace<'m> {
                     Function::Sqrt => a.sqrt(),
                 }
             }
+            Scalar::Elementary(function, a, b) => of(a).elementary(*function, of(b)),
             Scalar::Dot(a, b) => self.dot(self.vector(*a), self.vector(*b)),
             Scalar::Norm(a) => {
                 let a = self.vector(*a);
@@ -215,6 +240,9 @@ impl<'m> Trace<'m> {
         }
     }
 }
+
+/// Conditions with more parts are printed by their number.
+const MOST_IN_BRACKETS: usize = 12;
 
 /// The decimal as it was written, in its unit.
 fn exactly(number: &Number) -> Sym {
