@@ -5,9 +5,9 @@ use std::fmt::Debug;
 use std::ops::Neg;
 use xprec::Df64;
 
-use crate::{Circle, Elementary};
 use crate::quarters::{far, is_near, near, plus};
 use crate::sixteenths;
+use crate::{Circle, Elementary};
 
 /// A number of some field: operations and exact constants, no order, no rounding to `f64`.
 pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + NumAssignOps + Neg<Output = Self> {

@@ -1,5 +1,6 @@
 //! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
 
+use crate::implicit::Implicit;
 use crate::modes::{Case, held};
 use derivations::differentiated::Differentiated;
 use derivations::recorded::Recorded;
@@ -55,12 +56,25 @@ pub struct CompiledSystem {
     model: Arc<Model>,
     /// Of each switch of the model, the case in which the law holds.
     pub mode: Vec<Case>,
-    rates: Program,
-    /// Scalars that a run shows beside the state.
+    rates: Rates,
+    /// Scalars that a run shows beside the state, from the state, and from accelerations and multipliers where these are solved for.
     outputs: Program,
     /// Whether kinetic and potential energy together stay what they are.
     pub keeps_energy: bool,
 }
+
+/// The way to the rates.
+#[derive(Debug)]
+enum Rates {
+    /// The elimination is written down: any field, series too.
+    Written(Program),
+    /// Accelerations are solved for at each evaluation.
+    Solved(Arc<Implicit>),
+}
+
+/// Systems with more unknowns, accelerations and multipliers together, are solved at each evaluation: the elimination grows with
+/// their third power.
+const MOST_WRITTEN: usize = 40;
 
 impl CompiledSystem {
     /// Writes the equations down and compiles them; `mode` has the case of each switch.
@@ -69,6 +83,37 @@ impl CompiledSystem {
     /// Why there is no law that runs.
     pub fn of(model: &Arc<Model>, mode: &[Case]) -> Result<Self, NotCompiled> {
         has_values(model)?;
+        let changes = !(model.switches.is_empty() && model.events.is_empty());
+        let unknowns = model.coordinates.len() + model.constraints.len();
+        if !changes && unknowns > MOST_WRITTEN {
+            return CompiledSystem::solved(model);
+        }
+        match CompiledSystem::written(model, mode) {
+            // a constraint may move what has no inertia
+            Err(NotCompiled::Massless { coordinate }) if !changes && !model.constraints.is_empty() => {
+                CompiledSystem::solved(model).map_err(|_| NotCompiled::Massless { coordinate })
+            }
+            other => other,
+        }
+    }
+
+    fn solved(model: &Arc<Model>) -> Result<Self, NotCompiled> {
+        let implicit = Implicit::of(model)?;
+        let mut keeps_energy = false;
+        let outputs = Program::of_any_length(implicit.extended(), |time, extended| {
+            keeps_energy = conserves(model);
+            outputs_of_solved(model, time, extended)
+        });
+        Ok(CompiledSystem {
+            model: Arc::clone(model),
+            mode: Vec::new(),
+            rates: Rates::Solved(Arc::new(implicit)),
+            outputs: outputs.ok_or(NotCompiled::TooLong)?,
+            keeps_energy,
+        })
+    }
+
+    fn written(model: &Arc<Model>, mode: &[Case]) -> Result<Self, NotCompiled> {
         let states = 2 * model.coordinates.len();
         let (mut wrong, mut keeps_energy) = (None, false);
         let rates = Program::of_any_length(states, |time, state| {
@@ -81,12 +126,12 @@ impl CompiledSystem {
         if let Some(reason) = wrong {
             return Err(reason);
         }
-        let outputs =
-            Program::of_any_length(states, |time, state| outputs(model, mode, time, state)).ok_or(NotCompiled::TooLong)?;
+        let outputs = Program::of_any_length(states, |time, state| outputs(model, mode, time, state))
+            .ok_or(NotCompiled::TooLong)?;
         Ok(CompiledSystem {
             model: Arc::clone(model),
             mode: mode.to_vec(),
-            rates: rates.ok_or(NotCompiled::TooLong)?,
+            rates: Rates::Written(rates.ok_or(NotCompiled::TooLong)?),
             outputs,
             keeps_energy,
         })
@@ -94,13 +139,29 @@ impl CompiledSystem {
 
     /// As every method runs it: with series and derivatives where it asks for them.
     pub fn law(self: &Arc<Self>) -> Arc<dyn Law> {
-        Arc::new(Differentiated::new(Recorded::new(Arc::clone(self)), Arc::clone(self)))
+        match &self.rates {
+            Rates::Written(_) => Arc::new(Differentiated::new(Recorded::new(Arc::clone(self)), Arc::clone(self))),
+            Rates::Solved(implicit) => Arc::clone(implicit) as Arc<dyn Law>,
+        }
+    }
+
+    /// The coordinate whose acceleration is not determined at a state, where there is one.
+    pub fn undetermined(&self, state: &[f64]) -> Option<&str> {
+        match &self.rates {
+            Rates::Written(_) => None,
+            Rates::Solved(implicit) => {
+                implicit.undetermined(state).map(|free| self.model.coordinates[free].name.as_str())
+            }
+        }
     }
 
     /// The outputs at a time and a state.
     pub fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.model.outputs.len() + ENERGIES];
-        self.outputs.run(time, state, &mut values);
+        match &self.rates {
+            Rates::Written(_) => self.outputs.run(time, state, &mut values),
+            Rates::Solved(implicit) => self.outputs.run(time, &implicit.extend(time, state), &mut values),
+        };
         values
     }
 }
@@ -194,6 +255,16 @@ fn outputs(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Vec<Sym> {
     substitute_all(&all, &values(&trace, time, state))
 }
 
+/// The same where accelerations and multipliers stand behind the state.
+fn outputs_of_solved(model: &Model, time: Sym, extended: &[Sym]) -> Vec<Sym> {
+    let trace = Trace::of(model);
+    let n = trace.speeds.len();
+    let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
+    let all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
+    let solved: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(extended[2 * n..].iter().copied()).collect();
+    substitute_all(&all, &[values(&trace, time, &extended[..2 * n]), solved].concat())
+}
+
 /// Symbols of the model by those of the state, and parameters by their values.
 pub(crate) fn values(trace: &Trace<'_>, time: Sym, state: &[Sym]) -> Vec<(Sym, Sym)> {
     let known = trace.coordinates.iter().chain(&trace.speeds).copied().zip(state.iter().copied());
@@ -212,8 +283,11 @@ macro_rules! runs {
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                // made for a state of this length
-                self.rates.run(t, y, dy).unwrap_or(());
+                match &self.rates {
+                    // made for a state of this length
+                    Rates::Written(program) => program.run(t, y, dy).unwrap_or(()),
+                    Rates::Solved(implicit) => implicit.rates(t, y, dy),
+                }
             }
         }
     )*};

@@ -75,14 +75,33 @@ impl Implicit {
         Ok(Implicit { program, speeds, constraints, plain, slopes, exact })
     }
 
-    /// Whether accelerations are determined at a state.
-    pub fn is_determined(&self, state: &[f64]) -> bool {
-        let mut rates = vec![f64::NAN; state.len()];
-        Ode::<f64>::rates(self, 0.0, state, &mut rates);
-        rates.iter().all(|rate| rate.is_finite())
+    /// The length of [`Self::extend`].
+    pub fn extended(&self) -> usize {
+        3 * self.speeds + self.constraints
     }
 
-    fn solve<S: Field>(&self, pool: &Pool<S>, t: S, y: &[S], dy: &mut [S]) {
+    /// The state with the accelerations and the multipliers behind it; no numbers where they are not determined.
+    pub fn extend(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let mut extended = state.to_vec();
+        extended.resize(self.extended(), f64::NAN);
+        let shown = self.solve(&self.plain, time, state, |found| {
+            let (accelerations, multipliers) = extended[2 * self.speeds..].split_at_mut(self.speeds);
+            accelerations.copy_from_slice(&found[..self.speeds]);
+            multipliers.iter_mut().zip(&found[self.speeds..]).for_each(|(lambda, less)| *lambda = -less);
+        });
+        // what is not determined stays no number
+        shown.unwrap_or(());
+        extended
+    }
+
+    /// The coordinate whose acceleration is not determined at a state; of one that has no value at all, the first.
+    pub fn undetermined(&self, state: &[f64]) -> Option<usize> {
+        let solved = self.solve(&self.plain, 0.0, state, |_| ());
+        solved.err().map(|free| free.unwrap_or(0))
+    }
+
+    /// Shows the accelerations and the negative multipliers, where they are determined.
+    fn solve<S: Field>(&self, pool: &Pool<S>, t: S, y: &[S], show: impl FnOnce(&[S])) -> Result<(), Option<usize>> {
         let (n, m) = (self.speeds, self.constraints);
         let size = n + m;
         let taken = pool.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
@@ -94,14 +113,14 @@ impl Implicit {
             scale: vec![0.0; size],
             columns: (0..size).collect(),
         });
-        dy[..n].copy_from_slice(&y[n..]);
         let made = self.program.run(t, y, &mut room.written);
         room.fill(n, m);
-        match made.and_then(|()| room.solved(n)) {
-            Some(()) => dy[n..].iter_mut().zip(&room.right).for_each(|(rate, found)| *rate = *found),
-            None => dy[n..].fill(S::one() / S::zero() * S::zero()),
+        let solved = made.ok_or(None).and_then(|()| room.solved(n));
+        if solved.is_ok() {
+            show(&room.right);
         }
         pool.0.lock().unwrap_or_else(PoisonError::into_inner).push(room);
+        solved
     }
 }
 
@@ -140,8 +159,11 @@ impl<S: Field> Room<S> {
         }
     }
 
-    /// The unknowns in the place of the right side; none where the first n are not determined.
-    fn solved(&mut self, n: usize) -> Option<()> {
+    /// The unknowns in the place of the right side.
+    ///
+    /// # Errors
+    /// One of the first n that is not determined, where there is one, or none where a number is missing.
+    fn solved(&mut self, n: usize) -> Result<(), Option<usize>> {
         let size = self.right.len();
         self.columns.iter_mut().enumerate().for_each(|(place, column)| *column = place);
         let (mut rank, mut first) = (size, 0.0);
@@ -151,7 +173,7 @@ impl<S: Field> Room<S> {
                 for j in step..size {
                     let entry = self.matrix[i * size + j].size();
                     if entry.is_nan() {
-                        return None;
+                        return Err(None);
                     }
                     if entry > largest {
                         (row, column, largest) = (i, j, entry);
@@ -188,8 +210,8 @@ impl<S: Field> Room<S> {
             }
         }
         // what is left free must be a multiplier
-        if self.columns[rank..].iter().any(|column| *column < n) {
-            return None;
+        if let Some(&free) = self.columns[rank..].iter().find(|column| **column < n) {
+            return Err(Some(free));
         }
         self.right[rank..].fill(S::zero());
         for step in (0..rank).rev() {
@@ -202,7 +224,7 @@ impl<S: Field> Room<S> {
         for (value, &column) in self.ordered.iter().zip(&self.columns) {
             self.right[column] = value.scaled(self.scale[column]);
         }
-        Some(())
+        Ok(())
     }
 }
 
@@ -252,7 +274,12 @@ macro_rules! runs {
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                self.solve(&self.$pool, t, y, dy);
+                let (rates, accelerations) = dy.split_at_mut(self.speeds);
+                rates.copy_from_slice(&y[self.speeds..]);
+                accelerations.fill(<$field>::from(f64::NAN));
+                let shown =
+                    self.solve(&self.$pool, t, y, |found| accelerations.copy_from_slice(&found[..self.speeds]));
+                shown.unwrap_or(());
             }
         }
     )*};

@@ -7,6 +7,7 @@
 
 mod admissible;
 mod compiled_system;
+mod implicit;
 mod modes;
 mod scene;
 mod start;

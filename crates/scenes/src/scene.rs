@@ -120,7 +120,9 @@ fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
         Refused::Law(reason) => not_compiled(reason),
         Refused::Motion(why) => {
             let issue = Issue::at(0..0, format!("this system cannot start: {why}"), "in this file");
-            issue.accepted("another start: the conditions of `if`, `sign`, `abs`, `min`, `max` and `table` choose its law")
+            issue.accepted(
+                "another start: the conditions of `if`, `sign`, `abs`, `min`, `max` and `table` choose its law",
+            )
         }
     })?;
     Ok((start, system))

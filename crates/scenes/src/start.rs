@@ -128,7 +128,8 @@ impl Constraints {
                 (None, _) | (Some(2), Level::Position) | (Some(1), Level::Speed) => false,
                 (Some(_), _) => true,
             };
-            let chooses = |each: &&Equation| each.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
+            let chooses =
+                |each: &&Equation| each.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
             piecewise = all.iter().find(chooses).map(|constraint| constraint.at.clone());
             unfit = all.iter().find(wrong).map(|constraint| (constraint.at.clone(), constraint.level));
             known = all.iter().map(|Equation { level, name, at, .. }| (*level, name.clone(), at.clone())).collect();

@@ -7,12 +7,8 @@ use model::{
 };
 
 /// Tables that the language will have.
-const LATER: [(&str, &str); 4] = [
-    ("contact", "contacts with friction"),
-    ("drive", "drives"),
-    ("circuit", "circuits"),
-    ("controls", "controls"),
-];
+const LATER: [(&str, &str); 4] =
+    [("contact", "contacts with friction"), ("drive", "drives"), ("circuit", "circuits"), ("controls", "controls")];
 
 /// Reads every table of the system.
 pub fn source(top: &mut Table<'_>) -> Source {

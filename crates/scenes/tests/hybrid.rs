@@ -1,8 +1,8 @@
 //! Systems whose law or state changes at events, beside their closed forms.
 
-use scenes::ModelScene;
 use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;
+use scenes::ModelScene;
 
 const METHODS: [Method; 3] = [Method::DormandPrince8, Method::Taylor, Method::Radau5];
 

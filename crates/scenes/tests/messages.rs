@@ -110,7 +110,7 @@ fn conditions_events_and_inputs_are_checked_where_they_stand() {
     };
     told("if(theta > 0, l)", &["`if` has 3 arguments", "2 stand here"]);
     told("if(theta, l, 2*l)", &["`if` begins with a condition"]);
-    told("l*cos(theta > 0)", &["a condition stands in `if` alone"]);
+    told("l*cos(theta > 0)", &["`cos` has no such argument"]);
     told("if(theta > l, l, 2*l)", &["different dimensions", "1 and m"]);
     told("if(theta > 0, l, m)", &["different dimensions", "m and kg"]);
     told("l*exp(l)", &["the argument of `exp` has the dimension 1"]);

@@ -132,8 +132,11 @@ fn components_of_a_constraint_that_vanish_identically_drop_out() {
 }
 
 #[test]
-fn every_model_has_a_reference_of_25_digits_that_is_its_own() {
+fn every_model_without_events_has_a_reference_of_25_digits_that_is_its_own() {
     for path in all() {
+        if open(&path).problem(Axes::First).switching.is_some() {
+            continue;
+        }
         let text =
             std::fs::read_to_string(stored::place(&path)).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let kept = Stored::read(&text).unwrap_or_else(|wrong| panic!("{}: {wrong}", path.display()));

@@ -48,8 +48,7 @@ impl Elaborator<'_> {
     fn chosen(&mut self, switch: ScalarId, a: ScalarId, b: ScalarId, dimension: Option<Dimension>) -> ScalarId {
         let one = self.whole(1.0);
         let off = self.scalar(Scalar::Difference(one, switch), Some(Dimension::none()));
-        let [a, b] =
-            [(switch, a), (off, b)].map(|(switch, of)| self.scalar(Scalar::Product(switch, of), dimension));
+        let [a, b] = [(switch, a), (off, b)].map(|(switch, of)| self.scalar(Scalar::Product(switch, of), dimension));
         self.scalar(Scalar::Sum(a, b), dimension)
     }
 

@@ -2,9 +2,9 @@
 
 use super::value::Value;
 use super::{Elaborator, Sound};
+use crate::ScalarId;
 use crate::arena::{Function, Number, Scalar};
 use crate::expression::Exponent;
-use crate::ScalarId;
 use field::Elementary;
 use std::ops::Range;
 use symbolic::Dimension;
@@ -49,8 +49,7 @@ impl Elaborator<'_> {
     fn hyperbolic(&mut self, of: ScalarId, even: bool) -> ScalarId {
         let back = self.unmeasured(Scalar::Negation(of));
         let (grows, falls) = (self.called(Elementary::Exp, of, of), self.called(Elementary::Exp, back, back));
-        let both =
-            self.unmeasured(if even { Scalar::Sum(grows, falls) } else { Scalar::Difference(grows, falls) });
+        let both = self.unmeasured(if even { Scalar::Sum(grows, falls) } else { Scalar::Difference(grows, falls) });
         let two = self.pure(2.0);
         self.unmeasured(Scalar::Quotient(both, two))
     }

@@ -142,7 +142,13 @@ impl Elaborator<'_> {
                 self.rate(span, &found[0])
             }
             later if LATER.contains(&later) => Err(not_yet(span, &format!("the function `{later}`"))),
-            other => Err(Box::new(unknown(&self.broken, span.clone(), other, "function", FUNCTIONS.into_iter().chain(OF_ONE)))),
+            other => Err(Box::new(unknown(
+                &self.broken,
+                span.clone(),
+                other,
+                "function",
+                FUNCTIONS.into_iter().chain(OF_ONE),
+            ))),
         }
     }
 

@@ -136,7 +136,8 @@ impl Elaborator<'_> {
 
     /// `u = { unit = "N", value = "if(t < (2 s), Fmax, 0)" }`
     fn input(&mut self, InputSource { name, unit, value }: &InputSource) -> Sound<Input> {
-        let (dimension, unit) = self.unit(unit, "an input has a unit", "u = { unit = \"N\", value = \"F*sin(w*t)\" }")?;
+        let (dimension, unit) =
+            self.unit(unit, "an input has a unit", "u = { unit = \"N\", value = \"F*sin(w*t)\" }")?;
         let what = format!("the input `{}`", name.text);
         let value = match value {
             Some(value) => Some(self.scalar_value(value, &what, Some(dimension))?),

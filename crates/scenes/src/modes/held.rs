@@ -16,8 +16,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &[Case], accelerations: Vec<Sym>) ->
         Case::Held => None,
     };
     let letters = trace.switches.iter().zip(mode);
-    let known: Vec<(Sym, Sym)> =
-        letters.clone().filter_map(|(&letter, case)| Some((letter, fixed(case)?))).collect();
+    let known: Vec<(Sym, Sym)> = letters.clone().filter_map(|(&letter, case)| Some((letter, fixed(case)?))).collect();
     let accelerations = substitute_all(&accelerations, &known);
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
     let unknown: Vec<usize> = (0..mode.len()).filter(|&k| mode[k] == Case::Held).collect();

@@ -7,6 +7,7 @@ mod signals;
 pub(crate) use held::held;
 
 use crate::compiled_system::{CompiledSystem, NotCompiled};
+use derivations::scene::problem::Law;
 use derivations::scene::switching::{Segment, Switching};
 use integrators::Event;
 use model::Model;
@@ -51,6 +52,8 @@ pub enum Refused {
 /// The law of a mode, with the signals that end it.
 pub(crate) struct Moded {
     pub system: Arc<CompiledSystem>,
+    /// Made once: series and Jacobian serve every segment.
+    law: Arc<dyn Law>,
     pub signals: Signals,
 }
 
@@ -69,7 +72,7 @@ impl Modes {
         let made = known.entry(mode.to_vec()).or_insert_with(|| {
             let system = Arc::new(CompiledSystem::of(&self.model, mode)?);
             let signals = Signals::of(&self.model, mode)?;
-            Ok(Arc::new(Moded { system, signals }))
+            Ok(Arc::new(Moded { law: system.law(), system, signals }))
         });
         made.clone()
     }
@@ -81,7 +84,11 @@ impl Modes {
     pub fn first(&self, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
         let off = vec![Case::Off; self.model.switches.len()];
         self.moded(&off).map_err(Refused::Law)?;
-        self.at(0.0, state).map(|moded| Arc::clone(&moded.system)).map_err(Refused::Motion)
+        let moded = self.at(0.0, state).map_err(Refused::Motion)?;
+        match moded.system.undetermined(state) {
+            Some(coordinate) => Err(Refused::Law(NotCompiled::Massless { coordinate: coordinate.to_owned() })),
+            None => Ok(Arc::clone(&moded.system)),
+        }
     }
 
     /// The law in which the run is, or was last.
@@ -93,7 +100,7 @@ impl Modes {
     fn enter(&self, current: Current) -> Segment {
         let Current { moded, sides } = current.clone();
         *self.current.lock().unwrap_or_else(PoisonError::into_inner) = Some(current);
-        Segment { law: moded.system.law(), switches: Box::new(Watch { moded, sides }) }
+        Segment { law: Arc::clone(&moded.law), switches: Box::new(Watch { moded, sides }) }
     }
 }
 

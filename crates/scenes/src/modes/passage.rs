@@ -11,7 +11,8 @@ use std::sync::Arc;
 /// Conditions that may be at zero together: every combination of their cases is tried.
 const MOST_OPEN: usize = 6;
 
-const NO_LAW: &str = "no law holds after a condition changes: it would have to be kept at zero, and nothing keeps it there";
+const NO_LAW: &str =
+    "no law holds after a condition changes: it would have to be kept at zero, and nothing keeps it there";
 const NONE: &str = "no case of its conditions agrees with the motion that it gives";
 const SEVERAL: &str = "several motions go on from here, each by another case of its conditions";
 const TOO_MANY: &str = "more than six conditions are at zero together";

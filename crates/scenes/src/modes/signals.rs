@@ -48,9 +48,7 @@ impl Signals {
         match (wrong, program) {
             (Some(reason), _) => Err(reason),
             (None, None) => Err(NotCompiled::TooLong),
-            (None, Some(program)) => {
-                Ok(Signals { falls, program, conditions: mode.len(), events: model.events.len() })
-            }
+            (None, Some(program)) => Ok(Signals { falls, program, conditions: mode.len(), events: model.events.len() }),
         }
     }
 
@@ -85,6 +83,9 @@ impl Signals {
 
 /// All that [`Signals::all`] gives, over symbols.
 fn written(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Result<Vec<Sym>, NotCompiled> {
+    if mode.is_empty() && model.events.is_empty() {
+        return Ok(Vec::new());
+    }
     let trace = Trace::of(model);
     let Motion { accelerations, switches } = Motion::of(&trace, mode)?;
     let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches.iter().copied()).collect();

@@ -104,9 +104,7 @@ impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
             | Node::Sin(_)
             | Node::Root(_)
             | Node::Elementary(..)
-            | Node::Function(..) => {
-                Err(Failure::Hypotheses(format!("`{each}` is not among the generators")))
-            }
+            | Node::Function(..) => Err(Failure::Hypotheses(format!("`{each}` is not among the generators"))),
         }
     }
 
