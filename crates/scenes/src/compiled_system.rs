@@ -152,10 +152,13 @@ fn outputs(model: &Model, time: Sym, state: &[Sym]) -> Vec<Sym> {
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
     let mut all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
     let used: Vec<Sym> = all.iter().flat_map(|each| each.symbols_of()).collect();
-    if trace.accelerations.iter().any(|symbol| used.contains(symbol))
-        && let Ok((accelerations, _)) = Equations::of(&trace).solved()
+    let equations = Equations::of(&trace);
+    let solved: Vec<Sym> =
+        trace.accelerations.iter().copied().chain(equations.constraints.iter().map(|one| one.multiplier)).collect();
+    if solved.iter().any(|symbol| used.contains(symbol))
+        && let Ok((accelerations, multipliers)) = equations.solved()
     {
-        let known: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations).collect();
+        let known: Vec<(Sym, Sym)> = solved.into_iter().zip(accelerations.into_iter().chain(multipliers)).collect();
         all = substitute_all(&all, &known);
     }
     substitute_all(&all, &values(&trace, time, state))

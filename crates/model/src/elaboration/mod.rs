@@ -4,6 +4,7 @@ mod expressions;
 mod functions;
 mod loads;
 mod order;
+mod reactions;
 mod system;
 mod value;
 
@@ -63,6 +64,8 @@ struct Elaborator<'s> {
     dimensions: Vec<Option<Dimension>>,
     /// A bound of the bits of each part that is a number.
     bits: Vec<Option<u64>>,
+    /// Whether reactions and loads of joints may stand here: in outputs.
+    shows_loads: bool,
     /// Names whose definition is wrong: nothing more is said of them.
     broken: FxHashSet<String>,
     faults: Vec<Fault>,
@@ -79,6 +82,7 @@ impl<'s> Elaborator<'s> {
             names: FxHashMap::default(),
             dimensions: Vec::new(),
             bits: Vec::new(),
+            shows_loads: false,
             broken: FxHashSet::default(),
             faults: Vec::new(),
         };
