@@ -1,7 +1,7 @@
 //! The expressions of a model: every part by its place in one list, after the parts that it is made of.
 
 use crate::expression::Exponent;
-use crate::{FrameId, Material, PointId};
+use crate::{BodyId, FrameId, Material, PointId};
 use field::Elementary;
 use rustc_hash::FxHashMap;
 use std::hash::{Hash, Hasher};
@@ -73,6 +73,10 @@ pub enum Scalar {
     Norm(VectorId),
     /// The rate of a scalar along the motion.
     RateOf(ScalarId),
+    /// The multiplier of a scalar constraint, by its place in the model.
+    Reaction {
+        constraint: usize,
+    },
 }
 
 /// A function of a scalar.
@@ -135,6 +139,14 @@ pub enum Vector {
         of: VectorId,
         seen: FrameId,
     },
+    /// The multipliers of a vector constraint along its axes, by its place in the model.
+    Reaction {
+        constraint: usize,
+    },
+    /// The force on a body at its joint.
+    JointForce(BodyId),
+    /// The torque on a body about its joint.
+    JointTorque(BodyId),
 }
 
 /// A part of an expression.

@@ -28,6 +28,7 @@ mod elaboration;
 pub mod equations;
 pub mod expression;
 mod fault;
+mod joints;
 mod parts;
 mod presentation;
 pub mod principles;

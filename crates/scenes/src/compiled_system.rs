@@ -8,7 +8,7 @@ use derivations::scene::problem::Law;
 use derivations::taped::Program;
 use field::{DoubleDouble, Over, Rational};
 use integrators::{Directions, Ode};
-use model::equations::{Equation, Equations, Level, Singular};
+use model::equations::{Equation, Equations, Level, Singular, constraints_of};
 use model::{Model, Trace};
 use std::fmt;
 use std::sync::Arc;
@@ -191,6 +191,7 @@ fn rates(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Result<Vec<S
 /// Accelerations in a mode, and the values of the switches.
 pub(crate) struct Motion {
     pub accelerations: Vec<Sym>,
+    pub multipliers: Vec<Sym>,
     /// 1, 0, or what keeps the condition at zero.
     pub switches: Vec<Sym>,
 }
@@ -201,13 +202,13 @@ impl Motion {
         if let Some(body) = trace.tilted().first() {
             return Err(NotCompiled::Tilted { body: (*body).to_owned() });
         }
-        let (accelerations, _) = Equations::of(trace).solved().map_err(|singular| match singular {
+        let (accelerations, multipliers) = Equations::of(trace).solved().map_err(|singular| match singular {
             Singular::Massless { coordinate } => {
                 NotCompiled::Massless { coordinate: model.coordinates[coordinate].name.clone() }
             }
             Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
         })?;
-        held(trace, mode, accelerations)
+        held(trace, mode, accelerations, multipliers)
     }
 }
 
@@ -243,13 +244,15 @@ fn outputs(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Vec<Sym> {
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
     let mut all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
     let used: Vec<Sym> = all.iter().flat_map(|each| each.symbols_of()).collect();
-    let mut moved = trace.accelerations.iter().chain(&trace.switches);
+    let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
+    let solved: Vec<Sym> = trace.accelerations.iter().copied().chain(multipliers).collect();
+    let mut moved = solved.iter().chain(&trace.switches);
     if moved.any(|symbol| used.contains(symbol))
-        && let Ok(Motion { accelerations, switches }) = Motion::of(&trace, mode)
+        && let Ok(Motion { accelerations, multipliers, switches }) = Motion::of(&trace, mode)
     {
         let known: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches).collect();
         all = substitute_all(&all, &known);
-        let known: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations).collect();
+        let known: Vec<(Sym, Sym)> = solved.into_iter().zip(accelerations.into_iter().chain(multipliers)).collect();
         all = substitute_all(&all, &known);
     }
     substitute_all(&all, &values(&trace, time, state))
@@ -261,7 +264,9 @@ fn outputs_of_solved(model: &Model, time: Sym, extended: &[Sym]) -> Vec<Sym> {
     let n = trace.speeds.len();
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
     let all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
-    let solved: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(extended[2 * n..].iter().copied()).collect();
+    let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
+    let solved = trace.accelerations.iter().copied().chain(multipliers);
+    let solved: Vec<(Sym, Sym)> = solved.zip(extended[2 * n..].iter().copied()).collect();
     substitute_all(&all, &[values(&trace, time, &extended[..2 * n]), solved].concat())
 }
 

@@ -49,7 +49,8 @@ fn every_principle_gives_every_model_the_same_equations() {
             let trace = Trace::of(&model);
             for other in Principle::ALL {
                 let found = agreement(&trace, Principle::Lagrange, other).expect("it applies");
-                assert!(matches!(found, Agreement::Proved { .. }), "{}, {}: {found}", path.display(), other.name());
+                let known = matches!(found, Agreement::Proved { .. } | Agreement::Identified { .. });
+                assert!(known, "{}, {}: {found}", path.display(), other.name());
             }
         });
     }

@@ -19,13 +19,23 @@ pub(super) enum Meaning {
     Body(crate::BodyId),
     /// A comparison, as its switch.
     Condition(crate::ScalarId),
+    /// A name or a number of a constraint, by its bytes: it is looked up among constraints alone.
+    Literal {
+        start: usize,
+        end: usize,
+    },
 }
 
 impl Elaborator<'_> {
     /// The value of an expression that stands in a text.
     pub(super) fn value_of(&mut self, text: &Text, expression: &Expression) -> Sound<Value> {
         let mut meanings: Vec<Meaning> = Vec::with_capacity(expression.parts.len());
-        for (form, span) in expression.parts.iter().zip(&expression.spans) {
+        let of_constraints = constraint_names(expression);
+        for (place, (form, span)) in expression.parts.iter().zip(&expression.spans).enumerate() {
+            if of_constraints.contains(&place) {
+                meanings.push(Meaning::Literal { start: span.start, end: span.end });
+                continue;
+            }
             let meaning = self.meaning(text, form, &text.part(span), &meanings, &expression.spans)?;
             meanings.push(meaning);
         }
@@ -37,7 +47,9 @@ impl Elaborator<'_> {
                 Err(Box::new(Fault::at(text.span(), title, "a body", format!("its motion: velocity({name} at P)"))))
             }
             Some(Meaning::Condition(_)) => Err(lone_condition(text.span())),
-            None => Err(Box::new(Fault::at(text.span(), "nothing stands here", "empty", super::EXAMPLES))),
+            Some(Meaning::Literal { .. }) | None => {
+                Err(Box::new(Fault::at(text.span(), "nothing stands here", "empty", super::EXAMPLES)))
+            }
         }
     }
 
@@ -51,7 +63,7 @@ impl Elaborator<'_> {
     ) -> Sound<Meaning> {
         let operand = |part: &usize| match known[*part] {
             Meaning::Value(value) => Ok(value),
-            Meaning::Body(_) => Err(Box::new(Fault::at(
+            Meaning::Body(_) | Meaning::Literal { .. } => Err(Box::new(Fault::at(
                 text.part(&spans[*part]),
                 "a body is no operand",
                 "a body",
@@ -317,6 +329,16 @@ impl Elaborator<'_> {
 pub(super) fn lone_condition(span: Range<usize>) -> Box<Fault> {
     let accepted = "if(t < (2 s), a, b)";
     Box::new(Fault::at(span, "a condition stands in `if` alone", "a condition", accepted))
+}
+
+/// The arguments of `reaction`: names and numbers as they stand.
+fn constraint_names(expression: &Expression) -> Vec<usize> {
+    let calls = expression.parts.iter().filter_map(|form| match form {
+        Form::Call { function, arguments } if function == "reaction" => Some(arguments),
+        _ => None,
+    });
+    let literal = |part: &usize| matches!(expression.parts[*part], Form::Name(_) | Form::Number(_));
+    calls.flatten().map(|argument| argument.value).filter(literal).collect()
 }
 
 pub(super) fn no_operation(span: &Range<usize>, done: &str, values: &[Value]) -> Box<Fault> {

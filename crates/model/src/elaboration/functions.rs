@@ -12,7 +12,7 @@ use std::ops::Range;
 use symbolic::Dimension;
 
 /// Functions that the language has.
-const FUNCTIONS: [&str; 20] = [
+const FUNCTIONS: [&str; 23] = [
     "sin",
     "cos",
     "tan",
@@ -33,10 +33,13 @@ const FUNCTIONS: [&str; 20] = [
     "acceleration",
     "angular_velocity",
     "rate",
+    "reaction",
+    "joint_force",
+    "joint_torque",
 ];
 
 /// Functions that the language will have.
-const LATER: [&str; 2] = ["reaction", "angular_acceleration"];
+const LATER: [&str; 1] = ["angular_acceleration"];
 
 /// An argument as it was found.
 struct Found {
@@ -132,6 +135,14 @@ impl Elaborator<'_> {
                         return Err(super::mismatch(span, "what turns", "a frame or a body", &other));
                     }
                     Meaning::Condition(_) => return Err(super::expressions::lone_condition(span.clone())),
+                    Meaning::Literal { .. } => {
+                        return Err(Box::new(Fault::at(
+                            span.clone(),
+                            "a frame or a body turns",
+                            "here",
+                            usage(function),
+                        )));
+                    }
                 };
                 let seen = self.seen(span, function, &found[0])?;
                 let per_second = Dimension::none() / Dimension::time();
@@ -140,6 +151,21 @@ impl Elaborator<'_> {
             "rate" => {
                 count(1)?;
                 self.rate(span, &found[0])
+            }
+            "reaction" => {
+                self.must_be_output(span, function)?;
+                let arguments: Vec<Meaning> = found.iter().map(|found| found.meaning).collect();
+                self.reaction(text, span, &arguments)
+            }
+            "joint_force" | "joint_torque" => {
+                self.must_be_output(span, function)?;
+                count(1)?;
+                match &found[0] {
+                    Found { meaning: Meaning::Body(body), place: None } => {
+                        self.joint_load(span, function == "joint_force", *body)
+                    }
+                    _ => Err(Box::new(Fault::at(span.clone(), "a body has a joint", "here", usage(function)))),
+                }
             }
             later if LATER.contains(&later) => Err(not_yet(span, &format!("the function `{later}`"))),
             other => Err(Box::new(unknown(
@@ -270,6 +296,7 @@ fn usage(function: &str) -> &'static str {
         "velocity" => "velocity(P), velocity(disc at P), velocity(P in B)",
         "acceleration" => "acceleration(P), acceleration(disc at P), acceleration(P in B)",
         "angular_velocity" => "angular_velocity(B), angular_velocity(B in A) of a frame or a body",
+        "joint_force" | "joint_torque" => "joint_force(disc), joint_torque(disc) of a body",
         "rate" => "rate(e) of a scalar, rate(v in B) of a vector",
         _ => "one scalar",
     }

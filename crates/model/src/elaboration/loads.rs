@@ -12,7 +12,7 @@ fn newton() -> Dimension {
     Dimension::mass() * Dimension::length() / Dimension::time().power(Rational::new(2, 1))
 }
 
-fn joule() -> Dimension {
+pub(super) fn joule() -> Dimension {
     newton() * Dimension::length()
 }
 
@@ -43,10 +43,12 @@ impl Elaborator<'_> {
             let found = self.constraint(constraint);
             self.kept(found);
         }
+        self.shows_loads = true;
         for output in &self.source.outputs {
             let found = self.output(output);
             self.kept(found);
         }
+        self.shows_loads = false;
     }
 
     fn energy(&mut self, Entry { name, value }: &Entry) -> Sound<()> {

@@ -7,6 +7,7 @@ mod expressions;
 mod functions;
 mod loads;
 mod order;
+mod reactions;
 mod system;
 mod value;
 
@@ -67,6 +68,8 @@ struct Elaborator<'s> {
     dimensions: Vec<Option<Dimension>>,
     /// A bound of the bits of each part that is a number.
     bits: Vec<Option<u64>>,
+    /// Whether reactions and loads of joints may stand here: in outputs.
+    shows_loads: bool,
     /// Names whose definition is wrong: nothing more is said of them.
     broken: FxHashSet<String>,
     faults: Vec<Fault>,
@@ -83,6 +86,7 @@ impl<'s> Elaborator<'s> {
             names: FxHashMap::default(),
             dimensions: Vec::new(),
             bits: Vec::new(),
+            shows_loads: false,
             broken: FxHashSet::default(),
             faults: Vec::new(),
         };

@@ -16,6 +16,8 @@ pub enum Level {
 pub struct Equation {
     /// As the model names it; empty where it does not.
     pub name: String,
+    /// lambda, the symbol of its multiplier.
+    pub multiplier: Sym,
     pub level: Level,
     /// f.
     pub zero: Sym,
@@ -31,16 +33,29 @@ pub struct Equation {
     pub at: Range<usize>,
 }
 
+/// A scalar equation of a constraint.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Held {
+    pub zero: Sym,
+    /// The axis along which it is a component, of a vector.
+    pub axis: Option<Vector>,
+}
+
+/// The equations of a constraint by its place: itself, or each component of a vector that does not vanish identically.
+pub(crate) fn held_of(trace: &Trace<'_>, place: usize) -> Vec<Held> {
+    match trace.model.constraints[place].zero {
+        Zero::Scalar(zero) => vec![Held { zero: trace.scalar(zero), axis: None }],
+        Zero::Vector(zero) => independent(trace, trace.vector(zero)),
+    }
+}
+
 /// One for each scalar, and for each component of a vector that does not vanish identically.
 pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
     let mut all = Vec::new();
-    for constraint in &trace.model.constraints {
-        match constraint.zero {
-            Zero::Scalar(zero) => all.push(equation(trace, constraint, trace.scalar(zero))),
-            Zero::Vector(zero) => {
-                let held = independent(trace, trace.vector(zero));
-                all.extend(held.into_iter().map(|component| equation(trace, constraint, component)));
-            }
+    for (place, constraint) in trace.model.constraints.iter().enumerate() {
+        for (component, held) in held_of(trace, place).into_iter().enumerate() {
+            let multiplier = Trace::multiplier(place, component);
+            all.push(equation(trace, constraint, multiplier, held.zero));
         }
     }
     all
@@ -48,18 +63,35 @@ pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
 
 /// The components of a vector that do not vanish, in the axes in which the most of them do: those of its frame, or of one that this
 /// turns in. A vector along a line has one there, and two that depend on each other in axes that turn.
-fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<Sym> {
+fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<Held> {
     let above = |frame: &FrameId| trace.model.frames[frame.0].parent.map(|(parent, _)| parent);
     let frames = std::iter::successors(Some(vector.frame), above);
     let held = frames.map(|frame| {
-        let components = trace.express(vector, frame).into_iter();
-        components.filter(|component| !vanishes(*component)).collect::<Vec<_>>()
+        let components = trace.express(vector, frame).into_iter().enumerate();
+        let held = components.map(|(axis, zero)| Held { zero, axis: Some(Vector::axis(frame, axis)) });
+        held.filter(|held| !vanishes(held.zero)).collect::<Vec<_>>()
     });
     held.min_by_key(Vec::len).unwrap_or_default()
 }
 
+impl Trace<'_> {
+    /// The multiplier of a constraint's equation: no name of a system can be this one.
+    pub(crate) fn multiplier(constraint: usize, component: usize) -> Sym {
+        Sym::symbol(&format!("multiplier {constraint}.{component}"))
+    }
+
+    /// Whether a scalar knows speeds.
+    pub(crate) fn level_of(&self, zero: Sym) -> Level {
+        let symbols = zero.symbols_of();
+        match self.speeds.iter().any(|speed| symbols.contains(speed)) {
+            true => Level::Speed,
+            false => Level::Position,
+        }
+    }
+}
+
 /// Whether a component is zero for all values: by random points of prime fields, or by its normal form where it has roots.
-fn vanishes(component: Sym) -> bool {
+pub(crate) fn vanishes(component: Sym) -> bool {
     match identified(&[component]) {
         Identity::Identified { .. } => true,
         Identity::NotZero => false,
@@ -67,13 +99,9 @@ fn vanishes(component: Sym) -> bool {
     }
 }
 
-fn equation(trace: &Trace<'_>, constraint: &Constraint, zero: Sym) -> Equation {
+fn equation(trace: &Trace<'_>, constraint: &Constraint, multiplier: Sym, zero: Sym) -> Equation {
     let Constraint { name, gains, at, .. } = constraint;
-    let symbols = zero.symbols_of();
-    let level = match trace.speeds.iter().any(|speed| symbols.contains(speed)) {
-        true => Level::Speed,
-        false => Level::Position,
-    };
+    let level = trace.level_of(zero);
     let rate = if level == Level::Position { trace.rate_of(zero) } else { zero };
     let row: Vec<Sym> = (0..trace.speeds.len()).map(|i| trace.by_speed(rate, i)).collect();
     let at_rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&symbol| (symbol, Sym::ZERO)).collect();
@@ -83,5 +111,5 @@ fn equation(trace: &Trace<'_>, constraint: &Constraint, zero: Sym) -> Equation {
         bias += trace.scalar(gain) * lower;
     }
     let (name, gains) = (name.clone().unwrap_or_default(), gains.as_ref().map(Vec::len));
-    Equation { name, level, zero, rate, row, bias, gains, at: at.clone() }
+    Equation { name, multiplier, level, zero, rate, row, bias, gains, at: at.clone() }
 }

@@ -11,7 +11,9 @@ mod vector;
 pub use vector::Vector;
 
 use crate::arena::{Function, Number, Part, Scalar};
+use crate::equations::held_of;
 use crate::expression::Exponent;
+use crate::joints::Joints;
 use crate::{FrameId, Input, Model, ScalarId, VectorId};
 use field::{Analytic, Over, Rational};
 use std::cell::RefCell;
@@ -197,17 +199,7 @@ impl<'m> Trace<'m> {
             Scalar::Difference(a, b) => of(a) - of(b),
             Scalar::Product(a, b) => of(a) * of(b),
             Scalar::Quotient(a, b) => of(a) / of(b),
-            Scalar::Power(a, Exponent { numerator, denominator: 1 }) => of(a).powi(*numerator),
-            Scalar::Power(a, Exponent { numerator, .. }) => of(a).sqrt().powi(*numerator),
-            Scalar::Function(function, a) => {
-                let a = of(a);
-                match function {
-                    Function::Sin => a.circle().sin,
-                    Function::Cos => a.circle().cos,
-                    Function::Tan => a.circle().sin / a.circle().cos,
-                    Function::Sqrt => a.sqrt(),
-                }
-            }
+            Scalar::Power(a, _) | Scalar::Function(_, a) => of_argument(scalar, of(a)),
             Scalar::Elementary(function, a, b) => of(a).elementary(*function, of(b)),
             Scalar::Dot(a, b) => self.dot(self.vector(*a), self.vector(*b)),
             Scalar::Norm(a) => {
@@ -215,7 +207,15 @@ impl<'m> Trace<'m> {
                 self.dot(a, a).sqrt()
             }
             Scalar::RateOf(a) => self.rate_of(of(a)),
+            Scalar::Reaction { constraint } => Trace::multiplier(*constraint, 0),
         }
+    }
+
+    /// The derivative of a power or of a function by its argument.
+    pub(crate) fn slope(&self, scalar: &Scalar, argument: ScalarId) -> Sym {
+        // a name that no system has
+        let letter = Sym::symbol("its argument");
+        of_argument(scalar, letter).diff(letter).substitute(&[(letter, self.scalar(argument))])
     }
 
     fn vector_of(&self, vector: &crate::arena::Vector) -> Vector {
@@ -237,7 +237,35 @@ impl<'m> Trace<'m> {
             Form::Acceleration { of, seen } => self.seen_acceleration(*of, *seen),
             Form::AngularVelocity { of, seen } => self.turning_beside(*of, *seen),
             Form::RateOf { of: vector, seen } => self.rate_seen(of(vector), *seen),
+            Form::Reaction { constraint } => {
+                let held = held_of(self, *constraint).into_iter().enumerate();
+                held.filter_map(|(component, held)| {
+                    let multiplier = Trace::multiplier(*constraint, component);
+                    held.axis.map(|axis| axis.map(|component| multiplier * component))
+                })
+                .fold(Vector::ZERO, |sum, each| self.sum(sum, each))
+            }
+            Form::JointForce(body) => self.joints().load(*body).0.unwrap_or(Vector::ZERO),
+            Form::JointTorque(body) => self.joints().load(*body).1,
         }
+    }
+
+    /// The bodies with the loads of their joints.
+    pub(crate) fn joints(&self) -> Joints<'_, 'm> {
+        Joints::of(self)
+    }
+}
+
+/// A power or a function, of an argument.
+fn of_argument(scalar: &Scalar, a: Sym) -> Sym {
+    match scalar {
+        Scalar::Power(_, Exponent { numerator, denominator: 1 }) => a.powi(*numerator),
+        Scalar::Power(_, Exponent { numerator, .. }) => a.sqrt().powi(*numerator),
+        Scalar::Function(Function::Sin, _) => a.circle().sin,
+        Scalar::Function(Function::Cos, _) => a.circle().cos,
+        Scalar::Function(Function::Tan, _) => a.circle().sin / a.circle().cos,
+        Scalar::Function(Function::Sqrt, _) => a.sqrt(),
+        _ => a,
     }
 }
 

@@ -9,7 +9,12 @@ use model::Trace;
 use symbolic::{Derivation, Sym, substitute_all};
 
 /// The accelerations with every switch replaced, and the values of the switches.
-pub(crate) fn held(trace: &Trace<'_>, mode: &[Case], accelerations: Vec<Sym>) -> Result<Motion, NotCompiled> {
+pub(crate) fn held(
+    trace: &Trace<'_>,
+    mode: &[Case],
+    accelerations: Vec<Sym>,
+    multipliers: Vec<Sym>,
+) -> Result<Motion, NotCompiled> {
     let fixed = |case: &Case| match case {
         Case::On => Some(Sym::ONE),
         Case::Off => Some(Sym::ZERO),
@@ -17,7 +22,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &[Case], accelerations: Vec<Sym>) ->
     };
     let letters = trace.switches.iter().zip(mode);
     let known: Vec<(Sym, Sym)> = letters.clone().filter_map(|(&letter, case)| Some((letter, fixed(case)?))).collect();
-    let accelerations = substitute_all(&accelerations, &known);
+    let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &known));
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
     let unknown: Vec<usize> = (0..mode.len()).filter(|&k| mode[k] == Case::Held).collect();
     let symbols: Vec<Sym> = unknown.iter().map(|&k| trace.switches[k]).collect();
@@ -41,7 +46,8 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &[Case], accelerations: Vec<Sym>) ->
         Some(value) => value,
         None => found.iter().find(|(symbol, _)| *symbol == letter).map_or(Sym::UNDEFINED, |(_, value)| *value),
     });
-    Ok(Motion { switches: switches.collect(), accelerations: substitute_all(&accelerations, &found) })
+    let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &found));
+    Ok(Motion { switches: switches.collect(), accelerations, multipliers })
 }
 
 /// Gauss's elimination in order; the first row without a pivot where there is one.

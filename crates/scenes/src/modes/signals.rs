@@ -87,7 +87,7 @@ fn written(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Result<Vec
         return Ok(Vec::new());
     }
     let trace = Trace::of(model);
-    let Motion { accelerations, switches } = Motion::of(&trace, mode)?;
+    let Motion { accelerations, switches, .. } = Motion::of(&trace, mode)?;
     let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches.iter().copied()).collect();
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations).collect();
     let with_rate = |value: Sym| -> [Sym; 2] {
