@@ -2,6 +2,7 @@
 
 use super::value::Value;
 use super::{Elaborator, Sound, mismatch};
+use crate::parts::TURNING;
 use crate::{
     Constraint, ConstraintSource, Entry, Fault, Force, LoadSource, Output, ScalarId, StartValue, Text, Torque, Zero,
 };
@@ -160,10 +161,12 @@ impl Elaborator<'_> {
 
     pub(super) fn start(&mut self) {
         for entry in &self.source.start {
-            let found = self.start_value(entry);
-            if let Some(start) = self.kept(found) {
-                self.model.start.push(start);
-            }
+            let found = match self.free_frame(&entry.name.text) {
+                Some(number) => self.orientation(number, entry),
+                None => self.start_value(entry).map(|start| vec![start]),
+            };
+            let found = self.kept(found).unwrap_or_default();
+            self.model.start.extend(found);
         }
     }
 
@@ -175,10 +178,22 @@ impl Elaborator<'_> {
         if let (Some(coordinate), 0 | 1) = (coordinate, primes) {
             return Ok((coordinate, primes));
         }
-        let known: Vec<String> =
-            self.model.coordinates.iter().flat_map(|c| [c.name.clone(), format!("{}'", c.name)]).collect();
-        let known = known.iter().map(String::as_str);
+        let of_free = name.text.rsplit_once('.').and_then(|(frame, part)| {
+            let part = TURNING.iter().position(|known| *known == part)?;
+            Some(self.model.free_speed(self.free_frame(frame)?) + part)
+        });
+        if let Some(speed) = of_free {
+            return Ok((speed, 1));
+        }
+        let known: Vec<String> = self.model.state_names().into_iter().map(|(name, _)| name).collect();
+        let known = known.iter().map(String::as_str).filter(|name| !name.contains(".q"));
         Err(Box::new(super::unknown(&self.broken, name.span(), &name.text, "coordinate", known)))
+    }
+
+    /// The dimension of a coordinate or a speed; a free frame's angular velocity has no coordinate.
+    pub(super) fn dimension_of_state(&self, coordinate: usize, order: usize) -> Dimension {
+        let own = self.model.coordinates.get(coordinate).map_or(Dimension::none(), |known| known.dimension);
+        if order == 0 { own } else { own / Dimension::time() }
     }
 
     /// `theta = "30 deg"`, `theta' = "guess 2 rad/s"`.
@@ -192,8 +207,7 @@ impl Elaborator<'_> {
                 "one value",
             )));
         }
-        let dimension = self.model.coordinates[coordinate].dimension;
-        let needed = if order == 0 { dimension } else { dimension / Dimension::time() };
+        let needed = self.dimension_of_state(coordinate, order);
         let (is_guess, number) = match value.text.trim().strip_prefix("guess ") {
             Some(rest) => (true, rest),
             None => (false, value.text.as_str()),
