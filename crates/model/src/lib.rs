@@ -40,8 +40,9 @@ pub use arena::{Function, Number, ScalarId, VectorId};
 pub use elaboration::is_reserved;
 pub use fault::Fault;
 pub use parts::{
-    Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId, Inertia,
-    Input, Material, Model, Output, Parameter, Point, PointId, StartValue, Torque, Turn, Zero,
+    Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId,
+    GeneralisedForce, Inertia, Input, Material, Model, Output, Parameter, Point, PointId, StartValue, Torque, Turn,
+    Zero,
 };
 pub use presentation::{Readable, constraints, readable, vectors};
 pub use source::{

@@ -117,6 +117,13 @@ pub enum Force {
     },
 }
 
+/// A generalised force: its power is `is` times the speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GeneralisedForce {
+    pub speed: usize,
+    pub is: ScalarId,
+}
+
 /// A torque.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Torque {
@@ -236,6 +243,7 @@ pub struct Model {
     pub energies: Energies,
     pub forces: Vec<Force>,
     pub torques: Vec<Torque>,
+    pub generalised: Vec<GeneralisedForce>,
     pub constraints: Vec<Constraint>,
     pub outputs: Vec<Output>,
     pub inputs: Vec<Input>,

@@ -218,7 +218,8 @@ impl Motion {
 
 /// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
 fn conserves(model: &Model) -> bool {
-    let acts = !(model.forces.is_empty() && model.torques.is_empty()) || model.energies.dissipation.is_some();
+    let acts = !(model.forces.is_empty() && model.torques.is_empty() && model.generalised.is_empty())
+        || model.energies.dissipation.is_some();
     if !(model.switches.is_empty() && model.events.is_empty()) {
         return false;
     }

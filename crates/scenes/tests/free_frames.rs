@@ -56,9 +56,10 @@ span = "2 s"
 "#;
 
 fn free_top() -> String {
-    TOP.replace("COORDINATES", "")
-        .replace("FRAMES", "F = \"N free\"")
-        .replace("START", "F = \"10 deg about z, then 40 deg about x\"\n\"F.wz\" = \"30 rad/s\"\n\"F.wx\" = \"0.5 rad/s\"")
+    TOP.replace("COORDINATES", "").replace("FRAMES", "F = \"N free\"").replace(
+        "START",
+        "F = \"10 deg about z, then 40 deg about x\"\n\"F.wz\" = \"30 rad/s\"\n\"F.wx\" = \"0.5 rad/s\"",
+    )
 }
 
 fn turned_top() -> String {

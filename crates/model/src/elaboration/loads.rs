@@ -4,7 +4,8 @@ use super::value::Value;
 use super::{Elaborator, Sound, mismatch};
 use crate::parts::TURNING;
 use crate::{
-    Constraint, ConstraintSource, Entry, Fault, Force, LoadSource, Output, ScalarId, StartValue, Text, Torque, Zero,
+    Constraint, ConstraintSource, Entry, Fault, Force, GeneralisedForce, LoadSource, Output, ScalarId, StartValue,
+    Text, Torque, Zero,
 };
 use field::Rational;
 use symbolic::Dimension;
@@ -29,6 +30,13 @@ impl Elaborator<'_> {
             self.kept(found);
         }
         for force in &self.source.forces {
+            if let Some(along) = &force.along {
+                let found = self.generalised(along, force);
+                if let Some(generalised) = self.kept(found) {
+                    self.model.generalised.push(generalised);
+                }
+                continue;
+            }
             let found = self.force(force);
             if let Some(force) = self.kept(found) {
                 self.model.forces.push(force);
@@ -91,6 +99,32 @@ impl Elaborator<'_> {
                 fault(format!("a {kind} acts on one thing or between two"), "both `on` and `between`")
             }
         }
+    }
+
+    /// `along = "theta"`: power per rate of the coordinate.
+    fn generalised(&mut self, along: &Text, load: &LoadSource) -> Sound<GeneralisedForce> {
+        if load.on.is_some() || load.between.is_some() {
+            let accepted = "along = \"theta\" alone: a generalised force acts on a coordinate, not at a place";
+            return Err(Box::new(Fault::at(
+                along.span(),
+                "this force acts along a coordinate and at a place",
+                "here",
+                accepted,
+            )));
+        }
+        let (speed, order) = self.of_state(along)?;
+        if order == 1 && speed < self.model.coordinates.len() {
+            let accepted = format!("along = \"{}\"", self.model.coordinates[speed].name);
+            return Err(Box::new(Fault::at(
+                along.span(),
+                "a generalised force acts along a coordinate",
+                "a speed",
+                accepted,
+            )));
+        }
+        let needed = joule() / self.dimension_of_state(speed, 0);
+        let what = format!("the generalised force along `{}`", along.text);
+        Ok(GeneralisedForce { speed, is: self.scalar_value(&load.is, &what, Some(needed))? })
     }
 
     fn force(&mut self, load: &LoadSource) -> Sound<Force> {
