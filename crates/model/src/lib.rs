@@ -32,10 +32,12 @@ mod joints;
 mod parts;
 mod presentation;
 pub mod principles;
+mod real_points;
 mod source;
+mod statements;
 mod trace;
 
-pub use agreement::{Agreement, agreement};
+pub use agreement::{Agreement, Projected, agreement, projected_agreement};
 pub use arena::{Function, Number, ScalarId, VectorId};
 pub use elaboration::is_reserved;
 pub use fault::Fault;
@@ -45,4 +47,5 @@ pub use parts::{
 };
 pub use presentation::{Readable, constraints, readable, vectors};
 pub use source::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source, Text};
+pub use statements::{Mistake, Mistaken, Statement, mistaken, statements};
 pub use trace::{Trace, Vector};

@@ -10,11 +10,15 @@
 mod appell;
 mod gauss;
 mod hamel;
-mod hamilton;
+pub(crate) mod hamilton;
 mod lagrange;
 pub(crate) mod loads;
 mod newton_euler;
+mod projected;
 mod virtual_power;
+
+pub(crate) use projected::linear;
+pub use projected::{Operator, Projection, operator};
 
 use crate::Trace;
 use std::fmt;
