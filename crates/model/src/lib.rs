@@ -32,10 +32,12 @@ mod joints;
 mod parts;
 mod presentation;
 pub mod principles;
+mod real_points;
 mod source;
+mod statements;
 mod trace;
 
-pub use agreement::{Agreement, agreement};
+pub use agreement::{Agreement, Projected, agreement, projected_agreement};
 pub use arena::{Function, Number, ScalarId, VectorId};
 pub use elaboration::is_reserved;
 pub use fault::Fault;
@@ -48,4 +50,5 @@ pub use presentation::{Readable, constraints, readable, vectors};
 pub use source::{
     BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source, Text,
 };
+pub use statements::{Mistake, Mistaken, Statement, mistaken, statements};
 pub use trace::{Trace, Vector};

@@ -228,6 +228,9 @@ fn conserves(model: &Model) -> bool {
     }
     let trace = Trace::of(model);
     let equations = Equations::of(&trace);
+    if !trace.solid().is_empty() {
+        return false;
+    }
     let held = equations.constraints.iter();
     let knows_time = |scalar: &Sym| scalar.symbols_of().contains(&trace.time);
     // reactions do no work where every constraint is homogeneous in the speeds
@@ -282,7 +285,11 @@ pub(crate) fn values(trace: &Trace<'_>, time: Sym, state: &[Sym]) -> Vec<(Sym, S
         let value: Rational = Rational::exactly(parameter.value?);
         Some((letter, Sym::lift(value)))
     });
-    known.chain(data).chain([(trace.time, time)]).collect()
+    let mut all: Vec<(Sym, Sym)> = known.chain(data).chain([(trace.time, time)]).collect();
+    let (letters, solid): (Vec<Sym>, Vec<Sym>) = trace.solid().into_iter().unzip();
+    let solid = substitute_all(&solid, &all);
+    all.extend(letters.into_iter().zip(solid));
+    all
 }
 
 macro_rules! runs {
