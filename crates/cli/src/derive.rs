@@ -8,7 +8,7 @@ use derivations::derive::{Equation, Principle, derive as equations_of, motor_of}
 use derivations::scene::any::holds_model;
 use derivations::scene::file::read_text;
 use derivations::scene::{Axes, Family, Scene};
-use model::{Readable, Trace, constraints, readable, vectors};
+use model::{MatrixForm, Trace, constraints, vectors};
 use std::path::Path;
 use symbolic::{Language, Sym, Tape};
 
@@ -115,11 +115,28 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
             let lines = [vectors(&trace), constraints(&trace)].concat();
             text += &(lines.join("\n") + "\n\n");
         }
-        let equations = readable(&trace, principle).map_err(Ending::refused)?;
-        let equations: Vec<Equation> =
-            equations.into_iter().map(|Readable { left, right }| Equation { left, right }).collect();
-        Ok(text + &written(&equations, asked.format.unwrap_or(Equations::Text))?)
+        let form = MatrixForm::of(&trace, principle).map_err(Ending::refused)?;
+        Ok(text + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
+}
+
+/// A system in matrix form in a notation.
+fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Result<String, Ending> {
+    let code = |language| model::code(trace, form, language).map_err(Ending::refused);
+    match format {
+        Equations::Text => Ok(model::text(trace, &form.for_reading())),
+        Equations::Latex => Ok(model::latex(trace, &form.for_reading())),
+        Equations::Mathml => {
+            let equations = model::typeset(trace, &form.for_reading()).into_iter().flatten();
+            let typeset = equations.map(|each| charts::mathml(&format!("{} = {}", each.left, each.right)));
+            let lines: Vec<String> = typeset.collect::<Result<_, _>>().map_err(Ending::refused)?;
+            Ok(lines.join("\n") + "\n")
+        }
+        Equations::Sympy => Ok(model::sympy(trace, form)),
+        Equations::C => code(Language::C),
+        Equations::Python => code(Language::Python),
+        Equations::Rust => code(Language::Rust),
+    }
 }
 
 /// Forms are of a scene's code alone.

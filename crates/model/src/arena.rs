@@ -31,6 +31,8 @@ pub enum Scalar {
         order: usize,
     },
     Time,
+    /// The half turn.
+    Pi,
     Negation(ScalarId),
     Sum(ScalarId, ScalarId),
     Difference(ScalarId, ScalarId),

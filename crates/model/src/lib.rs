@@ -33,6 +33,7 @@ mod presentation;
 pub mod principles;
 mod source;
 mod trace;
+mod variations;
 
 pub use agreement::{Agreement, agreement};
 pub use arena::{Function, Number, ScalarId, VectorId};
@@ -42,6 +43,7 @@ pub use parts::{
     Body, BodyId, Constraint, Coordinate, Energies, Force, Frame, FrameId, Inertia, Material, Model, Output, Parameter,
     Point, PointId, StartValue, Torque, Turn,
 };
-pub use presentation::{Readable, constraints, readable, vectors};
+pub use presentation::{Held, MatrixForm, Typeset, code, constraints, latex, sympy, text, typeset, vectors};
 pub use source::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source, Text};
 pub use trace::{Trace, Vector};
+pub use variations::{Variations, Varied};

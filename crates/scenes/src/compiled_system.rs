@@ -98,8 +98,14 @@ impl CompiledSystem {
 
 /// Whether every parameter has a value.
 pub(crate) fn has_values(model: &Model) -> Result<(), NotCompiled> {
-    match model.parameters.iter().find(|parameter| parameter.value.is_none()) {
-        Some(open) => Err(NotCompiled::Open { parameter: open.name.clone() }),
+    has_values_but(model, &[])
+}
+
+/// Whether every parameter but some, by their places, has a value.
+pub(crate) fn has_values_but(model: &Model, given: &[usize]) -> Result<(), NotCompiled> {
+    let mut open = model.parameters.iter().enumerate().filter(|(_, parameter)| parameter.value.is_none());
+    match open.find(|(place, _)| !given.contains(place)) {
+        Some((_, open)) => Err(NotCompiled::Open { parameter: open.name.clone() }),
         None => Ok(()),
     }
 }
@@ -168,7 +174,13 @@ pub(crate) fn values(trace: &Trace<'_>, time: Sym, state: &[Sym]) -> Vec<(Sym, S
         let value: Rational = Rational::exactly(parameter.value?);
         Some((letter, Sym::lift(value)))
     });
-    known.chain(data).chain([(trace.time, time)]).collect()
+    known.chain(data).chain([(trace.time, time), (trace.pi, half_turn())]).collect()
+}
+
+/// Pi to 48 digits, as the sum of three floats.
+fn half_turn() -> Sym {
+    const PARTS: [f64; 3] = [std::f64::consts::PI, 1.224_646_799_147_353_2e-16, -2.994_769_809_718_339_7e-33];
+    PARTS.into_iter().map(|part| Sym::lift(Rational::exactly(part))).fold(Sym::ZERO, |sum, part| sum + part)
 }
 
 macro_rules! runs {

@@ -2,6 +2,7 @@
 
 use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
+use crate::equilibrium::{NoEquilibrium, equilibrium};
 use crate::start::{Open, Unmet, consistent};
 use crate::text;
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
@@ -11,8 +12,8 @@ use derivations::scene::read::Table;
 use derivations::scene::smooth::Parameter;
 use derivations::scene::{Axes, Issue, Modelled, Problem, Run, SceneError, Smooth, read_models_by, run};
 use integrators::Reference;
-use model::Model;
 use model::equations::Level;
+use model::{Entry, Fault, Model, ScalarId, Source, StartValue, Text};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
@@ -43,15 +44,73 @@ pub fn read_model(path: &Path) -> Result<Model, SceneError> {
     let text = read_text(path)?;
     tables(&path.display().to_string(), &text, |top, issues| {
         top.known(&["title", "description", "run", "ensemble"]);
-        model(top, issues)
+        model(top, issues).map(|(model, _)| model)
     })
 }
 
-/// The system of a file; what is wrong with it goes into the list.
-fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Model> {
+/// Reads the system of a file with prescribed motions: coordinates by their names with expressions of the time, as the file could
+/// have them. Each comes back as the place of its coordinate and its expression.
+///
+/// # Errors
+/// All that is wrong with the system, and with the motions.
+pub fn read_prescribed(
+    path: &Path,
+    motions: &[(String, String)],
+) -> Result<(Model, Vec<(usize, ScalarId)>), SceneError> {
+    let text = read_text(path)?;
+    let behind = text.len();
+    tables(&path.display().to_string(), &text, |top, issues| {
+        top.known(&["title", "description", "run", "ensemble"]);
+        let own = model(top, issues)?;
+        let mut source = own.1;
+        for (name, is) in motions {
+            let is = Text::at(is.as_str(), behind);
+            source.outputs.push(Entry { name: Text::at(format!("the motion of `{name}`"), behind), value: is });
+        }
+        let told = |fault: Fault| {
+            Issue::at(0..0, format!("a prescribed motion: {}", fault.title), fault.label).accepted(fault.accepted)
+        };
+        let model = Model::of(&source).map_err(|faults| issues.extend(faults.into_iter().map(told))).ok()?;
+        let first = model.outputs.len() - motions.len();
+        let mut prescribed = Vec::new();
+        for ((name, _), output) in motions.iter().zip(&model.outputs[first..]) {
+            let place = model.coordinates.iter().position(|coordinate| coordinate.name == *name);
+            let wrong = match place {
+                None => Some("no coordinate has this name".to_owned()),
+                Some(place) if model.coordinates[place].dimension != output.dimension => Some(format!(
+                    "it has the dimension {}, and the coordinate has {}",
+                    output.dimension, model.coordinates[place].dimension
+                )),
+                Some(place) if prescribed.iter().any(|(known, _)| *known == place) => {
+                    Some("it is prescribed twice".to_owned())
+                }
+                Some(_) => None,
+            };
+            match (wrong, place) {
+                (None, Some(place)) => prescribed.push((place, output.is)),
+                (wrong, _) => {
+                    let names: Vec<&str> =
+                        model.coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect();
+                    let issue =
+                        Issue::at(0..0, format!("the motion of `{name}` is not accepted"), wrong.unwrap_or_default());
+                    issues.push(
+                        issue.accepted(format!(
+                            "a coordinate and an expression of t: \"{} = ...\"",
+                            names.join("\", \"")
+                        )),
+                    );
+                }
+            }
+        }
+        Some((model, prescribed))
+    })
+}
+
+/// The system of a file with its source; what is wrong with it goes into the list.
+fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
     let source = text::source(top);
     let faults = match Model::of(&source) {
-        Ok(model) => return Some(model),
+        Ok(model) => return Some((model, source)),
         Err(faults) => faults,
     };
     // what could not be read explains what is missing
@@ -71,7 +130,7 @@ impl ModelScene {
             let title = top.text("title", "one line that says what happens").value;
             let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
             let description = top.optional_text("description", "what happens and why it is hard");
-            let model = model(top, issues).map(Arc::new);
+            let model = model(top, issues).map(|(model, _)| Arc::new(model));
             let names = model.as_deref().map(columns);
             let run = run::read(top, issues, names.as_deref());
             let model = model?;
@@ -88,22 +147,68 @@ impl ModelScene {
 
 /// The start, completed, and the law that runs from it.
 fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
-    let not_compiled = |reason: NotCompiled| {
-        let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
-        issue.accepted("`dalembert derive` writes its equations down without running them")
-    };
     // before the law: what depends on others makes it singular
-    let start = consistent(model).map_err(|unmet| match unmet {
+    let start = start_of(model)?;
+    let system = CompiledSystem::of(model).map_err(|reason| not_compiled(&reason))?;
+    Ok((start, Arc::new(system)))
+}
+
+fn not_compiled(reason: &NotCompiled) -> Issue {
+    let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
+    issue.accepted("`dalembert derive` writes its equations down without running them")
+}
+
+/// The state at time zero: as the file gives it, completed so that constraints hold; or an equilibrium, where it asks for one.
+///
+/// # Errors
+/// Why there is none, at its place.
+pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
+    let completed = match &model.equilibrium {
+        None => consistent(model),
+        Some(_) => consistent(&at_rest(model, false)?),
+    };
+    completed.map_err(|unmet| match unmet {
         Unmet::Open(open) => inconsistent(&open),
         Unmet::Redundant(at) => {
             let title = "this constraint follows from those before it";
             let issue = Issue::at(at, title, "at the start it holds no direction of its own");
             issue.accepted("constraints that are independent: leave this one out")
         }
-        Unmet::NotCompiled(reason) => not_compiled(reason),
+        Unmet::NotCompiled(reason) => not_compiled(&reason),
+    })
+}
+
+/// The equilibrium near the coordinates at the start, all of which may move.
+///
+/// # Errors
+/// Why there is none.
+pub fn equilibrium_of(model: &Model) -> Result<Vec<f64>, Issue> {
+    Ok(at_rest(model, true)?.start_state())
+}
+
+/// The model with an equilibrium as its start.
+fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
+    let found = equilibrium(model, all).map_err(|why| {
+        let at = model.equilibrium.clone().unwrap_or_default();
+        match why {
+            NoEquilibrium::NotCompiled(reason) => not_compiled(&reason),
+            NoEquilibrium::Moves { speed } => {
+                let issue = Issue::at(at, "an equilibrium has no speeds", format!("{speed} is not zero"));
+                issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted")
+            }
+            NoEquilibrium::NotFound { equation, residual } => {
+                let label = format!("{equation} leave {residual:.6e} in SI units at the best point that was found");
+                let issue = Issue::at(at, "no equilibrium is found near this start", label);
+                issue.accepted("coordinates nearer to one, written as guesses so that they may move: \"guess 0.3 rad\"")
+            }
+        }
     })?;
-    let system = CompiledSystem::of(model).map_err(not_compiled)?;
-    Ok((start, Arc::new(system)))
+    let n = model.coordinates.len();
+    let value =
+        |(place, &value): (usize, &f64)| StartValue { coordinate: place % n, order: place / n, value, is_guess: false };
+    let mut rested = model.clone();
+    rested.start = found.state.iter().enumerate().map(value).collect();
+    Ok(rested)
 }
 
 /// A constraint that the start does not meet.
@@ -141,7 +246,7 @@ impl Smooth for ModelScene {
     }
 
     fn model(&self) -> &'static str {
-        "model"
+        "as written in its file"
     }
 
     fn run(&self) -> &Run {
@@ -193,15 +298,34 @@ impl Smooth for ModelScene {
         let coordinates = &self.model.coordinates;
         let found = coordinates.iter().find_map(|coordinate| {
             if name == coordinate.name {
-                return Some(coordinate.unit.clone());
+                return Some(coherent(&coordinate.unit));
             }
-            (name.strip_suffix('\'') == Some(&coordinate.name)).then(|| format!("{}/s", coordinate.unit))
+            (name.strip_suffix('\'') == Some(&coordinate.name)).then(|| rate_unit(&coherent(&coordinate.unit)))
         });
         let energy = || ["kinetic_energy", "potential_energy"].contains(&name).then(|| "J".to_owned());
         let output = || {
             let output = self.model.outputs.iter().find(|output| output.name == name)?;
-            Some(output.dimension.to_string())
+            Some(coherent(&output.dimension.to_string()))
         };
         found.or_else(energy).or_else(output).unwrap_or_else(|| "1".to_owned()).into()
+    }
+}
+
+/// The unit in which a run has a quantity that is written in another: m for mm, rad for deg.
+fn coherent(unit: &str) -> String {
+    match units::Unit::parse(unit) {
+        Ok(parsed) if parsed.factors() == [1.0, 1.0] && unit != parsed.dimension().to_string() => unit.to_owned(),
+        Ok(parsed) if parsed.dimension().is_number() && unit != "1" => "rad".to_owned(),
+        Ok(parsed) => parsed.dimension().coherent(),
+        Err(_) => unit.to_owned(),
+    }
+}
+
+/// The unit of a rate: m/s, and m/s^2 of m/s.
+fn rate_unit(unit: &str) -> String {
+    let rate = format!("{unit}/s");
+    match units::Unit::parse(&rate) {
+        Ok(parsed) if unit.contains('/') => parsed.dimension().coherent(),
+        _ => rate,
     }
 }

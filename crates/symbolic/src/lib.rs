@@ -66,4 +66,4 @@ pub use prove::{
 };
 pub use recurrence::{Abreast, Equations, Expansion, Fused, Recurrence};
 pub use sym::symbols;
-pub use tape::{Algebraic, Language, Operation, Program, Register, Source, Tape, Untapeable};
+pub use tape::{Algebraic, Language, Operation, Program, Register, Source, Statements, Tape, Untapeable};

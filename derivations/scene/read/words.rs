@@ -1,4 +1,4 @@
-//! Texts and whole numbers.
+//! Texts, whole numbers and flags.
 
 use super::{At, Table};
 use crate::scene::issue::Issue;
@@ -41,6 +41,18 @@ impl Table<'_> {
                 Some(At { value: number.as_str().to_owned(), span: found.span() })
             }
             _ => self.optional_text(key, needed).filter(|text| !text.value.is_empty()),
+        }
+    }
+
+    /// Whether a key is `true`; it may be left out.
+    pub fn flag(&mut self, key: &str, meaning: &str) -> bool {
+        let Some(found) = self.find(key) else { return false };
+        match found.get_ref() {
+            DeValue::Boolean(value) => *value,
+            other => {
+                self.wrong_kind(found.span(), key, other, &format!("true or false is accepted: {meaning}"));
+                false
+            }
         }
     }
 

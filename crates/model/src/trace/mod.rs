@@ -4,6 +4,7 @@
 //! values later. Every vector stands in the axes of one frame; a sum stands in those of the frame further down the tree, so that
 //! angles of frames turned one after the other are never added.
 
+mod angle;
 mod bodies;
 mod motion;
 mod vector;
@@ -13,8 +14,9 @@ pub use vector::Vector;
 use crate::arena::{Function, Number, Part, Scalar};
 use crate::expression::Exponent;
 use crate::{FrameId, Model, ScalarId, VectorId};
-use field::{Analytic, Over, Rational};
+use field::{Analytic, Over, Rational, Scalar as _};
 use std::cell::RefCell;
+use std::f64::consts::{PI, TAU};
 use symbolic::{Derivation, Sym};
 use vector::Frames;
 
@@ -22,6 +24,8 @@ use vector::Frames;
 pub struct Trace<'m> {
     pub model: &'m Model,
     pub time: Sym,
+    /// The letter that stands for pi.
+    pub pi: Sym,
     pub parameters: Vec<Sym>,
     /// The coordinates q.
     pub coordinates: Vec<Sym>,
@@ -64,6 +68,7 @@ impl<'m> Trace<'m> {
         let mut trace = Trace {
             model,
             time,
+            pi: angle::pi(),
             parameters: model.parameters.iter().map(|parameter| Sym::symbol(&parameter.name)).collect(),
             rate: RefCell::new(Derivation::new(rates)),
             by_speed: alone(&speeds),
@@ -95,7 +100,7 @@ impl<'m> Trace<'m> {
                 None => None,
                 Some((parent, turn)) if turn.angle.0 < traced => {
                     let angle = self.scalar(turn.angle);
-                    Some((parent, turn.axis, angle.circle(), self.rate_of(angle)))
+                    Some((parent, turn.axis, angle::circle(angle), self.rate_of(angle)))
                 }
                 Some(_) => return,
             };
@@ -168,6 +173,7 @@ impl<'m> Trace<'m> {
             Scalar::Rate { coordinate, order: 1 } => self.speeds[*coordinate],
             Scalar::Rate { coordinate, .. } => self.accelerations[*coordinate],
             Scalar::Time => self.time,
+            Scalar::Pi => self.pi,
             Scalar::Negation(a) => -of(a),
             Scalar::Sum(a, b) => of(a) + of(b),
             Scalar::Difference(a, b) => of(a) - of(b),
@@ -178,9 +184,9 @@ impl<'m> Trace<'m> {
             Scalar::Function(function, a) => {
                 let a = of(a);
                 match function {
-                    Function::Sin => a.circle().sin,
-                    Function::Cos => a.circle().cos,
-                    Function::Tan => a.circle().sin / a.circle().cos,
+                    Function::Sin => angle::circle(a).sin,
+                    Function::Cos => angle::circle(a).cos,
+                    Function::Tan => angle::circle(a).sin / angle::circle(a).cos,
                     Function::Sqrt => a.sqrt(),
                 }
             }
@@ -219,7 +225,13 @@ impl<'m> Trace<'m> {
 /// The decimal as it was written, in its unit.
 fn exactly(number: &Number) -> Sym {
     let Number { value, times, per } = *number;
-    let factor = |value: f64| -> Sym { Sym::lift(value) };
+    let factor = |value: f64| -> Sym {
+        match value {
+            PI => angle::pi(),
+            TAU => angle::pi() * Sym::int(2),
+            other => Sym::lift(other),
+        }
+    };
     let decimal: Sym = Sym::constant(Rational::decimal(value));
     match (times == 1.0, per == 1.0) {
         (true, true) => decimal,

@@ -25,12 +25,30 @@ pub struct Source<'a> {
     tape: &'a Tape,
     language: Language,
     name: &'a str,
+    /// What stands for the inputs, instead of the components of y.
+    inputs: Option<&'a [String]>,
+}
+
+/// A tape as statements of a language, for a function that somebody else begins and ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Statements {
+    /// One a line, each after those that it reads.
+    pub lines: Vec<String>,
+    /// The outputs: names or numbers.
+    pub outputs: Vec<String>,
 }
 
 impl Tape {
     /// The tape as a function with this name.
     pub fn source<'a>(&'a self, language: Language, name: &'a str) -> Source<'a> {
-        Source { tape: self, language, name }
+        Source { tape: self, language, name, inputs: None }
+    }
+
+    /// The tape as statements over inputs with these texts, one for each; results are called r0, r1, ...
+    pub fn statements(&self, language: Language, inputs: &[String]) -> Statements {
+        let source = Source { tape: self, language, name: "", inputs: Some(inputs) };
+        let outputs = self.outputs.iter().map(|&output| source.number(output)).collect();
+        Statements { lines: source.lines(), outputs }
     }
 
     /// Additions, multiplications, divisions and roots; a circle point is counted apart, negations are free.
@@ -56,7 +74,10 @@ impl Source<'_> {
         let number = register as usize;
         let Tape { inputs, rounded, .. } = self.tape;
         match number.checked_sub(*inputs) {
-            None => format!("y[{number}]"),
+            None => match self.inputs.and_then(|inputs| inputs.get(number)) {
+                Some(name) => name.clone(),
+                None => format!("y[{number}]"),
+            },
             Some(place) => match rounded.get(place) {
                 Some(value) => format!("{value:?}"),
                 None => format!("r{}", place - rounded.len()),
@@ -76,6 +97,17 @@ impl Source<'_> {
             }
         }
         used
+    }
+
+    /// A statement for every operation.
+    fn lines(&self) -> Vec<String> {
+        let (mut next, used) = (0, self.used());
+        let mut lines = Vec::with_capacity(self.tape.operations.len());
+        for &operation in &self.tape.operations {
+            lines.push(self.statement(operation, next, &used));
+            next += operation.results();
+        }
+        lines
     }
 
     /// The statement that computes one operation into registers from `next` on.
@@ -112,17 +144,15 @@ impl Source<'_> {
 
 impl fmt::Display for Source<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Source { tape, language, name } = *self;
+        let Source { tape, language, name, .. } = *self;
         let (n, m) = (tape.inputs(), tape.outputs());
         match language {
             Language::C => writeln!(f, "void {name}(const double *y, double *dy)\n{{")?,
             Language::Python => writeln!(f, "def {name}(y, cos=cos, sin=sin, sqrt=sqrt):")?,
             Language::Rust => writeln!(f, "pub fn {name}(y: &[f64; {n}], dy: &mut [f64; {m}]) {{")?,
         }
-        let (mut next, used) = (0, self.used());
-        for &operation in &tape.operations {
-            writeln!(f, "    {}", self.statement(operation, next, &used))?;
-            next += operation.results();
+        for line in self.lines() {
+            writeln!(f, "    {line}")?;
         }
         let outputs = tape.outputs.iter().map(|&output| self.number(output));
         if language == Language::Python {
