@@ -30,6 +30,17 @@ fn oscillator() -> Source {
     }
 }
 
+/// No parameter, no letter.
+fn faller() -> Source {
+    Source {
+        coordinates: entries(&[("y", "m")]),
+        points: entries(&[("P", "O + y*N.y")]),
+        bodies: vec![BodySource::particle("stone", "P", "(2 kg)")],
+        gravity: Some("-(9.81 m/s^2)*N.y".into()),
+        ..Source::default()
+    }
+}
+
 fn double_pendulum() -> Source {
     Source {
         parameters: entries(&[
@@ -112,6 +123,7 @@ fn cases() -> Vec<Case> {
         Case { name, model, time, coordinates, speeds, expected }
     };
     vec![
+        case("faller", faller(), &[0.2], &[0.1]),
         case("oscillator", oscillator(), &[0.8, -0.3], &[0.4, 1.1]),
         case("double_pendulum", double_pendulum(), &[0.9, -0.4], &[1.3, 0.7]),
         case("slider_crank", slider_crank(), &[0.6, 0.2, 0.35], &[2.0, -0.7, 0.3]),

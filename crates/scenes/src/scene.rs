@@ -61,47 +61,39 @@ pub fn read_prescribed(
     let behind = text.len();
     tables(&path.display().to_string(), &text, |top, issues| {
         top.known(&["title", "description", "run", "ensemble"]);
-        let own = model(top, issues)?;
-        let mut source = own.1;
+        let (own, mut source) = model(top, issues)?;
+        let mut places: Vec<usize> = Vec::new();
         for (name, is) in motions {
-            let is = Text::at(is.as_str(), behind);
-            source.outputs.push(Entry { name: Text::at(format!("the motion of `{name}`"), behind), value: is });
-        }
-        let told = |fault: Fault| {
-            Issue::at(0..0, format!("a prescribed motion: {}", fault.title), fault.label).accepted(fault.accepted)
-        };
-        let model = Model::of(&source).map_err(|faults| issues.extend(faults.into_iter().map(told))).ok()?;
-        let first = model.outputs.len() - motions.len();
-        let mut prescribed = Vec::new();
-        for ((name, _), output) in motions.iter().zip(&model.outputs[first..]) {
-            let place = model.coordinates.iter().position(|coordinate| coordinate.name == *name);
+            let place = own.coordinates.iter().position(|coordinate| coordinate.name == *name);
             let wrong = match place {
-                None => Some("no coordinate has this name".to_owned()),
-                Some(place) if model.coordinates[place].dimension != output.dimension => Some(format!(
-                    "it has the dimension {}, and the coordinate has {}",
-                    output.dimension, model.coordinates[place].dimension
-                )),
-                Some(place) if prescribed.iter().any(|(known, _)| *known == place) => {
-                    Some("it is prescribed twice".to_owned())
-                }
+                None => Some("no coordinate has this name"),
+                Some(place) if places.contains(&place) => Some("it is prescribed twice"),
                 Some(_) => None,
             };
             match (wrong, place) {
-                (None, Some(place)) => prescribed.push((place, output.is)),
+                (None, Some(place)) => places.push(place),
                 (wrong, _) => {
-                    let names: Vec<&str> =
-                        model.coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect();
                     let issue =
-                        Issue::at(0..0, format!("the motion of `{name}` is not accepted"), wrong.unwrap_or_default());
-                    issues.push(
-                        issue.accepted(format!(
-                            "a coordinate and an expression of t: \"{} = ...\"",
-                            names.join("\", \"")
-                        )),
-                    );
+                        Issue::at(0..0, format!("the motion of `{name}` is not accepted"), wrong.unwrap_or("here"));
+                    let known: Vec<&str> = own.coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect();
+                    issues.push(issue.accepted(format!("a motion for each of: {}", known.join(", "))));
                 }
             }
+            // the sum has the dimension of the coordinate, or is refused
+            let is = Text::at(format!("{is} + ({name} - {name})"), behind);
+            source.outputs.push(Entry { name: Text::at(format!("the motion of {name}"), behind), value: is });
         }
+        if places.len() < motions.len() {
+            return None;
+        }
+        let told = |fault: Fault| {
+            let issue = Issue::at(0..0, format!("a prescribed motion: {}", fault.title), fault.label);
+            issue.accepted(fault.accepted)
+        };
+        let model = Model::of(&source).map_err(|faults| issues.extend(faults.into_iter().map(told))).ok()?;
+        let first = model.outputs.len() - motions.len();
+        let prescribed = places.into_iter().zip(&model.outputs[first..]).map(|(place, output)| (place, output.is));
+        let prescribed = prescribed.collect();
         Some((model, prescribed))
     })
 }

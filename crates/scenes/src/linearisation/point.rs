@@ -7,20 +7,24 @@ use std::fmt;
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-12;
 
-/// The accelerations, or the multipliers, that the equations leave open at a point.
+/// Why accelerations and multipliers are not determined at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Undetermined {
-    pub rank: usize,
-    pub unknowns: usize,
+pub enum Undetermined {
+    /// The equations leave some of them open.
+    Rank { rank: usize, unknowns: usize },
+    /// An equation has no finite value.
+    NotFinite,
 }
 
 impl fmt::Display for Undetermined {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the equations do not determine accelerations and reactions: {} unknowns, rank {}",
-            self.unknowns, self.rank
-        )
+        match self {
+            Self::Rank { rank, unknowns } => write!(
+                f,
+                "the equations do not determine accelerations and reactions: {unknowns} unknowns, rank {rank}"
+            ),
+            Self::NotFinite => write!(f, "the equations have no finite value"),
+        }
     }
 }
 
@@ -37,7 +41,7 @@ pub fn matrix(at: &At) -> DMatrix<f64> {
 /// Solves with the matrix of a point, rows and columns scaled, for all columns of the right side.
 ///
 /// # Errors
-/// The rank where it is not full.
+/// Where it has no solution, or several.
 pub fn solved(at: &At, right: &DMatrix<f64>) -> Result<DMatrix<f64>, Undetermined> {
     let mut matrix = matrix(at);
     let size = matrix.nrows();
@@ -54,9 +58,9 @@ pub fn solved(at: &At, right: &DMatrix<f64>) -> Result<DMatrix<f64>, Undetermine
     for (mut column, scale) in matrix.column_iter_mut().zip(&columns) {
         column.scale_mut(1.0 / scale);
     }
-    let unknown = |rank: usize| Undetermined { rank, unknowns: size };
+    let unknown = |rank: usize| Undetermined::Rank { rank, unknowns: size };
     if !matrix.iter().chain(right.iter()).all(|value| value.is_finite()) {
-        return Err(unknown(0));
+        return Err(Undetermined::NotFinite);
     }
     let singular = matrix.singular_values();
     let rank = singular.iter().filter(|value| **value > RANK * singular.amax()).count();

@@ -7,6 +7,8 @@
 mod circles;
 mod harmonic;
 mod sum;
+#[cfg(test)]
+mod tests;
 mod writing;
 
 use harmonic::{Harmonic, Multiple};
@@ -51,6 +53,7 @@ impl Reading {
         reading.parameters = reading.leaves.len() as u32;
         for letter in letters {
             reading.leaf(letter, None);
+            reading.atoms.push(letter);
         }
         reading
     }
@@ -90,7 +93,7 @@ impl Reading {
                 self.known.insert(next, sum);
             } else {
                 open.push((next, true));
-                open.extend(inside.into_iter().map(|part| (part, false)));
+                open.extend(inside.into_iter().rev().map(|part| (part, false)));
             }
         }
         self.known[&expression].clone()
