@@ -153,9 +153,9 @@ fn refuse_form(asked: &Asked, why: &str) -> Result<(), Ending> {
 /// Equations in a notation.
 fn written(equations: &[Equation], format: Equations) -> Result<String, Ending> {
     let lines = |line: &dyn Fn(&Equation) -> String| equations.iter().map(|each| line(each) + "\n").collect();
-    let latex = |each: &Equation| format!("{} = {}", each.left.latex(), each.right.latex());
+    let latex = |each: &Equation| format!("{} = {}", each.left.decimal_latex(), each.right.decimal_latex());
     match format {
-        Equations::Text => Ok(lines(&|each| format!("{} = {}", each.left, each.right))),
+        Equations::Text => Ok(lines(&|each| format!("{} = {}", each.left.decimal_text(), each.right.decimal_text()))),
         Equations::Latex => Ok(lines(&latex)),
         Equations::Mathml => {
             let typeset = equations.iter().map(|each| charts::mathml(&latex(each)).map(|math| math + "\n"));

@@ -37,6 +37,7 @@ mod coefficients;
 pub mod complex;
 mod dimension;
 mod evaluate;
+mod exact_turns;
 mod formulas;
 mod fraction;
 mod graph;

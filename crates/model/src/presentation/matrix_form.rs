@@ -97,18 +97,6 @@ impl MatrixForm {
         self.mapped(&mut |expressions| expressions.iter().map(|each| reading.of(*each)).collect())
     }
 
-    /// The equations, one for each coordinate: each left side less the right.
-    pub fn residuals(&self) -> Vec<Sym> {
-        let dot = |a: &[Sym], b: &[Sym]| a.iter().zip(b).fold(Sym::ZERO, |sum, (&a, &b)| sum + a * b);
-        let reaction = |i: usize| {
-            let column: Vec<Sym> = self.constraints.iter().map(|held| held.row[i]).collect();
-            dot(&column, &self.multipliers)
-        };
-        let equation =
-            |i: usize| dot(&self.mass[i], &self.accelerations) + self.inertia[i] - self.forces[i] - reaction(i);
-        (0..self.coordinates.len()).map(equation).collect()
-    }
-
     fn mapped(&self, map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>) -> Self {
         let single = |map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>, expression: Sym| map(&[expression])[0];
         MatrixForm {

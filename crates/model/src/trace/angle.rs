@@ -8,7 +8,7 @@ pub(super) fn pi() -> Sym {
     Sym::symbol("pi")
 }
 
-/// The circle point of an angle. Of a multiple of pi it is exact where square roots tell it: for multiples of pi/6 and pi/4.
+/// The circle point of an angle. Of a multiple of pi it is exact where square roots tell it: for multiples of pi/12.
 pub(super) fn circle(angle: Sym) -> Circle<Sym> {
     let pi = pi();
     let part = angle.diff(pi).as_constant().filter(|part| part.sign() != Some(0));
@@ -21,26 +21,10 @@ pub(super) fn circle(angle: Sym) -> Circle<Sym> {
     rest.circle() + point
 }
 
-/// Of a part of pi.
+/// Of a part of pi: a whole number of twelfths.
 fn exact(part: Rational) -> Option<Circle<Sym>> {
-    let twelfths = part * Rational::new(12, 1);
-    let twelfths = i64::try_from(twelfths.to_big().filter(|big| big.denominator().is_one())?.numerator()).ok()?;
-    let root = |square: i64| Sym::int(square).sqrt() / Sym::int(2);
-    // the cosine of so many twelfths of pi, in the first quadrant
-    let cosine = |twelfths: i64| match twelfths {
-        0 => Some(Sym::ONE),
-        2 => Some(root(3)),
-        3 => Some(root(2)),
-        4 => Some(Sym::ratio(1, 2)),
-        6 => Some(Sym::ZERO),
-        _ => None,
-    };
-    let signed = |twelfths: i64| {
-        let around = twelfths.rem_euclid(24);
-        let around = if around > 12 { 24 - around } else { around };
-        if around > 6 { cosine(12 - around).map(|value| -value) } else { cosine(around) }
-    };
-    Some(Circle { cos: signed(twelfths)?, sin: signed(twelfths - 6)? })
+    let twelfths = (part * Rational::new(12, 1)).to_big().filter(|big| big.denominator().is_one())?;
+    Some(Sym::of_twelfths(i64::try_from(twelfths.numerator()).ok()?))
 }
 
 #[cfg(test)]

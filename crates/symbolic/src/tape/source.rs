@@ -127,11 +127,12 @@ impl Source<'_> {
             Operation::ProductAnd(..) => format!("{a} * {b} + {c}"),
             Operation::ProductLess(..) => format!("{a} * {b} - {c}"),
             Operation::LessProduct(..) => format!("{c} - {a} * {b}"),
-            Operation::Root(_) if self.language == Language::Rust => format!("{a}.sqrt()"),
+            // a literal has no methods
+            Operation::Root(_) if self.language == Language::Rust => format!("f64::sqrt({a})"),
             Operation::Root(_) => format!("sqrt({a})"),
             Operation::Circle(_) => {
                 let part = |function: &str, register: usize| match self.language {
-                    Language::Rust => format!("{start}r{register} = {a}.{function}(){end}"),
+                    Language::Rust => format!("{start}r{register} = f64::{function}({a}){end}"),
                     Language::C | Language::Python => format!("{start}r{register} = {function}({a}){end}"),
                 };
                 let parts = [("cos", next), ("sin", next + 1)].into_iter().filter(|(_, register)| used[*register]);
