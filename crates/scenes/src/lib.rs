@@ -11,11 +11,14 @@ mod compiled_system;
 mod equilibrium;
 pub mod inverse;
 pub mod linearisation;
+mod prescribed;
+mod row_units;
 mod scene;
 mod start;
 pub mod text;
 
 pub use compiled_system::{CompiledSystem, NotCompiled};
 pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
-pub use scene::{ModelScene, equilibrium_of, read_model, read_prescribed, register, start_of};
+pub use prescribed::read_prescribed;
+pub use scene::{ModelScene, equilibrium_of, read_model, register, start_of};
 pub use start::{Open, Unmet, consistent};

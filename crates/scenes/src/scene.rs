@@ -3,6 +3,7 @@
 use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
 use crate::equilibrium::{NoEquilibrium, equilibrium};
+use crate::row_units::{coherent, rate_unit};
 use crate::start::{Open, Unmet, consistent};
 use crate::text;
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
@@ -13,7 +14,7 @@ use derivations::scene::smooth::Parameter;
 use derivations::scene::{Axes, Issue, Modelled, Problem, Run, SceneError, Smooth, read_models_by, run};
 use integrators::Reference;
 use model::equations::Level;
-use model::{Entry, Fault, Model, ScalarId, Source, StartValue, Text};
+use model::{Model, Source, StartValue};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
@@ -48,58 +49,8 @@ pub fn read_model(path: &Path) -> Result<Model, SceneError> {
     })
 }
 
-/// Reads the system of a file with prescribed motions: coordinates by their names with expressions of the time, as the file could
-/// have them. Each comes back as the place of its coordinate and its expression.
-///
-/// # Errors
-/// All that is wrong with the system, and with the motions.
-pub fn read_prescribed(
-    path: &Path,
-    motions: &[(String, String)],
-) -> Result<(Model, Vec<(usize, ScalarId)>), SceneError> {
-    let text = read_text(path)?;
-    let behind = text.len();
-    tables(&path.display().to_string(), &text, |top, issues| {
-        top.known(&["title", "description", "run", "ensemble"]);
-        let (own, mut source) = model(top, issues)?;
-        let mut places: Vec<usize> = Vec::new();
-        for (name, is) in motions {
-            let place = own.coordinates.iter().position(|coordinate| coordinate.name == *name);
-            let wrong = match place {
-                None => Some("no coordinate has this name"),
-                Some(place) if places.contains(&place) => Some("it is prescribed twice"),
-                Some(_) => None,
-            };
-            match (wrong, place) {
-                (None, Some(place)) => places.push(place),
-                (wrong, _) => {
-                    let issue =
-                        Issue::at(0..0, format!("the motion of `{name}` is not accepted"), wrong.unwrap_or("here"));
-                    let known: Vec<&str> = own.coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect();
-                    issues.push(issue.accepted(format!("a motion for each of: {}", known.join(", "))));
-                }
-            }
-            // the sum has the dimension of the coordinate, or is refused
-            let is = Text::at(format!("{is} + ({name} - {name})"), behind);
-            source.outputs.push(Entry { name: Text::at(format!("the motion of {name}"), behind), value: is });
-        }
-        if places.len() < motions.len() {
-            return None;
-        }
-        let told = |fault: Fault| {
-            let issue = Issue::at(0..0, format!("a prescribed motion: {}", fault.title), fault.label);
-            issue.accepted(fault.accepted)
-        };
-        let model = Model::of(&source).map_err(|faults| issues.extend(faults.into_iter().map(told))).ok()?;
-        let first = model.outputs.len() - motions.len();
-        let prescribed = places.into_iter().zip(&model.outputs[first..]).map(|(place, output)| (place, output.is));
-        let prescribed = prescribed.collect();
-        Some((model, prescribed))
-    })
-}
-
 /// The system of a file with its source; what is wrong with it goes into the list.
-fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
+pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
     let source = text::source(top);
     let faults = match Model::of(&source) {
         Ok(model) => return Some((model, source)),
@@ -300,24 +251,5 @@ impl Smooth for ModelScene {
             Some(coherent(&output.dimension.to_string()))
         };
         found.or_else(energy).or_else(output).unwrap_or_else(|| "1".to_owned()).into()
-    }
-}
-
-/// The unit in which a run has a quantity that is written in another: m for mm, rad for deg.
-fn coherent(unit: &str) -> String {
-    match units::Unit::parse(unit) {
-        Ok(parsed) if parsed.factors() == [1.0, 1.0] && unit != parsed.dimension().to_string() => unit.to_owned(),
-        Ok(parsed) if parsed.dimension().is_number() && unit != "1" => "rad".to_owned(),
-        Ok(parsed) => parsed.dimension().coherent(),
-        Err(_) => unit.to_owned(),
-    }
-}
-
-/// The unit of a rate: m/s, and m/s^2 of m/s.
-fn rate_unit(unit: &str) -> String {
-    let rate = format!("{unit}/s");
-    match units::Unit::parse(&rate) {
-        Ok(parsed) if unit.contains('/') => parsed.dimension().coherent(),
-        _ => rate,
     }
 }

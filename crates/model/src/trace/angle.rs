@@ -1,6 +1,6 @@
 //! Circle points of angles that hold multiples of pi: cos(pi/6) is sqrt(3)/2, cos(theta + pi/2) is -sin(theta).
 
-use field::{Analytic, Circle, Rational, Scalar};
+use field::{Analytic, Circle, Rational};
 use symbolic::Sym;
 
 /// The letter that stands for pi in expressions of a model.
