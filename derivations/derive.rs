@@ -1,5 +1,6 @@
 //! Equations of motion for reading: derived by a chosen principle, brought to normal form, solved for nothing.
 
+use crate::exact_turns::with_exact_turns;
 use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine, drive};
 use crate::papers::konosevich2022::Letters;
 use crate::scene::{MachineData, Named};
@@ -136,12 +137,15 @@ fn of_machine(s: &Letters, machine: &impl Machine<Sym>, currents: &[Sym]) -> Res
     let mut rates = vec![Sym::ZERO; currents.len()];
     let angle: Circle<Sym> = s.angle();
     let moment = drive(machine, angle, s.dgamma, currents, &mut rates);
-    let mut equations = vec![Equation { left: s.moment, right: simplified(moment, &Hypotheses::none())? }];
+    let mut equations =
+        vec![Equation { left: s.moment, right: simplified(with_exact_turns(moment), &Hypotheses::none())? }];
     for (k, (current, rate)) in currents.iter().zip(rates).enumerate() {
         let inductance = machine.inductance(k);
         let name = Sym::named(&format!("d{current}/dt"), &format!(r"\frac{{d{}}}{{dt}}", current.latex()));
-        equations
-            .push(Equation { left: inductance * name, right: simplified(inductance * rate, &Hypotheses::none())? });
+        equations.push(Equation {
+            left: inductance * name,
+            right: simplified(with_exact_turns(inductance * rate), &Hypotheses::none())?,
+        });
     }
     Ok(equations)
 }

@@ -33,6 +33,7 @@ pub mod conformance;
 pub mod derive;
 pub mod differentiated;
 pub mod ensemble;
+mod exact_turns;
 pub mod failures;
 pub mod friction;
 pub mod governors;

@@ -2,8 +2,8 @@
 
 use crate::clock::Keeps;
 use crate::{
-    bodies, chart, choose, conform, derive, ensemble, failures, ledger, motor, new, phantom, prove, reference, regimes,
-    report, review, run, scenes, stationary,
+    bodies, chart, choose, conform, derive, ensemble, failures, inverse, ledger, linearise, motor, new, phantom, prove,
+    reference, regimes, report, review, run, scenes, stationary,
 };
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -54,6 +54,8 @@ impl Arguments {
             Some(Command::Ledger(_)) => ("ledger", Nothing, Some(USUAL)),
             Some(Command::Review(_)) => ("review", Nothing, None),
             Some(Command::Derive(_)) => ("derive", Nothing, Some(USUAL)),
+            Some(Command::Inverse(_)) => ("inverse", Nothing, Some(USUAL)),
+            Some(Command::Linearise(_)) => ("linearise", Nothing, Some(USUAL)),
             Some(Command::Prove(_)) => ("prove", Nothing, Some(USUAL)),
             Some(Command::Bodies(_)) => ("bodies", Nothing, Some(USUAL)),
             Some(Command::Stationary(_)) => ("stationary", Nothing, Some(USUAL)),
@@ -94,6 +96,11 @@ pub enum Command {
     Derive(derive::Asked),
     /// Whether every principle gives the same equations of motion, for a system that is written in its file
     Prove(prove::Asked),
+    /// Linear equations about a point or along a run, for a system that is written in its file: A, B, C, D, eigenvalues, stability
+    #[command(alias = "linearize")]
+    Linearise(linearise::Asked),
+    /// The forces under which a system that is written in its file moves as prescribed
+    Inverse(inverse::Asked),
     /// What the bodies of a scene come to: both inertia tensors, principal axes, centre of mass, weight
     Bodies(bodies::Asked),
     /// All stationary motions of a scene's gyrostat with its motor, and why none is missing

@@ -8,7 +8,7 @@ use derivations::derive::{Equation, Principle, derive as equations_of, motor_of}
 use derivations::scene::any::holds_model;
 use derivations::scene::file::read_text;
 use derivations::scene::{Axes, Family, Scene};
-use model::{Readable, Trace, constraints, readable, vectors};
+use model::{MatrixForm, Trace, constraints, vectors};
 use std::path::Path;
 use symbolic::{Language, Sym, Tape};
 
@@ -123,11 +123,35 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
             let lines = [vectors(&trace), constraints(&trace)].concat();
             text += &(lines.join("\n") + "\n\n");
         }
-        let equations = readable(&trace, principle).map_err(Ending::refused)?;
-        let equations: Vec<Equation> =
-            equations.into_iter().map(|Readable { left, right }| Equation { left, right }).collect();
-        Ok(text + &written(&equations, asked.format.unwrap_or(Equations::Text))?)
+        let form = MatrixForm::of(&trace, principle).map_err(Ending::refused)?;
+        Ok(text + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
+}
+
+/// A system in matrix form in a notation.
+fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Result<String, Ending> {
+    let is_code = !matches!(format, Equations::Text | Equations::Latex | Equations::Mathml);
+    if let (true, Some(free)) = (is_code, trace.model.free.first()) {
+        let name = &trace.model.frames[free.0].name;
+        return Err(Ending::refused(format!(
+            "`{name}` turns freely, which is not written as code yet; text, latex and mathml are accepted"
+        )));
+    }
+    let code = |language| model::code(trace, form, language).map_err(Ending::refused);
+    match format {
+        Equations::Text => Ok(model::text(trace, &form.for_reading())),
+        Equations::Latex => Ok(model::latex(trace, &form.for_reading())),
+        Equations::Mathml => {
+            let equations = model::typeset(trace, &form.for_reading()).into_iter().flatten();
+            let typeset = equations.map(|each| charts::mathml(&format!("{} = {}", each.left, each.right)));
+            let lines: Vec<String> = typeset.collect::<Result<_, _>>().map_err(Ending::refused)?;
+            Ok(lines.join("\n") + "\n")
+        }
+        Equations::Sympy => Ok(model::sympy(trace, form)),
+        Equations::C => code(Language::C),
+        Equations::Python => code(Language::Python),
+        Equations::Rust => code(Language::Rust),
+    }
 }
 
 /// Forms are of a scene's code alone.
@@ -144,9 +168,9 @@ fn refuse_form(asked: &Asked, why: &str) -> Result<(), Ending> {
 /// Equations in a notation.
 fn written(equations: &[Equation], format: Equations) -> Result<String, Ending> {
     let lines = |line: &dyn Fn(&Equation) -> String| equations.iter().map(|each| line(each) + "\n").collect();
-    let latex = |each: &Equation| format!("{} = {}", each.left.latex(), each.right.latex());
+    let latex = |each: &Equation| format!("{} = {}", each.left.decimal_latex(), each.right.decimal_latex());
     match format {
-        Equations::Text => Ok(lines(&|each| format!("{} = {}", each.left, each.right))),
+        Equations::Text => Ok(lines(&|each| format!("{} = {}", each.left.decimal_text(), each.right.decimal_text()))),
         Equations::Latex => Ok(lines(&latex)),
         Equations::Mathml => {
             let typeset = equations.iter().map(|each| charts::mathml(&latex(each)).map(|math| math + "\n"));

@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`arguments`]: the command line; what can be asked of a command stands beside it;
-//! * `report`, `ledger`, `review`, `derive`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `conform`, `new`,
+//! * `report`, `ledger`, `review`, `derive`, `linearise`, `inverse`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
@@ -25,7 +25,9 @@ mod derive;
 mod ending;
 mod ensemble;
 mod failures;
+mod inverse;
 mod ledger;
+mod linearise;
 mod motor;
 mod new;
 mod output;
@@ -80,6 +82,8 @@ fn main() -> ExitCode {
         Some(Command::Ledger(asked)) => ledger::list(&asked),
         Some(Command::Review(asked)) => review::review(&asked),
         Some(Command::Derive(asked)) => derive::derive(&asked),
+        Some(Command::Inverse(asked)) => inverse::show(&asked),
+        Some(Command::Linearise(asked)) => linearise::linearise(&asked),
         Some(Command::Prove(asked)) => prove::prove(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),

@@ -60,6 +60,8 @@ pub enum Scalar {
     Switch(usize),
     /// An input, by its value or as a letter.
     Input(usize),
+    /// The half turn.
+    Pi,
     Negation(ScalarId),
     Sum(ScalarId, ScalarId),
     Difference(ScalarId, ScalarId),

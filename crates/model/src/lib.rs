@@ -36,6 +36,7 @@ mod real_points;
 mod source;
 mod statements;
 mod trace;
+mod variations;
 
 pub use agreement::{Agreement, Projected, agreement, projected_agreement};
 pub use arena::{Function, Number, ScalarId, VectorId};
@@ -46,9 +47,10 @@ pub use parts::{
     GeneralisedForce, Inertia, Input, Material, Model, Output, Parameter, Point, PointId, StartValue, Torque, Turn,
     Zero,
 };
-pub use presentation::{Readable, constraints, readable, vectors};
+pub use presentation::{Held, MatrixForm, Typeset, code, constraints, latex, sympy, text, typeset, vectors};
 pub use source::{
     BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source, Text,
 };
 pub use statements::{Mistake, Mistaken, Statement, mistaken, statements};
 pub use trace::{Trace, Vector};
+pub use variations::{Variations, Varied};

@@ -30,8 +30,10 @@ impl PointId {
 pub struct Parameter {
     pub name: String,
     pub dimension: Dimension,
-    /// The unit as written.
+    /// The coherent unit.
     pub unit: String,
+    /// Value and unit as the text has them.
+    pub written: String,
     /// In SI units; none where it is left open.
     pub value: Option<f64>,
 }
@@ -251,6 +253,8 @@ pub struct Model {
     pub switches: Vec<ScalarId>,
     pub events: Vec<Event>,
     pub start: Vec<StartValue>,
+    /// Where it is said that the start is an equilibrium near these values.
+    pub equilibrium: Option<Range<usize>>,
     pub(crate) arena: Arena,
 }
 

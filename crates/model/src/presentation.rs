@@ -1,75 +1,88 @@
-//! Equations of motion for reading: accelerations on the left, everything else on the right, each term in normal form.
+//! Equations of motion for reading and for other programs: matrix form, vectors, kinds of constraints.
 
-use crate::equations::{Equation, Equations, Level, constraints_of as equations_of};
-use crate::principles::{NotApplicable, Principle};
+mod code;
+mod identifiers;
+mod latex;
+mod matrix_form;
+mod reading;
+mod sympy;
+mod text;
+
+pub use code::code;
+pub use latex::{Typeset, equations as typeset, latex};
+pub use matrix_form::{Held, MatrixForm};
+pub use sympy::sympy;
+pub use text::text;
+
+use crate::equations::{Equation, Level, constraints_of as equations_of};
 use crate::{FrameId, PointId, Trace, Vector};
 use num_traits::Zero;
+use reading::Reading;
 use symbolic::{Hypotheses, Sym, normal};
-
-/// An equation: left = right.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Readable {
-    pub left: Sym,
-    pub right: Sym,
-}
-
-/// The equations of a model by a principle, then its constraints: M u' = -h + J^T lambda, f = 0. A multiplier is named after its
-/// constraint, `lambda1` where that has no name.
-///
-/// # Errors
-/// Where the principle does not apply to the model.
-pub fn readable(trace: &Trace<'_>, principle: Principle) -> Result<Vec<Readable>, NotApplicable> {
-    let equations = Equations::by(principle, trace)?;
-    let multipliers: Vec<Sym> = (1..=equations.constraints.len()).map(|k| Sym::symbol(&format!("lambda{k}"))).collect();
-    let mut all = Vec::new();
-    for (row, bias) in equations.mass.iter().zip(&equations.bias) {
-        let inertia =
-            row.iter().zip(&trace.accelerations).map(|(&mass, &acceleration)| simplified(mass) * acceleration);
-        let left = inertia.fold(Sym::ZERO, |sum, term| sum + term);
-        let place = all.len();
-        let reactions = equations.constraints.iter().zip(&multipliers);
-        let reactions = reactions.map(|(constraint, &lambda)| simplified(constraint.row[place]) * lambda);
-        let right = reactions.fold(simplified(-*bias), |sum, term| if term.is_zero() { sum } else { sum + term });
-        all.push(Readable { left, right });
-    }
-    all.extend(
-        equations.constraints.iter().map(|constraint| Readable { left: simplified(constraint.zero), right: Sym::ZERO }),
-    );
-    Ok(all)
-}
 
 /// The vectors that the model is made of, each on a line: of every frame its angular velocity, of every named point its position,
 /// velocity and acceleration, in the axes in which they were formed.
 pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
     let model = trace.model;
-    let written = |vector: Vector| {
+    let mut reading = reading_of(trace);
+    let mut written = |vector: Vector| {
         let frame = &model.frames[vector.frame.0].name;
-        let parts = vector.components.iter().zip(["x", "y", "z"]).filter(|(component, _)| !component.is_zero());
-        let parts: Vec<String> = parts
-            .map(|(component, axis)| match simplified(*component) {
-                one if one == Sym::ONE => format!("{frame}.{axis}"),
-                other if other.to_string().contains(' ') => format!("({other})*{frame}.{axis}"),
-                other => format!("{other}*{frame}.{axis}"),
-            })
-            .collect();
-        if parts.is_empty() { "0".to_owned() } else { parts.join(" + ") }
+        let mut text = String::new();
+        for (component, axis) in vector.components.iter().zip(["x", "y", "z"]) {
+            let component = reading.of(*component);
+            if component.is_zero() {
+                continue;
+            }
+            let written = component.decimal_text();
+            let (sign, size) = match written.strip_prefix('-') {
+                Some(rest) if !is_sum(rest) => ("-", rest.to_owned()),
+                _ if is_sum(&written) => ("", format!("({written})")),
+                _ => ("", written),
+            };
+            text += match (text.is_empty(), sign) {
+                (true, sign) => sign,
+                (false, "-") => " - ",
+                (false, _) => " + ",
+            };
+            text += &if size == "1" { format!("{frame}.{axis}") } else { format!("{size}*{frame}.{axis}") };
+        }
+        if text.is_empty() { "0".to_owned() } else { text }
     };
-    let frames = model
-        .frames
-        .iter()
-        .enumerate()
-        .skip(1)
-        .map(|(at, frame)| format!("angular_velocity({}) = {}", frame.name, written(trace.turning(FrameId(at)))));
-    let points = model.points.iter().enumerate().filter(|(_, point)| !point.name.is_empty() && point.base.is_some());
-    let points = points.flat_map(|(at, point)| {
-        let (name, at) = (&point.name, PointId(at));
-        [
-            format!("{name} - O = {}", written(trace.position(at))),
-            format!("velocity({name}) = {}", written(trace.velocity(at))),
-            format!("acceleration({name}) = {}", written(trace.acceleration(at))),
-        ]
-    });
-    frames.chain(points).collect()
+    let mut lines = Vec::new();
+    for (at, frame) in model.frames.iter().enumerate().skip(1) {
+        lines.push(format!("angular_velocity({}) = {}", frame.name, written(trace.turning(FrameId(at)))));
+    }
+    for (at, point) in model.points.iter().enumerate() {
+        if !point.name.is_empty() && point.base.is_some() {
+            let (name, at) = (&point.name, PointId(at));
+            lines.push(format!("{name} - O = {}", written(trace.position(at))));
+            lines.push(format!("velocity({name}) = {}", written(trace.velocity(at))));
+            lines.push(format!("acceleration({name}) = {}", written(trace.acceleration(at))));
+        }
+    }
+    lines
+}
+
+/// Whether a text has several terms outside of its parentheses.
+fn is_sum(text: &str) -> bool {
+    let mut depth = 0;
+    text.char_indices().any(|(at, letter)| {
+        match letter {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => {}
+        }
+        depth == 0 && at > 0 && letter == ' '
+    })
+}
+
+/// Letters in the order of the model.
+fn reading_of(trace: &Trace<'_>) -> Reading {
+    let is_positive = |parameter: &crate::Parameter| parameter.value.is_some_and(|value| value > 0.0);
+    let parameters = trace.parameters.iter().zip(&trace.model.parameters);
+    let parameters = parameters.map(|(&letter, parameter)| (letter, is_positive(parameter))).chain([(trace.pi, true)]);
+    let letters = [&trace.coordinates, &trace.speeds, &trace.accelerations].into_iter().flatten().copied();
+    Reading::new(parameters, letters.chain([trace.time]))
 }
 
 /// The kind of every constraint, each on a line: of positions or of speeds; in the speeds linear, affine or nonlinear; with the time or

@@ -77,6 +77,8 @@ pub struct Source {
     pub events: Vec<EventSource>,
     /// `theta = "30 deg"`, `theta' = "2 rad/s"`; zero where left out.
     pub start: Vec<Entry>,
+    /// Where it is said that the start is an equilibrium near these.
+    pub equilibrium: Option<Range<usize>>,
 }
 
 /// A body: with a mass and a centre a particle, with an inertia it turns with its frame.

@@ -25,6 +25,10 @@ pub enum NotCompiled {
     Massless { coordinate: String },
     /// A constraint that others imply.
     Redundant { constraint: usize },
+    /// A frame that turns freely, where only coordinates with rates of their own are known.
+    FreeFrame { name: String },
+    /// A law that changes at conditions, where one law is asked for.
+    Changes,
     /// A switch that no value between its cases keeps at zero.
     NotHeld { switch: usize },
     /// Longer than what can be run.
@@ -35,6 +39,8 @@ impl fmt::Display for NotCompiled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Open { what, name } => write!(f, "the {what} `{name}` has no value: a run needs one"),
+            Self::FreeFrame { name } => write!(f, "`{name}` turns freely, which this command does not know yet"),
+            Self::Changes => write!(f, "its law changes at conditions, which this command does not know yet"),
             Self::NotHeld { switch } => {
                 write!(f, "condition {} cannot be kept at zero: nothing in the law grows with it alone", switch + 1)
             }
@@ -172,9 +178,23 @@ fn speed_name(model: &Model, speed: usize) -> String {
     }
 }
 
+/// Whether a model has one law, in coordinates with rates of their own.
+pub(crate) fn plain(model: &Model) -> Result<(), NotCompiled> {
+    if let Some(frame) = model.free.first() {
+        return Err(NotCompiled::FreeFrame { name: model.frames[frame.0].name.clone() });
+    }
+    if model.switches.is_empty() { Ok(()) } else { Err(NotCompiled::Changes) }
+}
+
 /// Whether every parameter and every input has a value.
 pub(crate) fn has_values(model: &Model) -> Result<(), NotCompiled> {
-    let parameter = model.parameters.iter().find(|parameter| parameter.value.is_none()).map(|open| &open.name);
+    has_values_but(model, &[])
+}
+
+/// Whether every input and every parameter but some, by their places, has a value.
+pub(crate) fn has_values_but(model: &Model, given: &[usize]) -> Result<(), NotCompiled> {
+    let mut open = model.parameters.iter().enumerate().filter(|(_, parameter)| parameter.value.is_none());
+    let parameter = open.find(|(place, _)| !given.contains(place)).map(|(_, open)| &open.name);
     let input = model.inputs.iter().find(|input| input.value.is_none()).map(|open| &open.name);
     match (parameter, input) {
         (Some(open), _) => Err(NotCompiled::Open { what: "parameter", name: open.clone() }),
@@ -285,11 +305,18 @@ pub(crate) fn values(trace: &Trace<'_>, time: Sym, state: &[Sym]) -> Vec<(Sym, S
         let value: Rational = Rational::exactly(parameter.value?);
         Some((letter, Sym::lift(value)))
     });
-    let mut all: Vec<(Sym, Sym)> = known.chain(data).chain([(trace.time, time)]).collect();
+    let constants = [(trace.time, time), (trace.pi, half_turn())];
+    let mut all: Vec<(Sym, Sym)> = known.chain(data).chain(constants).collect();
     let (letters, solid): (Vec<Sym>, Vec<Sym>) = trace.solid().into_iter().unzip();
     let solid = substitute_all(&solid, &all);
     all.extend(letters.into_iter().zip(solid));
     all
+}
+
+/// Pi to 48 digits, as the sum of three floats.
+fn half_turn() -> Sym {
+    const PARTS: [f64; 3] = [std::f64::consts::PI, 1.224_646_799_147_353_2e-16, -2.994_769_809_718_339_7e-33];
+    PARTS.into_iter().map(|part| Sym::lift(Rational::exactly(part))).fold(Sym::ZERO, |sum, part| sum + part)
 }
 
 macro_rules! runs {

@@ -3,17 +3,25 @@
 //! # Overview
 //! * [`ModelScene`]: a file with `[coordinates]`, read and checked; every command that runs a scene runs it;
 //! * [`text`]: the tables of a file as a [`model::Source`];
+//! * [`linearisation`]: x' = A x + B w about a point; [`equilibrium()`]: a point of rest near a guess;
 //! * [`CompiledSystem`]: the equations of motion as machine code, as series, and over every field that runs.
 
 mod admissible;
 mod compiled_system;
+mod equilibrium;
 mod implicit;
+pub mod inverse;
+pub mod linearisation;
 mod modes;
+mod prescribed;
+mod row_units;
 mod scene;
 mod start;
 pub mod text;
 
 pub use compiled_system::{CompiledSystem, NotCompiled};
+pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 pub use modes::Case;
-pub use scene::{ModelScene, read_model, register};
+pub use prescribed::read_prescribed;
+pub use scene::{ModelScene, equilibrium_of, read_model, register, start_of};
 pub use start::{Open, Unmet, consistent};

@@ -2,7 +2,9 @@
 
 use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
+use crate::equilibrium::{NoEquilibrium, equilibrium};
 use crate::modes::{Modes, Refused};
+use crate::row_units::{coherent, rate_unit};
 use crate::start::{Open, Unmet, consistent};
 use crate::text;
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
@@ -13,8 +15,8 @@ use derivations::scene::smooth::Parameter;
 use derivations::scene::switching::Switching;
 use derivations::scene::{Axes, Issue, Modelled, Problem, Run, SceneError, Smooth, read_models_by, run};
 use integrators::Reference;
-use model::Model;
 use model::equations::Level;
+use model::{Model, Source, StartValue};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
@@ -45,15 +47,15 @@ pub fn read_model(path: &Path) -> Result<Model, SceneError> {
     let text = read_text(path)?;
     tables(&path.display().to_string(), &text, |top, issues| {
         top.known(&["title", "description", "run", "ensemble"]);
-        model(top, issues)
+        model(top, issues).map(|(model, _)| model)
     })
 }
 
-/// The system of a file; what is wrong with it goes into the list.
-fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Model> {
+/// The system of a file with its source; what is wrong with it goes into the list.
+pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
     let source = text::source(top);
     let faults = match Model::of(&source) {
-        Ok(model) => return Some(model),
+        Ok(model) => return Some((model, source)),
         Err(faults) => faults,
     };
     // what could not be read explains what is missing
@@ -73,7 +75,7 @@ impl ModelScene {
             let title = top.text("title", "one line that says what happens").value;
             let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
             let description = top.optional_text("description", "what happens and why it is hard");
-            let model = model(top, issues).map(Arc::new);
+            let model = model(top, issues).map(|(model, _)| Arc::new(model));
             let names = model.as_deref().map(columns);
             let run = run::read(top, issues, names.as_deref());
             let model = model?;
@@ -90,12 +92,35 @@ impl ModelScene {
 
 /// The start, completed, and the law that runs from it.
 fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
-    let not_compiled = |reason: NotCompiled| {
-        let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
-        issue.accepted("`dalembert derive` writes its equations down without running them")
-    };
     // before the law: what depends on others makes it singular
-    let start = consistent(model).map_err(|unmet| match unmet {
+    let start = start_of(model)?;
+    let system = Modes::of(model).first(&start).map_err(|refused| match refused {
+        Refused::Law(reason) => not_compiled(&reason),
+        Refused::Motion(why) => {
+            let issue = Issue::at(0..0, format!("this system cannot start: {why}"), "in this file");
+            issue.accepted(
+                "another start: the conditions of `if`, `sign`, `abs`, `min`, `max` and `table` choose its law",
+            )
+        }
+    })?;
+    Ok((start, system))
+}
+
+fn not_compiled(reason: &NotCompiled) -> Issue {
+    let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
+    issue.accepted("`dalembert derive` writes its equations down without running them")
+}
+
+/// The state at time zero: as the file gives it, completed so that constraints hold; or an equilibrium, where it asks for one.
+///
+/// # Errors
+/// Why there is none, at its place.
+pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
+    let completed = match &model.equilibrium {
+        None => consistent(model),
+        Some(_) => consistent(&at_rest(model, false)?),
+    };
+    completed.map_err(|unmet| match unmet {
         Unmet::Open(open) => inconsistent(&open),
         Unmet::Redundant(at) => {
             let title = "this constraint follows from those before it";
@@ -113,19 +138,41 @@ fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
             let issue = Issue::at(at, "a constraint that changes at a condition is not there yet", "this one");
             issue.accepted("constraints without `if`, `sign`, `abs`, `min`, `max` and `table`")
         }
-        Unmet::NotCompiled(reason) => not_compiled(reason),
-    })?;
-    let modes = Modes::of(model);
-    let system = modes.first(&start).map_err(|refused| match refused {
-        Refused::Law(reason) => not_compiled(reason),
-        Refused::Motion(why) => {
-            let issue = Issue::at(0..0, format!("this system cannot start: {why}"), "in this file");
-            issue.accepted(
-                "another start: the conditions of `if`, `sign`, `abs`, `min`, `max` and `table` choose its law",
-            )
+        Unmet::NotCompiled(reason) => not_compiled(&reason),
+    })
+}
+
+/// The equilibrium near the coordinates at the start, all of which may move.
+///
+/// # Errors
+/// Why there is none.
+pub fn equilibrium_of(model: &Model) -> Result<Vec<f64>, Issue> {
+    Ok(at_rest(model, true)?.start_state())
+}
+
+/// The model with an equilibrium as its start.
+fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
+    let found = equilibrium(model, all).map_err(|why| {
+        let at = model.equilibrium.clone().unwrap_or_default();
+        match why {
+            NoEquilibrium::NotCompiled(reason) => not_compiled(&reason),
+            NoEquilibrium::Moves { speed } => {
+                let issue = Issue::at(at, "an equilibrium has no speeds", format!("{speed} is not zero"));
+                issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted")
+            }
+            NoEquilibrium::NotFound { equation, residual } => {
+                let label = format!("{equation} leave {residual:.6e} in SI units at the best point that was found");
+                let issue = Issue::at(at, "no equilibrium is found near this start", label);
+                issue.accepted("coordinates nearer to one, written as guesses so that they may move: \"guess 0.3 rad\"")
+            }
         }
     })?;
-    Ok((start, system))
+    let n = model.coordinates.len();
+    let value =
+        |(place, &value): (usize, &f64)| StartValue { coordinate: place % n, order: place / n, value, is_guess: false };
+    let mut rested = model.clone();
+    rested.start = found.state.iter().enumerate().map(value).collect();
+    Ok(rested)
 }
 
 /// A constraint that the start does not meet.
@@ -158,7 +205,7 @@ impl Smooth for ModelScene {
     }
 
     fn model(&self) -> &'static str {
-        "model"
+        "as written in its file"
     }
 
     fn run(&self) -> &Run {
@@ -214,11 +261,12 @@ impl Smooth for ModelScene {
     }
 
     fn unit(&self, name: &str) -> Cow<'static, str> {
-        let found = self.model.state_names().into_iter().find_map(|(own, unit)| (own == name).then_some(unit));
+        let rate = |unit: &str| unit.strip_suffix("/s").map_or_else(|| coherent(unit), |of| rate_unit(&coherent(of)));
+        let found = self.model.state_names().into_iter().find_map(|(own, unit)| (own == name).then(|| rate(&unit)));
         let energy = || ["kinetic_energy", "potential_energy"].contains(&name).then(|| "J".to_owned());
         let output = || {
             let output = self.model.outputs.iter().find(|output| output.name == name)?;
-            Some(output.dimension.to_string())
+            Some(coherent(&output.dimension.to_string()))
         };
         found.or_else(energy).or_else(output).unwrap_or_else(|| "1".to_owned()).into()
     }

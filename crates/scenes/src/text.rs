@@ -5,6 +5,7 @@ use derivations::scene::read::{At, Table};
 use model::{
     BodySource, ConstraintSource, Entry, EventSource, Fault, InertiaSource, InputSource, LoadSource, Source, Text,
 };
+use std::ops::Range;
 
 /// Tables that the language will have.
 const LATER: [(&str, &str); 4] =
@@ -21,6 +22,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
             top.report(issue.accepted("parameters, coordinates, definitions, frames, points, bodies, energies, forces, torques, constraints, inputs, events, outputs, start"));
         }
     }
+    let (start, equilibrium) = start(top);
     Source {
         parameters: entries(top, "parameters"),
         coordinates: entries(top, "coordinates"),
@@ -36,8 +38,20 @@ pub fn source(top: &mut Table<'_>) -> Source {
         outputs: entries(top, "outputs"),
         inputs: inputs(top),
         events: events(top),
-        start: entries(top, "start"),
+        start,
+        equilibrium,
     }
+}
+
+/// Coordinates and rates at time zero; where `equilibrium` stands among them, they are guesses of one.
+fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
+    let Some(mut table) = top.optional_table("start") else { return (Vec::new(), None) };
+    let place = table.place_of("equilibrium");
+    let is_asked = table.flag("equilibrium", "the start is an equilibrium near what [start] gives");
+    let keys = table.keys().into_iter().filter(|key| key.value != "equilibrium").collect();
+    let entries = entries_of(&mut table, "start", keys);
+    top.absorb(table);
+    (entries, place.filter(|_| is_asked))
 }
 
 /// A fault of the model at its place in the file.
@@ -60,14 +74,20 @@ fn key_text(key: &At<String>) -> Text {
 
 fn entries(top: &mut Table<'_>, name: &str) -> Vec<Entry> {
     let Some(mut table) = top.optional_table(name) else { return Vec::new() };
+    let keys = table.keys();
+    let entries = entries_of(&mut table, name, keys);
+    top.absorb(table);
+    entries
+}
+
+fn entries_of(table: &mut Table<'_>, name: &str, keys: Vec<At<String>>) -> Vec<Entry> {
     let mut entries = Vec::new();
-    for key in table.keys() {
+    for key in keys {
         if let Some(value) = table.written(&key.value, &format!("`{}` in [{name}]", key.value)) {
-            let value = placed(&table, &value);
+            let value = placed(table, &value);
             entries.push(Entry { name: key_text(&key), value });
         }
     }
-    top.absorb(table);
     entries
 }
 
@@ -208,7 +228,7 @@ fn events(top: &mut Table<'_>) -> Vec<EventSource> {
         let when = placed(&table, &when);
         let direction = text_of(&mut table, "direction", "\"up\", \"down\" or \"both\"");
         let set = entries(&mut table, "set");
-        let ends = table.flag("end");
+        let ends = table.flag("end", "end of the run");
         let at = table.span();
         let sound = !table.has_issues();
         top.absorb(table);

@@ -37,6 +37,7 @@ mod coefficients;
 pub mod complex;
 mod dimension;
 mod evaluate;
+mod exact_turns;
 mod formulas;
 mod fraction;
 mod graph;
@@ -66,4 +67,4 @@ pub use prove::{
 };
 pub use recurrence::{Abreast, Equations, Expansion, Fused, Recurrence};
 pub use sym::symbols;
-pub use tape::{Algebraic, Language, Operation, Program, Register, Source, Tape, Untapeable};
+pub use tape::{Algebraic, Language, Operation, Program, Register, Source, Statements, Tape, Untapeable};

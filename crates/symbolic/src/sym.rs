@@ -2,7 +2,7 @@
 
 use crate::Sym;
 use crate::graph::{Name, Node};
-use field::{Base, Over, Rational, Scalar};
+use field::{Base, Circle, Over, Rational, Scalar};
 use num_traits::{One, Zero};
 use std::fmt;
 
@@ -46,6 +46,18 @@ impl Sym {
             _ => Sym::from_node(Node::Power(self, size)),
         };
         if exponent < 0 { Sym::ONE / power } else { power }
+    }
+
+    /// The circle point of an angle as it is written: cos(a - b), not expanded. For reading: what decides and what runs works with
+    /// [`field::Analytic::circle`].
+    pub fn circle_as_written(self) -> Circle<Sym> {
+        Circle { cos: Sym::from_node(Node::Cos(self)), sin: Sym::from_node(Node::Sin(self)) }
+    }
+
+    /// The expression as a sum of distinct terms with rational coefficients, in the order of writing; the constant is a multiple of
+    /// the term 1.
+    pub fn linear_terms(self) -> Vec<(Sym, Rational)> {
+        crate::analytic::linear_terms(self)
     }
 
     /// The name of a symbol; `None` for anything else.

@@ -21,7 +21,7 @@ use symbolic::Dimension;
 use value::Value;
 
 /// Names that have a meaning of their own.
-const RESERVED: [&str; 4] = ["t", "N", "O", "ground"];
+const RESERVED: [&str; 5] = ["t", "pi", "N", "O", "ground"];
 
 /// Whether a name has a meaning of its own.
 pub fn is_reserved(name: &str) -> bool {
@@ -42,6 +42,7 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     elaborator.loads();
     elaborator.events();
     elaborator.start();
+    elaborator.model.equilibrium.clone_from(&source.equilibrium);
     match elaborator.faults.is_empty() {
         true => Ok(elaborator.model),
         false => {
@@ -93,6 +94,8 @@ impl<'s> Elaborator<'s> {
         };
         let time = made.scalar(Scalar::Time, Some(Dimension::time()));
         made.names.insert("t".to_owned(), Named::Value(Value::Scalar(time)));
+        let pi = made.scalar(Scalar::Pi, Some(Dimension::none()));
+        made.names.insert("pi".to_owned(), Named::Value(Value::Scalar(pi)));
         for ground in ["N", "ground"] {
             made.names.insert(ground.to_owned(), Named::Value(Value::Frame(FrameId::GROUND)));
         }
@@ -171,7 +174,7 @@ impl<'s> Elaborator<'s> {
         } else if is_reserved(text) {
             Some(refused(
                 "has a meaning of its own",
-                "t is the time, N the ground's frame, O its origin; another name is accepted",
+                "t is the time, pi the number, N the ground's frame, O its origin; another name is accepted",
             ))
         } else if self.names.contains_key(text) {
             Some(refused("is defined twice", "each name stands for one thing"))

@@ -85,7 +85,9 @@ impl Elaborator<'_> {
             }
         };
         let unit = dimension.coherent();
-        Ok(Parameter { name: name.text.clone(), dimension: dimension.of_expressions(), unit, value: value_in_si })
+        let written = value.text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let dimension = dimension.of_expressions();
+        Ok(Parameter { name: name.text.clone(), dimension, unit, written, value: value_in_si })
     }
 
     /// One definition, after those that it needs.

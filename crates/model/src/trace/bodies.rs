@@ -17,9 +17,8 @@ impl Trace<'_> {
     /// A mass or a moment of inertia: a letter in its place where it varies.
     pub(crate) fn solidified(&self, id: ScalarId) -> Sym {
         let value = self.scalar(id);
-        let moving = |symbol: &Sym| {
-            *symbol == self.time || self.coordinates.contains(symbol) || self.speeds.contains(symbol)
-        };
+        let moving =
+            |symbol: &Sym| *symbol == self.time || self.coordinates.contains(symbol) || self.speeds.contains(symbol);
         if !value.symbols_of().iter().any(moving) {
             return value;
         }
@@ -59,7 +58,8 @@ impl Trace<'_> {
             }
             Inertia::Tensor { axes, entries } => {
                 let [x, y, z] = self.express(vector, *axes);
-                let [xx, yy, zz, xy, xz, yz] = entries.map(|entry| entry.map_or(Sym::ZERO, |entry| self.solidified(entry)));
+                let [xx, yy, zz, xy, xz, yz] =
+                    entries.map(|entry| entry.map_or(Sym::ZERO, |entry| self.solidified(entry)));
                 let components = [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z];
                 Vector { frame: *axes, components }
             }

@@ -4,6 +4,7 @@
 //! values later. Every vector stands in the axes of one frame; a sum stands in those of the frame further down the tree, so that
 //! angles of frames turned one after the other are never added.
 
+mod angle;
 mod bodies;
 mod free_frame;
 mod motion;
@@ -20,8 +21,9 @@ use crate::equations::held_of;
 use crate::expression::Exponent;
 use crate::joints::Joints;
 use crate::{FrameId, Input, Model, ScalarId, Turn, VectorId};
-use field::{Analytic, Over, Rational};
+use field::{Analytic, Over, Rational, Scalar as _};
 use std::cell::RefCell;
+use std::f64::consts::{PI, TAU};
 use symbolic::{Derivation, Sym};
 use vector::Frames;
 
@@ -29,6 +31,8 @@ use vector::Frames;
 pub struct Trace<'m> {
     pub model: &'m Model,
     pub time: Sym,
+    /// The letter that stands for pi.
+    pub pi: Sym,
     pub parameters: Vec<Sym>,
     /// The coordinates q; those of free frames, quaternions, stand last.
     pub coordinates: Vec<Sym>,
@@ -88,6 +92,7 @@ impl<'m> Trace<'m> {
         let mut trace = Trace {
             model,
             time,
+            pi: angle::pi(),
             parameters: model.parameters.iter().map(|parameter| Sym::symbol(&parameter.name)).collect(),
             rate: RefCell::new(Derivation::new(rates)),
             by_speed: alone(&speeds),
@@ -140,7 +145,7 @@ impl<'m> Trace<'m> {
                     let angle = self.scalar(angle);
                     let mut rate = [Sym::ZERO; 3];
                     rate[axis] = self.rate_of(angle);
-                    Some((parent, Rotation::About { axis, angle: angle.circle() }, rate))
+                    Some((parent, Rotation::About { axis, angle: angle::circle(angle) }, rate))
                 }
                 Some((parent, Turn::Free { number })) => {
                     let (first, position) = (self.model.free_speed(number), self.model.free_position(number));
@@ -241,6 +246,7 @@ impl<'m> Trace<'m> {
                 Input { value: Some(value), .. } => self.scalar(*value),
                 Input { name, value: None, .. } => Sym::symbol(name),
             },
+            Scalar::Pi => self.pi,
             Scalar::Negation(a) => -of(a),
             Scalar::Sum(a, b) => of(a) + of(b),
             Scalar::Difference(a, b) => of(a) - of(b),
@@ -308,9 +314,9 @@ fn of_argument(scalar: &Scalar, a: Sym) -> Sym {
     match scalar {
         Scalar::Power(_, Exponent { numerator, denominator: 1 }) => a.powi(*numerator),
         Scalar::Power(_, Exponent { numerator, .. }) => a.sqrt().powi(*numerator),
-        Scalar::Function(Function::Sin, _) => a.circle().sin,
-        Scalar::Function(Function::Cos, _) => a.circle().cos,
-        Scalar::Function(Function::Tan, _) => a.circle().sin / a.circle().cos,
+        Scalar::Function(Function::Sin, _) => angle::circle(a).sin,
+        Scalar::Function(Function::Cos, _) => angle::circle(a).cos,
+        Scalar::Function(Function::Tan, _) => angle::circle(a).sin / angle::circle(a).cos,
         Scalar::Function(Function::Sqrt, _) => a.sqrt(),
         _ => a,
     }
@@ -322,7 +328,13 @@ const MOST_IN_BRACKETS: usize = 12;
 /// The decimal as it was written, in its unit.
 fn exactly(number: &Number) -> Sym {
     let Number { value, times, per } = *number;
-    let factor = |value: f64| -> Sym { Sym::lift(value) };
+    let factor = |value: f64| -> Sym {
+        match value {
+            PI => angle::pi(),
+            TAU => angle::pi() * Sym::int(2),
+            other => Sym::lift(other),
+        }
+    };
     let decimal: Sym = Sym::constant(Rational::decimal(value));
     match (times == 1.0, per == 1.0) {
         (true, true) => decimal,

@@ -23,6 +23,13 @@ impl Notation for Latex {
         }
     }
 
+    fn decimal(&self, digits: String) -> Printed {
+        match digits.split_once('e') {
+            Some((digits, power)) => Printed { text: format!("{digits}\\cdot 10^{{{power}}}"), bond: Bond::Product },
+            None => Printed { text: digits, bond: Bond::Atom },
+        }
+    }
+
     fn parentheses(&self, inside: &str) -> String {
         if inside.contains("\\frac") { format!("\\left({inside}\\right)") } else { format!("({inside})") }
     }

@@ -1,5 +1,6 @@
 //! Expressions as people write them: text, LaTeX and SymPy, in the order in which they were written.
 
+mod decimal;
 mod latex;
 mod names;
 mod sympy;
@@ -20,7 +21,7 @@ impl fmt::Display for Sym {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match written_size(*self) {
             size if size > LONGEST => write!(f, "(an expression of {size} operations)"),
-            _ => f.write_str(&Writer(&text::Text).whole(*self)),
+            _ => f.write_str(&Writer(&text::Text, Numbers::Fractions).whole(*self)),
         }
     }
 }
@@ -30,17 +31,33 @@ impl Sym {
     pub fn latex(self) -> String {
         match written_size(self) {
             size if size > LONGEST => format!("\\text{{(an expression of {size} operations)}}"),
-            _ => Writer(&latex::Latex).whole(self),
+            _ => Writer(&latex::Latex, Numbers::Fractions).whole(self),
         }
     }
 }
 
 impl Sym {
+    /// As text, with decimals where these are shorter than fractions: 0.35 and not 7/20, but 1/2.
+    pub fn decimal_text(self) -> String {
+        match written_size(self) {
+            size if size > LONGEST => self.to_string(),
+            _ => Writer(&text::Text, Numbers::Decimals).whole(self),
+        }
+    }
+
+    /// In LaTeX, with decimals where these are shorter than fractions.
+    pub fn decimal_latex(self) -> String {
+        match written_size(self) {
+            size if size > LONGEST => self.latex(),
+            _ => Writer(&latex::Latex, Numbers::Decimals).whole(self),
+        }
+    }
+
     /// The expression in Python, over the names of SymPy: `Rational`, `sqrt`, `cos`, `sin` and [`Sym::identifier`]s.
     pub fn sympy(self) -> String {
         match written_size(self) {
             size if size > LONGEST => format!("# an expression of {size} operations\n"),
-            _ => Writer(&sympy::SymPy).whole(self),
+            _ => Writer(&sympy::SymPy, Numbers::Fractions).whole(self),
         }
     }
 
@@ -71,6 +88,11 @@ trait Notation {
     fn number(&self, size: Rational) -> Printed;
     fn power(&self, base: Printed, exponent: u32) -> Printed;
     fn derivative(&self, name: Name, order: u32, argument: String) -> String;
+
+    fn decimal(&self, digits: String) -> Printed {
+        let bond = if digits.contains('e') { Bond::Product } else { Bond::Atom };
+        Printed { text: digits, bond }
+    }
 
     fn parentheses(&self, inside: &str) -> String {
         format!("({inside})")
@@ -104,7 +126,16 @@ trait Notation {
     }
 }
 
-struct Writer<'a>(&'a dyn Notation);
+/// The way in which constants are written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Numbers {
+    /// As fractions, always.
+    Fractions,
+    /// As decimals where those are shorter: see [`decimal`].
+    Decimals,
+}
+
+struct Writer<'a>(&'a dyn Notation, Numbers);
 
 impl Writer<'_> {
     fn whole(&self, expression: Sym) -> String {
@@ -171,7 +202,10 @@ impl Writer<'_> {
         let atom = |text| Printed { text, bond: Bond::Atom };
         let base = match factor.node() {
             Node::Constant(_) => match factor.as_constant() {
-                Some(value) => self.0.number(value),
+                Some(value) => match decimal::shorter(value) {
+                    Some(decimal) if self.1 == Numbers::Decimals => self.0.decimal(decimal),
+                    _ => self.0.number(value),
+                },
                 None => atom(String::new()),
             },
             Node::Symbol(name) => atom(self.0.symbol(name)),

@@ -11,7 +11,7 @@ mod source;
 pub use algebraic::Algebraic;
 pub use record::Untapeable;
 pub use run::Program;
-pub use source::{Language, Source};
+pub use source::{Language, Source, Statements};
 
 use field::{Elementary, Rational, Scalar};
 

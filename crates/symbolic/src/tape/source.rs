@@ -26,12 +26,30 @@ pub struct Source<'a> {
     tape: &'a Tape,
     language: Language,
     name: &'a str,
+    /// What stands for the inputs, instead of the components of y.
+    inputs: Option<&'a [String]>,
+}
+
+/// A tape as statements of a language, for a function that somebody else begins and ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Statements {
+    /// One a line, each after those that it reads.
+    pub lines: Vec<String>,
+    /// The outputs: names or numbers.
+    pub outputs: Vec<String>,
 }
 
 impl Tape {
     /// The tape as a function with this name.
     pub fn source<'a>(&'a self, language: Language, name: &'a str) -> Source<'a> {
-        Source { tape: self, language, name }
+        Source { tape: self, language, name, inputs: None }
+    }
+
+    /// The tape as statements over inputs with these texts, one for each; results are called r0, r1, ...
+    pub fn statements(&self, language: Language, inputs: &[String]) -> Statements {
+        let source = Source { tape: self, language, name: "", inputs: Some(inputs) };
+        let outputs = self.outputs.iter().map(|&output| source.number(output)).collect();
+        Statements { lines: source.lines(), outputs }
     }
 
     /// Additions, multiplications, divisions and roots; a circle point is counted apart, negations are free.
@@ -57,7 +75,10 @@ impl Source<'_> {
         let number = register as usize;
         let Tape { inputs, rounded, .. } = self.tape;
         match number.checked_sub(*inputs) {
-            None => format!("y[{number}]"),
+            None => match self.inputs.and_then(|inputs| inputs.get(number)) {
+                Some(name) => name.clone(),
+                None => format!("y[{number}]"),
+            },
             Some(place) => match rounded.get(place) {
                 Some(value) => format!("{value:?}"),
                 None => format!("r{}", place - rounded.len()),
@@ -79,18 +100,30 @@ impl Source<'_> {
         used
     }
 
-    /// A call of an elementary function: of a module `math` in Python, so that nothing else is named like it.
+    /// A call of an elementary function.
     fn elementary(&self, function: Elementary, a: &str, b: &str) -> String {
         let name = match (self.language, function) {
             (Language::C | Language::Python, Elementary::Ln) => "log",
             _ => function.name(),
         };
         match (self.language, function.arguments()) {
-            (Language::Rust, 1) => format!("{a}.{name}()"),
-            (Language::Rust, _) => format!("{a}.{name}({b})"),
+            // a literal has no methods
+            (Language::Rust, 1) => format!("f64::{name}({a})"),
+            (Language::Rust, _) => format!("f64::{name}({a}, {b})"),
             (Language::C | Language::Python, 1) => format!("{name}({a})"),
             (Language::C | Language::Python, _) => format!("{name}({a}, {b})"),
         }
+    }
+
+    /// A statement for every operation.
+    fn lines(&self) -> Vec<String> {
+        let (mut next, used) = (0, self.used());
+        let mut lines = Vec::with_capacity(self.tape.operations.len());
+        for &operation in &self.tape.operations {
+            lines.push(self.statement(operation, next, &used));
+            next += operation.results();
+        }
+        lines
     }
 
     /// The statement that computes one operation into registers from `next` on.
@@ -111,11 +144,12 @@ impl Source<'_> {
             Operation::ProductLess(..) => format!("{a} * {b} - {c}"),
             Operation::LessProduct(..) => format!("{c} - {a} * {b}"),
             Operation::Elementary(function, ..) => self.elementary(function, &a, &b),
-            Operation::Root(_) if self.language == Language::Rust => format!("{a}.sqrt()"),
+            // a literal has no methods
+            Operation::Root(_) if self.language == Language::Rust => format!("f64::sqrt({a})"),
             Operation::Root(_) => format!("sqrt({a})"),
             Operation::Circle(_) => {
                 let part = |function: &str, register: usize| match self.language {
-                    Language::Rust => format!("{start}r{register} = {a}.{function}(){end}"),
+                    Language::Rust => format!("{start}r{register} = f64::{function}({a}){end}"),
                     Language::C | Language::Python => format!("{start}r{register} = {function}({a}){end}"),
                 };
                 let parts = [("cos", next), ("sin", next + 1)].into_iter().filter(|(_, register)| used[*register]);
@@ -128,17 +162,15 @@ impl Source<'_> {
 
 impl fmt::Display for Source<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Source { tape, language, name } = *self;
+        let Source { tape, language, name, .. } = *self;
         let (n, m) = (tape.inputs(), tape.outputs());
         match language {
             Language::C => writeln!(f, "void {name}(const double *y, double *dy)\n{{")?,
             Language::Python => writeln!(f, "def {name}(y, cos=cos, sin=sin, sqrt=sqrt):")?,
             Language::Rust => writeln!(f, "pub fn {name}(y: &[f64; {n}], dy: &mut [f64; {m}]) {{")?,
         }
-        let (mut next, used) = (0, self.used());
-        for &operation in &tape.operations {
-            writeln!(f, "    {}", self.statement(operation, next, &used))?;
-            next += operation.results();
+        for line in self.lines() {
+            writeln!(f, "    {line}")?;
         }
         let outputs = tape.outputs.iter().map(|&output| self.number(output));
         if language == Language::Python {

@@ -1,0 +1,95 @@
+//! `dalembert inverse`: the forces under which a system that is written in its file moves as prescribed.
+
+use crate::arguments::{finite, whole};
+use crate::ending::{Ending, print};
+use crate::progress::Progress;
+use ::scenes::inverse::{Forces, inverse};
+use ::scenes::read_prescribed;
+use clap::{Args, ValueEnum};
+use serde_json::json;
+use std::path::PathBuf;
+
+/// Which motion is prescribed, and which parameters are unknown.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// A file with `[coordinates]`
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// A coordinate as an expression of the time and of parameters, such as "theta = 0.5*sin(w*t)"; once for each that the
+    /// constraints leave open
+    #[arg(long = "motion", value_name = "Q = EXPRESSION", required = true, value_parser = motion)]
+    pub motions: Vec<(String, String)>,
+    /// A parameter that is sought, such as a force; may be repeated
+    #[arg(long = "unknown", value_name = "NAME")]
+    pub unknowns: Vec<String>,
+    /// The last instant, in seconds
+    #[arg(long, value_name = "S", default_value = "1", value_parser = positive)]
+    pub span: f64,
+    /// Instants beside the first
+    #[arg(long, value_name = "N", default_value = "10", value_parser = whole::<u32>(1..=1_000_000))]
+    pub samples: u32,
+    /// How to print the table
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Form,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Form {
+    #[default]
+    Csv,
+    Json,
+}
+
+fn motion(text: &str) -> Result<(String, String), String> {
+    let parts = text.split_once('=').map(|(name, is)| (name.trim().to_owned(), is.trim().to_owned()));
+    let parts = parts.filter(|(name, is)| !name.is_empty() && !is.is_empty());
+    parts.ok_or_else(|| "a coordinate and an expression of t, such as \"theta = 0.5*sin(2*t)\", is accepted".to_owned())
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let value = finite(text)?;
+    if value > 0.0 { Ok(value) } else { Err("a positive number of seconds is accepted".to_owned()) }
+}
+
+/// Prints the motion with the forces that it needs.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let (model, prescribed) = read_prescribed(&asked.scene, &asked.motions)?;
+    let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
+    let mut unknowns = Vec::new();
+    for name in &asked.unknowns {
+        let place = model.parameters.iter().position(|parameter| parameter.name == *name);
+        let known: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+        let missing = || refused(format!("no parameter is called `{name}`; there are: {}", known.join(", ")));
+        let place = place.ok_or_else(missing)?;
+        if !unknowns.contains(&place) {
+            unknowns.push(place);
+        }
+    }
+    let _progress = Progress::new("inverse dynamics");
+    let times: Vec<f64> = (0..=asked.samples).map(|k| asked.span * f64::from(k) / f64::from(asked.samples)).collect();
+    let found = inverse(&model, &prescribed, &unknowns, &times).map_err(|why| refused(why.to_string()))?;
+    let coordinates: Vec<&str> = model.coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect();
+    let sought: Vec<&str> = unknowns.iter().map(|&place| model.parameters[place].name.as_str()).collect();
+    let multipliers = found.first().map_or(0, |first| first.multipliers.len());
+    let names: Vec<String> = std::iter::once("time".to_owned())
+        .chain(coordinates.iter().map(|name| (*name).to_owned()))
+        .chain(coordinates.iter().map(|name| format!("{name}'")))
+        .chain(coordinates.iter().map(|name| format!("{name}''")))
+        .chain(sought.iter().map(|name| (*name).to_owned()))
+        .chain((1..=multipliers).map(|k| format!("lambda{k}")))
+        .collect();
+    let row = |forces: &Forces| -> Vec<f64> {
+        let Forces { time, coordinates, speeds, accelerations, unknowns, multipliers } = forces;
+        [&[*time][..], coordinates, speeds, accelerations, unknowns, multipliers].concat()
+    };
+    let rows: Vec<Vec<f64>> = found.iter().map(row).collect();
+    print(&match asked.format {
+        Form::Json => format!("{:#}\n", json!({ "columns": names, "rows": rows })),
+        Form::Csv => {
+            let line =
+                |row: &Vec<f64>| row.iter().map(|value| format!("{value:?}")).collect::<Vec<_>>().join(",") + "\n";
+            format!("{}\n{}", names.join(","), rows.iter().map(line).collect::<String>())
+        }
+    })?;
+    Ok(Ending::Done)
+}

@@ -1,0 +1,137 @@
+//! `dalembert linearise`: the linear equations of a system that is written in its file, about a point or along its run.
+
+mod print;
+
+use self::print::{Names, csv, object, text};
+use crate::clock;
+use crate::ending::Ending;
+use crate::progress::Progress;
+use ::scenes::linearisation::{Linearisation, NotLinear, Stability, Standing, VariedEquations, eigenvalues, points};
+use ::scenes::{ModelScene, equilibrium_of, read_model, start_of};
+use clap::{Args, ValueEnum};
+use derivations::scene::SceneError;
+use derivations::scene::file::read_text;
+use model::Model;
+use serde_json::json;
+use std::path::PathBuf;
+
+/// What is linearised, and about which point.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// A file with `[coordinates]`
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// The point: the start of the file, or an equilibrium near it
+    #[arg(long, value_enum, default_value_t)]
+    pub about: About,
+    /// Instants of the run in seconds, instead of a point: 0,0.5,2
+    #[arg(long, value_name = "T,T", value_delimiter = ',', value_parser = instant, conflicts_with = "about")]
+    pub times: Vec<f64>,
+    /// A parameter that is an input; may be repeated
+    #[arg(long = "input", value_name = "NAME")]
+    pub inputs: Vec<String>,
+    /// How to print the matrices; CSV has a row for each entry
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Form,
+}
+
+/// A point of a system.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum About {
+    /// As the file gives it, completed so that constraints hold
+    #[default]
+    Start,
+    /// A point of rest, found from the coordinates at the start
+    Equilibrium,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Form {
+    #[default]
+    Text,
+    Json,
+    Csv,
+}
+
+fn instant(text: &str) -> Result<f64, String> {
+    let time = text.trim().parse().ok().filter(|time: &f64| time.is_finite() && *time >= 0.0);
+    time.ok_or_else(|| "a time that is not negative, in seconds, such as 0.5 is accepted".to_owned())
+}
+
+/// The linear equations about one point.
+struct Found {
+    linear: Linearisation,
+    standing: Standing,
+    /// Real and imaginary parts.
+    eigenvalues: Vec<[f64; 2]>,
+    stability: Stability,
+}
+
+/// Prints the matrices, the eigenvalues and what they say.
+pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
+    let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
+    let mut model = read_model(&asked.scene)?;
+    let inputs = inputs(&mut model, &asked.inputs).map_err(refused)?;
+    let _progress = Progress::new("the linear equations");
+    let instances = instances(&model, asked)?;
+    let equations = VariedEquations::of(&model, &inputs).map_err(|why| refused(why.to_string()))?;
+    let mut all = Vec::with_capacity(instances.len());
+    for (time, state) in instances {
+        let no_linear = |why: NotLinear| refused(format!("at t = {time} s {why}"));
+        let linear = equations.linearised(&model, equations.point(&model, time, &state)).map_err(no_linear)?;
+        let standing = equations.standing(&model, &linear).map_err(no_linear)?;
+        let eigenvalues = eigenvalues(&linear.a);
+        let stability = Stability::of(&eigenvalues, standing != Standing::Moving);
+        let eigenvalues = eigenvalues.values.iter().map(|value| [value.re, value.im]).collect();
+        all.push(Found { linear, standing, eigenvalues, stability });
+    }
+    let names = Names::of(&model, &inputs);
+    crate::ending::print(&match asked.format {
+        Form::Text => all.iter().map(|found| text(&names, found)).collect::<Vec<_>>().join("\n"),
+        Form::Json => {
+            format!("{:#}\n", json!({ "points": all.iter().map(|found| object(&names, found)).collect::<Vec<_>>() }))
+        }
+        Form::Csv => csv(&names, &all),
+    })?;
+    Ok(Ending::Done)
+}
+
+/// The places of parameters that are inputs; one without a value is taken about zero.
+fn inputs(model: &mut Model, names: &[String]) -> Result<Vec<usize>, String> {
+    let mut places = Vec::new();
+    for name in names {
+        let Some(place) = model.parameters.iter().position(|parameter| parameter.name == *name) else {
+            let known: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+            return Err(match units::nearest(name, known.iter().copied()) {
+                Some(nearest) => format!("no parameter is called `{name}`; is `{nearest}` meant?"),
+                None => format!("no parameter is called `{name}`; there are: {}", known.join(", ")),
+            });
+        };
+        model.parameters[place].value.get_or_insert(0.0);
+        if !places.contains(&place) {
+            places.push(place);
+        }
+    }
+    Ok(places)
+}
+
+/// Times with the states then.
+fn instances(model: &Model, asked: &Asked) -> Result<Vec<points::Instance>, Ending> {
+    let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
+    if !asked.times.is_empty() {
+        let scene = ModelScene::parse(&asked.scene.display().to_string(), &read_text(&asked.scene)?)?;
+        let along = points::along(&scene, &asked.times, clock::left());
+        return along.map_err(|failure| refused(format!("the run does not reach these times: {failure}")));
+    }
+    let state = match asked.about {
+        About::Start => start_of(model),
+        About::Equilibrium => equilibrium_of(model),
+    };
+    match state {
+        Ok(state) => Ok(vec![(0.0, state)]),
+        Err(issue) => {
+            let (path, text) = (asked.scene.display().to_string(), read_text(&asked.scene)?);
+            Err(SceneError { path, text, issues: vec![issue] }.into())
+        }
+    }
+}

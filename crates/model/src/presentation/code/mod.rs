@@ -1,0 +1,129 @@
+//! A whole system as code of a language: M, h - Q, J and c as straight-line code over time, state and parameters; accelerations and
+//! multipliers by a solve with pivots.
+
+mod c;
+mod python;
+mod rust;
+
+use super::identifiers::identifiers;
+use super::matrix_form::MatrixForm;
+use crate::Trace;
+use std::f64::consts::PI;
+use symbolic::{Language, Statements, Sym, Tape};
+
+/// What is written: sizes, names and statements.
+struct Program<'a> {
+    /// Coordinates.
+    n: usize,
+    /// Constraints.
+    m: usize,
+    parameters: Vec<Named<'a>>,
+    /// Letters in their order, for a reader.
+    coordinates: Vec<String>,
+    constraints: Vec<String>,
+    /// M, h - Q, J, c.
+    terms: Statements,
+    /// f.
+    zeros: Statements,
+}
+
+/// A parameter and what it is called there.
+struct Named<'a> {
+    name: String,
+    parameter: &'a crate::Parameter,
+}
+
+/// The system as code.
+///
+/// # Errors
+/// Where an expression divides by the constant zero, or a constant is beyond the range of double precision.
+pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<String, String> {
+    let words = match language {
+        Language::C => c::WORDS,
+        Language::Python => "",
+        Language::Rust => rust::WORDS,
+    };
+    let names = identifiers(&form.parameters, words);
+    let texts = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>();
+    let quoted = texts(&form.parameters);
+    let access = |place: usize| match language {
+        Language::C => format!("p->{}", names[place]),
+        Language::Python => format!("p[{:?}]", quoted[place]),
+        Language::Rust => format!("p.{}", names[place]),
+    };
+    let component = |name: &'static str| (0..form.coordinates.len()).map(move |i| format!("{name}[{i}]"));
+    let inputs: Vec<String> = std::iter::once("t".to_owned())
+        .chain(component("q"))
+        .chain(component("u"))
+        .chain((0..names.len()).map(access))
+        .chain([format!("{PI:?}")])
+        .collect();
+    let letters: Vec<Sym> = std::iter::once(form.time)
+        .chain([&form.coordinates, &form.speeds, &form.parameters].into_iter().flatten().copied())
+        .chain([trace.pi])
+        .collect();
+    let statements = |expressions: &[Sym]| -> Result<Statements, String> {
+        let tape = Tape::record(&letters, expressions).map_err(|error| error.to_string())?;
+        match tape.beyond_range() {
+            None => Ok(tape.statements(language, &inputs)),
+            Some(_) => Err("a constant of the equations is beyond the range of double precision".to_owned()),
+        }
+    };
+    let loads = form.inertia.iter().zip(&form.forces).map(|(&inertia, &force)| inertia - force);
+    let mass = form.mass.iter().flatten().copied();
+    let rows = form.constraints.iter().flat_map(|held| held.row.iter().copied());
+    let biases = form.constraints.iter().map(|held| held.bias);
+    let zeros: Vec<Sym> = form.constraints.iter().map(|held| held.zero).collect();
+    let program = Program {
+        n: form.coordinates.len(),
+        m: form.constraints.len(),
+        coordinates: texts(&form.coordinates),
+        constraints: form.constraints.iter().map(|held| held.name.clone()).collect(),
+        terms: statements(&mass.chain(loads).chain(rows).chain(biases).collect::<Vec<_>>())?,
+        zeros: statements(&zeros)?,
+        parameters: names
+            .into_iter()
+            .zip(&trace.model.parameters)
+            .map(|(name, parameter)| Named { name, parameter })
+            .collect(),
+    };
+    Ok(match language {
+        Language::C => c::written(&program),
+        Language::Python => python::written(&program),
+        Language::Rust => rust::written(&program),
+    })
+}
+
+impl Program<'_> {
+    /// Whether every parameter has a value.
+    fn has_values(&self) -> bool {
+        self.parameters.iter().all(|named| named.parameter.value.is_some())
+    }
+
+    /// The first lines of a file, each behind a sign of comments.
+    fn heading(&self, comment: &str) -> String {
+        let mut lines = vec![
+            "M q'' + h = Q + J^T lambda, J q'' + c = 0; u = q'. A positive lambda acts along its row of J.".to_owned(),
+            format!("q = ({})", self.coordinates.join(", ")),
+        ];
+        let name = |(k, name): (usize, &String)| match name.as_str() {
+            "" => format!("{}", k + 1),
+            name => format!("{} ({name})", k + 1),
+        };
+        if self.m > 0 {
+            let names: Vec<String> = self.constraints.iter().enumerate().map(name).collect();
+            lines.push(format!("constraints: {}", names.join(", ")));
+        }
+        lines.into_iter().map(|line| format!("{comment} {line}\n")).collect()
+    }
+}
+
+/// Assignments of outputs to the entries of an array.
+fn assigned(array: &str, outputs: &[String]) -> Vec<String> {
+    outputs.iter().enumerate().map(|(k, output)| format!("{array}[{k}] = {output};")).collect()
+}
+
+/// Lines with an indentation.
+fn indented(lines: &[String]) -> String {
+    lines.iter().flat_map(|line| line.lines()).map(|line| format!("    {}\n", line.trim_start())).collect()
+}

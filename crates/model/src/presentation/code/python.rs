@@ -1,0 +1,57 @@
+//! Python with NumPy: a dictionary of parameters, and functions that give arrays.
+
+use super::{Program, indented};
+use std::fmt::Write;
+
+pub(super) fn written(program: &Program<'_>) -> String {
+    let Program { n, m, parameters, terms, zeros, .. } = program;
+    let mut text = program.heading("#");
+    text +=
+        "import numpy as np\nfrom numpy import arctan2 as atan2, cos, exp, log, sin, sqrt, tanh\n\nPARAMETERS = {\n";
+    for named in parameters {
+        let parameter = named.parameter;
+        let _ = match parameter.value {
+            Some(value) => writeln!(text, "    {:?}: {value:?},  # {}", parameter.name, parameter.unit),
+            None => writeln!(text, "    # {:?} has no value: {}", parameter.name, parameter.written),
+        };
+    }
+    let lines = |lines: &[String]| indented(lines);
+    let array = |outputs: &[String]| format!("np.array([{}])", outputs.join(", "));
+    let rows = |outputs: &[String], rows: usize| format!("{}.reshape({rows}, {n})", array(outputs));
+    let (mass, rest) = terms.outputs.split_at(n * n);
+    let (load, rest) = rest.split_at(*n);
+    let (jacobian, bias) = rest.split_at(m * n);
+    let _ = writeln!(
+        text,
+        "}}\n\n\ndef terms(t, q, u, p=PARAMETERS):\n    \"\"\"M, h - Q, J and c.\"\"\"\n{}    mass = {}\n    load = {}\n    jacobian = {}\n    bias = {}\n    \
+         return mass, load, jacobian, bias\n\n",
+        lines(&terms.lines),
+        rows(mass, *n),
+        array(load),
+        rows(jacobian, *m),
+        array(bias),
+    );
+    let _ = writeln!(
+        text,
+        "def constraints(t, q, u, p=PARAMETERS):\n    \"\"\"f, zero where the constraints hold.\"\"\"\n{}    return {}\n\n",
+        lines(&zeros.lines),
+        array(&zeros.outputs),
+    );
+    text + SOLVE
+}
+
+const SOLVE: &str = "\
+def accelerations(t, q, u, p=PARAMETERS):
+    \"\"\"q'' and lambda; LinAlgError where they are not determined.\"\"\"
+    mass, load, jacobian, bias = terms(t, q, u, p)
+    n, m = len(load), len(bias)
+    matrix = np.block([[mass, -jacobian.T], [jacobian, np.zeros((m, m))]])
+    solution = np.linalg.solve(matrix, -np.concatenate([load, bias]))
+    return solution[:n], solution[n:]
+
+
+def rates(t, y, p=PARAMETERS):
+    \"\"\"dy/dt of y = (q, u), for an integrator.\"\"\"
+    n = len(y) // 2
+    return np.concatenate([y[n:], accelerations(t, y[:n], y[n:], p)[0]])
+";

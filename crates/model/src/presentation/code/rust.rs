@@ -1,0 +1,103 @@
+//! Rust: a structure of parameters, and functions over arrays.
+
+use super::{Program, assigned, indented};
+use std::fmt::Write;
+
+pub(super) const WORDS: &str = "as break const continue crate dyn else enum extern false fn for if impl in let loop match mod move mut pub \
+    ref return self Self static struct super trait true type unsafe use where while async await abstract become box do final macro \
+    override priv typeof unsized virtual yield try gen _";
+
+pub(super) fn written(program: &Program<'_>) -> String {
+    let Program { n, m, parameters, terms, zeros, .. } = program;
+    let mut text = program.heading("//");
+    let _ = writeln!(
+        text,
+        "\npub const COORDINATES: usize = {n};\npub const CONSTRAINTS: usize = {m};\n\n#[allow(non_snake_case)]\n#[derive(Clone, Debug)]\npub struct Parameters {{"
+    );
+    for named in parameters {
+        let _ = writeln!(text, "    /// {}\n    pub {}: f64,", named.parameter.unit, named.name);
+    }
+    text += "}\n";
+    if program.has_values() {
+        text += "\nimpl Default for Parameters {\n    fn default() -> Self {\n        Parameters {\n";
+        for named in parameters {
+            let _ = writeln!(text, "            {}: {:?},", named.name, named.parameter.value.unwrap_or_default());
+        }
+        text += "        }\n    }\n}\n";
+    }
+    let size = terms.outputs.len();
+    let function = |name: &str, said: &str, size: usize, lines: String, outputs: String| {
+        format!(
+            "\n/// {said}\n#[allow(unused_parens)]\npub fn {name}(t: f64, q: &[f64; COORDINATES], u: &[f64; COORDINATES], p: &Parameters) -> [f64; {size}] {{\n    \
+             let _ = (t, q, u, p);\n{lines}    #[allow(unused_mut)]\n    let mut out = [0.0; {size}];\n{outputs}    out\n}}\n"
+        )
+    };
+    text += &function(
+        "terms",
+        "M row after row, h - Q, J row after row, c.",
+        size,
+        indented(&terms.lines),
+        indented(&assigned("out", &terms.outputs)),
+    );
+    text += &function(
+        "constraints",
+        "f, zero where the constraints hold.",
+        *m,
+        indented(&zeros.lines),
+        indented(&assigned("out", &zeros.outputs)),
+    );
+    text + SOLVE
+}
+
+/// Gaussian elimination with row pivots of [M, -J^T; J, 0], rows scaled.
+const SOLVE: &str = "
+/// q'' and lambda; none where they are not determined.
+pub fn accelerations(
+    t: f64,
+    q: &[f64; COORDINATES],
+    u: &[f64; COORDINATES],
+    p: &Parameters,
+) -> Option<([f64; COORDINATES], [f64; CONSTRAINTS])> {
+    const N: usize = COORDINATES;
+    const S: usize = COORDINATES + CONSTRAINTS;
+    let v = terms(t, q, u, p);
+    let (load, jacobian) = (&v[N * N..], &v[N * N + N..]);
+    let bias = &jacobian[CONSTRAINTS * N..];
+    let mut a = [[0.0; S + 1]; S];
+    for i in 0..N {
+        a[i][..N].copy_from_slice(&v[N * i..N * i + N]);
+        a[i][S] = -load[i];
+    }
+    for k in 0..CONSTRAINTS {
+        for j in 0..N {
+            a[N + k][j] = jacobian[N * k + j];
+            a[j][N + k] = -jacobian[N * k + j];
+        }
+        a[N + k][S] = -bias[k];
+    }
+    let size = |row: &[f64; S + 1]| row[..S].iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
+    let mut scale = a.each_ref().map(size);
+    for k in 0..S {
+        let relative = |i: usize| a[i][k].abs() / scale[i];
+        let pivot = (k..S).max_by(|&i, &j| relative(i).total_cmp(&relative(j)))?;
+        // not greater: zero, or no number
+        if relative(pivot).partial_cmp(&1e-14) != Some(std::cmp::Ordering::Greater) {
+            return None;
+        }
+        a.swap(k, pivot);
+        scale.swap(k, pivot);
+        let row = a[k];
+        for below in &mut a[k + 1..] {
+            let factor = below[k] / row[k];
+            for j in k..=S {
+                below[j] -= factor * row[j];
+            }
+        }
+    }
+    for i in (0..S).rev() {
+        let known: f64 = (i + 1..S).map(|j| a[i][j] * a[j][S]).sum();
+        a[i][S] = (a[i][S] - known) / a[i][i];
+    }
+    Some((std::array::from_fn(|i| a[i][S]), std::array::from_fn(|k| a[N + k][S])))
+}
+";

@@ -1,0 +1,74 @@
+//! A whole system in LaTeX: every equation, for `align` or alone.
+
+use super::matrix_form::MatrixForm;
+use crate::Trace;
+use symbolic::Sym;
+
+/// One equation: left and right side.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Typeset {
+    pub left: String,
+    pub right: String,
+}
+
+/// Groups of equations that belong together: the form, parameters, M, h, Q, constraints.
+pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
+    let equation = |left: String, right: String| Typeset { left, right };
+    let held = !form.constraints.is_empty();
+    let reactions = if held { r" + \mathbf{J}^{T} \boldsymbol{\lambda}" } else { "" };
+    let letters: Vec<String> = form.coordinates.iter().map(|letter| letter.latex()).collect();
+    let mut first = vec![
+        equation(r"\mathbf{M} \ddot{\mathbf{q}} + \mathbf{h}".to_owned(), format!(r"\mathbf{{Q}}{reactions}")),
+        equation(r"\mathbf{q}".to_owned(), format!("({})^T", letters.join(", "))),
+    ];
+    if held {
+        first.insert(1, equation(r"\mathbf{J} \ddot{\mathbf{q}} + \mathbf{c}".to_owned(), r"\mathbf{0}".to_owned()));
+    }
+    let known = trace.model.parameters.iter().zip(&form.parameters).filter(|(parameter, _)| parameter.value.is_some());
+    let parameters = known.map(|(parameter, letter)| equation(letter.latex(), quantity(&parameter.written))).collect();
+    let matrix = |name: &str, rows: Vec<(String, Sym)>| -> Vec<Typeset> {
+        let written = rows.into_iter().filter(|(_, value)| *value != Sym::ZERO);
+        written.map(|(place, value)| equation(format!("{name}_{{{place}}}"), value.decimal_latex())).collect()
+    };
+    let n = form.coordinates.len();
+    let comma = if n.max(form.constraints.len()) > 9 { "," } else { "" };
+    let pair = |i: usize, j: usize| format!("{}{comma}{}", i + 1, j + 1);
+    let upper = (0..n).flat_map(|i| (i..n).map(move |j| (i, j)));
+    let mass = matrix("M", upper.map(|(i, j)| (pair(i, j), form.mass[i][j])).collect());
+    let vector = |name: &str, values: &[Sym]| {
+        matrix(name, values.iter().enumerate().map(|(i, v)| ((i + 1).to_string(), *v)).collect())
+    };
+    let mut held_to = Vec::new();
+    for (k, held) in form.constraints.iter().enumerate() {
+        held_to.push(equation(format!("0 = f_{{{}}}", k + 1), held.zero.decimal_latex()));
+    }
+    for (k, held) in form.constraints.iter().enumerate() {
+        held_to.extend(matrix("J", held.row.iter().enumerate().map(|(i, value)| (pair(k, i), *value)).collect()));
+        held_to.extend(matrix("c", vec![((k + 1).to_string(), held.bias)]));
+    }
+    let groups = vec![first, parameters, mass, vector("h", &form.inertia), vector("Q", &form.forces), held_to];
+    groups.into_iter().filter(|group| !group.is_empty()).collect()
+}
+
+/// The groups, an `align` for each; for the package `amsmath`.
+pub fn latex(trace: &Trace<'_>, form: &MatrixForm) -> String {
+    let group = |group: Vec<Typeset>| {
+        let lines: Vec<String> = group.iter().map(|Typeset { left, right }| format!("  {left} &= {right}")).collect();
+        format!("\\begin{{align}}\n{}\n\\end{{align}}\n", lines.join(" \\\\\n"))
+    };
+    equations(trace, form).into_iter().map(group).collect()
+}
+
+/// `2 kg m^2`, the unit upright; `deg` as the sign.
+fn quantity(written: &str) -> String {
+    let (number, unit) = written.split_once(' ').unwrap_or((written, ""));
+    let number = match number.split_once(['e', 'E']) {
+        Some((digits, power)) => format!(r"{digits}\cdot 10^{{{}}}", power.trim_start_matches('+')),
+        None => number.to_owned(),
+    };
+    match unit {
+        "" | "1" => number,
+        "deg" | "°" => format!(r"{number}^\circ"),
+        _ => format!(r"{number}\,\mathrm{{{}}}", unit.replace([' ', '*'], r"\,").replace('%', r"\%")),
+    }
+}

@@ -1,0 +1,136 @@
+//! The whole system in matrix form: M q'' + h = Q + J^T lambda, with every constraint.
+
+use super::reading::Reading;
+use crate::equations::{Equations, Level};
+use crate::principles::{NotApplicable, Principle};
+use crate::{Energies, Model, Trace};
+use symbolic::{Sym, substitute_all};
+
+/// A system in matrix form, over the symbols of a trace.
+///
+/// h is inertia that needs no acceleration, Q the applied forces, J the derivatives of every constraint's rate by the speeds. A
+/// multiplier is positive where the reaction acts along its row of J: the constraint's gradient.
+#[derive(Clone, Debug)]
+pub struct MatrixForm {
+    pub time: Sym,
+    pub parameters: Vec<Sym>,
+    pub coordinates: Vec<Sym>,
+    pub speeds: Vec<Sym>,
+    pub accelerations: Vec<Sym>,
+    /// M, row after row; symmetric.
+    pub mass: Vec<Vec<Sym>>,
+    /// h.
+    pub inertia: Vec<Sym>,
+    /// Q.
+    pub forces: Vec<Sym>,
+    pub constraints: Vec<Held>,
+    /// lambda, one for each constraint.
+    pub multipliers: Vec<Sym>,
+    /// Parameters whose values are positive.
+    positive: Vec<bool>,
+}
+
+/// A scalar constraint f = 0.
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// As the model names it; empty where it does not.
+    pub name: String,
+    pub level: Level,
+    /// f.
+    pub zero: Sym,
+    /// The row of J.
+    pub row: Vec<Sym>,
+    /// c: J q'' + c = 0.
+    pub bias: Sym,
+}
+
+impl MatrixForm {
+    /// By a principle, every expression as it was derived.
+    ///
+    /// # Errors
+    /// Where the principle does not apply to the model.
+    pub fn of(trace: &Trace<'_>, principle: Principle) -> Result<Self, NotApplicable> {
+        let Equations { mass, bias, constraints } = Equations::by(principle, trace)?;
+        // inertia alone: what is left of the residual where nothing acts
+        let free = without_forces(trace.model);
+        let at_rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&symbol| (symbol, Sym::ZERO)).collect();
+        let inertia = substitute_all(&principle.residual(&Trace::of(&free))?, &at_rest);
+        let forces = inertia.iter().zip(&bias).map(|(&inertia, &bias)| inertia - bias).collect();
+        let constraints: Vec<Held> = constraints
+            .into_iter()
+            .map(|each| Held { name: each.name, level: each.level, zero: each.zero, row: each.row, bias: each.bias })
+            .collect();
+        let letters = [&trace.parameters, &trace.coordinates];
+        let taken: Vec<Sym> = letters.into_iter().flatten().copied().collect();
+        let multiplier = |k: usize| {
+            let named = |gap: usize| Sym::symbol(&format!("lambda{}{k}", "_".repeat(gap)));
+            (0..=taken.len()).map(named).find(|letter| !taken.contains(letter)).unwrap_or(Sym::ZERO)
+        };
+        Ok(MatrixForm {
+            time: trace.time,
+            parameters: trace.parameters.clone(),
+            coordinates: (0..trace.speeds.len()).map(|speed| displaced(trace, speed)).collect(),
+            speeds: trace.speeds.clone(),
+            accelerations: trace.accelerations.clone(),
+            mass,
+            inertia,
+            forces,
+            multipliers: (1..=constraints.len()).map(multiplier).collect(),
+            constraints,
+            positive: trace.model.parameters.iter().map(|each| each.value.is_some_and(|value| value > 0.0)).collect(),
+        })
+    }
+
+    /// The same with other letters.
+    #[must_use]
+    pub fn renamed(&self, letters: &[(Sym, Sym)]) -> Self {
+        self.mapped(&mut |expressions| substitute_all(expressions, letters))
+    }
+
+    /// The same with every expression as it is read: angles together, common factors outside.
+    #[must_use]
+    pub fn for_reading(&self) -> Self {
+        let parameters = self.parameters.iter().copied().zip(self.positive.iter().copied());
+        let parameters = parameters.chain([(Sym::symbol("pi"), true)]);
+        let letters = [&self.coordinates, &self.speeds, &self.accelerations].into_iter().flatten().copied();
+        let mut reading = Reading::new(parameters, letters.chain([self.time]));
+        self.mapped(&mut |expressions| expressions.iter().map(|each| reading.of(*each)).collect())
+    }
+
+    fn mapped(&self, map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>) -> Self {
+        let single = |map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>, expression: Sym| map(&[expression])[0];
+        MatrixForm {
+            time: single(map, self.time),
+            parameters: map(&self.parameters),
+            coordinates: map(&self.coordinates),
+            speeds: map(&self.speeds),
+            accelerations: map(&self.accelerations),
+            mass: self.mass.iter().map(|row| map(row)).collect(),
+            inertia: map(&self.inertia),
+            forces: map(&self.forces),
+            constraints: self
+                .constraints
+                .iter()
+                .map(|held| Held {
+                    zero: single(map, held.zero),
+                    row: map(&held.row),
+                    bias: single(map, held.bias),
+                    ..held.clone()
+                })
+                .collect(),
+            multipliers: map(&self.multipliers),
+            positive: self.positive.clone(),
+        }
+    }
+}
+
+/// The coordinate that a speed moves; of a free frame the speed itself.
+fn displaced(trace: &Trace<'_>, speed: usize) -> Sym {
+    if speed < trace.model.coordinates.len() { trace.coordinates[speed] } else { trace.speeds[speed] }
+}
+
+/// The same bodies with nothing acting on them.
+fn without_forces(model: &Model) -> Model {
+    let energies = Energies { kinetic: model.energies.kinetic, ..Energies::default() };
+    Model { gravity: None, forces: Vec::new(), torques: Vec::new(), generalised: Vec::new(), energies, ..model.clone() }
+}

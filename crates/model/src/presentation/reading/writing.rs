@@ -1,0 +1,185 @@
+//! A sum as an expression: terms that share letters and angle together, common factors of parameters outside.
+
+use super::Reading;
+use super::circles::{Factor, shorter};
+use super::sum::{Monomial, Sum, Wave};
+use field::{Rational, Scalar};
+use num_traits::{One as _, Zero as _};
+use std::collections::BTreeMap;
+use symbolic::Sym;
+
+/// The terms with one product of letters and angles behind their parameters.
+type Shared = BTreeMap<(Monomial, Factor), Vec<(Monomial, Rational)>>;
+
+impl Reading {
+    pub(super) fn written(&self, sum: &Sum) -> Sym {
+        let mut waves: BTreeMap<Monomial, Vec<(Wave, Rational)>> = BTreeMap::new();
+        for term in sum.terms() {
+            waves.entry(term.monomial).or_default().push((term.wave, term.coefficient));
+        }
+        let mut shared = Shared::new();
+        for (monomial, waves) in waves {
+            let (parameters, others): (Monomial, Monomial) =
+                monomial.into_iter().partition(|(place, _)| *place < self.parameters);
+            for (factor, coefficient) in shorter(&waves) {
+                shared.entry((others.clone(), factor)).or_default().push((parameters.clone(), coefficient));
+            }
+        }
+        let terms = shared.iter().map(|((others, factor), parameters)| self.term(parameters, others, factor));
+        terms.fold(Sym::ZERO, |sum, term| sum + term)
+    }
+
+    /// A sum of monomials of parameters, times letters and angles.
+    fn term(&self, parameters: &[(Monomial, Rational)], others: &Monomial, factor: &Factor) -> Sym {
+        let outside = common(parameters);
+        let [.., last] = parameters else { return Sym::ZERO };
+        let is_bare = outside.is_empty() && others.is_empty() && *factor == Factor::Wave(Wave::default());
+        if parameters.len() > 1 && is_bare {
+            // a sum of parameters alone: nothing stands outside
+            let single = |one: &(Monomial, Rational)| self.term(std::slice::from_ref(one), others, factor);
+            return parameters.iter().map(single).fold(Sym::ZERO, |sum, term| sum + term);
+        }
+        let number = if parameters.len() == 1 { last.1 } else { content(parameters) };
+        let (mut above, mut below) = parts(number);
+        if parameters.len() > 1 {
+            let inside = parameters.iter().map(|(monomial, coefficient)| {
+                let (above, below) = parts(*coefficient / number);
+                let rest = without(monomial, &outside);
+                self.multiplied(above, below, &rest, &[])
+            });
+            above *= inside.fold(Sym::ZERO, |sum, term| sum + term);
+        }
+        let angles = self.angles(factor);
+        let all: Monomial = outside.into_iter().chain(others.iter().copied()).collect();
+        for &(place, exponent) in all.iter().filter(|(_, exponent)| *exponent < 0) {
+            below *= self.leaves[place as usize].expression.powi(-exponent);
+        }
+        let positive: Monomial = all.into_iter().filter(|(_, exponent)| *exponent > 0).collect();
+        self.multiplied(above, Sym::ONE, &positive, &angles) / below
+    }
+
+    fn multiplied(&self, above: Sym, below: Sym, monomial: &Monomial, more: &[Sym]) -> Sym {
+        let (mut above, mut below) = (above, below);
+        for &(place, exponent) in monomial {
+            let power = self.leaves[place as usize].expression.powi(exponent.abs());
+            if exponent < 0 {
+                below *= power;
+            } else {
+                above *= power;
+            }
+        }
+        more.iter().fold(above, |product, factor| product * *factor) / below
+    }
+
+    fn angles(&self, factor: &Factor) -> Vec<Sym> {
+        match factor {
+            Factor::Wave(wave) if wave.angle.is_empty() => Vec::new(),
+            Factor::Wave(wave) => {
+                let angle = wave.angle.iter().fold(Sym::ZERO, |sum, (atom, multiple)| {
+                    let size = Rational::new(multiple.numerator.abs(), multiple.denominator);
+                    let term = times(size, self.atoms[*atom as usize]);
+                    if multiple.numerator < 0 { sum - term } else { sum + term }
+                });
+                let point = angle.circle_as_written();
+                vec![if wave.is_sine { point.sin } else { point.cos }]
+            }
+            Factor::Powers(powers) => {
+                let mut all = Vec::new();
+                for (atom, step, [cosine, sine]) in powers {
+                    let point = times(step.value(), self.atoms[*atom as usize]).circle_as_written();
+                    for (part, exponent) in [(point.sin, *sine), (point.cos, *cosine)] {
+                        if exponent > 0 {
+                            all.push(part.powi(exponent as i32));
+                        }
+                    }
+                }
+                all
+            }
+        }
+    }
+}
+
+/// A multiple of a term: 2*x, x/2, 3*x/4.
+fn times(number: Rational, term: Sym) -> Sym {
+    let (above, below) = parts(number);
+    if term == Sym::ONE { above / below } else { above * term / below }
+}
+
+/// Numerator and denominator; a decimal stays one number.
+fn parts(number: Rational) -> (Sym, Sym) {
+    /// Denominators up to this one make fractions.
+    const LARGEST: i64 = 1_000;
+    let small = number.to_big().and_then(|big| {
+        let below = i64::try_from(big.denominator()).ok().filter(|below| *below <= LARGEST)?;
+        // of decimals that people write: they print as such
+        let mut rest = below;
+        for prime in [2, 5] {
+            while rest % prime == 0 {
+                rest /= prime;
+            }
+        }
+        (below <= 16 || rest > 1).then_some(below)
+    });
+    match small {
+        Some(below) => (Sym::constant(number * Rational::new(below, 1)), Sym::int(below)),
+        None => (Sym::constant(number), Sym::ONE),
+    }
+}
+
+/// The largest monomial that divides all.
+fn common(parameters: &[(Monomial, Rational)]) -> Monomial {
+    let Some(((first, _), others)) = parameters.split_first() else { return Vec::new() };
+    let exponent = |monomial: &Monomial, place: u32| {
+        monomial.iter().find(|(known, _)| *known == place).map_or(0, |(_, exponent)| *exponent)
+    };
+    let mut places: Vec<u32> = parameters.iter().flat_map(|(monomial, _)| monomial).map(|(place, _)| *place).collect();
+    places.sort_unstable();
+    places.dedup();
+    let least = |place: u32| {
+        others.iter().map(|(monomial, _)| exponent(monomial, place)).fold(exponent(first, place), i32::min)
+    };
+    places.into_iter().map(|place| (place, least(place))).filter(|(_, exponent)| *exponent != 0).collect()
+}
+
+fn without(monomial: &Monomial, divisor: &Monomial) -> Monomial {
+    let mut rest = monomial.clone();
+    for &(place, exponent) in divisor {
+        match rest.iter_mut().find(|(known, _)| *known == place) {
+            Some((_, own)) => *own -= exponent,
+            None => rest.push((place, -exponent)),
+        }
+    }
+    rest.retain(|(_, exponent)| *exponent != 0);
+    rest.sort_unstable();
+    rest
+}
+
+/// The number that all coefficients are whole multiples of, with the sign of the first; one where they are large.
+fn content(parameters: &[(Monomial, Rational)]) -> Rational {
+    let one = Rational::one();
+    let mut content: Option<(i64, i64)> = None;
+    for (_, coefficient) in parameters {
+        let Some(big) = coefficient.to_big() else { return one };
+        let (Ok(above), Ok(below)) = (i64::try_from(big.numerator()), i64::try_from(big.denominator())) else {
+            return one;
+        };
+        if below > 1_000 || above.abs() > 1_000_000 {
+            return one;
+        }
+        content = Some(match content {
+            None => (above.abs(), below),
+            Some((a, b)) => (divisor(a, above.abs()), b / divisor(b, below) * below),
+        });
+    }
+    let is_negative = parameters.first().is_some_and(|(_, first)| first.sign() == Some(-1));
+    match content {
+        Some((above, below)) if below < 1 << 30 && above != 0 => {
+            Rational::new(if is_negative { -above } else { above }, below)
+        }
+        _ => one,
+    }
+}
+
+fn divisor(a: i64, b: i64) -> i64 {
+    if b.is_zero() { a } else { divisor(b, a % b) }
+}

@@ -1,0 +1,63 @@
+//! A whole system as text.
+
+use super::constraints;
+use super::matrix_form::MatrixForm;
+use crate::Trace;
+use std::fmt::Write;
+use symbolic::Sym;
+
+/// The matrix form with its parameters and constraints, a line for each entry that is not zero.
+pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
+    let mut text = String::new();
+    let names = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>().join(", ");
+    let held = !form.constraints.is_empty();
+    let reactions = if held { " + J^T lambda" } else { "" };
+    let _ = writeln!(text, "M q'' + h = Q{reactions}, with q = ({})", names(&form.coordinates));
+    if held {
+        text += "J q'' + c = 0: every constraint f = 0, differentiated; J holds df/dq of positions, df/dq' of speeds\n";
+        text += "A positive lambda acts along the gradient of f\n";
+    }
+    let section = |text: &mut String, title: &str, lines: Vec<String>| {
+        if !lines.is_empty() {
+            let _ = write!(text, "\n{title}\n  {}\n", lines.join("\n  "));
+        }
+    };
+    section(&mut text, "Parameters", parameters(trace));
+    let units = trace.model.coordinates.iter().map(|each| format!("{} in {}", each.name, each.unit)).collect();
+    section(&mut text, "Coordinates q", units);
+    let rows: Vec<&str> = trace.model.coordinates.iter().map(|each| each.name.as_str()).collect();
+    let entry = |name: &str, place: String, value: Sym| format!("{name}[{place}] = {}", value.decimal_text());
+    let mut mass = Vec::new();
+    for (i, row) in form.mass.iter().enumerate() {
+        for (j, &value) in row.iter().enumerate().skip(i).filter(|(_, value)| **value != Sym::ZERO) {
+            mass.push(entry("M", format!("{}, {}", rows[i], rows[j]), value));
+        }
+    }
+    section(&mut text, "Mass matrix M, symmetric; entries that are not written are zero", mass);
+    let vector = |name: &str, values: &[Sym]| {
+        let entries = rows.iter().zip(values).filter(|(_, value)| **value != Sym::ZERO);
+        entries.map(|(row, value)| entry(name, (*row).to_owned(), *value)).collect::<Vec<_>>()
+    };
+    section(&mut text, "Inertia h without accelerations", vector("h", &form.inertia));
+    section(&mut text, "Applied forces Q", vector("Q", &form.forces));
+    let mut lines = Vec::new();
+    for (k, (held, kind)) in form.constraints.iter().zip(constraints(trace)).enumerate() {
+        lines.push(kind);
+        lines.push(format!("f{} = {}", k + 1, held.zero.decimal_text()));
+        for (row, value) in rows.iter().zip(&held.row).filter(|(_, value)| **value != Sym::ZERO) {
+            lines.push(entry("J", format!("{}, {row}", k + 1), *value));
+        }
+        lines.push(entry("c", (k + 1).to_string(), held.bias));
+    }
+    section(&mut text, "Constraints", lines);
+    text
+}
+
+/// Each with its value as it was written, or its unit where it has none.
+fn parameters(trace: &Trace<'_>) -> Vec<String> {
+    let line = |parameter: &crate::Parameter| match parameter.value {
+        Some(_) => format!("{} = {}", parameter.name, parameter.written),
+        None => format!("{} in {}, without a value", parameter.name, parameter.written),
+    };
+    trace.model.parameters.iter().map(line).collect()
+}

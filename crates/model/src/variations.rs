@@ -1,0 +1,92 @@
+//! The equations of motion, varied: exact derivatives of every equation by coordinates, speeds and inputs, for linearisation, trim and
+//! inverse dynamics.
+//!
+//!   R = M z + h - Q - J^T lambda,    a = df/dt or f,    b = J z + c = da/dt,    z = q''
+//!
+//! The accelerations z and the multipliers lambda are letters here: their values at the point belong to the derivatives.
+
+use crate::Trace;
+use crate::equations::{Equations, Level};
+use symbolic::{Derivation, Sym};
+
+/// Equations and their derivatives, over the symbols of a trace. Rows are equations, columns what they are differentiated by.
+#[derive(Clone, Debug)]
+pub struct Variations {
+    /// lambda, one for each constraint.
+    pub multipliers: Vec<Sym>,
+    pub level: Vec<Level>,
+    /// R.
+    pub motion: Varied,
+    /// f.
+    pub zero: Varied,
+    /// a.
+    pub rate: Varied,
+    /// b.
+    pub acceleration: Varied,
+    /// What a run shows.
+    pub outputs: Varied,
+}
+
+/// Expressions with their derivatives.
+#[derive(Clone, Debug)]
+pub struct Varied {
+    pub values: Vec<Sym>,
+    pub by_coordinates: Vec<Vec<Sym>>,
+    pub by_speeds: Vec<Vec<Sym>>,
+    pub by_accelerations: Vec<Vec<Sym>>,
+    pub by_multipliers: Vec<Vec<Sym>>,
+    pub by_inputs: Vec<Vec<Sym>>,
+}
+
+impl Variations {
+    /// By the first principle that applies; inputs are letters of the model.
+    pub fn of(trace: &Trace<'_>, inputs: &[Sym]) -> Self {
+        let Equations { mass, bias, constraints } = Equations::of(trace);
+        // no letter of a model has a blank in its name
+        let multipliers: Vec<Sym> = (1..=constraints.len()).map(|k| Sym::symbol(&format!("lambda {k}"))).collect();
+        let accelerations = &trace.accelerations;
+        let dot = |a: &[Sym], b: &[Sym]| a.iter().zip(b).fold(Sym::ZERO, |sum, (&a, &b)| sum + a * b);
+        let motion = mass.iter().zip(&bias).enumerate().map(|(i, (row, &bias))| {
+            let column: Vec<Sym> = constraints.iter().map(|constraint| constraint.row[i]).collect();
+            dot(row, accelerations) + bias - dot(&column, &multipliers)
+        });
+        let motion: Vec<Sym> = motion.collect();
+        let zero: Vec<Sym> = constraints.iter().map(|constraint| constraint.zero).collect();
+        let rate: Vec<Sym> = constraints.iter().map(|constraint| constraint.rate).collect();
+        let acceleration: Vec<Sym> =
+            constraints.iter().map(|constraint| dot(&constraint.row, accelerations) + constraint.bias).collect();
+        let outputs: Vec<Sym> = trace.model.outputs.iter().map(|output| trace.scalar(output.is)).collect();
+        let mut by_multipliers = alone(&multipliers);
+        let mut by_inputs = alone(inputs);
+        let mut varied = |values: Vec<Sym>| {
+            let n = trace.speeds.len();
+            let matrix = |of: &dyn Fn(Sym, usize) -> Sym| -> Vec<Vec<Sym>> {
+                values.iter().map(|&value| (0..n).map(|i| of(value, i)).collect()).collect()
+            };
+            let by = |derivations: &mut Vec<Derivation>| -> Vec<Vec<Sym>> {
+                values.iter().map(|&value| derivations.iter_mut().map(|by| by.of(value)).collect()).collect()
+            };
+            Varied {
+                by_coordinates: matrix(&|value, i| trace.by_coordinate(value, i)),
+                by_speeds: matrix(&|value, i| trace.by_speed(value, i)),
+                by_accelerations: matrix(&|value, i| trace.by_acceleration(value, i)),
+                by_multipliers: by(&mut by_multipliers),
+                by_inputs: by(&mut by_inputs),
+                values,
+            }
+        };
+        Variations {
+            level: constraints.iter().map(|constraint| constraint.level).collect(),
+            motion: varied(motion),
+            zero: varied(zero),
+            rate: varied(rate),
+            acceleration: varied(acceleration),
+            outputs: varied(outputs),
+            multipliers,
+        }
+    }
+}
+
+fn alone(letters: &[Sym]) -> Vec<Derivation> {
+    letters.iter().map(|&letter| Derivation::new([(letter, Sym::ONE)])).collect()
+}

@@ -1,0 +1,345 @@
+//! Systems as code of other languages, compiled and run, have the accelerations and multipliers of our own equations.
+
+use model::equations::Equations;
+use model::principles::Principle;
+use model::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, MatrixForm, Model, Source, Trace};
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use symbolic::{Language, apart};
+
+fn entries(list: &[(&str, &str)]) -> Vec<Entry> {
+    list.iter().map(|&entry| entry.into()).collect()
+}
+
+/// Letters that are words of the languages, a start in radians, a turn by thirty degrees.
+fn oscillator() -> Source {
+    Source {
+        parameters: entries(&[("double", "2 kg"), ("lambda", "30 N/m"), ("fn", "0.4 N s/m"), ("M", "1.5 m")]),
+        coordinates: entries(&[("q", "m"), ("u", "m")]),
+        frames: entries(&[("A", "N turned (30 deg) about z")]),
+        points: entries(&[("P", "O + q*A.x + u*A.y")]),
+        bodies: vec![BodySource::particle("bob", "P", "double")],
+        energies: entries(&[
+            ("potential", "lambda/2*(distance(O, P) - M)^2"),
+            ("dissipation", "fn/2*(q'^2 + 0.35*u'^2)"),
+        ]),
+        gravity: Some("-(9.81 m/s^2)*N.y".into()),
+        ..Source::default()
+    }
+}
+
+/// No parameter, no letter.
+fn faller() -> Source {
+    Source {
+        coordinates: entries(&[("y", "m")]),
+        points: entries(&[("P", "O + y*N.y")]),
+        bodies: vec![BodySource::particle("stone", "P", "(2 kg)")],
+        gravity: Some("-(9.81 m/s^2)*N.y".into()),
+        ..Source::default()
+    }
+}
+
+fn double_pendulum() -> Source {
+    Source {
+        parameters: entries(&[
+            ("m1", "1 kg"),
+            ("m2", "2 kg"),
+            ("l1", "1 m"),
+            ("l2", "0.5 m"),
+            ("g", "9.81 m/s^2"),
+            ("T", "0.3 N m"),
+        ]),
+        coordinates: entries(&[("a", "rad"), ("b", "rad")]),
+        frames: entries(&[("A", "N turned a about z"), ("B", "N turned b about z")]),
+        points: entries(&[("P", "O - l1*A.y"), ("Q", "P - l2*B.y")]),
+        bodies: vec![BodySource::particle("first", "P", "m1"), BodySource::particle("second", "Q", "m2")],
+        gravity: Some("-g*N.y".into()),
+        torques: vec![LoadSource { on: Some("A".into()), is: "T*cos(t/(1 s))*N.z".into(), ..LoadSource::default() }],
+        ..Source::default()
+    }
+}
+
+fn slider_crank() -> Source {
+    let body = |name: &str| BodySource { name: name.into(), ..BodySource::default() };
+    let text = |text: &str| Some(text.into());
+    Source {
+        parameters: entries(&[
+            ("r", "0.1 m"),
+            ("l", "0.3 m"),
+            ("J", "0.01 kg m^2"),
+            ("Jrod", "0.003 kg m^2"),
+            ("mrod", "0.4 kg"),
+            ("m", "0.5 kg"),
+            ("T", "0.2 N m"),
+            ("g", "9.81 m/s^2"),
+        ]),
+        coordinates: entries(&[("theta", "rad"), ("phi", "rad"), ("s", "m")]),
+        frames: entries(&[("R", "N turned -phi about z")]),
+        points: entries(&[
+            ("A", "O + r*(cos(theta)*N.x + sin(theta)*N.y)"),
+            ("G", "A + l/2*R.x"),
+            ("B", "A + l*R.x"),
+            ("S", "O + s*N.x"),
+        ]),
+        bodies: vec![
+            BodySource { turns: text("theta"), inertia: Some(InertiaSource::Axial("J".into())), ..body("crank") },
+            BodySource {
+                frame: text("R"),
+                centre: text("G"),
+                mass: text("mrod"),
+                inertia: Some(InertiaSource::Axial("Jrod".into())),
+                ..body("rod")
+            },
+            BodySource::particle("slider", "S", "m"),
+        ],
+        gravity: text("-g*N.y"),
+        torques: vec![LoadSource {
+            between: Some(["ground".into(), "crank".into()]),
+            is: "T*N.z".into(),
+            ..LoadSource::default()
+        }],
+        constraints: vec![ConstraintSource { name: text("pin"), zero: vec!["B - S".into()], ..ConstraintSource::default() }],
+        ..Source::default()
+    }
+}
+
+/// A system, a state of it, and the accelerations and multipliers there.
+struct Case {
+    name: &'static str,
+    model: Model,
+    time: f64,
+    coordinates: Vec<f64>,
+    speeds: Vec<f64>,
+    expected: Vec<f64>,
+}
+
+fn cases() -> Vec<Case> {
+    let case = |name, source: Source, coordinates: &[f64], speeds: &[f64]| {
+        let model = Model::of(&source).unwrap_or_else(|faults| panic!("{name}: {faults:?}"));
+        let (coordinates, speeds, time) = (coordinates.to_vec(), speeds.to_vec(), 0.7);
+        let expected = expected(&model, time, &coordinates, &speeds);
+        Case { name, model, time, coordinates, speeds, expected }
+    };
+    vec![
+        case("faller", faller(), &[0.2], &[0.1]),
+        case("oscillator", oscillator(), &[0.8, -0.3], &[0.4, 1.1]),
+        case("double_pendulum", double_pendulum(), &[0.9, -0.4], &[1.3, 0.7]),
+        case("slider_crank", slider_crank(), &[0.6, 0.2, 0.35], &[2.0, -0.7, 0.3]),
+    ]
+}
+
+fn expected(model: &Model, time: f64, coordinates: &[f64], speeds: &[f64]) -> Vec<f64> {
+    apart(|| {
+        let trace = Trace::of(model);
+        let (accelerations, multipliers) = Equations::of(&trace).solved().expect("it is regular");
+        let mut values: HashMap<String, f64> =
+            [("t".to_owned(), time), ("pi".to_owned(), std::f64::consts::PI)].into_iter().collect();
+        for parameter in &model.parameters {
+            values.insert(parameter.name.clone(), parameter.value.expect("it has one"));
+        }
+        for (k, coordinate) in model.coordinates.iter().enumerate() {
+            values.insert(coordinate.name.clone(), coordinates[k]);
+            values.insert(format!("{}'", coordinate.name), speeds[k]);
+        }
+        let all = accelerations.into_iter().chain(multipliers);
+        all.map(|each| each.evaluate_analytic(&|name| values.get(name).copied()).expect("every letter has a value"))
+            .collect()
+    })
+}
+
+fn code(case: &Case, language: Language) -> String {
+    apart(|| {
+        let trace = Trace::of(&case.model);
+        let form = MatrixForm::of(&trace, Principle::Lagrange).expect("it applies");
+        model::code(&trace, &form, language).expect("it can be written")
+    })
+}
+
+fn agree(case: &Case, output: &str) {
+    let found: Vec<f64> = output.split_whitespace().map(|word| word.parse().expect("a number")).collect();
+    assert_eq!(found.len(), case.expected.len(), "{}: {output}", case.name);
+    let size = case.expected.iter().fold(1.0, |most: f64, value| most.max(value.abs()));
+    for (found, value) in found.iter().zip(&case.expected) {
+        assert!((found - value).abs() <= 1e-12 * size, "{}: {found} for {value}", case.name);
+    }
+}
+
+fn folder(language: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("systems_{language}"));
+    fs::create_dir_all(&folder).expect("a folder for the code");
+    folder
+}
+
+/// Whether a program answers to a command; where it does not, the test says so.
+fn answers(program: &str, arguments: &[&str]) -> bool {
+    let answers = Command::new(program).args(arguments).output().is_ok_and(|output| output.status.success());
+    if !answers {
+        eprintln!("skipped: `{program} {}` is not there", arguments.join(" "));
+    }
+    answers
+}
+
+fn output(command: &mut Command) -> String {
+    let output = command.output().expect("the program runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+fn listed(values: &[f64]) -> String {
+    values.iter().map(|value| format!("{value:?}")).collect::<Vec<_>>().join(", ")
+}
+
+#[test]
+fn the_c_has_the_accelerations_and_multipliers() {
+    if !answers("gcc", &["--version"]) {
+        return;
+    }
+    for case in cases() {
+        let (n, m) = (case.coordinates.len(), case.expected.len() - case.coordinates.len());
+        let text = format!(
+            "{}\n#include <stdio.h>\nint main(void)\n{{\n    const double q[] = {{{}}}, u[] = {{{}}};\n    double a[{n}], lambda[{}];\n    \
+             if (accelerations({:?}, q, u, &defaults, a, lambda)) return 1;\n    \
+             for (int i = 0; i < {n}; ++i) printf(\"%.17g\\n\", a[i]);\n    \
+             for (int i = 0; i < {m}; ++i) printf(\"%.17g\\n\", lambda[i]);\n    return 0;\n}}\n",
+            code(&case, Language::C),
+            listed(&case.coordinates),
+            listed(&case.speeds),
+            m.max(1),
+            case.time,
+        );
+        let (source, program) =
+            (folder("c").join(format!("{}.c", case.name)), folder("c").join(format!("{}.out", case.name)));
+        fs::write(&source, text).expect("the code is written");
+        let warnings = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "-o"];
+        output(Command::new("gcc").args(warnings).arg(&program).arg(&source).arg("-lm"));
+        agree(&case, &output(&mut Command::new(&program)));
+    }
+}
+
+#[test]
+fn the_rust_has_the_accelerations_and_multipliers() {
+    if !answers("rustc", &["--version"]) {
+        return;
+    }
+    for case in cases() {
+        let text = format!(
+            "{}\nfn main() {{\n    let p = Parameters::default();\n    let (q, u) = ([{}], [{}]);\n    \
+             let Some((a, lambda)) = accelerations({:?}, &q, &u, &p) else {{ std::process::exit(1) }};\n    \
+             a.iter().chain(&lambda).for_each(|value| println!(\"{{value:?}}\"));\n    \
+             let _ = (constraints({:?}, &q, &u, &p), p.clone());\n}}\n",
+            code(&case, Language::Rust),
+            listed(&case.coordinates),
+            listed(&case.speeds),
+            case.time,
+            case.time,
+        );
+        let (source, program) =
+            (folder("rust").join(format!("{}.rs", case.name)), folder("rust").join(format!("{}.out", case.name)));
+        fs::write(&source, text).expect("the code is written");
+        output(Command::new("rustc").args(["--edition", "2024", "-Dwarnings", "-o"]).arg(&program).arg(&source));
+        agree(&case, &output(&mut Command::new(&program)));
+    }
+}
+
+#[test]
+fn the_python_has_the_accelerations_and_multipliers() {
+    if !answers("python3", &["-c", "import numpy"]) {
+        return;
+    }
+    for case in cases() {
+        let text = format!(
+            "{}\nq, u = [{}], [{}]\na, multipliers = accelerations({:?}, q, u)\n\
+             print(*map(repr, map(float, [*a, *multipliers])))\nassert len(rates({:?}, q + u)) == 2*len(q)\n",
+            code(&case, Language::Python),
+            listed(&case.coordinates),
+            listed(&case.speeds),
+            case.time,
+            case.time,
+        );
+        let source = folder("python").join(format!("{}.py", case.name));
+        fs::write(&source, text).expect("the code is written");
+        agree(&case, &output(Command::new("python3").arg(&source)));
+    }
+}
+
+#[test]
+fn sympy_solves_the_equations_to_the_accelerations_and_multipliers() {
+    if !answers("python3", &["-c", "import sympy"]) {
+        return;
+    }
+    for case in cases() {
+        let module = apart(|| {
+            let trace = Trace::of(&case.model);
+            model::sympy(&trace, &MatrixForm::of(&trace, Principle::Lagrange).expect("it applies"))
+        });
+        let text = format!(
+            "{module}\nfrom sympy import Matrix as M_, zeros\nstate = [(q[k].diff(t), v) for k, v in enumerate([{}])]\n\
+             state += [(q[k], v) for k, v in enumerate([{}])] + [(t, {:?})] + list(values.items())\n\
+             held = \"jacobian\" in globals()\n\
+             rows = mass_matrix.row_join(-jacobian.T).col_join(jacobian.row_join(zeros(*[jacobian.shape[0]]*2))) if held else mass_matrix\n\
+             right = (forces - inertia).col_join(-bias) if held else forces - inertia\n\
+             a, b = rows.subs(state).evalf(30), right.subs(state).evalf(30)\n\
+             print(*map(float, a.LUsolve(b)))\nassert len(equations) == len(q)\n",
+            listed(&case.speeds),
+            listed(&case.coordinates),
+            case.time,
+        );
+        let source = folder("sympy").join(format!("{}.py", case.name));
+        fs::write(&source, text).expect("the code is written");
+        agree(&case, &output(Command::new("python3").arg(&source)));
+    }
+}
+
+#[test]
+fn angles_stay_together_and_constants_are_as_written() {
+    let text = |source: Source, principle| {
+        let model = Model::of(&source).expect("it is a system");
+        apart(|| {
+            let trace = Trace::of(&model);
+            let form = MatrixForm::of(&trace, principle).expect("it applies").for_reading();
+            [model::text(&trace, &form), model::latex(&trace, &form), model::vectors(&trace).join("\n")]
+        })
+    };
+    for principle in Principle::ALL {
+        let [pendulum, latex, vectors] = text(double_pendulum(), principle);
+        for line in [
+            "m1 = 1 kg",
+            "M[a, a] = (m1 + m2)*l1^2",
+            "M[a, b] = m2*l1*l2*cos(a - b)",
+            "M[b, b] = m2*l2^2",
+            "h[a] = m2*l1*l2*b'^2*sin(a - b)",
+            "h[b] = -m2*l1*l2*a'^2*sin(a - b)",
+            "Q[b] = -m2*l2*g*sin(b)",
+        ] {
+            assert!(pendulum.lines().any(|known| known.trim() == line), "{}: {line}\n{pendulum}", principle.name());
+        }
+        assert!(latex.contains(r"h_{1} &= m_2l_1l_2\dot{b}^2\sin(a - b)"), "{latex}");
+        assert!(latex.contains(r"\begin{align}") && latex.contains(r"m_1 &= 1\,\mathrm{kg}"), "{latex}");
+        assert!(
+            vectors.contains("P - O = -l1*A.y") && !vectors.contains("+ -") && !vectors.contains("0*"),
+            "{vectors}"
+        );
+    }
+    let [oscillator, ..] = text(oscillator(), Principle::Lagrange);
+    // thirty degrees are pi/6, whose cosine is a root; decimals stay decimals
+    assert!(
+        oscillator.contains("Q[u] = -lambda*u + lambda*M*u/sqrt(q^2 + u^2) - 0.35*fn*u' - 4.905*double*sqrt(3)"),
+        "{oscillator}"
+    );
+    assert!(
+        !oscillator.chars().collect::<Vec<_>>().windows(12).any(|window| window.iter().all(char::is_ascii_digit)),
+        "{oscillator}"
+    );
+    let [crank, ..] = text(slider_crank(), Principle::VirtualPower);
+    for line in [
+        "M q'' + h = Q + J^T lambda, with q = (theta, phi, s)",
+        "M[phi, phi] = l^2*mrod/4 + Jrod",
+        "Q[theta] = T - r*mrod*g*cos(theta)",
+        "constraint 1 `pin`: of positions",
+        "f1 = l + r*cos(theta + phi) - s*cos(phi)",
+    ] {
+        assert!(crank.lines().any(|known| known.trim() == line), "{line}\n{crank}");
+    }
+}

@@ -1,0 +1,153 @@
+//! A prescribed motion at an instant: coordinates that are not prescribed follow from the constraints.
+
+use super::{Motion, NoForces, RANK};
+use crate::compiled_system::{NotCompiled, values};
+use crate::linearisation::{Known, Point, VariedEquations};
+use derivations::taped::Program;
+use model::{Model, Trace};
+use nalgebra::{DMatrix, DVector};
+use symbolic::substitute_all;
+
+/// Residuals of constraints below this, in SI units, are rounding.
+const MET: f64 = 1e-9;
+const MOST_STEPS: usize = 50;
+
+/// Prescribed coordinates as functions of the time, with two rates.
+pub(super) struct Prescribed {
+    places: Vec<usize>,
+    program: Program,
+}
+
+impl Prescribed {
+    /// # Errors
+    /// Where a motion asks for something that moves.
+    pub fn of(model: &Model, motions: &[Motion]) -> Result<Self, NoForces> {
+        let mut wrong = None;
+        let program = Program::of_any_length(0, |time, _| {
+            let trace = Trace::of(model);
+            let positions: Vec<_> = motions.iter().map(|(_, is)| trace.scalar(*is)).collect();
+            let speeds: Vec<_> = positions.iter().map(|&position| trace.rate_of(position)).collect();
+            let accelerations: Vec<_> = speeds.iter().map(|&speed| trace.rate_of(speed)).collect();
+            let moving = [&trace.coordinates, &trace.speeds, &trace.accelerations];
+            wrong = positions.iter().position(|position| {
+                position.symbols_of().iter().any(|symbol| moving.iter().any(|letters| letters.contains(symbol)))
+            });
+            if wrong.is_some() {
+                return Vec::new();
+            }
+            substitute_all(&[positions, speeds, accelerations].concat(), &values(&trace, time, &[]))
+        });
+        match (wrong, program) {
+            (Some(place), _) => {
+                Err(NoForces::NotOfTime { coordinate: model.coordinates[motions[place].0].name.clone() })
+            }
+            (None, Some(program)) => {
+                Ok(Prescribed { places: motions.iter().map(|(place, _)| *place).collect(), program })
+            }
+            (None, None) => Err(NoForces::NotCompiled(NotCompiled::TooLong)),
+        }
+    }
+
+    /// Into the coordinates, speeds and accelerations of a point.
+    fn put(&self, point: &mut Point) {
+        let count = self.places.len();
+        let mut numbers = vec![f64::NAN; 3 * count];
+        self.program.run(point.time, &[], &mut numbers);
+        for (k, &place) in self.places.iter().enumerate() {
+            point.coordinates[place] = numbers[k];
+            point.speeds[place] = numbers[count + k];
+            point.accelerations[place] = numbers[2 * count + k];
+        }
+    }
+}
+
+/// Coordinates that are not prescribed, by the constraints.
+pub(super) struct Completion<'a> {
+    pub equations: &'a VariedEquations,
+    pub model: &'a Model,
+    pub prescribed: &'a Prescribed,
+}
+
+impl Completion<'_> {
+    /// # Errors
+    /// A constraint that does not hold, or coordinates that nothing determines.
+    pub fn of(&self, mut point: Point) -> Result<Point, NoForces> {
+        let (n, positions, time) = (point.coordinates.len(), self.equations.positions(), point.time);
+        self.prescribed.put(&mut point);
+        let open: Vec<usize> = (0..n).filter(|place| !self.prescribed.places.contains(place)).collect();
+        let columns = |matrix: &DMatrix<f64>, rows: usize| {
+            DMatrix::from_fn(rows, open.len(), |row, column| matrix[(row, open[column])])
+        };
+        let rank_of = |matrix: &DMatrix<f64>| match matrix.is_empty() {
+            true => 0,
+            false => {
+                let singular = matrix.singular_values();
+                singular.iter().filter(|value| **value > RANK * singular.amax()).count()
+            }
+        };
+        for _ in 0..MOST_STEPS {
+            let at = self.equations.at(&point);
+            let residuals = at.zero.values.rows(0, positions).into_owned();
+            if open.is_empty() || residuals.iter().all(|residual| residual.abs() <= 1e-14) {
+                break;
+            }
+            let matrix = columns(&at.zero.by_coordinates, positions);
+            let Some(step) = least(&matrix, &residuals) else { break };
+            if !step.iter().all(|part| part.is_finite()) || step.amax() <= 1e-16 {
+                break;
+            }
+            for (&place, part) in open.iter().zip(step.iter()) {
+                point.coordinates[place] -= part;
+            }
+        }
+        let at = self.equations.at(&point);
+        self.met(&at.zero.values, positions, time)?;
+        if rank_of(&columns(&at.zero.by_coordinates, positions)) < open.len() {
+            let coordinates = open.iter().map(|&place| format!("`{}`", self.model.coordinates[place].name)).collect();
+            return Err(NoForces::Open { coordinates, time });
+        }
+        // rates are linear in speeds once more, accelerations in themselves; constraints of speeds that are not are iterated
+        for _ in 0..MOST_STEPS {
+            let at = self.equations.at(&point);
+            let matrix = columns(&at.rate.by_speeds, at.rate.values.len());
+            let Some(step) = least(&matrix, &at.rate.values) else { break };
+            if step.amax() <= 1e-15 {
+                break;
+            }
+            open.iter().zip(step.iter()).for_each(|(&place, part)| point.speeds[place] -= part);
+        }
+        let at = self.equations.at(&point);
+        self.met(&at.rate.values, at.rate.values.len(), time)?;
+        let matrix = columns(&at.acceleration.by_accelerations, at.acceleration.values.len());
+        if let Some(step) = least(&matrix, &at.acceleration.values) {
+            open.iter().zip(step.iter()).for_each(|(&place, part)| point.accelerations[place] -= part);
+        }
+        let at = self.equations.at(&point);
+        self.met(&at.acceleration.values, at.acceleration.values.len(), time)?;
+        Ok(point)
+    }
+
+    fn met(&self, residuals: &DVector<f64>, count: usize, time: f64) -> Result<(), NoForces> {
+        let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
+        match residuals.iter().take(count).position(|residual| unmet(residual)) {
+            None => Ok(()),
+            Some(row) => {
+                let constraint = match &self.equations.constraints[row] {
+                    Known { name, .. } if name.is_empty() => format!("constraint {}", row + 1),
+                    Known { name, .. } => format!("the constraint `{name}`"),
+                };
+                Err(NoForces::Unmet { constraint, residual: residuals[row], time })
+            }
+        }
+    }
+}
+
+/// The least solution of a linear system; none of an empty one.
+fn least(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
+    if matrix.is_empty() || !matrix.iter().chain(right.iter()).all(|value| value.is_finite()) {
+        return None;
+    }
+    let decomposed = matrix.clone().svd(true, true);
+    let largest = decomposed.singular_values.amax();
+    decomposed.solve(right, RANK * largest).ok()
+}

@@ -1,0 +1,174 @@
+//! Inverse dynamics: the forces under which a system moves as prescribed.
+//!
+//!   M z + h(q, u) - Q(q, u, t, p) - J^T lambda = 0  for p and lambda, with q(t), u = q', z = q'' given
+//!
+//! Coordinates that are not prescribed follow from the constraints of positions. The unknown parameters p stand in the forces linearly.
+
+mod completion;
+
+use crate::compiled_system::NotCompiled;
+use crate::linearisation::{At, Point, VariedEquations};
+use completion::{Completion, Prescribed};
+use model::{Model, ScalarId};
+use nalgebra::{DMatrix, DVector};
+use std::fmt;
+
+/// A prescribed coordinate: its place, and an expression of the time.
+pub type Motion = (usize, ScalarId);
+
+/// The forces at an instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Forces {
+    pub time: f64,
+    pub coordinates: Vec<f64>,
+    pub speeds: Vec<f64>,
+    pub accelerations: Vec<f64>,
+    /// The unknown parameters.
+    pub unknowns: Vec<f64>,
+    /// Of constraints, those of positions first.
+    pub multipliers: Vec<f64>,
+}
+
+/// Why no forces are found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoForces {
+    NotCompiled(NotCompiled),
+    /// A prescribed motion asks for something that moves.
+    NotOfTime {
+        coordinate: String,
+    },
+    /// The forces are not linear in a parameter.
+    NotLinear {
+        parameter: String,
+    },
+    /// Constraints leave coordinates open: so many directions.
+    Open {
+        coordinates: Vec<String>,
+        time: f64,
+    },
+    /// A constraint does not hold along the motion.
+    Unmet {
+        constraint: String,
+        residual: f64,
+        time: f64,
+    },
+    /// Unknowns and reactions do not reach every equation.
+    Underactuated {
+        rank: usize,
+        equations: usize,
+        time: f64,
+    },
+    /// Several forces do.
+    NotUnique {
+        rank: usize,
+        unknowns: usize,
+        time: f64,
+    },
+    NotFinite {
+        time: f64,
+    },
+}
+
+impl fmt::Display for NoForces {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotCompiled(why) => write!(f, "{why}"),
+            Self::NotOfTime { coordinate } => {
+                write!(f, "the motion of `{coordinate}` must be an expression of t and of parameters")
+            }
+            Self::NotLinear { parameter } => write!(f, "the forces are not linear in `{parameter}`"),
+            Self::Open { coordinates, time } => write!(
+                f,
+                "at t = {time} s the constraints do not determine {}: prescribe more coordinates",
+                coordinates.join(", ")
+            ),
+            Self::Unmet { constraint, residual, time } => {
+                write!(
+                    f,
+                    "at t = {time} s the prescribed motion leaves {residual:.6e} of {constraint}, which must be zero"
+                )
+            }
+            Self::Underactuated { rank, equations, time } => write!(
+                f,
+                "at t = {time} s the unknowns and reactions reach {rank} of {equations} equations (the rank): underactuated; \
+                 more unknowns are needed"
+            ),
+            Self::NotUnique { rank, unknowns, time } => write!(
+                f,
+                "at t = {time} s {unknowns} unknowns and reactions have the rank {rank}: several forces give this motion; fewer \
+                 unknowns are needed"
+            ),
+            Self::NotFinite { time } => write!(f, "at t = {time} s the equations have no finite value"),
+        }
+    }
+}
+
+/// Singular values below this part of the largest one are taken for zero.
+const RANK: f64 = 1e-10;
+
+/// The forces at times, which rise.
+///
+/// # Errors
+/// Why there are none.
+pub fn inverse(model: &Model, motions: &[Motion], unknowns: &[usize], times: &[f64]) -> Result<Vec<Forces>, NoForces> {
+    let mut known = model.clone();
+    for &place in unknowns {
+        known.parameters[place].value.get_or_insert(0.0);
+    }
+    let equations = VariedEquations::of(&known, unknowns).map_err(NoForces::NotCompiled)?;
+    if let Some(place) = equations.nonlinear_input {
+        return Err(NoForces::NotLinear { parameter: model.parameters[place].name.clone() });
+    }
+    let prescribed = Prescribed::of(&known, motions)?;
+    let mut guess = known.start_state();
+    let mut all = Vec::with_capacity(times.len());
+    for &time in times {
+        let mut point = equations.point(&known, time, &guess);
+        point.inputs.fill(0.0);
+        let point = Completion { equations: &equations, model, prescribed: &prescribed }.of(point)?;
+        guess[..model.coordinates.len()].copy_from_slice(point.coordinates.as_slice());
+        all.push(forces(&equations, point)?);
+    }
+    Ok(all)
+}
+
+/// p and lambda at a point whose motion is known.
+fn forces(equations: &VariedEquations, point: Point) -> Result<Forces, NoForces> {
+    let time = point.time;
+    let At { motion, .. } = equations.at(&point);
+    let (n, m, k) = (motion.values.len(), point.multipliers.len(), point.inputs.len());
+    let mut matrix = DMatrix::zeros(n, m + k);
+    matrix.columns_mut(0, m).copy_from(&motion.by_multipliers);
+    matrix.columns_mut(m, k).copy_from(&motion.by_inputs);
+    if !matrix.iter().chain(motion.values.iter()).all(|value| value.is_finite()) {
+        return Err(NoForces::NotFinite { time });
+    }
+    let scales: Vec<f64> =
+        matrix.column_iter().map(|column| if column.amax() > 0.0 { column.amax() } else { 1.0 }).collect();
+    for (mut column, scale) in matrix.column_iter_mut().zip(&scales) {
+        column.scale_mut(1.0 / scale);
+    }
+    if m + k == 0 {
+        return Err(NoForces::Underactuated { rank: 0, equations: n, time });
+    }
+    let decomposed = matrix.svd(true, true);
+    let largest = decomposed.singular_values.amax();
+    let rank = decomposed.singular_values.iter().filter(|value| **value > RANK * largest).count();
+    if rank < n {
+        return Err(NoForces::Underactuated { rank, equations: n, time });
+    }
+    if rank < m + k {
+        return Err(NoForces::NotUnique { rank, unknowns: m + k, time });
+    }
+    let solution = decomposed.solve(&-&motion.values, RANK * largest).map_err(|_| NoForces::NotFinite { time })?;
+    let value = |at: usize| solution[at] / scales[at];
+    let list = |values: &DVector<f64>| values.iter().copied().collect();
+    Ok(Forces {
+        time,
+        coordinates: list(&point.coordinates),
+        speeds: list(&point.speeds),
+        accelerations: list(&point.accelerations),
+        multipliers: (0..m).map(value).collect(),
+        unknowns: (m..m + k).map(value).collect(),
+    })
+}

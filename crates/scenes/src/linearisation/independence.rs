@@ -1,0 +1,46 @@
+//! Independent coordinates and speeds among those that constraints tie together, chosen by pivots.
+
+use nalgebra::DMatrix;
+
+/// A column is taken as dependent where its pivot is at least this part of the largest one: among such the last one of the model.
+const FAIR: f64 = 0.1;
+
+/// Pivots below this part of the largest entry of a row are taken for zero.
+const ZERO: f64 = 1e-10;
+
+/// The columns that rows determine, one for each row, in the order of the rows; the first rows are served first, each with a column
+/// that serves again among all rows.
+///
+/// # Errors
+/// A row that depends on those before it.
+pub fn dependent(rows: &DMatrix<f64>) -> Result<Vec<usize>, usize> {
+    let (m, n) = rows.shape();
+    let mut rest = rows.clone();
+    let mut taken: Vec<usize> = Vec::new();
+    for row in 0..m {
+        let original = rows.row(row).amax();
+        let size = |column: usize, rest: &DMatrix<f64>| rest[(row, column)].abs();
+        let free: Vec<usize> = (0..n).filter(|column| !taken.contains(column)).collect();
+        let largest = free.iter().map(|&column| size(column, &rest)).fold(0.0, f64::max);
+        if largest.is_nan() || largest <= ZERO * original || largest == 0.0 {
+            return Err(row);
+        }
+        let Some(&pivot) = free.iter().rev().find(|&&column| size(column, &rest) >= FAIR * largest) else {
+            return Err(row);
+        };
+        let own = rest.row(row) / rest[(row, pivot)];
+        for below in (row + 1)..m {
+            let factor = rest[(below, pivot)];
+            let mut line = rest.row_mut(below);
+            line -= &own * factor;
+            line[pivot] = 0.0;
+        }
+        taken.push(pivot);
+    }
+    Ok(taken)
+}
+
+/// What is not dependent.
+pub fn others(n: usize, dependent: &[usize]) -> Vec<usize> {
+    (0..n).filter(|column| !dependent.contains(column)).collect()
+}

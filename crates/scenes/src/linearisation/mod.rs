@@ -1,0 +1,167 @@
+//! Linearisation of a model about a point: x' = A x + B w, y = C x + D w.
+//!
+//! Derivatives are those of the equations, exact; nothing is a difference quotient. Where the point moves with accelerations, these and the
+//! reactions there belong to the derivatives. Constraints are solved for as many coordinates and speeds as they tie together, so
+//! that the state x holds independent variations alone: of coordinates, then of speeds. Where constraints of speeds cannot be
+//! integrated, it holds fewer speeds than coordinates.
+
+mod equations;
+mod independence;
+mod point;
+pub mod points;
+mod stability;
+
+pub use equations::{At, Known, Point, VariedEquations};
+pub use point::Undetermined;
+pub use points::Standing;
+pub use stability::{Spectrum, Stability, eigenvalues};
+
+use independence::{dependent, others};
+use model::Model;
+use nalgebra::DMatrix;
+use point::solved;
+use std::fmt;
+
+/// The linear equations about a point.
+#[derive(Clone, Debug)]
+pub struct Linearisation {
+    pub point: Point,
+    /// Coordinates whose variations stand in the state, by their places.
+    pub coordinates: Vec<usize>,
+    /// Those whose speeds do.
+    pub speeds: Vec<usize>,
+    pub a: DMatrix<f64>,
+    pub b: DMatrix<f64>,
+    pub c: DMatrix<f64>,
+    pub d: DMatrix<f64>,
+}
+
+impl Linearisation {
+    /// A, B, C and D by their names, row after row.
+    pub fn matrices(&self) -> [(&'static str, Vec<Vec<f64>>); 4] {
+        let rows = |matrix: &DMatrix<f64>| matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
+        [("A", rows(&self.a)), ("B", rows(&self.b)), ("C", rows(&self.c)), ("D", rows(&self.d))]
+    }
+}
+
+/// Why there is no linearisation.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NotLinear {
+    /// The equations do not determine accelerations and reactions.
+    Undetermined(Undetermined),
+    /// A constraint depends on those before it.
+    Redundant(Known),
+    /// An input moves a constraint: its rates would be inputs too.
+    DrivenConstraint { input: String, constraint: Known },
+    /// A derivative has no finite value.
+    NotFinite,
+}
+
+impl fmt::Display for NotLinear {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let named = |known: &Known| match known.name.as_str() {
+            "" => "a constraint".to_owned(),
+            name => format!("the constraint `{name}`"),
+        };
+        match self {
+            Self::Undetermined(why) => write!(f, "{why}"),
+            Self::Redundant(known) => write!(f, "{} depends on those before it", named(known)),
+            Self::DrivenConstraint { input, constraint } => write!(
+                f,
+                "the input `{input}` moves {}, whose rates of it would be inputs too; inputs of forces are accepted",
+                named(constraint)
+            ),
+            Self::NotFinite => write!(f, "a derivative of the equations has no finite value"),
+        }
+    }
+}
+
+impl VariedEquations {
+    /// About a point, whose accelerations and multipliers are found first.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn linearised(&self, model: &Model, point: Point) -> Result<Linearisation, NotLinear> {
+        let point = self.with_accelerations(point).map_err(NotLinear::Undetermined)?;
+        let at = self.at(&point);
+        let (n, m, positions) = (point.coordinates.len(), self.constraints.len(), self.positions());
+        for (row, constraint) in self.constraints.iter().enumerate() {
+            if let Some(column) = (0..self.inputs.len()).find(|&column| {
+                [&at.zero, &at.rate, &at.acceleration].iter().any(|part| part.by_inputs[(row, column)] != 0.0)
+            }) {
+                let input = model.parameters[self.inputs[column]].name.clone();
+                return Err(NotLinear::DrivenConstraint { input, constraint: constraint.clone() });
+            }
+        }
+        let redundant = |row: usize| NotLinear::Redundant(self.constraints[row].clone());
+        let rows = &at.acceleration.by_accelerations;
+        let fixed_speeds = dependent(rows).map_err(redundant)?;
+        let (fixed, _) = fixed_speeds.split_at(positions);
+        let (free, free_speeds) = (others(n, fixed), others(n, &fixed_speeds));
+
+        // dq = N x_q, du = P x_u + K dq
+        let held = rows.rows(0, positions).into_owned();
+        let by_free = tied(&held, fixed, &free, &DMatrix::zeros(positions, 0)).ok_or(NotLinear::NotFinite)?;
+        let by_speeds = tied(rows, &fixed_speeds, &free_speeds, &at.rate.by_coordinates).ok_or(NotLinear::NotFinite)?;
+        let (of_speeds, carried) = by_speeds.columns_range_pair(0..free_speeds.len(), free_speeds.len()..);
+        let (x_q, x_u) = (free.len(), free_speeds.len());
+        let mut coordinates = DMatrix::zeros(n, x_q + x_u);
+        coordinates.columns_mut(0, x_q).copy_from(&by_free);
+        let mut speeds = DMatrix::zeros(n, x_q + x_u);
+        speeds.columns_mut(0, x_q).copy_from(&(carried * &by_free));
+        speeds.columns_mut(x_q, x_u).copy_from(&of_speeds);
+
+        // accelerations and multipliers by coordinates, speeds and inputs
+        let k = self.inputs.len();
+        let mut right = DMatrix::zeros(n + m, x_q + x_u + k);
+        let by_state =
+            |values: &equations::Values| -(&values.by_coordinates * &coordinates + &values.by_speeds * &speeds);
+        right.view_mut((0, 0), (n, x_q + x_u)).copy_from(&by_state(&at.motion));
+        right.view_mut((n, 0), (m, x_q + x_u)).copy_from(&by_state(&at.acceleration));
+        right.view_mut((0, x_q + x_u), (n, k)).copy_from(&-&at.motion.by_inputs);
+        let moved = solved(&at, &right).map_err(NotLinear::Undetermined)?;
+
+        let mut a = DMatrix::zeros(x_q + x_u, x_q + x_u);
+        let mut b = DMatrix::zeros(x_q + x_u, k);
+        for (row, &place) in free.iter().enumerate() {
+            a.row_mut(row).copy_from(&speeds.row(place));
+        }
+        for (row, &place) in free_speeds.iter().enumerate() {
+            a.row_mut(x_q + row).copy_from(&moved.view((place, 0), (1, x_q + x_u)));
+            b.row_mut(x_q + row).copy_from(&moved.view((place, x_q + x_u), (1, k)));
+        }
+        let (accelerations, multipliers) = (moved.rows(0, n), moved.rows(n, m));
+        let shown = &at.outputs.by_accelerations * accelerations + &at.outputs.by_multipliers * multipliers;
+        let c =
+            &at.outputs.by_coordinates * &coordinates + &at.outputs.by_speeds * &speeds + shown.columns(0, x_q + x_u);
+        let d = &at.outputs.by_inputs + shown.columns(x_q + x_u, k);
+        let is_finite = [&a, &b, &c, &d].iter().all(|matrix| matrix.iter().all(|value| value.is_finite()));
+        match is_finite {
+            true => Ok(Linearisation { point, coordinates: free, speeds: free_speeds, a, b, c, d }),
+            false => Err(NotLinear::NotFinite),
+        }
+    }
+}
+
+/// The solution of rows x + more y = 0 for the fixed parts of x: all of x by its free parts, then by y.
+fn tied(rows: &DMatrix<f64>, fixed: &[usize], free: &[usize], more: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let n = rows.ncols();
+    let (m, wide) = (rows.nrows(), free.len() + more.ncols());
+    let mut all = DMatrix::zeros(n, wide);
+    for (column, &place) in free.iter().enumerate() {
+        all[(place, column)] = 1.0;
+    }
+    if m == 0 {
+        return Some(all);
+    }
+    let own = DMatrix::from_fn(m, m, |row, column| rows[(row, fixed[column])]);
+    let right = DMatrix::from_fn(m, wide, |row, column| match free.get(column) {
+        Some(&place) => -rows[(row, place)],
+        None => -more[(row, column - free.len())],
+    });
+    let solution = own.full_piv_lu().solve(&right)?;
+    for (row, &place) in fixed.iter().enumerate() {
+        all.row_mut(place).copy_from(&solution.row(row));
+    }
+    Some(all)
+}

@@ -1,0 +1,42 @@
+//! Constants as decimals, where these are shorter than fractions.
+
+use field::Rational;
+
+/// Denominators up to this one make fractions that people write.
+const LARGEST_DENOMINATOR: u64 = 16;
+
+/// So many digits are exact in every float.
+const DIGITS: usize = 15;
+
+/// The decimal of a constant, which reads as that very constant: a decimal of few digits, or a float in the fewest digits that read
+/// as it. None where a fraction is shorter or nothing else is exact.
+pub(super) fn shorter(value: Rational) -> Option<String> {
+    let big = value.to_big()?;
+    if u64::try_from(big.denominator()).is_ok_and(|below| below <= LARGEST_DENOMINATOR) {
+        return None;
+    }
+    let float = value.to_f64();
+    if !float.is_finite() || float == 0.0 {
+        return None;
+    }
+    let scientific = format!("{float:e}");
+    let digits = scientific.chars().take_while(|c| *c != 'e').filter(char::is_ascii_digit).count();
+    let is_same = if digits <= DIGITS { Rational::decimal(float) == value } else { Rational::exactly(float) == value };
+    is_same.then(|| if (1e-4..1e6).contains(&float.abs()) { format!("{float}") } else { scientific })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shorter;
+    use field::Rational;
+
+    #[test]
+    fn decimals_stand_where_they_are_exact_and_shorter() {
+        assert_eq!(shorter(Rational::new(7, 20)).as_deref(), Some("0.35"));
+        assert_eq!(shorter(Rational::new(5, 6)), None);
+        assert_eq!(shorter(Rational::new(1, 300)), None);
+        assert_eq!(shorter(Rational::exactly(0.965_925_826_289_068_3)).as_deref(), Some("0.9659258262890683"));
+        assert_eq!(shorter(Rational::decimal(1.5e-9)).as_deref(), Some("1.5e-9"));
+        assert_eq!(shorter(Rational::new(1, 2)), None);
+    }
+}
