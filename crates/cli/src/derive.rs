@@ -131,6 +131,11 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
 /// A system in matrix form in a notation.
 fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Result<String, Ending> {
     let is_code = !matches!(format, Equations::Text | Equations::Latex | Equations::Mathml);
+    if is_code && !trace.model.switches.is_empty() {
+        return Err(Ending::refused(
+            "the law of this system changes at conditions, which is not written as code yet; text, latex and mathml are accepted",
+        ));
+    }
     if let (true, Some(free)) = (is_code, trace.model.free.first()) {
         let name = &trace.model.frames[free.0].name;
         return Err(Ending::refused(format!(

@@ -12,8 +12,16 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let names = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>().join(", ");
     let held = !form.constraints.is_empty();
     let reactions = if held { " + J^T lambda" } else { "" };
-    let _ = writeln!(text, "M q'' + h = Q{reactions}, with q = ({})", names(&form.coordinates));
-    if held {
+    let turns = !trace.model.free.is_empty();
+    match turns {
+        false => writeln!(text, "M q'' + h = Q{reactions}, with q = ({})", names(&form.coordinates)),
+        true => writeln!(text, "M u' + h = Q{reactions}, with u = ({})", names(&form.speeds)),
+    }
+    .unwrap_or(());
+    if held && turns {
+        text += "J u' + c = 0: every constraint f = 0, differentiated; J holds df'/du of positions, df/du of speeds\n";
+        text += "A positive lambda acts along the gradient of f\n";
+    } else if held {
         text += "J q'' + c = 0: every constraint f = 0, differentiated; J holds df/dq of positions, df/dq' of speeds\n";
         text += "A positive lambda acts along the gradient of f\n";
     }
@@ -25,7 +33,7 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     section(&mut text, "Parameters", parameters(trace));
     let units = trace.model.coordinates.iter().map(|each| format!("{} in {}", each.name, each.unit)).collect();
     section(&mut text, "Coordinates q", units);
-    let rows: Vec<&str> = trace.model.coordinates.iter().map(|each| each.name.as_str()).collect();
+    let rows: Vec<String> = (0..form.speeds.len()).map(|speed| trace.direction(speed)).collect();
     let entry = |name: &str, place: String, value: Sym| format!("{name}[{place}] = {}", value.decimal_text());
     let mut mass = Vec::new();
     for (i, row) in form.mass.iter().enumerate() {
@@ -36,7 +44,7 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     section(&mut text, "Mass matrix M, symmetric; entries that are not written are zero", mass);
     let vector = |name: &str, values: &[Sym]| {
         let entries = rows.iter().zip(values).filter(|(_, value)| **value != Sym::ZERO);
-        entries.map(|(row, value)| entry(name, (*row).to_owned(), *value)).collect::<Vec<_>>()
+        entries.map(|(row, value)| entry(name, row.clone(), *value)).collect::<Vec<_>>()
     };
     section(&mut text, "Inertia h without accelerations", vector("h", &form.inertia));
     section(&mut text, "Applied forces Q", vector("Q", &form.forces));
