@@ -41,6 +41,7 @@ pub struct Parameter {
 pub struct Coordinate {
     pub name: String,
     pub dimension: Dimension,
+    /// The coherent unit, in which values are.
     pub unit: String,
 }
 

@@ -1,10 +1,11 @@
 //! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
 
+use crate::letters::Letters;
 use derivations::differentiated::Differentiated;
 use derivations::recorded::Recorded;
 use derivations::scene::problem::Law;
 use derivations::taped::Program;
-use field::{DoubleDouble, Over, Rational};
+use field::DoubleDouble;
 use integrators::{Directions, Ode};
 use model::equations::{Equation, Equations, Level, Singular};
 use model::{Model, Trace};
@@ -23,6 +24,8 @@ pub enum NotCompiled {
     Massless { coordinate: String },
     /// A constraint that others imply.
     Redundant { constraint: usize },
+    /// An expression has no values.
+    Undefined { reason: String },
     /// Longer than what can be run.
     TooLong,
 }
@@ -38,6 +41,7 @@ impl fmt::Display for NotCompiled {
             Self::Redundant { constraint } => {
                 write!(f, "constraint {} follows from those before it", constraint + 1)
             }
+            Self::Undefined { reason } => write!(f, "its equations have no values: {reason}"),
             Self::TooLong => write!(f, "the equations of motion are longer than what this version can run"),
         }
     }
@@ -65,7 +69,7 @@ impl CompiledSystem {
         let (mut wrong, mut keeps_energy) = (None, false);
         let rates = Program::of_any_length(states, |time, state| {
             keeps_energy = conserves(model);
-            rates(model, time, state).unwrap_or_else(|reason| {
+            rates(model, Letters::with_data(time, state)).unwrap_or_else(|reason| {
                 wrong = Some(reason);
                 Vec::new()
             })
@@ -73,8 +77,8 @@ impl CompiledSystem {
         if let Some(reason) = wrong {
             return Err(reason);
         }
-        let outputs =
-            Program::of_any_length(states, |time, state| outputs(model, time, state)).ok_or(NotCompiled::TooLong)?;
+        let outputs = Program::of_any_length(states, |time, state| outputs(model, Letters::with_data(time, state)))
+            .ok_or(NotCompiled::TooLong)?;
         Ok(CompiledSystem {
             model: Arc::clone(model),
             rates: rates.ok_or(NotCompiled::TooLong)?,
@@ -107,8 +111,8 @@ pub(crate) fn has_values(model: &Model) -> Result<(), NotCompiled> {
 /// Kinetic and potential energy stand behind the outputs.
 pub const ENERGIES: usize = 2;
 
-/// The rates of the state over symbols of it.
-fn rates(model: &Model, time: Sym, state: &[Sym]) -> Result<Vec<Sym>, NotCompiled> {
+/// The rates of the state over letters.
+pub(crate) fn rates(model: &Model, letters: Letters<'_>) -> Result<Vec<Sym>, NotCompiled> {
     let trace = Trace::of(model);
     if let Some(body) = trace.tilted().first() {
         return Err(NotCompiled::Tilted { body: (*body).to_owned() });
@@ -120,11 +124,11 @@ fn rates(model: &Model, time: Sym, state: &[Sym]) -> Result<Vec<Sym>, NotCompile
         Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
     })?;
     let all: Vec<Sym> = trace.speeds.iter().copied().chain(accelerations).collect();
-    Ok(substitute_all(&all, &values(&trace, time, state)))
+    Ok(letters.put_into(&trace, &all))
 }
 
 /// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
-fn conserves(model: &Model) -> bool {
+pub(crate) fn conserves(model: &Model) -> bool {
     let acts = !(model.forces.is_empty() && model.torques.is_empty()) || model.energies.dissipation.is_some();
     if acts || model.gravity.is_some() && Trace::of(model).uniform_gravity().is_none() {
         return false;
@@ -147,7 +151,7 @@ fn conserves(model: &Model) -> bool {
 }
 
 /// The outputs, the kinetic and the potential energy.
-fn outputs(model: &Model, time: Sym, state: &[Sym]) -> Vec<Sym> {
+pub(crate) fn outputs(model: &Model, letters: Letters<'_>) -> Vec<Sym> {
     let trace = Trace::of(model);
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
     let mut all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
@@ -158,17 +162,7 @@ fn outputs(model: &Model, time: Sym, state: &[Sym]) -> Vec<Sym> {
         let known: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations).collect();
         all = substitute_all(&all, &known);
     }
-    substitute_all(&all, &values(&trace, time, state))
-}
-
-/// Symbols of the model by those of the state, and parameters by their values.
-pub(crate) fn values(trace: &Trace<'_>, time: Sym, state: &[Sym]) -> Vec<(Sym, Sym)> {
-    let known = trace.coordinates.iter().chain(&trace.speeds).copied().zip(state.iter().copied());
-    let data = trace.parameters.iter().zip(&trace.model.parameters).filter_map(|(&letter, parameter)| {
-        let value: Rational = Rational::exactly(parameter.value?);
-        Some((letter, Sym::lift(value)))
-    });
-    known.chain(data).chain([(trace.time, time)]).collect()
+    letters.put_into(&trace, &all)
 }
 
 macro_rules! runs {
@@ -193,7 +187,7 @@ impl Ode<Sym> for CompiledSystem {
     }
 
     fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
-        match rates(&self.model, t, y) {
+        match rates(&self.model, Letters::with_data(t, y)) {
             Ok(rates) => dy.copy_from_slice(&rates),
             Err(_) => dy.fill(Sym::UNDEFINED),
         }

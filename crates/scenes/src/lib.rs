@@ -3,14 +3,19 @@
 //! # Overview
 //! * [`ModelScene`]: a file with `[coordinates]`, read and checked; every command that runs a scene runs it;
 //! * [`text`]: the tables of a file as a [`model::Source`];
+//! * [`parse_ensemble`]: the same file with `[ensemble]`: many members, parameters and starts of their own;
 //! * [`CompiledSystem`]: the equations of motion as machine code, as series, and over every field that runs.
 
 mod admissible;
 mod compiled_system;
+mod ensemble;
+mod letters;
+mod parametric_law;
 mod scene;
 mod start;
 pub mod text;
 
 pub use compiled_system::{CompiledSystem, NotCompiled};
+pub use ensemble::parse_ensemble;
 pub use scene::{ModelScene, read_model, register};
 pub use start::{Open, Unmet, consistent};

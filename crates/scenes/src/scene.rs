@@ -2,6 +2,7 @@
 
 use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
+use crate::ensemble::parse_ensemble;
 use crate::start::{Open, Unmet, consistent};
 use crate::text;
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
@@ -9,7 +10,7 @@ use derivations::scene::file::{read_text, tables};
 use derivations::scene::problem::Invariant;
 use derivations::scene::read::Table;
 use derivations::scene::smooth::Parameter;
-use derivations::scene::{Axes, Issue, Modelled, Problem, Run, SceneError, Smooth, read_models_by, run};
+use derivations::scene::{Axes, Issue, ModelReaders, Modelled, Problem, Run, SceneError, Smooth, read_models_by, run};
 use integrators::Reference;
 use model::Model;
 use model::equations::Level;
@@ -32,7 +33,10 @@ pub struct ModelScene {
 
 /// Makes every command read files with `[coordinates]`.
 pub fn register() {
-    read_models_by(|name, text| Ok(Arc::new(ModelScene::parse(name, text)?)));
+    let scene = |name: &str, text: &str| -> Result<Arc<dyn Modelled>, SceneError> {
+        Ok(Arc::new(ModelScene::parse(name, text)?))
+    };
+    read_models_by(ModelReaders { scene, ensemble: parse_ensemble });
 }
 
 /// Reads the system of a file, and leaves its run alone: for what needs neither values nor a run.
@@ -68,57 +72,68 @@ impl ModelScene {
     /// All that is wrong with it, each at its place.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
         tables(name, text, |top, issues| {
-            let title = top.text("title", "one line that says what happens").value;
-            let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
-            let description = top.optional_text("description", "what happens and why it is hard");
-            let model = model(top, issues).map(Arc::new);
-            let names = model.as_deref().map(columns);
-            let run = run::read(top, issues, names.as_deref());
-            let model = model?;
-            let bodies = impossible(&model);
-            let exist = bodies.is_empty();
-            issues.extend(bodies);
-            let ready = exist.then(|| ready(&model))?;
-            let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
-            let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
-            Some(ModelScene { title, description, model, system, start, run: run? })
+            // members are read by `parse_ensemble`
+            top.known(&["ensemble"]);
+            ModelScene::read(top, issues)
         })
     }
+
+    /// Reads the tables of a file; what is wrong goes into the list.
+    pub(crate) fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
+        let title = top.text("title", "one line that says what happens").value;
+        let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
+        let description = top.optional_text("description", "what happens and why it is hard");
+        let model = model(top, issues).map(Arc::new);
+        let names = model.as_deref().map(columns);
+        let run = run::read(top, issues, names.as_deref());
+        let model = model?;
+        let bodies = impossible(&model);
+        let exist = bodies.is_empty();
+        issues.extend(bodies);
+        let ready = exist.then(|| ready(&model))?;
+        let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
+        let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
+        Some(ModelScene { title, description, model, system, start, run: run? })
+    }
+}
+
+/// A system that has no law.
+pub(crate) fn refused(reason: &NotCompiled) -> Issue {
+    let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
+    issue.accepted("`dalembert derive` writes its equations down without running them")
 }
 
 /// The start, completed, and the law that runs from it.
 fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
-    let not_compiled = |reason: NotCompiled| {
-        let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
-        issue.accepted("`dalembert derive` writes its equations down without running them")
-    };
     // before the law: what depends on others makes it singular
     let start = consistent(model).map_err(|unmet| match unmet {
         Unmet::Open(open) => inconsistent(&open),
-        Unmet::Redundant(at) => {
+        Unmet::Redundant { at, .. } => {
             let title = "this constraint follows from those before it";
             let issue = Issue::at(at, title, "at the start it holds no direction of its own");
             issue.accepted("constraints that are independent: leave this one out")
         }
-        Unmet::NotCompiled(reason) => not_compiled(reason),
+        Unmet::NotCompiled(reason) => refused(&reason),
     })?;
-    let system = CompiledSystem::of(model).map_err(not_compiled)?;
+    let system = CompiledSystem::of(model).map_err(|reason| refused(&reason))?;
     Ok((start, Arc::new(system)))
 }
 
 /// A constraint that the start does not meet.
 fn inconsistent(Open { at, name, residual, level }: &Open) -> Issue {
-    let name = if name.is_empty() { "this constraint".to_owned() } else { format!("the constraint `{name}`") };
     let what = if *level == Level::Position { "the coordinates" } else { "the speeds" };
     let title = format!("{name} does not hold at the start");
-    let label = format!("{residual:.6e} by {what} that [start] gives, and not zero");
+    let label = match residual {
+        Some(residual) => format!("{residual:.6e} by {what} that [start] gives, and not zero"),
+        None => format!("it has no value by {what} that [start] gives"),
+    };
     Issue::at(at.clone(), title, label).accepted(
         "values in [start] that agree; one that is left out, or written as \"guess 0.3 rad\", is completed so that constraints hold",
     )
 }
 
 /// Names of a row: coordinates, speeds, outputs, energies.
-fn columns(model: &Model) -> Vec<String> {
+pub(crate) fn columns(model: &Model) -> Vec<String> {
     let coordinates = model.coordinates.iter().map(|coordinate| coordinate.name.clone());
     let speeds = model.coordinates.iter().map(|coordinate| format!("{}'", coordinate.name));
     let outputs = model.outputs.iter().map(|output| output.name.clone());
