@@ -5,7 +5,6 @@
 //! and so are listed values, which every row shows: an ensemble may grow.
 
 use super::EnsembleScene;
-use super::known::Data;
 use super::run::MOST_STEPS;
 use siphasher::sip::SipHasher24;
 use std::fmt::{self, Display, Write};
@@ -24,11 +23,11 @@ impl Fingerprint {
     /// The fingerprint of the rows which this program computes here.
     pub fn of(scene: &EnsembleScene) -> Self {
         let mut hash = Hashed(SipHasher24::new());
-        let EnsembleScene { scene: base, members: _, seed, varied, kind, axes } = scene;
-        let (span, tolerance) = (base.run.span, base.run.tolerance);
+        let EnsembleScene { system, members: _, seed, varied } = scene;
+        let (span, tolerance) = (system.run().span, system.run().tolerance);
         // writing to a hash cannot fail
-        let _ = write!(hash, "{kind:?} {:?} {axes:?} {seed} {span:?} {tolerance:?} {MOST_STEPS}", Data::of(base));
-        let _ = write!(hash, " {}", base.machine.name());
+        let _ = system.write_law(&mut hash);
+        let _ = write!(hash, " {seed} {span:?} {tolerance:?} {MOST_STEPS} {}", system.name());
         for varied in varied {
             let _ = write!(hash, " {}", varied.distribution());
         }

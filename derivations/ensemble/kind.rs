@@ -1,16 +1,16 @@
 //! The law of a scene with a symbol for every datum, written down once: it serves every member of an ensemble.
 
+use super::lane_series::lane_series;
 use crate::machines::text::Laws;
 use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, Quantity, Source};
 use crate::scene::{Axes, MachineData, System};
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
-use field::Lanes;
 use integrators::LaneSeries;
 use nalgebra::{Matrix3, Vector3};
 use std::convert::Infallible;
 use std::sync::Arc;
-use symbolic::{Abreast, Equations, Recurrence, Sym, Tape, Untapeable, apart};
+use symbolic::{Equations, Recurrence, Sym, Tape, Untapeable, apart};
 
 /// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
 /// axes) or A' of a bench, then the machine's in its own order.
@@ -24,10 +24,6 @@ pub struct Kind {
 pub const INVARIANTS: [&str; 4] = ["vertical_length", "vertical_momentum", "jacobi", "rotor_momentum"];
 /// Their units.
 pub const INVARIANT_UNITS: [&str; 4] = ["1", "N m s", "J", "N m s"];
-
-/// The columns of a recurrence that still lie near the processor, and of the largest.
-const FEW: usize = 256;
-const MANY: usize = 1 << 16;
 
 impl Kind {
     /// Writes down the law of a system with a machine that has these counts of windings.
@@ -63,10 +59,7 @@ impl Kind {
 
     /// The series of L members, to this order.
     pub fn series<const L: usize>(&self, order: usize) -> Option<Box<dyn LaneSeries<L> + '_>> {
-        if let Some(series) = self.recurrence.abreast::<L, FEW>(order) {
-            return Some(Box::new(Series(series)));
-        }
-        self.recurrence.abreast::<L, MANY>(order).map(|series| Box::new(Series(series)) as Box<dyn LaneSeries<L>>)
+        lane_series(&self.recurrence, order)
     }
 
     /// The values of [`INVARIANTS`] in a state: a program that takes the states and the parameters.
@@ -188,30 +181,5 @@ impl Source<Sym> for Names<'_> {
     /// How many bars there are is no number of a member, but the shape of them all.
     fn count(&mut self, name: &'static str, _: &'static str) -> Result<usize, Infallible> {
         Ok(self.counts.counts.iter().find(|(given, ..)| *given == name).map_or(1, |(.., count)| *count))
-    }
-}
-
-/// The series of a recurrence, in lanes.
-struct Series<'a, const L: usize, const N: usize>(Abreast<'a, L, N>);
-
-impl<const L: usize, const N: usize> LaneSeries<L> for Series<'_, L, N> {
-    fn set(&mut self, lane: usize, parameters: &[f64]) {
-        self.0.set(lane, parameters);
-    }
-
-    fn order(&self) -> usize {
-        self.0.order()
-    }
-
-    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]) {
-        self.0.expand(states, times);
-    }
-
-    fn coefficients(&self, k: usize) -> &[Lanes<L>] {
-        self.0.coefficients(k)
-    }
-
-    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
-        self.0.sum(h, out);
     }
 }

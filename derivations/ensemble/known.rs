@@ -1,5 +1,6 @@
 //! The numbers of a scene that may differ from member to member: how a file names them, and where they are.
 
+use super::parametric_system::{Shape, Variable};
 use crate::machines::{AnyMachine, Quantity, RotorState};
 use crate::scene::state::windings;
 use crate::scene::{Scene, Start, System};
@@ -150,6 +151,37 @@ impl Known {
             of_bodies!(b => from_mut(&mut b.gravity)),
         )];
         vec![("", top), ("carrier", carrier), ("rotor", rotor), ("machine", machine), ("start", start)]
+    }
+}
+
+/// All that a scene may vary, in the order of a table of results, each with its place.
+pub(super) fn variables(scene: &Scene) -> (Vec<Variable>, Vec<Place>) {
+    let mut all = Vec::new();
+    for (table, known) in Known::of(scene) {
+        for Known { key, meaning, unit, components, place } in known {
+            let shape = match (table, &*key) {
+                ("rotor", "axis") | ("start", "vertical") => Shape::Direction,
+                ("carrier", "inertia") => Shape::SymmetricTensor,
+                _ => Shape::Numbers(components),
+            };
+            all.push((Variable { table, key, meaning, unit, shape }, place));
+        }
+    }
+    all.into_iter().unzip()
+}
+
+impl Place {
+    /// Puts drawn numbers where they belong; six are a symmetric tensor.
+    pub(super) fn put(self, drawn: &[f64], data: &mut Data) {
+        let place = match self {
+            Place::Bodies(of) => of(&mut data.system).unwrap_or_default(),
+            Place::Machine(i) => data.machine.get_mut(i).map(from_mut).unwrap_or_default(),
+            Place::Start(of) => of(&mut data.start),
+        };
+        match (drawn, place.len()) {
+            (&[a, b, c, d, e, f], 9) => place.copy_from_slice(&[a, b, c, b, d, e, c, e, f]),
+            _ => place.iter_mut().zip(drawn).for_each(|(place, drawn)| *place = *drawn),
+        }
     }
 }
 

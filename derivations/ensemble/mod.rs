@@ -1,42 +1,87 @@
 //! Ensembles: one scene many times, with data and starts that differ, run side by side.
 //!
 //! # Overview
-//! * [`EnsembleScene`]: a scene with a motor and a table `[ensemble]` that says what varies, from a file;
-//! * [`known`]: the numbers that may vary; [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
-//! * [`kind`]: the law written down once, with a symbol for every datum;
-//! * [`member`], [`run`]: a member's data, and all members in lanes and threads;
-//! * [`fingerprint`]: what decides a member, so that rows of different ensembles are told apart.
+//! * [`EnsembleScene`]: a scene with a table `[ensemble]` that says what varies, from a file;
+//! * [`parametric_system`]: what an ensemble needs of a scene: names of the numbers that may vary, a law with a symbol for each, members;
+//! * [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
+//! * [`run`]: all members in lanes and threads; [`lane_series`]: the series of a recurrence in lanes;
+//! * [`fingerprint`]: what decides a member, so that rows of different ensembles are told apart;
+//! * scenes with a motor: [`known`], the numbers that may vary; [`kind`], the law; `driven_system`, their members.
 
 pub mod draw;
+mod driven_system;
 pub mod fingerprint;
 pub mod kind;
 pub mod known;
-pub mod member;
+pub mod lane_series;
+pub mod parametric_system;
 pub mod run;
 mod stop_reason;
 pub mod vary;
 
 pub use fingerprint::Fingerprint;
-pub use member::Member;
+pub use lane_series::lane_series;
+pub use parametric_system::{Column, Drawn, LANES, Member, ParametricSystem, Shape, Sizes, Variable};
 pub use run::{Last, Row};
 pub use stop_reason::Stopped;
 
 use crate::scene::file::Opening;
 use crate::scene::issue::Issue;
 use crate::scene::read::Table;
-use crate::scene::{Axes, Family, Scene};
-use kind::Kind;
-use vary::Varied;
+use crate::scene::{Family, Scene, any};
+use std::fmt;
+use std::sync::Arc;
+use vary::{Variation, Varied};
 
 /// A scene of which many members are run.
 #[derive(Clone, Debug)]
 pub struct EnsembleScene {
-    pub scene: Scene,
+    pub system: Arc<dyn ParametricSystem>,
     pub members: u64,
     seed: u64,
     varied: Vec<Varied>,
-    kind: Kind,
-    axes: Axes,
+}
+
+/// The law of a system has more quantities than members side by side have room for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLong;
+
+impl fmt::Display for TooLong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "its series take more quantities than members side by side have room for")
+    }
+}
+
+impl EnsembleScene {
+    /// Members of a system.
+    ///
+    /// # Errors
+    /// [`TooLong`].
+    pub fn new(system: Arc<dyn ParametricSystem>, variation: Variation) -> Result<Self, TooLong> {
+        let Variation { members, seed, varied } = variation;
+        // the room does not depend on the order
+        system.series(integrators::lanes_order(1.0)).ok_or(TooLong)?;
+        Ok(EnsembleScene { system, members, seed, varied })
+    }
+
+    /// A member.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn member(&self, number: u64) -> Result<Member<'_>, Stopped> {
+        let drawn: Vec<Drawn> = self.varied.iter().map(|varied| varied.drawn(self.seed, number)).collect();
+        for (varied, Drawn { numbers, .. }) in self.varied.iter().zip(&drawn) {
+            if numbers.iter().any(|x| !x.is_finite()) {
+                return Err(Stopped::NotFinite { datum: varied.name.clone() });
+            }
+        }
+        self.system.member(&drawn)
+    }
+
+    /// The numbers of a member that vary, in the order of the columns.
+    pub fn drawn(&self, number: u64) -> Vec<f64> {
+        self.varied.iter().flat_map(|varied| varied.drawn(self.seed, number).numbers).collect()
+    }
 }
 
 impl Family for EnsembleScene {
@@ -46,22 +91,11 @@ impl Family for EnsembleScene {
         Scene::systems()
     }
 
+    fn parse(name: &str, text: &str) -> Result<Self, crate::scene::SceneError> {
+        any::parse_ensemble(name, text)
+    }
+
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
-        let place = opening.system.span.clone();
-        let scene = Scene::read(opening, top, issues);
-        let variation = vary::read(top, issues, scene.as_ref());
-        let (scene, variation) = (scene?, variation?);
-        let axes = Axes::Second;
-        let kind = Kind::record(&scene.system, &scene.machine, &scene.machine_data, axes);
-        let kind =
-            kind.map_err(|wrong| issues.push(Issue::at(place, "the law cannot be written down", wrong.to_string())));
-        Some(EnsembleScene {
-            scene,
-            members: variation.members,
-            seed: variation.seed,
-            varied: variation.varied,
-            kind: kind.ok()?,
-            axes,
-        })
+        driven_system::read(opening, top, issues)
     }
 }

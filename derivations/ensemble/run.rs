@@ -1,18 +1,12 @@
 //! An ensemble run: lanes in every thread, results in the order of the members.
 
-use super::kind::{INVARIANT_UNITS, INVARIANTS};
-use super::member::Member;
+use super::parametric_system::{Column, LANES, Member};
 use super::{EnsembleScene, Stopped};
-use crate::scene::state::ROTOR_SPEED;
 use integrators::{Ensemble, Failure, Members};
 use std::collections::BTreeMap;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc;
-use symbolic::Program;
-
-/// One register of today: what is computed at a time then stays near the processor.
-const LANES: usize = 8;
 
 /// What takes longer is given up: a million steps are more than a million oscillations.
 pub(super) const MOST_STEPS: u64 = 1_000_000;
@@ -27,17 +21,17 @@ pub struct Row {
     /// Why it stopped before the end, where it did: a [`Stopped`] as text.
     pub stopped: Option<String>,
     pub steps: u64,
-    /// The last good time and state in the axes of the data, the rotor's relative speed, and by how much each invariant
-    /// has changed, where the member keeps it; `None` where there is no such member.
+    /// `None` where there is no such member.
     pub last: Option<Last>,
 }
 
-/// The last good state of a member.
+/// The last good state of a member, by the columns of its system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Last {
     pub time: f64,
     pub state: Vec<f64>,
-    pub changes: [Option<f64>; 4],
+    /// Functions of the state, and by how much each invariant has changed; none where a member has no such number.
+    pub derived: Vec<Option<f64>>,
 }
 
 impl EnsembleScene {
@@ -55,9 +49,7 @@ impl EnsembleScene {
                     next: &next,
                     last: *members.end(),
                     stop: &stop,
-                    invariants: self.kind.invariants(),
                     aboard: Vec::with_capacity(LANES + 1),
-                    slip: self.names().iter().position(|name| name == "slip"),
                     rows: sender.clone(),
                 };
                 scope.spawn(move || worker.work());
@@ -80,13 +72,10 @@ impl EnsembleScene {
     pub fn headings(&self) -> Vec<String> {
         let drawn =
             self.varied.iter().flat_map(|varied| varied.columns().into_iter().map(|name| (name, varied.unit())));
-        let shown = self.names().into_iter().chain([ROTOR_SPEED.to_owned()]);
-        let shown = shown.map(|name| (name.clone(), self.scene.unit(&name)));
-        let kept = INVARIANTS.iter().zip(INVARIANT_UNITS).map(|(name, unit)| (format!("{name}_change"), unit));
         let mut headings = vec!["member".to_owned()];
         headings.extend(drawn.map(|(name, unit)| format!("{name} [{unit}]")));
         headings.extend(["stopped", "time [s]", "steps"].map(String::from));
-        headings.extend(shown.chain(kept).map(|(name, unit)| format!("{name} [{unit}]")));
+        headings.extend(self.system.columns().into_iter().map(|Column { name, unit }| format!("{name} [{unit}]")));
         headings.push("fingerprint".to_owned());
         headings
     }
@@ -96,14 +85,8 @@ impl EnsembleScene {
         let mut columns = vec!["member".to_owned()];
         columns.extend(self.varied.iter().flat_map(super::vary::Varied::columns));
         columns.extend(["stopped", "time", "steps"].map(String::from));
-        columns.extend(self.names());
-        columns.push(ROTOR_SPEED.to_owned());
-        columns.extend(INVARIANTS.map(|name| format!("{name}_change")));
+        columns.extend(self.system.columns().into_iter().map(|column| column.name));
         columns
-    }
-
-    fn names(&self) -> Vec<String> {
-        self.scene.names()
     }
 }
 
@@ -113,28 +96,20 @@ struct Worker<'a> {
     next: &'a AtomicU64,
     last: u64,
     stop: &'a AtomicBool,
-    invariants: Program<'a, f64>,
-    /// The members in the lanes.
-    aboard: Vec<Member>,
-    slip: Option<usize>,
+    /// The members in the lanes, by their numbers.
+    aboard: Vec<(u64, Member<'a>)>,
     rows: mpsc::SyncSender<Row>,
 }
 
 impl Worker<'_> {
     fn work(mut self) {
-        let tolerance = self.scene.scene.run.tolerance;
-        let order = integrators::lanes_order(tolerance);
-        let Some(series) = self.scene.kind.series::<LANES>(order) else { return };
-        let (kind, end) = (&self.scene.kind, self.scene.scene.run.span);
-        Ensemble::new(series, tolerance, end, kind.states(), kind.parameters())
+        let (system, run) = (&self.scene.system, self.scene.system.run());
+        // that there is one was seen when the scene was made
+        let Some(series) = system.series(integrators::lanes_order(run.tolerance)) else { return };
+        let sizes = system.sizes();
+        Ensemble::new(series, run.tolerance, run.span, sizes.states, sizes.parameters)
             .with_most_steps(MOST_STEPS)
             .run(&mut self);
-    }
-
-    fn kept(&mut self, state: &[f64], parameters: &[f64]) -> [f64; 4] {
-        let mut kept = [0.0; 4];
-        self.invariants.evaluate(&[state, parameters].concat(), &mut kept);
-        kept
     }
 
     /// The other end lives as long as the run.
@@ -154,7 +129,7 @@ impl Members for Worker<'_> {
                 Ok(member) => {
                     parameters.copy_from_slice(&member.parameters);
                     state.copy_from_slice(&member.state);
-                    self.aboard.push(member);
+                    self.aboard.push((number, member));
                     return Some(number);
                 }
                 Err(why) => {
@@ -166,14 +141,9 @@ impl Members for Worker<'_> {
     }
 
     fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>) {
-        let Some(place) = self.aboard.iter().position(|member| member.number == number) else { return };
-        let member = self.aboard.swap_remove(place);
-        let before = self.kept(&member.state, &member.parameters);
-        let after = self.kept(state, &member.parameters);
-        let keeps = member.keeps();
-        let change = |i: usize| (keeps[i] && (after[i] - before[i]).is_finite()).then_some(after[i] - before[i]);
-        let last = Last { time: at, state: member.row(state, self.slip), changes: std::array::from_fn(change) };
+        let Some(place) = self.aboard.iter().position(|(aboard, _)| *aboard == number) else { return };
+        let (_, member) = self.aboard.swap_remove(place);
         let (drawn, stopped) = (self.scene.drawn(number), failure.map(|failure| Stopped::Run(failure).to_string()));
-        self.hand_on(Row { number, drawn, stopped, steps, last: Some(last) });
+        self.hand_on(Row { number, drawn, stopped, steps, last: Some((member.end)(at, state)) });
     }
 }

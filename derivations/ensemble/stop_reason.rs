@@ -14,6 +14,10 @@ pub enum Stopped {
     Bodies(Vec<Inadmissible>),
     /// A rotor on a bench without inertia.
     Axial { value: f64 },
+    /// Parts of a model that cannot exist, in words.
+    Impossible(String),
+    /// A start that cannot be completed so that the constraints hold, in words.
+    Start(String),
     /// Data of the machine that are beyond their bounds.
     Machine(NoModel),
     /// The run failed.
@@ -28,7 +32,8 @@ impl Stopped {
     pub fn kind(&self) -> &'static str {
         match self {
             Self::NotFinite { .. } => "a datum is not finite",
-            Self::Bodies(_) | Self::Axial { .. } => "no such bodies exist",
+            Self::Bodies(_) | Self::Axial { .. } | Self::Impossible(_) => "no such bodies exist",
+            Self::Start(_) => "no start meets the constraints",
             Self::Machine(_) => "no such machine exists",
             Self::Run(failure) => failure.name(),
         }
@@ -50,6 +55,7 @@ impl fmt::Display for Stopped {
                 write!(f, "{}", broken.join("; "))
             }
             Self::Axial { value } => write!(f, "A' > 0 is broken: it is {value}"),
+            Self::Impossible(reason) | Self::Start(reason) => write!(f, "{reason}"),
             Self::Machine(reason) => write!(f, "{reason}"),
             Self::Run(failure) => {
                 // most failures begin with their name

@@ -1,23 +1,24 @@
-//! What differs from member to member, and how: the table `[ensemble]` of a scene.
+//! The distributions of numbers that differ from member to member: the table `[ensemble]` of a scene.
 
 use super::draw::Draw;
-use super::known::{Data, Known, Place};
-use crate::scene::Scene;
+use super::parametric_system::{Drawn, Shape, Variable};
 use crate::scene::issue::Issue;
 use crate::scene::read::{At, Table};
 use std::borrow::Cow;
-use std::slice::from_mut;
+use std::ops::Range;
 
 /// More members than anyone has waited for.
 const MOST: usize = 100_000_000;
 
-/// A datum that varies.
+/// A variable that varies, with its distribution.
 #[derive(Clone, Debug)]
 pub struct Varied {
     /// As the file names it, with its table.
     pub name: String,
-    pub place: Place,
+    /// Its place in the list of all variables.
+    variable: usize,
     unit: Cow<'static, str>,
+    shape: Shape,
     law: Law,
 }
 
@@ -47,33 +48,42 @@ pub struct Variation {
     pub varied: Vec<Varied>,
 }
 
-/// Reads the table `[ensemble]`.
-pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, scene: Option<&Scene>) -> Option<Variation> {
+/// Reads the table `[ensemble]` of a scene with these variables; `None` where nobody knows which there are, since the scene has
+/// faults. An example of one shows what is accepted.
+pub fn read(
+    top: &mut Table<'_>,
+    issues: &mut Vec<Issue>,
+    variables: Option<&[Variable]>,
+    example: &str,
+) -> Option<Variation> {
     let mut table = top.table("ensemble", "members, seed, and in [ensemble.vary] what varies");
+    if !table.exists() {
+        issues.extend(table.finish());
+        return None;
+    }
     let members = table.count("members", "number of members", 1, MOST);
     let seed = table.optional_count("seed", "seed of the random numbers", 0, u32::MAX as usize);
-    let mut vary = table.table("vary", "what varies, such as machine.b0 = { from = \"0.1 N m\", to = \"0.2 N m\" }");
+    let mut vary = table.table("vary", &format!("what varies, such as {example}"));
     let mut varied = Vec::new();
-    match scene {
-        // what may vary depends on the scene
+    match variables {
         None => vary.known_all(),
-        Some(scene) => {
-            for (name, known) in Known::of(scene) {
+        Some(variables) => {
+            let numbered: Vec<(usize, &Variable)> = variables.iter().enumerate().collect();
+            for group in numbered.chunk_by(|(_, one), (_, other)| one.table == other.table) {
+                let name = group[0].1.table;
+                let mut read = |table: &mut Table<'_>, issues: &mut Vec<Issue>| {
+                    varied.extend(group.iter().filter_map(|known| datum(table, issues, *known, members.value)));
+                };
                 if name.is_empty() {
-                    varied
-                        .extend(known.iter().filter_map(|known| datum(&mut vary, issues, name, known, members.value)));
+                    read(&mut vary, issues);
                 } else if let Some(mut inner) = vary.optional_table(name) {
-                    varied
-                        .extend(known.iter().filter_map(|known| datum(&mut inner, issues, name, known, members.value)));
+                    read(&mut inner, issues);
                     issues.extend(inner.finish());
                 }
             }
             if varied.is_empty() && vary.exists() && issues.is_empty() && !vary.has_issues() {
                 let issue = Issue::at(vary.span(), "nothing varies", "no datum is named here");
-                vary.report(
-                    issue
-                        .accepted("rotor.axial = { from = \"1 g cm^2\", to = \"2 g cm^2\" } is accepted, and the like"),
-                );
+                vary.report(issue.accepted(format!("{example} is accepted, and the like")));
             }
         }
     }
@@ -83,10 +93,29 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, scene: Option<&Scene>)
     sound.then(|| Variation { members: members.value as u64, seed: seed.map_or(1, |seed| seed.value as u64), varied })
 }
 
+/// The keys of a distribution.
+const KEYS: [&str; 5] = ["from", "to", "mean", "deviation", "values"];
+
 /// `{ from, to }`, `{ mean, deviation }` or `{ values }`.
-fn datum(table: &mut Table<'_>, issues: &mut Vec<Issue>, group: &str, known: &Known, members: usize) -> Option<Varied> {
-    let Known { key, meaning, unit, components, place } = known;
-    let (components, place) = (*components, *place);
+fn datum(
+    table: &mut Table<'_>,
+    issues: &mut Vec<Issue>,
+    (place, variable): (usize, &Variable),
+    members: usize,
+) -> Option<Varied> {
+    let Variable { key, meaning, unit, shape, .. } = variable;
+    let components = shape.components();
+    let not_said = |span: Range<usize>| {
+        Issue::at(span, format!("how `{key}` varies is not said"), "here").accepted(
+            "one of these is accepted: { from, to } for even numbers, { mean, deviation } for normal ones, { values } for one of each \
+             member",
+        )
+    };
+    if let (Some(place), false) = (table.place_of(key), table.is_table(key)) {
+        table.known(&[key]);
+        table.report(not_said(place));
+        return None;
+    }
     let mut law = table.optional_table(key)?;
     let row = |law: &mut Table<'_>, which| law.optional_row(which, meaning, components, unit);
     let [from, to, mean, deviation] = ["from", "to", "mean", "deviation"].map(|which| row(&mut law, which));
@@ -105,23 +134,19 @@ fn datum(table: &mut Table<'_>, issues: &mut Vec<Issue>, group: &str, known: &Kn
         }
         (None, None, None, None, Some(At { value: all, .. })) => Some(Law::Listed { all, components }),
         _ => {
-            if !law.has_issues() {
-                let issue = Issue::at(law.span(), format!("how `{key}` varies is not said"), "in this table");
-                law.report(issue.accepted(
-                    "one of these is accepted: { from, to } for even numbers, { mean, deviation } for normal ones, \
-                     { values } for one of each member",
-                ));
+            // a key that nobody knows explains what is missing
+            if !law.has_issues() && law.keys().iter().all(|found| KEYS.contains(&found.value.as_str())) {
+                law.report(not_said(law.span()));
             }
             None
         }
     };
     issues.extend(law.finish());
-    let name = if group.is_empty() { key.to_string() } else { format!("{group}.{key}") };
-    Some(Varied { name, place, unit: unit.clone(), law: read? })
+    Some(Varied { name: variable.name(), variable: place, unit: unit.clone(), shape: *shape, law: read? })
 }
 
 fn ordered(law: &mut Table<'_>, from: At<Vec<f64>>, to: At<Vec<f64>>) -> Option<Law> {
-    if from.value.iter().zip(&to.value).any(|(from, to)| from > to) {
+    if !law.has_issues() && from.value.iter().zip(&to.value).any(|(from, to)| from > to) {
         let issue = Issue::at(to.span, "`to` is less than `from`", "less than `from`");
         law.report(issue.accepted("a number that is not less is accepted, for each component"));
     }
@@ -132,10 +157,10 @@ impl Varied {
     /// The names of its components.
     pub fn columns(&self) -> Vec<String> {
         let tensor = ["11", "12", "13", "22", "23", "33"];
-        match self.components() {
-            1 => vec![self.name.clone()],
-            6 if self.name == "carrier.inertia" => tensor.iter().map(|ij| format!("{}.{ij}", self.name)).collect(),
-            count => (1..=count).map(|i| format!("{}.{i}", self.name)).collect(),
+        match self.shape {
+            Shape::Numbers(1) => vec![self.name.clone()],
+            Shape::SymmetricTensor => tensor.iter().map(|ij| format!("{}.{ij}", self.name)).collect(),
+            other => (1..=other.components()).map(|i| format!("{}.{i}", self.name)).collect(),
         }
     }
 
@@ -152,16 +177,8 @@ impl Varied {
         }
     }
 
-    fn components(&self) -> usize {
-        match &self.law {
-            Law::Even { from, .. } => from.len(),
-            Law::Normal { mean, .. } => mean.len(),
-            Law::Listed { components, .. } => *components,
-        }
-    }
-
     /// The numbers of a member; members are counted from one.
-    pub fn drawn(&self, seed: u64, member: u64) -> Vec<f64> {
+    pub fn drawn(&self, seed: u64, member: u64) -> Drawn {
         let draw = Draw::new(seed, member, &self.name);
         let mut drawn: Vec<f64> = match &self.law {
             Law::Even { from, to } => {
@@ -175,24 +192,10 @@ impl Varied {
                 rows.take(1).flatten().copied().collect()
             }
         };
-        // a direction has length one, whatever was drawn
-        if matches!(self.name.as_str(), "rotor.axis" | "start.vertical") {
+        if self.shape == Shape::Direction {
             let length = drawn.iter().map(|x| x * x).sum::<f64>().sqrt();
             drawn.iter_mut().for_each(|x| *x /= length);
         }
-        drawn
-    }
-
-    /// Puts its numbers where they belong.
-    pub fn put(&self, drawn: &[f64], data: &mut Data) {
-        let place = match self.place {
-            Place::Bodies(of) => of(&mut data.system).unwrap_or_default(),
-            Place::Machine(i) => data.machine.get_mut(i).map(from_mut).unwrap_or_default(),
-            Place::Start(of) => of(&mut data.start),
-        };
-        match (drawn, place.len()) {
-            (&[a, b, c, d, e, f], 9) => place.copy_from_slice(&[a, b, c, b, d, e, c, e, f]),
-            _ => place.iter_mut().zip(drawn).for_each(|(place, drawn)| *place = *drawn),
-        }
+        Drawn { variable: self.variable, numbers: drawn }
     }
 }

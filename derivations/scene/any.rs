@@ -4,6 +4,7 @@ use super::file::{self, Family, Opening, knows};
 use super::issue::Issue;
 use super::read::Table;
 use super::{MechanismScene, Scene, SceneError, Smooth};
+use crate::ensemble::EnsembleScene;
 use crate::friction::RoughScene;
 use std::fmt;
 use std::sync::{Arc, OnceLock};
@@ -24,17 +25,32 @@ pub enum AnyScene {
 /// A scene whose system is data.
 pub trait Modelled: Smooth + fmt::Debug {}
 
-/// Reads a file whose system is written in it; the first argument is what messages call it.
-pub type ModelReader = fn(&str, &str) -> Result<Arc<dyn Modelled>, SceneError>;
+/// Reads a text, which messages call by the first argument.
+type Reader<T> = fn(&str, &str) -> Result<T, SceneError>;
+
+/// Readers of files whose system is written in them.
+#[derive(Clone, Copy, Debug)]
+pub struct ModelReaders {
+    pub scene: Reader<Arc<dyn Modelled>>,
+    pub ensemble: Reader<EnsembleScene>,
+}
 
 /// The key by which a file is known whose system is written in it.
 pub(super) const MODEL: &str = "coordinates";
 
-static MODEL_READER: OnceLock<ModelReader> = OnceLock::new();
+static MODEL_READERS: OnceLock<ModelReaders> = OnceLock::new();
 
-/// Gives files with `[coordinates]` their reader; the first one given holds.
-pub fn read_models_by(reader: ModelReader) {
-    MODEL_READER.get_or_init(|| reader);
+/// Gives files with `[coordinates]` their readers; the first ones given hold.
+pub fn read_models_by(readers: ModelReaders) {
+    MODEL_READERS.get_or_init(|| readers);
+}
+
+/// An ensemble of whatever family.
+pub(crate) fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneError> {
+    match MODEL_READERS.get() {
+        Some(readers) if holds_model(text) => (readers.ensemble)(name, text),
+        _ => file::parse(name, text),
+    }
 }
 
 impl Family for AnyScene {
@@ -45,8 +61,8 @@ impl Family for AnyScene {
     }
 
     fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
-        match MODEL_READER.get() {
-            Some(reader) if holds_model(text) => reader(name, text).map(Self::Model),
+        match MODEL_READERS.get() {
+            Some(readers) if holds_model(text) => (readers.scene)(name, text).map(Self::Model),
             _ => file::parse(name, text),
         }
     }

@@ -41,7 +41,7 @@ mod transition;
 mod written;
 
 pub use crate::mechanisms::MechanismScene;
-pub use any::{AnyScene, Modelled, read_models_by};
+pub use any::{AnyScene, ModelReaders, Modelled, read_models_by};
 pub use atlas::Atlas;
 pub use file::Family;
 pub use issue::{Issue, SceneError};

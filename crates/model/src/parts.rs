@@ -48,6 +48,7 @@ pub(crate) const TURNING: [&str; 3] = ["wx", "wy", "wz"];
 pub struct Coordinate {
     pub name: String,
     pub dimension: Dimension,
+    /// The coherent unit, in which values are.
     pub unit: String,
 }
 

@@ -100,7 +100,11 @@ fn slider_crank() -> Source {
             is: "T*N.z".into(),
             ..LoadSource::default()
         }],
-        constraints: vec![ConstraintSource { name: text("pin"), zero: vec!["B - S".into()], ..ConstraintSource::default() }],
+        constraints: vec![ConstraintSource {
+            name: text("pin"),
+            zero: vec!["B - S".into()],
+            ..ConstraintSource::default()
+        }],
         ..Source::default()
     }
 }

@@ -1,12 +1,13 @@
 //! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
 
 use crate::implicit::Implicit;
+use crate::letters::Letters;
 use crate::modes::{Case, held};
 use derivations::differentiated::Differentiated;
 use derivations::recorded::Recorded;
 use derivations::scene::problem::Law;
 use derivations::taped::Program;
-use field::{DoubleDouble, Over, Rational};
+use field::DoubleDouble;
 use integrators::{Directions, Ode};
 use model::equations::{Equation, Equations, Level, Singular, constraints_of};
 use model::{Model, Trace};
@@ -31,6 +32,8 @@ pub enum NotCompiled {
     Changes,
     /// A switch that no value between its cases keeps at zero.
     NotHeld { switch: usize },
+    /// An expression has no values.
+    Undefined { reason: String },
     /// Longer than what can be run.
     TooLong,
 }
@@ -40,7 +43,10 @@ impl fmt::Display for NotCompiled {
         match self {
             Self::Open { what, name } => write!(f, "the {what} `{name}` has no value: a run needs one"),
             Self::FreeFrame { name } => write!(f, "`{name}` turns freely, which this command does not know yet"),
-            Self::Changes => write!(f, "its law changes at conditions, which this command does not know yet"),
+            Self::Changes => write!(
+                f,
+                "its law or its start changes at conditions, at events or with an equilibrium, which this command does not know yet"
+            ),
             Self::NotHeld { switch } => {
                 write!(f, "condition {} cannot be kept at zero: nothing in the law grows with it alone", switch + 1)
             }
@@ -51,6 +57,7 @@ impl fmt::Display for NotCompiled {
             Self::Redundant { constraint } => {
                 write!(f, "constraint {} follows from those before it", constraint + 1)
             }
+            Self::Undefined { reason } => write!(f, "its equations have no values: {reason}"),
             Self::TooLong => write!(f, "the equations of motion are longer than what this version can run"),
         }
     }
@@ -124,7 +131,7 @@ impl CompiledSystem {
         let (mut wrong, mut keeps_energy) = (None, false);
         let rates = Program::of_any_length(states, |time, state| {
             keeps_energy = conserves(model);
-            rates(model, mode, time, state).unwrap_or_else(|reason| {
+            rates(model, mode, Letters::with_data(time, state)).unwrap_or_else(|reason| {
                 wrong = Some(reason);
                 Vec::new()
             })
@@ -132,8 +139,9 @@ impl CompiledSystem {
         if let Some(reason) = wrong {
             return Err(reason);
         }
-        let outputs = Program::of_any_length(states, |time, state| outputs(model, mode, time, state))
-            .ok_or(NotCompiled::TooLong)?;
+        let outputs =
+            Program::of_any_length(states, |time, state| outputs(model, mode, Letters::with_data(time, state)))
+                .ok_or(NotCompiled::TooLong)?;
         Ok(CompiledSystem {
             model: Arc::clone(model),
             mode: mode.to_vec(),
@@ -206,12 +214,12 @@ pub(crate) fn has_values_but(model: &Model, given: &[usize]) -> Result<(), NotCo
 /// Kinetic and potential energy stand behind the outputs.
 pub const ENERGIES: usize = 2;
 
-/// The rates of the state over symbols of it.
-fn rates(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Result<Vec<Sym>, NotCompiled> {
+/// The rates of the state over letters.
+pub(crate) fn rates(model: &Model, mode: &[Case], letters: Letters<'_>) -> Result<Vec<Sym>, NotCompiled> {
     let trace = Trace::of(model);
     let Motion { accelerations, .. } = Motion::of(&trace, mode)?;
     let all: Vec<Sym> = trace.position_rates.iter().copied().chain(accelerations).collect();
-    Ok(substitute_all(&all, &values(&trace, time, state)))
+    Ok(letters.put_into(&trace, &all))
 }
 
 /// Accelerations in a mode, and the values of the switches.
@@ -237,7 +245,7 @@ impl Motion {
 }
 
 /// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
-fn conserves(model: &Model) -> bool {
+pub(crate) fn conserves(model: &Model) -> bool {
     let acts = !(model.forces.is_empty() && model.torques.is_empty() && model.generalised.is_empty())
         || model.energies.dissipation.is_some();
     if !(model.switches.is_empty() && model.events.is_empty()) {
@@ -267,7 +275,7 @@ fn conserves(model: &Model) -> bool {
 }
 
 /// The outputs, the kinetic and the potential energy.
-fn outputs(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Vec<Sym> {
+pub(crate) fn outputs(model: &Model, mode: &[Case], letters: Letters<'_>) -> Vec<Sym> {
     let trace = Trace::of(model);
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
     let mut all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
@@ -283,7 +291,7 @@ fn outputs(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Vec<Sym> {
         let known: Vec<(Sym, Sym)> = solved.into_iter().zip(accelerations.into_iter().chain(multipliers)).collect();
         all = substitute_all(&all, &known);
     }
-    substitute_all(&all, &values(&trace, time, state))
+    letters.put_into(&trace, &all)
 }
 
 /// The same where accelerations and multipliers stand behind the state.
@@ -300,23 +308,7 @@ fn outputs_of_solved(model: &Model, time: Sym, extended: &[Sym]) -> Vec<Sym> {
 
 /// Symbols of the model by those of the state, and parameters by their values.
 pub(crate) fn values(trace: &Trace<'_>, time: Sym, state: &[Sym]) -> Vec<(Sym, Sym)> {
-    let known = trace.coordinates.iter().chain(&trace.speeds).copied().zip(state.iter().copied());
-    let data = trace.parameters.iter().zip(&trace.model.parameters).filter_map(|(&letter, parameter)| {
-        let value: Rational = Rational::exactly(parameter.value?);
-        Some((letter, Sym::lift(value)))
-    });
-    let constants = [(trace.time, time), (trace.pi, half_turn())];
-    let mut all: Vec<(Sym, Sym)> = known.chain(data).chain(constants).collect();
-    let (letters, solid): (Vec<Sym>, Vec<Sym>) = trace.solid().into_iter().unzip();
-    let solid = substitute_all(&solid, &all);
-    all.extend(letters.into_iter().zip(solid));
-    all
-}
-
-/// Pi to 48 digits, as the sum of three floats.
-fn half_turn() -> Sym {
-    const PARTS: [f64; 3] = [std::f64::consts::PI, 1.224_646_799_147_353_2e-16, -2.994_769_809_718_339_7e-33];
-    PARTS.into_iter().map(|part| Sym::lift(Rational::exactly(part))).fold(Sym::ZERO, |sum, part| sum + part)
+    Letters::with_data(time, state).known(trace)
 }
 
 macro_rules! runs {
@@ -344,7 +336,7 @@ impl Ode<Sym> for CompiledSystem {
     }
 
     fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
-        match rates(&self.model, &self.mode, t, y) {
+        match rates(&self.model, &self.mode, Letters::with_data(t, y)) {
             Ok(rates) => dy.copy_from_slice(&rates),
             Err(_) => dy.fill(Sym::UNDEFINED),
         }

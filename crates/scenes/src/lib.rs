@@ -4,15 +4,19 @@
 //! * [`ModelScene`]: a file with `[coordinates]`, read and checked; every command that runs a scene runs it;
 //! * [`text`]: the tables of a file as a [`model::Source`];
 //! * [`linearisation`]: x' = A x + B w about a point; [`equilibrium()`]: a point of rest near a guess;
+//! * [`parse_ensemble`]: the same file with `[ensemble]`: many members, parameters and starts of their own;
 //! * [`CompiledSystem`]: the equations of motion as machine code, as series, and over every field that runs.
 
 mod admissible;
 mod compiled_system;
+mod ensemble;
 mod equilibrium;
 mod implicit;
 pub mod inverse;
+mod letters;
 pub mod linearisation;
 mod modes;
+mod parametric_law;
 mod prescribed;
 mod row_units;
 mod scene;
@@ -20,6 +24,7 @@ mod start;
 pub mod text;
 
 pub use compiled_system::{CompiledSystem, NotCompiled};
+pub use ensemble::parse_ensemble;
 pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 pub use modes::Case;
 pub use prescribed::read_prescribed;

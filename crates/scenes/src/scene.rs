@@ -2,6 +2,7 @@
 
 use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
+use crate::ensemble::parse_ensemble;
 use crate::equilibrium::{NoEquilibrium, equilibrium};
 use crate::modes::{Modes, Refused};
 use crate::row_units::{coherent, rate_unit};
@@ -13,7 +14,7 @@ use derivations::scene::problem::Invariant;
 use derivations::scene::read::Table;
 use derivations::scene::smooth::Parameter;
 use derivations::scene::switching::Switching;
-use derivations::scene::{Axes, Issue, Modelled, Problem, Run, SceneError, Smooth, read_models_by, run};
+use derivations::scene::{Axes, Issue, ModelReaders, Modelled, Problem, Run, SceneError, Smooth, read_models_by, run};
 use integrators::Reference;
 use model::equations::Level;
 use model::{Model, Source, StartValue};
@@ -36,7 +37,10 @@ pub struct ModelScene {
 
 /// Makes every command read files with `[coordinates]`.
 pub fn register() {
-    read_models_by(|name, text| Ok(Arc::new(ModelScene::parse(name, text)?)));
+    let scene = |name: &str, text: &str| -> Result<Arc<dyn Modelled>, SceneError> {
+        Ok(Arc::new(ModelScene::parse(name, text)?))
+    };
+    read_models_by(ModelReaders { scene, ensemble: parse_ensemble });
 }
 
 /// Reads the system of a file, and leaves its run alone: for what needs neither values nor a run.
@@ -72,30 +76,43 @@ impl ModelScene {
     /// All that is wrong with it, each at its place.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
         tables(name, text, |top, issues| {
-            let title = top.text("title", "one line that says what happens").value;
-            let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
-            let description = top.optional_text("description", "what happens and why it is hard");
-            let model = model(top, issues).map(|(model, _)| Arc::new(model));
-            let names = model.as_deref().map(columns);
-            let run = run::read(top, issues, names.as_deref());
-            let model = model?;
-            let bodies = impossible(&model);
-            let exist = bodies.is_empty();
-            issues.extend(bodies);
-            let ready = exist.then(|| ready(&model))?;
-            let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
-            let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
-            Some(ModelScene { title, description, model, system, start, run: run? })
+            // members are read by `parse_ensemble`
+            top.known(&["ensemble"]);
+            ModelScene::read(top, issues)
         })
     }
+
+    /// Reads the tables of a file; what is wrong goes into the list.
+    pub(crate) fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
+        let title = top.text("title", "one line that says what happens").value;
+        let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
+        let description = top.optional_text("description", "what happens and why it is hard");
+        let model = model(top, issues).map(|(model, _)| Arc::new(model));
+        let names = model.as_deref().map(columns);
+        let run = run::read(top, issues, names.as_deref());
+        let model = model?;
+        let bodies = impossible(&model);
+        let exist = bodies.is_empty();
+        issues.extend(bodies);
+        let ready = exist.then(|| ready(&model))?;
+        let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
+        let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
+        Some(ModelScene { title, description, model, system, start, run: run? })
+    }
+}
+
+/// A system that has no law.
+pub(crate) fn refused(reason: &NotCompiled) -> Issue {
+    let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
+    issue.accepted("`dalembert derive` writes its equations down without running them")
 }
 
 /// The start, completed, and the law that runs from it.
 fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
     // before the law: what depends on others makes it singular
     let start = start_of(model)?;
-    let system = Modes::of(model).first(&start).map_err(|refused| match refused {
-        Refused::Law(reason) => not_compiled(&reason),
+    let system = Modes::of(model).first(&start).map_err(|why| match why {
+        Refused::Law(reason) => refused(&reason),
         Refused::Motion(why) => {
             let issue = Issue::at(0..0, format!("this system cannot start: {why}"), "in this file");
             issue.accepted(
@@ -104,11 +121,6 @@ fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
         }
     })?;
     Ok((start, system))
-}
-
-fn not_compiled(reason: &NotCompiled) -> Issue {
-    let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
-    issue.accepted("`dalembert derive` writes its equations down without running them")
 }
 
 /// The state at time zero: as the file gives it, completed so that constraints hold; or an equilibrium, where it asks for one.
@@ -120,9 +132,14 @@ pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
         None => consistent(model),
         Some(_) => consistent(&at_rest(model, false)?),
     };
-    completed.map_err(|unmet| match unmet {
+    completed.map_err(unmet_at)
+}
+
+/// What a start does not meet, at its place.
+pub(crate) fn unmet_at(unmet: Unmet) -> Issue {
+    match unmet {
         Unmet::Open(open) => inconsistent(&open),
-        Unmet::Redundant(at) => {
+        Unmet::Redundant { at, .. } => {
             let title = "this constraint follows from those before it";
             let issue = Issue::at(at, title, "at the start it holds no direction of its own");
             issue.accepted("constraints that are independent: leave this one out")
@@ -138,8 +155,8 @@ pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
             let issue = Issue::at(at, "a constraint that changes at a condition is not there yet", "this one");
             issue.accepted("constraints without `if`, `sign`, `abs`, `min`, `max` and `table`")
         }
-        Unmet::NotCompiled(reason) => not_compiled(&reason),
-    })
+        Unmet::NotCompiled(reason) => refused(&reason),
+    }
 }
 
 /// The equilibrium near the coordinates at the start, all of which may move.
@@ -155,7 +172,7 @@ fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
     let found = equilibrium(model, all).map_err(|why| {
         let at = model.equilibrium.clone().unwrap_or_default();
         match why {
-            NoEquilibrium::NotCompiled(reason) => not_compiled(&reason),
+            NoEquilibrium::NotCompiled(reason) => refused(&reason),
             NoEquilibrium::Moves { speed } => {
                 let issue = Issue::at(at, "an equilibrium has no speeds", format!("{speed} is not zero"));
                 issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted")
@@ -177,17 +194,19 @@ fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
 
 /// A constraint that the start does not meet.
 fn inconsistent(Open { at, name, residual, level }: &Open) -> Issue {
-    let name = if name.is_empty() { "this constraint".to_owned() } else { format!("the constraint `{name}`") };
     let what = if *level == Level::Position { "the coordinates" } else { "the speeds" };
     let title = format!("{name} does not hold at the start");
-    let label = format!("{residual:.6e} by {what} that [start] gives, and not zero");
+    let label = match residual {
+        Some(residual) => format!("{residual:.6e} by {what} that [start] gives, and not zero"),
+        None => format!("it has no value by {what} that [start] gives"),
+    };
     Issue::at(at.clone(), title, label).accepted(
         "values in [start] that agree; one that is left out, or written as \"guess 0.3 rad\", is completed so that constraints hold",
     )
 }
 
 /// Names of a row: coordinates, speeds, outputs, energies.
-fn columns(model: &Model) -> Vec<String> {
+pub(crate) fn columns(model: &Model) -> Vec<String> {
     let state = model.state_names().into_iter().map(|(name, _)| name);
     let outputs = model.outputs.iter().map(|output| output.name.clone());
     state.chain(outputs).chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]).collect()

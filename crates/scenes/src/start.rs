@@ -3,13 +3,14 @@
 //! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the constraints
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
-use crate::compiled_system::{NotCompiled, has_values, values as known_values};
-use derivations::taped::Program;
+use crate::compiled_system::{NotCompiled, has_values};
+use crate::letters::Inputs;
 use model::equations::{Equation, Equations, Level};
-use model::{Model, Trace};
+use model::{Model, Trace, quaternion_rates};
 use nalgebra::{DMatrix, DVector};
+use std::fmt;
 use std::ops::Range;
-use symbolic::substitute_all;
+use symbolic::{Sym, Tape, apart};
 
 /// Why a start does not do.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +18,7 @@ pub enum Unmet {
     /// A constraint does not hold, and nothing that may be moved changes that.
     Open(Open),
     /// A constraint, where the model has it, that follows from those before it.
-    Redundant(Range<usize>),
+    Redundant { at: Range<usize>, name: String },
     /// A constraint that is led to zero by more gains, or fewer, than its kind has.
     Gains { at: Range<usize>, level: Level },
     /// A constraint that is another one in another case of a condition.
@@ -32,8 +33,8 @@ pub struct Open {
     /// Where the model has the constraint.
     pub at: Range<usize>,
     pub name: String,
-    /// The value of what should be zero.
-    pub residual: f64,
+    /// The value of what should be zero; none where it has no value.
+    pub residual: Option<f64>,
     /// Whether it is the constraint of positions, or that of speeds.
     pub level: Level,
 }
@@ -50,14 +51,22 @@ const LOOSE: f64 = 1e-6;
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-10;
 
+/// Completes starts of a model, whatever values its parameters have.
+#[derive(Debug)]
+pub(crate) struct StartSolver {
+    constraints: Option<Constraints>,
+}
+
 /// The constraints of a model with their derivatives.
+#[derive(Debug)]
 struct Constraints {
-    program: Program,
+    /// From state, time and parameters to the residuals, their rates, and the rates' derivatives by the speeds.
+    tape: Tape,
     /// Constraints of positions stand first.
     known: Vec<(Level, String, Range<usize>)>,
     /// So many stand first; the others are led to zero, and may start elsewhere.
     kept: usize,
-    speeds: usize,
+    layout: Layout,
 }
 
 /// The start of a model whose parameters have values.
@@ -65,85 +74,142 @@ struct Constraints {
 /// # Errors
 /// The first constraint that cannot be met.
 pub fn consistent(model: &Model) -> Result<Vec<f64>, Unmet> {
-    let mut state = model.start_state();
-    let Some(constraints) = Constraints::of(model)? else { return Ok(state) };
-    let n = model.speeds();
-    for (order, level) in [(0, Some(Level::Position)), (1, None)] {
-        let given = |i: usize| {
-            let own = places(model, i, order);
-            model.start.iter().any(|v| own.contains(&v.coordinate) && (v.order, v.is_guess) == (order, false))
-        };
-        let free: Vec<usize> = (0..n).filter(|&i| !given(i)).collect();
-        for _ in 0..MOST_STEPS {
-            let (residuals, jacobian) = constraints.at(&state, level);
-            if residuals.amax() <= MET {
-                break;
-            }
-            let columns = DMatrix::from_fn(residuals.len(), free.len(), |row, at| jacobian[(row, free[at])]);
-            if free.is_empty() {
-                break;
-            }
-            let decomposed = columns.svd(true, true);
-            let largest = decomposed.singular_values.amax();
-            let Ok(step) = decomposed.solve(&residuals, RANK * largest) else { break };
-            if !step.iter().all(|part| part.is_finite()) || step.amax() == 0.0 {
-                break;
-            }
-            for (&at, part) in free.iter().zip(step.iter()) {
-                displace(model, &mut state, (at, order), -part);
-            }
-        }
-        if let Some(open) = constraints.open(&state, level) {
-            return Err(Unmet::Open(open));
-        }
+    let solver = StartSolver::of(model)?;
+    if solver.constraints.is_some() {
+        has_values(model).map_err(Unmet::NotCompiled)?;
     }
-    match constraints.redundant(&state) {
-        Some(at) => Err(Unmet::Redundant(at)),
-        None => Ok(state),
-    }
+    let parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
+    solver.complete(&parameters, model.start_state(), &given(model))
 }
 
-/// Where the coordinates that a speed moves stand, or the speed itself, among those of their order.
-fn places(model: &Model, speed: usize, order: usize) -> Range<usize> {
-    match speed.checked_sub(model.coordinates.len()) {
-        Some(turn) if order == 0 => {
-            let first = model.free_position(turn / 3);
-            first..first + 4
-        }
-        _ => speed..speed + 1,
+/// Which coordinates and speeds, in the order of a state, the file gives, so that they are not moved.
+pub(crate) fn given(model: &Model) -> Vec<bool> {
+    let mut given = vec![false; model.positions() + model.speeds()];
+    for value in model.start.iter().filter(|value| !value.is_guess) {
+        given[value.order * model.positions() + value.coordinate] = true;
     }
-}
-
-/// Moves a speed, or by its displacement the coordinates: of a free frame by a turn about one of its axes.
-fn displace(model: &Model, state: &mut [f64], (speed, order): (usize, usize), by: f64) {
-    if order == 1 {
-        state[model.positions() + speed] += by;
-        return;
-    }
-    if speed < model.coordinates.len() {
-        state[speed] += by;
-        return;
-    }
-    let mut moved = state.to_vec();
-    moved[model.positions()..].fill(0.0);
-    moved[model.positions() + speed] = by;
-    let mut rates = vec![0.0; model.positions()];
-    model.position_rates(&moved, &mut rates);
-    let own = places(model, speed, 0);
-    own.clone().for_each(|at| state[at] += rates[at]);
-    let length = own.clone().map(|at| state[at] * state[at]).sum::<f64>().sqrt();
-    own.for_each(|at| state[at] /= length);
+    given
 }
 
 /// Whether a state breaks a constraint of a model that is kept at zero.
 pub(crate) fn breaks(model: &Model, time: f64, state: &[f64]) -> bool {
     let Ok(Some(constraints)) = Constraints::of(model) else { return false };
-    let mut values = vec![f64::NAN; constraints.known.len() * (2 + constraints.speeds)];
-    constraints.program.run(time, state, &mut values);
+    let parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
+    let values = constraints.values(time, state, &parameters);
     let m = constraints.known.len();
     let size = state.iter().fold(1.0, |size: f64, part| size.max(part.abs()));
     let broken = |value: &f64| value.is_nan() || value.abs() > LOOSE * size;
     values[..2 * m].iter().enumerate().any(|(place, value)| place % m < constraints.kept && broken(value))
+}
+
+/// Where coordinates and speeds stand in a state: free frames have four coordinates for three speeds.
+#[derive(Clone, Copy, Debug)]
+struct Layout {
+    /// Coordinates with rates of their own.
+    plain: usize,
+    free: usize,
+}
+
+impl Layout {
+    fn of(model: &Model) -> Self {
+        Layout { plain: model.coordinates.len(), free: model.free.len() }
+    }
+
+    fn positions(self) -> usize {
+        self.plain + 4 * self.free
+    }
+
+    fn speeds(self) -> usize {
+        self.plain + 3 * self.free
+    }
+
+    /// Where the coordinates that a speed moves stand, or the speed itself.
+    fn places(self, speed: usize, order: usize) -> Range<usize> {
+        match speed.checked_sub(self.plain) {
+            _ if order == 1 => self.positions() + speed..self.positions() + speed + 1,
+            None => speed..speed + 1,
+            Some(turn) => {
+                let first = self.plain + 4 * (turn / 3);
+                first..first + 4
+            }
+        }
+    }
+
+    /// Moves a speed, or by its displacement the coordinates: of a free frame by a turn about one of its axes.
+    fn displace(self, state: &mut [f64], (speed, order): (usize, usize), by: f64) {
+        let own = self.places(speed, order);
+        if own.len() == 1 {
+            state[own.start] += by;
+            return;
+        }
+        let mut turning = [0.0; 3];
+        turning[(speed - self.plain) % 3] = by;
+        let quaternion = std::array::from_fn(|part| state[own.start + part]);
+        let moved = quaternion_rates(quaternion, turning);
+        own.clone().zip(moved).for_each(|(at, rate)| state[at] += rate);
+        let length = own.clone().map(|at| state[at] * state[at]).sum::<f64>().sqrt();
+        own.for_each(|at| state[at] /= length);
+    }
+}
+
+impl StartSolver {
+    /// Writes the constraints down.
+    ///
+    /// # Errors
+    /// Where they have no values, or a constraint cannot be completed.
+    pub fn of(model: &Model) -> Result<Self, Unmet> {
+        Ok(StartSolver { constraints: Constraints::of(model)? })
+    }
+
+    /// A state with these parameters, where what is not given is moved until the constraints hold.
+    ///
+    /// # Errors
+    /// The first constraint that cannot be met.
+    pub fn complete(&self, parameters: &[f64], mut state: Vec<f64>, given: &[bool]) -> Result<Vec<f64>, Unmet> {
+        let Some(constraints) = &self.constraints else { return Ok(state) };
+        let layout = constraints.layout;
+        for (order, level) in [(0, Some(Level::Position)), (1, None)] {
+            let is_given = |speed: &usize| layout.places(*speed, order).any(|at| given[at]);
+            let free: Vec<usize> = (0..layout.speeds()).filter(|speed| !is_given(speed)).collect();
+            for _ in 0..MOST_STEPS {
+                let (residuals, jacobian) = constraints.at(&state, parameters, level);
+                if residuals.amax() <= MET || free.is_empty() {
+                    break;
+                }
+                let columns = DMatrix::from_fn(residuals.len(), free.len(), |row, at| jacobian[(row, free[at])]);
+                if !residuals.iter().chain(columns.iter()).all(|number| number.is_finite()) {
+                    break;
+                }
+                let decomposed = columns.svd(true, true);
+                let largest = decomposed.singular_values.amax();
+                let Ok(step) = decomposed.solve(&residuals, RANK * largest) else { break };
+                if !step.iter().all(|part| part.is_finite()) || step.amax() == 0.0 {
+                    break;
+                }
+                for (&at, part) in free.iter().zip(step.iter()) {
+                    layout.displace(&mut state, (at, order), -part);
+                }
+            }
+            if let Some(open) = constraints.open(&state, parameters, level) {
+                return Err(Unmet::Open(open));
+            }
+        }
+        match constraints.redundant(&state, parameters) {
+            Some((name, at)) => Err(Unmet::Redundant { at, name }),
+            None => Ok(state),
+        }
+    }
+
+    /// Writes all that decides a completed start beside the given numbers.
+    pub fn write(&self, out: &mut dyn fmt::Write) -> fmt::Result {
+        match &self.constraints {
+            None => Ok(()),
+            Some(Constraints { tape, known, kept, .. }) => {
+                let levels: Vec<Level> = known.iter().map(|(level, ..)| *level).collect();
+                write!(out, "{tape:?} {levels:?} {kept}")
+            }
+        }
+    }
 }
 
 impl Constraints {
@@ -151,91 +217,100 @@ impl Constraints {
         if model.constraints.is_empty() {
             return Ok(None);
         }
-        has_values(model).map_err(Unmet::NotCompiled)?;
-        let n = model.speeds();
-        let (mut known, mut kept, mut unfit, mut piecewise) = (Vec::new(), 0, None, None);
-        let program = Program::of_any_length(model.positions() + n, |time, state| {
+        apart(|| {
             let trace = Trace::of(model);
             let mut all = Equations::of(&trace).constraints;
             all.sort_by_key(|constraint| (constraint.gains.is_some(), constraint.level != Level::Position));
-            kept = all.iter().filter(|constraint| constraint.gains.is_none()).count();
+            let kept = all.iter().filter(|constraint| constraint.gains.is_none()).count();
+            let chooses = |one: &&Equation| one.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
+            if let Some(constraint) = all.iter().find(chooses) {
+                return Err(Unmet::Piecewise(constraint.at.clone()));
+            }
             let wrong = |constraint: &&Equation| match (constraint.gains, constraint.level) {
                 (None, _) | (Some(2), Level::Position) | (Some(1), Level::Speed) => false,
                 (Some(_), _) => true,
             };
-            let chooses =
-                |each: &&Equation| each.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
-            piecewise = all.iter().find(chooses).map(|constraint| constraint.at.clone());
-            unfit = all.iter().find(wrong).map(|constraint| (constraint.at.clone(), constraint.level));
-            known = all.iter().map(|Equation { level, name, at, .. }| (*level, name.clone(), at.clone())).collect();
+            if let Some(Equation { at, level, .. }) = all.iter().find(wrong) {
+                return Err(Unmet::Gains { at: at.clone(), level: *level });
+            }
             let zeros = all.iter().map(|constraint| constraint.zero);
             let rates = all.iter().map(|constraint| constraint.rate);
             let rows = all.iter().flat_map(|constraint| constraint.row.iter().copied());
-            let wanted: Vec<_> = zeros.chain(rates).chain(rows).collect();
-            substitute_all(&wanted, &known_values(&trace, time, state))
-        });
-        if let Some(at) = piecewise {
-            return Err(Unmet::Piecewise(at));
-        }
-        if let Some((at, level)) = unfit {
-            return Err(Unmet::Gains { at, level });
-        }
-        let program = program.ok_or(Unmet::NotCompiled(NotCompiled::TooLong))?;
-        Ok((!known.is_empty()).then_some(Constraints { program, known, kept, speeds: n }))
+            let wanted: Vec<Sym> = zeros.chain(rates).chain(rows).collect();
+            let inputs = Inputs::of(model);
+            let wanted = inputs.letters().put_into(&trace, &wanted);
+            let tape = Tape::record(&inputs.all(), &wanted)
+                .map_err(|reason| Unmet::NotCompiled(NotCompiled::Undefined { reason: reason.to_string() }))?
+                .arranged();
+            let known: Vec<_> = all.into_iter().map(|Equation { level, name, at, .. }| (level, name, at)).collect();
+            Ok((!known.is_empty()).then_some(Constraints { tape, known, kept, layout: Layout::of(model) }))
+        })
     }
 
-    /// Residuals and their derivatives: of positions by the coordinates, of all by the speeds.
-    fn at(&self, state: &[f64], level: Option<Level>) -> (DVector<f64>, DMatrix<f64>) {
-        let m = self.known.len();
-        let values = self.values(state);
+    /// Residuals and their derivatives: of positions by the displacements, of all by the speeds.
+    fn at(&self, state: &[f64], parameters: &[f64], level: Option<Level>) -> (DVector<f64>, DMatrix<f64>) {
+        let values = self.values(0.0, state, parameters);
         let count = match level {
             Some(level) => self.known[..self.kept].iter().filter(|(own, ..)| *own == level).count(),
             None => self.kept,
         };
-        let first = if level.is_some() { 0 } else { m };
-        let residuals = DVector::from_fn(count, |i, _| values[first + i]);
-        (residuals, self.rows(state, count))
+        let first = if level.is_some() { 0 } else { self.known.len() };
+        (DVector::from_fn(count, |i, _| values[first + i]), self.rows(&values, count))
     }
 
     /// What should be zero, its rates, and their derivatives by the speeds.
-    fn values(&self, state: &[f64]) -> Vec<f64> {
-        let mut values = vec![f64::NAN; self.known.len() * (2 + self.speeds)];
-        self.program.run(0.0, state, &mut values);
+    fn values(&self, time: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
+        let mut values = vec![f64::NAN; self.known.len() * (2 + self.layout.speeds())];
+        self.tape.over().evaluate(&[state, &[time], parameters].concat(), &mut values);
         values
     }
 
     /// The derivatives of the first constraints by the speeds.
-    fn rows(&self, state: &[f64], count: usize) -> DMatrix<f64> {
-        let (m, n) = (self.known.len(), self.speeds);
-        let values = self.values(state);
+    fn rows(&self, values: &[f64], count: usize) -> DMatrix<f64> {
+        let (m, n) = (self.known.len(), self.layout.speeds());
         DMatrix::from_fn(count, n, |i, j| values[2 * m + i * n + j])
     }
 
     /// The first constraint whose direction depends on those of the others before it.
-    fn redundant(&self, state: &[f64]) -> Option<Range<usize>> {
-        let jacobian = self.rows(state, self.known.len());
+    fn redundant(&self, state: &[f64], parameters: &[f64]) -> Option<(String, Range<usize>)> {
+        let jacobian = self.rows(&self.values(0.0, state, parameters), self.known.len());
         let largest = jacobian.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
         let mut kept: Vec<DVector<f64>> = Vec::new();
-        for (row, (_, _, at)) in self.known.iter().enumerate() {
+        for (row, (_, name, at)) in self.known.iter().enumerate() {
             let whole: DVector<f64> = jacobian.row(row).transpose();
             // twice, so that rounding leaves nothing along the others
             let rest =
                 (0..2).fold(whole.clone(), |rest, _| kept.iter().fold(rest, |rest, one| &rest - one * one.dot(&rest)));
             let length = rest.norm();
             if length <= RANK * whole.norm() || whole.norm() <= RANK * largest || length == 0.0 {
-                return Some(at.clone());
+                return Some((called(name), at.clone()));
             }
             kept.push(rest / length);
         }
         None
     }
 
-    fn open(&self, state: &[f64], level: Option<Level>) -> Option<Open> {
-        let (residuals, _) = self.at(state, level);
+    fn open(&self, state: &[f64], parameters: &[f64], level: Option<Level>) -> Option<Open> {
+        let (residuals, _) = self.at(state, parameters, level);
         let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
         let worst = residuals.iter().position(unmet)?;
         let (_, name, at) = &self.known[worst];
         let level = if level.is_some() { Level::Position } else { Level::Speed };
-        Some(Open { at: at.clone(), name: name.clone(), residual: residuals[worst], level })
+        let residual = residuals[worst].is_finite().then_some(residuals[worst]);
+        Some(Open { at: at.clone(), name: called(name), residual, level })
+    }
+}
+
+/// A constraint by its name, where it has one.
+fn called(name: &str) -> String {
+    if name.is_empty() { "this constraint".to_owned() } else { format!("the constraint `{name}`") }
+}
+
+impl fmt::Display for Open {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.residual {
+            Some(residual) => write!(f, "{} is {residual:.6e}, and not zero", self.name),
+            None => write!(f, "{} has no value", self.name),
+        }
     }
 }

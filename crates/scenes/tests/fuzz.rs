@@ -1,6 +1,6 @@
 //! Files that nobody meant: whatever stands in them, they are read or refused with a message at a place, and nothing panics.
 
-use scenes::ModelScene;
+use scenes::{ModelScene, parse_ensemble};
 
 const TEXTS: [&str; 5] = [
     include_str!("../../../scenes/models/double_pendulum.toml"),
@@ -123,4 +123,42 @@ fn whatever_stands_in_a_file_it_is_read_or_refused_with_reasons() {
         }
     }
     assert!(read > 200 && refused > 200, "{read} {refused}");
+}
+
+#[test]
+fn whatever_varies_a_member_starts_or_says_why() {
+    let text = TEXTS[2].to_owned()
+        + "\n[ensemble]\nmembers = 4\n[ensemble.vary]\nparameters.l = { from = \"0.1 m\", to = \"0.4 m\" }\n\
+        start.theta = { mean = \"0 rad\", deviation = \"1 rad\" }\nstart.\"phi'\" = { values = \"1 2 3 4 rad/s\" }\n";
+    let sound = with_guess(&text);
+    let mut drawn = Drawn(37);
+    let (mut started, mut stopped, mut refused) = (0, 0, 0);
+    for _ in 0..1_000 {
+        match parse_ensemble("scene.toml", &changed(&sound, &mut drawn)) {
+            Ok(scene) => {
+                for number in 1..=scene.members.min(4) {
+                    match scene.member(number) {
+                        Ok(member) => {
+                            started += 1;
+                            assert!(member.state.iter().all(|number| number.is_finite()), "{sound}");
+                        }
+                        Err(why) => {
+                            stopped += 1;
+                            assert!(!why.to_string().contains("NaN"), "{why}");
+                        }
+                    }
+                }
+            }
+            Err(error) => {
+                refused += 1;
+                assert!(!error.issues.is_empty() && !error.to_string().is_empty(), "{error}");
+            }
+        }
+    }
+    assert!(started > 100 && stopped > 50 && refused > 100, "{started} {stopped} {refused}");
+}
+
+/// The slider where the loop puts it.
+fn with_guess(text: &str) -> String {
+    text.replace("s = \"0.4 m\"", "s = \"guess 0.4 m\"")
 }

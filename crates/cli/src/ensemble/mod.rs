@@ -18,7 +18,7 @@ use table::Table;
 /// Which members are to be run, and where the results go.
 #[derive(Args, Debug)]
 pub struct Asked {
-    /// The scene with a table `ensemble`; the folder `scenes/ensembles` holds an example
+    /// The scene with a table `ensemble`, such as `scenes/ensembles/spread.toml` or `scenes/models/double_pendulum.toml`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
     /// The table of results, a row for each member; one of this very ensemble is continued. Without it: the scene's name, here
@@ -43,7 +43,7 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
     let threads =
         asked.threads.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
 
-    let mut progress = Progress::new(&scene.scene.title);
+    let mut progress = Progress::new(scene.system.title());
     let mut wrong = Ok(());
     scene.run(done + 1..=all, threads, |row| {
         told.add(row.stopped.as_deref());

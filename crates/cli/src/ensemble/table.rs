@@ -205,7 +205,7 @@ fn line(row: &Row, columns: usize, fingerprint: &str) -> String {
     cells.push(row.steps.to_string());
     if let Some(last) = &row.last {
         cells.extend(last.state.iter().map(f64::to_string));
-        cells.extend(last.changes.map(number));
+        cells.extend(last.derived.iter().copied().map(number));
     }
     cells.resize(columns - 1, String::new());
     cells.push(fingerprint.to_owned());

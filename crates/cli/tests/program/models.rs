@@ -1,6 +1,7 @@
 //! A system that is written in its file, as its users meet it.
 
-use crate::{json, run, temporary};
+use crate::{json, program, root, run, temporary};
+use std::path::Path;
 
 const MODEL: &str = "scenes/models/double_pendulum.toml";
 
@@ -160,10 +161,40 @@ fn a_proof_says_what_it_rests_on_and_what_a_mistake_loses() {
 
 #[test]
 fn what_does_not_read_such_a_file_says_so() {
-    for command in ["ensemble", "bodies", "stationary", "regimes", "motor"] {
+    for command in ["bodies", "stationary", "regimes", "motor"] {
         let output = run(&[command, MODEL]);
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{command}: {message}");
         assert!(message.contains("does not read a system that is written in its file"), "{command}: {message}");
     }
+}
+
+#[test]
+fn an_ensemble_of_a_file_goes_on_where_it_was_killed() {
+    let [scene, path, whole] = ["pendula.toml", "pendula.csv", "pendula_whole.csv"].map(temporary);
+    let text = std::fs::read_to_string(root().join(MODEL)).expect("it is there");
+    std::fs::write(&scene, text.replace("members = 10000", "members = 60")).expect("it can be written");
+    let asked = |out: &Path, threads: &str| {
+        let arguments = ["ensemble", &scene.to_string_lossy(), "--threads", threads, "--out"];
+        program(&arguments).arg(out).output().expect("it starts")
+    };
+    assert!(asked(&whole, "1").status.success());
+    let table = std::fs::read_to_string(&whole).expect("it was written");
+    assert_eq!(table.lines().count(), 61);
+    assert!(table.starts_with(
+        "member,parameters.m2 [kg],parameters.l2 [m],start.a [rad],start.b' [rad/s],stopped,time [s],steps,a [rad],"
+    ));
+    // a row that is cut in the middle, as by a kill
+    std::fs::write(&path, &table[..table.len() / 2]).expect("it can be written");
+    let again = asked(&path, "3");
+    let told = String::from_utf8_lossy(&again.stdout).into_owned();
+    assert!(again.status.success() && told.contains("were there already"), "{told}");
+    assert_eq!(std::fs::read_to_string(&path).expect("it was written"), table);
+    // another length of a rod is another ensemble
+    std::fs::write(&scene, text.replace("members = 10000", "members = 60").replace("l1 = \"1 m\"", "l1 = \"2 m\""))
+        .expect("it can be written");
+    let other = asked(&path, "1");
+    let said = String::from_utf8_lossy(&other.stderr).into_owned();
+    assert!(other.status.code() == Some(2) && said.contains("line 2: another ensemble"), "{said}");
+    [scene, path, whole].iter().for_each(|path| std::fs::remove_file(path).expect("it is there"));
 }

@@ -51,7 +51,14 @@ impl Elaborator<'_> {
         let fault = |label: String| Box::new(Fault::at(text.span(), what, label, accepted));
         match units::Unit::parse(&text.text) {
             Ok(unit) if !text.text.trim().is_empty() => {
-                Ok((unit.dimension().of_expressions(), text.text.trim().to_owned()))
+                let ([times, per], dimension) = (unit.factors(), unit.dimension());
+                // values are in coherent units, whatever unit names the dimension
+                let coherent = match dimension.is_number() {
+                    _ if times == per => text.text.trim().to_owned(),
+                    true => "rad".to_owned(),
+                    false => dimension.coherent(),
+                };
+                Ok((dimension.of_expressions(), coherent))
             }
             Ok(_) => Err(fault("nothing stands here".to_owned())),
             Err(wrong) => Err(fault(wrong.to_string())),

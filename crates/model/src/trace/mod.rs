@@ -13,7 +13,7 @@ mod vector;
 
 use free_frame::FreeFrame;
 use rotation::Rotation;
-pub(crate) use rotation::quaternion_rates;
+pub use rotation::quaternion_rates;
 pub use vector::Vector;
 
 use crate::arena::{Function, Number, Part, Scalar};

@@ -45,7 +45,7 @@ impl Rotation {
 }
 
 /// The rates of a quaternion from the angular velocity in the axes of the frame: half the product of both.
-pub(crate) fn quaternion_rates<S: Scalar>([a, b, c, d]: [S; 4], [x, y, z]: [S; 3]) -> [S; 4] {
+pub fn quaternion_rates<S: Scalar>([a, b, c, d]: [S; 4], [x, y, z]: [S; 3]) -> [S; 4] {
     let half = S::ratio(1, 2);
     [
         -half * (b * x + c * y + d * z),

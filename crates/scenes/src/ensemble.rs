@@ -1,0 +1,188 @@
+//! A system that is written in its file as an ensemble: parameters, coordinates and speeds of its own for every member.
+
+use crate::admissible::BodyNumbers;
+use crate::compiled_system::{ENERGIES, NotCompiled, plain};
+use crate::parametric_law::ParametricLaw;
+use crate::scene::{ModelScene, columns, refused, unmet_at};
+use crate::start::{StartSolver, Unmet, given};
+use derivations::ensemble::{
+    Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, Shape, Sizes, Stopped, Variable, lane_series,
+    vary,
+};
+use derivations::scene::file::tables;
+use derivations::scene::{Run, SceneError, Smooth};
+use integrators::LaneSeries;
+use model::Model;
+use std::fmt::{self, Write};
+use std::sync::Arc;
+
+/// A model with a run, and its law for all values of its parameters.
+#[derive(Debug)]
+struct ModelEnsemble {
+    scene: ModelScene,
+    law: ParametricLaw,
+    start: StartSolver,
+    bodies: BodyNumbers,
+    /// What each variable is.
+    targets: Vec<Target>,
+}
+
+/// A number of a model that may vary, by its place.
+#[derive(Clone, Copy, Debug)]
+enum Target {
+    Parameter(usize),
+    /// Coordinates, then speeds.
+    Start(usize),
+}
+
+/// Reads a file with `[coordinates]` and `[ensemble]`; `name` is what messages call it.
+///
+/// # Errors
+/// All that is wrong with it, each at its place.
+pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneError> {
+    tables(name, text, |top, issues| {
+        let scene = ModelScene::read(top, issues);
+        let known = scene.as_ref().map(variables);
+        let example = scene.as_ref().map_or_else(String::new, |scene| example(&scene.model));
+        let variation = vary::read(top, issues, known.as_ref().map(|(variables, _)| &variables[..]), &example);
+        let (scene, variation, (_, targets)) = (scene?, variation?, known?);
+        let system = ModelEnsemble::of(scene, targets).map_err(|unmet| issues.push(unmet_at(unmet))).ok()?;
+        let not_run = |_| issues.push(refused(&NotCompiled::TooLong));
+        EnsembleScene::new(Arc::new(system), variation).map_err(not_run).ok()
+    })
+}
+
+/// All numbers of a model that may vary, each with its place.
+fn variables(scene: &ModelScene) -> (Vec<Variable>, Vec<Target>) {
+    let model = &scene.model;
+    let variable = |table, key: &str, meaning: String, unit: String| Variable {
+        table,
+        key: key.to_owned().into(),
+        meaning: meaning.into(),
+        unit: unit.into(),
+        shape: Shape::Numbers(1),
+    };
+    let parameters = model.parameters.iter().enumerate().map(|(place, parameter)| {
+        let meaning = format!("parameter `{}`", parameter.name);
+        (variable("parameters", &parameter.name, meaning, parameter.unit.clone()), Target::Parameter(place))
+    });
+    let start = columns(model).into_iter().take(2 * model.coordinates.len()).enumerate().map(|(place, name)| {
+        let unit = scene.unit(&name).into_owned();
+        (variable("start", &name, format!("start of `{name}`"), unit), Target::Start(place))
+    });
+    parameters.chain(start).unzip()
+}
+
+/// One line of `[ensemble.vary]` for a model.
+fn example(model: &Model) -> String {
+    let (name, unit) = match (model.parameters.first(), model.coordinates.first()) {
+        (Some(parameter), _) => (format!("parameters.{}", parameter.name), parameter.unit.clone()),
+        (None, first) => {
+            let named = first.map(|first| (format!("start.{}", first.name), first.unit.clone()));
+            named.unwrap_or_else(|| ("start.x".to_owned(), "m".to_owned()))
+        }
+    };
+    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+    format!("{name} = {{ from = \"1{unit}\", to = \"2{unit}\" }}")
+}
+
+impl ModelEnsemble {
+    fn of(scene: ModelScene, targets: Vec<Target>) -> Result<Self, Unmet> {
+        let model = &scene.model;
+        plain(model).map_err(Unmet::NotCompiled)?;
+        if !model.events.is_empty() || model.equilibrium.is_some() {
+            return Err(Unmet::NotCompiled(NotCompiled::Changes));
+        }
+        let law = ParametricLaw::of(model).map_err(Unmet::NotCompiled)?;
+        let start = StartSolver::of(model)?;
+        let bodies = BodyNumbers::of(model).map_err(Unmet::NotCompiled)?;
+        Ok(ModelEnsemble { scene, law, start, bodies, targets })
+    }
+
+    /// The end of a member as a row shows it.
+    fn end(&self, parameters: &[f64], start: &[f64], time: f64, state: &[f64]) -> Last {
+        let energy = |outputs: &[f64]| outputs[outputs.len() - ENERGIES..].iter().sum::<f64>();
+        let outputs = self.law.outputs(time, state, parameters);
+        let mut derived = outputs.clone();
+        if self.law.keeps_energy {
+            derived.push(energy(&outputs) - energy(&self.law.outputs(0.0, start, parameters)));
+        }
+        let finite = |number: f64| number.is_finite().then_some(number);
+        Last { time, state: state.to_vec(), derived: derived.into_iter().map(finite).collect() }
+    }
+}
+
+impl ParametricSystem for ModelEnsemble {
+    fn title(&self) -> &str {
+        &self.scene.title
+    }
+
+    fn run(&self) -> &Run {
+        &self.scene.run
+    }
+
+    fn sizes(&self) -> Sizes {
+        Sizes { states: self.law.recurrence.states(), parameters: self.law.recurrence.parameters() }
+    }
+
+    fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
+        lane_series(&self.law.recurrence, order)
+    }
+
+    /// # Errors
+    /// Bodies that cannot exist, or a start that no motion can have.
+    fn member(&self, drawn: &[Drawn]) -> Result<Member<'_>, Stopped> {
+        let model = &self.scene.model;
+        let mut parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
+        let (mut state, mut given) = (model.start_state(), given(model));
+        let n = model.coordinates.len();
+        let is_guess = |place: usize| {
+            model.start.iter().any(|value| value.is_guess && value.order * n + value.coordinate == place)
+        };
+        for Drawn { variable, numbers } in drawn {
+            let Some(number) = numbers.first() else { continue };
+            match self.targets[*variable] {
+                Target::Parameter(place) => parameters[place] = *number,
+                Target::Start(place) => {
+                    state[place] = *number;
+                    // what the file guesses stays a guess
+                    given[place] = !is_guess(place);
+                }
+            }
+        }
+        if let Some(issue) = self.bodies.impossible(model, &parameters).into_iter().next() {
+            return Err(Stopped::Impossible(format!("{}: {}", issue.title, issue.label)));
+        }
+        let start = self.start.complete(&parameters, state, &given).map_err(|unmet| Stopped::Start(told(&unmet)))?;
+        let (own, before) = (parameters.clone(), start.clone());
+        let end = Box::new(move |time: f64, state: &[f64]| self.end(&own, &before, time, state));
+        Ok(Member { parameters, state: start, end })
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        let change = self.law.keeps_energy.then(|| Column { name: "energy_change".to_owned(), unit: "J".to_owned() });
+        let shown = columns(&self.scene.model).into_iter();
+        shown.map(|name| Column { unit: self.scene.unit(&name).into_owned(), name }).chain(change).collect()
+    }
+
+    fn write_law(&self, out: &mut dyn Write) -> fmt::Result {
+        let ModelEnsemble { scene: ModelScene { model, .. }, law, .. } = self;
+        let values: Vec<Option<f64>> = model.parameters.iter().map(|parameter| parameter.value).collect();
+        write!(out, "{law:?} {values:?} {:?} ", model.start)?;
+        self.start.write(out)
+    }
+
+    fn name(&self) -> &str {
+        self.scene.model()
+    }
+}
+
+/// In a row.
+fn told(unmet: &Unmet) -> String {
+    match unmet {
+        Unmet::Open(open) => open.to_string(),
+        Unmet::Redundant { name, .. } => format!("{name} follows from those before it"),
+        Unmet::Gains { .. } | Unmet::Piecewise(_) => "a constraint that no start can meet".to_owned(),
+        Unmet::NotCompiled(reason) => reason.to_string(),
+    }
+}

@@ -1,0 +1,80 @@
+//! The quantities that stand for the letters of a model in a compiled function: inputs, or values folded in.
+
+use field::{Over, Rational};
+use model::{Model, Trace};
+use symbolic::{Sym, substitute_all};
+
+/// Inputs for the state, the time and the parameters of a model, in this order.
+pub(crate) struct Inputs {
+    pub state: Vec<Sym>,
+    pub time: Sym,
+    pub parameters: Vec<Sym>,
+}
+
+impl Inputs {
+    /// Symbols of their own.
+    pub fn of(model: &Model) -> Self {
+        let named =
+            |letter: &str, count: usize| (0..count).map(|i| Sym::symbol(&format!("{letter}{i}"))).collect::<Vec<_>>();
+        let (state, parameters) = (named("y", model.positions() + model.speeds()), named("p", model.parameters.len()));
+        Inputs { state, time: Sym::symbol("t"), parameters }
+    }
+
+    /// The letters of the model by these inputs.
+    pub fn letters(&self) -> Letters<'_> {
+        Letters { time: self.time, state: &self.state, parameters: Some(&self.parameters) }
+    }
+
+    /// All of them.
+    pub fn all(&self) -> Vec<Sym> {
+        [&self.state[..], &[self.time], &self.parameters].concat()
+    }
+}
+
+/// What stands for time, coordinates, speeds and parameters.
+#[derive(Clone, Copy)]
+pub(crate) struct Letters<'a> {
+    time: Sym,
+    /// Coordinates, then speeds.
+    state: &'a [Sym],
+    /// None: their values stand for them.
+    parameters: Option<&'a [Sym]>,
+}
+
+impl<'a> Letters<'a> {
+    /// Time and state as inputs, the data folded in: for runs.
+    pub fn with_data(time: Sym, state: &'a [Sym]) -> Self {
+        Letters { time, state, parameters: None }
+    }
+
+    /// Expressions of a trace over these letters.
+    pub fn put_into(&self, trace: &Trace<'_>, expressions: &[Sym]) -> Vec<Sym> {
+        substitute_all(expressions, &self.known(trace))
+    }
+
+    /// The letters of a trace with what stands for each.
+    pub fn known(&self, trace: &Trace<'_>) -> Vec<(Sym, Sym)> {
+        let mut known: Vec<(Sym, Sym)> = vec![(trace.time, self.time), (trace.pi, half_turn())];
+        known.extend(trace.coordinates.iter().chain(&trace.speeds).copied().zip(self.state.iter().copied()));
+        match self.parameters {
+            Some(parameters) => known.extend(trace.parameters.iter().copied().zip(parameters.iter().copied())),
+            None => {
+                known.extend(trace.parameters.iter().zip(&trace.model.parameters).filter_map(|(&letter, parameter)| {
+                    let value = Rational::exactly(parameter.value?);
+                    Some((letter, Sym::lift(value)))
+                }))
+            }
+        }
+        // masses that vary
+        let (letters, solid): (Vec<Sym>, Vec<Sym>) = trace.solid().into_iter().unzip();
+        let solid = substitute_all(&solid, &known);
+        known.extend(letters.into_iter().zip(solid));
+        known
+    }
+}
+
+/// Pi to 48 digits, as the sum of three floats.
+fn half_turn() -> Sym {
+    const PARTS: [f64; 3] = [std::f64::consts::PI, 1.224_646_799_147_353_2e-16, -2.994_769_809_718_339_7e-33];
+    PARTS.into_iter().map(|part| Sym::lift(Rational::exactly(part))).fold(Sym::ZERO, |sum, part| sum + part)
+}
