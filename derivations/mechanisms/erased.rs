@@ -65,6 +65,7 @@ impl<M: Mechanism> Erased for M {
             columns: self.columns().iter().map(|quantity| quantity.name.to_string()).collect(),
             row: Box::new(move |time, y| [y, &showing.shown(time, &y[..count])].concat()),
             margins: Box::new(move |y, dy| judging.margins(&start, &y[..count], &dy[..count])),
+            switching: None,
         }
     }
 

@@ -3,7 +3,7 @@
 //! A margin is positive where the law holds. Its end is found by the bounds of the margin over each step, so that it does not
 //! depend on where a method puts its steps, and the run goes on up to it.
 
-use super::Problem;
+use super::{Problem, switching};
 use integrators::{
     Event, Method, Observer, Ode, Outcome, Signal, Span, Switches, System, Tolerance, integrate, integrate_to_event,
 };
@@ -29,7 +29,8 @@ impl Problem {
         outside(&(self.margins)(y, &vec![0.0; y.len()]))
     }
 
-    /// Runs over a span, or to the end of the law: then the outcome is the last state within it, and the reason is told.
+    /// Runs over a span, event after event, or to the end of the law: then the outcome is the last state within it, and the reason
+    /// is told.
     pub fn integrate(
         &self,
         method: Method,
@@ -37,6 +38,9 @@ impl Problem {
         span: &Span<'_, f64>,
         observer: &mut dyn Observer<f64>,
     ) -> (Outcome<f64>, Option<&'static str>) {
+        if let Some(switching) = &self.switching {
+            return switching::integrate(&**switching, (method, tolerance), span, observer);
+        }
         Ending { law: &*self.law, margins: &*self.margins }.integrate((method, tolerance), span, observer)
     }
 }

@@ -33,7 +33,8 @@ impl Scene {
             row.push(y[own]);
             row
         };
-        Problem { law, state, span, invariants, columns, row: Box::new(row), margins: of_leading(margins, own) }
+        let (row, margins) = (Box::new(row), of_leading(margins, own));
+        Problem { law, state, span, invariants, columns, row, margins, switching: None }
     }
 }
 

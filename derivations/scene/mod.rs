@@ -8,7 +8,8 @@
 //! * [`bodies`], [`machine`], [`start`], [`run`]: the tables of a scene;
 //! * `written`: a motor whose laws stand in the scene;
 //! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data;
-//! * [`problem`], [`simulate`]: the law that any method integrates, and the run; [`law_end`]: where a law ends; [`smooth`]:
+//! * [`problem`], [`simulate`]: the law that any method integrates, and the run; [`law_end`]: where a law ends; [`switching`]: laws that
+//!   change at events; [`smooth`]:
 //!   scenes of every family that has one;
 //! * [`code`]: the right-hand side and its Jacobian as code of other languages;
 //! * [`measured`], [`atlas`]: every method on every formulation with every model, speed against accuracy; [`stored`]:
@@ -35,6 +36,7 @@ pub mod smooth;
 pub mod start;
 pub mod state;
 pub mod stored;
+pub mod switching;
 mod transition;
 mod written;
 

@@ -3,6 +3,7 @@
 use super::by_program::by_program;
 use super::law_end::Margins;
 use super::state::outputs;
+use super::switching::Switching;
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
 use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
@@ -29,6 +30,8 @@ pub struct Problem {
     pub row: Box<Row>,
     /// How far a state is from where the law ends.
     pub margins: Box<Margins>,
+    /// Of a law that changes at events: then `law` is the one of the start.
+    pub switching: Option<Arc<dyn Switching>>,
 }
 
 /// A system that can be shared between threads.
@@ -59,6 +62,7 @@ impl Scene {
             columns: outputs(self.on_bench(), &self.machine),
             row: Box::new(self.row(axes)),
             margins: Box::new(|_, _| Vec::new()),
+            switching: None,
         }
     }
 }

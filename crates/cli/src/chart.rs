@@ -90,6 +90,13 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     if run.left.is_some() {
         return no_reference(smooth, &run, &run.stopped().unwrap_or_default());
     }
+    if problem.switching.is_some() {
+        return no_reference(
+            smooth,
+            &run,
+            "the law of this system changes at events, across which no reference is made yet",
+        );
+    }
     match judged(smooth, &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, clock::left() / 2);

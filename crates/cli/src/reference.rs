@@ -57,6 +57,11 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
         let accepted = format!("--until with a time up to {last} s is accepted");
         return Err(Ending::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
     }
+    if problem.switching.is_some() {
+        let accepted = "a scene without `[[event]]`, `if`, `sign`, `abs`, `min`, `max` and `table` is accepted";
+        let why = "the law of this system changes at events, across which no reference is made yet";
+        return Err(Ending::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
+    }
     match problem.reference(clock::left()) {
         Ok(found) => {
             let [one, other] = found.methods;

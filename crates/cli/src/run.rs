@@ -128,6 +128,10 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     let headed = |names: &[String]| names.iter().map(|name| csv::headed(name, &scene.unit(name))).collect::<Vec<_>>();
     let writes = writes(asked);
     let table = csv::Table::at(&writes, asked.out.as_deref(), &headed(&problem.columns))?;
+    if asked.transition.is_some() && problem.switching.is_some() {
+        let why = "the law of this system changes at events: its transition matrix is not computed yet";
+        return Err(Ending::refused(format!("--transition: {why}; leave it out")));
+    }
     let states = asked.transition.as_ref().map(|_| scene.problem(choice.axes));
     let states = states.map(|states| headed(&states.columns[..states.state.len().min(states.columns.len())]));
     let matrix = csv::Matrix::at(&writes, asked.transition.as_deref(), &states.unwrap_or_default())?;

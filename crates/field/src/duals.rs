@@ -1,6 +1,6 @@
 //! num-dual's numbers over `f64` as scalars: the Jacobians and Hessians of the simulation.
 
-use crate::{Analytic, Circle, Over, Scalar};
+use crate::{Analytic, Circle, Elementary, Over, Scalar};
 use num_dual::{Dual, Dual2, DualNum, DualSVec, HyperDual};
 
 macro_rules! dual_field {
@@ -27,6 +27,15 @@ macro_rules! dual_field {
 
             fn sqrt(self) -> Self {
                 DualNum::sqrt(&self)
+            }
+
+            fn elementary(self, function: Elementary, other: Self) -> Self {
+                match function {
+                    Elementary::Exp => DualNum::exp(&self),
+                    Elementary::Ln => DualNum::ln(&self),
+                    Elementary::Tanh => DualNum::tanh(&self),
+                    Elementary::Atan2 => DualNum::atan2(&self, other),
+                }
             }
         }
     )*};

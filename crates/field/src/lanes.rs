@@ -1,7 +1,7 @@
 //! Many numbers side by side: one law evaluated for as many systems at once as a register is wide.
 
 use crate::quarters::{far, is_near, near, plus};
-use crate::{Analytic, Base, Circle, Divisor, Over, Scalar};
+use crate::{Analytic, Base, Circle, Divisor, Elementary, Over, Scalar};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
@@ -152,6 +152,13 @@ impl<const L: usize, const FUSED: bool> Analytic for Lanes<L, FUSED> {
     fn sqrt(mut self) -> Self {
         for lane in 0..L {
             self.0[lane] = self.0[lane].sqrt();
+        }
+        self
+    }
+
+    fn elementary(mut self, function: Elementary, other: Self) -> Self {
+        for lane in 0..L {
+            self.0[lane] = function.of(self.0[lane], other.0[lane]);
         }
         self
     }

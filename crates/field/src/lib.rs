@@ -20,6 +20,7 @@ pub mod laws;
 mod circle;
 mod decimal;
 mod duals;
+mod elementary;
 mod lanes;
 mod quarters;
 mod rational;
@@ -29,6 +30,7 @@ mod tangent;
 
 pub use circle::Circle;
 pub use decimal::{decimal, from_decimal};
+pub use elementary::Elementary;
 pub use lanes::Lanes;
 pub use rational::Rational;
 pub use scalar::{Analytic, Base, Divisor, Over, Scalar};

@@ -5,9 +5,9 @@ use std::fmt::Debug;
 use std::ops::Neg;
 use xprec::Df64;
 
-use crate::Circle;
 use crate::quarters::{far, is_near, near, plus};
 use crate::sixteenths;
+use crate::{Circle, Elementary};
 
 /// A number of some field: operations and exact constants, no order, no rounding to `f64`.
 pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + NumAssignOps + Neg<Output = Self> {
@@ -105,6 +105,9 @@ pub trait Analytic: Scalar {
 
     /// The non-negative square root.
     fn sqrt(self) -> Self;
+
+    /// An elementary function of this number and, where it has two arguments, of another.
+    fn elementary(self, function: Elementary, other: Self) -> Self;
 }
 
 impl Scalar for f64 {
@@ -160,6 +163,10 @@ impl Analytic for f64 {
     fn sqrt(self) -> Self {
         f64::sqrt(self)
     }
+
+    fn elementary(self, function: Elementary, other: Self) -> Self {
+        function.of(self, other)
+    }
 }
 
 impl Scalar for Df64 {
@@ -196,6 +203,20 @@ impl Analytic for Df64 {
 
     fn sqrt(self) -> Self {
         num_traits::Float::sqrt(self)
+    }
+
+    fn elementary(self, function: Elementary, other: Self) -> Self {
+        let leading = function.of(self.hi(), other.hi());
+        if !leading.is_finite() || leading == 0.0 {
+            // beyond the range of f64 the second half says nothing
+            return Df64::from(leading);
+        }
+        match function {
+            Elementary::Exp => self.exp(),
+            Elementary::Ln => self.ln(),
+            Elementary::Tanh => self.tanh(),
+            Elementary::Atan2 => self.atan2(other),
+        }
     }
 }
 

@@ -4,7 +4,7 @@
 //! asks for the field operations alone, so the same derivation runs over `f64`, exact rationals, double-double and
 //! expressions. Nested once it gives second derivatives. Over `f64` num-dual is the second route that checks it.
 
-use crate::{Analytic, Base, Circle, Divisor, Over, Scalar};
+use crate::{Analytic, Base, Circle, Divisor, Elementary, Over, Scalar};
 use num_traits::{One, Zero};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
@@ -240,5 +240,14 @@ impl<S: Analytic, M: Motion> Analytic for Tangent<S, M> {
             return Tangent::at_rest(root);
         }
         Tangent::at_rate(root, self.slope / (root + root))
+    }
+
+    fn elementary(self, function: Elementary, other: Self) -> Self {
+        let value = self.value.elementary(function, other.value);
+        if M::KNOWN && self.rests() && other.rests() {
+            return Tangent::at_rest(value);
+        }
+        let [by_first, by_second] = function.slopes(self.value, other.value, value);
+        Tangent::at_rate(value, by_first * self.slope + by_second * other.slope)
     }
 }

@@ -1,7 +1,11 @@
 //! The expressions of a model: every part by its place in one list, after the parts that it is made of.
 
 use crate::expression::Exponent;
-use crate::{FrameId, Material, PointId};
+use crate::{BodyId, FrameId, Material, PointId};
+use field::Elementary;
+use rustc_hash::FxHashMap;
+use std::hash::{Hash, Hasher};
+use symbolic::Dimension;
 
 /// A scalar expression of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -12,15 +16,36 @@ pub struct ScalarId(pub(crate) usize);
 pub struct VectorId(pub(crate) usize);
 
 /// A decimal number with a unit: `times / per` of the coherent unit each.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Number {
     pub value: f64,
     pub times: f64,
     pub per: f64,
 }
 
+impl Number {
+    fn bits(&self) -> [u64; 3] {
+        [self.value, self.times, self.per].map(f64::to_bits)
+    }
+}
+
+/// Equal as written.
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        self.bits() == other.bits()
+    }
+}
+
+impl Eq for Number {}
+
+impl Hash for Number {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.bits().hash(state);
+    }
+}
+
 /// A part of a scalar expression.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Scalar {
     Number(Number),
     Parameter(usize),
@@ -33,6 +58,10 @@ pub enum Scalar {
     Time,
     /// The half turn.
     Pi,
+    /// 1 where the expression of the switch is positive, else 0.
+    Switch(usize),
+    /// An input, by its value or as a letter.
+    Input(usize),
     Negation(ScalarId),
     Sum(ScalarId, ScalarId),
     Difference(ScalarId, ScalarId),
@@ -40,14 +69,20 @@ pub enum Scalar {
     Quotient(ScalarId, ScalarId),
     Power(ScalarId, Exponent),
     Function(Function, ScalarId),
+    /// An elementary function; one of a single argument has it twice.
+    Elementary(Elementary, ScalarId, ScalarId),
     Dot(VectorId, VectorId),
     Norm(VectorId),
     /// The rate of a scalar along the motion.
     RateOf(ScalarId),
+    /// The multiplier of a scalar constraint, by its place in the model.
+    Reaction {
+        constraint: usize,
+    },
 }
 
 /// A function of a scalar.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Function {
     Sin,
     Cos,
@@ -69,7 +104,7 @@ impl Function {
 }
 
 /// A part of a vector expression.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Vector {
     Zero,
     /// A unit vector: x, y or z of a frame.
@@ -106,10 +141,18 @@ pub enum Vector {
         of: VectorId,
         seen: FrameId,
     },
+    /// The multipliers of a vector constraint along its axes, by its place in the model.
+    Reaction {
+        constraint: usize,
+    },
+    /// The force on a body at its joint.
+    JointForce(BodyId),
+    /// The torque on a body about its joint.
+    JointTorque(BodyId),
 }
 
 /// A part of an expression.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Part {
     Scalar(Scalar),
     Vector(Vector),
@@ -119,16 +162,33 @@ pub(crate) enum Part {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Arena {
     pub parts: Vec<Part>,
+    /// Where each stands: parts that are written twice are one. Numbers have the text of their dimension beside them.
+    known: FxHashMap<(Part, String), usize>,
 }
 
 impl Arena {
-    pub fn scalar(&mut self, scalar: Scalar) -> ScalarId {
-        self.parts.push(Part::Scalar(scalar));
-        ScalarId(self.parts.len() - 1)
+    fn place(&mut self, part: Part, dimension: String) -> usize {
+        *self.known.entry((part, dimension)).or_insert_with(|| {
+            self.parts.push(part);
+            self.parts.len() - 1
+        })
+    }
+
+    /// A scalar; of a number the dimension counts too.
+    pub fn scalar(&mut self, scalar: Scalar, dimension: Option<Dimension>) -> ScalarId {
+        let named = dimension.filter(|_| matches!(scalar, Scalar::Number(_)));
+        ScalarId(self.place(Part::Scalar(scalar), named.map_or_else(String::new, |dimension| dimension.to_string())))
+    }
+
+    /// A scalar by its place.
+    pub fn scalar_at(&self, id: ScalarId) -> Option<&Scalar> {
+        match self.parts.get(id.0)? {
+            Part::Scalar(scalar) => Some(scalar),
+            Part::Vector(_) => None,
+        }
     }
 
     pub fn vector(&mut self, vector: Vector) -> VectorId {
-        self.parts.push(Part::Vector(vector));
-        VectorId(self.parts.len() - 1)
+        VectorId(self.place(Part::Vector(vector), String::new()))
     }
 }

@@ -7,9 +7,12 @@
 
 mod constraints;
 mod elimination;
+mod generic_point;
 
 pub use constraints::{Equation, Level, equations as constraints_of};
+pub(crate) use constraints::{held_of, vanishes};
 pub use elimination::Singular;
+pub(crate) use generic_point::{generic_rank, pivots};
 
 use crate::Trace;
 use crate::principles::{NotApplicable, Principle};
@@ -35,9 +38,13 @@ impl Equations {
         let residual = principle.residual(trace)?;
         let n = residual.len();
         let mass = residual.iter().map(|row| (0..n).map(|j| trace.by_acceleration(*row, j)).collect()).collect();
-        let at_rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&symbol| (symbol, Sym::ZERO)).collect();
+        let constraints = constraints::equations(trace);
+        // multipliers drop out where a principle knows them
+        let none = constraints.iter().map(|constraint| constraint.multiplier);
+        let at_rest: Vec<(Sym, Sym)> =
+            trace.accelerations.iter().copied().chain(none).map(|symbol| (symbol, Sym::ZERO)).collect();
         let bias = substitute_all(&residual, &at_rest);
-        Ok(Equations { mass, bias, constraints: constraints::equations(trace) })
+        Ok(Equations { mass, bias, constraints })
     }
 
     /// By the first principle that applies: the projected equations of the bodies, or Lagrange's where an energy is given.

@@ -28,6 +28,7 @@ mod elaboration;
 pub mod equations;
 pub mod expression;
 mod fault;
+mod joints;
 mod parts;
 mod presentation;
 pub mod principles;
@@ -40,10 +41,12 @@ pub use arena::{Function, Number, ScalarId, VectorId};
 pub use elaboration::is_reserved;
 pub use fault::Fault;
 pub use parts::{
-    Body, BodyId, Constraint, Coordinate, Energies, Force, Frame, FrameId, Inertia, Material, Model, Output, Parameter,
-    Point, PointId, StartValue, Torque, Turn,
+    Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId, Inertia,
+    Input, Material, Model, Output, Parameter, Point, PointId, StartValue, Torque, Turn, Zero,
 };
 pub use presentation::{Held, MatrixForm, Typeset, code, constraints, latex, sympy, text, typeset, vectors};
-pub use source::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source, Text};
+pub use source::{
+    BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source, Text,
+};
 pub use trace::{Trace, Vector};
 pub use variations::{Variations, Varied};

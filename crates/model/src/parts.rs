@@ -1,6 +1,6 @@
 //! A model: the parts of a system, every name resolved.
 
-use crate::arena::Arena;
+use crate::arena::{Arena, Number, Scalar};
 use crate::{Fault, ScalarId, Source, VectorId};
 use std::ops::Range;
 use symbolic::Dimension;
@@ -71,7 +71,7 @@ pub struct Point {
 }
 
 /// A point, of a body or of none.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Material {
     pub body: Option<BodyId>,
     pub point: PointId,
@@ -136,20 +136,22 @@ pub struct Energies {
     pub dissipation: Option<ScalarId>,
 }
 
-/// An expression that is zero along every motion.
+/// An expression f that is zero along every motion, or is led to zero.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Constraint {
-    Scalar {
-        name: Option<String>,
-        zero: ScalarId,
-        at: Range<usize>,
-    },
+pub struct Constraint {
+    pub name: Option<String>,
+    pub zero: Zero,
+    /// Of one that is led to zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
+    pub gains: Option<Vec<ScalarId>>,
+    pub at: Range<usize>,
+}
+
+/// The expression of a constraint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Zero {
+    Scalar(ScalarId),
     /// Every component that does not vanish by itself.
-    Vector {
-        name: Option<String>,
-        zero: VectorId,
-        at: Range<usize>,
-    },
+    Vector(VectorId),
 }
 
 /// A scalar that a run shows.
@@ -158,6 +160,47 @@ pub struct Output {
     pub name: String,
     pub is: ScalarId,
     pub dimension: Dimension,
+}
+
+/// A quantity that acts from outside: a force, a voltage, a prescribed angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Input {
+    pub name: String,
+    pub dimension: Dimension,
+    pub unit: String,
+    /// An expression of time and state; none where it is left open.
+    pub value: Option<ScalarId>,
+}
+
+/// The direction in which an expression passes zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    Up,
+    Down,
+    Both,
+}
+
+/// An instant at which an expression passes zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// Empty where it has none.
+    pub name: String,
+    pub when: ScalarId,
+    pub direction: Direction,
+    /// The state after it.
+    pub set: Vec<Assignment>,
+    /// Whether the motion ends.
+    pub ends: bool,
+    pub at: Range<usize>,
+}
+
+/// A coordinate, or its speed, after an event: an expression of the state before it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assignment {
+    pub coordinate: usize,
+    /// Zero for the coordinate, one for its speed.
+    pub order: usize,
+    pub is: ScalarId,
 }
 
 /// A coordinate, or its speed, at time zero.
@@ -189,6 +232,10 @@ pub struct Model {
     pub torques: Vec<Torque>,
     pub constraints: Vec<Constraint>,
     pub outputs: Vec<Output>,
+    pub inputs: Vec<Input>,
+    /// Expressions at whose zeros something is chosen anew.
+    pub switches: Vec<ScalarId>,
+    pub events: Vec<Event>,
     pub start: Vec<StartValue>,
     /// Where it is said that the start is an equilibrium near these values.
     pub equilibrium: Option<Range<usize>>,
@@ -202,6 +249,16 @@ impl Model {
     /// All that is wrong, each at its place.
     pub fn of(source: &Source) -> Result<Self, Vec<Fault>> {
         crate::elaboration::elaborate(source)
+    }
+
+    /// Gives every input without a value the value zero.
+    pub fn close_inputs(&mut self) {
+        let open: Vec<usize> = (0..self.inputs.len()).filter(|&place| self.inputs[place].value.is_none()).collect();
+        for place in open {
+            let zero = Scalar::Number(Number { value: 0.0, times: 1.0, per: 1.0 });
+            let zero = self.arena.scalar(zero, Some(self.inputs[place].dimension));
+            self.inputs[place].value = Some(zero);
+        }
     }
 
     /// The state at time zero: coordinates, then speeds; zero where nothing is said.

@@ -73,6 +73,8 @@ pub struct Source {
     pub constraints: Vec<ConstraintSource>,
     /// Scalars and vectors that a run shows.
     pub outputs: Vec<Entry>,
+    pub inputs: Vec<InputSource>,
+    pub events: Vec<EventSource>,
     /// `theta = "30 deg"`, `theta' = "2 rad/s"`; zero where left out.
     pub start: Vec<Entry>,
     /// Where it is said that the start is an equilibrium near these.
@@ -130,6 +132,32 @@ pub struct ConstraintSource {
     pub name: Option<Text>,
     /// Scalars, or vectors: of these each component.
     pub zero: Vec<Text>,
+    /// Of a constraint f that is led to zero instead of kept at zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
+    pub gains: Option<Vec<Text>>,
+    /// Where it stands.
+    pub at: Range<usize>,
+}
+
+/// A quantity that acts from outside.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct InputSource {
+    pub name: Text,
+    pub unit: Text,
+    /// A scalar of time and state; none: a letter, for linearisation.
+    pub value: Option<Text>,
+}
+
+/// An instant at which an expression passes zero.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct EventSource {
+    pub name: Option<Text>,
+    pub when: Text,
+    /// `up`, `down` or `both`.
+    pub direction: Option<Text>,
+    /// Coordinates and speeds after it.
+    pub set: Vec<Entry>,
+    /// Whether the motion ends.
+    pub ends: bool,
     /// Where it stands.
     pub at: Range<usize>,
 }

@@ -7,7 +7,7 @@ use cranelift_codegen::ir::{
 use cranelift_codegen::isa::OwnedTargetIsa;
 use cranelift_codegen::{Context, ir};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
-use field::Analytic;
+use field::{Analytic, Elementary};
 use symbolic::{Operation, Register, Tape};
 
 /// Bytes of a number.
@@ -39,6 +39,7 @@ pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Written> {
     let mut room = FunctionBuilderContext::new();
     let mut code = FunctionBuilder::new(&mut context.func, &mut room);
     let angle_to_point = code.import_signature(circle);
+    let pair_to_number = code.import_signature(signature(&[types::F64, types::F64], &[types::F64]));
     let block = code.create_block();
     code.append_block_params_for_function_params(block);
     code.switch_to_block(block);
@@ -52,6 +53,7 @@ pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Written> {
         values,
         table,
         angle_to_point,
+        pair_to_number,
         registers: Vec::with_capacity(tape.registers()),
         once: tape.rounds_once(),
     };
@@ -93,6 +95,7 @@ struct Writer<'a> {
     values: Value,
     table: Value,
     angle_to_point: SigRef,
+    pair_to_number: SigRef,
     registers: Vec<Place>,
     once: bool,
 }
@@ -160,6 +163,7 @@ impl Writer<'_> {
                 let a = self.read(a);
                 self.code.ins().sqrt(a)
             }
+            Operation::Elementary(function, a, b) => self.elementary(function, a, b),
             Operation::Circle(a) => return self.circle(a),
             Operation::ProductAnd(product, other) => {
                 let ([a, b], other) = (self.factors(product), self.read(other));
@@ -177,6 +181,20 @@ impl Writer<'_> {
             }
         };
         self.registers.push(Place::Computed(result));
+    }
+
+    /// Calls an elementary function.
+    fn elementary(&mut self, function: Elementary, a: Register, b: Register) -> Value {
+        let [a, b] = [a, b].map(|register| self.read(register));
+        let address = match function {
+            Elementary::Exp => exp as *const (),
+            Elementary::Ln => ln as *const (),
+            Elementary::Tanh => tanh as *const (),
+            Elementary::Atan2 => atan2 as *const (),
+        };
+        let function = self.code.ins().iconst(self.pointer, address as i64);
+        let call = self.code.ins().call_indirect(self.pair_to_number, function, &[a, b]);
+        self.code.inst_results(call)[0]
     }
 
     /// Calls [`circle`].
@@ -257,3 +275,13 @@ fn once() -> *const () {
     }
     circle_once as *const ()
 }
+
+/// The elementary functions, by the same code as everywhere; of a single argument the second is not read.
+macro_rules! called {
+    ($($name:ident: $function:ident),*) => {$(
+        extern "C" fn $name(a: f64, b: f64) -> f64 {
+            a.elementary(Elementary::$function, b)
+        }
+    )*};
+}
+called!(exp: Exp, ln: Ln, tanh: Tanh, atan2: Atan2);

@@ -1,12 +1,14 @@
 //! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
 
+use crate::implicit::Implicit;
+use crate::modes::{Case, held};
 use derivations::differentiated::Differentiated;
 use derivations::recorded::Recorded;
 use derivations::scene::problem::Law;
 use derivations::taped::Program;
 use field::{DoubleDouble, Over, Rational};
 use integrators::{Directions, Ode};
-use model::equations::{Equation, Equations, Level, Singular};
+use model::equations::{Equation, Equations, Level, Singular, constraints_of};
 use model::{Model, Trace};
 use std::fmt;
 use std::sync::Arc;
@@ -15,14 +17,16 @@ use symbolic::{Hypotheses, Sym, decide, substitute_all};
 /// Why a model has no law that runs.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotCompiled {
-    /// A parameter without a value.
-    Open { parameter: String },
+    /// A parameter or an input without a value.
+    Open { what: &'static str, name: String },
     /// An axial inertia on a body that tilts.
     Tilted { body: String },
     /// No inertia resists a coordinate.
     Massless { coordinate: String },
     /// A constraint that others imply.
     Redundant { constraint: usize },
+    /// A switch that no value between its cases keeps at zero.
+    NotHeld { switch: usize },
     /// Longer than what can be run.
     TooLong,
 }
@@ -30,7 +34,10 @@ pub enum NotCompiled {
 impl fmt::Display for NotCompiled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Open { parameter } => write!(f, "the parameter `{parameter}` has no value: a run needs one"),
+            Self::Open { what, name } => write!(f, "the {what} `{name}` has no value: a run needs one"),
+            Self::NotHeld { switch } => {
+                write!(f, "condition {} cannot be kept at zero: nothing in the law grows with it alone", switch + 1)
+            }
             Self::Tilted { body } => {
                 write!(f, "`{body}` turns about another axis than z: one moment of inertia does not say how it resists")
             }
@@ -47,25 +54,71 @@ impl fmt::Display for NotCompiled {
 #[derive(Debug)]
 pub struct CompiledSystem {
     model: Arc<Model>,
-    rates: Program,
-    /// Scalars that a run shows beside the state.
+    /// Of each switch of the model, the case in which the law holds.
+    pub mode: Vec<Case>,
+    rates: Rates,
+    /// Scalars that a run shows beside the state, from the state, and from accelerations and multipliers where these are solved for.
     outputs: Program,
     /// Whether kinetic and potential energy together stay what they are.
     pub keeps_energy: bool,
 }
 
+/// The way to the rates.
+#[derive(Debug)]
+enum Rates {
+    /// The elimination is written down: any field, series too.
+    Written(Program),
+    /// Accelerations are solved for at each evaluation.
+    Solved(Arc<Implicit>),
+}
+
+/// Systems with more unknowns, accelerations and multipliers together, are solved at each evaluation: the elimination grows with
+/// their third power.
+const MOST_WRITTEN: usize = 40;
+
 impl CompiledSystem {
-    /// Writes the equations down and compiles them.
+    /// Writes the equations down and compiles them; `mode` has the case of each switch.
     ///
     /// # Errors
     /// Why there is no law that runs.
-    pub fn of(model: &Arc<Model>) -> Result<Self, NotCompiled> {
+    pub fn of(model: &Arc<Model>, mode: &[Case]) -> Result<Self, NotCompiled> {
         has_values(model)?;
+        let changes = !(model.switches.is_empty() && model.events.is_empty());
+        let unknowns = model.coordinates.len() + model.constraints.len();
+        if !changes && unknowns > MOST_WRITTEN {
+            return CompiledSystem::solved(model);
+        }
+        match CompiledSystem::written(model, mode) {
+            // a constraint may move what has no inertia
+            Err(NotCompiled::Massless { coordinate }) if !changes && !model.constraints.is_empty() => {
+                CompiledSystem::solved(model).map_err(|_| NotCompiled::Massless { coordinate })
+            }
+            other => other,
+        }
+    }
+
+    fn solved(model: &Arc<Model>) -> Result<Self, NotCompiled> {
+        let implicit = Implicit::of(model)?;
+        let mut keeps_energy = false;
+        let outputs = Program::of_any_length(implicit.extended(), |time, extended| {
+            keeps_energy = conserves(model);
+            outputs_of_solved(model, time, extended)
+        });
+        Ok(CompiledSystem {
+            model: Arc::clone(model),
+            mode: Vec::new(),
+            rates: Rates::Solved(Arc::new(implicit)),
+            outputs: outputs.ok_or(NotCompiled::TooLong)?,
+            keeps_energy,
+        })
+    }
+
+    fn written(model: &Arc<Model>, mode: &[Case]) -> Result<Self, NotCompiled> {
         let states = 2 * model.coordinates.len();
         let (mut wrong, mut keeps_energy) = (None, false);
         let rates = Program::of_any_length(states, |time, state| {
             keeps_energy = conserves(model);
-            rates(model, time, state).unwrap_or_else(|reason| {
+            rates(model, mode, time, state).unwrap_or_else(|reason| {
                 wrong = Some(reason);
                 Vec::new()
             })
@@ -73,11 +126,12 @@ impl CompiledSystem {
         if let Some(reason) = wrong {
             return Err(reason);
         }
-        let outputs =
-            Program::of_any_length(states, |time, state| outputs(model, time, state)).ok_or(NotCompiled::TooLong)?;
+        let outputs = Program::of_any_length(states, |time, state| outputs(model, mode, time, state))
+            .ok_or(NotCompiled::TooLong)?;
         Ok(CompiledSystem {
             model: Arc::clone(model),
-            rates: rates.ok_or(NotCompiled::TooLong)?,
+            mode: mode.to_vec(),
+            rates: Rates::Written(rates.ok_or(NotCompiled::TooLong)?),
             outputs,
             keeps_energy,
         })
@@ -85,28 +139,47 @@ impl CompiledSystem {
 
     /// As every method runs it: with series and derivatives where it asks for them.
     pub fn law(self: &Arc<Self>) -> Arc<dyn Law> {
-        Arc::new(Differentiated::new(Recorded::new(Arc::clone(self)), Arc::clone(self)))
+        match &self.rates {
+            Rates::Written(_) => Arc::new(Differentiated::new(Recorded::new(Arc::clone(self)), Arc::clone(self))),
+            Rates::Solved(implicit) => Arc::clone(implicit) as Arc<dyn Law>,
+        }
+    }
+
+    /// The coordinate whose acceleration is not determined at a state, where there is one.
+    pub fn undetermined(&self, state: &[f64]) -> Option<&str> {
+        match &self.rates {
+            Rates::Written(_) => None,
+            Rates::Solved(implicit) => {
+                implicit.undetermined(state).map(|free| self.model.coordinates[free].name.as_str())
+            }
+        }
     }
 
     /// The outputs at a time and a state.
     pub fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.model.outputs.len() + ENERGIES];
-        self.outputs.run(time, state, &mut values);
+        match &self.rates {
+            Rates::Written(_) => self.outputs.run(time, state, &mut values),
+            Rates::Solved(implicit) => self.outputs.run(time, &implicit.extend(time, state), &mut values),
+        };
         values
     }
 }
 
-/// Whether every parameter has a value.
+/// Whether every parameter and every input has a value.
 pub(crate) fn has_values(model: &Model) -> Result<(), NotCompiled> {
     has_values_but(model, &[])
 }
 
-/// Whether every parameter but some, by their places, has a value.
+/// Whether every parameter but some, by their places, has a value, and every input.
 pub(crate) fn has_values_but(model: &Model, given: &[usize]) -> Result<(), NotCompiled> {
-    let mut open = model.parameters.iter().enumerate().filter(|(_, parameter)| parameter.value.is_none());
-    match open.find(|(place, _)| !given.contains(place)) {
-        Some((_, open)) => Err(NotCompiled::Open { parameter: open.name.clone() }),
-        None => Ok(()),
+    let open = model.parameters.iter().enumerate().filter(|(_, parameter)| parameter.value.is_none());
+    let parameter = open.map(|(place, open)| (place, &open.name)).find(|(place, _)| !given.contains(place));
+    let input = model.inputs.iter().find(|input| input.value.is_none()).map(|open| &open.name);
+    match (parameter, input) {
+        (Some((_, open)), _) => Err(NotCompiled::Open { what: "parameter", name: open.clone() }),
+        (None, Some(open)) => Err(NotCompiled::Open { what: "input", name: open.clone() }),
+        (None, None) => Ok(()),
     }
 }
 
@@ -114,24 +187,43 @@ pub(crate) fn has_values_but(model: &Model, given: &[usize]) -> Result<(), NotCo
 pub const ENERGIES: usize = 2;
 
 /// The rates of the state over symbols of it.
-fn rates(model: &Model, time: Sym, state: &[Sym]) -> Result<Vec<Sym>, NotCompiled> {
+fn rates(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Result<Vec<Sym>, NotCompiled> {
     let trace = Trace::of(model);
-    if let Some(body) = trace.tilted().first() {
-        return Err(NotCompiled::Tilted { body: (*body).to_owned() });
-    }
-    let (accelerations, _) = Equations::of(&trace).solved().map_err(|singular| match singular {
-        Singular::Massless { coordinate } => {
-            NotCompiled::Massless { coordinate: model.coordinates[coordinate].name.clone() }
-        }
-        Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
-    })?;
+    let Motion { accelerations, .. } = Motion::of(&trace, mode)?;
     let all: Vec<Sym> = trace.speeds.iter().copied().chain(accelerations).collect();
     Ok(substitute_all(&all, &values(&trace, time, state)))
+}
+
+/// Accelerations in a mode, and the values of the switches.
+pub(crate) struct Motion {
+    pub accelerations: Vec<Sym>,
+    pub multipliers: Vec<Sym>,
+    /// 1, 0, or what keeps the condition at zero.
+    pub switches: Vec<Sym>,
+}
+
+impl Motion {
+    pub(crate) fn of(trace: &Trace<'_>, mode: &[Case]) -> Result<Self, NotCompiled> {
+        let model = trace.model;
+        if let Some(body) = trace.tilted().first() {
+            return Err(NotCompiled::Tilted { body: (*body).to_owned() });
+        }
+        let (accelerations, multipliers) = Equations::of(trace).solved().map_err(|singular| match singular {
+            Singular::Massless { coordinate } => {
+                NotCompiled::Massless { coordinate: model.coordinates[coordinate].name.clone() }
+            }
+            Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
+        })?;
+        held(trace, mode, accelerations, multipliers)
+    }
 }
 
 /// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
 fn conserves(model: &Model) -> bool {
     let acts = !(model.forces.is_empty() && model.torques.is_empty()) || model.energies.dissipation.is_some();
+    if !(model.switches.is_empty() && model.events.is_empty()) {
+        return false;
+    }
     if acts || model.gravity.is_some() && Trace::of(model).uniform_gravity().is_none() {
         return false;
     }
@@ -145,7 +237,7 @@ fn conserves(model: &Model) -> bool {
         let moves = one.row.iter().any(|slope| slope.symbols_of().iter().any(|symbol| trace.speeds.contains(symbol)));
         one.level == Level::Position || !moves && one.zero.substitute(&at_rest) == Sym::ZERO
     };
-    let do_no_work = held.clone().all(|one| !knows_time(&one.zero) && is_linear(one));
+    let do_no_work = held.clone().all(|one| one.gains.is_none() && !knows_time(&one.zero) && is_linear(one));
     // a system that is driven at a speed of its own moves where its coordinates rest
     let driven = trace.kinetic_energy().substitute(&at_rest);
     let is_driven = driven != Sym::ZERO && !decide(driven, &Hypotheses::none()).is_zero();
@@ -153,18 +245,35 @@ fn conserves(model: &Model) -> bool {
 }
 
 /// The outputs, the kinetic and the potential energy.
-fn outputs(model: &Model, time: Sym, state: &[Sym]) -> Vec<Sym> {
+fn outputs(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Vec<Sym> {
     let trace = Trace::of(model);
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
     let mut all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
     let used: Vec<Sym> = all.iter().flat_map(|each| each.symbols_of()).collect();
-    if trace.accelerations.iter().any(|symbol| used.contains(symbol))
-        && let Ok((accelerations, _)) = Equations::of(&trace).solved()
+    let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
+    let solved: Vec<Sym> = trace.accelerations.iter().copied().chain(multipliers).collect();
+    let mut moved = solved.iter().chain(&trace.switches);
+    if moved.any(|symbol| used.contains(symbol))
+        && let Ok(Motion { accelerations, multipliers, switches }) = Motion::of(&trace, mode)
     {
-        let known: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations).collect();
+        let known: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches).collect();
+        all = substitute_all(&all, &known);
+        let known: Vec<(Sym, Sym)> = solved.into_iter().zip(accelerations.into_iter().chain(multipliers)).collect();
         all = substitute_all(&all, &known);
     }
     substitute_all(&all, &values(&trace, time, state))
+}
+
+/// The same where accelerations and multipliers stand behind the state.
+fn outputs_of_solved(model: &Model, time: Sym, extended: &[Sym]) -> Vec<Sym> {
+    let trace = Trace::of(model);
+    let n = trace.speeds.len();
+    let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
+    let all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
+    let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
+    let solved = trace.accelerations.iter().copied().chain(multipliers);
+    let solved: Vec<(Sym, Sym)> = solved.zip(extended[2 * n..].iter().copied()).collect();
+    substitute_all(&all, &[values(&trace, time, &extended[..2 * n]), solved].concat())
 }
 
 /// Symbols of the model by those of the state, and parameters by their values.
@@ -191,8 +300,11 @@ macro_rules! runs {
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                // made for a state of this length
-                self.rates.run(t, y, dy).unwrap_or(());
+                match &self.rates {
+                    // made for a state of this length
+                    Rates::Written(program) => program.run(t, y, dy).unwrap_or(()),
+                    Rates::Solved(implicit) => implicit.rates(t, y, dy),
+                }
             }
         }
     )*};
@@ -205,7 +317,7 @@ impl Ode<Sym> for CompiledSystem {
     }
 
     fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
-        match rates(&self.model, t, y) {
+        match rates(&self.model, &self.mode, t, y) {
             Ok(rates) => dy.copy_from_slice(&rates),
             Err(_) => dy.fill(Sym::UNDEFINED),
         }

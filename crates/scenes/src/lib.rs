@@ -9,8 +9,10 @@
 mod admissible;
 mod compiled_system;
 mod equilibrium;
+mod implicit;
 pub mod inverse;
 pub mod linearisation;
+mod modes;
 mod prescribed;
 mod row_units;
 mod scene;
@@ -19,6 +21,7 @@ pub mod text;
 
 pub use compiled_system::{CompiledSystem, NotCompiled};
 pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
+pub use modes::Case;
 pub use prescribed::read_prescribed;
 pub use scene::{ModelScene, equilibrium_of, read_model, register, start_of};
 pub use start::{Open, Unmet, consistent};

@@ -3,6 +3,7 @@
 use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
 use crate::equilibrium::{NoEquilibrium, equilibrium};
+use crate::modes::{Modes, Refused};
 use crate::row_units::{coherent, rate_unit};
 use crate::start::{Open, Unmet, consistent};
 use crate::text;
@@ -11,6 +12,7 @@ use derivations::scene::file::{read_text, tables};
 use derivations::scene::problem::Invariant;
 use derivations::scene::read::Table;
 use derivations::scene::smooth::Parameter;
+use derivations::scene::switching::Switching;
 use derivations::scene::{Axes, Issue, Modelled, Problem, Run, SceneError, Smooth, read_models_by, run};
 use integrators::Reference;
 use model::equations::Level;
@@ -92,8 +94,17 @@ impl ModelScene {
 fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
     // before the law: what depends on others makes it singular
     let start = start_of(model)?;
-    let system = CompiledSystem::of(model).map_err(|reason| not_compiled(&reason))?;
-    Ok((start, Arc::new(system)))
+    let modes = Modes::of(model);
+    let system = modes.first(&start).map_err(|refused| match refused {
+        Refused::Law(reason) => not_compiled(&reason),
+        Refused::Motion(why) => {
+            let issue = Issue::at(0..0, format!("this system cannot start: {why}"), "in this file");
+            issue.accepted(
+                "another start: the conditions of `if`, `sign`, `abs`, `min`, `max` and `table` choose its law",
+            )
+        }
+    })?;
+    Ok((start, system))
 }
 
 fn not_compiled(reason: &NotCompiled) -> Issue {
@@ -116,6 +127,17 @@ pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
             let title = "this constraint follows from those before it";
             let issue = Issue::at(at, title, "at the start it holds no direction of its own");
             issue.accepted("constraints that are independent: leave this one out")
+        }
+        Unmet::Gains { at, level } => {
+            let (kind, accepted) = match level {
+                Level::Position => ("positions has two gains", "gains = [\"2*a\", \"b^2\"]: f'' + 2 a f' + b^2 f = 0"),
+                Level::Speed => ("speeds has one gain", "gains = [\"a\"]: f' + a f = 0"),
+            };
+            Issue::at(at, format!("a programmed constraint of {kind}"), "this one").accepted(accepted)
+        }
+        Unmet::Piecewise(at) => {
+            let issue = Issue::at(at, "a constraint that changes at a condition is not there yet", "this one");
+            issue.accepted("constraints without `if`, `sign`, `abs`, `min`, `max` and `table`")
         }
         Unmet::NotCompiled(reason) => not_compiled(&reason),
     })
@@ -198,7 +220,13 @@ impl Smooth for ModelScene {
 
     fn problem(&self, _axes: Axes) -> Problem {
         let (shown, kept) = (Arc::clone(&self.system), Arc::clone(&self.system));
-        let row = move |time: f64, state: &[f64]| [state, &shown.outputs(time, state)].concat();
+        let changes = !(self.model.switches.is_empty() && self.model.events.is_empty());
+        let modes = changes.then(|| Arc::new(Modes::of(&self.model)));
+        let of_mode = modes.clone();
+        let row = move |time: f64, state: &[f64]| {
+            let current = of_mode.as_ref().and_then(|modes| modes.current());
+            [state, &current.as_ref().unwrap_or(&shown).outputs(time, state)].concat()
+        };
         let mut invariants = Vec::new();
         if self.system.keeps_energy {
             let energy = move |time: f64, state: &[f64]| {
@@ -215,6 +243,7 @@ impl Smooth for ModelScene {
             columns: columns(&self.model),
             row: Box::new(row),
             margins: Box::new(|_, _| Vec::new()),
+            switching: modes.map(|modes| modes as Arc<dyn Switching>),
         }
     }
 

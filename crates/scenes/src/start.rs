@@ -3,7 +3,7 @@
 //! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the constraints
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
-use crate::compiled_system::{NotCompiled, has_values, values};
+use crate::compiled_system::{NotCompiled, has_values, values as known_values};
 use derivations::taped::Program;
 use model::equations::{Equation, Equations, Level};
 use model::{Model, Trace};
@@ -18,6 +18,10 @@ pub enum Unmet {
     Open(Open),
     /// A constraint, where the model has it, that follows from those before it.
     Redundant(Range<usize>),
+    /// A constraint that is led to zero by more gains, or fewer, than its kind has.
+    Gains { at: Range<usize>, level: Level },
+    /// A constraint that is another one in another case of a condition.
+    Piecewise(Range<usize>),
     /// The constraints have no values.
     NotCompiled(NotCompiled),
 }
@@ -40,6 +44,9 @@ const MOST_STEPS: usize = 50;
 /// Residuals below this, in SI units, are rounding of data with fifteen digits.
 const MET: f64 = 1e-10;
 
+/// Residuals beyond this part of the state are no drift of a run.
+const LOOSE: f64 = 1e-6;
+
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-10;
 
@@ -48,6 +55,8 @@ struct Constraints {
     program: Program,
     /// Constraints of positions stand first.
     known: Vec<(Level, String, Range<usize>)>,
+    /// So many stand first; the others are led to zero, and may start elsewhere.
+    kept: usize,
     coordinates: usize,
 }
 
@@ -57,7 +66,7 @@ struct Constraints {
 /// The first constraint that cannot be met.
 pub fn consistent(model: &Model) -> Result<Vec<f64>, Unmet> {
     let mut state = model.start_state();
-    let Some(constraints) = Constraints::of(model).map_err(Unmet::NotCompiled)? else { return Ok(state) };
+    let Some(constraints) = Constraints::of(model)? else { return Ok(state) };
     let n = constraints.coordinates;
     for (order, level) in [(0, Some(Level::Position)), (1, None)] {
         let given = |i: usize| model.start.iter().any(|v| (v.coordinate, v.order, v.is_guess) == (i, order, false));
@@ -91,46 +100,85 @@ pub fn consistent(model: &Model) -> Result<Vec<f64>, Unmet> {
     }
 }
 
+/// Whether a state breaks a constraint of a model that is kept at zero.
+pub(crate) fn breaks(model: &Model, time: f64, state: &[f64]) -> bool {
+    let Ok(Some(constraints)) = Constraints::of(model) else { return false };
+    let mut values = vec![f64::NAN; constraints.known.len() * (2 + constraints.coordinates)];
+    constraints.program.run(time, state, &mut values);
+    let m = constraints.known.len();
+    let size = state.iter().fold(1.0, |size: f64, part| size.max(part.abs()));
+    let broken = |value: &f64| value.is_nan() || value.abs() > LOOSE * size;
+    values[..2 * m].iter().enumerate().any(|(place, value)| place % m < constraints.kept && broken(value))
+}
+
 impl Constraints {
-    fn of(model: &Model) -> Result<Option<Self>, NotCompiled> {
+    fn of(model: &Model) -> Result<Option<Self>, Unmet> {
         if model.constraints.is_empty() {
             return Ok(None);
         }
-        has_values(model)?;
+        has_values(model).map_err(Unmet::NotCompiled)?;
         let n = model.coordinates.len();
-        let mut known = Vec::new();
+        let (mut known, mut kept, mut unfit, mut piecewise) = (Vec::new(), 0, None, None);
         let program = Program::of_any_length(2 * n, |time, state| {
             let trace = Trace::of(model);
             let mut all = Equations::of(&trace).constraints;
-            all.sort_by_key(|constraint| constraint.level != Level::Position);
+            all.sort_by_key(|constraint| (constraint.gains.is_some(), constraint.level != Level::Position));
+            kept = all.iter().filter(|constraint| constraint.gains.is_none()).count();
+            let wrong = |constraint: &&Equation| match (constraint.gains, constraint.level) {
+                (None, _) | (Some(2), Level::Position) | (Some(1), Level::Speed) => false,
+                (Some(_), _) => true,
+            };
+            let chooses =
+                |each: &&Equation| each.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
+            piecewise = all.iter().find(chooses).map(|constraint| constraint.at.clone());
+            unfit = all.iter().find(wrong).map(|constraint| (constraint.at.clone(), constraint.level));
             known = all.iter().map(|Equation { level, name, at, .. }| (*level, name.clone(), at.clone())).collect();
             let zeros = all.iter().map(|constraint| constraint.zero);
             let rates = all.iter().map(|constraint| constraint.rate);
             let rows = all.iter().flat_map(|constraint| constraint.row.iter().copied());
             let wanted: Vec<_> = zeros.chain(rates).chain(rows).collect();
-            substitute_all(&wanted, &values(&trace, time, state))
+            substitute_all(&wanted, &known_values(&trace, time, state))
         });
-        let program = program.ok_or(NotCompiled::TooLong)?;
-        Ok((!known.is_empty()).then_some(Constraints { program, known, coordinates: n }))
+        if let Some(at) = piecewise {
+            return Err(Unmet::Piecewise(at));
+        }
+        if let Some((at, level)) = unfit {
+            return Err(Unmet::Gains { at, level });
+        }
+        let program = program.ok_or(Unmet::NotCompiled(NotCompiled::TooLong))?;
+        Ok((!known.is_empty()).then_some(Constraints { program, known, kept, coordinates: n }))
     }
 
     /// Residuals and their derivatives: of positions by the coordinates, of all by the speeds.
     fn at(&self, state: &[f64], level: Option<Level>) -> (DVector<f64>, DMatrix<f64>) {
-        let (m, n) = (self.known.len(), self.coordinates);
-        let mut values = vec![f64::NAN; m * (2 + n)];
-        self.program.run(0.0, state, &mut values);
+        let m = self.known.len();
+        let values = self.values(state);
         let count = match level {
-            Some(level) => self.known.iter().filter(|(own, ..)| *own == level).count(),
-            None => m,
+            Some(level) => self.known[..self.kept].iter().filter(|(own, ..)| *own == level).count(),
+            None => self.kept,
         };
         let first = if level.is_some() { 0 } else { m };
         let residuals = DVector::from_fn(count, |i, _| values[first + i]);
-        (residuals, DMatrix::from_fn(count, n, |i, j| values[2 * m + i * n + j]))
+        (residuals, self.rows(state, count))
+    }
+
+    /// What should be zero, its rates, and their derivatives by the speeds.
+    fn values(&self, state: &[f64]) -> Vec<f64> {
+        let mut values = vec![f64::NAN; self.known.len() * (2 + self.coordinates)];
+        self.program.run(0.0, state, &mut values);
+        values
+    }
+
+    /// The derivatives of the first constraints by the speeds.
+    fn rows(&self, state: &[f64], count: usize) -> DMatrix<f64> {
+        let (m, n) = (self.known.len(), self.coordinates);
+        let values = self.values(state);
+        DMatrix::from_fn(count, n, |i, j| values[2 * m + i * n + j])
     }
 
     /// The first constraint whose direction depends on those of the others before it.
     fn redundant(&self, state: &[f64]) -> Option<Range<usize>> {
-        let (_, jacobian) = self.at(state, None);
+        let jacobian = self.rows(state, self.known.len());
         let largest = jacobian.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
         let mut kept: Vec<DVector<f64>> = Vec::new();
         for (row, (_, _, at)) in self.known.iter().enumerate() {

@@ -2,18 +2,14 @@
 
 use derivations::scene::Issue;
 use derivations::scene::read::{At, Table};
-use model::{BodySource, ConstraintSource, Entry, Fault, InertiaSource, LoadSource, Source, Text};
+use model::{
+    BodySource, ConstraintSource, Entry, EventSource, Fault, InertiaSource, InputSource, LoadSource, Source, Text,
+};
 use std::ops::Range;
 
 /// Tables that the language will have.
-const LATER: [(&str, &str); 6] = [
-    ("contact", "contacts with friction"),
-    ("drive", "drives"),
-    ("circuit", "circuits"),
-    ("event", "events"),
-    ("inputs", "inputs"),
-    ("controls", "controls"),
-];
+const LATER: [(&str, &str); 4] =
+    [("contact", "contacts with friction"), ("drive", "drives"), ("circuit", "circuits"), ("controls", "controls")];
 
 /// Reads every table of the system.
 pub fn source(top: &mut Table<'_>) -> Source {
@@ -23,7 +19,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
         if let Some(span) = top.place_of(key) {
             top.known(&[key]);
             let issue = Issue::at(span, format!("{what} are not there yet"), "not there yet");
-            top.report(issue.accepted("parameters, coordinates, definitions, frames, points, bodies, energies, forces, torques, constraints, outputs, start"));
+            top.report(issue.accepted("parameters, coordinates, definitions, frames, points, bodies, energies, forces, torques, constraints, inputs, events, outputs, start"));
         }
     }
     let (start, equilibrium) = start(top);
@@ -40,6 +36,8 @@ pub fn source(top: &mut Table<'_>) -> Source {
         torques: loads(top, "torque"),
         constraints: constraints(top),
         outputs: entries(top, "outputs"),
+        inputs: inputs(top),
+        events: events(top),
         start,
         equilibrium,
     }
@@ -49,7 +47,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
 fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
     let Some(mut table) = top.optional_table("start") else { return (Vec::new(), None) };
     let place = table.place_of("equilibrium");
-    let is_asked = table.flag("equilibrium", "the start is an equilibrium near what [start] gives");
+    let is_asked = table.flag("equilibrium");
     let keys = table.keys().into_iter().filter(|key| key.value != "equilibrium").collect();
     let entries = entries_of(&mut table, "start", keys);
     top.absorb(table);
@@ -175,16 +173,67 @@ fn constraints(top: &mut Table<'_>) -> Vec<ConstraintSource> {
     let mut constraints = Vec::new();
     for mut table in top.tables("constraint", "each [[constraint]] is a table") {
         let name = text_of(&mut table, "name", "name");
-        if let Some(span) = table.place_of("programmed") {
-            table.known(&["programmed"]);
-            let issue = Issue::at(span, "programmed constraints are not there yet", "not there yet");
-            table.report(issue.accepted("zero = \"x - a*sin(w*t)\": kept by a reaction"));
-        }
+        let gains = programmed(&mut table);
         let zero = table.text_or_texts("zero", "expression that is zero, or a list of such");
         let zero = zero.iter().map(|text| placed(&table, text)).collect();
         let at = table.span();
         top.absorb(table);
-        constraints.push(ConstraintSource { name, zero, at });
+        constraints.push(ConstraintSource { name, zero, gains, at });
     }
     constraints
+}
+
+/// `programmed = { gains = ["2*a", "b^2"] }`
+fn programmed(constraint: &mut Table<'_>) -> Option<Vec<Text>> {
+    let mut table = constraint.optional_table("programmed")?;
+    let gains = table.texts("gains", "[\"2*a\", \"b^2\"]");
+    if gains.is_empty() && !table.has_issues() {
+        let issue = Issue::at(table.span(), "a programmed constraint has gains", "none stand here");
+        table.report(issue.accepted("programmed = { gains = [\"2*a\", \"b^2\"] }: f'' + 2 a f' + b^2 f = 0"));
+    }
+    let gains = gains.iter().map(|gain| placed(&table, gain)).collect();
+    constraint.absorb(table);
+    Some(gains)
+}
+
+/// `u = { unit = "N", value = "F*sin(w*t)" }`, or `u = "N"`: an input without a value.
+fn inputs(top: &mut Table<'_>) -> Vec<InputSource> {
+    let Some(mut table) = top.optional_table("inputs") else { return Vec::new() };
+    let mut inputs = Vec::new();
+    for key in table.keys() {
+        let name = key_text(&key);
+        if table.is_table(&key.value) {
+            let mut input = table.table(&key.value, "an input");
+            let unit = input.text("unit", "unit of the input");
+            let (unit, value) = (placed(&input, &unit), text_of(&mut input, "value", "value of the input"));
+            let sound = !input.has_issues();
+            table.absorb(input);
+            if sound {
+                inputs.push(InputSource { name, unit, value });
+            }
+        } else if let Some(unit) = text_of(&mut table, &key.value, "unit of the input") {
+            inputs.push(InputSource { name, unit, value: None });
+        }
+    }
+    top.absorb(table);
+    inputs
+}
+
+fn events(top: &mut Table<'_>) -> Vec<EventSource> {
+    let mut events = Vec::new();
+    for mut table in top.tables("event", "each [[event]] is a table") {
+        let name = text_of(&mut table, "name", "name");
+        let when = table.text("when", "expression that passes zero");
+        let when = placed(&table, &when);
+        let direction = text_of(&mut table, "direction", "\"up\", \"down\" or \"both\"");
+        let set = entries(&mut table, "set");
+        let ends = table.flag("end");
+        let at = table.span();
+        let sound = !table.has_issues();
+        top.absorb(table);
+        if sound {
+            events.push(EventSource { name, when, direction, set, ends, at });
+        }
+    }
+    events
 }

@@ -74,7 +74,7 @@ fn unknown_letters_are_named_with_what_was_probably_meant() {
     one(&[("\"-g*N.y\"", "\"-gg*N.y\"")], &["`gg`", "^^", "is `g` meant?"]);
     one(&[("on = \"bob\"", "on = \"bobb\"")], &["`bobb`"]);
     one(&[("\"l*sin(theta)\"", "\"l*sinn(theta)\"")], &["no function is called `sinn`", "is `sin` meant?"]);
-    one(&[("\"l*sin(theta)\"", "\"l*exp(theta)\"")], &["`exp` is not there yet"]);
+    one(&[("\"l*sin(theta)\"", "\"l*angular_acceleration(A)\"")], &["`angular_acceleration` is not there yet"]);
 }
 
 #[test]
@@ -99,6 +99,37 @@ fn kinds_are_checked_where_they_meet() {
     one(&[("\"(0.1 N)*N.x\"", "\"(0.1 N)*N.x*N.y\"")], &["two vectors are multiplied by *", "a . b"]);
     one(&[("centre = \"P\"", "centre = \"l*N.x\"")], &["this is a point", "this is a vector"]);
     one(&[("\"reach\"", "\"P\"")], &["the output `width` is a scalar", "this is a point"]);
+}
+
+#[test]
+fn conditions_events_and_inputs_are_checked_where_they_stand() {
+    let reach = |text: &str| [("\"l*sin(theta)\"", format!("\"{text}\""))];
+    let told = |text: &str, parts: &[&str]| {
+        let [(from, to)] = reach(text);
+        one(&[(from, &to)], parts);
+    };
+    told("if(theta > 0, l)", &["`if` has 3 arguments", "2 stand here"]);
+    told("if(theta, l, 2*l)", &["`if` begins with a condition"]);
+    told("l*cos(theta > 0)", &["`cos` has no such argument"]);
+    told("if(theta > l, l, 2*l)", &["different dimensions", "1 and m"]);
+    told("if(theta > 0, l, m)", &["different dimensions", "m and kg"]);
+    told("l*exp(l)", &["the argument of `exp` has the dimension 1"]);
+    told("l*atan2(l, m)", &["different dimensions"]);
+    told("l*table(theta, 0, 1, 0, 2)", &["the places of a table ascend"]);
+    told("l*table(theta, 0, 1, 2)", &["a table has pairs of numbers"]);
+    let event = |keys: &str| format!("[[event]]\n{keys}\n\n[outputs]");
+    let of = |keys: &str, parts: &[&str]| one(&[("[outputs]", &event(keys))], parts);
+    of("when = \"theta\"", &["this event changes nothing"]);
+    of("when = \"theta\"\ndirection = \"left\"\nend = true", &["no direction"]);
+    of("when = \"theta\"\nset = { \"theta''\" = \"0\" }", &["no coordinate is called `theta''`"]);
+    of("when = \"theta\"\nset = { \"theta'\" = \"l\" }", &["has the dimension s^-1"]);
+    of("when = \"theta\"\nend = \"yes\"", &["`end` has the wrong type", "true or false"]);
+    let input = |keys: &str, parts: &[&str]| one(&[("[outputs]", &format!("[inputs]\n{keys}\n\n[outputs]"))], parts);
+    input("u = \"N\"", &["the input `u` has no value"]);
+    input("u = { unit = \"N\", value = \"l\" }", &["the input `u` has the dimension kg m s^-2"]);
+    input("u = { value = \"l\" }", &["`unit` is missing"]);
+    let led = "[[constraint]]\nzero = \"theta - 0.4\"\nprogrammed = { gains = [\"(1 1/s)\"] }\n\n[outputs]";
+    one(&[("[outputs]", led)], &["a programmed constraint of positions has two gains"]);
 }
 
 #[test]

@@ -49,7 +49,8 @@ fn every_principle_gives_every_model_the_same_equations() {
             let trace = Trace::of(&model);
             for other in Principle::ALL {
                 let found = agreement(&trace, Principle::Lagrange, other).expect("it applies");
-                assert!(matches!(found, Agreement::Proved { .. }), "{}, {}: {found}", path.display(), other.name());
+                let known = matches!(found, Agreement::Proved { .. } | Agreement::Identified { .. });
+                assert!(known, "{}, {}: {found}", path.display(), other.name());
             }
         });
     }
@@ -132,8 +133,11 @@ fn components_of_a_constraint_that_vanish_identically_drop_out() {
 }
 
 #[test]
-fn every_model_has_a_reference_of_25_digits_that_is_its_own() {
+fn every_model_without_events_has_a_reference_of_25_digits_that_is_its_own() {
     for path in all() {
+        if open(&path).problem(Axes::First).switching.is_some() {
+            continue;
+        }
         let text =
             std::fs::read_to_string(stored::place(&path)).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let kept = Stored::read(&text).unwrap_or_else(|wrong| panic!("{}: {wrong}", path.display()));

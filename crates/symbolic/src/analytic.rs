@@ -4,7 +4,7 @@ use crate::Sym;
 use crate::graph::Node;
 use dashu_int::UBig;
 use dashu_int::ops::UnsignedAbs;
-use field::{Analytic, Circle, Rational, Scalar};
+use field::{Analytic, Circle, Elementary, Rational, Scalar};
 use num_traits::{One, Zero};
 
 /// The highest multiple of an angle that is expanded in its coordinates.
@@ -26,6 +26,22 @@ impl Analytic for Sym {
         match self.as_constant() {
             Some(value) => root_of_rational(value),
             None => Sym::from_node(Node::Root(self)),
+        }
+    }
+
+    /// exp(0) = 1, ln(1) = 0, tanh(0) = 0 and atan2(0, b) = 0 for a positive number b are folded.
+    fn elementary(self, function: Elementary, other: Self) -> Self {
+        let other = if function.arguments() == 1 { self } else { other };
+        if self == Sym::UNDEFINED || other == Sym::UNDEFINED {
+            return Sym::UNDEFINED;
+        }
+        let is_positive = |number: Sym| number.as_constant().and_then(Rational::sign) == Some(1);
+        match function {
+            Elementary::Exp if self == Sym::ZERO => Sym::ONE,
+            Elementary::Ln if self == Sym::ONE => Sym::ZERO,
+            Elementary::Tanh if self == Sym::ZERO => Sym::ZERO,
+            Elementary::Atan2 if self == Sym::ZERO && is_positive(other) => Sym::ZERO,
+            _ => Sym::from_node(Node::Elementary(function, self, other)),
         }
     }
 }

@@ -42,6 +42,11 @@ impl Derivation {
                 Node::Cos(a) => -(Sym::from_node(Node::Sin(a)) * slope(&a)),
                 Node::Sin(a) => Sym::from_node(Node::Cos(a)) * slope(&a),
                 Node::Root(a) => slope(&a) / (Sym::int(2) * each),
+                Node::Elementary(function, a, b) => {
+                    let [by_first, by_second] = function.slopes(a, b, each);
+                    let second = if by_second == Sym::ZERO { Sym::ZERO } else { by_second * slope(&b) };
+                    by_first * slope(&a) + second
+                }
                 Node::Function(name, order, a) => Sym::function_of_order(name, order + 1, a) * slope(&a),
             };
             self.known.insert(each, value);
@@ -110,6 +115,7 @@ impl Node {
             Node::Cos(a) => unless_same(itself, a, of(&a), |angle| angle.circle().cos),
             Node::Sin(a) => unless_same(itself, a, of(&a), |angle| angle.circle().sin),
             Node::Root(a) => unless_same(itself, a, of(&a), Sym::sqrt),
+            Node::Elementary(function, a, b) => of(&a).elementary(function, of(&b)),
             Node::Function(name, order, a) => Sym::function_of_order(name, order, of(&a)),
         }
     }

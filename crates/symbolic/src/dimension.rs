@@ -2,7 +2,7 @@
 
 use crate::Sym;
 use crate::graph::Node;
-use field::Rational;
+use field::{Elementary, Rational};
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
 use std::fmt;
@@ -135,6 +135,18 @@ pub fn dimension(expression: Sym, lookup: &impl Fn(&str) -> Option<Dimension>) -
             Node::Power(a, n) => of(a).map(|a| a.power(Rational::new(n.into(), 1))),
             Node::Root(a) => of(a).map(|a| a.power(Rational::new(1, 2))),
             Node::Cos(argument) | Node::Sin(argument) => match of(argument) {
+                Some(dimension) if dimension != Dimension::none() => {
+                    return Err(Mismatch::Angle { argument, dimension });
+                }
+                _ => Some(Dimension::none()),
+            },
+            Node::Elementary(Elementary::Atan2, a, b) => match (of(a), of(b)) {
+                (Some(first), Some(second)) if first != second => {
+                    return Err(Mismatch::Sum(Box::new([(a, first), (b, second)])));
+                }
+                _ => Some(Dimension::none()),
+            },
+            Node::Elementary(_, argument, _) => match of(argument) {
                 Some(dimension) if dimension != Dimension::none() => {
                     return Err(Mismatch::Angle { argument, dimension });
                 }

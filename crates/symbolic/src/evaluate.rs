@@ -36,19 +36,20 @@ impl Sym {
     /// # Errors
     /// [`Unbound`] names the first symbol or function without a value.
     pub fn evaluate_analytic<S: Analytic>(self, value: &impl Fn(&str) -> Option<S>) -> Result<S, Unbound> {
-        self.evaluate_leaves(|leaf, argument: Option<S>| match (leaf.node(), argument) {
+        self.evaluate_leaves(|leaf, [argument, other]: [Option<S>; 2]| match (leaf.node(), argument) {
             (Node::Cos(_), Some(angle)) => Some(angle.circle().cos),
             (Node::Sin(_), Some(angle)) => Some(angle.circle().sin),
             (Node::Root(_), Some(square)) => Some(square.sqrt()),
+            (Node::Elementary(function, ..), Some(first)) => Some(first.elementary(function, other?)),
             _ => value(&leaf.text_of_leaf()),
         })
     }
 
     /// The value from the values of the leaves: symbols, circle coordinates, roots and functions, each with the value
-    /// of its argument where that has one.
+    /// of its arguments where those have one.
     pub(crate) fn evaluate_leaves<S: Scalar>(
         self,
-        mut leaf: impl FnMut(Sym, Option<S>) -> Option<S>,
+        mut leaf: impl FnMut(Sym, [Option<S>; 2]) -> Option<S>,
     ) -> Result<S, Unbound> {
         let mut values: FxHashMap<Sym, S> = FxHashMap::default();
         let mut missing = None;
@@ -63,8 +64,9 @@ impl Sym {
                 Node::Quotient(a, b) => both(a, b).map(|(a, b)| a / b),
                 Node::Negation(a) => of(a).map(|a| -a),
                 Node::Power(a, n) => of(a).map(|a| num_traits::pow(a, n as usize)),
-                Node::Symbol(_) => leaf(each, None),
-                Node::Cos(a) | Node::Sin(a) | Node::Root(a) | Node::Function(_, _, a) => leaf(each, of(a)),
+                Node::Symbol(_) => leaf(each, [None; 2]),
+                Node::Cos(a) | Node::Sin(a) | Node::Root(a) | Node::Function(_, _, a) => leaf(each, [of(a), None]),
+                Node::Elementary(_, a, b) => leaf(each, [of(a), of(b)]),
             };
             match value {
                 Some(value) => drop(values.insert(each, value)),

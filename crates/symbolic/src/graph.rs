@@ -1,7 +1,7 @@
 //! The hash-consed expression graph of a thread: equal expressions, as written, are one node.
 
 use dashu_ratio::RBig;
-use field::Rational;
+use field::{Elementary, Rational};
 use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::cell::RefCell;
 use std::marker::PhantomData;
@@ -40,6 +40,8 @@ pub enum Node {
     Sin(Sym),
     /// The non-negative square root.
     Root(Sym),
+    /// An elementary function; one of a single argument has it twice.
+    Elementary(Elementary, Sym, Sym),
     /// The derivative of the given order of an arbitrary smooth law of one argument.
     Function(Name, u32, Sym),
 }
@@ -47,14 +49,19 @@ pub enum Node {
 impl Node {
     /// Whether rational operations do not see inside: symbols, coordinates of angles, roots and functions.
     pub fn is_leaf(self) -> bool {
-        matches!(self, Node::Symbol(_) | Node::Cos(_) | Node::Sin(_) | Node::Root(_) | Node::Function(..))
+        let function = matches!(self, Node::Root(_) | Node::Elementary(..) | Node::Function(..));
+        function || matches!(self, Node::Symbol(_) | Node::Cos(_) | Node::Sin(_))
     }
 
     /// The expressions that this one is made of.
     pub fn children(self) -> impl Iterator<Item = Sym> {
         let (first, second) = match self {
             Node::Constant(_) | Node::Symbol(_) => (None, None),
-            Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b) | Node::Quotient(a, b) => (Some(a), Some(b)),
+            Node::Sum(a, b)
+            | Node::Difference(a, b)
+            | Node::Product(a, b)
+            | Node::Quotient(a, b)
+            | Node::Elementary(_, a, b) => (Some(a), Some(b)),
             Node::Negation(a)
             | Node::Power(a, _)
             | Node::Cos(a)

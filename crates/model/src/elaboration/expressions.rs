@@ -17,13 +17,25 @@ const MOST_BITS: u64 = 1 << 20;
 pub(super) enum Meaning {
     Value(Value),
     Body(crate::BodyId),
+    /// A comparison, as its switch.
+    Condition(crate::ScalarId),
+    /// A name or a number of a constraint, by its bytes: it is looked up among constraints alone.
+    Literal {
+        start: usize,
+        end: usize,
+    },
 }
 
 impl Elaborator<'_> {
     /// The value of an expression that stands in a text.
     pub(super) fn value_of(&mut self, text: &Text, expression: &Expression) -> Sound<Value> {
         let mut meanings: Vec<Meaning> = Vec::with_capacity(expression.parts.len());
-        for (form, span) in expression.parts.iter().zip(&expression.spans) {
+        let of_constraints = constraint_names(expression);
+        for (place, (form, span)) in expression.parts.iter().zip(&expression.spans).enumerate() {
+            if of_constraints.contains(&place) {
+                meanings.push(Meaning::Literal { start: span.start, end: span.end });
+                continue;
+            }
             let meaning = self.meaning(text, form, &text.part(span), &meanings, &expression.spans)?;
             meanings.push(meaning);
         }
@@ -34,7 +46,10 @@ impl Elaborator<'_> {
                 let title = format!("the body `{name}` is no expression");
                 Err(Box::new(Fault::at(text.span(), title, "a body", format!("its motion: velocity({name} at P)"))))
             }
-            None => Err(Box::new(Fault::at(text.span(), "nothing stands here", "empty", super::EXAMPLES))),
+            Some(Meaning::Condition(_)) => Err(lone_condition(text.span())),
+            Some(Meaning::Literal { .. }) | None => {
+                Err(Box::new(Fault::at(text.span(), "nothing stands here", "empty", super::EXAMPLES)))
+            }
         }
     }
 
@@ -48,12 +63,13 @@ impl Elaborator<'_> {
     ) -> Sound<Meaning> {
         let operand = |part: &usize| match known[*part] {
             Meaning::Value(value) => Ok(value),
-            Meaning::Body(_) => Err(Box::new(Fault::at(
+            Meaning::Body(_) | Meaning::Literal { .. } => Err(Box::new(Fault::at(
                 text.part(&spans[*part]),
                 "a body is no operand",
                 "a body",
                 "its points and motion are: velocity(disc at P)",
             ))),
+            Meaning::Condition(_) => Err(lone_condition(text.part(&spans[*part]))),
         };
         let value = match form {
             Form::Number(digits) => self.number(span, digits, "")?,
@@ -78,7 +94,10 @@ impl Elaborator<'_> {
             Form::Dot(a, b) => self.dot(span, operand(a)?, operand(b)?)?,
             Form::Power(a, exponent) => self.power(span, operand(a)?, *exponent)?,
             Form::Call { function, arguments } => self.call(text, span, function, arguments, known)?,
-            Form::Comparison(..) => return Err(not_yet(span, "a comparison")),
+            Form::Comparison(relation, a, b) => {
+                let switch = self.comparison(span, *relation, operand(a)?, operand(b)?)?;
+                return Ok(Meaning::Condition(switch));
+            }
         };
         Ok(Meaning::Value(value))
     }
@@ -148,7 +167,7 @@ impl Elaborator<'_> {
     }
 
     /// The dimension of two parts that are added; zero fits to everything.
-    fn common(&self, span: &Range<usize>, a: usize, b: usize) -> Sound<Option<Dimension>> {
+    pub(super) fn common(&self, span: &Range<usize>, a: usize, b: usize) -> Sound<Option<Dimension>> {
         match (self.dimension_of(a), self.dimension_of(b)) {
             (Some(left), Some(right)) if left != right => Err(Box::new(Fault::at(
                 span.clone(),
@@ -305,6 +324,21 @@ impl Elaborator<'_> {
     pub(super) fn seen_from(&self, name: &str, span: Range<usize>) -> Sound<FrameId> {
         self.frame(&Text::at(name, span.start))
     }
+}
+
+pub(super) fn lone_condition(span: Range<usize>) -> Box<Fault> {
+    let accepted = "if(t < (2 s), a, b)";
+    Box::new(Fault::at(span, "a condition stands in `if` alone", "a condition", accepted))
+}
+
+/// The arguments of `reaction`: names and numbers as they stand.
+fn constraint_names(expression: &Expression) -> Vec<usize> {
+    let calls = expression.parts.iter().filter_map(|form| match form {
+        Form::Call { function, arguments } if function == "reaction" => Some(arguments),
+        _ => None,
+    });
+    let literal = |part: &usize| matches!(expression.parts[*part], Form::Name(_) | Form::Number(_));
+    calls.flatten().map(|argument| argument.value).filter(literal).collect()
 }
 
 pub(super) fn no_operation(span: &Range<usize>, done: &str, values: &[Value]) -> Box<Fault> {

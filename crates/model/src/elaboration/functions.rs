@@ -1,5 +1,6 @@
 //! Functions in expressions: of numbers, of vectors, of motions.
 
+use super::elementary::OF_ONE;
 use super::expressions::{Meaning, no_operation, not_yet};
 use super::value::Value;
 use super::{Elaborator, Sound, unknown};
@@ -11,11 +12,18 @@ use std::ops::Range;
 use symbolic::Dimension;
 
 /// Functions that the language has.
-const FUNCTIONS: [&str; 13] = [
+const FUNCTIONS: [&str; 23] = [
     "sin",
     "cos",
     "tan",
     "sqrt",
+    "atan2",
+    "abs",
+    "sign",
+    "min",
+    "max",
+    "if",
+    "table",
     "dot",
     "cross",
     "norm",
@@ -25,11 +33,13 @@ const FUNCTIONS: [&str; 13] = [
     "acceleration",
     "angular_velocity",
     "rate",
+    "reaction",
+    "joint_force",
+    "joint_torque",
 ];
 
 /// Functions that the language will have.
-const LATER: [&str; 12] =
-    ["exp", "ln", "tanh", "atan2", "abs", "sign", "min", "max", "if", "table", "reaction", "angular_acceleration"];
+const LATER: [&str; 1] = ["angular_acceleration"];
 
 /// An argument as it was found.
 struct Found {
@@ -75,6 +85,30 @@ impl Elaborator<'_> {
             return self.function(span, named, plain(0)?);
         }
         match function {
+            "if" => {
+                count(3)?;
+                self.choice(span, found[0].meaning, plain(1)?, plain(2)?)
+            }
+            "abs" | "sign" => {
+                count(1)?;
+                self.sign(span, plain(0)?, function == "abs")
+            }
+            "min" | "max" => {
+                count(2)?;
+                self.extreme(span, plain(0)?, plain(1)?, function == "min")
+            }
+            "atan2" => {
+                count(2)?;
+                self.angle_of(span, plain(0)?, plain(1)?)
+            }
+            "table" => {
+                let all: Vec<Value> = (0..found.len()).map(plain).collect::<Sound<_>>()?;
+                self.table(span, all[0], &all[1..])
+            }
+            one if OF_ONE.contains(&one) => {
+                count(1)?;
+                self.elementary(span, one, plain(0)?)
+            }
             "dot" | "cross" | "distance" => {
                 count(2)?;
                 let (a, b) = (plain(0)?, plain(1)?);
@@ -100,6 +134,15 @@ impl Elaborator<'_> {
                     Meaning::Value(other) => {
                         return Err(super::mismatch(span, "what turns", "a frame or a body", &other));
                     }
+                    Meaning::Condition(_) => return Err(super::expressions::lone_condition(span.clone())),
+                    Meaning::Literal { .. } => {
+                        return Err(Box::new(Fault::at(
+                            span.clone(),
+                            "a frame or a body turns",
+                            "here",
+                            usage(function),
+                        )));
+                    }
                 };
                 let seen = self.seen(span, function, &found[0])?;
                 let per_second = Dimension::none() / Dimension::time();
@@ -109,8 +152,29 @@ impl Elaborator<'_> {
                 count(1)?;
                 self.rate(span, &found[0])
             }
+            "reaction" => {
+                self.must_be_output(span, function)?;
+                let arguments: Vec<Meaning> = found.iter().map(|found| found.meaning).collect();
+                self.reaction(text, span, &arguments)
+            }
+            "joint_force" | "joint_torque" => {
+                self.must_be_output(span, function)?;
+                count(1)?;
+                match &found[0] {
+                    Found { meaning: Meaning::Body(body), place: None } => {
+                        self.joint_load(span, function == "joint_force", *body)
+                    }
+                    _ => Err(Box::new(Fault::at(span.clone(), "a body has a joint", "here", usage(function)))),
+                }
+            }
             later if LATER.contains(&later) => Err(not_yet(span, &format!("the function `{later}`"))),
-            other => Err(Box::new(unknown(&self.broken, span.clone(), other, "function", FUNCTIONS.into_iter()))),
+            other => Err(Box::new(unknown(
+                &self.broken,
+                span.clone(),
+                other,
+                "function",
+                FUNCTIONS.into_iter().chain(OF_ONE),
+            ))),
         }
     }
 
@@ -221,12 +285,18 @@ impl Elaborator<'_> {
 
 fn usage(function: &str) -> &'static str {
     match function {
+        "if" => "if(t < (2 s), a, b)",
+        "abs" | "sign" => "abs(a), sign(a) of a scalar",
+        "min" | "max" => "min(a, b), max(a, b) of two scalars",
+        "atan2" => "atan2(y, x) of two scalars",
+        "table" => "table(x, x1, y1, x2, y2, ...)",
         "dot" | "cross" => "dot(a, b), cross(a, b) of two vectors",
         "norm" | "unit" => "norm(a), unit(a) of a vector",
         "distance" => "distance(P, Q) of two points",
         "velocity" => "velocity(P), velocity(disc at P), velocity(P in B)",
         "acceleration" => "acceleration(P), acceleration(disc at P), acceleration(P in B)",
         "angular_velocity" => "angular_velocity(B), angular_velocity(B in A) of a frame or a body",
+        "joint_force" | "joint_torque" => "joint_force(disc), joint_torque(disc) of a body",
         "rate" => "rate(e) of a scalar, rate(v in B) of a vector",
         _ => "one scalar",
     }

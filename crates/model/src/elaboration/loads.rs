@@ -2,7 +2,9 @@
 
 use super::value::Value;
 use super::{Elaborator, Sound, mismatch};
-use crate::{Constraint, ConstraintSource, Entry, Fault, Force, LoadSource, Output, StartValue, Text, Torque};
+use crate::{
+    Constraint, ConstraintSource, Entry, Fault, Force, LoadSource, Output, ScalarId, StartValue, Text, Torque, Zero,
+};
 use field::Rational;
 use symbolic::Dimension;
 
@@ -10,7 +12,7 @@ fn newton() -> Dimension {
     Dimension::mass() * Dimension::length() / Dimension::time().power(Rational::new(2, 1))
 }
 
-fn joule() -> Dimension {
+pub(super) fn joule() -> Dimension {
     newton() * Dimension::length()
 }
 
@@ -41,10 +43,12 @@ impl Elaborator<'_> {
             let found = self.constraint(constraint);
             self.kept(found);
         }
+        self.shows_loads = true;
         for output in &self.source.outputs {
             let found = self.output(output);
             self.kept(found);
         }
+        self.shows_loads = false;
     }
 
     fn energy(&mut self, Entry { name, value }: &Entry) -> Sound<()> {
@@ -119,17 +123,32 @@ impl Elaborator<'_> {
 
     fn constraint(&mut self, constraint: &ConstraintSource) -> Sound<()> {
         let name = constraint.name.as_ref().map(|name| name.text.clone());
+        let gains = match &constraint.gains {
+            Some(gains) => Some(self.gains(gains)?),
+            None => None,
+        };
         for text in &constraint.zero {
-            let made = match self.value(text)? {
-                Value::Scalar(zero) => Constraint::Scalar { name: name.clone(), zero, at: text.span() },
-                Value::Vector(zero) => Constraint::Vector { name: name.clone(), zero, at: text.span() },
+            let zero = match self.value(text)? {
+                Value::Scalar(zero) => Zero::Scalar(zero),
+                Value::Vector(zero) => Zero::Vector(zero),
                 other => {
                     return Err(mismatch(&text.span(), "a constraint", "a scalar or a vector that is zero", &other));
                 }
             };
-            self.model.constraints.push(made);
+            let gains = gains.clone();
+            self.model.constraints.push(Constraint { name: name.clone(), zero, gains, at: text.span() });
         }
         Ok(())
+    }
+
+    /// g1 and g2 of f'' + g1 f' + g2 f = 0, or g1 alone of f' + g1 f = 0.
+    fn gains(&mut self, texts: &[Text]) -> Sound<Vec<ScalarId>> {
+        let mut gains = Vec::new();
+        for (order, text) in texts.iter().enumerate() {
+            let per = Dimension::time().power(Rational::new(order as i64 + 1, 1));
+            gains.push(self.scalar_value(text, "a gain", Some(Dimension::none() / per))?);
+        }
+        Ok(gains)
     }
 
     fn output(&mut self, Entry { name, value }: &Entry) -> Sound<()> {
@@ -148,21 +167,23 @@ impl Elaborator<'_> {
         }
     }
 
+    /// A coordinate, or with a prime its speed: which one, and the order of its rate.
+    pub(super) fn of_state(&self, name: &Text) -> Sound<(usize, usize)> {
+        let base = name.text.trim_end_matches(['\'', '′']);
+        let primes = name.text[base.len()..].chars().count();
+        let coordinate = self.model.coordinates.iter().position(|known| known.name == base);
+        if let (Some(coordinate), 0 | 1) = (coordinate, primes) {
+            return Ok((coordinate, primes));
+        }
+        let known: Vec<String> =
+            self.model.coordinates.iter().flat_map(|c| [c.name.clone(), format!("{}'", c.name)]).collect();
+        let known = known.iter().map(String::as_str);
+        Err(Box::new(super::unknown(&self.broken, name.span(), &name.text, "coordinate", known)))
+    }
+
     /// `theta = "30 deg"`, `theta' = "guess 2 rad/s"`.
     fn start_value(&mut self, Entry { name, value }: &Entry) -> Sound<StartValue> {
-        let order = usize::from(name.text.ends_with(['\'', '′']));
-        let base = name.text.trim_end_matches(['\'', '′']);
-        let Some(coordinate) = self.model.coordinates.iter().position(|known| known.name == base) else {
-            let known: Vec<String> =
-                self.model.coordinates.iter().flat_map(|c| [c.name.clone(), format!("{}'", c.name)]).collect();
-            return Err(Box::new(super::unknown(
-                &self.broken,
-                name.span(),
-                &name.text,
-                "coordinate",
-                known.iter().map(String::as_str),
-            )));
-        };
+        let (coordinate, order) = self.of_state(name)?;
         if self.model.start.iter().any(|known| (known.coordinate, known.order) == (coordinate, order)) {
             return Err(Box::new(Fault::at(
                 name.span(),

@@ -1,9 +1,13 @@
 //! From a system as it was written to a model: names resolved in the order in which they need each other, dimensions checked.
 
+mod choices;
+mod elementary;
+mod events;
 mod expressions;
 mod functions;
 mod loads;
 mod order;
+mod reactions;
 mod system;
 mod value;
 
@@ -35,6 +39,7 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     }
     elaborator.bodies();
     elaborator.loads();
+    elaborator.events();
     elaborator.start();
     elaborator.model.equilibrium.clone_from(&source.equilibrium);
     match elaborator.faults.is_empty() {
@@ -64,6 +69,8 @@ struct Elaborator<'s> {
     dimensions: Vec<Option<Dimension>>,
     /// A bound of the bits of each part that is a number.
     bits: Vec<Option<u64>>,
+    /// Whether reactions and loads of joints may stand here: in outputs.
+    shows_loads: bool,
     /// Names whose definition is wrong: nothing more is said of them.
     broken: FxHashSet<String>,
     faults: Vec<Fault>,
@@ -80,6 +87,7 @@ impl<'s> Elaborator<'s> {
             names: FxHashMap::default(),
             dimensions: Vec::new(),
             bits: Vec::new(),
+            shows_loads: false,
             broken: FxHashSet::default(),
             faults: Vec::new(),
         };
@@ -99,9 +107,14 @@ impl<'s> Elaborator<'s> {
     }
 
     fn scalar(&mut self, scalar: Scalar, dimension: Option<Dimension>) -> ScalarId {
-        self.dimensions.push(dimension);
-        self.bits.push(self.bits_of(&scalar));
-        self.arena().scalar(scalar)
+        let bits = self.bits_of(&scalar);
+        let id = self.arena().scalar(scalar, dimension);
+        // what was written before has its dimension
+        if id.0 == self.dimensions.len() {
+            self.dimensions.push(dimension);
+            self.bits.push(bits);
+        }
+        id
     }
 
     /// A bound of the bits of a number that is made of numbers.
@@ -120,9 +133,12 @@ impl<'s> Elaborator<'s> {
     }
 
     fn vector(&mut self, vector: Vector, dimension: Option<Dimension>) -> VectorId {
-        self.dimensions.push(dimension);
-        self.bits.push(None);
-        self.arena().vector(vector)
+        let id = self.arena().vector(vector);
+        if id.0 == self.dimensions.len() {
+            self.dimensions.push(dimension);
+            self.bits.push(None);
+        }
+        id
     }
 
     fn dimension_of(&self, part: usize) -> Option<Dimension> {

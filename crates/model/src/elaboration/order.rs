@@ -11,6 +11,7 @@ pub(super) enum Definition {
     Frame(usize),
     Point(usize),
     Body(usize),
+    Input(usize),
 }
 
 /// All definitions, each after those that it needs; those of a circle are left out and told.
@@ -27,7 +28,7 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
             let entry = match definition {
                 Definition::Value(at) => &source.definitions[at],
                 Definition::Frame(at) => &source.frames[at],
-                Definition::Point(at) | Definition::Body(at) => &source.points[at],
+                Definition::Point(at) | Definition::Body(at) | Definition::Input(at) => &source.points[at],
             };
             all.push((definition, &entry.name, vec![&entry.value]));
         }
@@ -35,6 +36,9 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
     for (at, body) in source.bodies.iter().enumerate() {
         let texts = [&body.turns, &body.frame, &body.centre].into_iter().flatten().collect();
         all.push((Definition::Body(at), &body.name, texts));
+    }
+    for (at, input) in source.inputs.iter().enumerate() {
+        all.push((Definition::Input(at), &input.name, input.value.iter().collect()));
     }
     let places: FxHashMap<&str, usize> =
         all.iter().enumerate().map(|(place, (_, name, _))| (name.text.as_str(), place)).collect();

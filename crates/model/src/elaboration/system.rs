@@ -5,8 +5,8 @@ use super::value::Value;
 use super::{Elaborator, MOST, Named, Sound, mismatch};
 use crate::arena::Scalar;
 use crate::{
-    Body, BodyId, BodySource, Coordinate, Entry, Fault, Frame, FrameId, Inertia, InertiaSource, Parameter, Point,
-    PointId, Text, Turn,
+    Body, BodyId, BodySource, Coordinate, Entry, Fault, Frame, FrameId, Inertia, InertiaSource, Input, InputSource,
+    Parameter, Point, PointId, Text, Turn,
 };
 use symbolic::Dimension;
 
@@ -109,6 +109,16 @@ impl Elaborator<'_> {
                     self.give(&entry.name, Named::Value(Value::Frame(frame)));
                 }
             }
+            Definition::Input(at) => {
+                let input = &self.source.inputs[at];
+                let found = self.input(input);
+                if let Some(input_read) = self.kept_as(&input.name, found) {
+                    let dimension = input_read.dimension;
+                    self.model.inputs.push(input_read);
+                    let letter = self.scalar(Scalar::Input(self.model.inputs.len() - 1), Some(dimension));
+                    self.give(&input.name, Named::Value(Value::Scalar(letter)));
+                }
+            }
             Definition::Point(at) => {
                 let entry = &self.source.points[at];
                 let found = self.placed(entry);
@@ -124,6 +134,18 @@ impl Elaborator<'_> {
                 }
             }
         }
+    }
+
+    /// `u = { unit = "N", value = "if(t < (2 s), Fmax, 0)" }`
+    fn input(&mut self, InputSource { name, unit, value }: &InputSource) -> Sound<Input> {
+        let (dimension, unit) =
+            self.unit(unit, "an input has a unit", "u = { unit = \"N\", value = \"F*sin(w*t)\" }")?;
+        let what = format!("the input `{}`", name.text);
+        let value = match value {
+            Some(value) => Some(self.scalar_value(value, &what, Some(dimension))?),
+            None => None,
+        };
+        Ok(Input { name: name.text.clone(), dimension, unit, value })
     }
 
     fn placed(&mut self, entry: &Entry) -> Sound<PointId> {

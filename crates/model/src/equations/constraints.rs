@@ -1,6 +1,6 @@
 //! Constraints as equations between accelerations.
 
-use crate::{Constraint, FrameId, Trace, Vector};
+use crate::{Constraint, FrameId, Trace, Vector, Zero};
 use std::ops::Range;
 use symbolic::{Hypotheses, Identity, Sym, decide, identified};
 
@@ -16,6 +16,8 @@ pub enum Level {
 pub struct Equation {
     /// As the model names it; empty where it does not.
     pub name: String,
+    /// lambda, the symbol of its multiplier.
+    pub multiplier: Sym,
     pub level: Level,
     /// f.
     pub zero: Sym,
@@ -23,22 +25,37 @@ pub struct Equation {
     pub rate: Sym,
     /// The row of J: the derivatives of that by the speeds.
     pub row: Vec<Sym>,
-    /// c: what is left of the next rate where accelerations are zero.
+    /// c: what is left of the next rate where accelerations are zero, with the gains of a constraint that is led to zero.
     pub bias: Sym,
+    /// Of one that is led to zero, and may start elsewhere, the number of its gains.
+    pub gains: Option<usize>,
     /// Where the model has it.
     pub at: Range<usize>,
+}
+
+/// A scalar equation of a constraint.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Held {
+    pub zero: Sym,
+    /// The axis along which it is a component, of a vector.
+    pub axis: Option<Vector>,
+}
+
+/// The equations of a constraint by its place: itself, or each component of a vector that does not vanish identically.
+pub(crate) fn held_of(trace: &Trace<'_>, place: usize) -> Vec<Held> {
+    match trace.model.constraints[place].zero {
+        Zero::Scalar(zero) => vec![Held { zero: trace.scalar(zero), axis: None }],
+        Zero::Vector(zero) => independent(trace, trace.vector(zero)),
+    }
 }
 
 /// One for each scalar, and for each component of a vector that does not vanish identically.
 pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
     let mut all = Vec::new();
-    for constraint in &trace.model.constraints {
-        match constraint {
-            Constraint::Scalar { name, zero, at } => all.push(equation(trace, name, trace.scalar(*zero), at)),
-            Constraint::Vector { name, zero, at } => {
-                let held = independent(trace, trace.vector(*zero));
-                all.extend(held.into_iter().map(|component| equation(trace, name, component, at)));
-            }
+    for (place, constraint) in trace.model.constraints.iter().enumerate() {
+        for (component, held) in held_of(trace, place).into_iter().enumerate() {
+            let multiplier = Trace::multiplier(place, component);
+            all.push(equation(trace, constraint, multiplier, held.zero));
         }
     }
     all
@@ -46,18 +63,35 @@ pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
 
 /// The components of a vector that do not vanish, in the axes in which the most of them do: those of its frame, or of one that this
 /// turns in. A vector along a line has one there, and two that depend on each other in axes that turn.
-fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<Sym> {
+fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<Held> {
     let above = |frame: &FrameId| trace.model.frames[frame.0].parent.map(|(parent, _)| parent);
     let frames = std::iter::successors(Some(vector.frame), above);
     let held = frames.map(|frame| {
-        let components = trace.express(vector, frame).into_iter();
-        components.filter(|component| !vanishes(*component)).collect::<Vec<_>>()
+        let components = trace.express(vector, frame).into_iter().enumerate();
+        let held = components.map(|(axis, zero)| Held { zero, axis: Some(Vector::axis(frame, axis)) });
+        held.filter(|held| !vanishes(held.zero)).collect::<Vec<_>>()
     });
     held.min_by_key(Vec::len).unwrap_or_default()
 }
 
+impl Trace<'_> {
+    /// The multiplier of a constraint's equation: no name of a system can be this one.
+    pub(crate) fn multiplier(constraint: usize, component: usize) -> Sym {
+        Sym::symbol(&format!("multiplier {constraint}.{component}"))
+    }
+
+    /// Whether a scalar knows speeds.
+    pub(crate) fn level_of(&self, zero: Sym) -> Level {
+        let symbols = zero.symbols_of();
+        match self.speeds.iter().any(|speed| symbols.contains(speed)) {
+            true => Level::Speed,
+            false => Level::Position,
+        }
+    }
+}
+
 /// Whether a component is zero for all values: by random points of prime fields, or by its normal form where it has roots.
-fn vanishes(component: Sym) -> bool {
+pub(crate) fn vanishes(component: Sym) -> bool {
     match identified(&[component]) {
         Identity::Identified { .. } => true,
         Identity::NotZero => false,
@@ -65,15 +99,17 @@ fn vanishes(component: Sym) -> bool {
     }
 }
 
-fn equation(trace: &Trace<'_>, name: &Option<String>, zero: Sym, at: &Range<usize>) -> Equation {
-    let symbols = zero.symbols_of();
-    let level = match trace.speeds.iter().any(|speed| symbols.contains(speed)) {
-        true => Level::Speed,
-        false => Level::Position,
-    };
+fn equation(trace: &Trace<'_>, constraint: &Constraint, multiplier: Sym, zero: Sym) -> Equation {
+    let Constraint { name, gains, at, .. } = constraint;
+    let level = trace.level_of(zero);
     let rate = if level == Level::Position { trace.rate_of(zero) } else { zero };
     let row: Vec<Sym> = (0..trace.speeds.len()).map(|i| trace.by_speed(rate, i)).collect();
     let at_rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&symbol| (symbol, Sym::ZERO)).collect();
-    let bias = trace.rate_of(rate).substitute(&at_rest);
-    Equation { name: name.clone().unwrap_or_default(), level, zero, rate, row, bias, at: at.clone() }
+    let mut bias = trace.rate_of(rate).substitute(&at_rest);
+    let below: &[Sym] = if level == Level::Position { &[rate, zero] } else { &[zero] };
+    for (&gain, &lower) in gains.iter().flatten().zip(below) {
+        bias += trace.scalar(gain) * lower;
+    }
+    let (name, gains) = (name.clone().unwrap_or_default(), gains.as_ref().map(Vec::len));
+    Equation { name, multiplier, level, zero, rate, row, bias, gains, at: at.clone() }
 }

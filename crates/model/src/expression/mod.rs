@@ -72,7 +72,7 @@ pub enum Form {
 }
 
 /// An exponent: a fraction in lowest terms with a positive denominator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Exponent {
     pub numerator: i32,
     pub denominator: i32,

@@ -203,7 +203,12 @@ impl<'a> Reader<'a> {
     fn quantity(&mut self) -> Option<Form> {
         let sign = usize::from(matches!(self.tokens.get(self.at + 1), Some((_, Token::Sign('-')))));
         let (number, Token::Number(_)) = self.tokens.get(self.at + 1 + sign)? else { return None };
-        let (unit, Token::Name(_)) = self.tokens.get(self.at + 2 + sign)? else { return None };
+        let (unit, first) = self.tokens.get(self.at + 2 + sign)?;
+        let per = matches!(self.tokens.get(self.at + 3 + sign), Some((_, Token::Sign('/'))));
+        // `1/s` begins with a number
+        if !matches!(first, Token::Name(_)) && !(*first == Token::Number("1") && per) {
+            return None;
+        }
         let rest = &self.tokens[self.at + 2 + sign..];
         let length = rest.iter().position(|(_, token)| *token == Token::Sign(')'))?;
         let begin = self.tokens[self.at + 1].0.start;
@@ -318,6 +323,7 @@ mod tests {
         assert_eq!(shown("velocity(disc at P) . N.x"), "(velocity(disc At P) . N.x)");
         assert_eq!(shown("if(t < (2 s), Fmax, 0)"), "if(t Less [2 s], Fmax, 0)");
         assert_eq!(shown("k*(x - (20 mm))*(-9.81 m/s^2)"), "((k * (x - [20 mm])) * [-9.81 m/s^2])");
+        assert_eq!(shown("(2 1/s)*x"), "([2 1/s] * x)");
         assert_eq!(shown("(x^2 + y^2)^(2/4)"), "(x^(2/1) + y^(2/1))^(1/2)");
         assert_eq!(shown("rate(velocity(P in B) in N)"), "rate(velocity(P In B) In N)");
     }

@@ -6,19 +6,19 @@ use field::Analytic;
 use symbolic::Sym;
 
 /// A force at a point.
-pub(super) struct PointForce {
+pub(crate) struct PointForce {
     pub at: Material,
     pub is: Vector,
 }
 
 /// A torque on a frame.
-pub(super) struct FrameTorque {
+pub(crate) struct FrameTorque {
     pub on: FrameId,
     pub is: Vector,
 }
 
 /// Every force but those of potentials, one for each point that it acts on; the weights where they are asked for.
-pub(super) fn forces(trace: &Trace<'_>, weights: bool) -> Vec<PointForce> {
+pub(crate) fn forces(trace: &Trace<'_>, weights: bool) -> Vec<PointForce> {
     let mut all = Vec::new();
     for force in &trace.model.forces {
         match force {
@@ -46,7 +46,7 @@ pub(super) fn forces(trace: &Trace<'_>, weights: bool) -> Vec<PointForce> {
 }
 
 /// Every torque, one for each frame that it acts on.
-pub(super) fn torques(trace: &Trace<'_>) -> Vec<FrameTorque> {
+pub(crate) fn torques(trace: &Trace<'_>) -> Vec<FrameTorque> {
     let mut all = Vec::new();
     for torque in &trace.model.torques {
         match torque {
@@ -62,7 +62,7 @@ pub(super) fn torques(trace: &Trace<'_>) -> Vec<FrameTorque> {
 }
 
 /// The terms of the given potential and of Rayleigh's function in the residual: dV/dq + dD/du.
-pub(super) fn by_energies(trace: &Trace<'_>, speed: usize) -> Sym {
+pub(crate) fn by_energies(trace: &Trace<'_>, speed: usize) -> Sym {
     let energies = &trace.model.energies;
     let potential = energies.potential.map_or(Sym::ZERO, |id| trace.by_coordinate(trace.scalar(id), speed));
     let dissipation = energies.dissipation.map_or(Sym::ZERO, |id| trace.by_speed(trace.scalar(id), speed));

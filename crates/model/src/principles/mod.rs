@@ -9,8 +9,11 @@
 
 mod appell;
 mod gauss;
+mod hamel;
+mod hamilton;
 mod lagrange;
-mod loads;
+pub(crate) mod loads;
+mod newton_euler;
 mod virtual_power;
 
 use crate::Trace;
@@ -28,11 +31,18 @@ pub enum Principle {
     Appell,
     /// The least constraint: dZ/du' = 0, forces by the accelerations of the points that they act on.
     Gauss,
+    /// Newton's and Euler's equations of every body with the loads of joints, recursively; then the power of these loads on the
+    /// motions that the joints leave.
+    NewtonEuler,
+    /// Boltzmann's and Hamel's equations in the quasi-velocities of every body: its velocity and angular velocity by components.
+    Hamel,
+    /// Hamilton's canonical equations, back along the speeds.
+    Hamilton,
 }
 
 /// Why a principle does not apply to a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NotApplicable(pub &'static str);
+pub struct NotApplicable(pub String);
 
 impl fmt::Display for NotApplicable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -43,7 +53,15 @@ impl fmt::Display for NotApplicable {
 impl std::error::Error for NotApplicable {}
 
 impl Principle {
-    pub const ALL: [Principle; 4] = [Principle::Lagrange, Principle::VirtualPower, Principle::Appell, Principle::Gauss];
+    pub const ALL: [Principle; 7] = [
+        Principle::Lagrange,
+        Principle::VirtualPower,
+        Principle::Appell,
+        Principle::Gauss,
+        Principle::NewtonEuler,
+        Principle::Hamel,
+        Principle::Hamilton,
+    ];
 
     /// As commands name it.
     pub fn name(self) -> &'static str {
@@ -52,6 +70,9 @@ impl Principle {
             Principle::VirtualPower => "virtual-power",
             Principle::Appell => "appell",
             Principle::Gauss => "gauss",
+            Principle::NewtonEuler => "newton-euler",
+            Principle::Hamel => "hamel",
+            Principle::Hamilton => "hamilton",
         }
     }
 
@@ -61,9 +82,9 @@ impl Principle {
     /// Where the model gives an energy whose bodies are not known to a principle that asks for bodies.
     pub fn residual(self, trace: &Trace<'_>) -> Result<Vec<Sym>, NotApplicable> {
         let has_energy = trace.model.energies.kinetic.is_some();
-        if has_energy && self != Principle::Lagrange {
+        if has_energy && !matches!(self, Principle::Lagrange | Principle::Hamilton) {
             return Err(NotApplicable(
-                "a kinetic energy is given: accelerations of its bodies are not known to this principle",
+                "a kinetic energy is given: the motion of its bodies is not known to this principle".to_owned(),
             ));
         }
         Ok(match self {
@@ -71,6 +92,9 @@ impl Principle {
             Principle::VirtualPower => virtual_power::residual(trace),
             Principle::Appell => appell::residual(trace),
             Principle::Gauss => gauss::residual(trace),
+            Principle::NewtonEuler => newton_euler::residual(trace),
+            Principle::Hamel => hamel::residual(trace),
+            Principle::Hamilton => hamilton::residual(trace)?,
         })
     }
 }

@@ -67,9 +67,9 @@ impl Trace<'_> {
         (gravity.frame == FrameId::GROUND && gravity.components.iter().all(is_constant)).then_some(gravity)
     }
 
-    /// The potential energy: of the weights of all bodies in uniform gravity, and what is given.
-    pub fn potential_energy(&self) -> Sym {
-        let mut sum = self.model.energies.potential.map_or(Sym::ZERO, |potential| self.scalar(potential));
+    /// The potential energy of the weights of all bodies in uniform gravity.
+    pub fn potential_of_weights(&self) -> Sym {
+        let mut sum = Sym::ZERO;
         if let Some(gravity) = self.uniform_gravity() {
             for body in &self.model.bodies {
                 if let (Some(mass), Some(centre)) = (body.mass, body.centre) {
@@ -78,5 +78,11 @@ impl Trace<'_> {
             }
         }
         sum
+    }
+
+    /// The potential energy: of the weights of all bodies in uniform gravity, and what is given.
+    pub fn potential_energy(&self) -> Sym {
+        let given = self.model.energies.potential.map_or(Sym::ZERO, |potential| self.scalar(potential));
+        given + self.potential_of_weights()
     }
 }

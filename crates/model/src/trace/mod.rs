@@ -12,8 +12,10 @@ mod vector;
 pub use vector::Vector;
 
 use crate::arena::{Function, Number, Part, Scalar};
+use crate::equations::held_of;
 use crate::expression::Exponent;
-use crate::{FrameId, Model, ScalarId, VectorId};
+use crate::joints::Joints;
+use crate::{FrameId, Input, Model, ScalarId, VectorId};
 use field::{Analytic, Over, Rational, Scalar as _};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
@@ -31,6 +33,8 @@ pub struct Trace<'m> {
     pub coordinates: Vec<Sym>,
     /// Their rates u = q'.
     pub speeds: Vec<Sym>,
+    /// A letter for each switch, 1 or 0, which no motion changes.
+    pub switches: Vec<Sym>,
     /// u'.
     pub accelerations: Vec<Sym>,
     /// Along the motion: q' = u, u' by its own symbols, t' = 1.
@@ -76,6 +80,7 @@ impl<'m> Trace<'m> {
             by_coordinate: alone(&coordinates),
             coordinates,
             speeds,
+            switches: Vec::new(),
             accelerations,
             frames: Frames::default(),
             points: RefCell::new(Vec::new()),
@@ -85,12 +90,28 @@ impl<'m> Trace<'m> {
         trace.turn_frames(0);
         for (place, part) in model.arena.parts.iter().enumerate() {
             match part {
+                Part::Scalar(Scalar::Switch(_)) => {
+                    let letter = trace.letter_of_next_switch();
+                    trace.switches.push(letter);
+                    trace.scalars[place] = letter;
+                }
                 Part::Scalar(scalar) => trace.scalars[place] = trace.scalar_of(scalar),
                 Part::Vector(vector) => trace.vectors[place] = trace.vector_of(vector),
             }
             trace.turn_frames(place + 1);
         }
         trace
+    }
+
+    /// The bracket of Iverson: 1 where the condition holds, else 0.
+    fn letter_of_next_switch(&self) -> Sym {
+        let number = self.switches.len();
+        let condition = self.scalar(self.model.switches[number]);
+        let (text, latex) = match Sym::operations_of(&[condition]) {
+            few if few <= MOST_IN_BRACKETS => (condition.to_string(), condition.latex()),
+            _ => (format!("condition {}", number + 1), format!(r"\text{{condition {}}}", number + 1)),
+        };
+        Sym::named(&format!("[{text} > 0]"), &format!("[{latex} > 0]"))
     }
 
     /// The frames whose angles are among so many parts.
@@ -174,29 +195,33 @@ impl<'m> Trace<'m> {
             Scalar::Rate { coordinate, .. } => self.accelerations[*coordinate],
             Scalar::Time => self.time,
             Scalar::Pi => self.pi,
+            Scalar::Switch(switch) => self.switches[*switch],
+            Scalar::Input(input) => match &self.model.inputs[*input] {
+                Input { value: Some(value), .. } => self.scalar(*value),
+                Input { name, value: None, .. } => Sym::symbol(name),
+            },
             Scalar::Negation(a) => -of(a),
             Scalar::Sum(a, b) => of(a) + of(b),
             Scalar::Difference(a, b) => of(a) - of(b),
             Scalar::Product(a, b) => of(a) * of(b),
             Scalar::Quotient(a, b) => of(a) / of(b),
-            Scalar::Power(a, Exponent { numerator, denominator: 1 }) => of(a).powi(*numerator),
-            Scalar::Power(a, Exponent { numerator, .. }) => of(a).sqrt().powi(*numerator),
-            Scalar::Function(function, a) => {
-                let a = of(a);
-                match function {
-                    Function::Sin => angle::circle(a).sin,
-                    Function::Cos => angle::circle(a).cos,
-                    Function::Tan => angle::circle(a).sin / angle::circle(a).cos,
-                    Function::Sqrt => a.sqrt(),
-                }
-            }
+            Scalar::Power(a, _) | Scalar::Function(_, a) => of_argument(scalar, of(a)),
+            Scalar::Elementary(function, a, b) => of(a).elementary(*function, of(b)),
             Scalar::Dot(a, b) => self.dot(self.vector(*a), self.vector(*b)),
             Scalar::Norm(a) => {
                 let a = self.vector(*a);
                 self.dot(a, a).sqrt()
             }
             Scalar::RateOf(a) => self.rate_of(of(a)),
+            Scalar::Reaction { constraint } => Trace::multiplier(*constraint, 0),
         }
+    }
+
+    /// The derivative of a power or of a function by its argument.
+    pub(crate) fn slope(&self, scalar: &Scalar, argument: ScalarId) -> Sym {
+        // a name that no system has
+        let letter = Sym::symbol("its argument");
+        of_argument(scalar, letter).diff(letter).substitute(&[(letter, self.scalar(argument))])
     }
 
     fn vector_of(&self, vector: &crate::arena::Vector) -> Vector {
@@ -218,9 +243,40 @@ impl<'m> Trace<'m> {
             Form::Acceleration { of, seen } => self.seen_acceleration(*of, *seen),
             Form::AngularVelocity { of, seen } => self.turning_beside(*of, *seen),
             Form::RateOf { of: vector, seen } => self.rate_seen(of(vector), *seen),
+            Form::Reaction { constraint } => {
+                let held = held_of(self, *constraint).into_iter().enumerate();
+                held.filter_map(|(component, held)| {
+                    let multiplier = Trace::multiplier(*constraint, component);
+                    held.axis.map(|axis| axis.map(|component| multiplier * component))
+                })
+                .fold(Vector::ZERO, |sum, each| self.sum(sum, each))
+            }
+            Form::JointForce(body) => self.joints().load(*body).0.unwrap_or(Vector::ZERO),
+            Form::JointTorque(body) => self.joints().load(*body).1,
         }
     }
+
+    /// The bodies with the loads of their joints.
+    pub(crate) fn joints(&self) -> Joints<'_, 'm> {
+        Joints::of(self)
+    }
 }
+
+/// A power or a function, of an argument.
+fn of_argument(scalar: &Scalar, a: Sym) -> Sym {
+    match scalar {
+        Scalar::Power(_, Exponent { numerator, denominator: 1 }) => a.powi(*numerator),
+        Scalar::Power(_, Exponent { numerator, .. }) => a.sqrt().powi(*numerator),
+        Scalar::Function(Function::Sin, _) => angle::circle(a).sin,
+        Scalar::Function(Function::Cos, _) => angle::circle(a).cos,
+        Scalar::Function(Function::Tan, _) => angle::circle(a).sin / angle::circle(a).cos,
+        Scalar::Function(Function::Sqrt, _) => a.sqrt(),
+        _ => a,
+    }
+}
+
+/// Conditions with more parts are printed by their number.
+const MOST_IN_BRACKETS: usize = 12;
 
 /// The decimal as it was written, in its unit.
 fn exactly(number: &Number) -> Sym {

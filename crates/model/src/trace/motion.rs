@@ -84,7 +84,7 @@ impl Trace<'_> {
     }
 
     /// The rate of a vector as a frame sees it.
-    pub(super) fn rate_seen(&self, vector: Vector, seen: FrameId) -> Vector {
+    pub(crate) fn rate_seen(&self, vector: Vector, seen: FrameId) -> Vector {
         let carried = self.frames.cross(self.frames.turning(seen), vector);
         self.sum(self.vector_rate(vector), carried.map(|component| -component))
     }

@@ -2,7 +2,7 @@
 
 use super::names::latex_name;
 use super::{Bond, Name, Notation, Printed};
-use field::Rational;
+use field::{Elementary, Rational};
 
 pub(super) struct Latex;
 
@@ -71,6 +71,14 @@ impl Notation for Latex {
 
     fn root(&self, square: String) -> String {
         format!("\\sqrt{{{square}}}")
+    }
+
+    fn elementary(&self, function: Elementary, arguments: &str) -> String {
+        let name = match function {
+            Elementary::Atan2 => r"\operatorname{atan2}".to_owned(),
+            other => format!(r"\{}", other.name()),
+        };
+        format!("{name}{}", self.parentheses(arguments))
     }
 
     fn circle(&self, function: &str, angle: Printed, exponent: u32) -> Printed {

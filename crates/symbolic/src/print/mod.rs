@@ -10,7 +10,7 @@ pub(crate) use names::natural_key;
 
 use crate::Sym;
 use crate::graph::{Name, Node};
-use field::Rational;
+use field::{Elementary, Rational};
 use rustc_hash::FxHashMap;
 use std::fmt;
 
@@ -111,6 +111,10 @@ trait Notation {
         format!("sqrt({square})")
     }
 
+    fn elementary(&self, function: Elementary, arguments: &str) -> String {
+        format!("{}({arguments})", function.name())
+    }
+
     /// `cos` or `sin` of an argument, and its power.
     fn circle(&self, function: &str, angle: Printed, exponent: u32) -> Printed {
         let base = Printed { text: format!("{function}({})", angle.text), bond: Bond::Atom };
@@ -208,6 +212,11 @@ impl Writer<'_> {
             Node::Cos(angle) => return self.0.circle("cos", self.unsigned(angle), exponent),
             Node::Sin(angle) => return self.0.circle("sin", self.unsigned(angle), exponent),
             Node::Root(square) => atom(self.0.root(self.whole(square))),
+            Node::Elementary(function, first, second) => {
+                let arguments: Vec<String> =
+                    [first, second].into_iter().take(function.arguments()).map(|each| self.whole(each)).collect();
+                atom(self.0.elementary(function, &arguments.join(", ")))
+            }
             Node::Function(name, order, argument) => atom(self.0.derivative(name, order, self.whole(argument))),
             Node::Quotient(above, below) => {
                 let (_, printed) = self.signed(above);

@@ -1,7 +1,7 @@
 //! SymPy, and any Python that has its functions: `l2*omega3 - Rational(1, 2)*l3**2`.
 
 use super::{Bond, Name, Notation, Printed};
-use field::Rational;
+use field::{Elementary, Rational};
 
 pub(super) struct SymPy;
 
@@ -45,6 +45,11 @@ impl Notation for SymPy {
 
     fn power(&self, base: Printed, exponent: u32) -> Printed {
         Printed { text: format!("{}**{exponent}", self.held(base, Bond::Atom)), bond: Bond::Power }
+    }
+
+    fn elementary(&self, function: Elementary, arguments: &str) -> String {
+        let name = if function == Elementary::Ln { "log" } else { function.name() };
+        format!("{name}({arguments})")
     }
 
     fn derivative(&self, name: Name, order: u32, argument: String) -> String {

@@ -99,9 +99,12 @@ impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
                 let numerator = (*self.done[&a].clone()).clone();
                 self.divide(numerator, b)
             }
-            Node::Symbol(_) | Node::Cos(_) | Node::Sin(_) | Node::Root(_) | Node::Function(..) => {
-                Err(Failure::Hypotheses(format!("`{each}` is not among the generators")))
-            }
+            Node::Symbol(_)
+            | Node::Cos(_)
+            | Node::Sin(_)
+            | Node::Root(_)
+            | Node::Elementary(..)
+            | Node::Function(..) => Err(Failure::Hypotheses(format!("`{each}` is not among the generators"))),
         }
     }
 

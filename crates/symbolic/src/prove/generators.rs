@@ -160,6 +160,11 @@ impl<'a> Gathering<'a> {
                 Node::Symbol(_) => self.symbol(each)?,
                 Node::Cos(angle) | Node::Sin(angle) => self.coordinate(each, angle)?,
                 Node::Root(square) => self.root(each, square)?,
+                Node::Elementary(function, a, b) => {
+                    let canonical = self.canonical(a)?.elementary(function, self.canonical(b)?);
+                    self.found.insert(canonical);
+                    self.alias(each, canonical);
+                }
                 Node::Function(name, order, argument) => {
                     let canonical = Sym::function_of_order(name, order, self.canonical(argument)?);
                     self.found.insert(canonical);

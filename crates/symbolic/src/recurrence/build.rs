@@ -12,7 +12,7 @@ use rustc_hash::FxHashMap;
 /// What a quantity is.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Definition {
-    /// A state, time, or a coordinate of a circle point: found by its rate.
+    /// A state, time, a coordinate of a circle point, or an elementary function: found by its rate.
     State,
     /// A sum of a constant and multiples of quantities.
     Sum(Form),
@@ -30,7 +30,7 @@ pub(super) struct Builder<'a> {
     pub forms: FxHashMap<Sym, Form>,
     known_sums: FxHashMap<Vec<(Atom, Sym)>, Atom>,
     known: FxHashMap<(u8, Atom, Atom), Atom>,
-    /// The coordinates of circle points among the states, as expressions.
+    /// The coordinates of circle points and the elementary functions among the states, as expressions.
     pub points: Vec<Sym>,
     /// Products of sums with at most so many terms are multiplied out.
     multiplied_out: usize,
@@ -75,7 +75,7 @@ impl<'a> Builder<'a> {
     fn build(&mut self) -> Result<(), Untapeable> {
         let mut rates = self.equations.rates.to_vec();
         rates.extend(self.equations.time.map(|_| Sym::ONE));
-        // Circle points are states: their rates come after the others, and may bring new points.
+        // Circle points and elementary functions are states: their rates come after the others, and may bring new ones.
         self.admit_points(&mut rates);
         self.read(&rates)?;
         for rate in rates {
@@ -134,8 +134,8 @@ impl<'a> Builder<'a> {
                 let square = self.quantity(self.forms[&a].clone());
                 Form::atom(self.intern(2, square, square, Definition::Root(square)))
             }
-            // constants have no children; circle points that move are states already
-            Node::Constant(_) | Node::Cos(_) | Node::Sin(_) => Form::constant(each),
+            // constants have no children; circle points and elementary functions that move are states already
+            Node::Constant(_) | Node::Cos(_) | Node::Sin(_) | Node::Elementary(..) => Form::constant(each),
         })
     }
 

@@ -1,4 +1,4 @@
-//! Circle points as states: c' = -a' s, s' = a' c.
+//! Circle points as states: c' = -a' s, s' = a' c. Elementary functions too: their slopes are made of their values and arguments.
 
 use super::build::{Builder, Definition};
 use super::form::Form;
@@ -6,27 +6,41 @@ use crate::Sym;
 use crate::graph::Node;
 
 impl Builder<'_> {
-    /// Makes states of all circle points in the rates, and in the rates of those.
+    /// Makes states of all circle points and elementary functions in the rates, and in the rates of those.
     pub fn admit_points(&mut self, rates: &mut Vec<Sym>) {
         let mut next = 0;
         while next < rates.len() {
             let inside = Sym::reached(&rates[next..], |each, _| !self.forms.contains_key(&each));
             next = rates.len();
             for each in inside {
-                let (Node::Cos(angle) | Node::Sin(angle)) = each.node() else { continue };
-                if self.forms.contains_key(&each) || !self.moves(angle) {
+                if self.forms.contains_key(&each) || !self.moves(each) {
                     continue;
                 }
-                let [cos, sin] = [Node::Cos(angle), Node::Sin(angle)].map(Sym::from_node);
-                let rate = self.rate(angle);
-                for (point, rate) in [(cos, -(sin * rate)), (sin, cos * rate)] {
-                    self.forms.insert(point, Form::atom(self.definitions.len()));
-                    self.definitions.push(Definition::State);
-                    self.points.push(point);
-                    rates.push(rate);
+                match each.node() {
+                    Node::Cos(angle) | Node::Sin(angle) => {
+                        let [cos, sin] = [Node::Cos(angle), Node::Sin(angle)].map(Sym::from_node);
+                        let rate = self.rate(angle);
+                        self.admit(cos, -(sin * rate), rates);
+                        self.admit(sin, cos * rate, rates);
+                    }
+                    Node::Elementary(function, a, b) => {
+                        let slopes = function.slopes(a, b, each).into_iter().zip([a, b]);
+                        let moving = slopes.filter(|(slope, _)| *slope != Sym::ZERO);
+                        let rate = moving.fold(Sym::ZERO, |sum, (slope, argument)| sum + slope * self.rate(argument));
+                        self.admit(each, rate, rates);
+                    }
+                    _ => {}
                 }
             }
         }
+    }
+
+    /// A state that an expression stands for.
+    fn admit(&mut self, point: Sym, rate: Sym, rates: &mut Vec<Sym>) {
+        self.forms.insert(point, Form::atom(self.definitions.len()));
+        self.definitions.push(Definition::State);
+        self.points.push(point);
+        rates.push(rate);
     }
 
     fn moves(&self, expression: Sym) -> bool {

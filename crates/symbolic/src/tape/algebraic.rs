@@ -15,10 +15,12 @@ pub struct Algebraic {
 }
 
 impl Tape {
-    /// The first output's program; `None` where the tape has roots or circle points, no output, or a constant whose
+    /// The first output's program; `None` where the tape has roots, circle points or elementary functions, no output, or a constant whose
     /// numerator or denominator is beyond 64 bits.
     pub fn algebraic(&self) -> Option<Algebraic> {
-        let beyond = |operation: &Operation| matches!(operation, Operation::Root(_) | Operation::Circle(_));
+        let beyond = |operation: &Operation| {
+            matches!(operation, Operation::Root(_) | Operation::Circle(_) | Operation::Elementary(..))
+        };
         if self.operations.iter().any(beyond) {
             return None;
         }

@@ -5,7 +5,7 @@ use super::{Operation, Register, Tape};
 /// What an operation makes the next one wait, in steps of a processor: only the order of these numbers matters.
 fn wait(operation: Operation) -> u32 {
     match operation {
-        Operation::Circle(_) => 45,
+        Operation::Circle(_) | Operation::Elementary(..) => 45,
         Operation::Quotient(..) | Operation::Part(..) | Operation::Root(_) => 15,
         _ => 4,
     }

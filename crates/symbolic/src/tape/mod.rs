@@ -13,7 +13,7 @@ pub use record::Untapeable;
 pub use run::Program;
 pub use source::{Language, Source, Statements};
 
-use field::{Rational, Scalar};
+use field::{Elementary, Rational, Scalar};
 
 /// A straight-line program without branches: what the expressions compute, every common part once.
 ///
@@ -50,6 +50,8 @@ pub enum Operation {
     Root(Register),
     /// Cosine and sine of one angle, in two registers.
     Circle(Register),
+    /// An elementary function; one of a single argument reads it twice.
+    Elementary(Elementary, Register, Register),
     /// The product and the other, rounded once where the field can: see [`Tape::fused`].
     ProductAnd([Register; 2], Register),
     /// The product less the other.
@@ -68,7 +70,8 @@ impl Operation {
             | Operation::Product(a, b)
             | Operation::Multiple(a, b)
             | Operation::Quotient(a, b)
-            | Operation::Part(a, b) => [a, b, b],
+            | Operation::Part(a, b)
+            | Operation::Elementary(_, a, b) => [a, b, b],
             Operation::Negation(a) | Operation::Root(a) | Operation::Circle(a) => [a, a, a],
             Operation::ProductAnd([a, b], c)
             | Operation::ProductLess([a, b], c)
@@ -99,13 +102,14 @@ impl Operation {
             Operation::Negation(_) => Operation::Negation(a),
             Operation::Root(_) => Operation::Root(a),
             Operation::Circle(_) => Operation::Circle(a),
+            Operation::Elementary(function, ..) => Operation::Elementary(function, a, b),
             Operation::ProductAnd(..) => Operation::ProductAnd([a, b], c),
             Operation::ProductLess(..) => Operation::ProductLess([a, b], c),
             Operation::LessProduct(..) => Operation::LessProduct([a, b], c),
         }
     }
 
-    /// The result of a field operation; none of a root or a circle point.
+    /// The result of a field operation; none of a root, a circle point or an elementary function.
     #[inline(always)]
     fn of_field<S: Scalar>(self, value: impl Fn(Register) -> S) -> Option<S> {
         // each reads what it needs: numbers may be wide
@@ -118,7 +122,7 @@ impl Operation {
             Operation::ProductAnd([a, b], c) => Some(value(a).times_and(value(b), value(c))),
             Operation::ProductLess([a, b], c) => Some(value(a).times_and(value(b), -value(c))),
             Operation::LessProduct([a, b], c) => Some((-value(a)).times_and(value(b), value(c))),
-            Operation::Root(_) | Operation::Circle(_) => None,
+            Operation::Root(_) | Operation::Circle(_) | Operation::Elementary(..) => None,
         }
     }
 

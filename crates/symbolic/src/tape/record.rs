@@ -4,7 +4,7 @@ use super::{Operation, Register, Tape};
 use crate::Sym;
 use crate::evaluate::constant;
 use crate::graph::Node;
-use field::{Analytic, Rational};
+use field::{Analytic, Elementary, Rational};
 use rustc_hash::FxHashMap;
 use std::fmt;
 
@@ -68,6 +68,7 @@ enum Kind {
     Negation,
     Root,
     Circle,
+    Elementary(Elementary),
 }
 
 impl Tape {
@@ -116,6 +117,7 @@ impl Recorder {
                 Some(root) if root.as_constant().is_some() => self.constant(root)?,
                 _ => self.step(Kind::Root, of(a), of(a)),
             },
+            Node::Elementary(function, a, b) => self.step(Kind::Elementary(function), of(a), of(b)),
             Node::Cos(a) => self.step(Kind::Circle, of(a), of(a)),
             Node::Sin(a) => match self.step(Kind::Circle, of(a), of(a)) {
                 Place::Result(cosine) => Place::Result(cosine + 1),
@@ -202,6 +204,7 @@ impl Recorder {
                 Kind::Negation => Operation::Negation(a),
                 Kind::Root => Operation::Root(a),
                 Kind::Circle => Operation::Circle(a),
+                Kind::Elementary(function) => Operation::Elementary(function, a, b),
             };
             register_of[number] = registers as Register;
             register_of[number + 1] = registers as Register + 1;

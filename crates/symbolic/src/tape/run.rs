@@ -68,6 +68,7 @@ impl Tape {
             let value = |register: Register| registers[register as usize];
             let result = match operation {
                 Operation::Root(a) => value(a).sqrt(),
+                Operation::Elementary(function, a, b) => value(a).elementary(function, value(b)),
                 Operation::Circle(a) => {
                     let point = if self.once { value(a).circle_once() } else { value(a).circle() };
                     registers[next + 1] = point.sin;

@@ -1,6 +1,7 @@
 //! A tape as source text: straight-line code of other languages, every common part once.
 
 use super::{Operation, Register, Tape};
+use field::Elementary;
 use std::fmt::{self, Write};
 
 /// A language in which a tape can be written.
@@ -54,7 +55,7 @@ impl Tape {
     /// Additions, multiplications, divisions and roots; a circle point is counted apart, negations are free.
     pub fn flops(&self) -> usize {
         let of = |operation: &Operation| match operation {
-            Operation::Circle(_) | Operation::Negation(_) => 0,
+            Operation::Circle(_) | Operation::Elementary(..) | Operation::Negation(_) => 0,
             Operation::ProductAnd(..) | Operation::ProductLess(..) | Operation::LessProduct(..) => 2,
             _ => 1,
         };
@@ -110,6 +111,20 @@ impl Source<'_> {
         lines
     }
 
+    /// A call of an elementary function: of a module `math` in Python, so that nothing else is named like it.
+    fn elementary(&self, function: Elementary, a: &str, b: &str) -> String {
+        let name = match (self.language, function) {
+            (Language::C | Language::Python, Elementary::Ln) => "log",
+            _ => function.name(),
+        };
+        match (self.language, function.arguments()) {
+            (Language::Rust, 1) => format!("f64::{name}({a})"),
+            (Language::Rust, _) => format!("f64::{name}({a}, {b})"),
+            (Language::C | Language::Python, 1) => format!("{name}({a})"),
+            (Language::C | Language::Python, _) => format!("{name}({a}, {b})"),
+        }
+    }
+
     /// The statement that computes one operation into registers from `next` on.
     fn statement(&self, operation: Operation, next: usize, used: &[bool]) -> String {
         let [a, b, c] = operation.operands().map(|operand| self.operand(operand));
@@ -129,6 +144,7 @@ impl Source<'_> {
             Operation::LessProduct(..) => format!("{c} - {a} * {b}"),
             // a literal has no methods
             Operation::Root(_) if self.language == Language::Rust => format!("f64::sqrt({a})"),
+            Operation::Elementary(function, ..) => self.elementary(function, &a, &b),
             Operation::Root(_) => format!("sqrt({a})"),
             Operation::Circle(_) => {
                 let part = |function: &str, register: usize| match self.language {

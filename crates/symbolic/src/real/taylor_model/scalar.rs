@@ -5,7 +5,7 @@
 
 use super::{Model, Rounded};
 use crate::real::Ordered;
-use field::{Analytic, Base, Circle, Over, Scalar};
+use field::{Analytic, Base, Circle, Elementary, Over, Scalar};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
@@ -120,6 +120,11 @@ impl<C: Rounded, const N: usize> Analytic for Model<C, N> {
 
     fn sqrt(self) -> Self {
         if self.is_zero() { self } else { self.square_root().unwrap_or_else(Self::none) }
+    }
+
+    /// No enclosure is known.
+    fn elementary(self, _: Elementary, _: Self) -> Self {
+        Self::none()
     }
 }
 

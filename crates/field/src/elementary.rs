@@ -1,0 +1,58 @@
+//! Elementary functions beside roots and circle points: each by its name, its values and its slopes.
+
+use crate::Scalar;
+
+/// A function of one argument a, or of two, a and b.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Elementary {
+    /// e^a
+    Exp,
+    /// The natural logarithm of a positive number.
+    Ln,
+    /// The hyperbolic tangent.
+    Tanh,
+    /// The angle of the point (b, a), from -pi to pi.
+    Atan2,
+}
+
+impl Elementary {
+    pub const ALL: [Elementary; 4] = [Elementary::Exp, Elementary::Ln, Elementary::Tanh, Elementary::Atan2];
+
+    /// The name in expressions.
+    pub fn name(self) -> &'static str {
+        match self {
+            Elementary::Exp => "exp",
+            Elementary::Ln => "ln",
+            Elementary::Tanh => "tanh",
+            Elementary::Atan2 => "atan2",
+        }
+    }
+
+    /// The number of arguments.
+    pub fn arguments(self) -> usize {
+        if self == Elementary::Atan2 { 2 } else { 1 }
+    }
+
+    /// The partial derivatives by a and b, from the value: field operations alone.
+    pub fn slopes<S: Scalar>(self, a: S, b: S, value: S) -> [S; 2] {
+        match self {
+            Elementary::Exp => [value, S::zero()],
+            Elementary::Ln => [S::one() / a, S::zero()],
+            Elementary::Tanh => [S::one() - value * value, S::zero()],
+            Elementary::Atan2 => {
+                let square = a * a + b * b;
+                [b / square, -a / square]
+            }
+        }
+    }
+
+    /// In `f64`: the same bits on every platform.
+    pub fn of(self, a: f64, b: f64) -> f64 {
+        match self {
+            Elementary::Exp => libm::exp(a),
+            Elementary::Ln => libm::log(a),
+            Elementary::Tanh => libm::tanh(a),
+            Elementary::Atan2 => libm::atan2(a, b),
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Functions that are pieced together: `if`, `abs`, `sign`, `min`, `max`, `table`. A condition becomes a switch, 1 or 0, and each of
+//! these functions a polynomial in switches: between two events nothing is chosen.
+
+use super::expressions::{Meaning, no_operation};
+use super::value::Value;
+use super::{Elaborator, Sound};
+use crate::arena::{Number, Scalar};
+use crate::expression::Relation;
+use crate::{Fault, ScalarId};
+use std::ops::Range;
+use symbolic::Dimension;
+
+impl Elaborator<'_> {
+    /// The switch of `a < b`: 1 where b - a is positive.
+    pub(super) fn comparison(
+        &mut self,
+        span: &Range<usize>,
+        relation: Relation,
+        a: Value,
+        b: Value,
+    ) -> Sound<ScalarId> {
+        let (Value::Scalar(a), Value::Scalar(b)) = (a, b) else { return Err(no_operation(span, "compared", &[a, b])) };
+        let dimension = self.common(span, a.0, b.0)?;
+        // an instant at which both are equal decides nothing
+        let (less, more) = match relation {
+            Relation::Less | Relation::LessOrEqual => (a, b),
+            Relation::Greater | Relation::GreaterOrEqual => (b, a),
+        };
+        let difference = self.scalar(Scalar::Difference(more, less), dimension);
+        Ok(self.switch(difference))
+    }
+
+    /// 1 where an expression is positive, 0 where it is negative.
+    fn switch(&mut self, positive: ScalarId) -> ScalarId {
+        let known = self.model.switches.iter().position(|known| *known == positive);
+        let switch = known.unwrap_or_else(|| {
+            self.model.switches.push(positive);
+            self.model.switches.len() - 1
+        });
+        self.scalar(Scalar::Switch(switch), Some(Dimension::none()))
+    }
+
+    fn whole(&mut self, value: f64) -> ScalarId {
+        self.scalar(Scalar::Number(Number { value, times: 1.0, per: 1.0 }), Some(Dimension::none()))
+    }
+
+    /// s a + (1 - s) b
+    fn chosen(&mut self, switch: ScalarId, a: ScalarId, b: ScalarId, dimension: Option<Dimension>) -> ScalarId {
+        let one = self.whole(1.0);
+        let off = self.scalar(Scalar::Difference(one, switch), Some(Dimension::none()));
+        let [a, b] = [(switch, a), (off, b)].map(|(switch, of)| self.scalar(Scalar::Product(switch, of), dimension));
+        self.scalar(Scalar::Sum(a, b), dimension)
+    }
+
+    /// `if(condition, a, b)`
+    pub(super) fn choice(&mut self, span: &Range<usize>, condition: Meaning, a: Value, b: Value) -> Sound<Value> {
+        let Meaning::Condition(switch) = condition else {
+            let accepted = "if(t < (2 s), a, b)";
+            return Err(Box::new(Fault::at(span.clone(), "`if` begins with a condition", "no condition", accepted)));
+        };
+        let (a, b) = (self.as_scalar(span, "the first case", a)?, self.as_scalar(span, "the second case", b)?);
+        let dimension = self.common(span, a.0, b.0)?;
+        Ok(Value::Scalar(self.chosen(switch, a, b, dimension)))
+    }
+
+    /// `sign(a)` = 2 s - 1, `abs(a)` = (2 s - 1) a.
+    pub(super) fn sign(&mut self, span: &Range<usize>, of: Value, absolute: bool) -> Sound<Value> {
+        let of = self.as_scalar(span, "the argument", of)?;
+        let switch = self.switch(of);
+        let (one, two) = (self.whole(1.0), self.whole(2.0));
+        let none = Some(Dimension::none());
+        let double = self.scalar(Scalar::Product(two, switch), none);
+        let sign = self.scalar(Scalar::Difference(double, one), none);
+        if !absolute {
+            return Ok(Value::Scalar(sign));
+        }
+        let dimension = self.dimension_of(of.0);
+        Ok(Value::Scalar(self.scalar(Scalar::Product(sign, of), dimension)))
+    }
+
+    /// `min(a, b)`, `max(a, b)`
+    pub(super) fn extreme(&mut self, span: &Range<usize>, a: Value, b: Value, least: bool) -> Sound<Value> {
+        let (a, b) = (self.as_scalar(span, "an argument", a)?, self.as_scalar(span, "an argument", b)?);
+        let dimension = self.common(span, a.0, b.0)?;
+        let (small, large) = if least { (a, b) } else { (b, a) };
+        let difference = self.scalar(Scalar::Difference(large, small), dimension);
+        let switch = self.switch(difference);
+        Ok(Value::Scalar(self.chosen(switch, a, b, dimension)))
+    }
+
+    /// `table(x, x1, y1, x2, y2, ...)`: straight lines through points in ascending order of x, constant outside.
+    pub(super) fn table(&mut self, span: &Range<usize>, at: Value, points: &[Value]) -> Sound<Value> {
+        let at = self.as_scalar(span, "the first argument", at)?;
+        let wrong = |title: &str| {
+            let accepted = "table(x, x1, y1, x2, y2, ...): at least two points, x1 < x2 < ...";
+            Err(Box::new(Fault::at(span.clone(), title, "in this table", accepted)))
+        };
+        let (pairs, rest) = points.as_chunks::<2>();
+        if pairs.len() < 2 || !rest.is_empty() {
+            return wrong("a table has pairs of numbers");
+        }
+        let mut knots: Vec<[ScalarId; 2]> = Vec::new();
+        for [x, y] in pairs {
+            let [x, y] = [self.as_scalar(span, "a place", *x)?, self.as_scalar(span, "a value", *y)?];
+            self.common(span, at.0, x.0)?;
+            if let Some([_, first]) = knots.first() {
+                self.common(span, first.0, y.0)?;
+            }
+            knots.push([x, y]);
+        }
+        let numbers = knots.iter().filter_map(|[x, _]| self.number_of(*x)).collect::<Vec<f64>>();
+        if numbers.windows(2).any(|pair| pair[0] >= pair[1]) {
+            return wrong("the places of a table ascend");
+        }
+        let along = self.dimension_of(at.0);
+        // how far x is beyond each place, and zero before it
+        let beyond: Vec<ScalarId> = knots
+            .iter()
+            .map(|[x, _]| {
+                let past = self.scalar(Scalar::Difference(at, *x), along);
+                let switch = self.switch(past);
+                self.scalar(Scalar::Product(switch, past), along)
+            })
+            .collect();
+        let up = knots.iter().find_map(|[_, y]| self.dimension_of(y.0));
+        let mut sum = knots[0][1];
+        for (k, pair) in knots.windows(2).enumerate() {
+            let ([x, y], [next_x, next_y]) = (pair[0], pair[1]);
+            let run = self.scalar(Scalar::Difference(next_x, x), along);
+            let rise = self.scalar(Scalar::Difference(next_y, y), up);
+            let slope = up.zip(along).map(|(up, along)| up / along);
+            let slope = self.scalar(Scalar::Quotient(rise, run), slope);
+            let within = self.scalar(Scalar::Difference(beyond[k], beyond[k + 1]), along);
+            let part = self.scalar(Scalar::Product(slope, within), up);
+            sum = self.scalar(Scalar::Sum(sum, part), up);
+        }
+        Ok(Value::Scalar(sum))
+    }
+
+    /// The value of a number as it stands, or of its negative.
+    fn number_of(&self, id: ScalarId) -> Option<f64> {
+        match self.model.arena.scalar_at(id)? {
+            Scalar::Number(Number { value, times, per }) => Some(value * times / per),
+            Scalar::Negation(of) => self.number_of(*of).map(|value| -value),
+            Scalar::Parameter(at) => self.model.parameters[*at].value,
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! Events: the instants at which an expression passes zero, and the state after them.
+
+use super::{Elaborator, Sound};
+use crate::{Assignment, Direction, Entry, Event, EventSource, Fault};
+use symbolic::Dimension;
+
+impl Elaborator<'_> {
+    pub(super) fn events(&mut self) {
+        for event in &self.source.events {
+            let found = self.event(event);
+            if let Some(event) = self.kept(found) {
+                self.model.events.push(event);
+            }
+        }
+    }
+
+    fn event(&mut self, source: &EventSource) -> Sound<Event> {
+        let when = self.scalar_value(&source.when, "`when`", None)?;
+        let direction = match &source.direction {
+            None => Direction::Both,
+            Some(word) => match word.text.trim() {
+                "up" => Direction::Up,
+                "down" => Direction::Down,
+                "both" => Direction::Both,
+                _ => {
+                    let accepted = "\"up\", \"down\" or \"both\"";
+                    let title = "an expression passes zero in a direction";
+                    return Err(Box::new(Fault::at(word.span(), title, "no direction", accepted)));
+                }
+            },
+        };
+        let mut set = Vec::new();
+        for entry in &source.set {
+            set.push(self.assignment(entry)?);
+        }
+        if set.is_empty() && !source.ends {
+            let accepted = "set = { \"x'\" = \"-e*x'\" }, or end = true";
+            return Err(Box::new(Fault::at(source.at.clone(), "this event changes nothing", "here", accepted)));
+        }
+        let name = source.name.as_ref().map_or_else(String::new, |name| name.text.clone());
+        Ok(Event { name, when, direction, set, ends: source.ends, at: source.at.clone() })
+    }
+
+    /// `"x'" = "-e*x'"`: the value after the event, from those before it.
+    fn assignment(&mut self, Entry { name, value }: &Entry) -> Sound<Assignment> {
+        let (coordinate, order) = self.of_state(name)?;
+        let dimension = self.model.coordinates[coordinate].dimension;
+        let needed = if order == 0 { dimension } else { dimension / Dimension::time() };
+        let is = self.scalar_value(value, &format!("`{}`", name.text), Some(needed))?;
+        Ok(Assignment { coordinate, order, is })
+    }
+}

@@ -1,0 +1,142 @@
+//! A point at which nothing vanishes that does not vanish everywhere, but for bad luck: random numbers in the field of 2^61 - 1
+//! elements, each angle a random point of the circle.
+//!
+//! Pivots and ranks are decided there. Pivots that are found are true ones, since a quantity that vanishes everywhere vanishes there
+//! too; a rank is a lower bound of the true one.
+
+use rustc_hash::FxHashMap;
+use symbolic::{Node, Sym};
+
+/// 2^61 - 1, a prime.
+const PRIME: u64 = (1 << 61) - 1;
+
+fn times(a: u64, b: u64) -> u64 {
+    (u128::from(a) * u128::from(b) % u128::from(PRIME)) as u64
+}
+
+fn minus(a: u64, b: u64) -> u64 {
+    (a + PRIME - b) % PRIME
+}
+
+fn power(base: u64, mut exponent: u64) -> u64 {
+    let (mut product, mut square) = (1, base);
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            product = times(product, square);
+        }
+        square = times(square, square);
+        exponent >>= 1;
+    }
+    product
+}
+
+fn quotient(a: u64, b: u64) -> Option<u64> {
+    (b != 0).then(|| times(a, power(b, PRIME - 2)))
+}
+
+/// Numbers that are drawn the same way each time (splitmix64).
+struct Drawn(u64);
+
+impl Drawn {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut mixed = self.0;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (mixed ^ (mixed >> 31)) % PRIME
+    }
+}
+
+/// The values of parts of expressions at the point; none where a denominator vanishes.
+struct Point {
+    values: FxHashMap<Sym, Option<u64>>,
+    circle: FxHashMap<Sym, Option<(u64, u64)>>,
+    drawn: Drawn,
+}
+
+impl Point {
+    fn new() -> Self {
+        Point { values: FxHashMap::default(), circle: FxHashMap::default(), drawn: Drawn(1) }
+    }
+
+    /// The value of an expression, its parts first and without recursion.
+    fn value(&mut self, expression: Sym) -> Option<u64> {
+        let mut open = vec![expression];
+        while let Some(&each) = open.last() {
+            let leaf = each.node().is_leaf();
+            let missing: Vec<Sym> =
+                each.node().children().filter(|child| !leaf && !self.values.contains_key(child)).collect();
+            if missing.is_empty() {
+                let value = self.of_node(each);
+                self.values.insert(each, value);
+                open.pop();
+            }
+            open.extend(missing);
+        }
+        self.values[&expression]
+    }
+
+    fn of_node(&mut self, each: Sym) -> Option<u64> {
+        if let Some(known) = self.values.get(&each) {
+            return *known;
+        }
+        let of = |a: &Sym| self.values[a];
+        match each.node() {
+            Node::Constant(_) => {
+                let (numerator, denominator) = each.as_constant()?.to_big()?.into_parts();
+                let signed = numerator % (PRIME as i64);
+                let below = denominator % PRIME;
+                quotient(signed.rem_euclid(PRIME as i64) as u64, below)
+            }
+            Node::Sum(a, b) => Some((of(&a)? + of(&b)?) % PRIME),
+            Node::Difference(a, b) => Some(minus(of(&a)?, of(&b)?)),
+            Node::Product(a, b) => Some(times(of(&a)?, of(&b)?)),
+            Node::Quotient(a, b) => quotient(of(&a)?, of(&b)?),
+            Node::Negation(a) => Some(minus(0, of(&a)?)),
+            Node::Power(a, n) => Some(power(of(&a)?, n.into())),
+            Node::Cos(a) => self.on_circle(a).map(|(cos, _)| cos),
+            Node::Sin(a) => self.on_circle(a).map(|(_, sin)| sin),
+            Node::Symbol(_) | Node::Root(_) | Node::Elementary(..) | Node::Function(..) => Some(self.drawn.next()),
+        }
+    }
+
+    fn on_circle(&mut self, angle: Sym) -> Option<(u64, u64)> {
+        let drawn = &mut self.drawn;
+        *self.circle.entry(angle).or_insert_with(|| {
+            let t = drawn.next();
+            let square = times(t, t);
+            let below = (1 + square) % PRIME;
+            Some((quotient(minus(1, square), below)?, quotient((t + t) % PRIME, below)?))
+        })
+    }
+}
+
+/// The rank of a matrix at the point.
+pub(crate) fn generic_rank(rows: &[Vec<Sym>]) -> usize {
+    let columns = rows.first().map_or(0, Vec::len);
+    pivots(rows, &(0..columns).collect::<Vec<_>>()).len()
+}
+
+/// The pivots of a matrix at the point, (row, column) of each: rows from the first, in each the first column of an order that has
+/// one. A row without a pivot depends on those before it.
+pub(crate) fn pivots(rows: &[Vec<Sym>], order: &[usize]) -> Vec<(usize, usize)> {
+    let mut point = Point::new();
+    let mut reduced: Vec<Vec<u64>> = Vec::new();
+    let mut found: Vec<(usize, usize)> = Vec::new();
+    for (row, entries) in rows.iter().enumerate() {
+        let mut values: Vec<u64> = entries.iter().map(|&entry| point.value(entry).unwrap_or(0)).collect();
+        for &(above, column) in &found {
+            let Some(factor) = quotient(values[column], reduced[above][column]).filter(|factor| *factor != 0) else {
+                continue;
+            };
+            for (value, above) in values.iter_mut().zip(&reduced[above]) {
+                *value = minus(*value, times(factor, *above));
+            }
+        }
+        if let Some(&column) = order.iter().find(|&&column| values[column] != 0) {
+            found.push((row, column));
+        }
+        reduced.push(values);
+    }
+    found
+}

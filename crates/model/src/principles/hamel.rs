@@ -1,0 +1,81 @@
+//! The equations of Boltzmann and Hamel, in the quasi-velocities in which bodies are known: the components of the velocity of each
+//! centre of mass in its axes, and those of each angular velocity in the axes of the inertia.
+//!
+//! With quasi-velocities w_r(q, u, t) and T(q, w, t) every coordinate has the equation
+//!
+//!   sum_r [ (dT/dw_r)' dw_r/du_i + (dT/dw_r) (d/dt dw_r/du_i - dw_r/dq_i) ] - dT/dq_i|w = Q_i .
+//!
+//! The bracket behind the momentum dT/dw_r is the transpositional relation, d(delta pi_r)/dt - delta w_r, per displacement of q_i: it
+//! is what the w, being no rates of coordinates, bring in. There may be more of them than speeds.
+
+use super::loads::{by_energies, forces, torques};
+use crate::Trace;
+use field::Rational;
+use symbolic::{Sym, substitute_all};
+
+/// Quasi-velocities, and the kinetic energy by symbols of theirs.
+struct Quasi {
+    velocities: Vec<Sym>,
+    symbols: Vec<Sym>,
+    kinetic: Sym,
+}
+
+impl Quasi {
+    fn of(trace: &Trace<'_>) -> Self {
+        let half = Sym::constant(Rational::new(1, 2));
+        let mut quasi = Quasi { velocities: Vec::new(), symbols: Vec::new(), kinetic: Sym::ZERO };
+        for body in &trace.model.bodies {
+            if let Some((mass, velocity, _)) = trace.carried(body) {
+                let named = velocity.map(|component| quasi.named(component));
+                quasi.kinetic += half * mass * trace.dot(named, named);
+            }
+            if let Some((inertia, turning)) = trace.turned(body) {
+                let axes = trace.inertia_times(inertia, turning).frame;
+                let components = trace.express(turning, axes);
+                let named = crate::Vector { frame: axes, components }.map(|component| quasi.named(component));
+                quasi.kinetic += half * trace.dot(named, trace.inertia_times(inertia, named));
+            }
+        }
+        quasi
+    }
+
+    /// A symbol in the place of a component; zero stays zero.
+    fn named(&mut self, component: Sym) -> Sym {
+        if component == Sym::ZERO {
+            return component;
+        }
+        // a name that no system has
+        let symbol = Sym::symbol(&format!("quasi-velocity {}", self.symbols.len() + 1));
+        self.velocities.push(component);
+        self.symbols.push(symbol);
+        symbol
+    }
+}
+
+pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
+    let Quasi { velocities, symbols, kinetic } = Quasi::of(trace);
+    let back: Vec<(Sym, Sym)> = symbols.iter().copied().zip(velocities.iter().copied()).collect();
+    let by_symbols: Vec<Sym> = symbols.iter().map(|&symbol| kinetic.diff(symbol)).collect();
+    let momenta = substitute_all(&by_symbols, &back);
+    let rates: Vec<Sym> = momenta.iter().map(|&momentum| trace.rate_of(momentum)).collect();
+    let (forces, torques) = (forces(trace, true), torques(trace));
+    let power = |i: usize| -> Sym {
+        let of_forces = forces.iter().map(|force| {
+            let velocity = trace.material_velocity(force.at);
+            trace.dot(force.is, trace.vector_by_speed(velocity, i))
+        });
+        let of_torques =
+            torques.iter().map(|torque| trace.dot(torque.is, trace.vector_by_speed(trace.turning(torque.on), i)));
+        of_forces.chain(of_torques).fold(Sym::ZERO, |sum, each| sum + each)
+    };
+    let of = |i: usize| {
+        let inertia = velocities.iter().zip(momenta.iter().zip(&rates)).map(|(&velocity, (&momentum, &rate))| {
+            let displaced = trace.by_speed(velocity, i);
+            let transposed = trace.rate_of(displaced) - trace.by_coordinate(velocity, i);
+            rate * displaced + momentum * transposed
+        });
+        let by_place = trace.by_coordinate(kinetic, i).substitute(&back);
+        inertia.fold(-by_place, |sum, term| sum + term) - power(i) + by_energies(trace, i)
+    };
+    (0..trace.speeds.len()).map(of).collect()
+}

@@ -1,0 +1,56 @@
+//! Hamilton's canonical equations, q' = dH/dp and p' = -dH/dq + Q, transformed back along the speeds.
+//!
+//! The momenta p = dT/du are functions of q and u, and so is H = p . u - T + V. With u as the intermediate variable the chain rule is
+//!
+//!   dH/du_j|q = sum (dH/dp_k) dp_k/du_j ,    dH/dq_i|u = dH/dq_i|p + sum (dH/dp_k) dp_k/dq_i .
+//!
+//! The first, with dH/dp = u, is the canonical equation q' = dH/dp where the momenta determine the speeds; the second gives dH/dq|p
+//! without solving for them. Both stand in the residual: the first, which vanishes identically, takes part by the rates u'.
+
+use super::NotApplicable;
+use super::loads::{by_energies, forces, torques};
+use crate::Trace;
+use crate::equations::generic_rank;
+use symbolic::Sym;
+
+/// The momenta dT/du.
+pub(crate) fn momenta(trace: &Trace<'_>) -> Vec<Sym> {
+    let kinetic = trace.kinetic_energy();
+    (0..trace.speeds.len()).map(|i| trace.by_speed(kinetic, i)).collect()
+}
+
+/// sum p u - T + V, without the potential that is given beside the weights.
+fn hamiltonian(trace: &Trace<'_>, momenta: &[Sym]) -> Sym {
+    let heights = trace.potential_of_weights();
+    momenta.iter().zip(&trace.speeds).fold(heights - trace.kinetic_energy(), |sum, (&p, &u)| sum + p * u)
+}
+
+pub(super) fn residual(trace: &Trace<'_>) -> Result<Vec<Sym>, NotApplicable> {
+    let n = trace.speeds.len();
+    let momenta = momenta(trace);
+    let inertia: Vec<Vec<Sym>> = momenta.iter().map(|&p| (0..n).map(|j| trace.by_speed(p, j)).collect()).collect();
+    if generic_rank(&inertia) < n {
+        return Err(NotApplicable(
+            "the momenta dT/du do not determine the speeds: no inertia resists one of them".into(),
+        ));
+    }
+    let energy = hamiltonian(trace, &momenta);
+    let (forces, torques) = (forces(trace, trace.uniform_gravity().is_none()), torques(trace));
+    let given = |i: usize| -> Sym {
+        let by_forces = forces.iter().map(|force| trace.dot(force.is, trace.material_displacement(force.at, i)));
+        let by_torques =
+            torques.iter().map(|torque| trace.dot(torque.is, trace.vector_by_speed(trace.turning(torque.on), i)));
+        by_forces.chain(by_torques).fold(Sym::ZERO, |sum, each| sum + each)
+    };
+    let of = |i: usize| {
+        let along = |derivative: &dyn Fn(Sym) -> Sym| {
+            momenta.iter().zip(&trace.speeds).fold(derivative(energy), |sum, (&p, &u)| sum - u * derivative(p))
+        };
+        let by_place = along(&|scalar| trace.by_coordinate(scalar, i));
+        // q' - dH/dp, brought back by dp/du: zero
+        let kinematic = along(&|scalar| trace.by_speed(scalar, i));
+        let rate = trace.rate_of(momenta[i]);
+        rate + by_place + trace.accelerations[i] * kinematic - given(i) + by_energies(trace, i)
+    };
+    Ok((0..n).map(of).collect())
+}

@@ -1,0 +1,62 @@
+//! Every principle gives the same equations, whatever the model.
+
+mod reactions;
+mod systems;
+
+use model::principles::Principle;
+use model::{Model, Source, Trace};
+use symbolic::{Decision, Hypotheses, apart};
+use systems::{chain, disc, double_pendulum, sleigh, slider_crank, two_bodies};
+
+fn agree(source: &Source) {
+    let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| {
+        let trace = Trace::of(&model);
+        let all = Principle::ALL.map(|principle| principle.residual(&trace).expect("it applies"));
+        for (principle, residual) in Principle::ALL.iter().zip(&all).skip(1) {
+            for (i, (own, first)) in residual.iter().zip(&all[0]).enumerate() {
+                let decided = Hypotheses::none().equal(*own, *first);
+                assert!(matches!(decided, Decision::Zero(_)), "{principle:?}, equation {i}: {decided}");
+            }
+        }
+    });
+}
+
+#[test]
+fn principles_agree_on_a_double_pendulum() {
+    agree(&double_pendulum(false));
+    agree(&double_pendulum(true));
+}
+
+#[test]
+fn principles_agree_on_a_leaning_disc() {
+    agree(&disc());
+}
+
+#[test]
+fn principles_agree_on_systems_with_constraints_and_in_space() {
+    agree(&sleigh());
+    agree(&slider_crank());
+    agree(&two_bodies());
+    agree(&chain(3));
+}
+
+#[test]
+fn constraints_are_told_apart_by_what_they_speak_of() {
+    let mut source = disc();
+    let held = |zero: &str| model::ConstraintSource { zero: vec![zero.into()], ..model::ConstraintSource::default() };
+    source.parameters.push(("w", "1 rad/s").into());
+    source.constraints = vec![
+        held("velocity(disc at P) . N.x"),
+        held("lean - w*t"),
+        held("x' - w*y - (1 m/s)"),
+        held("x'^2 + y'^2 - (1 m/s)^2"),
+    ];
+    let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let told = apart(|| model::constraints(&Trace::of(&model)));
+    let kinds = ["of speeds, linear", "of positions, with the time", "of speeds, affine", "of speeds, nonlinear"];
+    assert_eq!(told.len(), kinds.len());
+    for (told, kind) in told.iter().zip(kinds) {
+        assert!(told.ends_with(kind), "{told}");
+    }
+}

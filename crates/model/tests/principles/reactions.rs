@@ -1,0 +1,128 @@
+//! Loads of joints and reactions of constraints, beside those that are known by hand.
+
+use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
+use model::equations::Equations;
+use model::{Model, Source, Trace};
+use symbolic::{Hypotheses, Sym, apart, substitute_all};
+
+/// Every output is zero along every motion: accelerations and multipliers by the equations.
+fn vanish(source: &Source) {
+    let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| {
+        let trace = Trace::of(&model);
+        let outputs: Vec<Sym> = model.outputs.iter().map(|output| trace.scalar(output.is)).collect();
+        let equations = Equations::of(&trace);
+        let (accelerations, multipliers) = equations.solved().expect("it is regular");
+        let symbols = trace.accelerations.iter().copied();
+        let symbols = symbols.chain(equations.constraints.iter().map(|one| one.multiplier));
+        let known: Vec<(Sym, Sym)> = symbols.zip(accelerations.into_iter().chain(multipliers)).collect();
+        for (place, output) in substitute_all(&outputs, &known).into_iter().enumerate() {
+            let decided = symbolic::decide(output, &Hypotheses::none());
+            assert!(decided.is_zero(), "output {place}: {decided}");
+        }
+    });
+}
+
+fn with_outputs(source: Source, outputs: &[&str]) -> Source {
+    let named: Vec<(String, &str)> = outputs.iter().enumerate().map(|(k, &is)| (format!("out{k}"), is)).collect();
+    let pairs: Vec<(&str, &str)> = named.iter().map(|(name, is)| (name.as_str(), *is)).collect();
+    Source { outputs: entries(&pairs), ..source }
+}
+
+/// The upper rod of a double pendulum without friction carries both masses, along itself alone; the lower one its own.
+#[test]
+fn rods_of_a_pendulum_carry_what_hangs_on_them() {
+    let free = Source { torques: Vec::new(), ..double_pendulum(false) };
+    vanish(&with_outputs(
+        free,
+        &[
+            "joint_force(second) . B.x",
+            "joint_force(second) . B.y - m2*(acceleration(Q) + g*N.y) . B.y",
+            "joint_force(first) . N.x - m1*acceleration(P) . N.x - m2*acceleration(Q) . N.x",
+            "joint_force(first) . N.y - m1*(acceleration(P) . N.y + g) - m2*(acceleration(Q) . N.y + g)",
+            "dot(cross(P - O, joint_force(first) - joint_force(second)), N.z) - m1*dot(cross(P - O, acceleration(P) + g*N.y), N.z)",
+        ],
+    ));
+}
+
+/// A disc that rolls: the plane carries the height's part of m (a + g), friction the other two; nothing turns its joint.
+#[test]
+fn a_rolling_disc_is_carried_by_the_plane_and_held_by_friction() {
+    vanish(&with_outputs(
+        rolling_disc(),
+        &[
+            "joint_force(disc) . N.z - m*(acceleration(G) . N.z + g)",
+            "joint_force(disc) . N.x",
+            "joint_force(disc) . N.y",
+            "reaction(rolling, 1) - m*acceleration(G) . N.x",
+            "reaction(rolling, 2) - m*acceleration(G) . N.y",
+            // the normal reaction acts at the point of contact, the joint stands at the centre
+            "(joint_torque(disc) - cross(P - G, (joint_force(disc) . N.z)*N.z)) . C.x",
+            "(joint_torque(disc) - cross(P - G, (joint_force(disc) . N.z)*N.z)) . C.y",
+        ],
+    ));
+}
+
+/// The pin of a slider-crank: along the guide it moves the slider, across it the guide carries the rest.
+#[test]
+fn the_vector_of_a_loop_is_the_force_in_its_pin() {
+    vanish(&with_outputs(
+        slider_crank(),
+        &[
+            "reaction(pin) . N.x + m*s''",
+            "joint_force(slider) . N.y - reaction(pin) . N.y - m*g",
+            "joint_force(slider) . N.x",
+            "dot(joint_torque(rod), N.z)",
+            "dot(joint_torque(crank), N.z) - J*theta'' + T",
+        ],
+    ));
+}
+
+/// By the sign convention M u' + h = J^T lambda the edge of a sleigh pushes along B.y with lambda.
+#[test]
+fn a_multiplier_has_the_sign_of_its_constraint() {
+    vanish(&with_outputs(
+        sleigh(),
+        &["reaction(edge) - m*acceleration(G) . B.y", "F - m*acceleration(G) . B.x", "norm(joint_force(sleigh))"],
+    ));
+}
+
+/// Power per rate: newtons for a length and for a speed, newton metres for an angle.
+#[test]
+fn multipliers_have_the_unit_of_power_per_rate() {
+    let mut source = sleigh();
+    source.constraints.push(held("turn", &["psi - (1 rad/s)*t"]));
+    source.constraints.push(held("line", &["x - (1 m/s)*t"]));
+    let source = with_outputs(source, &["reaction(edge)", "reaction(turn)", "reaction(line)"]);
+    let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let units: Vec<String> = model.outputs.iter().map(|output| output.dimension.to_string()).collect();
+    assert_eq!(units, ["kg m s^-2", "kg m^2 s^-2", "kg m s^-2"]);
+}
+
+#[test]
+fn loads_that_are_not_known_are_refused_by_name() {
+    let told = |source: Source| match Model::of(&source) {
+        Ok(_) => panic!("it is accepted"),
+        Err(faults) => {
+            assert_eq!(faults.len(), 1, "{faults:?}");
+            format!("{}; {}; {}", faults[0].title, faults[0].label, faults[0].accepted)
+        }
+    };
+    let force = model::LoadSource { on: Some("sleigh".into()), is: "reaction(edge)*B.y".into(), ..Default::default() };
+    let early = told(Source { forces: vec![force], ..sleigh() });
+    assert!(early.contains("`reaction` stands in [outputs] only"), "{early}");
+    let unknown = told(with_outputs(sleigh(), &["reaction(edgy)"]));
+    assert!(unknown.contains("no constraint is called `edgy`") && unknown.contains("`edge`"), "{unknown}");
+    let two = told(with_outputs(rolling_disc(), &["reaction(rolling)"]));
+    assert!(two.contains("`rolling` holds 2 equations"), "{two}");
+    let massless = told(with_outputs(slider_crank(), &["joint_force(crank) . N.x"]));
+    assert!(massless.contains("the force on the joint of `crank` is not known"), "{massless}");
+    let energies = entries(&[("potential", "m*(9.81 m/s^2)*y")]);
+    let given = told(with_outputs(Source { energies, ..sleigh() }, &["joint_force(sleigh) . N.x"]));
+    assert!(given.contains("[energies] does not say on which bodies it acts"), "{given}");
+    // both absolute angles of two links stand in it: of the lower one the joints of both links know
+    let mut links = double_pendulum(false);
+    links.constraints.push(held("gear", &["a - 2*b"]));
+    let spread = told(with_outputs(links, &["joint_force(first) . N.x"]));
+    assert!(spread.contains("moves more than one joint"), "{spread}");
+}

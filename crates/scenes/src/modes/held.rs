@@ -1,0 +1,73 @@
+//! Conditions that stay at zero: the value between the two cases of each that keeps it there (Filippov 1988).
+//!
+//! Along the motion g' = a + b s with the switch s, which the law holds linearly: s = -a/b. Dry friction is such a law: while it
+//! sticks, s takes the value of the force that is needed.
+
+use super::Case;
+use crate::compiled_system::{Motion, NotCompiled};
+use model::Trace;
+use symbolic::{Derivation, Sym, substitute_all};
+
+/// The accelerations with every switch replaced, and the values of the switches.
+pub(crate) fn held(
+    trace: &Trace<'_>,
+    mode: &[Case],
+    accelerations: Vec<Sym>,
+    multipliers: Vec<Sym>,
+) -> Result<Motion, NotCompiled> {
+    let fixed = |case: &Case| match case {
+        Case::On => Some(Sym::ONE),
+        Case::Off => Some(Sym::ZERO),
+        Case::Held => None,
+    };
+    let letters = trace.switches.iter().zip(mode);
+    let known: Vec<(Sym, Sym)> = letters.clone().filter_map(|(&letter, case)| Some((letter, fixed(case)?))).collect();
+    let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &known));
+    let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
+    let unknown: Vec<usize> = (0..mode.len()).filter(|&k| mode[k] == Case::Held).collect();
+    let symbols: Vec<Sym> = unknown.iter().map(|&k| trace.switches[k]).collect();
+    // rows of b, and -a
+    let (mut rows, mut right): (Vec<Vec<Sym>>, Vec<Sym>) = (Vec::new(), Vec::new());
+    for &switch in &unknown {
+        let condition = trace.scalar(trace.model.switches[switch]).substitute(&known);
+        let rate = trace.rate_of(condition).substitute(&motion);
+        let slopes: Vec<Sym> = symbols.iter().map(|&letter| Derivation::new([(letter, Sym::ONE)]).of(rate)).collect();
+        let is_linear = slopes.iter().all(|slope| symbols.iter().all(|letter| !slope.symbols_of().contains(letter)));
+        if !is_linear || slopes.iter().all(|slope| *slope == Sym::ZERO) {
+            return Err(NotCompiled::NotHeld { switch });
+        }
+        let none: Vec<(Sym, Sym)> = symbols.iter().map(|&letter| (letter, Sym::ZERO)).collect();
+        right.push(-rate.substitute(&none));
+        rows.push(slopes);
+    }
+    let values = solved(rows, right).map_err(|row| NotCompiled::NotHeld { switch: unknown[row] })?;
+    let found: Vec<(Sym, Sym)> = symbols.iter().copied().zip(values).collect();
+    let switches = letters.map(|(&letter, case)| match fixed(case) {
+        Some(value) => value,
+        None => found.iter().find(|(symbol, _)| *symbol == letter).map_or(Sym::UNDEFINED, |(_, value)| *value),
+    });
+    let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &found));
+    Ok(Motion { switches: switches.collect(), accelerations, multipliers })
+}
+
+/// Gauss's elimination in order; the first row without a pivot where there is one.
+fn solved(mut rows: Vec<Vec<Sym>>, mut right: Vec<Sym>) -> Result<Vec<Sym>, usize> {
+    let n = right.len();
+    for pivot in 0..n {
+        let Some(row) = (pivot..n).find(|&row| rows[row][pivot] != Sym::ZERO) else { return Err(pivot) };
+        rows.swap(pivot, row);
+        right.swap(pivot, row);
+        for below in pivot + 1..n {
+            let factor = rows[below][pivot] / rows[pivot][pivot];
+            for column in pivot..n {
+                rows[below][column] = rows[below][column] - factor * rows[pivot][column];
+            }
+            right[below] = right[below] - factor * right[pivot];
+        }
+    }
+    for row in (0..n).rev() {
+        let known = (row + 1..n).fold(right[row], |rest, column| rest - rows[row][column] * right[column]);
+        right[row] = known / rows[row][row];
+    }
+    Ok(right)
+}

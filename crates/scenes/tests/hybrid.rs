@@ -1,0 +1,153 @@
+//! Systems whose law or state changes at events, beside their closed forms.
+
+use derivations::scene::{Choice, Smooth, Trajectory};
+use integrators::Method;
+use scenes::ModelScene;
+
+const METHODS: [Method; 3] = [Method::DormandPrince8, Method::Taylor, Method::Radau5];
+
+fn runs(text: &str, method: Method) -> Trajectory {
+    let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    let choice = Choice { method, tolerance: 1e-12, ..scene.run().choice() };
+    scene.problem(choice.axes).simulate(&choice, |_| {})
+}
+
+fn stored(name: &str) -> String {
+    let path = format!("{}/../../scenes/models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+fn close(found: f64, known: f64, within: f64) {
+    assert!((found - known).abs() <= within, "{found} and {known}");
+}
+
+/// x'' = -x - sgn x' from (12, 6): half circles about -1 and 1 in turn, until one ends between the two.
+#[test]
+fn a_block_with_dry_friction_sticks_where_the_closed_form_says() {
+    for method in METHODS {
+        let trajectory = runs(&stored("dry_friction"), method);
+        assert_eq!(trajectory.stopped(), None, "{method:?}");
+        let at = |name: &str| trajectory.last[trajectory.column(name).unwrap()];
+        close(at("x"), 15.0 - 205f64.sqrt(), 1e-10);
+        close(at("x'"), 0.0, 1e-13);
+        // friction holds the spring
+        close(at("friction"), at("x"), 1e-10);
+        let moving = |time: f64| trajectory.times.iter().position(|known| *known >= time).unwrap();
+        let speed = trajectory.column("x'").unwrap();
+        assert!(trajectory.rows[moving(22.0)][speed].abs() > 0.1);
+        assert!(trajectory.rows[moving(22.5)][speed].abs() < 1e-13);
+    }
+}
+
+/// Heights after each bounce shrink by e^2: the times of flight are a geometric series.
+#[test]
+fn a_ball_bounces_as_often_as_the_closed_form_says() {
+    let (g, e) = (9.81, 0.8f64);
+    for method in METHODS {
+        let trajectory = runs(&stored("bouncing_ball"), method);
+        assert_eq!(trajectory.stopped(), None, "{method:?}");
+        let (mut landed, mut flight, mut speed) = ((2.0 / g as f64).sqrt(), 0.0, (2.0 * g as f64).sqrt());
+        while landed + flight < 3.0 {
+            landed += flight;
+            speed *= e;
+            flight = 2.0 * speed / g;
+        }
+        let since = 3.0 - landed;
+        close(trajectory.last[0], speed * since - g * since * since / 2.0, 1e-9);
+        close(trajectory.last[1], speed - g * since, 1e-9);
+    }
+}
+
+#[test]
+fn bounces_without_end_are_told() {
+    let endless = stored("bouncing_ball").replace("span = \"3 s\"", "span = \"5 s\"");
+    let trajectory = runs(&endless, Method::DormandPrince8);
+    let limit = (2.0f64 / 9.81).sqrt() * (1.0 + 0.8) / (1.0 - 0.8);
+    close(trajectory.outcome.time, limit, 1e-6);
+    assert!(trajectory.stopped().unwrap().contains("follow each other without end"), "{:?}", trajectory.stopped());
+}
+
+const PUSHED: &str = r#"
+title = "A mass that is pushed for two seconds"
+[parameters]
+m = "2 kg"
+[coordinates]
+x = "m"
+[bodies.mass]
+centre = "O + x*N.x"
+mass = "m"
+[inputs]
+u = { unit = "N", value = "FORCE" }
+[[force]]
+on = "mass"
+is = "u*N.x"
+[run]
+span = "5 s"
+"#;
+
+/// Twice the integral of the force over the mass.
+fn pushed(force: &str) -> [f64; 2] {
+    let trajectory = runs(&PUSHED.replace("FORCE", force), Method::DormandPrince8);
+    assert_eq!(trajectory.stopped(), None, "{force}");
+    [trajectory.last[0], trajectory.last[1]]
+}
+
+#[test]
+fn an_input_of_pieces_gives_the_impulse_of_its_pieces() {
+    let both = |[x, v]: [f64; 2], known: [f64; 2]| {
+        close(x, known[0], 1e-10);
+        close(v, known[1], 1e-11);
+    };
+    both(pushed("if(t < (2 s), (4 N), 0)"), [4.0 + 4.0 * 3.0, 4.0]);
+    // up to 2 N in one second, then 2 N
+    both(pushed("min(t*(2 N/s), (2 N))"), [1.0 / 6.0 + 0.5 * 4.0 + 8.0, 4.5]);
+    both(pushed("max(t - (2 s), 0)*(2 N/s)"), [4.5, 4.5]);
+    // a hat over four seconds, then nothing
+    both(pushed("(1 N)*table(t, (0 s), 0, (2 s), 2, (4 s), 0)"), [4.0 + 2.0, 2.0]);
+    both(pushed("(2 N)*abs(t - (1 s))/(1 s)"), [1.0 / 3.0 + 0.5 * 4.0 + 64.0 / 6.0, 8.5]);
+    both(pushed("(2 N)*sign(t - (1 s))"), [-0.5 - 4.0 + 8.0, 3.0]);
+}
+
+#[test]
+fn an_event_ends_a_run_or_stops_a_motion_that_breaks_a_constraint() {
+    let event = |keys: &str| format!("{}\n[[event]]\nwhen = \"x - (4 m)\"\n{keys}", PUSHED.replace("FORCE", "(2 N)"));
+    let ended = runs(&event("end = true"), Method::Taylor);
+    assert_eq!(ended.stopped(), None);
+    close(ended.outcome.time, 8f64.sqrt(), 1e-11);
+    let held = format!("{}\n[[constraint]]\nzero = \"x - (1 m/s)*t\"\n", event("set = { x = \"0\" }"));
+    let broken = runs(&held, Method::Taylor);
+    assert!(broken.stopped().unwrap().contains("breaks a constraint"), "{:?}", broken.stopped());
+}
+
+#[test]
+fn a_start_from_which_two_motions_go_is_refused() {
+    let fork = PUSHED.replace("FORCE", "(2 N)*sign(x')");
+    let error = ModelScene::parse("scene.toml", &fork).unwrap_err().to_string();
+    assert!(error.contains("several motions go on from here"), "{error}");
+}
+
+#[test]
+fn a_programmed_constraint_is_led_to_zero_from_where_it_starts() {
+    let led = format!(
+        "{}\n[[constraint]]\nzero = \"x - (1 m)\"\nprogrammed = {{ gains = [\"2*(1 1/s)\", \"(1 1/s)^2\"] }}\n",
+        PUSHED.replace("FORCE", "(2 N)")
+    );
+    let trajectory = runs(&led, Method::DormandPrince8);
+    // f'' + 2 f' + f = 0 from f = -1: f = -(1 + t) e^-t
+    close(trajectory.last[0], 1.0 - 6.0 * (-5f64).exp(), 1e-11);
+}
+
+#[test]
+fn elementary_functions_run_by_every_method() {
+    for (force, known) in [("(2 N)*exp(-t/(1 s))", 4.0 + (-5f64).exp()), ("(2 N)*tanh(t/(1 s))", f64::NAN)] {
+        let text = PUSHED.replace("FORCE", force);
+        let all: Vec<f64> = METHODS.map(|method| runs(&text, method).last[0]).to_vec();
+        all.iter().for_each(|x| close(*x, all[0], 1e-9));
+        if known.is_finite() {
+            close(all[0], known, 1e-10);
+        }
+    }
+    let spring = PUSHED.replace("FORCE", "-(2 N)*atan2(x, (1 m)) - (1 N)*ln(1 + (x/(1 m))^2)*x/(1 m) + (1 N)");
+    let all = METHODS.map(|method| runs(&spring, method).last[0]);
+    all.iter().for_each(|x| close(*x, all[0], 1e-9));
+}

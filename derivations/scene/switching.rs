@@ -1,0 +1,122 @@
+//! Runs of systems whose law changes at events: segment after segment, each from an event, located to rounding, to the next.
+
+use super::problem::Law;
+use integrators::{
+    Deviation, End, Event, Method, Observer, Outcome, Span, Switches, Tolerance, Work, integrate_to_event,
+};
+use std::sync::Arc;
+
+/// A law that holds until one of its switches falls.
+pub struct Segment {
+    pub law: Arc<dyn Law>,
+    pub switches: Box<dyn Switches>,
+}
+
+/// A system whose law, or state, changes at events.
+pub trait Switching: Send + Sync {
+    /// The law that holds from the start on; the state may be changed by an event there.
+    ///
+    /// # Errors
+    /// Why the motion is not determined.
+    fn begin(&self, time: f64, state: &mut [f64]) -> Result<Segment, &'static str>;
+
+    /// The law after an event, and its state; none where the motion ends with the event.
+    ///
+    /// # Errors
+    /// Why no motion follows.
+    fn pass(&self, event: &Event, state: &mut [f64]) -> Result<Option<Segment>, &'static str>;
+}
+
+/// Events after which a run is given up.
+const MOST_EVENTS: usize = 20_000;
+
+/// So many events in a row within a rounding of the time: their times have a limit.
+const MOST_TOGETHER: usize = 64;
+
+/// Runs over a span, event after event. The reason is told where the motion ends before the span does.
+pub(super) fn integrate(
+    switching: &dyn Switching,
+    (method, tolerance): (Method, &Tolerance),
+    span: &Span<'_, f64>,
+    observer: &mut dyn Observer<f64>,
+) -> (Outcome<f64>, Option<&'static str>) {
+    let mut at = Outcome {
+        end: End::Halted,
+        time: span.start,
+        state: span.state.clone(),
+        work: Work::default(),
+        deviations: Vec::new(),
+    };
+    let mut segment = match switching.begin(at.time, &mut at.state) {
+        Ok(segment) => segment,
+        Err(why) => return (at, Some(why)),
+    };
+    let mut together = 0;
+    for passed in 0..=MOST_EVENTS {
+        let here = at.time;
+        let later = |time: &&f64| **time > here || passed == 0 && **time == here;
+        let outputs: Vec<f64> = span.outputs.iter().filter(later).copied().collect();
+        let mut rest = Span::new(here, span.end, &at.state).with_outputs(&outputs);
+        rest.budget = span.budget;
+        rest.budget.evaluations = span.budget.evaluations.saturating_sub(at.work.rates);
+        for monitor in &span.monitors {
+            rest = rest.with_monitor(&monitor.name, |time, state| (monitor.value)(time, state));
+        }
+        let whole = span.end - span.start;
+        let done = (here - span.start) / whole;
+        let mut part = Part { observer, done, share: (span.end - here) / whole };
+        let (outcome, event) =
+            integrate_to_event(&*segment.law, method, tolerance, &rest, &*segment.switches, &mut part);
+        at = joined(at, outcome);
+        let Some(event) = event else { return (at, None) };
+        together = if at.time - here <= 8.0 * f64::EPSILON * at.time.abs() { together + 1 } else { 0 };
+        if together > MOST_TOGETHER {
+            return (at, Some("its events follow each other without end"));
+        }
+        segment = match switching.pass(&event, &mut at.state) {
+            Ok(Some(segment)) if at.time != span.end => segment,
+            Ok(_) => return (Outcome { end: End::Reached, ..at }, None),
+            Err(why) => return (at, Some(why)),
+        };
+    }
+    (at, Some("more events than 20,000"))
+}
+
+/// A run with the part that follows it.
+fn joined(before: Outcome<f64>, after: Outcome<f64>) -> Outcome<f64> {
+    let mut deviations = after.deviations;
+    for (later, earlier) in deviations.iter_mut().zip(before.deviations) {
+        // the first value is that of the whole run
+        let moved = later.largest + (later.first - earlier.first).abs();
+        *later = match moved > earlier.largest {
+            true => Deviation { first: earlier.first, largest: moved, ..later.clone() },
+            false => earlier,
+        };
+    }
+    Outcome { work: before.work + after.work, deviations, ..after }
+}
+
+/// Tells the fraction of the whole run.
+struct Part<'a> {
+    observer: &'a mut dyn Observer<f64>,
+    done: f64,
+    share: f64,
+}
+
+impl Observer<f64> for Part<'_> {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        self.observer.sample(time, state);
+    }
+
+    fn step(&mut self, time: f64, state: &[f64]) {
+        self.observer.step(time, state);
+    }
+
+    fn progress(&mut self, fraction: f64) {
+        self.observer.progress(self.done + fraction * self.share);
+    }
+
+    fn enough(&self) -> bool {
+        self.observer.enough()
+    }
+}
