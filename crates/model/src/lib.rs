@@ -41,8 +41,9 @@ pub use arena::{Function, Number, ScalarId, VectorId};
 pub use elaboration::is_reserved;
 pub use fault::Fault;
 pub use parts::{
-    Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId, Inertia,
-    Input, Material, Model, Output, Parameter, Point, PointId, StartValue, Torque, Turn, Zero,
+    Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId,
+    GeneralisedForce, Inertia, Input, Material, Model, Output, Parameter, Point, PointId, StartValue, Torque, Turn,
+    Zero,
 };
 pub use presentation::{Held, MatrixForm, Typeset, code, constraints, latex, sympy, text, typeset, vectors};
 pub use source::{

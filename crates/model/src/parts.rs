@@ -38,6 +38,11 @@ pub struct Parameter {
     pub value: Option<f64>,
 }
 
+/// The parts of a free frame's quaternion.
+pub(crate) const QUATERNION: [&str; 4] = ["q0", "q1", "q2", "q3"];
+/// The parts of its angular velocity along its own axes.
+pub(crate) const TURNING: [&str; 3] = ["wx", "wy", "wz"];
+
 /// A coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coordinate {
@@ -54,12 +59,13 @@ pub struct Frame {
     pub parent: Option<(FrameId, Turn)>,
 }
 
-/// A turn about an axis of the parent, which both frames share.
+/// A turn of a frame in its parent.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turn {
-    /// x, y or z.
-    pub axis: usize,
-    pub angle: ScalarId,
+pub enum Turn {
+    /// About an axis, x, y or z, which both frames share.
+    About { axis: usize, angle: ScalarId },
+    /// Any: a quaternion among the coordinates, the angular velocity in the frame's own axes among the speeds.
+    Free { number: usize },
 }
 
 /// A point.
@@ -111,6 +117,13 @@ pub enum Force {
         points: [Material; 2],
         is: ScalarId,
     },
+}
+
+/// A generalised force: its power is `is` times the speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GeneralisedForce {
+    pub speed: usize,
+    pub is: ScalarId,
 }
 
 /// A torque.
@@ -222,6 +235,8 @@ pub struct Model {
     pub coordinates: Vec<Coordinate>,
     /// The ground first.
     pub frames: Vec<Frame>,
+    /// Those that turn freely.
+    pub free: Vec<FrameId>,
     /// The origin first.
     pub points: Vec<Point>,
     pub bodies: Vec<Body>,
@@ -230,6 +245,7 @@ pub struct Model {
     pub energies: Energies,
     pub forces: Vec<Force>,
     pub torques: Vec<Torque>,
+    pub generalised: Vec<GeneralisedForce>,
     pub constraints: Vec<Constraint>,
     pub outputs: Vec<Output>,
     pub inputs: Vec<Input>,
@@ -261,13 +277,65 @@ impl Model {
         }
     }
 
-    /// The state at time zero: coordinates, then speeds; zero where nothing is said.
+    /// The number of coordinates, those of free frames among them: four each.
+    pub fn positions(&self) -> usize {
+        self.coordinates.len() + 4 * self.free.len()
+    }
+
+    /// The number of speeds, those of free frames among them: three each.
+    pub fn speeds(&self) -> usize {
+        self.coordinates.len() + 3 * self.free.len()
+    }
+
+    /// The first of the four coordinates of a free frame.
+    pub fn free_position(&self, number: usize) -> usize {
+        self.coordinates.len() + 4 * number
+    }
+
+    /// The first of the three speeds of a free frame.
+    pub fn free_speed(&self, number: usize) -> usize {
+        self.coordinates.len() + 3 * number
+    }
+
+    /// The names of coordinates and speeds with their units, in the order of a state.
+    pub fn state_names(&self) -> Vec<(String, String)> {
+        let own = |rate: &str, per: &str| -> Vec<(String, String)> {
+            let named = |of: &Coordinate| (format!("{}{rate}", of.name), format!("{}{per}", of.unit));
+            self.coordinates.iter().map(named).collect()
+        };
+        let free = |parts: &[&str], unit: &str| -> Vec<(String, String)> {
+            let frames = self.free.iter().map(|frame| &self.frames[frame.0].name);
+            let named = |frame: &String| {
+                parts.iter().map(|part| (format!("{frame}.{part}"), unit.to_owned())).collect::<Vec<_>>()
+            };
+            frames.flat_map(named).collect()
+        };
+        [own("", ""), free(&QUATERNION, "1"), own("'", "/s"), free(&TURNING, "rad/s")].concat()
+    }
+
+    /// The state at time zero: coordinates, then speeds; zero where nothing is said, free frames as their parents.
     pub fn start_state(&self) -> Vec<f64> {
-        let n = self.coordinates.len();
-        let mut state = vec![0.0; 2 * n];
+        let positions = self.positions();
+        let mut state = vec![0.0; positions + self.speeds()];
+        for number in 0..self.free.len() {
+            state[self.free_position(number)] = 1.0;
+        }
         for StartValue { coordinate, order, value, .. } in &self.start {
-            state[order * n + coordinate] = *value;
+            state[order * positions + coordinate] = *value;
         }
         state
+    }
+
+    /// The rates of the coordinates at a state.
+    pub fn position_rates<S: field::Scalar>(&self, state: &[S], rates: &mut [S]) {
+        let (positions, speeds) = state.split_at(self.positions());
+        let own = self.coordinates.len();
+        rates[..own].copy_from_slice(&speeds[..own]);
+        for number in 0..self.free.len() {
+            let (from, by) = (self.free_position(number), self.free_speed(number));
+            let quaternion = std::array::from_fn(|k| positions[from + k]);
+            let turning = std::array::from_fn(|k| speeds[by + k]);
+            rates[from..from + 4].copy_from_slice(&crate::trace::quaternion_rates(quaternion, turning));
+        }
     }
 }

@@ -299,6 +299,7 @@ fn sympy_solves_the_equations_to_the_accelerations_and_multipliers() {
         let module = apart(|| {
             let trace = Trace::of(&case.model);
             model::sympy(&trace, &MatrixForm::of(&trace, Principle::Lagrange).expect("it applies"))
+                .expect("it can be written")
         });
         let text = format!(
             "{module}\nfrom sympy import Matrix as M_, zeros\nstate = [(q[k].diff(t), v) for k, v in enumerate([{}])]\n\

@@ -27,6 +27,8 @@ pub enum NotCompiled {
     Redundant { constraint: usize },
     /// A switch that no value between its cases keeps at zero.
     NotHeld { switch: usize },
+    /// Varied equations of free frames, whose speeds are no rates of coordinates.
+    FreeFrame { frame: String },
     /// Longer than what can be run.
     TooLong,
 }
@@ -44,6 +46,12 @@ impl fmt::Display for NotCompiled {
             Self::Massless { coordinate } => write!(f, "nothing with a mass or an inertia moves with `{coordinate}`"),
             Self::Redundant { constraint } => {
                 write!(f, "constraint {} follows from those before it", constraint + 1)
+            }
+            Self::FreeFrame { frame } => {
+                write!(
+                    f,
+                    "`{frame}` is free: linear equations, equilibria and inverse dynamics of free frames are not there yet"
+                )
             }
             Self::TooLong => write!(f, "the equations of motion are longer than what this version can run"),
         }
@@ -84,7 +92,7 @@ impl CompiledSystem {
     pub fn of(model: &Arc<Model>, mode: &[Case]) -> Result<Self, NotCompiled> {
         has_values(model)?;
         let changes = !(model.switches.is_empty() && model.events.is_empty());
-        let unknowns = model.coordinates.len() + model.constraints.len();
+        let unknowns = model.speeds() + model.constraints.len();
         if !changes && unknowns > MOST_WRITTEN {
             return CompiledSystem::solved(model);
         }
@@ -114,7 +122,7 @@ impl CompiledSystem {
     }
 
     fn written(model: &Arc<Model>, mode: &[Case]) -> Result<Self, NotCompiled> {
-        let states = 2 * model.coordinates.len();
+        let states = model.positions() + model.speeds();
         let (mut wrong, mut keeps_energy) = (None, false);
         let rates = Program::of_any_length(states, |time, state| {
             keeps_energy = conserves(model);
@@ -146,12 +154,10 @@ impl CompiledSystem {
     }
 
     /// The coordinate whose acceleration is not determined at a state, where there is one.
-    pub fn undetermined(&self, state: &[f64]) -> Option<&str> {
+    pub fn undetermined(&self, state: &[f64]) -> Option<String> {
         match &self.rates {
             Rates::Written(_) => None,
-            Rates::Solved(implicit) => {
-                implicit.undetermined(state).map(|free| self.model.coordinates[free].name.as_str())
-            }
+            Rates::Solved(implicit) => implicit.undetermined(state).map(|free| speed_name(&self.model, free)),
         }
     }
 
@@ -163,6 +169,14 @@ impl CompiledSystem {
             Rates::Solved(implicit) => self.outputs.run(time, &implicit.extend(time, state), &mut values),
         };
         values
+    }
+}
+
+/// A speed by the name of its coordinate, or of its free frame.
+fn speed_name(model: &Model, speed: usize) -> String {
+    match model.coordinates.get(speed) {
+        Some(coordinate) => coordinate.name.clone(),
+        None => model.state_names()[model.positions() + speed].0.clone(),
     }
 }
 
@@ -190,7 +204,7 @@ pub const ENERGIES: usize = 2;
 fn rates(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Result<Vec<Sym>, NotCompiled> {
     let trace = Trace::of(model);
     let Motion { accelerations, .. } = Motion::of(&trace, mode)?;
-    let all: Vec<Sym> = trace.speeds.iter().copied().chain(accelerations).collect();
+    let all: Vec<Sym> = trace.position_rates.iter().copied().chain(accelerations).collect();
     Ok(substitute_all(&all, &values(&trace, time, state)))
 }
 
@@ -209,9 +223,7 @@ impl Motion {
             return Err(NotCompiled::Tilted { body: (*body).to_owned() });
         }
         let (accelerations, multipliers) = Equations::of(trace).solved().map_err(|singular| match singular {
-            Singular::Massless { coordinate } => {
-                NotCompiled::Massless { coordinate: model.coordinates[coordinate].name.clone() }
-            }
+            Singular::Massless { coordinate } => NotCompiled::Massless { coordinate: speed_name(model, coordinate) },
             Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
         })?;
         held(trace, mode, accelerations, multipliers)
@@ -220,7 +232,8 @@ impl Motion {
 
 /// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
 fn conserves(model: &Model) -> bool {
-    let acts = !(model.forces.is_empty() && model.torques.is_empty()) || model.energies.dissipation.is_some();
+    let acts = !(model.forces.is_empty() && model.torques.is_empty() && model.generalised.is_empty())
+        || model.energies.dissipation.is_some();
     if !(model.switches.is_empty() && model.events.is_empty()) {
         return false;
     }
@@ -267,13 +280,13 @@ fn outputs(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Vec<Sym> {
 /// The same where accelerations and multipliers stand behind the state.
 fn outputs_of_solved(model: &Model, time: Sym, extended: &[Sym]) -> Vec<Sym> {
     let trace = Trace::of(model);
-    let n = trace.speeds.len();
+    let state = model.positions() + model.speeds();
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
     let all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
     let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
     let solved = trace.accelerations.iter().copied().chain(multipliers);
-    let solved: Vec<(Sym, Sym)> = solved.zip(extended[2 * n..].iter().copied()).collect();
-    substitute_all(&all, &[values(&trace, time, &extended[..2 * n]), solved].concat())
+    let solved: Vec<(Sym, Sym)> = solved.zip(extended[state..].iter().copied()).collect();
+    substitute_all(&all, &[values(&trace, time, &extended[..state]), solved].concat())
 }
 
 /// Symbols of the model by those of the state, and parameters by their values.
@@ -296,7 +309,7 @@ macro_rules! runs {
     ($($field:ty),*) => {$(
         impl Ode<$field> for CompiledSystem {
             fn dimension(&self) -> usize {
-                2 * self.model.coordinates.len()
+                self.model.positions() + self.model.speeds()
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
@@ -313,7 +326,7 @@ runs!(f64, Directions, DoubleDouble);
 
 impl Ode<Sym> for CompiledSystem {
     fn dimension(&self) -> usize {
-        2 * self.model.coordinates.len()
+        self.model.positions() + self.model.speeds()
     }
 
     fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {

@@ -13,7 +13,7 @@ use field::{Analytic, DoubleDouble};
 use integrators::{Directions, Ode, System};
 use model::equations::Equations;
 use model::{Model, Trace};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use symbolic::{Sym, substitute_all};
 
 /// Pivots below this part of the largest are rounding.
@@ -22,6 +22,7 @@ const RANK: f64 = 1e-11;
 /// A law whose accelerations are solved for.
 #[derive(Debug)]
 pub(crate) struct Implicit {
+    model: Arc<Model>,
     /// The upper triangle of M, -h, the rows of J, -c.
     program: Program,
     speeds: usize,
@@ -56,10 +57,10 @@ struct Room<S> {
 
 impl Implicit {
     /// Of a model without conditions whose parameters have values.
-    pub fn of(model: &Model) -> Result<Self, NotCompiled> {
-        let speeds = model.coordinates.len();
+    pub fn of(model: &Arc<Model>) -> Result<Self, NotCompiled> {
+        let speeds = model.speeds();
         let mut constraints = 0;
-        let program = Program::of_any_length(2 * speeds, |time, state| {
+        let program = Program::of_any_length(model.positions() + speeds, |time, state| {
             let trace = Trace::of(model);
             let equations = Equations::of(&trace);
             constraints = equations.constraints.len();
@@ -72,12 +73,12 @@ impl Implicit {
         });
         let program = program.ok_or(NotCompiled::TooLong)?;
         let (plain, slopes, exact) = (Pool::default(), Pool::default(), Pool::default());
-        Ok(Implicit { program, speeds, constraints, plain, slopes, exact })
+        Ok(Implicit { model: Arc::clone(model), program, speeds, constraints, plain, slopes, exact })
     }
 
     /// The length of [`Self::extend`].
     pub fn extended(&self) -> usize {
-        3 * self.speeds + self.constraints
+        self.model.positions() + 2 * self.speeds + self.constraints
     }
 
     /// The state with the accelerations and the multipliers behind it; no numbers where they are not determined.
@@ -85,7 +86,7 @@ impl Implicit {
         let mut extended = state.to_vec();
         extended.resize(self.extended(), f64::NAN);
         let shown = self.solve(&self.plain, time, state, |found| {
-            let (accelerations, multipliers) = extended[2 * self.speeds..].split_at_mut(self.speeds);
+            let (accelerations, multipliers) = extended[state.len()..].split_at_mut(self.speeds);
             accelerations.copy_from_slice(&found[..self.speeds]);
             multipliers.iter_mut().zip(&found[self.speeds..]).for_each(|(lambda, less)| *lambda = -less);
         });
@@ -270,12 +271,12 @@ macro_rules! runs {
     ($($field:ty: $pool:ident),*) => {$(
         impl Ode<$field> for Implicit {
             fn dimension(&self) -> usize {
-                2 * self.speeds
+                self.model.positions() + self.speeds
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                let (rates, accelerations) = dy.split_at_mut(self.speeds);
-                rates.copy_from_slice(&y[self.speeds..]);
+                let (rates, accelerations) = dy.split_at_mut(self.model.positions());
+                self.model.position_rates(y, rates);
                 accelerations.fill(<$field>::from(f64::NAN));
                 let shown =
                     self.solve(&self.$pool, t, y, |found| accelerations.copy_from_slice(&found[..self.speeds]));

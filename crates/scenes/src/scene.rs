@@ -4,7 +4,7 @@ use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
 use crate::equilibrium::{NoEquilibrium, equilibrium};
 use crate::modes::{Modes, Refused};
-use crate::row_units::{coherent, rate_unit};
+use crate::row_units::coherent;
 use crate::start::{Open, Unmet, consistent};
 use crate::text;
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
@@ -189,14 +189,9 @@ fn inconsistent(Open { at, name, residual, level }: &Open) -> Issue {
 
 /// Names of a row: coordinates, speeds, outputs, energies.
 fn columns(model: &Model) -> Vec<String> {
-    let coordinates = model.coordinates.iter().map(|coordinate| coordinate.name.clone());
-    let speeds = model.coordinates.iter().map(|coordinate| format!("{}'", coordinate.name));
+    let state = model.state_names().into_iter().map(|(name, _)| name);
     let outputs = model.outputs.iter().map(|output| output.name.clone());
-    coordinates
-        .chain(speeds)
-        .chain(outputs)
-        .chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()])
-        .collect()
+    state.chain(outputs).chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]).collect()
 }
 
 impl Modelled for ModelScene {}
@@ -267,13 +262,7 @@ impl Smooth for ModelScene {
     }
 
     fn unit(&self, name: &str) -> Cow<'static, str> {
-        let coordinates = &self.model.coordinates;
-        let found = coordinates.iter().find_map(|coordinate| {
-            if name == coordinate.name {
-                return Some(coherent(&coordinate.unit));
-            }
-            (name.strip_suffix('\'') == Some(&coordinate.name)).then(|| rate_unit(&coherent(&coordinate.unit)))
-        });
+        let found = self.model.state_names().into_iter().find_map(|(own, unit)| (own == name).then(|| coherent(&unit)));
         let energy = || ["kinetic_energy", "potential_energy"].contains(&name).then(|| "J".to_owned());
         let output = || {
             let output = self.model.outputs.iter().find(|output| output.name == name)?;

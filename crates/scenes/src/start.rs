@@ -57,7 +57,7 @@ struct Constraints {
     known: Vec<(Level, String, Range<usize>)>,
     /// So many stand first; the others are led to zero, and may start elsewhere.
     kept: usize,
-    coordinates: usize,
+    speeds: usize,
 }
 
 /// The start of a model whose parameters have values.
@@ -67,9 +67,12 @@ struct Constraints {
 pub fn consistent(model: &Model) -> Result<Vec<f64>, Unmet> {
     let mut state = model.start_state();
     let Some(constraints) = Constraints::of(model)? else { return Ok(state) };
-    let n = constraints.coordinates;
+    let n = model.speeds();
     for (order, level) in [(0, Some(Level::Position)), (1, None)] {
-        let given = |i: usize| model.start.iter().any(|v| (v.coordinate, v.order, v.is_guess) == (i, order, false));
+        let given = |i: usize| {
+            let own = places(model, i, order);
+            model.start.iter().any(|v| own.contains(&v.coordinate) && (v.order, v.is_guess) == (order, false))
+        };
         let free: Vec<usize> = (0..n).filter(|&i| !given(i)).collect();
         for _ in 0..MOST_STEPS {
             let (residuals, jacobian) = constraints.at(&state, level);
@@ -87,7 +90,7 @@ pub fn consistent(model: &Model) -> Result<Vec<f64>, Unmet> {
                 break;
             }
             for (&at, part) in free.iter().zip(step.iter()) {
-                state[order * n + at] -= part;
+                displace(model, &mut state, (at, order), -part);
             }
         }
         if let Some(open) = constraints.open(&state, level) {
@@ -100,10 +103,42 @@ pub fn consistent(model: &Model) -> Result<Vec<f64>, Unmet> {
     }
 }
 
+/// Where the coordinates that a speed moves stand, or the speed itself, among those of their order.
+fn places(model: &Model, speed: usize, order: usize) -> Range<usize> {
+    match speed.checked_sub(model.coordinates.len()) {
+        Some(turn) if order == 0 => {
+            let first = model.free_position(turn / 3);
+            first..first + 4
+        }
+        _ => speed..speed + 1,
+    }
+}
+
+/// Moves a speed, or by its displacement the coordinates: of a free frame by a turn about one of its axes.
+fn displace(model: &Model, state: &mut [f64], (speed, order): (usize, usize), by: f64) {
+    if order == 1 {
+        state[model.positions() + speed] += by;
+        return;
+    }
+    if speed < model.coordinates.len() {
+        state[speed] += by;
+        return;
+    }
+    let mut moved = state.to_vec();
+    moved[model.positions()..].fill(0.0);
+    moved[model.positions() + speed] = by;
+    let mut rates = vec![0.0; model.positions()];
+    model.position_rates(&moved, &mut rates);
+    let own = places(model, speed, 0);
+    own.clone().for_each(|at| state[at] += rates[at]);
+    let length = own.clone().map(|at| state[at] * state[at]).sum::<f64>().sqrt();
+    own.for_each(|at| state[at] /= length);
+}
+
 /// Whether a state breaks a constraint of a model that is kept at zero.
 pub(crate) fn breaks(model: &Model, time: f64, state: &[f64]) -> bool {
     let Ok(Some(constraints)) = Constraints::of(model) else { return false };
-    let mut values = vec![f64::NAN; constraints.known.len() * (2 + constraints.coordinates)];
+    let mut values = vec![f64::NAN; constraints.known.len() * (2 + constraints.speeds)];
     constraints.program.run(time, state, &mut values);
     let m = constraints.known.len();
     let size = state.iter().fold(1.0, |size: f64, part| size.max(part.abs()));
@@ -117,9 +152,9 @@ impl Constraints {
             return Ok(None);
         }
         has_values(model).map_err(Unmet::NotCompiled)?;
-        let n = model.coordinates.len();
+        let n = model.speeds();
         let (mut known, mut kept, mut unfit, mut piecewise) = (Vec::new(), 0, None, None);
-        let program = Program::of_any_length(2 * n, |time, state| {
+        let program = Program::of_any_length(model.positions() + n, |time, state| {
             let trace = Trace::of(model);
             let mut all = Equations::of(&trace).constraints;
             all.sort_by_key(|constraint| (constraint.gains.is_some(), constraint.level != Level::Position));
@@ -146,7 +181,7 @@ impl Constraints {
             return Err(Unmet::Gains { at, level });
         }
         let program = program.ok_or(Unmet::NotCompiled(NotCompiled::TooLong))?;
-        Ok((!known.is_empty()).then_some(Constraints { program, known, kept, coordinates: n }))
+        Ok((!known.is_empty()).then_some(Constraints { program, known, kept, speeds: n }))
     }
 
     /// Residuals and their derivatives: of positions by the coordinates, of all by the speeds.
@@ -164,14 +199,14 @@ impl Constraints {
 
     /// What should be zero, its rates, and their derivatives by the speeds.
     fn values(&self, state: &[f64]) -> Vec<f64> {
-        let mut values = vec![f64::NAN; self.known.len() * (2 + self.coordinates)];
+        let mut values = vec![f64::NAN; self.known.len() * (2 + self.speeds)];
         self.program.run(0.0, state, &mut values);
         values
     }
 
     /// The derivatives of the first constraints by the speeds.
     fn rows(&self, state: &[f64], count: usize) -> DMatrix<f64> {
-        let (m, n) = (self.known.len(), self.coordinates);
+        let (m, n) = (self.known.len(), self.speeds);
         let values = self.values(state);
         DMatrix::from_fn(count, n, |i, j| values[2 * m + i * n + j])
     }

@@ -147,6 +147,7 @@ fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
     for mut table in top.tables(name, &needed) {
         let own_name = text_of(&mut table, "name", "name");
         let on = text_of(&mut table, "on", "\"disc at G\"");
+        let along = if name == "force" { text_of(&mut table, "along", "coordinate") } else { None };
         let pair = table.texts("between", "[\"a at P\", \"b at Q\"]");
         let between = match pair.as_slice() {
             [] => None,
@@ -163,7 +164,7 @@ fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
         let sound = !table.has_issues();
         top.absorb(table);
         if sound {
-            loads.push(LoadSource { name: own_name, on, between, is, at });
+            loads.push(LoadSource { name: own_name, on, along, between, is, at });
         }
     }
     loads

@@ -133,6 +133,19 @@ fn conditions_events_and_inputs_are_checked_where_they_stand() {
 }
 
 #[test]
+fn a_free_frame_starts_by_turns() {
+    let free = |start: &str, parts: &[&str]| {
+        let start = format!("theta = \"0.3 rad\"\n{start}");
+        one(&[("[points]", "B = \"N free\"\n[points]"), ("theta = \"0.3 rad\"", &start)], parts);
+    };
+    free("B = \"30 deg\"", &["the start of `B` is a turn", "this is none"]);
+    free("B = \"30 deg about w\"", &["about another axis"]);
+    free("B = \"3 m about x\"", &["this has the dimension m"]);
+    free("\"B.wq\" = \"3 rad/s\"", &["no coordinate is called `B.wq`", "is `B.wz` meant?"]);
+    free("\"B.wx\" = \"3 rad\"", &["the start of `B.wx`", "this has the dimension 1"]);
+}
+
+#[test]
 fn a_circle_of_definitions_is_told_once() {
     let circle = [("reach = \"l*sin(theta)\"", "reach = \"2*other\"\nother = \"reach/2\"")];
     one(&circle, &["`reach` is defined by itself", "reach needs other needs reach"]);
@@ -169,7 +182,6 @@ fn what_cannot_run_says_why() {
 #[test]
 fn what_the_language_will_have_is_refused_by_name() {
     one(&[("[outputs]", "[[contact]]\nof = \"bob at P\"\n\n[outputs]")], &["contacts with friction are not there yet"]);
-    one(&[("N turned theta about z", "N free")], &["a free frame is not there yet"]);
 }
 
 #[test]

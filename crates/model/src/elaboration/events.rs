@@ -2,7 +2,6 @@
 
 use super::{Elaborator, Sound};
 use crate::{Assignment, Direction, Entry, Event, EventSource, Fault};
-use symbolic::Dimension;
 
 impl Elaborator<'_> {
     pub(super) fn events(&mut self) {
@@ -44,8 +43,7 @@ impl Elaborator<'_> {
     /// `"x'" = "-e*x'"`: the value after the event, from those before it.
     fn assignment(&mut self, Entry { name, value }: &Entry) -> Sound<Assignment> {
         let (coordinate, order) = self.of_state(name)?;
-        let dimension = self.model.coordinates[coordinate].dimension;
-        let needed = if order == 0 { dimension } else { dimension / Dimension::time() };
+        let needed = self.dimension_of_state(coordinate, order);
         let is = self.scalar_value(value, &format!("`{}`", name.text), Some(needed))?;
         Ok(Assignment { coordinate, order, is })
     }

@@ -4,6 +4,7 @@ use super::value::Value;
 use super::{Elaborator, Named, Sound, unknown};
 use crate::arena::{Number, Scalar, Vector};
 use crate::expression::{Exponent, Expression, Form};
+use crate::parts::TURNING;
 use crate::{Fault, FrameId, PointId, ScalarId, Text, VectorId};
 use field::Rational;
 use std::ops::Range;
@@ -159,11 +160,26 @@ impl Elaborator<'_> {
 
     fn member(&mut self, span: &Range<usize>, of: &str, name: &str) -> Sound<Value> {
         let frame = self.frame(&Text::at(of, span.start))?;
+        let per_second = Some(Dimension::none() / Dimension::time());
+        if name == "w" {
+            let seen = self.model.frames[frame.0].parent.map_or(FrameId::GROUND, |(parent, _)| parent);
+            return Ok(Value::Vector(self.vector(Vector::AngularVelocity { of: frame, seen }, per_second)));
+        }
+        if let (Some(part), Some(number)) = (TURNING.iter().position(|part| *part == name), self.number_of_free(frame))
+        {
+            let coordinate = self.model.free_speed(number) + part;
+            return Ok(Value::Scalar(self.scalar(Scalar::Rate { coordinate, order: 1 }, per_second)));
+        }
         let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) else {
             let title = format!("a frame has no part `{name}`");
-            return Err(Box::new(Fault::at(span.clone(), title, "not known", format!("{of}.x, {of}.y, {of}.z"))));
+            let accepted = format!("{of}.x, {of}.y, {of}.z, its axes; {of}.w, its angular velocity in its parent");
+            return Err(Box::new(Fault::at(span.clone(), title, "not known", accepted)));
         };
         Ok(Value::Vector(self.vector(Vector::Axis { frame, axis }, Some(Dimension::none()))))
+    }
+
+    pub(super) fn number_of_free(&self, frame: FrameId) -> Option<usize> {
+        self.model.free.iter().position(|free| *free == frame)
     }
 
     /// The dimension of two parts that are added; zero fits to everything.

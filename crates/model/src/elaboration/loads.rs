@@ -2,8 +2,10 @@
 
 use super::value::Value;
 use super::{Elaborator, Sound, mismatch};
+use crate::parts::TURNING;
 use crate::{
-    Constraint, ConstraintSource, Entry, Fault, Force, LoadSource, Output, ScalarId, StartValue, Text, Torque, Zero,
+    Constraint, ConstraintSource, Entry, Fault, Force, GeneralisedForce, LoadSource, Output, ScalarId, StartValue,
+    Text, Torque, Zero,
 };
 use field::Rational;
 use symbolic::Dimension;
@@ -28,6 +30,13 @@ impl Elaborator<'_> {
             self.kept(found);
         }
         for force in &self.source.forces {
+            if let Some(along) = &force.along {
+                let found = self.generalised(along, force);
+                if let Some(generalised) = self.kept(found) {
+                    self.model.generalised.push(generalised);
+                }
+                continue;
+            }
             let found = self.force(force);
             if let Some(force) = self.kept(found) {
                 self.model.forces.push(force);
@@ -90,6 +99,32 @@ impl Elaborator<'_> {
                 fault(format!("a {kind} acts on one thing or between two"), "both `on` and `between`")
             }
         }
+    }
+
+    /// `along = "theta"`: power per rate of the coordinate.
+    fn generalised(&mut self, along: &Text, load: &LoadSource) -> Sound<GeneralisedForce> {
+        if load.on.is_some() || load.between.is_some() {
+            let accepted = "along = \"theta\" alone: a generalised force acts on a coordinate, not at a place";
+            return Err(Box::new(Fault::at(
+                along.span(),
+                "this force acts along a coordinate and at a place",
+                "here",
+                accepted,
+            )));
+        }
+        let (speed, order) = self.of_state(along)?;
+        if order == 1 && speed < self.model.coordinates.len() {
+            let accepted = format!("along = \"{}\"", self.model.coordinates[speed].name);
+            return Err(Box::new(Fault::at(
+                along.span(),
+                "a generalised force acts along a coordinate",
+                "a speed",
+                accepted,
+            )));
+        }
+        let needed = joule() / self.dimension_of_state(speed, 0);
+        let what = format!("the generalised force along `{}`", along.text);
+        Ok(GeneralisedForce { speed, is: self.scalar_value(&load.is, &what, Some(needed))? })
     }
 
     fn force(&mut self, load: &LoadSource) -> Sound<Force> {
@@ -160,10 +195,12 @@ impl Elaborator<'_> {
 
     pub(super) fn start(&mut self) {
         for entry in &self.source.start {
-            let found = self.start_value(entry);
-            if let Some(start) = self.kept(found) {
-                self.model.start.push(start);
-            }
+            let found = match self.free_frame(&entry.name.text) {
+                Some(number) => self.orientation(number, entry),
+                None => self.start_value(entry).map(|start| vec![start]),
+            };
+            let found = self.kept(found).unwrap_or_default();
+            self.model.start.extend(found);
         }
     }
 
@@ -175,10 +212,22 @@ impl Elaborator<'_> {
         if let (Some(coordinate), 0 | 1) = (coordinate, primes) {
             return Ok((coordinate, primes));
         }
-        let known: Vec<String> =
-            self.model.coordinates.iter().flat_map(|c| [c.name.clone(), format!("{}'", c.name)]).collect();
-        let known = known.iter().map(String::as_str);
+        let of_free = name.text.rsplit_once('.').and_then(|(frame, part)| {
+            let part = TURNING.iter().position(|known| *known == part)?;
+            Some(self.model.free_speed(self.free_frame(frame)?) + part)
+        });
+        if let Some(speed) = of_free {
+            return Ok((speed, 1));
+        }
+        let known: Vec<String> = self.model.state_names().into_iter().map(|(name, _)| name).collect();
+        let known = known.iter().map(String::as_str).filter(|name| !name.contains(".q"));
         Err(Box::new(super::unknown(&self.broken, name.span(), &name.text, "coordinate", known)))
+    }
+
+    /// The dimension of a coordinate or a speed; a free frame's angular velocity has no coordinate.
+    pub(super) fn dimension_of_state(&self, coordinate: usize, order: usize) -> Dimension {
+        let own = self.model.coordinates.get(coordinate).map_or(Dimension::none(), |known| known.dimension);
+        if order == 0 { own } else { own / Dimension::time() }
     }
 
     /// `theta = "30 deg"`, `theta' = "guess 2 rad/s"`.
@@ -192,8 +241,7 @@ impl Elaborator<'_> {
                 "one value",
             )));
         }
-        let dimension = self.model.coordinates[coordinate].dimension;
-        let needed = if order == 0 { dimension } else { dimension / Dimension::time() };
+        let needed = self.dimension_of_state(coordinate, order);
         let (is_guess, number) = match value.text.trim().strip_prefix("guess ") {
             Some(rest) => (true, rest),
             None => (false, value.text.as_str()),

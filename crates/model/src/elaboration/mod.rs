@@ -7,6 +7,7 @@ mod expressions;
 mod functions;
 mod loads;
 mod order;
+mod orientation;
 mod reactions;
 mod system;
 mod value;

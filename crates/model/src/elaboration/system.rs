@@ -40,8 +40,9 @@ impl Elaborator<'_> {
             let accepted = format!("at most {MOST} of each kind");
             self.faults.push(Fault::at(0..0, format!("{count} {kind}"), "too many", accepted));
         }
-        if self.source.coordinates.is_empty() {
-            let accepted = "[coordinates] names what moves: theta = \"rad\"";
+        let turns_freely = |entry: &Entry| entry.value.text.trim_end().ends_with(" free");
+        if self.source.coordinates.is_empty() && !self.source.frames.iter().any(turns_freely) {
+            let accepted = "[coordinates] names what moves: theta = \"rad\"; or a frame turns freely: F = \"N free\"";
             self.faults.push(Fault::at(0..0, "the system has no coordinates", "nothing moves", accepted));
         }
     }
@@ -167,11 +168,14 @@ impl Elaborator<'_> {
                 text.span(),
                 title.to_owned(),
                 label.to_owned(),
-                "for example \"N turned theta about z\"",
+                "for example \"N turned theta about z\", or \"N free\"",
             ))
         };
-        if text.text.trim_end().ends_with(" free") {
-            return Err(wrong("a free frame is not there yet", "not there yet: three turns one after the other are"));
+        if let Some(parent) = text.text.trim_end().strip_suffix(" free") {
+            let parent = self.frame(&text.slice(0..parent.len()))?;
+            let frame = self.new_frame(&entry.name.text, parent, Turn::Free { number: self.model.free.len() });
+            self.model.free.push(frame);
+            return Ok(frame);
         }
         let parsed = text
             .text
@@ -187,7 +191,7 @@ impl Elaborator<'_> {
             return Err(wrong("a frame turns about x, y or z of its parent", "another axis"));
         };
         let angle = self.scalar_value(&angle_text, "the angle of a turn", Some(Dimension::none()))?;
-        Ok(self.new_frame(&entry.name.text, parent, Turn { axis, angle }))
+        Ok(self.new_frame(&entry.name.text, parent, Turn::About { axis, angle }))
     }
 
     fn new_frame(&mut self, name: &str, parent: FrameId, turn: Turn) -> FrameId {
@@ -204,7 +208,7 @@ impl Elaborator<'_> {
             }
             (Some(turns), None) => {
                 let angle = self.scalar_value(turns, "the angle of a turn", Some(Dimension::none()))?;
-                Some(self.new_frame(&body.name.text, FrameId::GROUND, Turn { axis: 2, angle }))
+                Some(self.new_frame(&body.name.text, FrameId::GROUND, Turn::About { axis: 2, angle }))
             }
             (None, Some(frame)) => Some(self.frame(frame)?),
             (None, None) => None,

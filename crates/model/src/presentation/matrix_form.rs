@@ -15,6 +15,7 @@ pub struct MatrixForm {
     pub time: Sym,
     pub parameters: Vec<Sym>,
     pub coordinates: Vec<Sym>,
+    /// Rates of coordinates, then angular velocities of free frames.
     pub speeds: Vec<Sym>,
     pub accelerations: Vec<Sym>,
     /// M, row after row; symmetric.

@@ -12,7 +12,11 @@ const WORDS: &str = "False None True and as assert async await break class conti
     atan2 cos exp log pi sin sqrt tanh t q values mass_matrix inertia forces jacobian bias multipliers constraints equations";
 
 /// The module.
-pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
+///
+/// # Errors
+/// Where a frame is free.
+pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
+    super::no_free_frame(trace)?;
     let conditions: Vec<Sym> = form.switches.iter().map(|(letter, _)| *letter).collect();
     let letters: Vec<Sym> = [&form.parameters, &form.coordinates, &form.multipliers, &form.inputs, &conditions]
         .into_iter()
@@ -77,7 +81,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let _ = writeln!(text, "forces = Matrix([\n{}])", column(&form.forces));
     if form.constraints.is_empty() {
         text += "\nequations = mass_matrix*q.diff(t, 2) + inertia - forces\n";
-        return text;
+        return Ok(text);
     }
     let zeros: Vec<Sym> = form.constraints.iter().map(|held| held.zero).collect();
     let biases: Vec<Sym> = form.constraints.iter().map(|held| held.bias).collect();
@@ -86,5 +90,5 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let _ = writeln!(text, "bias = Matrix([\n{}])", column(&biases));
     let _ = writeln!(text, "multipliers = Matrix([{}])", multipliers.join(", "));
     text += "\nequations = mass_matrix*q.diff(t, 2) + inertia - forces - jacobian.T*multipliers\n";
-    text
+    Ok(text)
 }

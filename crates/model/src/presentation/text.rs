@@ -12,9 +12,18 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let names = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>().join(", ");
     let held = !form.constraints.is_empty();
     let reactions = if held { " + J^T lambda" } else { "" };
-    let _ = writeln!(text, "M q'' + h = Q{reactions}, with q = ({})", names(&form.coordinates));
+    let names_of_states = trace.model.state_names();
+    let free = !trace.model.free.is_empty();
+    // speeds of free frames are no rates of coordinates
+    let rate = if free { "u'" } else { "q''" };
+    let said =
+        if free { format!("u = ({})", names(&form.speeds)) } else { format!("q = ({})", names(&form.coordinates)) };
+    let _ = writeln!(text, "M {rate} + h = Q{reactions}, with {said}");
     if held {
-        text += "J q'' + c = 0: every constraint f = 0, differentiated; J holds df/dq of positions, df/dq' of speeds\n";
+        let _ = write!(
+            text,
+            "J {rate} + c = 0: every constraint f = 0, differentiated; J holds df/dq of positions, df/dq' of speeds\n"
+        );
         text += "A positive lambda acts along the gradient of f\n";
     }
     let section = |text: &mut String, title: &str, lines: Vec<String>| {
@@ -27,7 +36,15 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     section(&mut text, "Coordinates q", units);
     let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
     section(&mut text, "Inputs", open.map(|input| format!("{} in {}", input.name, input.unit)).collect());
-    let rows: Vec<&str> = trace.model.coordinates.iter().map(|each| each.name.as_str()).collect();
+    let turning = names_of_states[form.coordinates.len() + trace.model.coordinates.len()..].iter();
+    let rows: Vec<&str> = trace
+        .model
+        .coordinates
+        .iter()
+        .map(|each| &each.name)
+        .chain(turning.map(|(name, _)| name))
+        .map(String::as_str)
+        .collect();
     let entry = |name: &str, place: String, value: Sym| format!("{name}[{place}] = {}", value.decimal_text());
     let mut mass = Vec::new();
     for (i, row) in form.mass.iter().enumerate() {

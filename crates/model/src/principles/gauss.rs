@@ -2,7 +2,7 @@
 //! enter by their second rates.
 
 use super::appell::energy_of_accelerations;
-use super::loads::{forces, torques};
+use super::loads::{along, forces, torques};
 use crate::Trace;
 use symbolic::Sym;
 
@@ -20,6 +20,9 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
     }
     if let Some(dissipation) = energies.dissipation {
         constraint += trace.rate_of(trace.scalar(dissipation));
+    }
+    for (i, &acceleration) in trace.accelerations.iter().enumerate() {
+        constraint -= along(trace, i) * acceleration;
     }
     (0..trace.speeds.len()).map(|i| trace.by_acceleration(constraint, i)).collect()
 }

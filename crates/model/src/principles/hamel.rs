@@ -71,7 +71,8 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
     let of = |i: usize| {
         let inertia = velocities.iter().zip(momenta.iter().zip(&rates)).map(|(&velocity, (&momentum, &rate))| {
             let displaced = trace.by_speed(velocity, i);
-            let transposed = trace.rate_of(displaced) - trace.by_coordinate(velocity, i);
+            let turned = trace.transposition(i, |j| trace.by_speed(velocity, j));
+            let transposed = trace.rate_of(displaced) + turned - trace.by_coordinate(velocity, i);
             rate * displaced + momentum * transposed
         });
         let by_place = trace.by_coordinate(kinetic, i).substitute(&back);

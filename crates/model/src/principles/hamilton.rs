@@ -49,7 +49,7 @@ pub(super) fn residual(trace: &Trace<'_>) -> Result<Vec<Sym>, NotApplicable> {
         let by_place = along(&|scalar| trace.by_coordinate(scalar, i));
         // q' - dH/dp, brought back by dp/du: zero
         let kinematic = along(&|scalar| trace.by_speed(scalar, i));
-        let rate = trace.rate_of(momenta[i]);
+        let rate = trace.rate_of(momenta[i]) + trace.transposition(i, |j| momenta[j]);
         rate + by_place + trace.accelerations[i] * kinematic - given(i) + by_energies(trace, i)
     };
     Ok((0..n).map(of).collect())

@@ -1,4 +1,5 @@
-//! Lagrange's equations of the second kind: d/dt dT/du - dT/dq + dV/dq = sum F . dr/dq + T . dw/du.
+//! Lagrange's equations of the second kind: d/dt dT/du - dT/dq + dV/dq = sum F . dr/dq + T . dw/du; Euler's for the angular velocity w of
+//! a free frame, with the term w x dT/dw.
 
 use super::loads::{by_energies, forces, torques};
 use crate::Trace;
@@ -23,6 +24,9 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
         };
         trace.model.bodies.iter().filter_map(of).fold(Sym::ZERO, |sum, each| sum + each)
     };
-    let inertia = |i: usize| trace.rate_of(trace.by_speed(kinetic, i)) - trace.by_coordinate(kinetic, i);
+    let inertia = |i: usize| {
+        let momentum = |j: usize| trace.by_speed(kinetic, j);
+        trace.rate_of(momentum(i)) + trace.transposition(i, momentum) - trace.by_coordinate(kinetic, i)
+    };
     (0..trace.speeds.len()).map(|i| inertia(i) - weights(i) - displaced(i) + by_energies(trace, i)).collect()
 }

@@ -61,10 +61,16 @@ pub(crate) fn torques(trace: &Trace<'_>) -> Vec<FrameTorque> {
     all
 }
 
-/// The terms of the given potential and of Rayleigh's function in the residual: dV/dq + dD/du.
+/// The generalised forces along a speed.
+pub(crate) fn along(trace: &Trace<'_>, speed: usize) -> Sym {
+    let own = trace.model.generalised.iter().filter(|force| force.speed == speed);
+    own.fold(Sym::ZERO, |sum, force| sum + trace.scalar(force.is))
+}
+
+/// The terms of the given potential, of Rayleigh's function and of generalised forces in the residual: dV/dq + dD/du - Q.
 pub(crate) fn by_energies(trace: &Trace<'_>, speed: usize) -> Sym {
     let energies = &trace.model.energies;
     let potential = energies.potential.map_or(Sym::ZERO, |id| trace.by_coordinate(trace.scalar(id), speed));
     let dissipation = energies.dissipation.map_or(Sym::ZERO, |id| trace.by_speed(trace.scalar(id), speed));
-    potential + dissipation
+    potential + dissipation - along(trace, speed)
 }

@@ -6,16 +6,21 @@
 
 mod angle;
 mod bodies;
+mod free_frame;
 mod motion;
+mod rotation;
 mod vector;
 
+use free_frame::FreeFrame;
+use rotation::Rotation;
+pub(crate) use rotation::quaternion_rates;
 pub use vector::Vector;
 
 use crate::arena::{Function, Number, Part, Scalar};
 use crate::equations::held_of;
 use crate::expression::Exponent;
 use crate::joints::Joints;
-use crate::{FrameId, Input, Model, ScalarId, VectorId};
+use crate::{FrameId, Input, Model, ScalarId, Turn, VectorId};
 use field::{Analytic, Over, Rational, Scalar as _};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
@@ -29,9 +34,11 @@ pub struct Trace<'m> {
     /// The letter that stands for pi.
     pub pi: Sym,
     pub parameters: Vec<Sym>,
-    /// The coordinates q.
+    /// The coordinates q; those of free frames, quaternions, stand last.
     pub coordinates: Vec<Sym>,
-    /// Their rates u = q'.
+    /// q'.
+    pub position_rates: Vec<Sym>,
+    /// The speeds u: rates of coordinates, then angular velocities of free frames in their own axes.
     pub speeds: Vec<Sym>,
     /// A letter for each switch, 1 or 0, which no motion changes.
     pub switches: Vec<Sym>,
@@ -43,7 +50,7 @@ pub struct Trace<'m> {
     by_speed: Vec<RefCell<Derivation>>,
     /// By each acceleration alone.
     by_acceleration: Vec<RefCell<Derivation>>,
-    /// By each coordinate alone.
+    /// By a displacement along each speed alone: of its coordinate, or about an axis of a free frame.
     by_coordinate: Vec<RefCell<Derivation>>,
     frames: Frames,
     points: RefCell<Vec<motion::PointMotion>>,
@@ -61,13 +68,24 @@ impl<'m> Trace<'m> {
             };
             model.coordinates.iter().map(named).collect()
         };
-        let coordinates: Vec<Sym> = model.coordinates.iter().map(|coordinate| Sym::symbol(&coordinate.name)).collect();
+        let ordinary: Vec<Sym> = model.coordinates.iter().map(|coordinate| Sym::symbol(&coordinate.name)).collect();
         let time = Sym::symbol("t");
-        let (speeds, accelerations) = (letters("'", r"\dot"), letters("''", r"\ddot"));
+        let (mut speeds, mut accelerations) = (letters("'", r"\dot"), letters("''", r"\ddot"));
         let alone = |symbols: &[Sym]| -> Vec<RefCell<Derivation>> {
             symbols.iter().map(|&symbol| RefCell::new(Derivation::new([(symbol, Sym::ONE)]))).collect()
         };
-        let along = coordinates.iter().zip(&speeds).chain(speeds.iter().zip(&accelerations));
+        let mut by_coordinate = alone(&ordinary);
+        let mut coordinates = ordinary;
+        let mut position_rates = speeds.clone();
+        for frame in &model.free {
+            let free = FreeFrame::named(&model.frames[frame.0].name);
+            by_coordinate.extend(free.displacements().map(|alone| RefCell::new(Derivation::new(alone))));
+            position_rates.extend(free.rates());
+            coordinates.extend(free.quaternion);
+            speeds.extend(free.speeds);
+            accelerations.extend(free.accelerations);
+        }
+        let along = coordinates.iter().zip(&position_rates).chain(speeds.iter().zip(&accelerations));
         let rates = along.map(|(&symbol, &rate)| (symbol, rate)).chain([(time, Sym::ONE)]);
         let mut trace = Trace {
             model,
@@ -77,8 +95,9 @@ impl<'m> Trace<'m> {
             rate: RefCell::new(Derivation::new(rates)),
             by_speed: alone(&speeds),
             by_acceleration: alone(&accelerations),
-            by_coordinate: alone(&coordinates),
+            by_coordinate,
             coordinates,
+            position_rates,
             speeds,
             switches: Vec::new(),
             accelerations,
@@ -119,14 +138,31 @@ impl<'m> Trace<'m> {
         while let Some(frame) = self.model.frames.get(self.frames.count()) {
             let turned = match frame.parent {
                 None => None,
-                Some((parent, turn)) if turn.angle.0 < traced => {
-                    let angle = self.scalar(turn.angle);
-                    Some((parent, turn.axis, angle::circle(angle), self.rate_of(angle)))
+                Some((parent, Turn::About { axis, angle })) if angle.0 < traced => {
+                    let angle = self.scalar(angle);
+                    let mut rate = [Sym::ZERO; 3];
+                    rate[axis] = self.rate_of(angle);
+                    Some((parent, Rotation::About { axis, angle: angle::circle(angle) }, rate))
+                }
+                Some((parent, Turn::Free { number })) => {
+                    let (first, position) = (self.model.free_speed(number), self.model.free_position(number));
+                    let quaternion = std::array::from_fn(|k| self.coordinates[position + k]);
+                    let rate = std::array::from_fn(|k| self.speeds[first + k]);
+                    Some((parent, Rotation::of_quaternion(quaternion), rate))
                 }
                 Some(_) => return,
             };
             self.frames.push(turned);
         }
+    }
+
+    /// The term that a momentum has beside its rate, since turns about the axes of a free frame do not commute: of the speed i,
+    /// (w x p)_i, with the momenta p of the same frame.
+    pub(crate) fn transposition(&self, speed: usize, momentum: impl Fn(usize) -> Sym) -> Sym {
+        let Some(turn) = speed.checked_sub(self.model.coordinates.len()) else { return Sym::ZERO };
+        let first = speed - turn % 3;
+        let [next, last] = [first + (turn + 1) % 3, first + (turn + 2) % 3];
+        self.speeds[next] * momentum(last) - self.speeds[last] * momentum(next)
     }
 
     /// A scalar expression.

@@ -1,5 +1,6 @@
 //! Vectors in the axes of frames, and the tree of frames.
 
+use super::rotation::Rotation;
 use crate::FrameId;
 use field::Circle;
 use symbolic::Sym;
@@ -36,8 +37,7 @@ impl Vector {
 struct Link {
     parent: FrameId,
     depth: usize,
-    axis: usize,
-    angle: Circle<Sym>,
+    rotation: Rotation,
     /// The angular velocity of the frame beside the ground, in its own axes.
     turning: Vector,
 }
@@ -53,18 +53,18 @@ impl Frames {
         self.links.len()
     }
 
-    /// The next frame: its parent, the axis, the angle and its rate; none for the ground.
-    pub fn push(&mut self, turned: Option<(FrameId, usize, Circle<Sym>, Sym)>) {
+    /// The next frame: its parent, its turn, and its angular velocity in the parent along its own axes; none for the ground.
+    pub fn push(&mut self, turned: Option<(FrameId, Rotation, [Sym; 3])>) {
         let frame = FrameId(self.links.len());
-        let Some((parent, axis, angle, rate)) = turned else {
-            self.links.push(Link { parent: frame, depth: 0, axis: 2, angle: Circle::zero(), turning: Vector::ZERO });
+        let Some((parent, rotation, rate)) = turned else {
+            let rotation = Rotation::About { axis: 2, angle: Circle::zero() };
+            self.links.push(Link { parent: frame, depth: 0, rotation, turning: Vector::ZERO });
             return;
         };
         let depth = self.links[parent.0].depth + 1;
-        self.links.push(Link { parent, depth, axis, angle, turning: Vector::ZERO });
+        self.links.push(Link { parent, depth, rotation, turning: Vector::ZERO });
         let carried = self.express(self.turning(parent), frame);
-        let own = Vector::axis(frame, axis).map(|component| component * rate);
-        self.links[frame.0].turning = self.sum(carried, own);
+        self.links[frame.0].turning = self.sum(carried, Vector { frame, components: rate });
     }
 
     /// The angular velocity of a frame beside the ground, in its own axes.
@@ -85,7 +85,7 @@ impl Frames {
         let mut at = vector.frame;
         while at != common {
             let link = &self.links[at.0];
-            components = turned(components, link.axis, link.angle);
+            components = link.rotation.to_parent(components);
             at = link.parent;
         }
         let mut down = Vec::new();
@@ -96,7 +96,7 @@ impl Frames {
         }
         for frame in down.into_iter().rev() {
             let link = &self.links[frame.0];
-            components = turned(components, link.axis, Circle { sin: -link.angle.sin, ..link.angle });
+            components = link.rotation.from_parent(components);
         }
         Vector { frame: to, components }
     }
@@ -163,13 +163,4 @@ impl Frames {
         };
         Vector { frame, components: std::array::from_fn(component) }
     }
-}
-
-/// The components in the axes of the parent of a frame that is turned about an axis.
-fn turned(components: [Sym; 3], axis: usize, Circle { cos, sin }: Circle<Sym>) -> [Sym; 3] {
-    let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
-    let mut turned = components;
-    turned[first] = cos * components[first] - sin * components[second];
-    turned[second] = sin * components[first] + cos * components[second];
-    turned
 }

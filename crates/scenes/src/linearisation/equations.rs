@@ -78,6 +78,9 @@ impl VariedEquations {
     /// Why there are no equations with numbers.
     pub fn of(model: &Model, parameters: &[usize]) -> Result<Self, NotCompiled> {
         has_values_but(model, parameters)?;
+        if let Some(frame) = model.free.first() {
+            return Err(NotCompiled::FreeFrame { frame: model.frames[frame.0].name.clone() });
+        }
         let (open, own) = opened(model);
         let open = &open;
         let n = model.coordinates.len();

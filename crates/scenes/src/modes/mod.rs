@@ -86,7 +86,7 @@ impl Modes {
         self.moded(&off).map_err(Refused::Law)?;
         let moded = self.at(0.0, state).map_err(Refused::Motion)?;
         match moded.system.undetermined(state) {
-            Some(coordinate) => Err(Refused::Law(NotCompiled::Massless { coordinate: coordinate.to_owned() })),
+            Some(coordinate) => Err(Refused::Law(NotCompiled::Massless { coordinate })),
             None => Ok(Arc::clone(&moded.system)),
         }
     }

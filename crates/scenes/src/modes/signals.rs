@@ -39,7 +39,7 @@ impl Signals {
         }
         falls.extend((0..model.events.len()).map(|event| Fall::Event { event }));
         let mut wrong = None;
-        let program = Program::of_any_length(2 * model.coordinates.len(), |time, state| {
+        let program = Program::of_any_length(model.positions() + model.speeds(), |time, state| {
             written(model, mode, time, state).unwrap_or_else(|reason| {
                 wrong = Some(reason);
                 Vec::new()

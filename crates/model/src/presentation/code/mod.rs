@@ -41,8 +41,9 @@ struct Named {
 /// The system as code.
 ///
 /// # Errors
-/// Where an expression divides by the constant zero, or a constant is beyond the range of double precision.
+/// Where a frame is free, an expression divides by the constant zero, or a constant is beyond the range of double precision.
 pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<String, String> {
+    super::no_free_frame(trace)?;
     let words = match language {
         Language::C => c::WORDS,
         Language::Python => "",

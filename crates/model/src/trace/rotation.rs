@@ -1,0 +1,69 @@
+//! Rotations of frames in their parents.
+
+use field::{Circle, Scalar};
+use symbolic::Sym;
+
+/// The turn of a frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Rotation {
+    /// About an axis that both frames share.
+    About { axis: usize, angle: Circle<Sym> },
+    /// By its matrix: row after row, from the axes of the frame to those of the parent.
+    Matrix([[Sym; 3]; 3]),
+}
+
+impl Rotation {
+    /// Of the quaternion e0 + e1 i + e2 j + e3 k, of any length other than zero: rounding does not bend the axes.
+    pub fn of_quaternion([a, b, c, d]: [Sym; 4]) -> Self {
+        let two = Sym::int(2);
+        let square = a * a + b * b + c * c + d * d;
+        let diagonal =
+            |plus: Sym, minus: [Sym; 2]| (a * a + plus * plus - minus[0] * minus[0] - minus[1] * minus[1]) / square;
+        let beside = |product: Sym, turn: Sym| two * (product + turn) / square;
+        Rotation::Matrix([
+            [diagonal(b, [c, d]), beside(b * c, -(a * d)), beside(b * d, a * c)],
+            [beside(b * c, a * d), diagonal(c, [b, d]), beside(c * d, -(a * b))],
+            [beside(b * d, -(a * c)), beside(c * d, a * b), diagonal(d, [b, c])],
+        ])
+    }
+
+    /// Components along the axes of the frame as those along the axes of the parent.
+    pub fn to_parent(self, components: [Sym; 3]) -> [Sym; 3] {
+        match self {
+            Rotation::About { axis, angle } => turned(components, axis, angle),
+            Rotation::Matrix(rows) => rows.map(|row| product(row, components)),
+        }
+    }
+
+    /// Components along the axes of the parent as those along the axes of the frame.
+    pub fn from_parent(self, components: [Sym; 3]) -> [Sym; 3] {
+        match self {
+            Rotation::About { axis, angle: Circle { cos, sin } } => turned(components, axis, Circle { cos, sin: -sin }),
+            Rotation::Matrix(rows) => std::array::from_fn(|column| product(rows.map(|row| row[column]), components)),
+        }
+    }
+}
+
+/// The rates of a quaternion from the angular velocity in the axes of the frame: half the product of both.
+pub(crate) fn quaternion_rates<S: Scalar>([a, b, c, d]: [S; 4], [x, y, z]: [S; 3]) -> [S; 4] {
+    let half = S::ratio(1, 2);
+    [
+        -half * (b * x + c * y + d * z),
+        half * (a * x + c * z - d * y),
+        half * (a * y + d * x - b * z),
+        half * (a * z + b * y - c * x),
+    ]
+}
+
+fn product(a: [Sym; 3], b: [Sym; 3]) -> Sym {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The components in the axes of the parent of a frame that is turned about an axis.
+fn turned(components: [Sym; 3], axis: usize, Circle { cos, sin }: Circle<Sym>) -> [Sym; 3] {
+    let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut turned = components;
+    turned[first] = cos * components[first] - sin * components[second];
+    turned[second] = sin * components[first] + cos * components[second];
+    turned
+}
