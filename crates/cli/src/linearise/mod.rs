@@ -25,7 +25,7 @@ pub struct Asked {
     #[arg(long, value_enum, default_value_t)]
     pub about: About,
     /// Instants of the run in seconds, instead of a point: 0,0.5,2
-    #[arg(long, value_name = "T,T", value_delimiter = ',', value_parser = instant, conflicts_with = "about")]
+    #[arg(long, value_name = "T,T", value_delimiter = ',', value_parser = instant, allow_negative_numbers = true, conflicts_with = "about")]
     pub times: Vec<f64>,
     /// A parameter that is an input; may be repeated
     #[arg(long = "input", value_name = "NAME")]
