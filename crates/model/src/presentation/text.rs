@@ -20,9 +20,9 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
         if free { format!("u = ({})", names(&form.speeds)) } else { format!("q = ({})", names(&form.coordinates)) };
     let _ = writeln!(text, "M {rate} + h = Q{reactions}, with {said}");
     if held {
-        let _ = write!(
+        let _ = writeln!(
             text,
-            "J {rate} + c = 0: every constraint f = 0, differentiated; J holds df/dq of positions, df/dq' of speeds\n"
+            "J {rate} + c = 0: every constraint f = 0, differentiated; J holds df/dq of positions, df/dq' of speeds"
         );
         text += "A positive lambda acts along the gradient of f\n";
     }
