@@ -96,6 +96,7 @@ SUBJECT_OF = {
     "crates/mechanics/src/discrete/": ["discrete", "mechanics"],
     "crates/mechanics/src/first_approximation/": ["mechanics"],
     "crates/mechanics/src/uniform/": ["mechanics", "selected"],
+    "crates/model/": ["principles"],
     "derivations/closed_forms/": ["closed_forms"],
     "derivations/mechanisms/points.rs": ["atlas"],
     "crates/symbolic/src/recurrence/abreast/": ["series"],

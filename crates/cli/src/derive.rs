@@ -49,6 +49,10 @@ pub enum PrincipleName {
     VirtualPower,
     /// Gauss, from the least constraint
     Gauss,
+    /// Newton's and Euler's equations of every body with the loads of its joints
+    NewtonEuler,
+    /// Hamilton's canonical equations, back along the speeds
+    Hamilton,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -77,8 +81,8 @@ pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
         true => of_scene(asked)?,
         false => {
             refuse_form(asked, "equations are in the axes of no form")?;
-            let equations =
-                equations_of(&asked.system, asked.principle.map(Principle::from)).map_err(Ending::refused)?;
+            let principle = asked.principle.map(built_in).transpose()?;
+            let equations = equations_of(&asked.system, principle).map_err(Ending::refused)?;
             written(&equations, asked.format.unwrap_or(Equations::Text))?
         }
     };
@@ -101,9 +105,13 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
         Some(PrincipleName::Lagrange) => model::principles::Principle::Lagrange,
         Some(PrincipleName::Appell) => model::principles::Principle::Appell,
         Some(PrincipleName::Gauss) => model::principles::Principle::Gauss,
-        Some(PrincipleName::Momentum | PrincipleName::Hamel | PrincipleName::Maxwell) => {
+        Some(PrincipleName::NewtonEuler) => model::principles::Principle::NewtonEuler,
+        Some(PrincipleName::Hamel) => model::principles::Principle::Hamel,
+        Some(PrincipleName::Hamilton) => model::principles::Principle::Hamilton,
+        Some(PrincipleName::Momentum | PrincipleName::Maxwell) => {
             return Err(Ending::refused(
-                "for a system that is written in its file the principle may be: virtual-power, lagrange, appell, gauss",
+                "for a system that is written in its file the principle may be: virtual-power, lagrange, appell, gauss, newton-euler, \
+                 hamel, hamilton",
             ));
         }
     };
@@ -278,16 +286,21 @@ fn of_scene(asked: &Asked) -> Result<String, Ending> {
     Ok(text)
 }
 
-impl From<PrincipleName> for Principle {
-    fn from(name: PrincipleName) -> Self {
-        match name {
-            PrincipleName::Momentum => Principle::Momentum,
-            PrincipleName::Appell => Principle::Appell,
-            PrincipleName::Hamel => Principle::Hamel,
-            PrincipleName::Lagrange => Principle::Lagrange,
-            PrincipleName::Maxwell => Principle::Maxwell,
-            PrincipleName::VirtualPower => Principle::VirtualPower,
-            PrincipleName::Gauss => Principle::Gauss,
+/// The principle of a system that the program brings along.
+fn built_in(name: PrincipleName) -> Result<Principle, Ending> {
+    Ok(match name {
+        PrincipleName::Momentum => Principle::Momentum,
+        PrincipleName::Appell => Principle::Appell,
+        PrincipleName::Hamel => Principle::Hamel,
+        PrincipleName::Lagrange => Principle::Lagrange,
+        PrincipleName::Maxwell => Principle::Maxwell,
+        PrincipleName::VirtualPower => Principle::VirtualPower,
+        PrincipleName::Gauss => Principle::Gauss,
+        PrincipleName::NewtonEuler | PrincipleName::Hamilton => {
+            return Err(Ending::refused(
+                "newton-euler and hamilton are for a system that is written in its file; a gyrostat follows momentum, appell, hamel \
+                 or lagrange, a motor maxwell",
+            ));
         }
-    }
+    })
 }

@@ -1,11 +1,11 @@
-//! `dalembert prove`: whether every principle gives a system the same equations of motion.
+//! `dalembert prove`: whether every principle gives a system the same equations of motion, and whether these keep what they should.
 
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use ::scenes::read_model;
-use clap::Args;
-use model::principles::Principle;
-use model::{Agreement, Trace, agreement};
+use clap::{Args, ValueEnum};
+use model::principles::{Principle, Projection};
+use model::{Agreement, Mistake, Mistaken, Trace, agreement, mistaken, projected_agreement, statements};
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -15,59 +15,146 @@ pub struct Asked {
     /// A file with `[coordinates]`; values of parameters are not needed
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
+    /// A mistaken derivation in the place of all others: whether it is refuted, and the terms that it loses
+    #[arg(long, value_enum)]
+    pub mistake: Option<MistakeName>,
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }
 
-/// A principle beside the first one.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum MistakeName {
+    /// Constraints of speeds are put into the kinetic energy before Lagrange's derivatives are taken
+    ConstraintsInEnergy,
+    /// Appell's energy of accelerations is made of the kinetic energy by writing accelerations for speeds
+    AccelerationsInEnergy,
+}
+
+impl From<MistakeName> for Mistake {
+    fn from(name: MistakeName) -> Self {
+        match name {
+            MistakeName::ConstraintsInEnergy => Mistake::ConstraintsInEnergy,
+            MistakeName::AccelerationsInEnergy => Mistake::AccelerationsInEnergy,
+        }
+    }
+}
+
+/// A line: what is stated, and its verdict.
 struct Row {
-    principle: Principle,
+    /// The principles that are compared, or the quantity that a statement is about.
+    subject: Subject,
     /// Why it does not apply, otherwise.
     agreement: Result<Agreement, String>,
+    /// What stands behind the verdict: where it was decided, what a mistake loses.
+    behind: Vec<String>,
+    /// Whether the verdict must not be a refutation.
+    must_hold: bool,
 }
 
-/// Compares the residuals of every principle with those of the first, parameters as letters, and prints a verdict for each.
+enum Subject {
+    Principles([&'static str; 2]),
+    Statement { about: String, says: String },
+    Mistake(Mistake),
+}
+
+/// Compares the residuals of every principle with those of the first, parameters as letters, states what the equations keep, and
+/// prints a verdict for each.
 pub fn prove(asked: &Asked) -> Result<Ending, Ending> {
     let model = read_model(&asked.scene)?;
-    let [first, others @ ..] = Principle::ALL;
+    let mistake = asked.mistake.map(Mistake::from);
     let rows: Vec<Row> = symbolic::apart(|| {
         let trace = Trace::of(&model);
-        let row = |principle| Row {
-            principle,
-            agreement: agreement(&trace, first, principle).map_err(|why| why.to_string()),
-        };
-        others.into_iter().map(row).collect()
+        match mistake {
+            Some(mistake) => vec![of_mistake(&trace, mistake)],
+            None => all(&trace),
+        }
     });
     print(&match asked.format {
-        Format::Text => text(first, &rows),
-        Format::Json => format!("{:#}\n", object(first, &rows)),
+        Format::Text => rows.iter().map(text).collect(),
+        Format::Json => format!("{:#}\n", rows.iter().map(object).collect::<serde_json::Value>()),
     })?;
-    let sound = |row: &Row| !matches!(row.agreement, Ok(Agreement::Refuted { .. } | Agreement::Undecided { .. }));
-    Ok(if rows.iter().all(sound) { Ending::Done } else { Ending::Stopped })
+    let fails = |row: &Row| {
+        let missed = matches!(row.agreement, Ok(Agreement::Refuted { .. } | Agreement::Undecided { .. }));
+        row.must_hold && missed || mistake.is_some() && row.agreement.is_err()
+    };
+    Ok(if rows.iter().any(fails) { Ending::Stopped } else { Ending::Done })
 }
 
-fn text(first: Principle, rows: &[Row]) -> String {
-    let line = |Row { principle, agreement }: &Row| {
-        let verdict = match agreement {
+fn all(trace: &Trace<'_>) -> Vec<Row> {
+    let [first, others @ ..] = Principle::ALL;
+    let plain = |principle: Principle| Row {
+        subject: Subject::Principles([first.name(), principle.name()]),
+        agreement: agreement(trace, first, principle).map_err(|why| why.to_string()),
+        behind: Vec::new(),
+        must_hold: true,
+    };
+    let projected = |projection: Projection| {
+        let (agreement, behind) = match projected_agreement(trace, projection) {
+            Ok(found) => (Ok(found.agreement), vec![found.points]),
+            Err(why) => (Err(why.to_string()), Vec::new()),
+        };
+        let subject = Subject::Principles([first.name(), projection.name()]);
+        Row { subject, agreement, behind, must_hold: true }
+    };
+    let stated = statements(trace).into_iter().map(|statement| Row {
+        subject: Subject::Statement { about: statement.subject, says: statement.says },
+        agreement: Ok(statement.agreement),
+        behind: Vec::new(),
+        must_hold: true,
+    });
+    let mistake = of_mistake(trace, Mistake::ConstraintsInEnergy);
+    let rows = others.into_iter().map(plain).chain(Projection::ALL.into_iter().map(projected)).chain(stated);
+    // nothing is said of a mistake that cannot be made
+    rows.chain(mistake.agreement.is_ok().then_some(mistake)).collect()
+}
+
+fn of_mistake(trace: &Trace<'_>, mistake: Mistake) -> Row {
+    let (agreement, behind) = match mistaken(trace, mistake) {
+        Ok(Mistaken { agreement, lost }) => {
+            let lost = lost.into_iter().map(|(name, term)| format!("lost in the equation of {name}: {term}"));
+            (Ok(agreement), lost.collect())
+        }
+        Err(why) => (Err(why.to_string()), Vec::new()),
+    };
+    Row { subject: Subject::Mistake(mistake), agreement, behind, must_hold: false }
+}
+
+impl Row {
+    fn title(&self) -> String {
+        match &self.subject {
+            Subject::Principles([one, other]) => format!("{one} = {other}"),
+            Subject::Statement { about, says } => format!("{about}: {says}"),
+            Subject::Mistake(mistake) => format!("mistake: {}", mistake.says()),
+        }
+    }
+
+    fn said(&self) -> String {
+        match &self.agreement {
             Ok(agreement) => agreement.to_string(),
             Err(why) => format!("does not apply: {why}"),
-        };
-        format!("{} = {}: {verdict}\n", first.name(), principle.name())
-    };
-    rows.iter().map(line).collect()
+        }
+    }
 }
 
-fn object(first: Principle, rows: &[Row]) -> serde_json::Value {
-    let row = |Row { principle, agreement }: &Row| {
-        let (verdict, error) = match agreement {
-            Ok(Agreement::Proved { .. }) => ("proved", None),
-            Ok(Agreement::Identified { error, .. }) => ("identified", Some(*error)),
-            Ok(Agreement::Refuted { .. }) => ("refuted", None),
-            Ok(Agreement::Undecided { .. }) => ("undecided", None),
-            Err(_) => ("does not apply", None),
-        };
-        let said = agreement.as_ref().map_or_else(Clone::clone, ToString::to_string);
-        json!({ "principles": [first.name(), principle.name()], "verdict": verdict, "log2_error": error, "said": said })
+fn text(row: &Row) -> String {
+    let behind = row.behind.iter().map(|line| format!("    {line}\n"));
+    format!("{}: {}\n{}", row.title(), row.said(), behind.collect::<String>())
+}
+
+fn object(row: &Row) -> serde_json::Value {
+    let verdict = row.agreement.as_ref().map_or("does not apply", Agreement::rung);
+    let error = match &row.agreement {
+        Ok(Agreement::Identified { error, .. }) => Some(*error),
+        _ => None,
     };
-    rows.iter().map(row).collect()
+    let mut object = json!({ "verdict": verdict, "log2_error": error, "said": row.said(), "behind": row.behind });
+    match &row.subject {
+        Subject::Principles(names) => object["principles"] = json!(names),
+        Subject::Statement { about, says } => {
+            object["about"] = json!(about);
+            object["says"] = json!(says);
+        }
+        Subject::Mistake(mistake) => object["mistake"] = json!(mistake.name()),
+    }
+    object
 }

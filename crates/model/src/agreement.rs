@@ -1,7 +1,9 @@
 //! Whether two principles give the same equations: residuals are compared as they stand, linear in the accelerations, never solved.
 
 use crate::Trace;
-use crate::principles::{NotApplicable, Principle};
+use crate::equations::{Characteristics, constraints_of};
+use crate::principles::{NotApplicable, Principle, Projection, linear};
+use crate::real_points::equal_digits;
 use std::fmt;
 use symbolic::{Decision, Hypotheses, Identity, Sym, decide, identified};
 
@@ -12,10 +14,25 @@ pub enum Agreement {
     Proved { divisors: Vec<String> },
     /// Every difference vanishes at random points of prime fields: but for an error of at most 2^`error`.
     Identified { points: usize, error: f64 },
+    /// Both sides have equal values at real points, to so many digits.
+    Tested { points: usize, digits: f64 },
     /// The difference in this equation is not zero, and here is a point.
     Refuted { equation: usize, point: String },
     /// Nothing is known, for this reason.
     Undecided { equation: usize, reason: String },
+}
+
+impl Agreement {
+    /// In one word.
+    pub fn rung(&self) -> &'static str {
+        match self {
+            Self::Proved { .. } => "proved",
+            Self::Identified { .. } => "identified",
+            Self::Tested { .. } => "tested",
+            Self::Refuted { .. } => "refuted",
+            Self::Undecided { .. } => "undecided",
+        }
+    }
 }
 
 impl fmt::Display for Agreement {
@@ -36,6 +53,9 @@ impl fmt::Display for Agreement {
                 "identified: equal at {points} random points of random prime fields; the probability of error is below 2^{:.0}",
                 error.ceil()
             ),
+            Self::Tested { points, digits } => {
+                write!(f, "tested: equal to {:.0} digits at {points} real points; nothing is proved", digits.floor())
+            }
             Self::Refuted { equation, point } => {
                 write!(f, "refuted in equation {}: the difference is {point}", equation + 1)
             }
@@ -53,35 +73,131 @@ const MOST_EXPANDED: usize = 4_000;
 /// Where one of them does not apply to the model.
 pub fn agreement(trace: &Trace<'_>, one: Principle, other: Principle) -> Result<Agreement, NotApplicable> {
     let (one, other) = (one.residual(trace)?, other.residual(trace)?);
-    let differences: Vec<Sym> = one.iter().zip(&other).map(|(&one, &other)| one - other).collect();
+    Ok(decided(&one.into_iter().zip(other).collect::<Vec<_>>()))
+}
+
+/// The agreement of a principle that knows the constraints, and the points at which it was decided.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Projected {
+    pub agreement: Agreement,
+    /// The choice of the points, in words.
+    pub points: String,
+}
+
+/// Compares a principle that knows the constraints with Lagrange's equations of the first kind, multipliers eliminated.
+///
+/// # Errors
+/// Where the principle does not apply to the model.
+pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<Projected, NotApplicable> {
+    let constraints = constraints_of(trace);
+    if constraints.is_empty() {
+        return Err(NotApplicable("the system has no constraints: the equations are Lagrange's".to_owned()));
+    }
+    let characteristics = Characteristics::of(trace, &constraints);
+    let named = |places: &mut dyn Iterator<Item = usize>| {
+        places.map(|place| trace.speeds[place].to_string()).collect::<Vec<_>>().join(", ")
+    };
+    let dependent = named(&mut characteristics.dependent.iter().map(|&(place, _)| place));
+    let independent = named(&mut characteristics.independent.iter().copied());
+    match projection {
+        Projection::Maggi => {
+            // letters in the place of inertia less forces: what follows holds for any
+            let any: Vec<Sym> = (0..trace.speeds.len()).map(|i| Sym::symbol(&format!("residual {}", i + 1))).collect();
+            let (by_maggi, by_multipliers) = (characteristics.along(&any), characteristics.without_reactions(&any));
+            let agreement = decided(&by_multipliers.into_iter().zip(by_maggi).collect::<Vec<_>>());
+            let points = format!(
+                "for any inertia and any forces: multipliers drop out along du/dw, with {dependent} by {}",
+                or_nothing(&independent)
+            );
+            Ok(Projected { agreement, points })
+        }
+        Projection::Shulgin => {
+            let by_shulgin = projection.residual(trace, &constraints, &characteristics)?;
+            let by_multipliers = characteristics.without_reactions(&Principle::Lagrange.residual(trace)?);
+            let motion = linear(&constraints, characteristics.motion(trace, &constraints))?;
+            let by_multipliers = motion.on_constraints(&by_multipliers);
+            let agreement = decided(&by_multipliers.into_iter().zip(by_shulgin).collect::<Vec<_>>());
+            let points = format!(
+                "at points on the constraints: all letters and {} are free, {dependent} and their rates follow",
+                or_nothing(&independent)
+            );
+            Ok(Projected { agreement, points })
+        }
+    }
+}
+
+fn or_nothing(names: &str) -> &str {
+    if names.is_empty() { "no speed" } else { names }
+}
+
+/// Whether the two sides of every pair are equal: on the highest rung that is reached.
+pub(crate) fn decided(pairs: &[(Sym, Sym)]) -> Agreement {
+    let differences: Vec<Sym> = pairs.iter().map(|&(one, other)| one - other).collect();
     let identity = identified(&differences);
     if let (Identity::Identified { points, error, .. }, true) =
         (&identity, Sym::operations_of(&differences) > MOST_EXPANDED)
     {
-        return Ok(Agreement::Identified { points: *points, error: *error });
+        return Agreement::Identified { points: *points, error: *error };
     }
     let mut divisors: Vec<String> = Vec::new();
     for (equation, difference) in differences.into_iter().enumerate() {
-        match (decide(difference, &Hypotheses::none()), &identity) {
+        let reason = match (decide(difference, &Hypotheses::none()), &identity) {
             (Decision::Zero(proof), _) => {
                 for divisor in proof.requires.iter().map(Sym::to_string) {
                     if !divisors.contains(&divisor) {
                         divisors.push(divisor);
                     }
                 }
+                continue;
             }
             (Decision::NonZero(witness), _) => {
-                return Ok(Agreement::Refuted { equation, point: witness.to_string() });
+                return Agreement::Refuted { equation, point: witness.to_string() };
             }
             (_, Identity::Identified { points, error, .. }) => {
-                return Ok(Agreement::Identified { points: *points, error: *error });
+                return Agreement::Identified { points: *points, error: *error };
             }
-            (Decision::Undefined(divisor), _) => {
-                let reason = format!("the divisor {divisor} vanishes everywhere");
-                return Ok(Agreement::Undecided { equation, reason });
-            }
-            (Decision::GaveUp(reason), _) => return Ok(Agreement::Undecided { equation, reason }),
-        }
+            (Decision::Undefined(divisor), _) => format!("the divisor {divisor} vanishes everywhere"),
+            (Decision::GaveUp(reason), _) => reason,
+        };
+        return match equal_digits(pairs) {
+            Some((points, digits)) => Agreement::Tested { points, digits },
+            None => Agreement::Undecided { equation, reason },
+        };
     }
-    Ok(Agreement::Proved { divisors })
+    Agreement::Proved { divisors }
+}
+
+/// Whether an expression is known to be zero for all values.
+pub(crate) fn is_zero(expression: Sym) -> bool {
+    expression == Sym::ZERO
+        || matches!(decided(&[(expression, Sym::ZERO)]), Agreement::Proved { .. } | Agreement::Identified { .. })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use field::{Analytic, Scalar};
+    use symbolic::{apart, symbols};
+
+    #[test]
+    fn a_difference_is_refuted_and_an_identity_with_roots_is_not() {
+        apart(|| {
+            let [x, y] = symbols(["x", "y"]);
+            let root = (x * x + y * y).sqrt();
+            assert!(matches!(decided(&[(root * root, x * x + y * y)]), Agreement::Proved { .. }));
+            assert!(matches!(decided(&[(root, x + y)]), Agreement::Refuted { .. }));
+        });
+    }
+
+    #[test]
+    fn what_agrees_to_some_digits_alone_is_not_tested() {
+        apart(|| {
+            let [x, y] = symbols(["x", "y"]);
+            let close = x * Sym::ratio(1_000_000_001, 1_000_000_000);
+            assert_eq!(equal_digits(&[(x, close)]), None);
+            assert!(equal_digits(&[(x.circle().sin * y, y * x.circle().sin)]).is_some());
+            // no real point has a value
+            assert_eq!(equal_digits(&[((-x).sqrt(), (-x).sqrt() + y)]), None);
+        });
+    }
 }

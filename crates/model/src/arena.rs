@@ -56,12 +56,12 @@ pub enum Scalar {
         order: usize,
     },
     Time,
-    /// The half turn.
-    Pi,
     /// 1 where the expression of the switch is positive, else 0.
     Switch(usize),
     /// An input, by its value or as a letter.
     Input(usize),
+    /// The half turn.
+    Pi,
     Negation(ScalarId),
     Sum(ScalarId, ScalarId),
     Difference(ScalarId, ScalarId),

@@ -5,14 +5,16 @@
 //! with h = inertia that depends on speeds less all forces. A constraint of positions counts twice differentiated, one of speeds
 //! once.
 
+mod characteristics;
 mod constraints;
 mod elimination;
 mod generic_point;
 
+pub use characteristics::{Characteristics, Motion};
 pub use constraints::{Equation, Level, equations as constraints_of};
 pub(crate) use constraints::{held_of, vanishes};
 pub use elimination::Singular;
-pub(crate) use generic_point::{generic_rank, pivots};
+pub(crate) use generic_point::generic_rank;
 
 use crate::Trace;
 use crate::principles::{NotApplicable, Principle};

@@ -32,11 +32,13 @@ mod joints;
 mod parts;
 mod presentation;
 pub mod principles;
+mod real_points;
 mod source;
+mod statements;
 mod trace;
 mod variations;
 
-pub use agreement::{Agreement, agreement};
+pub use agreement::{Agreement, Projected, agreement, projected_agreement};
 pub use arena::{Function, Number, ScalarId, VectorId};
 pub use elaboration::is_reserved;
 pub use fault::Fault;
@@ -49,5 +51,6 @@ pub use presentation::{Held, MatrixForm, Typeset, code, constraints, latex, symp
 pub use source::{
     BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source, Text,
 };
+pub use statements::{Mistake, Mistaken, Statement, mistaken, statements};
 pub use trace::{Trace, Vector};
 pub use variations::{Variations, Varied};

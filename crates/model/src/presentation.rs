@@ -107,9 +107,8 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
             Level::Speed => "of speeds, affine",
         };
         let knows_time = constraint.zero.symbols_of().contains(&trace.time);
-        let name = if constraint.name.is_empty() { String::new() } else { format!(" `{}`", constraint.name) };
         let time = if knows_time { ", with the time" } else { "" };
-        format!("constraint {}{name}: {kind}{time}", k + 1)
+        format!("{}: {kind}{time}", constraint.title(k))
     };
     equations_of(trace).into_iter().enumerate().map(kind).collect()
 }
@@ -117,7 +116,7 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
 /// Expressions with more operations are left as they are.
 const MOST_SIMPLIFIED: usize = 2_000;
 
-fn simplified(expression: Sym) -> Sym {
+pub(crate) fn simplified(expression: Sym) -> Sym {
     if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED {
         return expression;
     }

@@ -57,7 +57,7 @@ impl Variations {
         let mut by_multipliers = alone(&multipliers);
         let mut by_inputs = alone(inputs);
         let mut varied = |values: Vec<Sym>| {
-            let n = trace.coordinates.len();
+            let n = trace.speeds.len();
             let matrix = |of: &dyn Fn(Sym, usize) -> Sym| -> Vec<Vec<Sym>> {
                 values.iter().map(|&value| (0..n).map(|i| of(value, i)).collect()).collect()
             };

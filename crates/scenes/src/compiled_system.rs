@@ -25,10 +25,12 @@ pub enum NotCompiled {
     Massless { coordinate: String },
     /// A constraint that others imply.
     Redundant { constraint: usize },
+    /// A frame that turns freely, where only coordinates with rates of their own are known.
+    FreeFrame { name: String },
+    /// A law that changes at conditions, where one law is asked for.
+    Changes,
     /// A switch that no value between its cases keeps at zero.
     NotHeld { switch: usize },
-    /// Varied equations of free frames, whose speeds are no rates of coordinates.
-    FreeFrame { frame: String },
     /// Longer than what can be run.
     TooLong,
 }
@@ -37,6 +39,8 @@ impl fmt::Display for NotCompiled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Open { what, name } => write!(f, "the {what} `{name}` has no value: a run needs one"),
+            Self::FreeFrame { name } => write!(f, "`{name}` turns freely, which this command does not know yet"),
+            Self::Changes => write!(f, "its law changes at conditions, which this command does not know yet"),
             Self::NotHeld { switch } => {
                 write!(f, "condition {} cannot be kept at zero: nothing in the law grows with it alone", switch + 1)
             }
@@ -46,12 +50,6 @@ impl fmt::Display for NotCompiled {
             Self::Massless { coordinate } => write!(f, "nothing with a mass or an inertia moves with `{coordinate}`"),
             Self::Redundant { constraint } => {
                 write!(f, "constraint {} follows from those before it", constraint + 1)
-            }
-            Self::FreeFrame { frame } => {
-                write!(
-                    f,
-                    "`{frame}` is free: linear equations, equilibria and inverse dynamics of free frames are not there yet"
-                )
             }
             Self::TooLong => write!(f, "the equations of motion are longer than what this version can run"),
         }
@@ -180,18 +178,26 @@ fn speed_name(model: &Model, speed: usize) -> String {
     }
 }
 
+/// Whether a model has one law, in coordinates with rates of their own.
+pub(crate) fn plain(model: &Model) -> Result<(), NotCompiled> {
+    if let Some(frame) = model.free.first() {
+        return Err(NotCompiled::FreeFrame { name: model.frames[frame.0].name.clone() });
+    }
+    if model.switches.is_empty() { Ok(()) } else { Err(NotCompiled::Changes) }
+}
+
 /// Whether every parameter and every input has a value.
 pub(crate) fn has_values(model: &Model) -> Result<(), NotCompiled> {
     has_values_but(model, &[])
 }
 
-/// Whether every parameter but some, by their places, has a value, and every input.
+/// Whether every input and every parameter but some, by their places, has a value.
 pub(crate) fn has_values_but(model: &Model, given: &[usize]) -> Result<(), NotCompiled> {
-    let open = model.parameters.iter().enumerate().filter(|(_, parameter)| parameter.value.is_none());
-    let parameter = open.map(|(place, open)| (place, &open.name)).find(|(place, _)| !given.contains(place));
+    let mut open = model.parameters.iter().enumerate().filter(|(_, parameter)| parameter.value.is_none());
+    let parameter = open.find(|(place, _)| !given.contains(place)).map(|(_, open)| &open.name);
     let input = model.inputs.iter().find(|input| input.value.is_none()).map(|open| &open.name);
     match (parameter, input) {
-        (Some((_, open)), _) => Err(NotCompiled::Open { what: "parameter", name: open.clone() }),
+        (Some(open), _) => Err(NotCompiled::Open { what: "parameter", name: open.clone() }),
         (None, Some(open)) => Err(NotCompiled::Open { what: "input", name: open.clone() }),
         (None, None) => Ok(()),
     }
@@ -242,6 +248,9 @@ fn conserves(model: &Model) -> bool {
     }
     let trace = Trace::of(model);
     let equations = Equations::of(&trace);
+    if !trace.solid().is_empty() {
+        return false;
+    }
     let held = equations.constraints.iter();
     let knows_time = |scalar: &Sym| scalar.symbols_of().contains(&trace.time);
     // reactions do no work where every constraint is homogeneous in the speeds
@@ -296,7 +305,12 @@ pub(crate) fn values(trace: &Trace<'_>, time: Sym, state: &[Sym]) -> Vec<(Sym, S
         let value: Rational = Rational::exactly(parameter.value?);
         Some((letter, Sym::lift(value)))
     });
-    known.chain(data).chain([(trace.time, time), (trace.pi, half_turn())]).collect()
+    let constants = [(trace.time, time), (trace.pi, half_turn())];
+    let mut all: Vec<(Sym, Sym)> = known.chain(data).chain(constants).collect();
+    let (letters, solid): (Vec<Sym>, Vec<Sym>) = trace.solid().into_iter().unzip();
+    let solid = substitute_all(&solid, &all);
+    all.extend(letters.into_iter().zip(solid));
+    all
 }
 
 /// Pi to 48 digits, as the sum of three floats.

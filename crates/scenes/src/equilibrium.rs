@@ -5,7 +5,7 @@
 //! Newton's method with least changes, by singular values: where equilibria form a family, the nearest one of it is found. Forces are
 //! those of time zero.
 
-use crate::compiled_system::NotCompiled;
+use crate::compiled_system::{NotCompiled, plain};
 use crate::linearisation::{At, Point, VariedEquations};
 use model::Model;
 use model::equations::Level;
@@ -65,6 +65,7 @@ const FLOOR: f64 = 1e-3;
 /// Why there is none.
 pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibrium> {
     let n = model.coordinates.len();
+    plain(model).map_err(NoEquilibrium::NotCompiled)?;
     if let (Some(start), false) = (model.start.iter().find(|start| start.order == 1 && start.value != 0.0), all) {
         return Err(NoEquilibrium::Moves { speed: format!("{}'", model.coordinates[start.coordinate].name) });
     }

@@ -4,7 +4,7 @@ use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
 use crate::equilibrium::{NoEquilibrium, equilibrium};
 use crate::modes::{Modes, Refused};
-use crate::row_units::coherent;
+use crate::row_units::{coherent, rate_unit};
 use crate::start::{Open, Unmet, consistent};
 use crate::text;
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
@@ -94,8 +94,7 @@ impl ModelScene {
 fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
     // before the law: what depends on others makes it singular
     let start = start_of(model)?;
-    let modes = Modes::of(model);
-    let system = modes.first(&start).map_err(|refused| match refused {
+    let system = Modes::of(model).first(&start).map_err(|refused| match refused {
         Refused::Law(reason) => not_compiled(&reason),
         Refused::Motion(why) => {
             let issue = Issue::at(0..0, format!("this system cannot start: {why}"), "in this file");
@@ -262,7 +261,8 @@ impl Smooth for ModelScene {
     }
 
     fn unit(&self, name: &str) -> Cow<'static, str> {
-        let found = self.model.state_names().into_iter().find_map(|(own, unit)| (own == name).then(|| coherent(&unit)));
+        let rate = |unit: &str| unit.strip_suffix("/s").map_or_else(|| coherent(unit), |of| rate_unit(&coherent(of)));
+        let found = self.model.state_names().into_iter().find_map(|(own, unit)| (own == name).then(|| rate(&unit)));
         let energy = || ["kinetic_energy", "potential_energy"].contains(&name).then(|| "J".to_owned());
         let output = || {
             let output = self.model.outputs.iter().find(|output| output.name == name)?;

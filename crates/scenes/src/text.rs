@@ -228,7 +228,7 @@ fn events(top: &mut Table<'_>) -> Vec<EventSource> {
         let when = placed(&table, &when);
         let direction = text_of(&mut table, "direction", "\"up\", \"down\" or \"both\"");
         let set = entries(&mut table, "set");
-        let ends = table.flag("end");
+        let ends = table.flag("end", "end of the run");
         let at = table.span();
         let sound = !table.has_issues();
         top.absorb(table);

@@ -48,7 +48,10 @@ fn every_principle_gives_every_model_the_same_equations() {
         symbolic::apart(|| {
             let trace = Trace::of(&model);
             for other in Principle::ALL {
-                let found = agreement(&trace, Principle::Lagrange, other).expect("it applies");
+                let Ok(found) = agreement(&trace, Principle::Lagrange, other) else {
+                    assert!(model.energies.kinetic.is_some(), "{}, {}", path.display(), other.name());
+                    continue;
+                };
                 let known = matches!(found, Agreement::Proved { .. } | Agreement::Identified { .. });
                 assert!(known, "{}, {}: {found}", path.display(), other.name());
             }

@@ -44,6 +44,18 @@ impl Table<'_> {
         }
     }
 
+    /// Whether a key is `true`; it may be left out.
+    pub fn flag(&mut self, key: &str, meaning: &str) -> bool {
+        let Some(found) = self.find(key) else { return false };
+        match found.get_ref() {
+            DeValue::Boolean(value) => *value,
+            other => {
+                self.wrong_kind(found.span(), key, other, &format!("true or false is accepted: {meaning}"));
+                false
+            }
+        }
+    }
+
     /// A text or a list of texts, one at least.
     pub fn text_or_texts(&mut self, key: &str, needed: &str) -> Vec<At<String>> {
         match self.find(key).map(|found| found.get_ref()) {
@@ -68,18 +80,6 @@ impl Table<'_> {
             }
         }
         texts
-    }
-
-    /// `true` or `false`; false where it is left out.
-    pub fn flag(&mut self, key: &str) -> bool {
-        let Some(found) = self.find(key) else { return false };
-        match found.get_ref() {
-            DeValue::Boolean(value) => *value,
-            other => {
-                self.wrong_kind(found.span(), key, other, "true or false is accepted");
-                false
-            }
-        }
     }
 
     /// A whole number of at least `least`.

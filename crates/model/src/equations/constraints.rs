@@ -33,6 +33,14 @@ pub struct Equation {
     pub at: Range<usize>,
 }
 
+impl Equation {
+    /// As sentences call it, by its place among all: constraint 2 `rolling`.
+    pub fn title(&self, place: usize) -> String {
+        let name = if self.name.is_empty() { String::new() } else { format!(" `{}`", self.name) };
+        format!("constraint {}{name}", place + 1)
+    }
+}
+
 /// A scalar equation of a constraint.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Held {

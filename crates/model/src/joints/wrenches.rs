@@ -111,7 +111,7 @@ impl<'t, 'm> Backward<'t, 'm> {
     fn scalar(&mut self, scalar: &Scalar, varied: Varied, weight: Sym, value: Sym) {
         let of = |id: &ScalarId| self.trace.scalar(*id);
         match scalar {
-            Scalar::Number(_) | Scalar::Parameter(_) | Scalar::Time | Scalar::Switch(_) => {}
+            Scalar::Number(_) | Scalar::Parameter(_) | Scalar::Time | Scalar::Pi | Scalar::Switch(_) => {}
             Scalar::Reaction { .. } => {}
             Scalar::Input(input) => {
                 if let Some(value) = self.trace.model.inputs[*input].value {

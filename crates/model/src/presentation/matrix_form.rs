@@ -73,7 +73,7 @@ impl MatrixForm {
         Ok(MatrixForm {
             time: trace.time,
             parameters: trace.parameters.clone(),
-            coordinates: trace.coordinates.clone(),
+            coordinates: (0..trace.speeds.len()).map(|speed| displaced(trace, speed)).collect(),
             speeds: trace.speeds.clone(),
             accelerations: trace.accelerations.clone(),
             mass,
@@ -147,8 +147,13 @@ impl MatrixForm {
     }
 }
 
+/// The coordinate that a speed moves; of a free frame the speed itself.
+fn displaced(trace: &Trace<'_>, speed: usize) -> Sym {
+    if speed < trace.model.coordinates.len() { trace.coordinates[speed] } else { trace.speeds[speed] }
+}
+
 /// The same bodies with nothing acting on them.
 fn without_forces(model: &Model) -> Model {
     let energies = Energies { kinetic: model.energies.kinetic, ..Energies::default() };
-    Model { gravity: None, forces: Vec::new(), torques: Vec::new(), energies, ..model.clone() }
+    Model { gravity: None, forces: Vec::new(), torques: Vec::new(), generalised: Vec::new(), energies, ..model.clone() }
 }

@@ -8,7 +8,7 @@
 //! The bracket behind the momentum dT/dw_r is the transpositional relation, d(delta pi_r)/dt - delta w_r, per displacement of q_i: it
 //! is what the w, being no rates of coordinates, bring in. There may be more of them than speeds.
 
-use super::loads::{by_energies, forces, torques};
+use super::loads::generalised;
 use crate::Trace;
 use field::Rational;
 use symbolic::{Sym, substitute_all};
@@ -58,16 +58,7 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
     let by_symbols: Vec<Sym> = symbols.iter().map(|&symbol| kinetic.diff(symbol)).collect();
     let momenta = substitute_all(&by_symbols, &back);
     let rates: Vec<Sym> = momenta.iter().map(|&momentum| trace.rate_of(momentum)).collect();
-    let (forces, torques) = (forces(trace, true), torques(trace));
-    let power = |i: usize| -> Sym {
-        let of_forces = forces.iter().map(|force| {
-            let velocity = trace.material_velocity(force.at);
-            trace.dot(force.is, trace.vector_by_speed(velocity, i))
-        });
-        let of_torques =
-            torques.iter().map(|torque| trace.dot(torque.is, trace.vector_by_speed(trace.turning(torque.on), i)));
-        of_forces.chain(of_torques).fold(Sym::ZERO, |sum, each| sum + each)
-    };
+    let forces = generalised(trace, true);
     let of = |i: usize| {
         let inertia = velocities.iter().zip(momenta.iter().zip(&rates)).map(|(&velocity, (&momentum, &rate))| {
             let displaced = trace.by_speed(velocity, i);
@@ -76,7 +67,7 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
             rate * displaced + momentum * transposed
         });
         let by_place = trace.by_coordinate(kinetic, i).substitute(&back);
-        inertia.fold(-by_place, |sum, term| sum + term) - power(i) + by_energies(trace, i)
+        inertia.fold(-by_place, |sum, term| sum + term) - forces[i]
     };
     (0..trace.speeds.len()).map(of).collect()
 }

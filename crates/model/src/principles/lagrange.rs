@@ -6,7 +6,6 @@ use crate::Trace;
 use symbolic::Sym;
 
 pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
-    let kinetic = trace.kinetic_energy();
     // weights by their potential where they have one
     let uniform = trace.uniform_gravity();
     let (forces, torques) = (forces(trace, uniform.is_none()), torques(trace));
@@ -20,13 +19,16 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
         let Some(gravity) = uniform else { return Sym::ZERO };
         let of = |body: &crate::Body| -> Option<Sym> {
             let height = trace.dot(gravity, trace.position(body.centre?));
-            Some(trace.scalar(body.mass?) * trace.by_coordinate(height, i))
+            Some(trace.solidified(body.mass?) * trace.by_coordinate(height, i))
         };
         trace.model.bodies.iter().filter_map(of).fold(Sym::ZERO, |sum, each| sum + each)
     };
-    let inertia = |i: usize| {
-        let momentum = |j: usize| trace.by_speed(kinetic, j);
-        trace.rate_of(momentum(i)) + trace.transposition(i, momentum) - trace.by_coordinate(kinetic, i)
-    };
-    (0..trace.speeds.len()).map(|i| inertia(i) - weights(i) - displaced(i) + by_energies(trace, i)).collect()
+    (0..trace.speeds.len()).map(|i| inertia(trace, i) - weights(i) - displaced(i) + by_energies(trace, i)).collect()
+}
+
+/// d/dt dT/du - dT/dq, with w x dT/dw of a free frame.
+pub(crate) fn inertia(trace: &Trace<'_>, i: usize) -> Sym {
+    let kinetic = trace.kinetic_energy();
+    let momentum = |j: usize| trace.by_speed(kinetic, j);
+    trace.rate_of(momentum(i)) + trace.transposition(i, momentum) - trace.by_coordinate(kinetic, i)
 }

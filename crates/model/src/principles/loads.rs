@@ -36,7 +36,7 @@ pub(crate) fn forces(trace: &Trace<'_>, weights: bool) -> Vec<PointForce> {
         let gravity = trace.vector(gravity);
         for body in &trace.model.bodies {
             if let (Some(mass), Some(point)) = (body.mass, body.centre) {
-                let mass = trace.scalar(mass);
+                let mass = trace.solidified(mass);
                 let at = Material { body: None, point };
                 all.push(PointForce { at, is: gravity.map(|component| mass * component) });
             }
@@ -73,4 +73,23 @@ pub(crate) fn by_energies(trace: &Trace<'_>, speed: usize) -> Sym {
     let potential = energies.potential.map_or(Sym::ZERO, |id| trace.by_coordinate(trace.scalar(id), speed));
     let dissipation = energies.dissipation.map_or(Sym::ZERO, |id| trace.by_speed(trace.scalar(id), speed));
     potential + dissipation - along(trace, speed)
+}
+
+/// The generalised forces Q by partial velocities; without those of potentials where these are counted elsewhere.
+pub(crate) fn generalised(trace: &Trace<'_>, potentials: bool) -> Vec<Sym> {
+    let (forces, torques) = (forces(trace, potentials || trace.uniform_gravity().is_none()), torques(trace));
+    let of = |i: usize| {
+        let by_forces = forces.iter().map(|force| {
+            let velocity = trace.material_velocity(force.at);
+            trace.dot(force.is, trace.vector_by_speed(velocity, i))
+        });
+        let by_torques =
+            torques.iter().map(|torque| trace.dot(torque.is, trace.vector_by_speed(trace.turning(torque.on), i)));
+        let power = by_forces.chain(by_torques).fold(Sym::ZERO, |sum, each| sum + each);
+        let energies = &trace.model.energies;
+        let resisted = energies.dissipation.map_or(Sym::ZERO, |id| trace.by_speed(trace.scalar(id), i));
+        let potential = energies.potential.filter(|_| potentials);
+        power + along(trace, i) - resisted - potential.map_or(Sym::ZERO, |id| trace.by_coordinate(trace.scalar(id), i))
+    };
+    (0..trace.speeds.len()).map(of).collect()
 }

@@ -10,15 +10,19 @@
 mod appell;
 mod gauss;
 mod hamel;
-mod hamilton;
-mod lagrange;
+pub(crate) mod hamilton;
+pub(crate) mod lagrange;
 pub(crate) mod loads;
 mod newton_euler;
+mod projected;
 mod virtual_power;
+
+pub(crate) use projected::linear;
+pub use projected::{Operator, Projection, operator};
 
 use crate::Trace;
 use std::fmt;
-use symbolic::Sym;
+use symbolic::{Sym, substitute_all};
 
 /// A principle of mechanics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,7 +91,7 @@ impl Principle {
                 "a kinetic energy is given: the motion of its bodies is not known to this principle".to_owned(),
             ));
         }
-        Ok(match self {
+        let residual = match self {
             Principle::Lagrange => lagrange::residual(trace),
             Principle::VirtualPower => virtual_power::residual(trace),
             Principle::Appell => appell::residual(trace),
@@ -95,6 +99,7 @@ impl Principle {
             Principle::NewtonEuler => newton_euler::residual(trace),
             Principle::Hamel => hamel::residual(trace),
             Principle::Hamilton => hamilton::residual(trace)?,
-        })
+        };
+        Ok(substitute_all(&residual, &trace.solid()))
     }
 }

@@ -1,14 +1,46 @@
 //! Momenta of bodies.
+//!
+//! A mass or a moment of inertia that varies is taken as solidified at each instant (Meshchersky): the law is m a = F, and what leaves or
+//! arrives acts by a force that the model gives. Until the equations stand, such a quantity is a letter that rests.
 
 use super::{Trace, Vector};
-use crate::{Body, FrameId, Inertia};
+use crate::{Body, FrameId, Inertia, ScalarId};
 use symbolic::Sym;
 
 impl Trace<'_> {
     /// The mass of a body and its centre's velocity and acceleration; none without a mass.
     pub fn carried(&self, body: &Body) -> Option<(Sym, Vector, Vector)> {
         let (mass, centre) = (body.mass?, body.centre?);
-        Some((self.scalar(mass), self.velocity(centre), self.acceleration(centre)))
+        Some((self.solidified(mass), self.velocity(centre), self.acceleration(centre)))
+    }
+
+    /// A mass or a moment of inertia: a letter in its place where it varies.
+    pub(crate) fn solidified(&self, id: ScalarId) -> Sym {
+        let value = self.scalar(id);
+        let moving =
+            |symbol: &Sym| *symbol == self.time || self.coordinates.contains(symbol) || self.speeds.contains(symbol);
+        if !value.symbols_of().iter().any(moving) {
+            return value;
+        }
+        let mut known = self.solid.borrow_mut();
+        if let Some((letter, _)) = known.iter().find(|(_, own)| *own == value) {
+            return *letter;
+        }
+        let letter = Sym::symbol(&format!("solidified {}", known.len() + 1));
+        known.push((letter, value));
+        letter
+    }
+
+    /// Whether the mass or a moment of inertia of a body varies.
+    pub(crate) fn varies(&self) -> bool {
+        // every body takes part
+        self.kinetic_energy();
+        !self.solid.borrow().is_empty()
+    }
+
+    /// Letters of what is solidified, with their values.
+    pub fn solid(&self) -> Vec<(Sym, Sym)> {
+        self.solid.borrow().clone()
     }
 
     /// The angular velocity of a body that has an inertia.
@@ -20,13 +52,14 @@ impl Trace<'_> {
     pub fn inertia_times(&self, inertia: &Inertia, vector: Vector) -> Vector {
         match inertia {
             Inertia::Axial(axial) => {
-                let axial = self.scalar(*axial);
+                let axial = self.solidified(*axial);
                 let [_, _, z] = vector.components;
                 Vector { frame: vector.frame, components: [Sym::ZERO, Sym::ZERO, axial * z] }
             }
             Inertia::Tensor { axes, entries } => {
                 let [x, y, z] = self.express(vector, *axes);
-                let [xx, yy, zz, xy, xz, yz] = entries.map(|entry| entry.map_or(Sym::ZERO, |entry| self.scalar(entry)));
+                let [xx, yy, zz, xy, xz, yz] =
+                    entries.map(|entry| entry.map_or(Sym::ZERO, |entry| self.solidified(entry)));
                 let components = [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z];
                 Vector { frame: *axes, components }
             }
@@ -73,7 +106,7 @@ impl Trace<'_> {
         if let Some(gravity) = self.uniform_gravity() {
             for body in &self.model.bodies {
                 if let (Some(mass), Some(centre)) = (body.mass, body.centre) {
-                    sum -= self.scalar(mass) * self.dot(gravity, self.position(centre));
+                    sum -= self.solidified(mass) * self.dot(gravity, self.position(centre));
                 }
             }
         }

@@ -56,6 +56,8 @@ pub struct Trace<'m> {
     points: RefCell<Vec<motion::PointMotion>>,
     scalars: Vec<Sym>,
     vectors: Vec<Vector>,
+    /// Masses and moments of inertia that vary: a letter and the value of each.
+    solid: RefCell<Vec<(Sym, Sym)>>,
 }
 
 impl<'m> Trace<'m> {
@@ -105,6 +107,7 @@ impl<'m> Trace<'m> {
             points: RefCell::new(Vec::new()),
             scalars: vec![Sym::ZERO; model.arena.parts.len()],
             vectors: vec![Vector::ZERO; model.arena.parts.len()],
+            solid: RefCell::default(),
         };
         trace.turn_frames(0);
         for (place, part) in model.arena.parts.iter().enumerate() {
@@ -163,6 +166,14 @@ impl<'m> Trace<'m> {
         let first = speed - turn % 3;
         let [next, last] = [first + (turn + 1) % 3, first + (turn + 2) % 3];
         self.speeds[next] * momentum(last) - self.speeds[last] * momentum(next)
+    }
+
+    /// The name of what a speed moves: its coordinate, or of a free frame the speed itself.
+    pub fn direction(&self, speed: usize) -> String {
+        match self.model.coordinates.get(speed) {
+            Some(coordinate) => coordinate.name.clone(),
+            None => self.speeds[speed].to_string(),
+        }
     }
 
     /// A scalar expression.
@@ -230,12 +241,12 @@ impl<'m> Trace<'m> {
             Scalar::Rate { coordinate, order: 1 } => self.speeds[*coordinate],
             Scalar::Rate { coordinate, .. } => self.accelerations[*coordinate],
             Scalar::Time => self.time,
-            Scalar::Pi => self.pi,
             Scalar::Switch(switch) => self.switches[*switch],
             Scalar::Input(input) => match &self.model.inputs[*input] {
                 Input { value: Some(value), .. } => self.scalar(*value),
                 Input { name, value: None, .. } => Sym::symbol(name),
             },
+            Scalar::Pi => self.pi,
             Scalar::Negation(a) => -of(a),
             Scalar::Sum(a, b) => of(a) + of(b),
             Scalar::Difference(a, b) => of(a) - of(b),

@@ -79,7 +79,7 @@ impl VariedEquations {
     pub fn of(model: &Model, parameters: &[usize]) -> Result<Self, NotCompiled> {
         has_values_but(model, parameters)?;
         if let Some(frame) = model.free.first() {
-            return Err(NotCompiled::FreeFrame { frame: model.frames[frame.0].name.clone() });
+            return Err(NotCompiled::FreeFrame { name: model.frames[frame.0].name.clone() });
         }
         let (open, own) = opened(model);
         let open = &open;

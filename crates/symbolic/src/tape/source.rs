@@ -100,6 +100,21 @@ impl Source<'_> {
         used
     }
 
+    /// A call of an elementary function.
+    fn elementary(&self, function: Elementary, a: &str, b: &str) -> String {
+        let name = match (self.language, function) {
+            (Language::C | Language::Python, Elementary::Ln) => "log",
+            _ => function.name(),
+        };
+        match (self.language, function.arguments()) {
+            // a literal has no methods
+            (Language::Rust, 1) => format!("f64::{name}({a})"),
+            (Language::Rust, _) => format!("f64::{name}({a}, {b})"),
+            (Language::C | Language::Python, 1) => format!("{name}({a})"),
+            (Language::C | Language::Python, _) => format!("{name}({a}, {b})"),
+        }
+    }
+
     /// A statement for every operation.
     fn lines(&self) -> Vec<String> {
         let (mut next, used) = (0, self.used());
@@ -109,20 +124,6 @@ impl Source<'_> {
             next += operation.results();
         }
         lines
-    }
-
-    /// A call of an elementary function: of a module `math` in Python, so that nothing else is named like it.
-    fn elementary(&self, function: Elementary, a: &str, b: &str) -> String {
-        let name = match (self.language, function) {
-            (Language::C | Language::Python, Elementary::Ln) => "log",
-            _ => function.name(),
-        };
-        match (self.language, function.arguments()) {
-            (Language::Rust, 1) => format!("f64::{name}({a})"),
-            (Language::Rust, _) => format!("f64::{name}({a}, {b})"),
-            (Language::C | Language::Python, 1) => format!("{name}({a})"),
-            (Language::C | Language::Python, _) => format!("{name}({a}, {b})"),
-        }
     }
 
     /// The statement that computes one operation into registers from `next` on.
@@ -142,9 +143,9 @@ impl Source<'_> {
             Operation::ProductAnd(..) => format!("{a} * {b} + {c}"),
             Operation::ProductLess(..) => format!("{a} * {b} - {c}"),
             Operation::LessProduct(..) => format!("{c} - {a} * {b}"),
+            Operation::Elementary(function, ..) => self.elementary(function, &a, &b),
             // a literal has no methods
             Operation::Root(_) if self.language == Language::Rust => format!("f64::sqrt({a})"),
-            Operation::Elementary(function, ..) => self.elementary(function, &a, &b),
             Operation::Root(_) => format!("sqrt({a})"),
             Operation::Circle(_) => {
                 let part = |function: &str, register: usize| match self.language {

@@ -1,0 +1,155 @@
+//! The motions that constraints leave: dependent speeds by independent ones.
+//!
+//! With the constraints' rates J u + b = 0 the dependent speeds are u_d = A w + a, and every admissible displacement is a combination
+//! of the directions N = du/dw, for which J N = 0. Which speeds are dependent is found at a random point, a pivot for each equation;
+//! those in whose columns the shortest expressions stand come first.
+
+use super::constraints::Equation;
+use super::generic_point::pivots;
+use crate::Trace;
+use crate::presentation::simplified;
+use symbolic::{Sym, substitute_all};
+
+/// The directions that constraints leave, and the equations that determine the other speeds.
+#[derive(Clone, Debug)]
+pub struct Characteristics {
+    /// Places of the independent speeds w.
+    pub independent: Vec<usize>,
+    /// Places of the dependent ones, each with the equation that it is found from.
+    pub dependent: Vec<(usize, usize)>,
+    /// Equations that follow from those before them.
+    pub redundant: Vec<usize>,
+    /// du_d/dw: for each dependent speed, by each independent one.
+    pub slopes: Vec<Vec<Sym>>,
+    /// J, row after row, each short entry in normal form.
+    rows: Vec<Vec<Sym>>,
+}
+
+impl Characteristics {
+    /// Of the constraints of a trace.
+    pub fn of(trace: &Trace<'_>, constraints: &[Equation]) -> Self {
+        let row = |constraint: &Equation| constraint.row.iter().map(|&slope| in_short(slope)).collect();
+        let rows: Vec<Vec<Sym>> = constraints.iter().map(row).collect();
+        let mut order: Vec<usize> = (0..trace.speeds.len()).collect();
+        order.sort_by_cached_key(|&i| {
+            let column: Vec<Sym> = rows.iter().map(|row| row[i]).collect();
+            Sym::operations_of(&column)
+        });
+        let found = pivots(&rows, &order);
+        let dependent: Vec<(usize, usize)> = found.iter().map(|&(row, column)| (column, row)).collect();
+        let is_dependent = |i: &usize| dependent.iter().any(|(column, _)| column == i);
+        let independent: Vec<usize> = (0..trace.speeds.len()).filter(|i| !is_dependent(i)).collect();
+        let redundant = (0..rows.len()).filter(|row| found.iter().all(|(known, _)| known != row)).collect();
+        let right = |row: usize| independent.iter().map(|&j| -rows[row][j]).collect::<Vec<Sym>>();
+        let slopes = solved(&square(&rows, &dependent), dependent.iter().map(|&(_, row)| right(row)).collect());
+        Characteristics { independent, dependent, redundant, slopes, rows }
+    }
+
+    /// N^T v: a value for each speed, along each independent one.
+    pub fn along(&self, values: &[Sym]) -> Vec<Sym> {
+        let of = |(place, &j): (usize, &usize)| {
+            let dependent = self.dependent.iter().zip(&self.slopes);
+            dependent.fold(values[j], |sum, (&(d, _), slopes)| sum + slopes[place] * values[d])
+        };
+        self.independent.iter().enumerate().map(of).collect()
+    }
+
+    /// The same by the multipliers: J^T lambda = v on the dependent speeds, which leaves v - J^T lambda on the others.
+    pub fn without_reactions(&self, values: &[Sym]) -> Vec<Sym> {
+        let matrix = square(&self.rows, &self.dependent);
+        let k = matrix.len();
+        let transposed: Vec<Vec<Sym>> = (0..k).map(|i| (0..k).map(|j| matrix[j][i]).collect()).collect();
+        let multipliers = solved(&transposed, self.dependent.iter().map(|&(d, _)| vec![values[d]]).collect());
+        let reaction = |i: usize| {
+            let terms = self.dependent.iter().zip(&multipliers);
+            terms.fold(Sym::ZERO, |sum, (&(_, row), multiplier)| sum + multiplier[0] * self.rows[row][i])
+        };
+        self.independent.iter().map(|&j| values[j] - reaction(j)).collect()
+    }
+
+    /// The speeds and accelerations that the constraints determine, by the independent ones.
+    ///
+    /// # Errors
+    /// The place of the first constraint that is not linear.
+    pub fn motion(&self, trace: &Trace<'_>, constraints: &[Equation]) -> Result<Motion, usize> {
+        let moves = |row: &Vec<Sym>| {
+            let mut symbols = row.iter().flat_map(|slope| slope.symbols_of());
+            symbols.any(|symbol| trace.speeds.contains(&symbol))
+        };
+        if let Some(place) = self.rows.iter().position(moves) {
+            return Err(place);
+        }
+        let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
+        let offset = |row: usize| in_short(-constraints[row].rate.substitute(&at_rest));
+        let right = self.dependent.iter().map(|&(_, row)| vec![offset(row)]).collect();
+        let offsets = solved(&square(&self.rows, &self.dependent), right);
+        let speeds: Vec<(Sym, Sym)> = (self.dependent.iter().zip(&self.slopes).zip(&offsets))
+            .map(|((&(d, _), slopes), offset)| {
+                let by_others = self.independent.iter().zip(slopes);
+                let sum = by_others.fold(offset[0], |sum, (&j, &slope)| sum + slope * trace.speeds[j]);
+                (trace.speeds[d], sum)
+            })
+            .collect();
+        let rates: Vec<Sym> = speeds.iter().map(|&(_, speed)| trace.rate_of(speed)).collect();
+        let rates = substitute_all(&rates, &speeds);
+        let accelerations = self.dependent.iter().zip(rates).map(|(&(d, _), rate)| (trace.accelerations[d], rate));
+        Ok(Motion { accelerations: accelerations.collect(), speeds })
+    }
+}
+
+/// Dependent speeds and accelerations by independent ones.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    pub speeds: Vec<(Sym, Sym)>,
+    pub accelerations: Vec<(Sym, Sym)>,
+}
+
+impl Motion {
+    /// Expressions at points on the constraints.
+    pub fn on_constraints(&self, expressions: &[Sym]) -> Vec<Sym> {
+        let moved = substitute_all(expressions, &self.accelerations);
+        substitute_all(&moved, &self.speeds)
+    }
+}
+
+/// Expressions of more operations are left as they are.
+const MOST_SIMPLIFIED: usize = 200;
+
+/// Short expressions in normal form: a coefficient is 1, and not cos^2 + sin^2.
+fn in_short(expression: Sym) -> Sym {
+    if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED { expression } else { simplified(expression) }
+}
+
+/// The columns of the dependent speeds in the equations that they are found from.
+fn square(rows: &[Vec<Sym>], dependent: &[(usize, usize)]) -> Vec<Vec<Sym>> {
+    dependent.iter().map(|&(_, row)| dependent.iter().map(|&(d, _)| rows[row][d]).collect()).collect()
+}
+
+/// The solution of matrix * x = right, for every column of it, by elimination: pivots in order, none of which vanishes.
+fn solved(matrix: &[Vec<Sym>], mut right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
+    let k = matrix.len();
+    let mut rows = matrix.to_vec();
+    for above in 0..k {
+        for below in above + 1..k {
+            let factor = rows[below][above] / rows[above][above];
+            if factor == Sym::ZERO {
+                continue;
+            }
+            for place in above..k {
+                let part = factor * rows[above][place];
+                rows[below][place] -= part;
+            }
+            for place in 0..right[below].len() {
+                let part = factor * right[above][place];
+                right[below][place] -= part;
+            }
+        }
+    }
+    for row in (0..k).rev() {
+        for place in 0..right[row].len() {
+            let known = (row + 1..k).fold(right[row][place], |rest, j| rest - rows[row][j] * right[j][place]);
+            right[row][place] = known / rows[row][row];
+        }
+    }
+    right
+}

@@ -1,0 +1,112 @@
+//! Principles that know the constraints: an equation for each independent speed, free of multipliers.
+
+use super::loads::generalised;
+use super::{NotApplicable, Principle};
+use crate::Trace;
+use crate::equations::{Characteristics, Equation, Motion};
+use std::fmt;
+use symbolic::Sym;
+
+/// A principle whose equations stand along the directions that constraints leave.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Projection {
+    /// sum (d/dt dT/du_i - dT/dq_i - Q_i) du_i/dw_j = 0, with the kinematic characteristics du/dw.
+    Maggi,
+    /// d/dt dT*/dw_j - X_j(T*) - lost_j = sum Q_i du_i/dw_j: the constraints stand in T*, and the term that this loses beside it.
+    Shulgin,
+}
+
+impl Projection {
+    pub const ALL: [Projection; 2] = [Projection::Maggi, Projection::Shulgin];
+
+    /// As commands name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Projection::Maggi => "maggi",
+            Projection::Shulgin => "shulgin",
+        }
+    }
+}
+
+impl fmt::Display for Projection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.name())
+    }
+}
+
+/// Lagrange's operator on an energy in which the constraints stand already.
+///
+/// With the fields X_j = d/dq_j + sum (du_d/dw_j) d/dq_d of the virtual displacements
+///
+///   d/dt dT*/dw_j - X_j(T*) = sum (d/dt dT/du_i - dT/dq_i) du_i/dw_j + lost_j ,
+///   lost_j = sum (dT/du_d) (d/dt du_d/dw_j - X_j(u_d)) .
+///
+/// The lost term vanishes where the constraints are integrable, or where the momenta are that it multiplies.
+#[derive(Clone, Debug)]
+pub struct Operator {
+    /// d/dt dT*/dw_j - X_j(T*), for each independent speed.
+    pub energy: Vec<Sym>,
+    /// The parts of lost_j, for each independent speed by each dependent one.
+    pub lost: Vec<Vec<Sym>>,
+}
+
+/// Both sides of the identity but the first sum, at points on the constraints.
+pub fn operator(trace: &Trace<'_>, characteristics: &Characteristics, motion: &Motion) -> Operator {
+    let kinetic = trace.kinetic_energy();
+    let reduced = motion.on_constraints(&[kinetic])[0];
+    let momenta: Vec<Sym> = characteristics.dependent.iter().map(|&(d, _)| trace.by_speed(kinetic, d)).collect();
+    let momenta = motion.on_constraints(&momenta);
+    let rate = |expression: Sym| motion.on_constraints(&[trace.rate_of(expression)])[0];
+    let slopes = &characteristics.slopes;
+    // X_j(f)
+    let along = |expression: Sym, place: usize| {
+        let own = trace.by_coordinate(expression, characteristics.independent[place]);
+        let dependent = characteristics.dependent.iter().zip(slopes);
+        dependent.fold(own, |sum, (&(d, _), slopes)| sum + slopes[place] * trace.by_coordinate(expression, d))
+    };
+    let energy = |(place, &j): (usize, &usize)| rate(trace.by_speed(reduced, j)) - along(reduced, place);
+    let lost = |place: usize| {
+        let dependent = motion.speeds.iter().zip(slopes).zip(&momenta);
+        dependent
+            .map(|((&(_, speed), slopes), &momentum)| momentum * (rate(slopes[place]) - along(speed, place)))
+            .collect()
+    };
+    Operator {
+        energy: characteristics.independent.iter().enumerate().map(energy).collect(),
+        lost: (0..characteristics.independent.len()).map(lost).collect(),
+    }
+}
+
+impl Projection {
+    /// Inertia less forces along each independent speed.
+    ///
+    /// # Errors
+    /// Where the principle does not apply to the constraints.
+    pub fn residual(
+        self,
+        trace: &Trace<'_>,
+        constraints: &[Equation],
+        characteristics: &Characteristics,
+    ) -> Result<Vec<Sym>, NotApplicable> {
+        match self {
+            Projection::Maggi => Ok(characteristics.along(&Principle::Lagrange.residual(trace)?)),
+            Projection::Shulgin => {
+                let motion = linear(constraints, characteristics.motion(trace, constraints))?;
+                let Operator { energy, lost } = operator(trace, characteristics, &motion);
+                let forces = motion.on_constraints(&characteristics.along(&generalised(trace, true)));
+                let lost = lost.iter().map(|parts| parts.iter().fold(Sym::ZERO, |sum, &part| sum + part));
+                Ok(energy
+                    .into_iter()
+                    .zip(lost)
+                    .zip(forces)
+                    .map(|((energy, lost), force)| energy - lost - force)
+                    .collect())
+            }
+        }
+    }
+}
+
+/// The motion on the constraints, or which of them is not linear.
+pub(crate) fn linear(constraints: &[Equation], motion: Result<Motion, usize>) -> Result<Motion, NotApplicable> {
+    motion.map_err(|place| NotApplicable(format!("{} is not linear in the speeds", constraints[place].title(place))))
+}

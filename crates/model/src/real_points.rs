@@ -1,0 +1,53 @@
+//! Whether two expressions have equal values at real points, to the digits of double-double numbers: where roots or functions keep an
+//! identity from being decided otherwise.
+
+use field::DoubleDouble;
+use symbolic::Sym;
+
+/// Points that are tried, and those that must have a value.
+const POINTS: u64 = 24;
+const NEEDED: usize = 12;
+
+/// Digits of a double-double number that rounding leaves to sums of some thousand terms.
+const DIGITS: f64 = 22.0;
+
+/// The points at which all pairs agree and the digits to which they do; none where too few points have values, or some pair differs.
+pub(crate) fn equal_digits(pairs: &[(Sym, Sym)]) -> Option<(usize, f64)> {
+    let (mut points, mut digits) = (0, f64::INFINITY);
+    for point in 0..POINTS {
+        let mut least = f64::INFINITY;
+        for &(one, other) in pairs {
+            least = least.min(agreed(one, other, point));
+        }
+        if least.is_nan() {
+            continue;
+        }
+        points += 1;
+        digits = digits.min(least);
+    }
+    (points >= NEEDED && digits >= DIGITS).then_some((points, digits))
+}
+
+/// The digits to which two expressions agree at a point; NaN where one has no value.
+fn agreed(one: Sym, other: Sym, point: u64) -> f64 {
+    let value = |expression: Sym| {
+        let found = expression.evaluate_analytic(&|name: &str| Some(drawn(name, point)));
+        found.map_or(f64::NAN, |value: DoubleDouble| value.hi())
+    };
+    let (size, difference) = (value(one).abs().max(value(other).abs()), value(one - other).abs());
+    if !(size.is_finite() && difference.is_finite()) {
+        return f64::NAN;
+    }
+    if difference == 0.0 { 31.0 } else { (size / difference).log10() }
+}
+
+/// A number between 1/5 and 6/5 for a name, the same each time.
+fn drawn(name: &str, point: u64) -> DoubleDouble {
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64 ^ point.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    for byte in name.bytes() {
+        hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    }
+    hash ^= hash >> 29;
+    let fraction = (hash.wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 11) as f64 / (1_u64 << 53) as f64;
+    DoubleDouble::from(0.2) + DoubleDouble::from(fraction)
+}

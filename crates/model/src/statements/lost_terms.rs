@@ -1,0 +1,96 @@
+//! Mistaken derivations, and the terms that they lose.
+//!
+//! * Constraints of speeds are put into the kinetic energy, and Lagrange's equations are written for the independent coordinates: the
+//!   momenta along the brackets of the constraints' fields are lost, unless the constraints are integrable.
+//! * The energy of accelerations is made of the kinetic energy by writing u' for u: all centrifugal and Coriolis terms are lost.
+
+use crate::Trace;
+use crate::agreement::{Agreement, decided, is_zero};
+use crate::equations::{Characteristics, Level, constraints_of};
+use crate::presentation::simplified;
+use crate::principles::hamilton::momenta;
+use crate::principles::lagrange::inertia;
+use crate::principles::{NotApplicable, linear, operator};
+use symbolic::{Sym, substitute_all};
+
+/// A mistaken derivation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mistake {
+    /// Constraints of speeds in T before Lagrange's derivatives are taken.
+    ConstraintsInEnergy,
+    /// The energy of accelerations by u' in the place of u in T.
+    AccelerationsInEnergy,
+}
+
+impl Mistake {
+    pub const ALL: [Mistake; 2] = [Mistake::ConstraintsInEnergy, Mistake::AccelerationsInEnergy];
+
+    /// As commands name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Mistake::ConstraintsInEnergy => "constraints-in-energy",
+            Mistake::AccelerationsInEnergy => "accelerations-in-energy",
+        }
+    }
+
+    /// The derivation in words.
+    pub fn says(self) -> &'static str {
+        match self {
+            Mistake::ConstraintsInEnergy => "Lagrange's equations with the constraints put into T",
+            Mistake::AccelerationsInEnergy => "Appell's equations with S made of T by writing u' for u",
+        }
+    }
+}
+
+/// The equations of a mistaken derivation beside the right ones.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mistaken {
+    pub agreement: Agreement,
+    /// For each equation in which something is lost: the speed or coordinate that it belongs to, and the term that is missing on the
+    /// side of the inertia.
+    pub lost: Vec<(String, Sym)>,
+}
+
+/// Compares a mistaken derivation with the right one.
+///
+/// # Errors
+/// Where the mistake cannot be made on this model.
+pub fn mistaken(trace: &Trace<'_>, mistake: Mistake) -> Result<Mistaken, NotApplicable> {
+    match mistake {
+        Mistake::ConstraintsInEnergy => constraints_in_energy(trace),
+        Mistake::AccelerationsInEnergy => Ok(accelerations_in_energy(trace)),
+    }
+}
+
+fn constraints_in_energy(trace: &Trace<'_>) -> Result<Mistaken, NotApplicable> {
+    let constraints = constraints_of(trace);
+    if constraints.iter().all(|constraint| constraint.level == Level::Position) {
+        return Err(NotApplicable("no constraint of the system speaks of speeds".to_owned()));
+    }
+    let characteristics = Characteristics::of(trace, &constraints);
+    let motion = linear(&constraints, characteristics.motion(trace, &constraints))?;
+    let inertia: Vec<Sym> = (0..trace.speeds.len()).map(|i| inertia(trace, i)).collect();
+    let right = motion.on_constraints(&characteristics.along(&inertia));
+    let naive = operator(trace, &characteristics, &motion);
+    let agreement = decided(&naive.energy.iter().copied().zip(right).collect::<Vec<_>>());
+    let sums = naive.lost.iter().map(|parts| parts.iter().fold(Sym::ZERO, |sum, &part| sum + part));
+    let names = characteristics.independent.iter().map(|&i| trace.direction(i));
+    // the operator holds what is lost beside the inertia: right = energy - lost
+    Ok(Mistaken { agreement, lost: named(names, sums.map(|lost| -lost)) })
+}
+
+fn accelerations_in_energy(trace: &Trace<'_>) -> Mistaken {
+    let primed: Vec<(Sym, Sym)> = trace.speeds.iter().copied().zip(trace.accelerations.iter().copied()).collect();
+    let n = trace.speeds.len();
+    let naive = substitute_all(&momenta(trace), &primed);
+    let right: Vec<Sym> = (0..n).map(|i| inertia(trace, i)).collect();
+    let agreement = decided(&naive.iter().copied().zip(right.iter().copied()).collect::<Vec<_>>());
+    let names = (0..n).map(|i| trace.direction(i));
+    Mistaken { agreement, lost: named(names, right.into_iter().zip(naive).map(|(right, naive)| right - naive)) }
+}
+
+/// The terms that are not zero, simplified.
+fn named(names: impl Iterator<Item = String>, terms: impl Iterator<Item = Sym>) -> Vec<(String, Sym)> {
+    let all = names.zip(terms).map(|(name, term)| (name, simplified(term)));
+    all.filter(|(_, term)| !is_zero(*term)).collect()
+}

@@ -1,0 +1,32 @@
+//! Cyclic momenta: dT/du of a coordinate that neither T nor V contains, on which no force and no reaction acts, is kept.
+
+use super::{Statement, residual};
+use crate::Trace;
+use crate::agreement::{decided, is_zero};
+use crate::equations::constraints_of;
+use crate::principles::hamilton::momenta;
+use crate::principles::loads::generalised;
+
+pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
+    let lagrangian = trace.kinetic_energy() - trace.potential_energy();
+    let (forces, constraints) = (generalised(trace, false), constraints_of(trace));
+    let is_cyclic = |i: &usize| {
+        is_zero(trace.by_coordinate(lagrangian, *i))
+            && is_zero(forces[*i])
+            && constraints.iter().all(|constraint| is_zero(constraint.row[*i]))
+    };
+    let momenta = momenta(trace);
+    // turns of a free frame about its own axes do not commute
+    let stays = |i: &usize| is_zero(trace.transposition(*i, |j| momenta[j]));
+    let cyclic: Vec<usize> = (0..trace.speeds.len()).filter(is_cyclic).filter(stays).collect();
+    if cyclic.is_empty() {
+        return Vec::new();
+    }
+    let residual = residual(trace);
+    let of = |i: usize| {
+        let agreement = decided(&[(trace.rate_of(momenta[i]), residual[i])]);
+        let subject = format!("momentum of {}", trace.direction(i));
+        Statement { subject, says: format!("(dT/d{})' is zero", trace.speeds[i]), agreement }
+    };
+    cyclic.into_iter().map(of).collect()
+}

@@ -1,0 +1,44 @@
+//! Principles that know the constraints: Maggi, Shulgin.
+
+use crate::systems::{double_pendulum, held, rolling_disc, sleigh, slider_crank};
+use model::principles::Projection;
+use model::{Agreement, Model, Projected, Source, Trace, projected_agreement};
+use symbolic::apart;
+
+fn found(source: &Source, projection: Projection) -> Result<Projected, String> {
+    let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| projected_agreement(&Trace::of(&model), projection).map_err(|why| why.to_string()))
+}
+
+#[test]
+fn maggi_and_shulgin_agree_with_multipliers() {
+    let mut belt = rolling_disc();
+    belt.constraints = vec![held("belt", &["velocity(disc at P) . N.x - (1 m/s^2)*t", "velocity(disc at P) . N.y"])];
+    for source in [sleigh(), rolling_disc(), slider_crank(), belt] {
+        for projection in Projection::ALL {
+            let Projected { agreement, points } = found(&source, projection).expect("it applies");
+            assert!(matches!(agreement, Agreement::Proved { .. }), "{projection}: {agreement}; {points}");
+        }
+    }
+}
+
+#[test]
+fn the_points_on_the_constraints_are_told() {
+    let Projected { points, .. } = found(&rolling_disc(), Projection::Shulgin).expect("it applies");
+    assert_eq!(
+        points,
+        "at points on the constraints: all letters and heading', lean', spin' are free, x', y' and their rates follow"
+    );
+}
+
+#[test]
+fn a_principle_that_does_not_apply_says_why() {
+    let free = found(&double_pendulum(false), Projection::Maggi).expect_err("there are no constraints");
+    assert!(free.contains("no constraints"), "{free}");
+    let mut fast = sleigh();
+    fast.constraints = vec![held("speed", &["x'^2 + y'^2 - (1 m/s)^2"])];
+    let nonlinear = found(&fast, Projection::Shulgin).expect_err("it is not linear");
+    assert!(nonlinear.contains("constraint 1 `speed` is not linear in the speeds"), "{nonlinear}");
+    let Projected { agreement, .. } = found(&fast, Projection::Maggi).expect("it applies");
+    assert!(matches!(agreement, Agreement::Proved { .. }), "{agreement}");
+}

@@ -1,0 +1,131 @@
+//! Energy, momenta, constraints; and the terms that mistaken derivations lose.
+
+use crate::systems::{chain, disc, double_pendulum, entries, held, rolling_disc, sleigh, slider_crank, two_bodies};
+use model::{Agreement, Mistake, Model, Source, Statement, Trace, mistaken, statements};
+use symbolic::{Decision, Hypotheses, Sym, apart};
+
+fn stated(source: &Source) -> Vec<Statement> {
+    let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| statements(&Trace::of(&model)))
+}
+
+fn says(statements: &[Statement]) -> Vec<String> {
+    statements.iter().map(|one| format!("{}: {}", one.subject, one.says)).collect()
+}
+
+#[test]
+fn every_statement_of_every_system_is_proved() {
+    let all = [double_pendulum(true), disc(), rolling_disc(), sleigh(), slider_crank(), two_bodies(), chain(3)];
+    for source in all {
+        for Statement { subject, says, agreement } in stated(&source) {
+            assert!(matches!(agreement, Agreement::Proved { .. }), "{subject}: {says}: {agreement}");
+        }
+    }
+}
+
+#[test]
+fn what_is_kept_is_told() {
+    assert_eq!(
+        says(&stated(&rolling_disc())),
+        [
+            "energy: (T + V)' is zero",
+            "constraint 1 `rolling`: J u' + c is its rate; its reaction does no work",
+            "constraint 2 `rolling`: J u' + c is its rate; its reaction does no work",
+        ]
+    );
+    assert_eq!(
+        says(&stated(&two_bodies())),
+        ["energy: (T + V)' is the power of the forces", "momentum of p: (dT/dp')' is zero"]
+    );
+}
+
+/// A bead on a hoop that a motor turns: only T - T0 + V belongs to the bead alone, and the constraint that turns a body does work.
+#[test]
+fn what_is_driven_takes_in_energy() {
+    let mut hoop = double_pendulum(true);
+    hoop.parameters.push(("w", "3 rad/s").into());
+    hoop.frames = entries(&[("H", "N turned w*t about y"), ("A", "H turned a about z"), ("B", "A turned b about z")]);
+    let [energy, ..] = &stated(&hoop)[..] else { panic!("it has an energy") };
+    assert_eq!(energy.says, "(H = sum u dT/du - T + V)' is the power of the forces");
+    assert!(matches!(energy.agreement, Agreement::Proved { .. }), "{}", energy.agreement);
+    // a pivot that is accelerated: T knows the time
+    let mut pivot = double_pendulum(true);
+    pivot.points = entries(&[("P", "O + (1 m/s^2)*t^2*N.x - l1*A.y"), ("Q", "P - l2*B.y")]);
+    let [energy, ..] = &stated(&pivot)[..] else { panic!("it has an energy") };
+    assert!(energy.says.contains("less what the time does to V - T"), "{}", energy.says);
+    assert!(matches!(energy.agreement, Agreement::Proved { .. }), "{}", energy.agreement);
+    let mut led = double_pendulum(true);
+    led.parameters.push(("w", "3 rad/s").into());
+    led.constraints = vec![held("led", &["a - w*t^2/(1 s)"])];
+    let all = stated(&led);
+    let last = all.last().expect("there is a constraint");
+    assert_eq!(last.says, "J u' + c is its second rate; its reaction does work");
+    assert!(matches!(last.agreement, Agreement::Proved { .. }), "{}", last.agreement);
+}
+
+/// The rolling put into T: Lagrange's equations for heading, lean and spin alone lose m r^2 cos(lean) lean' times the rate of spin
+/// or heading.
+#[test]
+fn a_rolling_disc_by_angles_alone_is_refuted_with_the_lost_terms() {
+    let model = Model::of(&rolling_disc()).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| {
+        let trace = Trace::of(&model);
+        let found = mistaken(&trace, Mistake::ConstraintsInEnergy).expect("it can be made");
+        assert!(matches!(found.agreement, Agreement::Refuted { .. }), "{}", found.agreement);
+        let [m, r, heading, lean, spin] = ["m", "r", "heading'", "lean'", "spin'"].map(Sym::symbol);
+        let lever = m * r * r * symbolic_cosine("lean") * lean;
+        let expected = [("heading", lever * spin), ("spin", -(lever * heading))];
+        assert_eq!(found.lost.len(), expected.len(), "{:?}", found.lost);
+        for ((name, lost), (known, term)) in found.lost.iter().zip(expected) {
+            assert_eq!(name, known);
+            let decided = Hypotheses::none().equal(*lost, term);
+            assert!(matches!(decided, Decision::Zero(_)), "{name}: {lost}: {decided}");
+        }
+    });
+}
+
+fn symbolic_cosine(name: &str) -> Sym {
+    use field::Analytic;
+    Sym::symbol(name).circle().cos
+}
+
+/// Integrable constraints of speeds lose nothing.
+#[test]
+fn an_integrable_constraint_loses_nothing() {
+    let mut gear = double_pendulum(true);
+    gear.constraints = vec![held("gear", &["a' - 2*b'"])];
+    let model = Model::of(&gear).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| {
+        let found = mistaken(&Trace::of(&model), Mistake::ConstraintsInEnergy).expect("it can be made");
+        assert!(matches!(found.agreement, Agreement::Proved { .. }) && found.lost.is_empty(), "{found:?}");
+    });
+}
+
+/// A point in polar coordinates: S made of T has neither the centrifugal nor the Coriolis term.
+#[test]
+fn accelerations_in_the_kinetic_energy_lose_what_speeds_bring() {
+    let source = Source {
+        parameters: entries(&[("m", "1 kg")]),
+        coordinates: entries(&[("r", "m"), ("q", "rad")]),
+        frames: entries(&[("A", "N turned q about z")]),
+        points: entries(&[("P", "O + r*A.x")]),
+        bodies: vec![model::BodySource::particle("point", "P", "m")],
+        ..Source::default()
+    };
+    let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| {
+        let found = mistaken(&Trace::of(&model), Mistake::AccelerationsInEnergy).expect("it can be made");
+        assert!(matches!(found.agreement, Agreement::Refuted { .. }), "{}", found.agreement);
+        let lost: Vec<String> = found.lost.iter().map(|(name, term)| format!("{name}: {term}")).collect();
+        assert_eq!(lost, ["r: -m*q'^2*r", "q: 2*m*q'*r*r'"]);
+    });
+}
+
+#[test]
+fn a_mistake_that_cannot_be_made_says_why() {
+    let model = Model::of(&slider_crank()).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| {
+        let why = mistaken(&Trace::of(&model), Mistake::ConstraintsInEnergy).expect_err("positions alone");
+        assert!(why.to_string().contains("no constraint of the system speaks of speeds"), "{why}");
+    });
+}
