@@ -47,7 +47,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
 fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
     let Some(mut table) = top.optional_table("start") else { return (Vec::new(), None) };
     let place = table.place_of("equilibrium");
-    let is_asked = table.flag("equilibrium");
+    let is_asked = table.flag("equilibrium", "the start is an equilibrium near what [start] gives");
     let keys = table.keys().into_iter().filter(|key| key.value != "equilibrium").collect();
     let entries = entries_of(&mut table, "start", keys);
     top.absorb(table);

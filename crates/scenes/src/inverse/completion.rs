@@ -131,7 +131,7 @@ impl Completion<'_> {
 
     fn met(&self, residuals: &DVector<f64>, count: usize, time: f64) -> Result<(), NoForces> {
         let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
-        match residuals.iter().take(count).position(|residual| unmet(residual)) {
+        match residuals.iter().take(count).position(unmet) {
             None => Ok(()),
             Some(row) => {
                 let constraint = match &self.equations.constraints[row] {

@@ -40,6 +40,9 @@ pub(super) fn written(program: &Program) -> String {
             condition.outputs[0]
         );
     }
+    if !conditions.is_empty() {
+        chosen += "    (void)s;\n";
+    }
     let _ = writeln!(
         text,
         "// M row after row, h - Q, J row after row, c: one array\n\

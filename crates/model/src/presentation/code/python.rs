@@ -19,9 +19,9 @@ pub(super) fn written(program: &Program) -> String {
         chosen += "    s = []\n";
     }
     for condition in conditions {
-        let _ = write!(
+        let _ = writeln!(
             chosen,
-            "{}    s.append(1.0 if {} > 0 else 0.0)\n",
+            "{}    s.append(1.0 if {} > 0 else 0.0)",
             indented(&condition.lines),
             condition.outputs[0]
         );

@@ -28,7 +28,7 @@ pub(super) fn written(program: &Program) -> String {
     // conditions first, each in a block of its own
     let mut chosen = String::new();
     if !conditions.is_empty() {
-        let _ = writeln!(chosen, "    #[allow(unused_variables)]\n    let mut s = [0.0; {}];", conditions.len());
+        let _ = writeln!(chosen, "    let mut s = [0.0; {}];", conditions.len());
     }
     for (k, condition) in conditions.iter().enumerate() {
         let _ = write!(
@@ -37,6 +37,9 @@ pub(super) fn written(program: &Program) -> String {
             indented(&condition.lines),
             condition.outputs[0]
         );
+    }
+    if !conditions.is_empty() {
+        chosen += "    let _ = s;\n";
     }
     let size = terms.outputs.len();
     let function = |name: &str, said: &str, size: usize, lines: String, outputs: String| {
