@@ -130,18 +130,6 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
 
 /// A system in matrix form in a notation.
 fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Result<String, Ending> {
-    let is_code = !matches!(format, Equations::Text | Equations::Latex | Equations::Mathml);
-    if is_code && !trace.model.switches.is_empty() {
-        return Err(Ending::refused(
-            "the law of this system changes at conditions, which is not written as code yet; text, latex and mathml are accepted",
-        ));
-    }
-    if let (true, Some(free)) = (is_code, trace.model.free.first()) {
-        let name = &trace.model.frames[free.0].name;
-        return Err(Ending::refused(format!(
-            "`{name}` turns freely, which is not written as code yet; text, latex and mathml are accepted"
-        )));
-    }
     let code = |language| model::code(trace, form, language).map_err(Ending::refused);
     match format {
         Equations::Text => Ok(model::text(trace, &form.for_reading())),
@@ -152,7 +140,7 @@ fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Resul
             let lines: Vec<String> = typeset.collect::<Result<_, _>>().map_err(Ending::refused)?;
             Ok(lines.join("\n") + "\n")
         }
-        Equations::Sympy => Ok(model::sympy(trace, form)),
+        Equations::Sympy => model::sympy(trace, form).map_err(Ending::refused),
         Equations::C => code(Language::C),
         Equations::Python => code(Language::Python),
         Equations::Rust => code(Language::Rust),

@@ -19,7 +19,7 @@ pub struct Asked {
     /// constraints leave open
     #[arg(long = "motion", value_name = "Q = EXPRESSION", required = true, value_parser = motion)]
     pub motions: Vec<(String, String)>,
-    /// A parameter that is sought, such as a force; may be repeated
+    /// A parameter or an input that is sought, such as a force; may be repeated
     #[arg(long = "unknown", value_name = "NAME")]
     pub unknowns: Vec<String>,
     /// The last instant, in seconds
@@ -55,27 +55,16 @@ fn positive(text: &str) -> Result<f64, String> {
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let (model, prescribed) = read_prescribed(&asked.scene, &asked.motions)?;
     let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
-    let mut unknowns = Vec::new();
-    for name in &asked.unknowns {
-        let place = model.parameters.iter().position(|parameter| parameter.name == *name);
-        let known: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-        let missing = || refused(format!("no parameter is called `{name}`; there are: {}", known.join(", ")));
-        let place = place.ok_or_else(missing)?;
-        if !unknowns.contains(&place) {
-            unknowns.push(place);
-        }
-    }
     let _progress = Progress::new("inverse dynamics");
     let times: Vec<f64> = (0..=asked.samples).map(|k| asked.span * f64::from(k) / f64::from(asked.samples)).collect();
-    let found = inverse(&model, &prescribed, &unknowns, &times).map_err(|why| refused(why.to_string()))?;
+    let found = inverse(&model, &prescribed, &asked.unknowns, &times).map_err(|why| refused(why.to_string()))?;
     let coordinates: Vec<&str> = model.coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect();
-    let sought: Vec<&str> = unknowns.iter().map(|&place| model.parameters[place].name.as_str()).collect();
     let multipliers = found.first().map_or(0, |first| first.multipliers.len());
     let names: Vec<String> = std::iter::once("time".to_owned())
         .chain(coordinates.iter().map(|name| (*name).to_owned()))
         .chain(coordinates.iter().map(|name| format!("{name}'")))
         .chain(coordinates.iter().map(|name| format!("{name}''")))
-        .chain(sought.iter().map(|name| (*name).to_owned()))
+        .chain(asked.unknowns.iter().cloned())
         .chain((1..=multipliers).map(|k| format!("lambda{k}")))
         .collect();
     let row = |forces: &Forces| -> Vec<f64> {

@@ -1,6 +1,6 @@
 //! A model: the parts of a system, every name resolved.
 
-use crate::arena::Arena;
+use crate::arena::{Arena, Number, Scalar};
 use crate::{Fault, ScalarId, Source, VectorId};
 use std::ops::Range;
 use symbolic::Dimension;
@@ -266,6 +266,16 @@ impl Model {
     /// All that is wrong, each at its place.
     pub fn of(source: &Source) -> Result<Self, Vec<Fault>> {
         crate::elaboration::elaborate(source)
+    }
+
+    /// Gives every input without a value the value zero.
+    pub fn close_inputs(&mut self) {
+        let open: Vec<usize> = (0..self.inputs.len()).filter(|&place| self.inputs[place].value.is_none()).collect();
+        for place in open {
+            let zero = Scalar::Number(Number { value: 0.0, times: 1.0, per: 1.0 });
+            let zero = self.arena.scalar(zero, Some(self.inputs[place].dimension));
+            self.inputs[place].value = Some(zero);
+        }
     }
 
     /// The number of coordinates, those of free frames among them: four each.

@@ -6,7 +6,7 @@
 //! The accelerations z and the multipliers lambda are letters here: their values at the point belong to the derivatives.
 
 use crate::Trace;
-use crate::equations::{Equations, Level};
+use crate::equations::Equations;
 use symbolic::{Derivation, Sym};
 
 /// Equations and their derivatives, over the symbols of a trace. Rows are equations, columns what they are differentiated by.
@@ -14,7 +14,6 @@ use symbolic::{Derivation, Sym};
 pub struct Variations {
     /// lambda, one for each constraint.
     pub multipliers: Vec<Sym>,
-    pub level: Vec<Level>,
     /// R.
     pub motion: Varied,
     /// f.
@@ -42,8 +41,7 @@ impl Variations {
     /// By the first principle that applies; inputs are letters of the model.
     pub fn of(trace: &Trace<'_>, inputs: &[Sym]) -> Self {
         let Equations { mass, bias, constraints } = Equations::of(trace);
-        // no letter of a model has a blank in its name
-        let multipliers: Vec<Sym> = (1..=constraints.len()).map(|k| Sym::symbol(&format!("lambda {k}"))).collect();
+        let multipliers: Vec<Sym> = constraints.iter().map(|constraint| constraint.multiplier).collect();
         let accelerations = &trace.accelerations;
         let dot = |a: &[Sym], b: &[Sym]| a.iter().zip(b).fold(Sym::ZERO, |sum, (&a, &b)| sum + a * b);
         let motion = mass.iter().zip(&bias).enumerate().map(|(i, (row, &bias))| {
@@ -76,7 +74,6 @@ impl Variations {
             }
         };
         Variations {
-            level: constraints.iter().map(|constraint| constraint.level).collect(),
             motion: varied(motion),
             zero: varied(zero),
             rate: varied(rate),

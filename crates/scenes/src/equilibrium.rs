@@ -8,6 +8,7 @@
 use crate::compiled_system::{NotCompiled, plain};
 use crate::linearisation::{At, Point, VariedEquations};
 use model::Model;
+use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 
 /// An equilibrium.
@@ -73,7 +74,7 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
     let free: Vec<usize> = (0..n).filter(|&i| !given(i)).collect();
     let mut state = model.start_state();
     state[n..].fill(0.0);
-    let guess = equations.point(model, 0.0, &state);
+    let guess = equations.point(0.0, &state);
     let m = guess.multipliers.len();
     let (mut point, mut system) = balanced(&equations, &free, guess.clone());
     // a guess at which a force is stationary, an angle of 90 degrees, says nothing of the way: others around it do
@@ -112,7 +113,8 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
                 None => format!("the forces along `{}`", model.coordinates[row].name),
                 Some(k) => {
                     // those of positions stand twice: as they are, and as rates
-                    let k = if k < equations.positions() { k } else { k - equations.positions() };
+                    let places = equations.of_positions();
+                    let k = places.get(k).copied().unwrap_or_else(|| k - places.len());
                     match equations.constraints[k].name.as_str() {
                         "" => format!("constraint {}", k + 1),
                         name => format!("the constraint `{name}`"),
@@ -121,6 +123,14 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
             };
             Err(NoEquilibrium::NotFound { equation, residual: system.residuals[row] })
         }
+    }
+}
+
+impl VariedEquations {
+    /// The places of all constraints of positions.
+    fn of_positions(&self) -> Vec<usize> {
+        let positions = self.constraints.iter().enumerate().filter(|(_, known)| known.level == Level::Position);
+        positions.map(|(place, _)| place).collect()
     }
 }
 
@@ -172,13 +182,16 @@ struct System {
 impl System {
     fn of(equations: &VariedEquations, point: &Point, free: &[usize]) -> Self {
         let At { motion, zero, rate, .. } = equations.at(point);
-        let (n, m, positions) = (motion.values.len(), zero.values.len(), equations.positions());
+        let (n, m) = (motion.values.len(), zero.values.len());
         // constraints of speeds have no f of positions: their row is that of the rate at rest
-        let rows = n + positions + m;
-        let part = |row: usize| match row {
-            row if row < n => (&motion, row),
-            row if row < n + positions => (&zero, row - n),
-            row => (&rate, row - n - positions),
+        let places = equations.of_positions();
+        let rows = n + places.len() + m;
+        let part = |row: usize| match row.checked_sub(n) {
+            None => (&motion, row),
+            Some(k) => match places.get(k) {
+                Some(&place) => (&zero, place),
+                None => (&rate, k - places.len()),
+            },
         };
         let value = |row: usize| part(row).0.values[part(row).1];
         let slope = |row: usize, column: usize| {

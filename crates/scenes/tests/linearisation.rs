@@ -19,7 +19,7 @@ fn stored(name: &str) -> PathBuf {
 
 fn linear(model: &Model, state: &[f64], inputs: &[usize]) -> (VariedEquations, Linearisation) {
     let equations = VariedEquations::of(model, inputs).unwrap_or_else(|why| panic!("{why}"));
-    let found = equations.linearised(model, equations.point(model, 0.0, state)).unwrap_or_else(|why| panic!("{why}"));
+    let found = equations.linearised(equations.point(0.0, state)).unwrap_or_else(|why| panic!("{why}"));
     (equations, found)
 }
 
@@ -45,7 +45,7 @@ fn a_cart_with_a_pole_has_its_closed_form() {
     close(&found.b, &b);
     close(&found.c, &[1., l, 0., 0., 0., -small * g / big, 0., 0.]);
     close(&found.d, &[0., 1. / big]);
-    assert_eq!(equations.standing(&scene.model, &found), Ok(Standing::Equilibrium));
+    assert_eq!(equations.standing(&found), Ok(Standing::Equilibrium));
     assert_eq!(Stability::of(&eigenvalues(&found.a), true), Stability::Unstable(1));
     let largest = eigenvalues(&found.a).values[0].re;
     assert!((largest - a[13].sqrt()).abs() < 1e-13, "{largest}");
@@ -82,7 +82,7 @@ fn a_moving_point_has_the_jacobian_of_the_law_that_runs() {
         Jacobian::new(dual).matrix(0.0, &scene.start, &mut expected);
         let expected = DMatrix::from_row_slice(n, n, &expected);
         assert!((&found.a - &expected).amax() < 1e-11 * expected.amax(), "{} {expected}", found.a);
-        assert_eq!(equations.standing(&scene.model, &found), Ok(Standing::Moving));
+        assert_eq!(equations.standing(&found), Ok(Standing::Moving));
     }
 }
 
@@ -151,7 +151,7 @@ fn constrained_systems_have_the_linear_equations_of_states_on_their_constraints(
 fn whipples_bicycle_has_the_published_eigenvalues() {
     let scene = scene(include_str!("foreign/whipple_bicycle.toml"));
     let (equations, found) = linear(&scene.model, &scene.start, &[]);
-    assert_eq!(equations.standing(&scene.model, &found), Ok(Standing::Steady));
+    assert_eq!(equations.standing(&found), Ok(Standing::Steady));
     assert_eq!([found.coordinates.len(), found.speeds.len()], [7, 3]);
     let all = eigenvalues(&found.a);
     assert_eq!((all.idle, Stability::of(&all, true)), (6, Stability::Asymptotic { idle: 6 }));
@@ -163,6 +163,31 @@ fn whipples_bicycle_has_the_published_eigenvalues() {
     ] {
         assert!(all.values.iter().any(|value| (value.re - re).hypot(value.im - im) < 1e-11), "{re} {im}: {all:?}");
     }
+}
+
+/// A cart against a wall of spring, pushed by an input; a path that is led to zero ties nothing down.
+#[test]
+fn inputs_conditions_and_programmed_constraints_are_varied() {
+    let text = "title = \"A cart\"\n[parameters]\nm = \"2 kg\"\nk = \"50 N/m\"\na = \"2 rad/s\"\nc = \"5 rad/s\"\n[inputs]\nu = { unit = \"N\", value = \"(3 N)*cos(t/(1 s))\" }\n\
+        [coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n[bodies.cart]\ncentre = \"P\"\nmass = \"m\"\n\
+        [[force]]\non = \"cart\"\nis = \"(u - if(x > (0 m), k*x, 0*k*x))*N.x\"\n\
+        [[constraint]]\nname = \"path\"\nzero = \"y - x\"\nprogrammed = { gains = [\"a\", \"c*(1 rad/s)\"] }\n\
+        [start]\nx = \"0.1 m\"\n[run]\nspan = \"1 s\"\n";
+    for (place, stiffness) in [("0.1 m", 50.0), ("-0.1 m", 0.0)] {
+        let scene = scene(&text.replace("x = \"0.1 m\"", &format!("x = \"{place}\"")));
+        let (equations, found) = linear(&scene.model, &scene.start, &[]);
+        assert_eq!(equations.inputs, ["u"]);
+        assert_eq!((found.point.inputs[0], found.coordinates.len()), (3.0, 2));
+        // m x'' = u - k x + (-lambda), m y'' = lambda, (y - x)'' + 2 (y - x)' + 5 (y - x) = 0
+        let s = stiffness;
+        let a = [0., 0., 1., 0., 0., 0., 0., 1., -s / 4.0 - 2.5, 2.5, -1.0, 1.0, -s / 4.0 + 2.5, -2.5, 1.0, -1.0];
+        let expected = DMatrix::from_row_slice(4, 4, &a);
+        assert!((&found.a - &expected).amax() < 1e-12, "{} {expected}", found.a);
+        assert!((found.b[(2, 0)] - 0.25).abs() < 1e-13 && (found.b[(3, 0)] - 0.25).abs() < 1e-13, "{}", found.b);
+    }
+    let equations = VariedEquations::of(&scene(text).model, &[]).unwrap_or_else(|why| panic!("{why}"));
+    let refused = equations.linearised(equations.point(0.0, &[0.0; 4])).expect_err("the wall begins there");
+    assert!(refused.to_string().contains("is zero: the equations have no derivative"), "{refused}");
 }
 
 const SPRING: &str = "title = \"A mass on a spring\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"2 kg\"\nk = \"50 N/m\"\nl = \"1 m\"\ng = \"9.81 m/s^2\"\n\
@@ -203,8 +228,7 @@ fn an_equilibrium_keeps_constraints_and_given_coordinates() {
         .replace("g = \"9.81 m/s^2\"", "g = \"9.81 m/s^2\"\nK = \"1 N m\"");
     let scene = scene(&text.replace("s = \"0.4 m\"", "equilibrium = true\ns = \"guess 0.38 m\""));
     let equations = VariedEquations::of(&scene.model, &[]).unwrap_or_else(|why| panic!("{why}"));
-    let point =
-        equations.with_accelerations(equations.point(&scene.model, 0.0, &scene.start)).expect("it is determined");
+    let point = equations.with_accelerations(equations.point(0.0, &scene.start)).expect("it is determined");
     assert!(point.accelerations.amax() < 1e-8 && point.speeds.amax() == 0.0, "{point:?}");
     // virtual work: T - K theta = mrod g/2 d(height of the rod's middle)/d theta, by the crank's angle
     let [theta, phi] = [scene.start[0], scene.start[1]];
@@ -219,34 +243,34 @@ fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
     let (model, prescribed) = read_prescribed(&path, &motion).unwrap_or_else(|error| panic!("{error}"));
     let place = model.parameters.iter().position(|parameter| parameter.name == "T").expect("it is there");
     let times = [0.0, 0.1, 0.55];
-    let found = inverse(&model, &prescribed, &[place], &times).unwrap_or_else(|why| panic!("{why}"));
+    let found = inverse(&model, &prescribed, &["T".to_owned()], &times).unwrap_or_else(|why| panic!("{why}"));
     for forces in found {
         let mut driven = model.clone();
         driven.parameters[place].value = Some(forces.unknowns[0]);
         let equations = VariedEquations::of(&driven, &[]).unwrap_or_else(|why| panic!("{why}"));
         let state = [forces.coordinates.clone(), forces.speeds.clone()].concat();
-        let point =
-            equations.with_accelerations(equations.point(&driven, forces.time, &state)).expect("it is determined");
+        let point = equations.with_accelerations(equations.point(forces.time, &state)).expect("it is determined");
         let exact = -0.3 * 25.0 * (5.0 * forces.time).sin();
         assert!((point.accelerations[0] - exact).abs() < 1e-9, "{} {exact}", point.accelerations[0]);
         for (k, value) in forces.multipliers.iter().enumerate() {
             assert!((point.multipliers[k] - value).abs() < 1e-9, "{value}");
         }
     }
-    let refused = |motion: &[(String, String)], unknowns: &[usize]| {
+    let refused = |motion: &[(String, String)], unknowns: &[&str]| {
+        let unknowns: Vec<String> = unknowns.iter().map(|name| (*name).to_owned()).collect();
         let (model, prescribed) = read_prescribed(&path, motion).unwrap_or_else(|error| panic!("{error}"));
-        inverse(&model, &prescribed, unknowns, &times).expect_err("it is refused").to_string()
+        inverse(&model, &prescribed, &unknowns, &times).expect_err("it is refused").to_string()
     };
     assert!(refused(&motion, &[]).contains("2 of 3 equations (the rank): underactuated"));
-    let mass = model.parameters.iter().position(|parameter| parameter.name == "r").expect("it is there");
-    assert!(refused(&motion, &[mass]).contains("not linear in `r`"));
+    assert!(refused(&motion, &["theta"]).contains("neither a parameter nor an input"));
+    assert!(refused(&motion, &["r"]).contains("not linear in `r`"));
     let state = [("theta".to_owned(), "phi".to_owned())];
-    assert!(refused(&state, &[place]).contains("must be an expression of t"));
+    assert!(refused(&state, &["T"]).contains("must be an expression of t"));
     let wrong = read_prescribed(&path, &[("theta".to_owned(), "(1 m)".to_owned())]).expect_err("metres").to_string();
     assert!(wrong.contains("a prescribed motion: ") && wrong.contains("different dimensions"), "{wrong}");
     let zero = [("theta".to_owned(), "(0 deg)".to_owned())];
     let (model, prescribed) = read_prescribed(&path, &zero).unwrap_or_else(|error| panic!("{error}"));
-    let resting = inverse(&model, &prescribed, &[place], &[0.0]).unwrap_or_else(|why| panic!("{why}"));
+    let resting = inverse(&model, &prescribed, &["T".to_owned()], &[0.0]).unwrap_or_else(|why| panic!("{why}"));
     // level, the rod's weight on the crank's end: half of it, a tenth of a metre out
     assert!((resting[0].unknowns[0] - 0.4 * 9.81 * 0.1 / 2.0).abs() < 1e-12, "{resting:?}");
 }

@@ -25,7 +25,7 @@ pub struct Asked {
     #[arg(long, value_enum, default_value_t)]
     pub about: About,
     /// Instants of the run in seconds, instead of a point: 0,0.5,2
-    #[arg(long, value_name = "T,T", value_delimiter = ',', value_parser = instant, conflicts_with = "about")]
+    #[arg(long, value_name = "T,T", value_delimiter = ',', value_parser = instant, allow_negative_numbers = true, conflicts_with = "about")]
     pub times: Vec<f64>,
     /// A parameter that is an input; may be repeated
     #[arg(long = "input", value_name = "NAME")]
@@ -71,6 +71,8 @@ struct Found {
 pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
     let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
     let mut model = read_model(&asked.scene)?;
+    // inputs without a value are taken about zero
+    model.close_inputs();
     let inputs = inputs(&mut model, &asked.inputs).map_err(refused)?;
     let _progress = Progress::new("the linear equations");
     let instances = instances(&model, asked)?;
@@ -78,14 +80,14 @@ pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
     let mut all = Vec::with_capacity(instances.len());
     for (time, state) in instances {
         let no_linear = |why: NotLinear| refused(format!("at t = {time} s {why}"));
-        let linear = equations.linearised(&model, equations.point(&model, time, &state)).map_err(no_linear)?;
-        let standing = equations.standing(&model, &linear).map_err(no_linear)?;
+        let linear = equations.linearised(equations.point(time, &state)).map_err(no_linear)?;
+        let standing = equations.standing(&linear).map_err(no_linear)?;
         let eigenvalues = eigenvalues(&linear.a);
         let stability = Stability::of(&eigenvalues, standing != Standing::Moving);
         let eigenvalues = eigenvalues.values.iter().map(|value| [value.re, value.im]).collect();
         all.push(Found { linear, standing, eigenvalues, stability });
     }
-    let names = Names::of(&model, &inputs);
+    let names = Names::of(&model, &equations);
     crate::ending::print(&match asked.format {
         Form::Text => all.iter().map(|found| text(&names, found)).collect::<Vec<_>>().join("\n"),
         Form::Json => {

@@ -1,7 +1,7 @@
 //! Linear equations as text, JSON and a table.
 
 use super::Found;
-use ::scenes::linearisation::{Linearisation, Standing};
+use ::scenes::linearisation::{Linearisation, Standing, VariedEquations};
 use model::Model;
 use serde_json::json;
 use std::fmt::Write;
@@ -14,10 +14,10 @@ pub(super) struct Names<'a> {
 }
 
 impl<'a> Names<'a> {
-    pub(super) fn of(model: &'a Model, inputs: &[usize]) -> Self {
+    pub(super) fn of(model: &'a Model, equations: &'a VariedEquations) -> Self {
         Names {
             coordinates: model.coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect(),
-            inputs: inputs.iter().map(|&place| model.parameters[place].name.as_str()).collect(),
+            inputs: equations.inputs.iter().map(String::as_str).collect(),
             outputs: model.outputs.iter().map(|output| output.name.as_str()).collect(),
         }
     }

@@ -16,13 +16,18 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let equation = |left: String, right: String| Typeset { left, right };
     let held = !form.constraints.is_empty();
     let reactions = if held { r" + \mathbf{J}^{T} \boldsymbol{\lambda}" } else { "" };
-    let letters: Vec<String> = form.coordinates.iter().map(|letter| letter.latex()).collect();
+    // speeds of free frames are no rates of coordinates
+    let (rate, vector_name, shown) = match trace.model.free.is_empty() {
+        true => (r"\ddot{\mathbf{q}}", r"\mathbf{q}", &form.coordinates),
+        false => (r"\dot{\mathbf{u}}", r"\mathbf{u}", &form.speeds),
+    };
+    let letters: Vec<String> = shown.iter().map(|letter| letter.latex()).collect();
     let mut first = vec![
-        equation(r"\mathbf{M} \ddot{\mathbf{q}} + \mathbf{h}".to_owned(), format!(r"\mathbf{{Q}}{reactions}")),
-        equation(r"\mathbf{q}".to_owned(), format!("({})^T", letters.join(", "))),
+        equation(format!(r"\mathbf{{M}} {rate} + \mathbf{{h}}"), format!(r"\mathbf{{Q}}{reactions}")),
+        equation(vector_name.to_owned(), format!("({})^T", letters.join(", "))),
     ];
     if held {
-        first.insert(1, equation(r"\mathbf{J} \ddot{\mathbf{q}} + \mathbf{c}".to_owned(), r"\mathbf{0}".to_owned()));
+        first.insert(1, equation(format!(r"\mathbf{{J}} {rate} + \mathbf{{c}}"), r"\mathbf{0}".to_owned()));
     }
     let known = trace.model.parameters.iter().zip(&form.parameters).filter(|(parameter, _)| parameter.value.is_some());
     let parameters = known.map(|(parameter, letter)| equation(letter.latex(), quantity(&parameter.written))).collect();
@@ -30,7 +35,7 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
         let written = rows.into_iter().filter(|(_, value)| *value != Sym::ZERO);
         written.map(|(place, value)| equation(format!("{name}_{{{place}}}"), value.decimal_latex())).collect()
     };
-    let n = form.coordinates.len();
+    let n = form.speeds.len();
     let comma = if n.max(form.constraints.len()) > 9 { "," } else { "" };
     let pair = |i: usize, j: usize| format!("{}{comma}{}", i + 1, j + 1);
     let upper = (0..n).flat_map(|i| (i..n).map(move |j| (i, j)));

@@ -15,6 +15,7 @@ pub struct MatrixForm {
     pub time: Sym,
     pub parameters: Vec<Sym>,
     pub coordinates: Vec<Sym>,
+    /// Rates of coordinates, then angular velocities of free frames.
     pub speeds: Vec<Sym>,
     pub accelerations: Vec<Sym>,
     /// M, row after row; symmetric.
@@ -26,6 +27,10 @@ pub struct MatrixForm {
     pub constraints: Vec<Held>,
     /// lambda, one for each constraint.
     pub multipliers: Vec<Sym>,
+    /// Inputs without a value.
+    pub inputs: Vec<Sym>,
+    /// Letters that are 1 where a condition is positive, else 0; and the conditions.
+    pub switches: Vec<(Sym, Sym)>,
     /// Parameters whose values are positive.
     positive: Vec<bool>,
 }
@@ -51,10 +56,9 @@ impl MatrixForm {
     /// Where the principle does not apply to the model.
     pub fn of(trace: &Trace<'_>, principle: Principle) -> Result<Self, NotApplicable> {
         let Equations { mass, bias, constraints } = Equations::by(principle, trace)?;
-        // inertia alone: what is left of the residual where nothing acts
+        // inertia alone: what is left of the equations where nothing acts
         let free = without_forces(trace.model);
-        let at_rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&symbol| (symbol, Sym::ZERO)).collect();
-        let inertia = substitute_all(&principle.residual(&Trace::of(&free))?, &at_rest);
+        let inertia = Equations::by(principle, &Trace::of(&free))?.bias;
         let forces = inertia.iter().zip(&bias).map(|(&inertia, &bias)| inertia - bias).collect();
         let constraints: Vec<Held> = constraints
             .into_iter()
@@ -77,6 +81,19 @@ impl MatrixForm {
             forces,
             multipliers: (1..=constraints.len()).map(multiplier).collect(),
             constraints,
+            switches: trace
+                .switches
+                .iter()
+                .zip(&trace.model.switches)
+                .map(|(&letter, &condition)| (letter, trace.scalar(condition)))
+                .collect(),
+            inputs: trace
+                .model
+                .inputs
+                .iter()
+                .filter(|input| input.value.is_none())
+                .map(|input| Sym::symbol(&input.name))
+                .collect(),
             positive: trace.model.parameters.iter().map(|each| each.value.is_some_and(|value| value > 0.0)).collect(),
         })
     }
@@ -119,6 +136,12 @@ impl MatrixForm {
                 })
                 .collect(),
             multipliers: map(&self.multipliers),
+            switches: self
+                .switches
+                .iter()
+                .map(|&(letter, condition)| (single(map, letter), single(map, condition)))
+                .collect(),
+            inputs: map(&self.inputs),
             positive: self.positive.clone(),
         }
     }

@@ -8,16 +8,26 @@ use symbolic::Sym;
 
 /// Words of Python, what the module imports, and what it defines.
 const WORDS: &str = "False None True and as assert async await break class continue def del elif else except finally for from global \
-    if import in is lambda nonlocal not or pass raise return try while with print Derivative Function Matrix Rational Subs Symbol \
+    if import in is lambda nonlocal not or pass raise return try while with print Derivative Function Matrix Piecewise Rational Subs Symbol \
     atan2 cos exp log pi sin sqrt tanh t q values mass_matrix inertia forces jacobian bias multipliers constraints equations";
 
 /// The module.
-pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
-    let letters: Vec<Sym> =
-        [&form.parameters, &form.coordinates, &form.multipliers].into_iter().flatten().copied().collect();
+///
+/// # Errors
+/// Where a frame is free.
+pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
+    super::no_free_frame(trace)?;
+    let conditions: Vec<Sym> = form.switches.iter().map(|(letter, _)| *letter).collect();
+    let letters: Vec<Sym> = [&form.parameters, &form.coordinates, &form.multipliers, &form.inputs, &conditions]
+        .into_iter()
+        .flatten()
+        .copied()
+        .collect();
     let names = identifiers(&letters, WORDS);
     let (parameters, rest) = names.split_at(form.parameters.len());
-    let (coordinates, multipliers) = rest.split_at(form.coordinates.len());
+    let (coordinates, rest) = rest.split_at(form.coordinates.len());
+    let multipliers = &rest[..form.multipliers.len()];
+    let switches = &names[names.len() - conditions.len()..];
     // rates are derivatives of functions, under names that no letter has
     let rate = |order: usize| -> Vec<String> {
         let name = |name: &String| format!("{name}{}", "_dot".repeat(order));
@@ -38,10 +48,10 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let mut text = String::from(
         "# mass_matrix*q'' + inertia = forces + jacobian.T*multipliers, jacobian*q'' + bias = 0, constraints = 0\n\
          # jacobian: derivatives of each constraint's rate by the speeds; a positive multiplier acts along its row\n\
-         from sympy import Derivative, Function, Matrix, Rational, Subs, Symbol, atan2, cos, exp, log, pi, sin, sqrt, tanh\n\n\
+         from sympy import Derivative, Function, Matrix, Piecewise, Rational, Subs, Symbol, atan2, cos, exp, log, pi, sin, sqrt, tanh\n\n\
          t = Symbol(\"t\")\n",
     );
-    for (letter, name) in letters.iter().zip(&names) {
+    for (letter, name) in letters.iter().zip(&names).take(names.len() - switches.len()) {
         let _ = match coordinates.contains(name) {
             true => writeln!(text, "{name} = Function({:?})(t)", letter.to_string()),
             false => writeln!(text, "{name} = Symbol({:?})", letter.to_string()),
@@ -49,6 +59,9 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
     }
     for (k, name) in coordinates.iter().enumerate() {
         let _ = writeln!(text, "{} = {name}.diff(t)\n{} = {name}.diff(t, 2)", speeds[k], accelerations[k]);
+    }
+    for (name, (_, condition)) in switches.iter().zip(&form.switches) {
+        let _ = writeln!(text, "{name} = Piecewise((1, {} > 0), (0, True))", condition.sympy());
     }
     let _ = writeln!(text, "\nvalues = {{");
     for (name, parameter) in parameters.iter().zip(&trace.model.parameters) {
@@ -68,7 +81,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let _ = writeln!(text, "forces = Matrix([\n{}])", column(&form.forces));
     if form.constraints.is_empty() {
         text += "\nequations = mass_matrix*q.diff(t, 2) + inertia - forces\n";
-        return text;
+        return Ok(text);
     }
     let zeros: Vec<Sym> = form.constraints.iter().map(|held| held.zero).collect();
     let biases: Vec<Sym> = form.constraints.iter().map(|held| held.bias).collect();
@@ -77,5 +90,5 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let _ = writeln!(text, "bias = Matrix([\n{}])", column(&biases));
     let _ = writeln!(text, "multipliers = Matrix([{}])", multipliers.join(", "));
     text += "\nequations = mass_matrix*q.diff(t, 2) + inertia - forces - jacobian.T*multipliers\n";
-    text
+    Ok(text)
 }

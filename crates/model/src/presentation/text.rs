@@ -34,6 +34,8 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let units = trace.model.coordinates.iter().map(|each| format!("{} in {}", each.name, each.unit)).collect();
     section(&mut text, "Coordinates q", units);
     let rows: Vec<String> = (0..form.speeds.len()).map(|speed| trace.direction(speed)).collect();
+    let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
+    section(&mut text, "Inputs", open.map(|input| format!("{} in {}", input.name, input.unit)).collect());
     let entry = |name: &str, place: String, value: Sym| format!("{name}[{place}] = {}", value.decimal_text());
     let mut mass = Vec::new();
     for (i, row) in form.mass.iter().enumerate() {

@@ -72,7 +72,8 @@ impl Completion<'_> {
     /// # Errors
     /// A constraint that does not hold, or coordinates that nothing determines.
     pub fn of(&self, mut point: Point) -> Result<Point, NoForces> {
-        let (n, positions, time) = (point.coordinates.len(), self.equations.positions(), point.time);
+        let (n, time) = (point.coordinates.len(), point.time);
+        let (positions, kept) = (self.equations.positions(), self.equations.kept());
         self.prescribed.put(&mut point);
         let open: Vec<usize> = (0..n).filter(|place| !self.prescribed.places.contains(place)).collect();
         let columns = |matrix: &DMatrix<f64>, rows: usize| {
@@ -109,27 +110,28 @@ impl Completion<'_> {
         // rates are linear in speeds once more, accelerations in themselves; constraints of speeds that are not are iterated
         for _ in 0..MOST_STEPS {
             let at = self.equations.at(&point);
-            let matrix = columns(&at.rate.by_speeds, at.rate.values.len());
-            let Some(step) = least(&matrix, &at.rate.values) else { break };
+            let matrix = columns(&at.rate.by_speeds, kept);
+            let Some(step) = least(&matrix, &at.rate.values.rows(0, kept).into_owned()) else { break };
             if step.amax() <= 1e-15 {
                 break;
             }
             open.iter().zip(step.iter()).for_each(|(&place, part)| point.speeds[place] -= part);
         }
         let at = self.equations.at(&point);
-        self.met(&at.rate.values, at.rate.values.len(), time)?;
+        self.met(&at.rate.values, kept, time)?;
         let matrix = columns(&at.acceleration.by_accelerations, at.acceleration.values.len());
         if let Some(step) = least(&matrix, &at.acceleration.values) {
             open.iter().zip(step.iter()).for_each(|(&place, part)| point.accelerations[place] -= part);
         }
         let at = self.equations.at(&point);
         self.met(&at.acceleration.values, at.acceleration.values.len(), time)?;
+        self.equations.choose(&mut point);
         Ok(point)
     }
 
     fn met(&self, residuals: &DVector<f64>, count: usize, time: f64) -> Result<(), NoForces> {
         let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
-        match residuals.iter().take(count).position(|residual| unmet(residual)) {
+        match residuals.iter().take(count).position(unmet) {
             None => Ok(()),
             Some(row) => {
                 let constraint = match &self.equations.constraints[row] {

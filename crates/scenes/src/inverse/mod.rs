@@ -23,7 +23,7 @@ pub struct Forces {
     pub coordinates: Vec<f64>,
     pub speeds: Vec<f64>,
     pub accelerations: Vec<f64>,
-    /// The unknown parameters.
+    /// The unknown parameters and inputs.
     pub unknowns: Vec<f64>,
     /// Of constraints, those of positions first.
     pub multipliers: Vec<f64>,
@@ -36,6 +36,10 @@ pub enum NoForces {
     /// A prescribed motion asks for something that moves.
     NotOfTime {
         coordinate: String,
+    },
+    /// An unknown that is no parameter and no input of forces.
+    NotForce {
+        name: String,
     },
     /// The forces are not linear in a parameter.
     NotLinear {
@@ -76,6 +80,9 @@ impl fmt::Display for NoForces {
             Self::NotOfTime { coordinate } => {
                 write!(f, "the motion of `{coordinate}` must be an expression of t and of parameters")
             }
+            Self::NotForce { name } => {
+                write!(f, "`{name}` is neither a parameter nor an input of forces: an unknown must be one")
+            }
             Self::NotLinear { parameter } => write!(f, "the forces are not linear in `{parameter}`"),
             Self::Open { coordinates, time } => write!(
                 f,
@@ -110,36 +117,48 @@ const RANK: f64 = 1e-10;
 ///
 /// # Errors
 /// Why there are none.
-pub fn inverse(model: &Model, motions: &[Motion], unknowns: &[usize], times: &[f64]) -> Result<Vec<Forces>, NoForces> {
+pub fn inverse(model: &Model, motions: &[Motion], unknowns: &[String], times: &[f64]) -> Result<Vec<Forces>, NoForces> {
     let mut known = model.clone();
-    for &place in unknowns {
-        known.parameters[place].value.get_or_insert(0.0);
+    known.close_inputs();
+    let named = |name: &String| model.parameters.iter().position(|parameter| parameter.name == *name);
+    let parameters: Vec<usize> = unknowns.iter().filter_map(named).collect();
+    for &place in &parameters {
+        known.parameters[place].value = Some(0.0);
     }
-    let equations = VariedEquations::of(&known, unknowns).map_err(NoForces::NotCompiled)?;
-    if let Some(place) = equations.nonlinear_input {
-        return Err(NoForces::NotLinear { parameter: model.parameters[place].name.clone() });
+    let equations = VariedEquations::of(&known, &parameters).map_err(NoForces::NotCompiled)?;
+    let mut columns = Vec::with_capacity(unknowns.len());
+    for name in unknowns {
+        match equations.inputs.iter().position(|input| input == name) {
+            None => return Err(NoForces::NotForce { name: name.clone() }),
+            Some(column) if equations.nonlinear[column] => {
+                return Err(NoForces::NotLinear { parameter: name.clone() });
+            }
+            Some(column) => columns.push(column),
+        }
     }
     let prescribed = Prescribed::of(&known, motions)?;
     let mut guess = known.start_state();
     let mut all = Vec::with_capacity(times.len());
     for &time in times {
-        let mut point = equations.point(&known, time, &guess);
-        point.inputs.fill(0.0);
-        let point = Completion { equations: &equations, model, prescribed: &prescribed }.of(point)?;
+        let point = equations.point(time, &guess);
+        let mut point = Completion { equations: &equations, model, prescribed: &prescribed }.of(point)?;
         guess[..model.coordinates.len()].copy_from_slice(point.coordinates.as_slice());
-        all.push(forces(&equations, point)?);
+        columns.iter().for_each(|&column| point.inputs[column] = 0.0);
+        all.push(forces(&equations, point, &columns)?);
     }
     Ok(all)
 }
 
 /// p and lambda at a point whose motion is known.
-fn forces(equations: &VariedEquations, point: Point) -> Result<Forces, NoForces> {
+fn forces(equations: &VariedEquations, point: Point, unknowns: &[usize]) -> Result<Forces, NoForces> {
     let time = point.time;
     let At { motion, .. } = equations.at(&point);
-    let (n, m, k) = (motion.values.len(), point.multipliers.len(), point.inputs.len());
+    let (n, m, k) = (motion.values.len(), point.multipliers.len(), unknowns.len());
     let mut matrix = DMatrix::zeros(n, m + k);
     matrix.columns_mut(0, m).copy_from(&motion.by_multipliers);
-    matrix.columns_mut(m, k).copy_from(&motion.by_inputs);
+    for (column, &unknown) in unknowns.iter().enumerate() {
+        matrix.set_column(m + column, &motion.by_inputs.column(unknown));
+    }
     if !matrix.iter().chain(motion.values.iter()).all(|value| value.is_finite()) {
         return Err(NoForces::NotFinite { time });
     }

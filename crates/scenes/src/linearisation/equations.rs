@@ -1,6 +1,6 @@
 //! The varied equations of a model as numbers at a point.
 
-use crate::compiled_system::{NotCompiled, has_values_but, plain, values};
+use crate::compiled_system::{NotCompiled, has_values_but, values};
 use derivations::taped::Program;
 use model::equations::{Equation, Level, constraints_of};
 use model::{Model, Trace, Variations, Varied};
@@ -15,10 +15,11 @@ pub struct Point {
     pub coordinates: DVector<f64>,
     pub speeds: DVector<f64>,
     pub accelerations: DVector<f64>,
-    /// Of constraints of positions first, as everywhere here.
+    /// In the order of the constraints here.
     pub multipliers: DVector<f64>,
-    /// Values of the parameters that are inputs.
     pub inputs: DVector<f64>,
+    /// 1 where the condition of a switch is positive, else 0.
+    pub switches: DVector<f64>,
 }
 
 /// A constraint as the model has it.
@@ -26,6 +27,8 @@ pub struct Point {
 pub struct Known {
     pub level: Level,
     pub name: String,
+    /// Whether it is led to zero, and not kept there.
+    pub is_programmed: bool,
     pub at: Range<usize>,
 }
 
@@ -56,46 +59,59 @@ pub struct At {
 #[derive(Debug)]
 pub struct VariedEquations {
     program: Program,
-    /// Coordinates, constraints, inputs, outputs.
-    sizes: [usize; 4],
+    /// Inputs, then conditions of switches, from all that a point has.
+    outside: Program,
+    /// Coordinates, constraints, inputs, outputs, switches.
+    sizes: [usize; 5],
+    /// Those of positions that are kept, those of speeds that are kept, those that are led to zero.
     pub constraints: Vec<Known>,
-    /// Parameters that are inputs, by their places.
-    pub inputs: Vec<usize>,
-    /// The first input in which the equations of motion are not linear.
-    pub nonlinear_input: Option<usize>,
+    /// Parameters that are inputs, then the inputs of the model, by their names.
+    pub inputs: Vec<String>,
+    /// Inputs in which the equations of motion are not linear.
+    pub nonlinear: Vec<bool>,
 }
 
 impl VariedEquations {
-    /// Some parameters are inputs: their values are those of the point, and they may have none in the model.
+    /// Some parameters, by their places, are inputs beside those of the model.
     ///
     /// # Errors
     /// Why there are no equations with numbers.
-    pub fn of(model: &Model, inputs: &[usize]) -> Result<Self, NotCompiled> {
-        has_values_but(model, inputs)?;
-        plain(model)?;
+    pub fn of(model: &Model, parameters: &[usize]) -> Result<Self, NotCompiled> {
+        has_values_but(model, parameters)?;
+        if let Some(frame) = model.free.first() {
+            return Err(NotCompiled::FreeFrame { name: model.frames[frame.0].name.clone() });
+        }
+        let (open, own) = opened(model);
+        let open = &open;
         let n = model.coordinates.len();
         let known: Vec<Known> = symbolic::apart(|| {
-            let trace = Trace::of(model);
+            let trace = Trace::of(open);
             if let Some(body) = trace.tilted().first() {
                 return Err(NotCompiled::Tilted { body: (*body).to_owned() });
             }
-            let known = |each: Equation| Known { level: each.level, name: each.name, at: each.at };
+            let known = |each: Equation| Known {
+                level: each.level,
+                name: each.name,
+                is_programmed: each.gains.is_some(),
+                at: each.at,
+            };
             Ok(constraints_of(&trace).into_iter().map(known).collect())
         })?;
-        // constraints of positions first
-        let m = known.len();
+        let (m, switches) = (known.len(), model.switches.len());
         let mut order: Vec<usize> = (0..m).collect();
-        order.sort_by_key(|&k| known[k].level != Level::Position);
-        let length = 3 * n + m + inputs.len();
-        let mut nonlinear_input = None;
+        order.sort_by_key(|&k| (known[k].is_programmed, known[k].level != Level::Position));
+        let parameter_names = parameters.iter().map(|&place| model.parameters[place].name.clone());
+        let inputs: Vec<String> =
+            parameter_names.chain(own.iter().map(|&place| model.inputs[place].name.clone())).collect();
+        let length = 3 * n + m + inputs.len() + switches;
+        let mut nonlinear = Vec::new();
         let program = Program::of_any_length(length, |time, state| {
-            let trace = Trace::of(model);
-            let letters: Vec<Sym> = inputs.iter().map(|&place| trace.parameters[place]).collect();
+            let trace = Trace::of(open);
+            let letters: Vec<Sym> = inputs.iter().map(|name| Sym::symbol(name)).collect();
             let varied = Variations::of(&trace, &letters);
             let holds_input = |slope: &Sym| slope.symbols_of().iter().any(|symbol| letters.contains(symbol));
-            nonlinear_input = inputs.iter().enumerate().find_map(|(column, &place)| {
-                varied.motion.by_inputs.iter().any(|row| holds_input(&row[column])).then_some(place)
-            });
+            let is_nonlinear = |column: usize| varied.motion.by_inputs.iter().any(|row| holds_input(&row[column]));
+            nonlinear = (0..inputs.len()).map(is_nonlinear).collect();
             let everything: Vec<usize> = (0..n).collect();
             let shown: Vec<usize> = (0..model.outputs.len()).collect();
             let mut all = Vec::new();
@@ -104,51 +120,88 @@ impl VariedEquations {
                 flatten(part, &order, &order, &mut all);
             }
             flatten(&varied.outputs, &shown, &order, &mut all);
-            let (motion, rest) = state.split_at(3 * n);
-            let (multipliers, given) = rest.split_at(m);
-            let mut known = values(&trace, time, &motion[..2 * n]);
-            known.retain(|(letter, _)| !letters.contains(letter));
-            known.extend(trace.accelerations.iter().copied().zip(motion[2 * n..].iter().copied()));
-            known.extend(order.iter().map(|&k| varied.multipliers[k]).zip(multipliers.iter().copied()));
-            known.extend(letters.into_iter().zip(given.iter().copied()));
-            substitute_all(&all, &known)
+            let multipliers: Vec<Sym> = order.iter().map(|&k| varied.multipliers[k]).collect();
+            substitute_all(&all, &letters_of(&trace, &multipliers, &letters, time, state))
+        });
+        let outside = Program::of_any_length(length, |time, state| {
+            // inputs by their values, conditions by inputs
+            let (trace, closed) = (Trace::of(open), Trace::of(model));
+            let letters: Vec<Sym> = inputs.iter().map(|name| Sym::symbol(name)).collect();
+            let held = constraints_of(&trace);
+            let multipliers: Vec<Sym> = order.iter().map(|&k| held[k].multiplier).collect();
+            let data = parameters.iter().map(|&place| {
+                let value = model.parameters[place].value.unwrap_or(0.0);
+                Sym::constant(field::Rational::exactly(value))
+            });
+            let given =
+                own.iter().map(|&place| model.inputs[place].value.map_or(Sym::ZERO, |value| closed.scalar(value)));
+            let conditions = model.switches.iter().map(|&condition| trace.scalar(condition));
+            let all: Vec<Sym> = data.chain(given).chain(conditions).collect();
+            substitute_all(&all, &letters_of(&trace, &multipliers, &letters, time, state))
         });
         Ok(VariedEquations {
             program: program.ok_or(NotCompiled::TooLong)?,
-            sizes: [n, m, inputs.len(), model.outputs.len()],
+            outside: outside.ok_or(NotCompiled::TooLong)?,
+            sizes: [n, m, inputs.len(), model.outputs.len(), switches],
             constraints: order.iter().map(|&k| known[k].clone()).collect(),
-            inputs: inputs.to_vec(),
-            nonlinear_input,
+            inputs,
+            nonlinear,
         })
     }
 
-    /// The number of constraints of positions, which stand first.
+    /// The number of constraints of positions that are kept, which stand first.
     pub fn positions(&self) -> usize {
-        self.constraints.iter().filter(|known| known.level == Level::Position).count()
+        self.constraints.iter().filter(|known| known.level == Level::Position && !known.is_programmed).count()
     }
 
-    /// A point without accelerations and multipliers.
-    pub fn point(&self, model: &Model, time: f64, state: &[f64]) -> Point {
-        let [n, m, ..] = self.sizes;
-        let value = |&place: &usize| model.parameters[place].value.unwrap_or(0.0);
-        Point {
+    /// The number of constraints that are kept, which stand before those that are led to zero.
+    pub fn kept(&self) -> usize {
+        self.constraints.iter().filter(|known| !known.is_programmed).count()
+    }
+
+    /// A point without accelerations and multipliers, with its inputs and switches.
+    pub fn point(&self, time: f64, state: &[f64]) -> Point {
+        let [n, m, k, _, s] = self.sizes;
+        let mut point = Point {
             time,
             coordinates: DVector::from_column_slice(&state[..n]),
             speeds: DVector::from_column_slice(&state[n..2 * n]),
             accelerations: DVector::zeros(n),
             multipliers: DVector::zeros(m),
-            inputs: DVector::from_iterator(self.inputs.len(), self.inputs.iter().map(value)),
+            inputs: DVector::zeros(k),
+            switches: DVector::zeros(s),
+        };
+        self.choose(&mut point);
+        point
+    }
+
+    /// Inputs and switches as a point has them.
+    pub fn choose(&self, point: &mut Point) {
+        let [_, _, k, _, s] = self.sizes;
+        let mut numbers = vec![f64::NAN; k + s];
+        // inputs may ask for conditions, and conditions for others before them
+        for _ in 0..=s + 1 {
+            self.outside.run(point.time, &flat(point), &mut numbers);
+            point.inputs = DVector::from_column_slice(&numbers[..k]);
+            let chosen = numbers[k..].iter().map(|value| if *value > 0.0 { 1.0 } else { 0.0 });
+            point.switches = DVector::from_iterator(s, chosen);
         }
+    }
+
+    /// The switch whose condition is zero at a point: the equations have no derivative there.
+    pub fn undecided_switch(&self, point: &Point) -> Option<usize> {
+        let [_, _, k, _, s] = self.sizes;
+        let mut numbers = vec![f64::NAN; k + s];
+        self.outside.run(point.time, &flat(point), &mut numbers);
+        numbers[k..].iter().position(|value| *value == 0.0)
     }
 
     /// Everything at a point.
     pub fn at(&self, point: &Point) -> At {
-        let [n, m, k, shown] = self.sizes;
-        let parts = [&point.coordinates, &point.speeds, &point.accelerations, &point.multipliers, &point.inputs];
-        let state: Vec<f64> = parts.into_iter().flat_map(|part| part.iter().copied()).collect();
+        let [n, m, k, shown, _] = self.sizes;
         let width = 1 + 3 * n + m + k;
         let mut numbers = vec![f64::NAN; (n + 3 * m + shown) * width];
-        self.program.run(point.time, &state, &mut numbers);
+        self.program.run(point.time, &flat(point), &mut numbers);
         let mut rest = &numbers[..];
         let mut next = |rows: usize| {
             let (own, behind) = rest.split_at(rows * width);
@@ -167,6 +220,40 @@ impl VariedEquations {
         };
         At { motion: next(n), zero: next(m), rate: next(m), acceleration: next(m), outputs: next(shown) }
     }
+}
+
+/// The model with its inputs as letters, and which of them are: an input in a constraint keeps its value, since the constraint asks for
+/// its rates.
+fn opened(model: &Model) -> (Model, Vec<usize>) {
+    let mut open = model.clone();
+    open.inputs.iter_mut().for_each(|input| input.value = None);
+    let own: Vec<usize> = symbolic::apart(|| {
+        let held = constraints_of(&Trace::of(&open)).into_iter();
+        let used: Vec<Sym> = held.flat_map(|each| [each.zero, each.bias]).flat_map(Sym::symbols_of).collect();
+        let is_free = |place: &usize| !used.contains(&Sym::symbol(&model.inputs[*place].name));
+        (0..model.inputs.len()).filter(is_free).collect()
+    });
+    for (place, input) in open.inputs.iter_mut().enumerate().filter(|(place, _)| !own.contains(place)) {
+        input.value = model.inputs[place].value;
+    }
+    (open, own)
+}
+
+/// Everything that a point has, in the order of the programs.
+fn flat(point: &Point) -> Vec<f64> {
+    let Point { coordinates, speeds, accelerations, multipliers, inputs, switches, .. } = point;
+    let parts = [coordinates, speeds, accelerations, multipliers, inputs, switches];
+    parts.into_iter().flat_map(|part| part.iter().copied()).collect()
+}
+
+/// Letters of a trace by those of a program.
+fn letters_of(trace: &Trace<'_>, multipliers: &[Sym], inputs: &[Sym], time: Sym, state: &[Sym]) -> Vec<(Sym, Sym)> {
+    let n = trace.coordinates.len();
+    let mut known = values(trace, time, &state[..2 * n]);
+    known.retain(|(letter, _)| !inputs.contains(letter));
+    let others = trace.accelerations.iter().chain(multipliers).chain(inputs).chain(&trace.switches);
+    known.extend(others.copied().zip(state[2 * n..].iter().copied()));
+    known
 }
 
 /// Row after row: the value, then its derivatives.

@@ -17,7 +17,6 @@ pub use points::Standing;
 pub use stability::{Spectrum, Stability, eigenvalues};
 
 use independence::{dependent, others};
-use model::Model;
 use nalgebra::DMatrix;
 use point::solved;
 use std::fmt;
@@ -53,6 +52,8 @@ pub enum NotLinear {
     Redundant(Known),
     /// An input moves a constraint: its rates would be inputs too.
     DrivenConstraint { input: String, constraint: Known },
+    /// A condition is zero at the point.
+    AtCondition { switch: usize },
     /// A derivative has no finite value.
     NotFinite,
 }
@@ -71,6 +72,11 @@ impl fmt::Display for NotLinear {
                 "the input `{input}` moves {}, whose rates of it would be inputs too; inputs of forces are accepted",
                 named(constraint)
             ),
+            Self::AtCondition { switch } => write!(
+                f,
+                "condition {} of `if`, `sign`, `abs`, `min`, `max` or `table` is zero: the equations have no derivative",
+                switch + 1
+            ),
             Self::NotFinite => write!(f, "a derivative of the equations has no finite value"),
         }
     }
@@ -81,20 +87,23 @@ impl VariedEquations {
     ///
     /// # Errors
     /// Why there is none.
-    pub fn linearised(&self, model: &Model, point: Point) -> Result<Linearisation, NotLinear> {
+    pub fn linearised(&self, point: Point) -> Result<Linearisation, NotLinear> {
         let point = self.with_accelerations(point).map_err(NotLinear::Undetermined)?;
+        if let Some(switch) = self.undecided_switch(&point) {
+            return Err(NotLinear::AtCondition { switch });
+        }
         let at = self.at(&point);
-        let (n, m, positions) = (point.coordinates.len(), self.constraints.len(), self.positions());
-        for (row, constraint) in self.constraints.iter().enumerate() {
+        let (n, m, positions, kept) = (point.coordinates.len(), self.constraints.len(), self.positions(), self.kept());
+        for (row, constraint) in self.constraints[..kept].iter().enumerate() {
             if let Some(column) = (0..self.inputs.len()).find(|&column| {
                 [&at.zero, &at.rate, &at.acceleration].iter().any(|part| part.by_inputs[(row, column)] != 0.0)
             }) {
-                let input = model.parameters[self.inputs[column]].name.clone();
+                let input = self.inputs[column].clone();
                 return Err(NotLinear::DrivenConstraint { input, constraint: constraint.clone() });
             }
         }
         let redundant = |row: usize| NotLinear::Redundant(self.constraints[row].clone());
-        let rows = &at.acceleration.by_accelerations;
+        let rows = &at.acceleration.by_accelerations.rows(0, kept).into_owned();
         let fixed_speeds = dependent(rows).map_err(redundant)?;
         let (fixed, _) = fixed_speeds.split_at(positions);
         let (free, free_speeds) = (others(n, fixed), others(n, &fixed_speeds));
@@ -102,7 +111,8 @@ impl VariedEquations {
         // dq = N x_q, du = P x_u + K dq
         let held = rows.rows(0, positions).into_owned();
         let by_free = tied(&held, fixed, &free, &DMatrix::zeros(positions, 0)).ok_or(NotLinear::NotFinite)?;
-        let by_speeds = tied(rows, &fixed_speeds, &free_speeds, &at.rate.by_coordinates).ok_or(NotLinear::NotFinite)?;
+        let by_speeds = tied(rows, &fixed_speeds, &free_speeds, &at.rate.by_coordinates.rows(0, kept).into_owned())
+            .ok_or(NotLinear::NotFinite)?;
         let (of_speeds, carried) = by_speeds.columns_range_pair(0..free_speeds.len(), free_speeds.len()..);
         let (x_q, x_u) = (free.len(), free_speeds.len());
         let mut coordinates = DMatrix::zeros(n, x_q + x_u);
@@ -119,6 +129,7 @@ impl VariedEquations {
         right.view_mut((0, 0), (n, x_q + x_u)).copy_from(&by_state(&at.motion));
         right.view_mut((n, 0), (m, x_q + x_u)).copy_from(&by_state(&at.acceleration));
         right.view_mut((0, x_q + x_u), (n, k)).copy_from(&-&at.motion.by_inputs);
+        right.view_mut((n, x_q + x_u), (m, k)).copy_from(&-&at.acceleration.by_inputs);
         let moved = solved(&at, &right).map_err(NotLinear::Undetermined)?;
 
         let mut a = DMatrix::zeros(x_q + x_u, x_q + x_u);

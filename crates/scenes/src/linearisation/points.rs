@@ -3,7 +3,6 @@
 use super::{Linearisation, NotLinear, VariedEquations};
 use crate::scene::ModelScene;
 use integrators::{Failure, Record, Span, Tolerance, integrate};
-use model::Model;
 use std::time::{Duration, Instant};
 
 /// A time and the state then: coordinates, then speeds.
@@ -58,17 +57,16 @@ impl VariedEquations {
     ///
     /// # Errors
     /// Where there are none there.
-    pub fn standing(&self, model: &Model, about: &Linearisation) -> Result<Standing, NotLinear> {
+    pub fn standing(&self, about: &Linearisation) -> Result<Standing, NotLinear> {
         let point = &about.point;
         let size = 1.0 + about.a.amax();
         if point.accelerations.amax() > STILL * size {
             return Ok(Standing::Moving);
         }
         for later in [0.37, 1.9] {
-            let mut further = point.clone();
-            further.time += later;
-            further.coordinates += &point.speeds * later;
-            let there = self.linearised(model, further)?;
+            let coordinates = &point.coordinates + &point.speeds * later;
+            let state: Vec<f64> = coordinates.iter().chain(point.speeds.iter()).copied().collect();
+            let there = self.linearised(self.point(point.time + later, &state))?;
             let same = |one: &nalgebra::DMatrix<f64>, other: &nalgebra::DMatrix<f64>| {
                 one.shape() == other.shape() && (one - other).iter().all(|gap| gap.abs() <= STILL * size)
             };

@@ -7,12 +7,12 @@ pub(super) const WORDS: &str = "auto break case char const continue default do d
     register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while _Bool _Complex \
     _Imaginary asm bool true false nullptr constexpr thread_local typeof alignas alignof static_assert";
 
-pub(super) fn written(program: &Program<'_>) -> String {
-    let Program { n, m, parameters, terms, zeros, .. } = program;
+pub(super) fn written(program: &Program) -> String {
+    let Program { n, m, parameters, conditions, terms, zeros, .. } = program;
     let mut text = program.heading("//");
     text += "#include <math.h>\n\nstruct parameters {\n";
     for named in parameters {
-        let _ = writeln!(text, "    double {}; // {}", named.name, named.parameter.unit);
+        let _ = writeln!(text, "    double {}; // {}", named.name, named.unit);
     }
     if parameters.is_empty() {
         text += "    char none;\n";
@@ -21,17 +21,33 @@ pub(super) fn written(program: &Program<'_>) -> String {
     if program.has_values() {
         let values: Vec<String> = parameters
             .iter()
-            .map(|named| format!("    {:?}, // {}", named.parameter.value.unwrap_or_default(), named.name))
+            .map(|named| format!("    {:?}, // {}", named.value.unwrap_or_default(), named.name))
             .collect();
         let values = if values.is_empty() { "    0,".to_owned() } else { values.join("\n") };
         let _ = writeln!(text, "const struct parameters defaults = {{\n{values}\n}};\n");
     }
     let _ = writeln!(text, "enum {{ COORDINATES = {n}, CONSTRAINTS = {m} }};\n");
+    // conditions first, each in a block of its own
+    let mut chosen = String::new();
+    if !conditions.is_empty() {
+        let _ = writeln!(chosen, "    double s[{}];", conditions.len());
+    }
+    for (k, condition) in conditions.iter().enumerate() {
+        let _ = write!(
+            chosen,
+            "    {{\n{}    s[{k}] = {} > 0.0 ? 1.0 : 0.0;\n    }}\n",
+            indented(&condition.lines),
+            condition.outputs[0]
+        );
+    }
+    if !conditions.is_empty() {
+        chosen += "    (void)s;\n";
+    }
     let _ = writeln!(
         text,
         "// M row after row, h - Q, J row after row, c: one array\n\
          void terms(double t, const double *q, const double *u, const struct parameters *p, double *out)\n{{\n    \
-         (void)t; (void)q; (void)u; (void)p;\n{}{}}}\n",
+         (void)t; (void)q; (void)u; (void)p;\n{chosen}{}{}}}\n",
         indented(&terms.lines),
         indented(&assigned("out", &terms.outputs)),
     );
@@ -40,7 +56,7 @@ pub(super) fn written(program: &Program<'_>) -> String {
             text,
             "// f, zero where the constraints hold\n\
              void constraints(double t, const double *q, const double *u, const struct parameters *p, double *out)\n{{\n    \
-             (void)t; (void)q; (void)u; (void)p;\n{}{}}}\n",
+             (void)t; (void)q; (void)u; (void)p;\n{chosen}{}{}}}\n",
             indented(&zeros.lines),
             indented(&assigned("out", &zeros.outputs)),
         );

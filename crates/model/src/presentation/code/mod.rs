@@ -12,40 +12,47 @@ use std::f64::consts::PI;
 use symbolic::{Language, Statements, Sym, Tape};
 
 /// What is written: sizes, names and statements.
-struct Program<'a> {
+struct Program {
     /// Coordinates.
     n: usize,
     /// Constraints.
     m: usize,
-    parameters: Vec<Named<'a>>,
+    parameters: Vec<Named>,
     /// Letters in their order, for a reader.
     coordinates: Vec<String>,
     constraints: Vec<String>,
+    /// Conditions, each of which makes a component of s one where it is positive, else zero.
+    conditions: Vec<Statements>,
     /// M, h - Q, J, c.
     terms: Statements,
     /// f.
     zeros: Statements,
 }
 
-/// A parameter and what it is called there.
-struct Named<'a> {
+/// A parameter, or an input without a value, and what it is called there.
+struct Named {
     name: String,
-    parameter: &'a crate::Parameter,
+    letter: String,
+    /// The coherent unit.
+    unit: String,
+    value: Option<f64>,
 }
 
 /// The system as code.
 ///
 /// # Errors
-/// Where an expression divides by the constant zero, or a constant is beyond the range of double precision.
+/// Where a frame is free, an expression divides by the constant zero, or a constant is beyond the range of double precision.
 pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<String, String> {
+    super::no_free_frame(trace)?;
     let words = match language {
         Language::C => c::WORDS,
         Language::Python => "",
         Language::Rust => rust::WORDS,
     };
-    let names = identifiers(&form.parameters, words);
+    let given: Vec<Sym> = form.parameters.iter().chain(&form.inputs).copied().collect();
+    let names = identifiers(&given, words);
     let texts = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>();
-    let quoted = texts(&form.parameters);
+    let quoted = texts(&given);
     let access = |place: usize| match language {
         Language::C => format!("p->{}", names[place]),
         Language::Python => format!("p[{:?}]", quoted[place]),
@@ -56,10 +63,12 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
         .chain(component("q"))
         .chain(component("u"))
         .chain((0..names.len()).map(access))
+        .chain((0..form.switches.len()).map(|k| format!("s[{k}]")))
         .chain([format!("{PI:?}")])
         .collect();
     let letters: Vec<Sym> = std::iter::once(form.time)
-        .chain([&form.coordinates, &form.speeds, &form.parameters].into_iter().flatten().copied())
+        .chain([&form.coordinates, &form.speeds, &given].into_iter().flatten().copied())
+        .chain(form.switches.iter().map(|(letter, _)| *letter))
         .chain([trace.pi])
         .collect();
     let statements = |expressions: &[Sym]| -> Result<Statements, String> {
@@ -74,6 +83,10 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
     let rows = form.constraints.iter().flat_map(|held| held.row.iter().copied());
     let biases = form.constraints.iter().map(|held| held.bias);
     let zeros: Vec<Sym> = form.constraints.iter().map(|held| held.zero).collect();
+    let units = trace.model.parameters.iter().map(|parameter| (parameter.unit.clone(), parameter.value));
+    let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
+    let units = units.chain(open.map(|input| (input.unit.clone(), None)));
+    let parameters = names.into_iter().zip(quoted).zip(units);
     let program = Program {
         n: form.coordinates.len(),
         m: form.constraints.len(),
@@ -81,11 +94,8 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
         constraints: form.constraints.iter().map(|held| held.name.clone()).collect(),
         terms: statements(&mass.chain(loads).chain(rows).chain(biases).collect::<Vec<_>>())?,
         zeros: statements(&zeros)?,
-        parameters: names
-            .into_iter()
-            .zip(&trace.model.parameters)
-            .map(|(name, parameter)| Named { name, parameter })
-            .collect(),
+        conditions: form.switches.iter().map(|(_, condition)| statements(&[*condition])).collect::<Result<_, _>>()?,
+        parameters: parameters.map(|((name, letter), (unit, value))| Named { name, letter, unit, value }).collect(),
     };
     Ok(match language {
         Language::C => c::written(&program),
@@ -94,10 +104,10 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
     })
 }
 
-impl Program<'_> {
+impl Program {
     /// Whether every parameter has a value.
     fn has_values(&self) -> bool {
-        self.parameters.iter().all(|named| named.parameter.value.is_some())
+        self.parameters.iter().all(|named| named.value.is_some())
     }
 
     /// The first lines of a file, each behind a sign of comments.

@@ -3,19 +3,30 @@
 use super::{Program, indented};
 use std::fmt::Write;
 
-pub(super) fn written(program: &Program<'_>) -> String {
-    let Program { n, m, parameters, terms, zeros, .. } = program;
+pub(super) fn written(program: &Program) -> String {
+    let Program { n, m, parameters, conditions, terms, zeros, .. } = program;
     let mut text = program.heading("#");
     text +=
         "import numpy as np\nfrom numpy import arctan2 as atan2, cos, exp, log, sin, sqrt, tanh\n\nPARAMETERS = {\n";
     for named in parameters {
-        let parameter = named.parameter;
-        let _ = match parameter.value {
-            Some(value) => writeln!(text, "    {:?}: {value:?},  # {}", parameter.name, parameter.unit),
-            None => writeln!(text, "    # {:?} has no value: {}", parameter.name, parameter.written),
+        let _ = match named.value {
+            Some(value) => writeln!(text, "    {:?}: {value:?},  # {}", named.letter, named.unit),
+            None => writeln!(text, "    # {:?} has no value: {}", named.letter, named.unit),
         };
     }
-    let lines = |lines: &[String]| indented(lines);
+    let mut chosen = String::new();
+    if !conditions.is_empty() {
+        chosen += "    s = []\n";
+    }
+    for condition in conditions {
+        let _ = writeln!(
+            chosen,
+            "{}    s.append(1.0 if {} > 0 else 0.0)",
+            indented(&condition.lines),
+            condition.outputs[0]
+        );
+    }
+    let lines = |lines: &[String]| format!("{chosen}{}", indented(lines));
     let array = |outputs: &[String]| format!("np.array([{}])", outputs.join(", "));
     let rows = |outputs: &[String], rows: usize| format!("{}.reshape({rows}, {n})", array(outputs));
     let (mass, rest) = terms.outputs.split_at(n * n);

@@ -7,29 +7,45 @@ pub(super) const WORDS: &str = "as break const continue crate dyn else enum exte
     ref return self Self static struct super trait true type unsafe use where while async await abstract become box do final macro \
     override priv typeof unsized virtual yield try gen _";
 
-pub(super) fn written(program: &Program<'_>) -> String {
-    let Program { n, m, parameters, terms, zeros, .. } = program;
+pub(super) fn written(program: &Program) -> String {
+    let Program { n, m, parameters, conditions, terms, zeros, .. } = program;
     let mut text = program.heading("//");
     let _ = writeln!(
         text,
         "\npub const COORDINATES: usize = {n};\npub const CONSTRAINTS: usize = {m};\n\n#[allow(non_snake_case)]\n#[derive(Clone, Debug)]\npub struct Parameters {{"
     );
     for named in parameters {
-        let _ = writeln!(text, "    /// {}\n    pub {}: f64,", named.parameter.unit, named.name);
+        let _ = writeln!(text, "    /// {}\n    pub {}: f64,", named.unit, named.name);
     }
     text += "}\n";
     if program.has_values() {
         text += "\nimpl Default for Parameters {\n    fn default() -> Self {\n        Parameters {\n";
         for named in parameters {
-            let _ = writeln!(text, "            {}: {:?},", named.name, named.parameter.value.unwrap_or_default());
+            let _ = writeln!(text, "            {}: {:?},", named.name, named.value.unwrap_or_default());
         }
         text += "        }\n    }\n}\n";
+    }
+    // conditions first, each in a block of its own
+    let mut chosen = String::new();
+    if !conditions.is_empty() {
+        let _ = writeln!(chosen, "    let mut s = [0.0; {}];", conditions.len());
+    }
+    for (k, condition) in conditions.iter().enumerate() {
+        let _ = write!(
+            chosen,
+            "    {{\n{}    s[{k}] = if {} > 0.0 {{ 1.0 }} else {{ 0.0 }};\n    }}\n",
+            indented(&condition.lines),
+            condition.outputs[0]
+        );
+    }
+    if !conditions.is_empty() {
+        chosen += "    let _ = s;\n";
     }
     let size = terms.outputs.len();
     let function = |name: &str, said: &str, size: usize, lines: String, outputs: String| {
         format!(
             "\n/// {said}\n#[allow(unused_parens)]\npub fn {name}(t: f64, q: &[f64; COORDINATES], u: &[f64; COORDINATES], p: &Parameters) -> [f64; {size}] {{\n    \
-             let _ = (t, q, u, p);\n{lines}    #[allow(unused_mut)]\n    let mut out = [0.0; {size}];\n{outputs}    out\n}}\n"
+             let _ = (t, q, u, p);\n{chosen}{lines}    #[allow(unused_mut)]\n    let mut out = [0.0; {size}];\n{outputs}    out\n}}\n"
         )
     };
     text += &function(
