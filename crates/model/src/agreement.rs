@@ -139,6 +139,15 @@ pub(crate) fn decided(pairs: &[(Sym, Sym)]) -> Agreement {
     {
         return Agreement::Identified { points: *points, error: *error };
     }
+    if identity == Identity::NotZero {
+        // the normal form of a long one would only take time
+        let fails = |difference: &Sym| identified(&[*difference]) == Identity::NotZero;
+        let first = differences.iter().position(fails);
+        let is_long = |place: &usize| Sym::operations_of(&[differences[*place]]) > MOST_EXPANDED;
+        if let Some(equation) = first.filter(is_long) {
+            return Agreement::Refuted { equation, point: "not zero at a random point of a prime field".to_owned() };
+        }
+    }
     let mut divisors: Vec<String> = Vec::new();
     for (equation, difference) in differences.into_iter().enumerate() {
         let reason = match (decide(difference, &Hypotheses::none()), &identity) {
@@ -167,12 +176,6 @@ pub(crate) fn decided(pairs: &[(Sym, Sym)]) -> Agreement {
     Agreement::Proved { divisors }
 }
 
-/// Whether an expression is known to be zero for all values.
-pub(crate) fn is_zero(expression: Sym) -> bool {
-    expression == Sym::ZERO
-        || matches!(decided(&[(expression, Sym::ZERO)]), Agreement::Proved { .. } | Agreement::Identified { .. })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -186,6 +189,17 @@ mod tests {
             let root = (x * x + y * y).sqrt();
             assert!(matches!(decided(&[(root * root, x * x + y * y)]), Agreement::Proved { .. }));
             assert!(matches!(decided(&[(root, x + y)]), Agreement::Refuted { .. }));
+        });
+    }
+
+    #[test]
+    fn a_long_difference_is_refuted_without_its_normal_form() {
+        apart(|| {
+            let [x, y] = symbols(["x", "y"]);
+            let long = (0..2_500).fold(x, |sum, k| sum * y + Sym::int(k));
+            let found = decided(&[(x, x), (long, long * Sym::int(2))]);
+            let Agreement::Refuted { equation: 1, point } = found else { panic!("{found}") };
+            assert_eq!(point, "not zero at a random point of a prime field");
         });
     }
 

@@ -41,12 +41,15 @@ impl fmt::Display for Projection {
 ///   d/dt dT*/dw_j - X_j(T*) = sum (d/dt dT/du_i - dT/dq_i) du_i/dw_j + lost_j ,
 ///   lost_j = sum (dT/du_d) (d/dt du_d/dw_j - X_j(u_d)) .
 ///
+/// Turns of a free frame add w x dT/dw to both operators, with the momenta of T* on the left and those of T on the right; a difference
+/// of the two is a part of what is lost.
+///
 /// The lost term vanishes where the constraints are integrable, or where the momenta are that it multiplies.
 #[derive(Clone, Debug)]
 pub struct Operator {
     /// d/dt dT*/dw_j - X_j(T*), for each independent speed.
     pub energy: Vec<Sym>,
-    /// The parts of lost_j, for each independent speed by each dependent one.
+    /// The parts of lost_j, for each independent speed by each dependent one, and by the turns of free frames.
     pub lost: Vec<Vec<Sym>>,
 }
 
@@ -64,12 +67,19 @@ pub fn operator(trace: &Trace<'_>, characteristics: &Characteristics, motion: &M
         let dependent = characteristics.dependent.iter().zip(slopes);
         dependent.fold(own, |sum, (&(d, _), slopes)| sum + slopes[place] * trace.by_coordinate(expression, d))
     };
-    let energy = |(place, &j): (usize, &usize)| rate(trace.by_speed(reduced, j)) - along(reduced, place);
+    let turned = |j: usize| motion.on_constraints(&[trace.transposition(j, |k| trace.by_speed(reduced, k))])[0];
+    let energy = |(place, &j): (usize, &usize)| rate(trace.by_speed(reduced, j)) + turned(j) - along(reduced, place);
+    // what turns of free frames do to the momenta of T* less what they do to those of T along the same displacement
+    let of_whole = |i: usize| trace.transposition(i, |k| trace.by_speed(kinetic, k));
+    let whole: Vec<Sym> = (0..trace.speeds.len()).map(of_whole).collect();
+    let whole = motion.on_constraints(&characteristics.along(&whole));
     let lost = |place: usize| {
         let dependent = motion.speeds.iter().zip(slopes).zip(&momenta);
-        dependent
+        let mut parts: Vec<Sym> = dependent
             .map(|((&(_, speed), slopes), &momentum)| momentum * (rate(slopes[place]) - along(speed, place)))
-            .collect()
+            .collect();
+        parts.push(turned(characteristics.independent[place]) - whole[place]);
+        parts
     };
     Operator {
         energy: characteristics.independent.iter().enumerate().map(energy).collect(),

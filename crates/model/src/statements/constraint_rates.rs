@@ -3,8 +3,8 @@
 
 use super::Statement;
 use crate::Trace;
-use crate::agreement::{decided, is_zero};
-use crate::equations::{Equation, Level, constraints_of};
+use crate::agreement::decided;
+use crate::equations::{Equation, Level, constraints_of, vanishes};
 use symbolic::Sym;
 
 pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
@@ -20,9 +20,10 @@ fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation) -> Statemen
     };
     let agreement = decided(&[(kept, second)]);
     let rates = if constraint.level == Level::Position { "its second rate" } else { "its rate" };
-    // lambda J u where the constraint holds: the power of the reaction
-    let power = constraint.row.iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&slope, &speed)| sum + slope * speed);
-    let work = if is_zero(power - constraint.rate) { "its reaction does no work" } else { "its reaction does work" };
+    // lambda J u is the power of the reaction: zero with f' = J u, and with a homogeneous f of second degree, where J u = 2 f
+    let along = constraint.row.iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&slope, &speed)| sum + slope * speed);
+    let is_idle = vanishes(along - constraint.rate) || vanishes(along - constraint.rate - constraint.rate);
+    let work = if is_idle { "its reaction does no work" } else { "its reaction may do work" };
     Statement { subject: constraint.title(place), says: format!("J u' + c is {rates}; {work}"), agreement }
 }
 

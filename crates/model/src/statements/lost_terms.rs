@@ -5,8 +5,8 @@
 //! * The energy of accelerations is made of the kinetic energy by writing u' for u: all centrifugal and Coriolis terms are lost.
 
 use crate::Trace;
-use crate::agreement::{Agreement, decided, is_zero};
-use crate::equations::{Characteristics, Level, constraints_of};
+use crate::agreement::{Agreement, decided};
+use crate::equations::{Characteristics, Level, constraints_of, vanishes};
 use crate::presentation::simplified;
 use crate::principles::hamilton::momenta;
 use crate::principles::lagrange::inertia;
@@ -92,5 +92,5 @@ fn accelerations_in_energy(trace: &Trace<'_>) -> Mistaken {
 /// The terms that are not zero, simplified.
 fn named(names: impl Iterator<Item = String>, terms: impl Iterator<Item = Sym>) -> Vec<(String, Sym)> {
     let all = names.zip(terms).map(|(name, term)| (name, simplified(term)));
-    all.filter(|(_, term)| !is_zero(*term)).collect()
+    all.filter(|(_, term)| !vanishes(*term)).collect()
 }

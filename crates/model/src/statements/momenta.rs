@@ -2,8 +2,8 @@
 
 use super::{Statement, residual};
 use crate::Trace;
-use crate::agreement::{decided, is_zero};
-use crate::equations::constraints_of;
+use crate::agreement::decided;
+use crate::equations::{constraints_of, vanishes};
 use crate::principles::hamilton::momenta;
 use crate::principles::loads::generalised;
 
@@ -11,9 +11,9 @@ pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
     let lagrangian = trace.kinetic_energy() - trace.potential_energy();
     let (forces, constraints) = (generalised(trace, false), constraints_of(trace));
     let is_cyclic = |i: &usize| {
-        is_zero(trace.by_coordinate(lagrangian, *i))
-            && is_zero(forces[*i])
-            && constraints.iter().all(|constraint| is_zero(constraint.row[*i]))
+        vanishes(trace.by_coordinate(lagrangian, *i))
+            && vanishes(forces[*i])
+            && constraints.iter().all(|constraint| vanishes(constraint.row[*i]))
     };
     let momenta = momenta(trace);
     // turns of a free frame about its own axes do not commute

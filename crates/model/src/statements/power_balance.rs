@@ -9,7 +9,8 @@
 
 use super::{Statement, residual};
 use crate::Trace;
-use crate::agreement::{decided, is_zero};
+use crate::agreement::decided;
+use crate::equations::vanishes;
 use crate::principles::hamilton::momenta;
 use crate::principles::loads::{along, forces, torques};
 use symbolic::Sym;
@@ -22,12 +23,12 @@ pub(super) fn statement(trace: &Trace<'_>) -> Statement {
     let rate = trace.rate_of(energy) + by_time(kinetic) - by_time(potential);
     let equations = residual(trace).iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&r, &u)| sum + u * r);
     let agreement = decided(&[(rate, equations + power(trace))]);
-    let is_whole = is_zero(energy - kinetic - potential);
-    let knows_time = !(is_zero(by_time(kinetic)) && is_zero(by_time(potential)));
+    let is_whole = vanishes(energy - kinetic - potential);
+    let knows_time = !(vanishes(by_time(kinetic)) && vanishes(by_time(potential)));
     let of = if is_whole { "T + V" } else { "H = sum u dT/du - T + V" };
     let rate = if knows_time { format!("({of})' less what the time does to V - T") } else { format!("({of})'") };
     let says =
-        if is_zero(power(trace)) { format!("{rate} is zero") } else { format!("{rate} is the power of the forces") };
+        if vanishes(power(trace)) { format!("{rate} is zero") } else { format!("{rate} is the power of the forces") };
     let changes = !(trace.model.events.is_empty() && trace.model.switches.is_empty());
     let says = if changes { format!("between events {says}") } else { says };
     Statement { subject: "energy".to_owned(), says, agreement }

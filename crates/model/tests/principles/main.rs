@@ -48,6 +48,24 @@ fn principles_agree_on_systems_with_constraints_and_in_space() {
     agree(&held_by(two_bodies(), &["cross(K - G, S.y)", "distance(O, K) - (1 m)"]));
 }
 
+#[test]
+fn principles_and_statements_agree_on_a_chain_of_eight_links() {
+    let model = Model::of(&chain(8)).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| {
+        let trace = Trace::of(&model);
+        let is_known = |found: &model::Agreement| {
+            matches!(found, model::Agreement::Proved { .. } | model::Agreement::Identified { .. })
+        };
+        for other in Principle::ALL.into_iter().skip(1) {
+            let found = model::agreement(&trace, Principle::Lagrange, other).expect("it applies");
+            assert!(is_known(&found), "{}: {found}", other.name());
+        }
+        for stated in model::statements(&trace) {
+            assert!(is_known(&stated.agreement), "{}: {}", stated.subject, stated.agreement);
+        }
+    });
+}
+
 /// A mass that grows with the way or the time is taken as solidified at each instant.
 #[test]
 fn a_mass_that_varies_has_one_law_by_every_principle() {

@@ -1,8 +1,8 @@
 //! Principles that know the constraints: Maggi, Shulgin.
 
-use crate::systems::{double_pendulum, held, rolling_disc, sleigh, slider_crank};
+use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
 use model::principles::Projection;
-use model::{Agreement, Model, Projected, Source, Trace, projected_agreement};
+use model::{Agreement, BodySource, InertiaSource, Model, Projected, Source, Trace, projected_agreement};
 use symbolic::apart;
 
 fn found(source: &Source, projection: Projection) -> Result<Projected, String> {
@@ -19,6 +19,35 @@ fn maggi_and_shulgin_agree_with_multipliers() {
             let Projected { agreement, points } = found(&source, projection).expect("it applies");
             assert!(matches!(agreement, Agreement::Proved { .. }), "{projection}: {agreement}; {points}");
         }
+    }
+}
+
+/// A ball that is no sphere inside rolls, its orientation free: turns of its frame do not commute, with the constraints in T or without.
+#[test]
+fn free_frames_are_taken_along() {
+    let some = |text: &str| Some(text.into());
+    let ball = Source {
+        parameters: entries(&[("m", "kg"), ("r", "m"), ("J", "kg m^2"), ("K", "kg m^2")]),
+        coordinates: entries(&[("x", "m"), ("y", "m")]),
+        frames: entries(&[("F", "N free")]),
+        points: entries(&[("P", "O + x*N.x + y*N.y"), ("G", "P + r*N.z")]),
+        bodies: vec![BodySource {
+            name: "ball".into(),
+            frame: some("F"),
+            centre: some("G"),
+            mass: some("m"),
+            inertia: Some(InertiaSource::Tensor {
+                axes: None,
+                entries: Box::new([some("J"), some("K"), some("K"), None, None, None]),
+            }),
+            ..BodySource::default()
+        }],
+        constraints: vec![held("rolling", &["velocity(ball at P) . N.x", "velocity(ball at P) . N.y"])],
+        ..Source::default()
+    };
+    for projection in Projection::ALL {
+        let Projected { agreement, points } = found(&ball, projection).expect("it applies");
+        assert!(matches!(agreement, Agreement::Proved { .. }), "{projection}: {agreement}; {points}");
     }
 }
 

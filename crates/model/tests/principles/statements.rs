@@ -59,8 +59,20 @@ fn what_is_driven_takes_in_energy() {
     led.constraints = vec![held("led", &["a - w*t^2/(1 s)"])];
     let all = stated(&led);
     let last = all.last().expect("there is a constraint");
-    assert_eq!(last.says, "J u' + c is its second rate; its reaction does work");
+    assert_eq!(last.says, "J u' + c is its second rate; its reaction may do work");
     assert!(matches!(last.agreement, Agreement::Proved { .. }), "{}", last.agreement);
+}
+
+/// Appell and Hamel's constraint, of second degree in the speeds and homogeneous: its reaction is idle; at a kept speed it is not.
+#[test]
+fn homogeneous_constraints_do_no_work() {
+    let work = |zero: &str| {
+        let mut source = sleigh();
+        source.constraints = vec![held("held", &[zero])];
+        stated(&source).pop().expect("there is a constraint").says
+    };
+    assert_eq!(work("x'^2 - y'^2"), "J u' + c is its rate; its reaction does no work");
+    assert_eq!(work("x'^2 + y'^2 - (1 m/s)^2"), "J u' + c is its rate; its reaction may do work");
 }
 
 /// The rolling put into T: Lagrange's equations for heading, lean and spin alone lose m r^2 cos(lean) lean' times the rate of spin
