@@ -12,7 +12,7 @@ mod generic_point;
 pub use constraints::{Equation, Level, equations as constraints_of};
 pub(crate) use constraints::{held_of, vanishes};
 pub use elimination::Singular;
-pub(crate) use generic_point::{generic_rank, pivots};
+pub(crate) use generic_point::generic_rank;
 
 use crate::Trace;
 use crate::principles::{NotApplicable, Principle};

@@ -37,7 +37,7 @@ mod trace;
 
 pub use agreement::{Agreement, agreement};
 pub use arena::{Function, Number, ScalarId, VectorId};
-pub use elaboration::is_reserved;
+pub use elaboration::{is_reserved, misplaced};
 pub use fault::Fault;
 pub use parts::{
     Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId, Inertia,

@@ -34,6 +34,8 @@ pub struct Parameter {
     pub unit: String,
     /// In SI units; none where it is left open.
     pub value: Option<f64>,
+    /// Where its name stands.
+    pub at: Range<usize>,
 }
 
 /// A coordinate.
@@ -42,6 +44,8 @@ pub struct Coordinate {
     pub name: String,
     pub dimension: Dimension,
     pub unit: String,
+    /// Where its name stands.
+    pub at: Range<usize>,
 }
 
 /// A frame of axes.
@@ -168,6 +172,8 @@ pub struct Input {
     pub unit: String,
     /// An expression of time and state; none where it is left open.
     pub value: Option<ScalarId>,
+    /// Where its name stands.
+    pub at: Range<usize>,
 }
 
 /// The direction in which an expression passes zero.
@@ -233,6 +239,8 @@ pub struct Model {
     pub inputs: Vec<Input>,
     /// Expressions at whose zeros something is chosen anew.
     pub switches: Vec<ScalarId>,
+    /// Where each of them stands first.
+    pub switch_places: Vec<Range<usize>>,
     pub events: Vec<Event>,
     pub start: Vec<StartValue>,
     pub(crate) arena: Arena,

@@ -7,6 +7,7 @@
 
 mod admissible;
 mod compiled_system;
+mod first_motion;
 mod implicit;
 mod modes;
 mod scene;

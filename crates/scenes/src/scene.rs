@@ -2,6 +2,7 @@
 
 use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
+use crate::first_motion::missing;
 use crate::modes::{Modes, Refused};
 use crate::start::{Open, Unmet, consistent};
 use crate::text;
@@ -16,6 +17,7 @@ use integrators::Reference;
 use model::Model;
 use model::equations::Level;
 use std::borrow::Cow;
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -43,10 +45,11 @@ pub fn register() {
 /// All that is wrong with the system, each at its place.
 pub fn read_model(path: &Path) -> Result<Model, SceneError> {
     let text = read_text(path)?;
-    tables(&path.display().to_string(), &text, |top, issues| {
+    let model = tables(&path.display().to_string(), &text, |top, issues| {
         top.known(&["title", "description", "run", "ensemble"]);
         model(top, issues)
-    })
+    });
+    model.map_err(text::with_quoted_primes)
 }
 
 /// The system of a file; what is wrong with it goes into the list.
@@ -69,13 +72,19 @@ impl ModelScene {
     /// # Errors
     /// All that is wrong with it, each at its place.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
-        tables(name, text, |top, issues| {
+        let scene = tables(name, text, |top, issues| {
             let title = top.text("title", "one line that says what happens").value;
             let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
             let description = top.optional_text("description", "what happens and why it is hard");
             let model = model(top, issues).map(Arc::new);
             let names = model.as_deref().map(columns);
-            let run = run::read(top, issues, names.as_deref());
+            let run = match top.has("run") {
+                true => run::read(top, issues, names.as_deref()),
+                false => {
+                    issues.push(without_run(text));
+                    None
+                }
+            };
             let model = model?;
             let bodies = impossible(&model);
             let exist = bodies.is_empty();
@@ -84,15 +93,23 @@ impl ModelScene {
             let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
             let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
             Some(ModelScene { title, description, model, system, start, run: run? })
-        })
+        });
+        scene.map_err(text::with_quoted_primes)
     }
+}
+
+/// The fault of a file that says nothing of its run, where that would stand: at the end.
+fn without_run(text: &str) -> Issue {
+    let end = text.trim_end().len();
+    let issue = Issue::at(end..end, "the table [run] is missing", "the file ends here");
+    issue.accepted("[run] with span = \"10 s\"; `derive` and `prove` need none")
 }
 
 /// The start, completed, and the law that runs from it.
 fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
     let not_compiled = |reason: NotCompiled| {
-        let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
-        issue.accepted("`dalembert derive` writes its equations down without running them")
+        let (place, label, accepted) = place_of(model, &reason);
+        Issue::at(place, format!("this system cannot run: {reason}"), label).accepted(accepted)
     };
     // before the law: what depends on others makes it singular
     let start = consistent(model).map_err(|unmet| match unmet {
@@ -118,25 +135,74 @@ fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
     let modes = Modes::of(model);
     let system = modes.first(&start).map_err(|refused| match refused {
         Refused::Law(reason) => not_compiled(reason),
-        Refused::Motion(why) => {
-            let issue = Issue::at(0..0, format!("this system cannot start: {why}"), "in this file");
+        Refused::Motion { why, switch } => {
+            let place = switch.map_or(0..0, |switch| model.switch_places[switch].clone());
+            let issue = Issue::at(place, format!("this system cannot start: {why}"), "this is at zero at the start");
             issue.accepted(
                 "another start: the conditions of `if`, `sign`, `abs`, `min`, `max` and `table` choose its law",
             )
         }
     })?;
-    Ok((start, system))
+    match missing(model, &system, &start) {
+        Some(issue) => Err(issue),
+        None => Ok((start, system)),
+    }
+}
+
+/// Where a system says why it cannot run, what stands there, and what would be accepted.
+fn place_of(model: &Model, reason: &NotCompiled) -> (Range<usize>, &'static str, &'static str) {
+    let equations = "`dalembert derive` writes its equations down without running them";
+    let coordinate = |name: &str| model.coordinates.iter().find(|one| one.name == name).map(|one| one.at.clone());
+    let (place, label, accepted) = match reason {
+        NotCompiled::Open { what: "parameter", name } => {
+            let place = model.parameters.iter().find(|one| one.name == *name).map(|one| one.at.clone());
+            (place, "a unit alone", "a number with its unit, such as \"2 kg\"; `derive` and `prove` need none")
+        }
+        NotCompiled::Open { name, .. } => {
+            let place = model.inputs.iter().find(|one| one.name == *name).map(|one| one.at.clone());
+            (
+                place,
+                "a unit alone",
+                "u = { unit = \"N\", value = \"(2 N)*sin(t*(3 rad/s))\" }; `derive` and `prove` need none",
+            )
+        }
+        NotCompiled::Tilted { body } => {
+            let place = model.bodies.iter().find(|one| one.name == *body).map(|one| one.at.clone());
+            (place, "this body", "inertia = { axes = \"C\", principal = [\"A\", \"B\", \"C\"] }")
+        }
+        NotCompiled::Massless { coordinate: name } => {
+            (coordinate(name), "this coordinate", "a body that moves with it, or a constraint that determines it")
+        }
+        NotCompiled::NotHeld { switch } => (model.switch_places.get(*switch).cloned(), "this condition", equations),
+        NotCompiled::Redundant { .. } | NotCompiled::TooLong => (None, "in this file", equations),
+    };
+    (place.unwrap_or(0..0), label, accepted)
 }
 
 /// A constraint that the start does not meet.
-fn inconsistent(Open { at, name, residual, level }: &Open) -> Issue {
+fn inconsistent(Open { at, name, residual, moved, level }: &Open) -> Issue {
     let name = if name.is_empty() { "this constraint".to_owned() } else { format!("the constraint `{name}`") };
+    if let [first, ..] = moved.as_slice() {
+        let list = moved.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+        let title = format!("{name} was not met from this start");
+        let label = format!("moving {list} left {residual:.6e}, and not zero");
+        return Issue::at(at.clone(), title, label).accepted(format!(
+            "another guess in [start], such as {} = \"guess ...\" nearer to a position that exists; or other given values",
+            key(first)
+        ));
+    }
     let what = if *level == Level::Position { "the coordinates" } else { "the speeds" };
     let title = format!("{name} does not hold at the start");
     let label = format!("{residual:.6e} by {what} that [start] gives, and not zero");
     Issue::at(at.clone(), title, label).accepted(
         "values in [start] that agree; one that is left out, or written as \"guess 0.3 rad\", is completed so that constraints hold",
     )
+}
+
+/// A name as a key of TOML.
+fn key(name: &str) -> String {
+    let is_bare = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    if is_bare { name.to_owned() } else { format!("\"{name}\"") }
 }
 
 /// Names of a row: coordinates, speeds, outputs, energies.

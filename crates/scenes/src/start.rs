@@ -34,6 +34,8 @@ pub struct Open {
     pub name: String,
     /// The value of what should be zero.
     pub residual: f64,
+    /// Coordinates, or speeds, that were moved to meet it, without success.
+    pub moved: Vec<String>,
     /// Whether it is the constraint of positions, or that of speeds.
     pub level: Level,
 }
@@ -90,7 +92,7 @@ pub fn consistent(model: &Model) -> Result<Vec<f64>, Unmet> {
                 state[order * n + at] -= part;
             }
         }
-        if let Some(open) = constraints.open(&state, level) {
+        if let Some(open) = constraints.open(&state, level, &free, model) {
             return Err(Unmet::Open(open));
         }
     }
@@ -195,12 +197,16 @@ impl Constraints {
         None
     }
 
-    fn open(&self, state: &[f64], level: Option<Level>) -> Option<Open> {
-        let (residuals, _) = self.at(state, level);
+    /// The first constraint that does not hold, with those of the free coordinates, or speeds, that move it.
+    fn open(&self, state: &[f64], level: Option<Level>, free: &[usize], model: &Model) -> Option<Open> {
+        let (residuals, jacobian) = self.at(state, level);
         let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
         let worst = residuals.iter().position(unmet)?;
         let (_, name, at) = &self.known[worst];
         let level = if level.is_some() { Level::Position } else { Level::Speed };
-        Some(Open { at: at.clone(), name: name.clone(), residual: residuals[worst], level })
+        let prime = if level == Level::Speed { "'" } else { "" };
+        let moves = free.iter().filter(|place| jacobian[(worst, **place)] != 0.0);
+        let moved = moves.map(|place| format!("{}{prime}", model.coordinates[*place].name)).collect();
+        Some(Open { at: at.clone(), name: name.clone(), residual: residuals[worst], moved, level })
     }
 }
