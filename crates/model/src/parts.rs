@@ -36,6 +36,8 @@ pub struct Parameter {
     pub written: String,
     /// In SI units; none where it is left open.
     pub value: Option<f64>,
+    /// Where its name stands.
+    pub at: Range<usize>,
 }
 
 /// The parts of a free frame's quaternion.
@@ -50,6 +52,8 @@ pub struct Coordinate {
     pub dimension: Dimension,
     /// The coherent unit, in which values are.
     pub unit: String,
+    /// Where its name stands.
+    pub at: Range<usize>,
 }
 
 /// A frame of axes.
@@ -184,6 +188,8 @@ pub struct Input {
     pub unit: String,
     /// An expression of time and state; none where it is left open.
     pub value: Option<ScalarId>,
+    /// Where its name stands.
+    pub at: Range<usize>,
 }
 
 /// The direction in which an expression passes zero.
@@ -252,6 +258,8 @@ pub struct Model {
     pub inputs: Vec<Input>,
     /// Expressions at whose zeros something is chosen anew.
     pub switches: Vec<ScalarId>,
+    /// Where each of them stands first.
+    pub switch_places: Vec<Range<usize>>,
     pub events: Vec<Event>,
     pub start: Vec<StartValue>,
     /// Where it is said that the start is an equilibrium near these values.

@@ -159,14 +159,6 @@ impl CompiledSystem {
         }
     }
 
-    /// The coordinate whose acceleration is not determined at a state, where there is one.
-    pub fn undetermined(&self, state: &[f64]) -> Option<String> {
-        match &self.rates {
-            Rates::Written(_) => None,
-            Rates::Solved(implicit) => implicit.undetermined(state).map(|free| speed_name(&self.model, free)),
-        }
-    }
-
     /// The outputs at a time and a state.
     pub fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.model.outputs.len() + ENERGIES];

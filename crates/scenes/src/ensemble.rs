@@ -41,13 +41,14 @@ enum Target {
 /// All that is wrong with it, each at its place.
 pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneError> {
     tables(name, text, |top, issues| {
-        let scene = ModelScene::read(top, issues);
+        let scene = ModelScene::read(top, issues, text);
         let known = scene.as_ref().map(variables);
         let example = scene.as_ref().map_or_else(String::new, |scene| example(&scene.model));
         let variation = vary::read(top, issues, known.as_ref().map(|(variables, _)| &variables[..]), &example);
         let (scene, variation, (_, targets)) = (scene?, variation?, known?);
-        let system = ModelEnsemble::of(scene, targets).map_err(|unmet| issues.push(unmet_at(unmet))).ok()?;
-        let not_run = |_| issues.push(refused(&NotCompiled::TooLong));
+        let model = Arc::clone(&scene.model);
+        let system = ModelEnsemble::of(scene, targets).map_err(|unmet| issues.push(unmet_at(&model, unmet))).ok()?;
+        let not_run = |_| issues.push(refused(&model, &NotCompiled::TooLong));
         EnsembleScene::new(Arc::new(system), variation).map_err(not_run).ok()
     })
 }

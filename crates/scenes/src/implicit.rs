@@ -95,12 +95,6 @@ impl Implicit {
         extended
     }
 
-    /// The coordinate whose acceleration is not determined at a state; of one that has no value at all, the first.
-    pub fn undetermined(&self, state: &[f64]) -> Option<usize> {
-        let solved = self.solve(&self.plain, 0.0, state, |_| ());
-        solved.err().map(|free| free.unwrap_or(0))
-    }
-
     /// Shows the accelerations and the negative multipliers, where they are determined.
     fn solve<S: Field>(&self, pool: &Pool<S>, t: S, y: &[S], show: impl FnOnce(&[S])) -> Result<(), Option<usize>> {
         let (n, m) = (self.speeds, self.constraints);

@@ -11,6 +11,7 @@ mod admissible;
 mod compiled_system;
 mod ensemble;
 mod equilibrium;
+mod first_motion;
 mod implicit;
 pub mod inverse;
 mod letters;

@@ -4,6 +4,7 @@ use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES, NotCompiled};
 use crate::ensemble::parse_ensemble;
 use crate::equilibrium::{NoEquilibrium, equilibrium};
+use crate::first_motion::missing;
 use crate::modes::{Modes, Refused};
 use crate::row_units::{coherent, rate_unit};
 use crate::start::{Open, Unmet, consistent};
@@ -19,6 +20,7 @@ use integrators::Reference;
 use model::equations::Level;
 use model::{Model, Source, StartValue};
 use std::borrow::Cow;
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -49,10 +51,11 @@ pub fn register() {
 /// All that is wrong with the system, each at its place.
 pub fn read_model(path: &Path) -> Result<Model, SceneError> {
     let text = read_text(path)?;
-    tables(&path.display().to_string(), &text, |top, issues| {
+    let model = tables(&path.display().to_string(), &text, |top, issues| {
         top.known(&["title", "description", "run", "ensemble"]);
         model(top, issues).map(|(model, _)| model)
-    })
+    });
+    model.map_err(text::with_quoted_primes)
 }
 
 /// The system of a file with its source; what is wrong with it goes into the list.
@@ -75,21 +78,28 @@ impl ModelScene {
     /// # Errors
     /// All that is wrong with it, each at its place.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
-        tables(name, text, |top, issues| {
+        let scene = tables(name, text, |top, issues| {
             // members are read by `parse_ensemble`
             top.known(&["ensemble"]);
-            ModelScene::read(top, issues)
-        })
+            ModelScene::read(top, issues, text)
+        });
+        scene.map_err(text::with_quoted_primes)
     }
 
     /// Reads the tables of a file; what is wrong goes into the list.
-    pub(crate) fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
+    pub(crate) fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str) -> Option<Self> {
         let title = top.text("title", "one line that says what happens").value;
         let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
         let description = top.optional_text("description", "what happens and why it is hard");
         let model = model(top, issues).map(|(model, _)| Arc::new(model));
         let names = model.as_deref().map(columns);
-        let run = run::read(top, issues, names.as_deref());
+        let run = match top.has("run") {
+            true => run::read(top, issues, names.as_deref()),
+            false => {
+                issues.push(without_run(text));
+                None
+            }
+        };
         let model = model?;
         let bodies = impossible(&model);
         let exist = bodies.is_empty();
@@ -102,9 +112,16 @@ impl ModelScene {
 }
 
 /// A system that has no law.
-pub(crate) fn refused(reason: &NotCompiled) -> Issue {
-    let issue = Issue::at(0..0, format!("this system cannot run: {reason}"), "in this file");
-    issue.accepted("`dalembert derive` writes its equations down without running them")
+pub(crate) fn refused(model: &Model, reason: &NotCompiled) -> Issue {
+    let (place, label, accepted) = place_of(model, reason);
+    Issue::at(place, format!("this system cannot run: {reason}"), label).accepted(accepted)
+}
+
+/// The fault of a file that says nothing of its run, where that would stand: at the end.
+fn without_run(text: &str) -> Issue {
+    let end = text.trim_end().len();
+    let issue = Issue::at(end..end, "the table [run] is missing", "the file ends here");
+    issue.accepted("[run] with span = \"10 s\"; `derive` and `prove` need none")
 }
 
 /// The start, completed, and the law that runs from it.
@@ -112,15 +129,19 @@ fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
     // before the law: what depends on others makes it singular
     let start = start_of(model)?;
     let system = Modes::of(model).first(&start).map_err(|why| match why {
-        Refused::Law(reason) => refused(&reason),
-        Refused::Motion(why) => {
-            let issue = Issue::at(0..0, format!("this system cannot start: {why}"), "in this file");
+        Refused::Law(reason) => refused(model, &reason),
+        Refused::Motion { why, switch } => {
+            let place = switch.map_or(0..0, |switch| model.switch_places[switch].clone());
+            let issue = Issue::at(place, format!("this system cannot start: {why}"), "this is at zero at the start");
             issue.accepted(
                 "another start: the conditions of `if`, `sign`, `abs`, `min`, `max` and `table` choose its law",
             )
         }
     })?;
-    Ok((start, system))
+    match missing(model, &system, &start) {
+        Some(issue) => Err(issue),
+        None => Ok((start, system)),
+    }
 }
 
 /// The state at time zero: as the file gives it, completed so that constraints hold; or an equilibrium, where it asks for one.
@@ -132,11 +153,11 @@ pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
         None => consistent(model),
         Some(_) => consistent(&at_rest(model, false)?),
     };
-    completed.map_err(unmet_at)
+    completed.map_err(|unmet| unmet_at(model, unmet))
 }
 
 /// What a start does not meet, at its place.
-pub(crate) fn unmet_at(unmet: Unmet) -> Issue {
+pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     match unmet {
         Unmet::Open(open) => inconsistent(&open),
         Unmet::Redundant { at, .. } => {
@@ -155,7 +176,7 @@ pub(crate) fn unmet_at(unmet: Unmet) -> Issue {
             let issue = Issue::at(at, "a constraint that changes at a condition is not there yet", "this one");
             issue.accepted("constraints without `if`, `sign`, `abs`, `min`, `max` and `table`")
         }
-        Unmet::NotCompiled(reason) => refused(&reason),
+        Unmet::NotCompiled(reason) => refused(model, &reason),
     }
 }
 
@@ -172,7 +193,7 @@ fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
     let found = equilibrium(model, all).map_err(|why| {
         let at = model.equilibrium.clone().unwrap_or_default();
         match why {
-            NoEquilibrium::NotCompiled(reason) => refused(&reason),
+            NoEquilibrium::NotCompiled(reason) => refused(model, &reason),
             NoEquilibrium::Moves { speed } => {
                 let issue = Issue::at(at, "an equilibrium has no speeds", format!("{speed} is not zero"));
                 issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted")
@@ -184,7 +205,7 @@ fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
             }
         }
     })?;
-    let n = model.coordinates.len();
+    let n = model.positions();
     let value =
         |(place, &value): (usize, &f64)| StartValue { coordinate: place % n, order: place / n, value, is_guess: false };
     let mut rested = model.clone();
@@ -192,8 +213,50 @@ fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
     Ok(rested)
 }
 
+/// Where a system says why it cannot run, what stands there, and what would be accepted.
+fn place_of(model: &Model, reason: &NotCompiled) -> (Range<usize>, &'static str, &'static str) {
+    let equations = "`dalembert derive` writes its equations down without running them";
+    let coordinate = |name: &str| model.coordinates.iter().find(|one| one.name == name).map(|one| one.at.clone());
+    let (place, label, accepted) = match reason {
+        NotCompiled::Open { what: "parameter", name } => {
+            let place = model.parameters.iter().find(|one| one.name == *name).map(|one| one.at.clone());
+            (place, "a unit alone", "a number with its unit, such as \"2 kg\"; `derive` and `prove` need none")
+        }
+        NotCompiled::Open { name, .. } => {
+            let place = model.inputs.iter().find(|one| one.name == *name).map(|one| one.at.clone());
+            (
+                place,
+                "a unit alone",
+                "u = { unit = \"N\", value = \"(2 N)*sin(t*(3 rad/s))\" }; `derive` and `prove` need none",
+            )
+        }
+        NotCompiled::Tilted { body } => {
+            let place = model.bodies.iter().find(|one| one.name == *body).map(|one| one.at.clone());
+            (place, "this body", "inertia = { axes = \"C\", principal = [\"A\", \"B\", \"C\"] }")
+        }
+        NotCompiled::Massless { coordinate: name } => {
+            (coordinate(name), "this coordinate", "a body that moves with it, or a constraint that determines it")
+        }
+        NotCompiled::NotHeld { switch } => (model.switch_places.get(*switch).cloned(), "this condition", equations),
+        _ => (None, "in this file", equations),
+    };
+    (place.unwrap_or(0..0), label, accepted)
+}
+
 /// A constraint that the start does not meet.
-fn inconsistent(Open { at, name, residual, level }: &Open) -> Issue {
+fn inconsistent(Open { at, name, residual, moved, level }: &Open) -> Issue {
+    if let [first, ..] = moved.as_slice() {
+        let list = moved.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+        let title = format!("{name} was not met from this start");
+        let label = match residual {
+            Some(residual) => format!("moving {list} left {residual:.6e}, and not zero"),
+            None => format!("moving {list} led to where it has no value"),
+        };
+        return Issue::at(at.clone(), title, label).accepted(format!(
+            "another guess in [start], such as {} = \"guess ...\" nearer to a position that exists; or other given values",
+            key(first)
+        ));
+    }
     let what = if *level == Level::Position { "the coordinates" } else { "the speeds" };
     let title = format!("{name} does not hold at the start");
     let label = match residual {
@@ -203,6 +266,12 @@ fn inconsistent(Open { at, name, residual, level }: &Open) -> Issue {
     Issue::at(at.clone(), title, label).accepted(
         "values in [start] that agree; one that is left out, or written as \"guess 0.3 rad\", is completed so that constraints hold",
     )
+}
+
+/// A name as a key of TOML.
+fn key(name: &str) -> String {
+    let is_bare = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    if is_bare { name.to_owned() } else { format!("\"{name}\"") }
 }
 
 /// Names of a row: coordinates, speeds, outputs, energies.

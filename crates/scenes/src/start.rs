@@ -35,6 +35,8 @@ pub struct Open {
     pub name: String,
     /// The value of what should be zero; none where it has no value.
     pub residual: Option<f64>,
+    /// Coordinates, or speeds, that were moved to meet it, without success.
+    pub moved: Vec<String>,
     /// Whether it is the constraint of positions, or that of speeds.
     pub level: Level,
 }
@@ -67,6 +69,8 @@ struct Constraints {
     /// So many stand first; the others are led to zero, and may start elsewhere.
     kept: usize,
     layout: Layout,
+    /// Of coordinates and speeds, in the order of a state.
+    names: Vec<String>,
 }
 
 /// The start of a model whose parameters have values.
@@ -190,7 +194,7 @@ impl StartSolver {
                     layout.displace(&mut state, (at, order), -part);
                 }
             }
-            if let Some(open) = constraints.open(&state, parameters, level) {
+            if let Some(open) = constraints.open(&state, parameters, level, &free) {
                 return Err(Unmet::Open(open));
             }
         }
@@ -243,7 +247,9 @@ impl Constraints {
                 .map_err(|reason| Unmet::NotCompiled(NotCompiled::Undefined { reason: reason.to_string() }))?
                 .arranged();
             let known: Vec<_> = all.into_iter().map(|Equation { level, name, at, .. }| (level, name, at)).collect();
-            Ok((!known.is_empty()).then_some(Constraints { tape, known, kept, layout: Layout::of(model) }))
+            let names = model.state_names().into_iter().map(|(name, _)| name).collect();
+            let layout = Layout::of(model);
+            Ok((!known.is_empty()).then_some(Constraints { tape, known, kept, layout, names }))
         })
     }
 
@@ -290,14 +296,18 @@ impl Constraints {
         None
     }
 
-    fn open(&self, state: &[f64], parameters: &[f64], level: Option<Level>) -> Option<Open> {
-        let (residuals, _) = self.at(state, parameters, level);
+    /// The first constraint that does not hold, with those of the free coordinates, or speeds, that move it.
+    fn open(&self, state: &[f64], parameters: &[f64], level: Option<Level>, free: &[usize]) -> Option<Open> {
+        let (residuals, jacobian) = self.at(state, parameters, level);
         let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
         let worst = residuals.iter().position(unmet)?;
         let (_, name, at) = &self.known[worst];
         let level = if level.is_some() { Level::Position } else { Level::Speed };
         let residual = residuals[worst].is_finite().then_some(residuals[worst]);
-        Some(Open { at: at.clone(), name: called(name), residual, level })
+        let order = usize::from(level == Level::Speed);
+        let moves = free.iter().filter(|speed| jacobian[(worst, **speed)] != 0.0);
+        let moved = moves.map(|speed| self.names[self.layout.places(*speed, order).start].clone()).collect();
+        Some(Open { at: at.clone(), name: called(name), residual, moved, level })
     }
 }
 

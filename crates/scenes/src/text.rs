@@ -1,7 +1,7 @@
 //! The tables of a file as a system: keys, texts and their places.
 
-use derivations::scene::Issue;
 use derivations::scene::read::{At, Table};
+use derivations::scene::{Issue, SceneError};
 use model::{
     BodySource, ConstraintSource, Entry, EventSource, Fault, InertiaSource, InputSource, LoadSource, Source, Text,
 };
@@ -83,12 +83,53 @@ fn entries(top: &mut Table<'_>, name: &str) -> Vec<Entry> {
 fn entries_of(table: &mut Table<'_>, name: &str, keys: Vec<At<String>>) -> Vec<Entry> {
     let mut entries = Vec::new();
     for key in keys {
-        if let Some(value) = table.written(&key.value, &format!("`{}` in [{name}]", key.value)) {
+        if holds_more(table, &key.value)
+            && let Some(fault) = model::misplaced(&key_text(&key), name)
+        {
+            table.report(issue(fault));
+        } else if let Some(value) = table.written(&key.value, &format!("`{}` in [{name}]", key.value)) {
             let value = placed(table, &value);
             entries.push(Entry { name: key_text(&key), value });
         }
     }
     entries
+}
+
+/// Whether a key holds a list or a table, as some keys of bodies, forces, constraints and events do.
+fn holds_more(table: &mut Table<'_>, key: &str) -> bool {
+    match key {
+        "between" | "zero" => {
+            let (place, texts) = (table.place_of(key), table.text_or_texts(key, "text"));
+            texts.first().is_some_and(|text| Some(&text.span) != place.as_ref())
+        }
+        _ => table.is_table(key),
+    }
+}
+
+/// Adds to a fault of TOML that a key with a prime stands in quotes, where one stands there without.
+pub fn with_quoted_primes(mut error: SceneError) -> SceneError {
+    let SceneError { text, issues, .. } = &mut error;
+    for issue in issues.iter_mut().filter(|issue| issue.help.is_none()) {
+        let Some(place) = issue.span.as_ref().map(|span| span.start.min(text.len())) else { continue };
+        let begin = text.as_bytes()[..place].iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+        let line = text.get(begin..).and_then(|rest| rest.lines().next()).unwrap_or("");
+        let help = match primed_key(line) {
+            Some(key) => format!("a key with a prime stands in quotes: \"{key}\" = ..."),
+            None => "keys, tables and texts as TOML has them: key = \"text\", [table], [[list of tables]]".to_owned(),
+        };
+        issue.help = Some(help);
+    }
+    error
+}
+
+/// A name with a prime that stands before `=` without quotes.
+fn primed_key(line: &str) -> Option<&str> {
+    line.split('=').rev().skip(1).find_map(|before| {
+        let before = before.trim_end();
+        let name = before.rsplit(|c: char| !(c.is_alphanumeric() || matches!(c, '_' | '\'' | '′'))).next()?;
+        let is_primed = name.ends_with(['\'', '′']) && name.starts_with(char::is_alphabetic);
+        is_primed.then_some(name)
+    })
 }
 
 fn bodies(top: &mut Table<'_>) -> Vec<BodySource> {

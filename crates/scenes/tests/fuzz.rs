@@ -1,8 +1,98 @@
-//! Files that nobody meant: whatever stands in them, they are read or refused with a message at a place, and nothing panics.
+//! Files that nobody meant: whatever stands in them, they are read or refused with a message at a place, what is read runs or says why
+//! it stops, and nothing panics or takes long.
+//!
+//! `FUZZ_ROUNDS=100000 cargo test --test fuzz -- --nocapture` tries more of them, and prints the resident memory every 10,000.
 
+use derivations::scene::{Choice, Smooth};
 use scenes::{ModelScene, parse_ensemble};
+use std::time::{Duration, Instant};
 
-const TEXTS: [&str; 5] = [
+/// A little of everything that the language has.
+const EVERYTHING: &str = r#"
+title = "Everything"
+gravity = "-g*N.y"
+
+[parameters]
+m = "2 kg"
+l = "0.5 m"
+F = "3 N"
+g = "9.81 m/s^2"
+
+[coordinates]
+x = "m"
+theta = "rad"
+
+[definitions]
+reach = "l*sin(theta) + l*tanh(theta)*exp(-theta^2)"
+
+[frames]
+A = "N turned theta about z"
+
+[points]
+C = "O + x*N.x"
+P = "C - l*A.y"
+
+[bodies.cart]
+centre = "C"
+mass = "m"
+
+[bodies.rod]
+frame = "A"
+centre = "P"
+mass = "m"
+inertia = "m*l^2/12"
+
+[inputs]
+u = { unit = "N", value = "if(t < (0.1 s), F, 0) + F*table(t, (0 s), 0, (1 s), 1)" }
+
+[[force]]
+on = "cart"
+is = "(u - F/10*sign(x'))*N.x"
+
+[[force]]
+between = ["ground at O + (2 m)*N.y", "rod"]
+is = "-F*min(distance(P, O + (2 m)*N.y)/l, 2)"
+
+[[torque]]
+between = ["ground", "rod"]
+is = "-(0.1 N m s)*theta'*N.z"
+
+[energies]
+potential = "F*l*abs(x/l)"
+
+[[constraint]]
+name = "led"
+zero = "theta - atan2(x, l)"
+programmed = { gains = ["(2 1/s)", "(1 1/s^2)"] }
+
+[[event]]
+name = "wall"
+when = "x - (0.1 m)"
+direction = "up"
+set = { "x'" = "-0.5*x'" }
+
+[[event]]
+when = "x + l"
+end = true
+
+[outputs]
+width = "max(reach, ln(1 + (x/l)^2)*l)"
+led = "reaction(led)"
+height = "(P - O) . N.y"
+
+[start]
+theta = "0.3 rad"
+x = "guess 0.01 m"
+
+[run]
+span = "0.3 s"
+samples = 5
+"#;
+
+const TEXTS: [&str; 8] = [
+    EVERYTHING,
+    include_str!("../../../scenes/models/bouncing_ball.toml"),
+    include_str!("../../../scenes/models/dry_friction.toml"),
     include_str!("../../../scenes/models/double_pendulum.toml"),
     include_str!("../../../scenes/models/rolling_disc.toml"),
     include_str!("../../../scenes/models/slider_crank.toml"),
@@ -11,7 +101,7 @@ const TEXTS: [&str; 5] = [
 ];
 
 /// Pieces that take the place of a part of a text.
-const PIECES: [&str; 48] = [
+const PIECES: [&str; 78] = [
     "0",
     "-1",
     "1e300",
@@ -60,6 +150,36 @@ const PIECES: [&str; 48] = [
     "é",
     "\u{0}",
     "zero = \"0\"\n",
+    "if(",
+    "if(t < (1 s), ",
+    " < ",
+    " >= ",
+    ", ",
+    "sign(",
+    "abs(",
+    "min(",
+    "max(",
+    "table(t, (0 s), 0, (1 s), 1)",
+    "exp(",
+    "ln(",
+    "tanh(",
+    "acos(",
+    "atan2(",
+    "reaction(led)",
+    "joint_force(rod)",
+    "unit(",
+    "N.x",
+    "angular_velocity(A)",
+    "[[event]]\nwhen = \"x\"\nend = true\n",
+    "[[event]]\nwhen = \"t - (0.1 s)\"\nset = { \"x'\" = \"0\" }\n",
+    "direction = \"down\"\n",
+    "set = { x = \"0\" }\n",
+    "[inputs]\nv = { unit = \"N\", value = \"t*(1 N/s)\" }\n",
+    "[[force]]\nbetween = [\"ground at O\", \"P\"]\nis = \"(1 N)\"\n",
+    "[[torque]]\non = \"A\"\nis = \"(1 N m)*N.z\"\n",
+    "[[constraint]]\nzero = \"theta\"\n",
+    "programmed = { gains = [\"(1 1/s)\"] }\n",
+    "[energies]\nkinetic = \"(1 kg)*x'^2\"\n",
 ];
 
 /// Numbers that are drawn the same way each time.
@@ -105,29 +225,50 @@ fn changed(text: &str, drawn: &mut Drawn) -> String {
     text
 }
 
+/// Pages of the process that are in memory, in MB; none where nobody counts them.
+fn resident() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmRSS"))?;
+    line.split_whitespace().nth(1)?.parse::<f64>().ok().map(|kilobytes| kilobytes / 1024.0)
+}
+
+/// The longest that one file may take, from text to the end of a run that is given a tenth of a second.
+const LONGEST: Duration = Duration::from_secs(5);
+
 #[test]
 fn whatever_stands_in_a_file_it_is_read_or_refused_with_reasons() {
+    let rounds = std::env::var("FUZZ_ROUNDS").ok().and_then(|rounds| rounds.parse().ok()).unwrap_or(4_000);
     let mut drawn = Drawn(36);
-    let (mut read, mut refused) = (0, 0);
-    for round in 0..4_000 {
+    let (mut read, mut refused, mut longest) = (0, 0, Duration::ZERO);
+    for round in 0..rounds {
+        if round % 10_000 == 0 && rounds > 10_000 {
+            println!("{round}: {:?} MB, {read} read, {refused} refused, longest {longest:?}", resident());
+        }
         let text = changed(TEXTS[round % TEXTS.len()], &mut drawn);
+        let begin = Instant::now();
         match ModelScene::parse("scene.toml", &text) {
             Ok(scene) => {
                 read += 1;
                 assert!(scene.start.iter().all(|number| number.is_finite()), "{text}");
+                let choice = Choice { samples: 4, allowed: Duration::from_millis(100), ..scene.run().choice() };
+                let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
+                assert!(trajectory.outcome.state.iter().all(|number| number.is_finite()), "{text}");
             }
             Err(error) => {
                 refused += 1;
                 assert!(!error.issues.is_empty() && !error.to_string().is_empty(), "{text}");
             }
         }
+        longest = longest.max(begin.elapsed());
+        assert!(begin.elapsed() < LONGEST, "{:?}\n{text}", begin.elapsed());
     }
+    println!("{rounds}: {:?} MB, {read} read, {refused} refused, longest {longest:?}", resident());
     assert!(read > 200 && refused > 200, "{read} {refused}");
 }
 
 #[test]
 fn whatever_varies_a_member_starts_or_says_why() {
-    let text = TEXTS[2].to_owned()
+    let text = include_str!("../../../scenes/models/slider_crank.toml").to_owned()
         + "\n[ensemble]\nmembers = 4\n[ensemble.vary]\nparameters.l = { from = \"0.1 m\", to = \"0.4 m\" }\n\
         start.theta = { mean = \"0 rad\", deviation = \"1 rad\" }\nstart.\"phi'\" = { values = \"1 2 3 4 rad/s\" }\n";
     let sound = with_guess(&text);

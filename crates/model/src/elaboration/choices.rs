@@ -27,14 +27,15 @@ impl Elaborator<'_> {
             Relation::Greater | Relation::GreaterOrEqual => (b, a),
         };
         let difference = self.scalar(Scalar::Difference(more, less), dimension);
-        Ok(self.switch(difference))
+        Ok(self.switch(difference, span))
     }
 
     /// 1 where an expression is positive, 0 where it is negative.
-    fn switch(&mut self, positive: ScalarId) -> ScalarId {
+    fn switch(&mut self, positive: ScalarId, span: &Range<usize>) -> ScalarId {
         let known = self.model.switches.iter().position(|known| *known == positive);
         let switch = known.unwrap_or_else(|| {
             self.model.switches.push(positive);
+            self.model.switch_places.push(span.clone());
             self.model.switches.len() - 1
         });
         self.scalar(Scalar::Switch(switch), Some(Dimension::none()))
@@ -66,7 +67,7 @@ impl Elaborator<'_> {
     /// `sign(a)` = 2 s - 1, `abs(a)` = (2 s - 1) a.
     pub(super) fn sign(&mut self, span: &Range<usize>, of: Value, absolute: bool) -> Sound<Value> {
         let of = self.as_scalar(span, "the argument", of)?;
-        let switch = self.switch(of);
+        let switch = self.switch(of, span);
         let (one, two) = (self.whole(1.0), self.whole(2.0));
         let none = Some(Dimension::none());
         let double = self.scalar(Scalar::Product(two, switch), none);
@@ -84,7 +85,7 @@ impl Elaborator<'_> {
         let dimension = self.common(span, a.0, b.0)?;
         let (small, large) = if least { (a, b) } else { (b, a) };
         let difference = self.scalar(Scalar::Difference(large, small), dimension);
-        let switch = self.switch(difference);
+        let switch = self.switch(difference, span);
         Ok(Value::Scalar(self.chosen(switch, a, b, dimension)))
     }
 
@@ -118,7 +119,7 @@ impl Elaborator<'_> {
             .iter()
             .map(|[x, _]| {
                 let past = self.scalar(Scalar::Difference(at, *x), along);
-                let switch = self.switch(past);
+                let switch = self.switch(past, span);
                 self.scalar(Scalar::Product(switch, past), along)
             })
             .collect();

@@ -92,7 +92,18 @@ impl Elaborator<'_> {
             Form::Difference(a, b) => self.difference(span, operand(a)?, operand(b)?)?,
             Form::Product(a, b) => self.product(span, operand(a)?, operand(b)?)?,
             Form::Quotient(a, b) => self.quotient(span, operand(a)?, operand(b)?)?,
-            Form::Dot(a, b) => self.dot(span, operand(a)?, operand(b)?)?,
+            Form::Dot(a, b) => {
+                let both = [(a, operand(a)?), (b, operand(b)?)];
+                if both.iter().any(|(_, value)| matches!(value, Value::Point { .. })) {
+                    let [left, right] = both.map(|(part, value)| match value {
+                        Value::Point { .. } => format!("({} - O)", &text.text[spans[*part].clone()]),
+                        _ => text.text[spans[*part].clone()].to_owned(),
+                    });
+                    let accepted = format!("point minus point is a vector: `{left} . {right}`");
+                    return Err(Box::new(Fault::at(span.clone(), "a point is no vector", "a point", accepted)));
+                }
+                self.dot(span, both[0].1, both[1].1)?
+            }
             Form::Power(a, exponent) => self.power(span, operand(a)?, *exponent)?,
             Form::Call { function, arguments } => self.call(text, span, function, arguments, known)?,
             Form::Comparison(relation, a, b) => {
@@ -144,6 +155,10 @@ impl Elaborator<'_> {
                 "no coordinate",
                 format!("rate({base}) is the rate of any scalar"),
             ))),
+            (None, _) if matches!(name, "pi" | "PI" | "Pi" | "π") => {
+                let title = format!("no letter is called `{name}`");
+                Err(Box::new(Fault::at(span.clone(), title, "not known", "half a turn is (180 deg)")))
+            }
             (None, _) => {
                 let rates = self.model.coordinates.iter().map(|coordinate| coordinate.name.as_str());
                 let known: Vec<&str> = self.names.keys().map(String::as_str).chain(rates).collect();
@@ -316,7 +331,8 @@ impl Elaborator<'_> {
             return Err(no_operation(span, "raised to a power", &[a]));
         };
         if !matches!(exponent.denominator, 1 | 2) {
-            return Err(not_yet(span, "an exponent that is no multiple of 1/2"));
+            let accepted = "whole exponents and halves, x^(3/2); of a positive number x also exp(ln(x)/3)";
+            return Err(not_yet(span, "an exponent that is no multiple of 1/2", accepted));
         }
         if self.bits[a.0].is_some_and(|bits| bits.saturating_mul(exponent.numerator.unsigned_abs().into()) > MOST_BITS)
         {
@@ -359,11 +375,32 @@ fn constraint_names(expression: &Expression) -> Vec<usize> {
 
 pub(super) fn no_operation(span: &Range<usize>, done: &str, values: &[Value]) -> Box<Fault> {
     let found = values.iter().map(Value::describe).collect::<Vec<_>>().join(" and ");
-    let accepted = "scalars, vectors, and a point with a vector or a point";
+    let accepted = if values.iter().any(|value| matches!(value, Value::Frame(_))) {
+        "a frame is no operand; its axes are vectors: A.x, A.y, A.z"
+    } else {
+        operands(done)
+    };
     Box::new(Fault::at(span.clone(), format!("{found} cannot be {done}"), found, accepted))
 }
 
-pub(super) fn not_yet(span: &Range<usize>, what: &str) -> Box<Fault> {
-    let title = format!("{what} is not there yet");
-    Box::new(Fault::at(span.clone(), title, "not there yet", "sums, products, quotients, powers, sin, cos, tan, sqrt"))
+/// The operands that an operation has.
+fn operands(done: &str) -> &'static str {
+    match done {
+        "added" => "scalar + scalar, vector + vector, point + vector",
+        "subtracted" => "scalar - scalar, vector - vector, point - vector; point - point is a vector",
+        "negated" => "-scalar, -vector",
+        "multiplied" => {
+            "scalar*scalar, scalar*vector; of two vectors a . b or cross(a, b); (P - O) is the vector of a point P"
+        }
+        "divided" => "scalar/scalar, vector/scalar",
+        "multiplied as vectors" => "two vectors: a . b, dot(a, b), cross(a, b)",
+        "raised to a power" => "a scalar; of a vector v . v is the square",
+        "measured apart" => "distance(P, Q) of two points",
+        "measured" => "norm(v) and unit(v) of a vector, distance(P, Q) of two points, abs(x) of a scalar",
+        _ => "two scalars",
+    }
+}
+
+pub(super) fn not_yet(span: &Range<usize>, what: &str, accepted: &str) -> Box<Fault> {
+    Box::new(Fault::at(span.clone(), format!("{what} is not there yet"), "not there yet", accepted))
 }

@@ -167,7 +167,11 @@ impl Elaborator<'_> {
                     _ => Err(Box::new(Fault::at(span.clone(), "a body has a joint", "here", usage(function)))),
                 }
             }
-            later if LATER.contains(&later) => Err(not_yet(span, &format!("the function `{later}`"))),
+            later if LATER.contains(&later) => Err(not_yet(
+                span,
+                &format!("the function `{later}`"),
+                "rate(angular_velocity(B)) is the angular acceleration",
+            )),
             other => Err(Box::new(unknown(
                 &self.broken,
                 span.clone(),

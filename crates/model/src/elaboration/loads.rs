@@ -1,16 +1,15 @@
-//! Forces, torques, energies, constraints, outputs, and the start.
+//! Gravity, energies, constraints, outputs, and the start; forces and torques stand in `forces`.
 
 use super::value::Value;
 use super::{Elaborator, Sound, mismatch};
 use crate::parts::TURNING;
 use crate::{
-    Constraint, ConstraintSource, Entry, Fault, Force, GeneralisedForce, LoadSource, Output, ScalarId, StartValue,
-    Text, Torque, Zero,
+    Constraint, ConstraintSource, Entry, Fault, GeneralisedForce, LoadSource, Output, ScalarId, StartValue, Text, Zero,
 };
 use field::Rational;
 use symbolic::Dimension;
 
-fn newton() -> Dimension {
+pub(super) fn newton() -> Dimension {
     Dimension::mass() * Dimension::length() / Dimension::time().power(Rational::new(2, 1))
 }
 
@@ -27,6 +26,7 @@ impl Elaborator<'_> {
         }
         for energy in &self.source.energies {
             let found = self.energy(energy);
+            let found = self.under("energies", &energy.name, found);
             self.kept(found);
         }
         for force in &self.source.forces {
@@ -55,6 +55,7 @@ impl Elaborator<'_> {
         self.shows_loads = true;
         for output in &self.source.outputs {
             let found = self.output(output);
+            let found = self.under("outputs", &output.name, found);
             self.kept(found);
         }
         self.shows_loads = false;
@@ -85,22 +86,6 @@ impl Elaborator<'_> {
         Ok(())
     }
 
-    /// `on` or `between`, one of them.
-    fn places<'a>(&self, load: &'a LoadSource, kind: &str) -> Sound<Result<&'a Text, &'a [Text; 2]>> {
-        let fault = |title: String, label: &str| {
-            let accepted = format!("on = \"disc at P\", or between = [\"a at P\", \"b at Q\"], in [[{kind}]]");
-            Err(Box::new(Fault::at(load.at.clone(), title, label, accepted)))
-        };
-        match (&load.on, &load.between) {
-            (Some(on), None) => Ok(Ok(on)),
-            (None, Some(between)) => Ok(Err(between)),
-            (None, None) => fault(format!("a {kind} acts on something"), "neither `on` nor `between`"),
-            (Some(_), Some(_)) => {
-                fault(format!("a {kind} acts on one thing or between two"), "both `on` and `between`")
-            }
-        }
-    }
-
     /// `along = "theta"`: power per rate of the coordinate.
     fn generalised(&mut self, along: &Text, load: &LoadSource) -> Sound<GeneralisedForce> {
         if load.on.is_some() || load.between.is_some() {
@@ -125,35 +110,6 @@ impl Elaborator<'_> {
         let needed = joule() / self.dimension_of_state(speed, 0);
         let what = format!("the generalised force along `{}`", along.text);
         Ok(GeneralisedForce { speed, is: self.scalar_value(&load.is, &what, Some(needed))? })
-    }
-
-    fn force(&mut self, load: &LoadSource) -> Sound<Force> {
-        match self.places(load, "force")? {
-            Ok(on) => {
-                let at = self.material(on)?;
-                Ok(Force::On { at, is: self.vector_value(&load.is, "the force on a point", Some(newton()))? })
-            }
-            Err([first, second]) => {
-                let points = [self.material(first)?, self.material(second)?];
-                Ok(Force::Between {
-                    points,
-                    is: self.scalar_value(&load.is, "the force between two points", Some(newton()))?,
-                })
-            }
-        }
-    }
-
-    fn torque(&mut self, load: &LoadSource) -> Sound<Torque> {
-        match self.places(load, "torque")? {
-            Ok(on) => {
-                let frame = self.frame(on)?;
-                Ok(Torque::On { frame, is: self.vector_value(&load.is, "a torque", Some(joule()))? })
-            }
-            Err([first, second]) => {
-                let frames = [self.frame(first)?, self.frame(second)?];
-                Ok(Torque::Between { frames, is: self.vector_value(&load.is, "a torque", Some(joule()))? })
-            }
-        }
     }
 
     fn constraint(&mut self, constraint: &ConstraintSource) -> Sound<()> {
@@ -199,6 +155,7 @@ impl Elaborator<'_> {
                 Some(number) => self.orientation(number, entry),
                 None => self.start_value(entry).map(|start| vec![start]),
             };
+            let found = self.under("start", &entry.name, found);
             let found = self.kept(found).unwrap_or_default();
             self.model.start.extend(found);
         }

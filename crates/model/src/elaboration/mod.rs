@@ -4,7 +4,9 @@ mod choices;
 mod elementary;
 mod events;
 mod expressions;
+mod forces;
 mod functions;
+mod headings;
 mod loads;
 mod order;
 mod orientation;
@@ -14,11 +16,13 @@ mod value;
 
 use crate::arena::{Arena, Scalar, Vector};
 use crate::expression::{Expression, read};
-use crate::{BodyId, Fault, Frame, FrameId, Material, Model, Point, PointId, ScalarId, Source, Text, VectorId};
+use crate::{BodyId, Fault, Frame, FrameId, Model, Point, PointId, ScalarId, Source, Text, VectorId};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use symbolic::Dimension;
 use value::Value;
+
+pub use headings::misplaced;
 
 /// Names that have a meaning of their own.
 const RESERVED: [&str; 5] = ["t", "pi", "N", "O", "ground"];
@@ -43,13 +47,13 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     elaborator.events();
     elaborator.start();
     elaborator.model.equilibrium.clone_from(&source.equilibrium);
-    match elaborator.faults.is_empty() {
-        true => Ok(elaborator.model),
-        false => {
-            elaborator.faults.sort_by_key(|fault| fault.span.start);
-            Err(elaborator.faults)
-        }
+    let Elaborator { model, mut faults, headless, .. } = elaborator;
+    // what stands under a wrong heading is missing elsewhere: these faults explain others
+    if !headless.is_empty() {
+        faults = headless.into_iter().map(|(_, fault)| fault).collect();
     }
+    faults.sort_by_key(|fault| fault.span.start);
+    if faults.is_empty() { Ok(model) } else { Err(faults) }
 }
 
 /// The meaning of a name of the system.
@@ -75,6 +79,8 @@ struct Elaborator<'s> {
     /// Names whose definition is wrong: nothing more is said of them.
     broken: FxHashSet<String>,
     faults: Vec<Fault>,
+    /// Tables with keys of another one, whose heading is missing.
+    headless: Vec<(String, Fault)>,
 }
 
 impl<'s> Elaborator<'s> {
@@ -91,6 +97,7 @@ impl<'s> Elaborator<'s> {
             shows_loads: false,
             broken: FxHashSet::default(),
             faults: Vec::new(),
+            headless: Vec::new(),
         };
         let time = made.scalar(Scalar::Time, Some(Dimension::time()));
         made.names.insert("t".to_owned(), Named::Value(Value::Scalar(time)));
@@ -234,24 +241,6 @@ impl<'s> Elaborator<'s> {
                 format!("an expression of the dimension {needed}"),
             ))),
             _ => Ok(()),
-        }
-    }
-
-    /// A point of a body, or one that moves by itself: `disc at G`, `P`, or a body's centre of mass by the body alone.
-    fn material(&mut self, text: &Text) -> Sound<Material> {
-        if let Some((body, point)) = text.text.split_once(" at ") {
-            let start = text.text.len() - point.len();
-            let body = self.body(&text.slice(0..body.trim_end().len()))?;
-            let point = self.point(&text.slice(start..text.text.len()))?;
-            return Ok(Material { body: Some(body), point });
-        }
-        if let Some(Named::Body(body)) = self.names.get(text.text.trim()) {
-            let body = *body;
-            return Ok(Material { body: Some(body), point: self.centre(body, &text.span())? });
-        }
-        match self.value(text)? {
-            Value::Point { base, way } => Ok(Material { body: None, point: self.point_of(base, way) }),
-            other => Err(mismatch(&text.span(), "what a force acts on", "a point, or a body at a point,", &other)),
         }
     }
 

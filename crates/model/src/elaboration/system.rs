@@ -15,6 +15,7 @@ impl Elaborator<'_> {
     pub(super) fn letters(&mut self) {
         for entry in &self.source.parameters {
             let found = self.parameter(entry);
+            let found = self.under("parameters", &entry.name, found);
             if let Some(parameter) = self.kept_as(&entry.name, found) {
                 let dimension = parameter.dimension;
                 self.model.parameters.push(parameter);
@@ -24,8 +25,10 @@ impl Elaborator<'_> {
         }
         for entry in &self.source.coordinates {
             let found = self.unit(&entry.value, "a coordinate has a unit", "x = \"m\", theta = \"rad\"");
+            let found = self.under("coordinates", &entry.name, found);
             let Some((dimension, unit)) = self.kept_as(&entry.name, found) else { continue };
-            self.model.coordinates.push(Coordinate { name: entry.name.text.clone(), dimension, unit });
+            let (name, at) = (entry.name.text.clone(), entry.name.span());
+            self.model.coordinates.push(Coordinate { name, dimension, unit, at });
             let letter = self.scalar(Scalar::Coordinate(self.model.coordinates.len() - 1), Some(dimension));
             self.give(&entry.name, Named::Value(Value::Scalar(letter)));
         }
@@ -93,8 +96,8 @@ impl Elaborator<'_> {
         };
         let unit = dimension.coherent();
         let written = value.text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let dimension = dimension.of_expressions();
-        Ok(Parameter { name: name.text.clone(), dimension, unit, written, value: value_in_si })
+        let (dimension, at) = (dimension.of_expressions(), name.span());
+        Ok(Parameter { name: name.text.clone(), dimension, unit, written, value: value_in_si, at })
     }
 
     /// One definition, after those that it needs.
@@ -106,6 +109,7 @@ impl Elaborator<'_> {
                     true => self.turned(entry).map(Value::Frame),
                     false => self.value(&entry.value),
                 };
+                let found = self.under("definitions", &entry.name, found);
                 if let Some(value) = self.kept_as(&entry.name, found) {
                     self.give(&entry.name, Named::Value(value));
                 }
@@ -113,6 +117,7 @@ impl Elaborator<'_> {
             Definition::Frame(at) => {
                 let entry = &self.source.frames[at];
                 let found = self.turned(entry);
+                let found = self.under("frames", &entry.name, found);
                 if let Some(frame) = self.kept_as(&entry.name, found) {
                     self.give(&entry.name, Named::Value(Value::Frame(frame)));
                 }
@@ -130,6 +135,7 @@ impl Elaborator<'_> {
             Definition::Point(at) => {
                 let entry = &self.source.points[at];
                 let found = self.placed(entry);
+                let found = self.under("points", &entry.name, found);
                 if let Some(base) = self.kept_as(&entry.name, found) {
                     self.give(&entry.name, Named::Value(Value::Point { base, way: None }));
                 }
@@ -153,7 +159,7 @@ impl Elaborator<'_> {
             Some(value) => Some(self.scalar_value(value, &what, Some(dimension))?),
             None => None,
         };
-        Ok(Input { name: name.text.clone(), dimension, unit, value })
+        Ok(Input { name: name.text.clone(), dimension, unit, value, at: name.span() })
     }
 
     fn placed(&mut self, entry: &Entry) -> Sound<PointId> {

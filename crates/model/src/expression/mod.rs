@@ -118,6 +118,12 @@ pub enum Reason {
     Operand,
     /// Two operands without a sign between them.
     Operator,
+    /// Two sides of an equation.
+    Equation,
+    /// `**`
+    Stars,
+    /// `and` or `or` between comparisons.
+    Connective,
     /// A letter that no expression has.
     Letter(char),
     /// A sign of a product that is not `*`.
@@ -143,8 +149,13 @@ impl fmt::Display for Reason {
             Self::Operator => {
                 write!(
                     f,
-                    "an operator is expected here; products are written with *, numbers with units in parentheses: (20 mm)"
+                    "an operator is expected here; products are written with *, numbers with units in parentheses: (20 mm), functions too: sin(a)"
                 )
+            }
+            Self::Equation => write!(f, "an expression has no equals sign: a equals b where `a - b` is zero"),
+            Self::Stars => write!(f, "powers are written with ^"),
+            Self::Connective => {
+                write!(f, "one comparison stands in `if`; two are nested: if(a < b, if(c < d, x, y), y)")
             }
             Self::Letter(letter) => write!(f, "{letter:?} has no meaning here"),
             Self::Product => write!(

@@ -25,7 +25,7 @@ pub fn read(text: &str) -> Result<Expression, NotExpression> {
     match reader.peek() {
         None => Ok(reader.expression),
         Some(Token::Sign(')')) => Err(reader.wrong(Reason::Parenthesis)),
-        Some(_) => Err(reader.wrong(Reason::Operator)),
+        Some(_) => Err(reader.wrong(reader.unjoined())),
     }
 }
 
@@ -55,6 +55,14 @@ impl<'a> Reader<'a> {
 
     fn wrong(&self, reason: Reason) -> NotExpression {
         NotExpression { span: self.span(), reason }
+    }
+
+    /// Why the next token does not follow on an operand.
+    fn unjoined(&self) -> Reason {
+        match self.peek() {
+            Some(Token::Name("and" | "or")) => Reason::Connective,
+            _ => Reason::Operator,
+        }
     }
 
     fn takes(&mut self, sign: char) -> bool {
@@ -195,6 +203,9 @@ impl<'a> Reader<'a> {
                     _ => Ok(self.push(Form::Name(name.to_owned()), from)),
                 }
             }
+            Token::Sign('*') if self.at > 0 && self.tokens[self.at - 1].1 == Token::Sign('*') => {
+                Err(self.wrong(Reason::Stars))
+            }
             Token::Sign(_) | Token::Dot | Token::Part => Err(self.wrong(Reason::Operand)),
         }
     }
@@ -241,7 +252,7 @@ impl<'a> Reader<'a> {
     fn close(&mut self, open: Range<usize>) -> Result<(), NotExpression> {
         if !self.takes(')') {
             let ended = self.at >= self.tokens.len();
-            let (span, reason) = if ended { (open, Reason::Parenthesis) } else { (self.span(), Reason::Operator) };
+            let (span, reason) = if ended { (open, Reason::Parenthesis) } else { (self.span(), self.unjoined()) };
             return Err(NotExpression { span, reason });
         }
         self.depth -= 1;
@@ -339,6 +350,9 @@ mod tests {
         assert_eq!(wrong("x^(1/0)"), (2..6, Reason::Exponent));
         assert_eq!(wrong("a # b"), (2..3, Reason::Letter('#')));
         assert_eq!(wrong("velocity(P in)"), (13..14, Reason::Preposition));
+        assert_eq!(wrong("a = b"), (2..3, Reason::Equation));
+        assert_eq!(wrong("a**2"), (2..3, Reason::Stars));
+        assert_eq!(wrong("if(a < b and c < d, 1, 0)"), (9..12, Reason::Connective));
         assert_eq!(wrong(&("(".repeat(101) + "x")).1, Reason::Depth { most: 100 });
     }
 }

@@ -49,6 +49,7 @@ pub fn tokens(text: &str) -> Result<Vec<Placed<'_>>, NotExpression> {
             '+' | '-' | '*' | '/' | '^' | '(' | ')' | ',' | '<' | '>' | '≤' | '≥' => {
                 (first.len_utf8(), Token::Sign(first))
             }
+            '=' => return Err(NotExpression { span: start..start + 1, reason: Reason::Equation }),
             // as they are printed
             '−' => (first.len_utf8(), Token::Sign('-')),
             '·' | '×' => {

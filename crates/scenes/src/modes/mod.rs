@@ -45,8 +45,8 @@ struct Current {
 pub enum Refused {
     /// No law can be written down.
     Law(NotCompiled),
-    /// No case of the conditions, or more than one, agrees with the motion that it gives.
-    Motion(&'static str),
+    /// No case of the conditions, or more than one, agrees with the motion that it gives; with the first condition that is at zero.
+    Motion { why: &'static str, switch: Option<usize> },
 }
 
 /// The law of a mode, with the signals that end it.
@@ -84,11 +84,11 @@ impl Modes {
     pub fn first(&self, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
         let off = vec![Case::Off; self.model.switches.len()];
         self.moded(&off).map_err(Refused::Law)?;
-        let moded = self.at(0.0, state).map_err(Refused::Motion)?;
-        match moded.system.undetermined(state) {
-            Some(coordinate) => Err(Refused::Law(NotCompiled::Massless { coordinate })),
-            None => Ok(Arc::clone(&moded.system)),
-        }
+        let moded = self.at(0.0, state).map_err(|why| {
+            let conditions = self.moded(&off).map(|moded| moded.signals.conditions(0.0, state)).unwrap_or_default();
+            Refused::Motion { why, switch: conditions.iter().position(|[value, _]| *value == 0.0) }
+        })?;
+        Ok(Arc::clone(&moded.system))
     }
 
     /// The law in which the run is, or was last.

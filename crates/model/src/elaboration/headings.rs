@@ -1,0 +1,37 @@
+//! Keys of one table under the heading of another: a heading was left out.
+
+use super::{Elaborator, Sound};
+use crate::{Fault, Text};
+
+/// Keys, and the heading that they stand under.
+const KEYS: [(&[&str], &str); 5] = [
+    (&["centre", "mass", "inertia", "frame", "turns"], "[bodies.NAME]"),
+    (&["on", "between", "is"], "[[force]] or [[torque]]"),
+    (&["zero", "programmed"], "[[constraint]]"),
+    (&["when", "direction", "set", "end"], "[[event]]"),
+    (&["span", "tolerance", "method", "samples"], "[run]"),
+];
+
+/// The fault of a key under the heading of another table; none where no other table has it.
+pub fn misplaced(key: &Text, table: &str) -> Option<Fault> {
+    let (_, heading) = KEYS.iter().find(|(keys, _)| keys.contains(&key.text.as_str()))?;
+    let title = format!("`{}` stands under [{table}]", key.text);
+    let accepted = format!("`{}` is a key of {heading}: that heading stands above it", key.text);
+    Some(Fault::at(key.span(), title, "a heading is missing above", accepted))
+}
+
+impl Elaborator<'_> {
+    /// A value of a table; where it is wrong and its name is a key of another table, that is told.
+    pub(super) fn under<T>(&mut self, table: &str, name: &Text, found: Sound<T>) -> Sound<T> {
+        found.map_err(|fault| match misplaced(name, table) {
+            Some(heading) => {
+                // once for each table: the keys below share the heading
+                if !self.headless.iter().any(|(known, _)| known == table) {
+                    self.headless.push((table.to_owned(), heading));
+                }
+                Box::new(Fault::consequence(fault.span))
+            }
+            None => fault,
+        })
+    }
+}

@@ -1,0 +1,61 @@
+//! Every file that the book shows is read and runs to its end; so does every piece of one, put into the file before it.
+
+use derivations::scene::{Choice, Smooth};
+use scenes::ModelScene;
+use std::time::Duration;
+
+const BOOK: &str = include_str!("../../../book/src/models.md");
+
+/// The blocks of a language.
+fn blocks(language: &str) -> Vec<&'static str> {
+    let parts = BOOK.split("\n```").collect::<Vec<_>>();
+    // outside and inside in turn
+    let inside = parts.iter().skip(1).step_by(2);
+    inside.filter_map(|block| block.strip_prefix(language)?.strip_prefix('\n')).collect()
+}
+
+/// A file in pieces, each from its heading on; the first one has none.
+fn pieces(text: &str) -> Vec<String> {
+    let mut pieces = vec![String::new()];
+    for line in text.lines() {
+        if line.starts_with('[') {
+            pieces.push(String::new());
+        }
+        let last = pieces.last_mut().expect("one stands there");
+        *last += &format!("{line}\n");
+    }
+    pieces
+}
+
+fn heading(piece: &str) -> &str {
+    piece.split(']').next().filter(|heading| heading.starts_with('[')).unwrap_or("")
+}
+
+/// A file with a piece: its tables take the place of those with the same heading.
+fn with(file: &str, piece: &str) -> String {
+    let added = pieces(piece);
+    let replaced = |old: &&String| !heading(old).is_empty() && added.iter().any(|new| heading(new) == heading(old));
+    let kept: String = pieces(file).iter().filter(|old| !replaced(old)).cloned().collect();
+    format!("{kept}\n{piece}\n")
+}
+
+#[test]
+fn every_file_and_piece_of_the_book_runs() {
+    let (mut file, mut count) = ("", 0);
+    for block in blocks("toml") {
+        let text = match block.contains("[coordinates]") {
+            true => {
+                file = block;
+                block.to_owned()
+            }
+            false => with(file, block),
+        };
+        let scene = ModelScene::parse("book", &text).unwrap_or_else(|error| panic!("{error}"));
+        let choice = Choice { allowed: Duration::from_secs(60), ..scene.run().choice() };
+        let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
+        assert_eq!(trajectory.stopped(), None, "{block}");
+        assert!(trajectory.last.iter().all(|value| value.is_finite()), "{block}");
+        count += 1;
+    }
+    assert!(count >= 14, "only {count} blocks were found");
+}
