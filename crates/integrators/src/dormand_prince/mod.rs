@@ -166,7 +166,9 @@ impl Stepper<f64> for DormandPrince {
         let error = self.error(step, n);
         if !error.is_finite() {
             self.after_rejection = true;
-            return Attempt::Rejected { next: RETREAT * step, cause: Cause::Undefined };
+            // the squares of finite errors may be beyond all numbers
+            let cause = if meter.was_undefined() { Cause::Undefined } else { Cause::Error };
+            return Attempt::Rejected { next: RETREAT * step, cause };
         }
         let stretch = error.powf(pair.exponent) / SAFETY;
         if error > 1.0 {

@@ -52,6 +52,27 @@ fn a_solution_that_leaves_the_domain_of_its_law_is_named_so() {
     }
 }
 
+/// The pairs square errors, which then are beyond all numbers although rates and state are not.
+#[test]
+fn a_step_below_rounding_is_named_so_however_large_the_errors_are() {
+    for method in [Method::DormandPrince5, Method::DormandPrince8] {
+        let outcome = run(&Growth { rate: -1e200 }, method, &Span::new(0.0, 1.0, &[1.0]));
+        let failure = outcome.failure();
+        assert!(
+            matches!(failure, Some(Failure::StepCollapsed { .. } | Failure::Stiff { .. })),
+            "{method}: {failure:?}"
+        );
+    }
+}
+
+#[test]
+fn both_pairs_find_a_stiff_problem_stiff() {
+    for method in [Method::DormandPrince5, Method::DormandPrince8] {
+        let outcome = run(&Kaps { lambda: 1e3 }, method, &Span::new(0.0, 10.0, &[1.0, 1.0]));
+        assert!(matches!(outcome.failure(), Some(Failure::Stiff { .. })), "{method}: {:?}", outcome.failure());
+    }
+}
+
 #[test]
 fn a_stiff_problem_spends_the_budget_of_an_explicit_method_or_is_called_stiff() {
     for method in EXPLICIT {
