@@ -17,7 +17,7 @@ pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
     };
     let momenta = momenta(trace);
     // turns of a free frame about its own axes do not commute
-    let stays = |i: &usize| is_zero(trace.transposition(*i, |j| momenta[j]));
+    let stays = |i: &usize| vanishes(trace.transposition(*i, |j| momenta[j]));
     let cyclic: Vec<usize> = (0..trace.speeds.len()).filter(is_cyclic).filter(stays).collect();
     if cyclic.is_empty() {
         return Vec::new();
