@@ -1,7 +1,7 @@
 //! What estimates of lower models are worth: estimate over true error on the scenes with a motor, on those with rough contacts and
 //! on 1,000 random motors: `cargo bench --bench ladder`, or with another number behind it.
 
-#[path = "../tests/ladder/drawn.rs"]
+#[path = "../tests/motions/ladder/drawn.rs"]
 mod drawn;
 
 use derivations::friction::RoughScene;

@@ -143,6 +143,8 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
             let found = match choose(system, &self.at, &touch, ceased, stretch_of) {
                 Ok(found) => found,
                 Err(Ending::Tie) if ceased.is_some() => return Ending::Critical,
+                // where the determinant goes to zero, which condition of the regime fails first is rounding
+                Err(Ending::NoMotion) if self.is_critical(last) => return Ending::Critical,
                 Err(problem) => return problem,
             };
             if ceased.is_some() && self.at.velocity == [0.0; N] {
@@ -228,18 +230,24 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
 
     /// What a failure of the integration means: where the determinant goes to zero, that.
     fn diagnose(&self, stretch: &Stretch<'_, Q, N, C, K>, failure: integrators::Failure) -> Ending<K> {
+        match failure {
+            integrators::Failure::Interrupted { .. } => Ending::BrokenOff,
+            _ if !failure.is_broken_off() && self.is_critical(Some(stretch.regime)) => Ending::Critical,
+            _ => Ending::Failed(failure),
+        }
+    }
+
+    /// Whether the determinant of the last regime has gone to zero since that began.
+    fn is_critical(&self, regime: Option<[Mode; K]>) -> bool {
         let start = self.run.entries.last().map(|entry| State {
             time: entry.time,
             place: std::array::from_fn(|i| entry.place[i]),
             velocity: std::array::from_fn(|i| entry.velocity[i]),
         });
-        let before = start.and_then(|at| determinant(self.system, &at, &stretch.regime));
-        let now = determinant(self.system, &self.at, &stretch.regime);
-        match (before, now) {
-            _ if matches!(failure, integrators::Failure::Interrupted { .. }) => Ending::BrokenOff,
-            _ if failure.is_broken_off() => Ending::Failed(failure),
-            (Some(before), Some(now)) if now.abs() < 1e-6 * before.abs() => Ending::Critical,
-            _ => Ending::Failed(failure),
+        let determinant_at = |at: &State<f64, N>| determinant(self.system, at, &regime?);
+        match (start.and_then(|at| determinant_at(&at)), determinant_at(&self.at)) {
+            (Some(before), Some(now)) => now.abs() < 1e-6 * before.abs(),
+            _ => false,
         }
     }
 

@@ -19,13 +19,11 @@ impl<P: Base, M: Machine<P>> Bench<P, M> {
     }
 
     /// A' g'' = M and the currents.
-    #[inline(always)]
     pub fn rates<S: Over<P> + Analytic>(&self, y: &[S], dy: &mut [S]) {
         self.rates_under(S::zero(), y, dy);
     }
 
     /// A' g'' = M - load and the currents, with a further moment of the load against the rotor's turning, N m.
-    #[inline(always)]
     pub fn rates_under<S: Over<P> + Analytic>(&self, load: S, y: &[S], dy: &mut [S]) {
         let (rotor, currents) = y.split_at(M::ROTOR.dimension());
         let (rotor_rates, current_rates) = dy.split_at_mut(M::ROTOR.dimension());

@@ -14,12 +14,10 @@ impl<P: Base, M: Machine<P>> Machine<P> for Loaded<M, P> {
     const ROTOR: RotorState = M::ROTOR;
     const WRITTEN: bool = M::WRITTEN;
 
-    #[inline(always)]
     fn frame_speed(&self) -> P {
         self.machine.frame_speed()
     }
 
-    #[inline(always)]
     fn windings(&self) -> usize {
         self.machine.windings()
     }
@@ -28,37 +26,30 @@ impl<P: Base, M: Machine<P>> Machine<P> for Loaded<M, P> {
         self.machine.current_name(winding)
     }
 
-    #[inline(always)]
     fn inductance(&self, winding: usize) -> P {
         self.machine.inductance(winding)
     }
 
-    #[inline(always)]
     fn resistance(&self, winding: usize) -> P {
         self.machine.resistance(winding)
     }
 
-    #[inline(always)]
     fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
         self.machine.linkage(winding, angle)
     }
 
-    #[inline(always)]
     fn supply<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> Option<S> {
         self.machine.supply(winding, angle)
     }
 
-    #[inline(always)]
     fn motional<S: Over<P>>(&self, winding: usize, currents: &[S]) -> Option<S> {
         self.machine.motional(winding, currents)
     }
 
-    #[inline(always)]
     fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
         self.machine.field_energy(angle)
     }
 
-    #[inline(always)]
     fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
         self.machine.moment_law(slip, speed) - S::lift(self.load)
     }

@@ -1,9 +1,15 @@
 //! Machines of practice against first principles that do not pass through their files.
 
 mod brushed;
+mod conformance;
 mod crossed_windings;
 mod metered;
+mod motors;
+mod mutual_inductance;
 mod permanent_magnet;
+#[path = "../physical/mod.rs"]
+mod physical;
+mod text_motors;
 
 use field::Rational;
 use std::convert::Infallible;

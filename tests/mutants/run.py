@@ -39,7 +39,7 @@ COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-m
 PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches"]
 LEDGER = "ledger"
 # what else is tested: the house, its pages, and the program
-OTHERS = {"allocation", "contributing", "house", "motor_pages", "mutants", "pages", "rough_scenes", "scene_messages", "scenes", "units"}
+OTHERS = {"allocation", "house", "pages", "scenes"}
 
 
 def programs_in(tests: Path) -> set[str]:
@@ -48,70 +48,73 @@ def programs_in(tests: Path) -> set[str]:
 
 
 # whole motions, minutes of them: asked only of what nothing else notices
-RUNS = ["atlas", "failures", "friction", "governors", "ladder", "mechanism_scenes", "phantom", "stabilisation", "stability", "stationary", "synchronism"]
+RUNS = ["motions", "stability"]
 LAWS = sorted(programs_in(ROOT / "tests") - OTHERS - {LEDGER, *RUNS})
-# the programs whose subject these files are: the others, and the ledger, are asked only where these notice nothing
+PRACTICE = [f"machines::{name}" for name in ("brushed", "conformance", "crossed_windings", "metered", "permanent_magnet")]
+# the tests whose subject these files are, as a program or one module of it: the others, and the ledger, are asked only where
+# these notice nothing
 SUBJECT_OF = {
     "crates/symbolic/src/fraction.rs": ["symbolic"],
     "crates/native/": ["code"],
-    "derivations/differentiated.rs": ["jacobians"],
-    "crates/symbolic/src/real/": ["balls", "real", "symbolic"],
+    "derivations/differentiated.rs": ["laws::jacobians"],
+    "crates/symbolic/src/real/": ["expressions::balls", "expressions::real", "symbolic"],
     "crates/symbolic/src/complex/": ["symbolic"],
-    "crates/symbolic/src/poly/": ["algebra", "decisions", "symbolic"],
-    "crates/symbolic/src/prove/": ["algebra", "decisions", "symbolic"],
-    "crates/symbolic/src/tape/": ["programs", "symbolic"],
-    "crates/integrators/src/ensemble.rs": ["ensembles"],
-    "crates/integrators/src/events.rs": ["methods"],
-    "derivations/friction/exact/": ["rough_references"],
-    "derivations/friction/across.rs": ["rough_references"],
-    "derivations/ensemble/": ["ensembles"],
-    "derivations/mechanisms/steered.rs": ["atlas"],
-    "derivations/systems/governor/servo.rs": ["governors"],
-    "crates/integrators/src/taylor/rounding.rs": ["integrators", "references"],
-    "crates/integrators/src/transition.rs": ["transition"],
-    "derivations/scene/transition.rs": ["transition"],
+    "crates/symbolic/src/poly/": ["expressions::algebra", "expressions::decisions", "symbolic"],
+    "crates/symbolic/src/prove/": ["expressions::algebra", "expressions::decisions", "symbolic"],
+    "crates/symbolic/src/tape/": ["expressions::programs", "symbolic"],
+    "crates/integrators/src/ensemble.rs": ["runs::ensembles"],
+    "crates/integrators/src/events/": ["methods"],
+    "derivations/friction/exact/": ["runs::rough_references"],
+    "derivations/friction/across.rs": ["runs::rough_references"],
+    "derivations/ensemble/": ["runs::ensembles"],
+    "derivations/mechanisms/steered.rs": ["motions::atlas"],
+    "derivations/systems/governor/servo.rs": ["motions::governors"],
+    "crates/integrators/src/taylor/rounding.rs": ["integrators", "runs::references"],
+    "crates/integrators/src/transition.rs": ["runs::transition"],
+    "derivations/scene/transition.rs": ["runs::transition"],
     "crates/integrators/src/bader_deuflhard.rs": ["methods"],
+    "crates/integrators/src/dormand_prince/": ["integrators", "methods"],
     "crates/integrators/src/linearised.rs": ["methods"],
     "crates/integrators/src/composition.rs": ["methods"],
-    "crates/integrators/src/splitting.rs": ["methods", "splitting"],
-    "derivations/machines/kick.rs": ["splitting"],
-    "derivations/machines/text/": ["text_motors", "conformance"],
-    "derivations/conformance/": ["conformance"],
-    "derivations/systems/gyrostat/momenta.rs": ["splitting"],
-    "derivations/ladder/": ["ladder"],
-    "crates/claims/src/review/": ["review"],
-    "derivations/machines/resting.rs": ["machines", "conformance"],
-    "derivations/machines/metered.rs": ["machines", "conformance"],
-    "derivations/machines/crossed_windings.rs": ["machines", "conformance"],
-    "derivations/machines/permanent_magnet.rs": ["machines", "conformance"],
-    "derivations/machines/brushed.rs": ["machines", "conformance"],
+    "crates/integrators/src/splitting.rs": ["methods", "runs::splitting"],
+    "derivations/machines/kick.rs": ["runs::splitting"],
+    "derivations/machines/text/": ["machines::text_motors", "machines::conformance"],
+    "derivations/conformance/": ["machines::conformance"],
+    "derivations/systems/gyrostat/momenta.rs": ["runs::splitting"],
+    "derivations/ladder/": ["motions::ladder"],
+    "crates/claims/src/review/": ["verdicts::review"],
+    "derivations/machines/resting.rs": PRACTICE,
+    "derivations/machines/metered.rs": PRACTICE,
+    "derivations/machines/crossed_windings.rs": PRACTICE,
+    "derivations/machines/permanent_magnet.rs": PRACTICE,
+    "derivations/machines/brushed.rs": PRACTICE,
     "derivations/stationary/stability/": ["stability"],
-    "derivations/stationary/": ["stationary", "stability"],
-    "derivations/phantom/": ["phantom"],
-    "derivations/synchronism/": ["synchronism"],
-    "crates/integrators/src/branches/repeating.rs": ["synchronism"],
+    "derivations/stationary/": ["stability::stationary", "stability"],
+    "derivations/phantom/": ["stability::phantom"],
+    "derivations/synchronism/": ["motions::synchronism"],
+    "crates/integrators/src/branches/repeating.rs": ["motions::synchronism"],
     "crates/integrators/src/branches/": ["methods"],
-    "crates/mechanics/src/constrained/servo.rs": ["servo"],
-    "crates/mechanics/src/constrained/massless.rs": ["servo"],
-    "crates/mechanics/src/discrete/": ["discrete", "mechanics"],
+    "crates/mechanics/src/constrained/servo.rs": ["systems::servo"],
+    "crates/mechanics/src/constrained/massless.rs": ["systems::servo"],
+    "crates/mechanics/src/discrete/": ["systems::discrete", "mechanics"],
     "crates/mechanics/src/first_approximation/": ["mechanics"],
-    "crates/mechanics/src/uniform/": ["mechanics", "selected"],
+    "crates/mechanics/src/uniform/": ["mechanics", "systems::selected"],
     "crates/model/": ["principles"],
-    "derivations/closed_forms/": ["closed_forms"],
-    "derivations/mechanisms/points.rs": ["atlas"],
-    "crates/symbolic/src/recurrence/abreast/": ["series"],
-    "crates/symbolic/src/recurrence/small/": ["series"],
-    "crates/symbolic/src/recurrence/permuting/": ["series"],
-    "crates/symbolic/src/recurrence/stored.rs": ["series"],
-    "crates/symbolic/src/recurrence/stages.rs": ["series"],
-    "crates/symbolic/src/recurrence/layout.rs": ["series"],
-    "crates/symbolic/src/recurrence/sum.rs": ["series"],
-    "crates/field/src/quarters.rs": ["fields"],
+    "derivations/closed_forms/": ["runs::closed_forms"],
+    "derivations/mechanisms/points.rs": ["motions::atlas"],
+    "crates/symbolic/src/recurrence/abreast/": ["expressions::series"],
+    "crates/symbolic/src/recurrence/small/": ["expressions::series"],
+    "crates/symbolic/src/recurrence/permuting/": ["expressions::series"],
+    "crates/symbolic/src/recurrence/stored.rs": ["expressions::series"],
+    "crates/symbolic/src/recurrence/stages.rs": ["expressions::series"],
+    "crates/symbolic/src/recurrence/layout.rs": ["expressions::series"],
+    "crates/symbolic/src/recurrence/sum.rs": ["expressions::series"],
+    "crates/field/src/quarters.rs": ["laws::fields"],
     "crates/field/src/sixteenths.rs": ["field"],
-    "crates/integrators/src/side_by_side.rs": ["ensembles"],
-    "derivations/machines/acting.rs": ["text_motors"],
-    "crates/symbolic/src/parse/": ["parsing"],
-    "crates/symbolic/src/print/": ["printing"],
+    "crates/integrators/src/side_by_side.rs": ["runs::ensembles"],
+    "derivations/machines/acting.rs": ["machines::text_motors"],
+    "crates/symbolic/src/parse/": ["expressions::parsing"],
+    "crates/symbolic/src/print/": ["expressions::printing"],
     "crates/charts/src/text/": ["charts"],
 }
 # quick to build: only what proves and what multiplies big numbers is optimised, and a little all that runs whole motions
@@ -242,14 +245,20 @@ def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
     return found
 
 
+def program_of(test: str) -> str:
+    """The program that holds a test: a module is told by the program's name and its own."""
+    return test.split("::")[0]
+
+
 def near(file: str) -> list[str]:
-    """The programs whose subject a file is, where that is said."""
+    """The tests whose subject a file is, where that is said."""
     return next((programs for start, programs in SUBJECT_OF.items() if file.startswith(start)), [])
 
 
 def failures(test: str, programs: dict[str, Path], number: int) -> list[str]:
     """The names of the tests that fail with a mutant, in their order; the program's where it does not come to its tests."""
-    command = [programs[test], "--test-threads=2"]
+    command = [programs[program_of(test)], "--test-threads=2"]
+    command += [f"{module}::" for module in test.split("::")[1:]]
     seconds = 10 * TOOK[test] + 30 if test in TOOK else None
     running = os.environ | RUNNING | {together.VARIABLE: str(number)}
     begin = time.monotonic()
@@ -271,21 +280,22 @@ class Examined:
         self.sound, self.crates = sound, crates_of([mutant.file for mutant in mutants])
         self.near = sorted({test for mutant in mutants for test in near(mutant.file)})
         self.programs: dict[str, Path] = {}
+        self.known: set[str] = set()
 
     def has(self, tests: list[str]) -> bool:
-        """Whether these programs compile. Each is run once without any mutant."""
-        wanted = [test for test in tests if test not in self.programs]
+        """Whether the programs of these tests compile. Each test is run once without any mutant."""
+        wanted = [test for test in tests if test not in self.known]
         for slow in (False, True):
-            some = [test for test in wanted if (test in RUNS) == slow]
-            if not some:
-                continue
-            programs = build(some, self.crates)
+            some = [test for test in wanted if (program_of(test) in RUNS) == slow]
+            missing = sorted({program_of(test) for test in some} - set(self.programs))
+            programs = build(missing, self.crates) if missing else {}
             if programs is None:
                 return False
             self.programs |= programs
             for test in some if self.sound else []:
-                if failed := failures(test, programs, 0):
+                if failed := failures(test, self.programs, 0):
                     sys.exit(f"without any mutant: {failed}")
+            self.known |= set(some)
         return True
 
     def outcome(self, mutant: Mutant, number: int, alone: bool = False) -> Outcome:

@@ -4,10 +4,13 @@ mod closed;
 mod drawn;
 mod families;
 mod identities;
+mod phantom;
 #[path = "../physical/mod.rs"]
 mod physical;
 mod plane;
 mod region;
 mod running;
 mod runs;
+mod stabilisation;
+mod stationary;
 mod tops;

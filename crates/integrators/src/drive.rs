@@ -7,8 +7,17 @@ use crate::{Failure, Outcome, Real, Tolerance};
 /// What became of an attempted step, and how long the next should be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Attempt {
-    Accepted { next: f64 },
-    Rejected { next: f64, cause: Cause },
+    Accepted {
+        next: f64,
+    },
+    Rejected {
+        next: f64,
+        cause: Cause,
+    },
+    /// The method ends the run here.
+    Ended {
+        cause: Cause,
+    },
 }
 
 /// Why a step was rejected: if no shorter one succeeds, why the run failed.
@@ -18,6 +27,7 @@ pub(crate) enum Cause {
     Newton,
     Singular,
     Undefined,
+    Stiff,
     GoesBack { back: f64, rate: f64, most: f64 },
 }
 
@@ -28,6 +38,7 @@ impl Cause {
             Cause::Newton => Failure::NewtonFailed { at, step },
             Cause::Singular => Failure::Singular { at },
             Cause::Undefined => Failure::LeftTheNumbers { at },
+            Cause::Stiff => Failure::Stiff { at },
             Cause::GoesBack { back, rate, most } => Failure::GoesBack { at, step, back, rate, most },
         }
     }
@@ -114,6 +125,7 @@ pub(crate) fn drive<S: Real>(
                 (proposed, last_cause) = (step.approx() / 4.0, Cause::Undefined);
                 watch.reject();
             }
+            Attempt::Ended { cause } => return watch.fail(cause.failure(at, step.approx()), meter),
             Attempt::Rejected { cause, .. } if stepper.fixed().is_some() => {
                 return watch.fail(cause.failure(at, step.approx()), meter);
             }

@@ -1,10 +1,10 @@
 //! The one entry to all methods.
 
-use crate::adaptors::dormand_prince::{self, Pair};
 use crate::adaptors::ryan_gast::{self, Choice};
 use crate::bader_deuflhard::BaderDeuflhard;
 use crate::classical::{Euler, RungeKutta4};
 use crate::collocation::Family;
+use crate::dormand_prince::{DormandPrince, EIGHT, FIVE, Pair};
 use crate::drive::{Stepper, drive, first_step};
 use crate::gragg::GraggBulirschStoer;
 use crate::implicit::Implicit;
@@ -29,8 +29,8 @@ pub fn integrate(
     observer: &mut dyn Observer<f64>,
 ) -> Outcome<f64> {
     let run = |meter: &Meter<f64>, watch: Watch<'_, '_, f64>| match method {
-        Method::DormandPrince5 => dormand_prince::run(Pair::Five, tolerance, meter, watch),
-        Method::DormandPrince8 => dormand_prince::run(Pair::Eight, tolerance, meter, watch),
+        Method::DormandPrince5 => run_pair(&FIVE, tolerance, meter, watch),
+        Method::DormandPrince8 => run_pair(&EIGHT, tolerance, meter, watch),
         Method::Verner6 => ryan_gast::run(Choice::Verner6, system, tolerance, meter, watch),
         Method::Verner9 => ryan_gast::run(Choice::Verner9, system, tolerance, meter, watch),
         Method::Radau5 => ryan_gast::run(Choice::Radau5, system, tolerance, meter, watch),
@@ -81,6 +81,12 @@ pub(crate) fn collocate_gauss<S: Working>(
     let again = |span: &Span<'_, S>| integrate_in(system, method, tolerance, span, &mut ());
     let outcome = prepared(system, method, tolerance, span, (observer, &again), run);
     (outcome, turns)
+}
+
+/// Runs one of Dormand and Prince's pairs.
+fn run_pair(pair: &'static Pair, tolerance: &Tolerance, meter: &Meter<f64>, watch: Watch<'_, '_, f64>) -> Outcome<f64> {
+    let first = first_step(meter, watch.state(), tolerance, pair.order, watch.length());
+    drive(&mut DormandPrince::new(pair, tolerance, meter.dimension()), first, meter, watch)
 }
 
 /// The same method over another span, without an observer.

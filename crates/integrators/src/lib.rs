@@ -11,7 +11,7 @@
 //! |---|---|---|---|---|
 //! | Euler, Runge-Kutta 4 (constant step) | 1, 4 | | yes | own |
 //! | Backward Euler, implicit midpoint (constant step) | 1, 2 | yes | yes | own |
-//! | Dormand-Prince 5(4), 8(5,3) | 5, 8 | says so | | `ode_solvers` |
+//! | Dormand-Prince 5(4), 8(5,3) | 5, 8 | says so | | own |
 //! | Verner 6(5), 9(8) | 6, 9 | | | `differential-equations` |
 //! | Gragg-Bulirsch-Stoer | varies | | yes | own |
 //! | Taylor, for systems with a series | varies | | yes | own |
@@ -44,6 +44,7 @@ pub mod clock;
 mod collocation;
 mod columns;
 mod composition;
+mod dormand_prince;
 mod drive;
 mod ensemble;
 mod events;

@@ -23,9 +23,9 @@ pub enum Method {
     ImplicitMidpoint { steps: u32 },
     /// Compositions of the flows of a law's pieces with so many equal steps over the span, for systems that offer them.
     Split { splitting: Splitting, steps: u32 },
-    /// Dormand-Prince 5(4), crate `ode_solvers`.
+    /// Dormand-Prince 5(4).
     DormandPrince5,
-    /// Dormand-Prince 8(5,3), crate `ode_solvers`.
+    /// Dormand-Prince 8(5,3).
     DormandPrince8,
     /// Verner's 6(5), crate `differential-equations`.
     Verner6,

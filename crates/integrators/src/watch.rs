@@ -181,11 +181,6 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         self.rejected += 1;
     }
 
-    /// Takes the count of rejected steps from a crate that keeps it itself.
-    pub fn rejected(&mut self, count: u64) {
-        self.rejected += count;
-    }
-
     /// The clock's time of the last good state.
     pub fn time(&self) -> f64 {
         self.time_of(self.tau)

@@ -9,12 +9,14 @@ mod characteristics;
 mod constraints;
 mod elimination;
 mod generic_point;
+mod integrability;
 
 pub use characteristics::{Characteristics, Motion};
 pub use constraints::{Equation, Level, equations as constraints_of};
 pub(crate) use constraints::{held_of, vanishes};
 pub use elimination::Singular;
 pub(crate) use generic_point::generic_rank;
+pub use integrability::Integrability;
 
 use crate::Trace;
 use crate::principles::{NotApplicable, Principle};

@@ -14,7 +14,7 @@ pub use matrix_form::{Held, MatrixForm};
 pub use sympy::sympy;
 pub use text::text;
 
-use crate::equations::{Equation, Level, constraints_of as equations_of};
+use crate::equations::{Equation, Integrability, Level, constraints_of as equations_of};
 use crate::{FrameId, PointId, Trace, Vector};
 use num_traits::Zero;
 use reading::Reading;
@@ -94,7 +94,7 @@ fn reading_of(trace: &Trace<'_>) -> Reading {
 }
 
 /// The kind of every constraint, each on a line: of positions or of speeds; in the speeds linear, affine or nonlinear; with the time or
-/// without.
+/// without. Then whether those of speeds are rates of constraints of positions.
 pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
     let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
     let kind = |(k, constraint): (usize, Equation)| {
@@ -110,7 +110,15 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
         let time = if knows_time { ", with the time" } else { "" };
         format!("{}: {kind}{time}", constraint.title(k))
     };
-    equations_of(trace).into_iter().enumerate().map(kind).collect()
+    let equations = equations_of(trace);
+    let whole = match Integrability::of(trace, &equations) {
+        _ if equations.iter().all(|constraint| constraint.level == Level::Position) => None,
+        Integrability::Open => None,
+        Integrability::Integrable => Some("constraints of speeds: integrable (Frobenius)"),
+        Integrability::NotIntegrable => Some("constraints of speeds: not integrable (Frobenius)"),
+    };
+    let lines = equations.into_iter().enumerate().map(kind);
+    lines.chain(whole.map(str::to_owned)).collect()
 }
 
 /// Expressions with more operations are left as they are.

@@ -63,7 +63,6 @@ impl Law {
         Ok(Law { program, numbers: used })
     }
 
-    #[inline(always)]
     fn value<P: Base, S: Over<P>>(&self, motion: &[S], numbers: &[P]) -> S {
         let inputs = self.numbers.iter().map(|&k| S::lift(numbers[k])).chain(motion.iter().copied());
         let value = match self.program.registers() <= FEW {
@@ -142,12 +141,10 @@ impl Laws {
         given
     }
 
-    #[inline(always)]
     pub(super) fn field_speed<P: Base>(&self, numbers: &[P]) -> P {
         numbers.first().copied().unwrap_or_else(P::zero)
     }
 
-    #[inline(always)]
     pub(super) fn windings(&self) -> usize {
         self.windings.len()
     }
@@ -157,38 +154,31 @@ impl Laws {
     }
 
     /// L_k
-    #[inline(always)]
     pub fn inductance<P: Base>(&self, winding: usize, numbers: &[P]) -> P {
         numbers[self.windings[winding].inductance]
     }
 
     /// R_k
-    #[inline(always)]
     pub fn resistance<P: Base>(&self, winding: usize, numbers: &[P]) -> P {
         numbers[self.windings[winding].resistance]
     }
 
-    #[inline(always)]
     pub(super) fn flux<P: Base, S: Over<P>>(&self, winding: usize, angle: Circle<S>, numbers: &[P]) -> S {
         self.windings[winding].flux.value(&[angle.cos, angle.sin], numbers)
     }
 
-    #[inline(always)]
     pub(super) fn supply<P: Base, S: Over<P>>(&self, winding: usize, angle: Circle<S>, numbers: &[P]) -> Option<S> {
         self.windings[winding].supply.as_ref().map(|law| law.value(&[angle.cos, angle.sin], numbers))
     }
 
-    #[inline(always)]
     pub(super) fn motional<P: Base, S: Over<P>>(&self, winding: usize, currents: &[S], numbers: &[P]) -> Option<S> {
         self.windings[winding].motional.as_ref().map(|law| law.value(currents, numbers))
     }
 
-    #[inline(always)]
     pub(super) fn energy<P: Base, S: Over<P>>(&self, angle: Circle<S>, numbers: &[P]) -> S {
         self.energy.value(&[angle.cos, angle.sin], numbers)
     }
 
-    #[inline(always)]
     pub(super) fn moment<P: Base, S: Over<P>>(&self, slip: S, speed: S, numbers: &[P]) -> S {
         self.moment.value(&[slip, speed], numbers)
     }

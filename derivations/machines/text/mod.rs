@@ -63,12 +63,10 @@ impl<P: Base, K: Knows> Machine<P> for Text<P, K> {
     const ROTOR: RotorState = K::ROTOR;
     const WRITTEN: bool = true;
 
-    #[inline(always)]
     fn frame_speed(&self) -> P {
         self.laws.field_speed(&self.numbers)
     }
 
-    #[inline(always)]
     fn windings(&self) -> usize {
         self.laws.windings()
     }
@@ -77,37 +75,30 @@ impl<P: Base, K: Knows> Machine<P> for Text<P, K> {
         self.laws.current(winding)
     }
 
-    #[inline(always)]
     fn inductance(&self, winding: usize) -> P {
         self.laws.inductance(winding, &self.numbers)
     }
 
-    #[inline(always)]
     fn resistance(&self, winding: usize) -> P {
         self.laws.resistance(winding, &self.numbers)
     }
 
-    #[inline(always)]
     fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
         self.laws.flux(winding, angle, &self.numbers)
     }
 
-    #[inline(always)]
     fn supply<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> Option<S> {
         self.laws.supply(winding, angle, &self.numbers)
     }
 
-    #[inline(always)]
     fn motional<S: Over<P>>(&self, winding: usize, currents: &[S]) -> Option<S> {
         self.laws.motional(winding, currents, &self.numbers)
     }
 
-    #[inline(always)]
     fn field_energy<S: Over<P>>(&self, angle: Circle<S>) -> S {
         self.laws.energy(angle, &self.numbers)
     }
 
-    #[inline(always)]
     fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S {
         self.laws.moment(slip, speed, &self.numbers)
     }

@@ -1,4 +1,3 @@
 //! Other people's solvers behind our driver: their steps, our outputs, budget and failures.
 
-pub(crate) mod dormand_prince;
 pub(crate) mod ryan_gast;

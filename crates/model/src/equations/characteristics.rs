@@ -45,6 +45,19 @@ impl Characteristics {
         Characteristics { independent, dependent, redundant, slopes, rows }
     }
 
+    /// The columns of N: for each independent speed all speeds where it is one and the others are zero.
+    pub fn directions(&self, speeds: usize) -> Vec<Vec<Sym>> {
+        let of = |(place, &j): (usize, &usize)| {
+            let mut direction = vec![Sym::ZERO; speeds];
+            direction[j] = Sym::ONE;
+            for (&(d, _), slopes) in self.dependent.iter().zip(&self.slopes) {
+                direction[d] = slopes[place];
+            }
+            direction
+        };
+        self.independent.iter().enumerate().map(of).collect()
+    }
+
     /// N^T v: a value for each speed, along each independent one.
     pub fn along(&self, values: &[Sym]) -> Vec<Sym> {
         let of = |(place, &j): (usize, &usize)| {

@@ -12,18 +12,17 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let names = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>().join(", ");
     let held = !form.constraints.is_empty();
     let reactions = if held { " + J^T lambda" } else { "" };
-    let names_of_states = trace.model.state_names();
-    let free = !trace.model.free.is_empty();
-    // speeds of free frames are no rates of coordinates
-    let rate = if free { "u'" } else { "q''" };
-    let said =
-        if free { format!("u = ({})", names(&form.speeds)) } else { format!("q = ({})", names(&form.coordinates)) };
-    let _ = writeln!(text, "M {rate} + h = Q{reactions}, with {said}");
-    if held {
-        let _ = writeln!(
-            text,
-            "J {rate} + c = 0: every constraint f = 0, differentiated; J holds df/dq of positions, df/dq' of speeds"
-        );
+    let turns = !trace.model.free.is_empty();
+    match turns {
+        false => writeln!(text, "M q'' + h = Q{reactions}, with q = ({})", names(&form.coordinates)),
+        true => writeln!(text, "M u' + h = Q{reactions}, with u = ({})", names(&form.speeds)),
+    }
+    .unwrap_or(());
+    if held && turns {
+        text += "J u' + c = 0: every constraint f = 0, differentiated; J holds df'/du of positions, df/du of speeds\n";
+        text += "A positive lambda acts along the gradient of f\n";
+    } else if held {
+        text += "J q'' + c = 0: every constraint f = 0, differentiated; J holds df/dq of positions, df/dq' of speeds\n";
         text += "A positive lambda acts along the gradient of f\n";
     }
     let section = |text: &mut String, title: &str, lines: Vec<String>| {
@@ -36,15 +35,7 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     section(&mut text, "Coordinates q", units);
     let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
     section(&mut text, "Inputs", open.map(|input| format!("{} in {}", input.name, input.unit)).collect());
-    let turning = names_of_states[form.coordinates.len() + trace.model.coordinates.len()..].iter();
-    let rows: Vec<&str> = trace
-        .model
-        .coordinates
-        .iter()
-        .map(|each| &each.name)
-        .chain(turning.map(|(name, _)| name))
-        .map(String::as_str)
-        .collect();
+    let rows: Vec<String> = (0..form.speeds.len()).map(|speed| trace.direction(speed)).collect();
     let entry = |name: &str, place: String, value: Sym| format!("{name}[{place}] = {}", value.decimal_text());
     let mut mass = Vec::new();
     for (i, row) in form.mass.iter().enumerate() {
@@ -55,7 +46,7 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     section(&mut text, "Mass matrix M, symmetric; entries that are not written are zero", mass);
     let vector = |name: &str, values: &[Sym]| {
         let entries = rows.iter().zip(values).filter(|(_, value)| **value != Sym::ZERO);
-        entries.map(|(row, value)| entry(name, (*row).to_owned(), *value)).collect::<Vec<_>>()
+        entries.map(|(row, value)| entry(name, row.clone(), *value)).collect::<Vec<_>>()
     };
     section(&mut text, "Inertia h without accelerations", vector("h", &form.inertia));
     section(&mut text, "Applied forces Q", vector("Q", &form.forces));

@@ -28,6 +28,8 @@ pub(super) fn statement(trace: &Trace<'_>) -> Statement {
     let rate = if knows_time { format!("({of})' less what the time does to V - T") } else { format!("({of})'") };
     let says =
         if is_zero(power(trace)) { format!("{rate} is zero") } else { format!("{rate} is the power of the forces") };
+    let changes = !(trace.model.events.is_empty() && trace.model.switches.is_empty());
+    let says = if changes { format!("between events {says}") } else { says };
     Statement { subject: "energy".to_owned(), says, agreement }
 }
 

@@ -48,16 +48,32 @@ fn principles_agree_on_systems_with_constraints_and_in_space() {
     agree(&held_by(two_bodies(), &["cross(K - G, S.y)", "distance(O, K) - (1 m)"]));
 }
 
-/// Lagrange's momenta of a mass that grows with the way: Hamel's equations know the same energy, Newton's know another law.
+/// A mass that grows with the way or the time is taken as solidified at each instant.
 #[test]
-fn an_inertia_that_moves_with_the_place_is_hamels_too() {
+fn a_mass_that_varies_has_one_law_by_every_principle() {
     let mut source = sleigh();
-    source.bodies[0].mass = Some("m + (1 kg/m)*x".into());
-    let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
-    apart(|| {
-        let found = model::agreement(&Trace::of(&model), Principle::Lagrange, Principle::Hamel).expect("it applies");
-        assert!(matches!(found, model::Agreement::Proved { .. }), "{found}");
-    });
+    source.bodies[0].mass = Some("m + (1 kg/m)*x - (0.1 kg/s)*t".into());
+    agree(&source);
+}
+
+#[test]
+fn constraints_of_speeds_are_integrable_or_not_as_frobenius_says() {
+    let kind = |source: &Source| {
+        let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
+        apart(|| model::constraints(&Trace::of(&model)).pop().unwrap_or_default())
+    };
+    let rolls = "constraints of speeds: not integrable (Frobenius)";
+    assert_eq!(kind(&sleigh()), rolls);
+    let held_by = |zero: &[&str]| Source { constraints: vec![held("held", zero)], ..disc() };
+    assert_eq!(kind(&held_by(&["velocity(disc at P) . N.x", "velocity(disc at P) . N.y"])), rolls);
+    // straight ahead: x' = r spin'
+    let straight = ["x' - r*spin'", "y'", "heading'", "lean'"];
+    assert_eq!(kind(&held_by(&straight)), "constraints of speeds: integrable (Frobenius)");
+    // one direction is left: no other leads out of it
+    assert_eq!(
+        kind(&held_by(&["x' - r*spin'*cos(lean)", "y' - heading'*x", "lean' - spin'", "heading' - spin'*cos(lean)"])),
+        "constraints of speeds: integrable (Frobenius)"
+    );
 }
 
 #[test]

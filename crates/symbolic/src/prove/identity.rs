@@ -1,8 +1,10 @@
 //! Identity testing: an expression that vanishes at random points of random prime fields vanishes, but for a small probability of
 //! error that is computed (Schwartz 1980; Zippel 1979).
 //!
-//! Symbols take random values, each angle a random point of the circle by the tangent of its half. Roots and functions take random
-//! values of their own, as if they were independent of their arguments: what vanishes even then vanishes for the true ones. So the expression is a quotient
+//! Symbols take random values, each angle a random point of the circle by the tangent of its half. Functions take random values of
+//! their own, as if they were independent of their arguments: what vanishes even then vanishes for the true ones. A root takes a root
+//! of its argument at the point; a point where that has none in the field is drawn again, and each root doubles the degree and the
+//! chance of a zero. Roots beyond the sixth are taken as functions. So the expression is a quotient
 //! of polynomials in random numbers, of a degree d and with coefficients of so many bits b, both bounded operation by operation. One
 //! that is not zero is zero in a random field of the set with a probability of at most (b/60)/2^54, since it has no more than b/60
 //! such primes as divisors; where it is not, it vanishes at a random point with one of at most d/2^60. No product is expanded: the
@@ -25,7 +27,10 @@ const ALLOWED: f64 = -100.0;
 /// Points beyond which the degree is too high to be tested.
 const MOST_POINTS: usize = 64;
 
-/// Points in vain, at which a denominator vanishes, after which it is taken to vanish everywhere.
+/// Roots that are taken in the field, at most.
+const MOST_ROOTS: usize = 6;
+
+/// Points in vain, at which a denominator vanishes, or for each root as many times two where it is none of the field, after which it is taken to vanish everywhere.
 const MOST_IN_VAIN: usize = 16;
 
 /// The result of a test at random points.
@@ -42,13 +47,21 @@ pub enum Identity {
 /// Tests whether expressions vanish, all at the same points.
 pub fn identified(expressions: &[Sym]) -> Identity {
     let nodes = Sym::ascending(expressions);
-    let is_opaque = |each: &Sym| matches!(each.node(), Node::Root(_) | Node::Elementary(..) | Node::Function(..));
+    let roots = nodes.iter().filter(|each| matches!(each.node(), Node::Root(_))).count();
+    let taken = if roots <= MOST_ROOTS { roots } else { 0 };
+    let is_opaque = |each: &Sym| match each.node() {
+        Node::Elementary(..) | Node::Function(..) => true,
+        Node::Root(_) => taken == 0,
+        _ => false,
+    };
     let opaque = nodes.iter().any(is_opaque);
     if nodes.contains(&Sym::UNDEFINED) {
         return Identity::Untested("a denominator is the constant zero");
     }
     let Bounds { degree, bits } = bounds(&nodes, expressions);
     let each = ((degree.log2() - BITS).exp2() + (bits / BITS) * (-PRIMES).exp2()).log2();
+    // conjugates, and the points at which all roots are in the field
+    let each = each + 2.0 * taken as f64 + if taken > 0 { 1.0 } else { 0.0 };
     let points = if each < 0.0 { (ALLOWED / each).ceil() } else { f64::INFINITY };
     if !(1.0..=MOST_POINTS as f64).contains(&points) {
         return Identity::Untested("the degree is too high for these fields");
@@ -56,8 +69,8 @@ pub fn identified(expressions: &[Sym]) -> Identity {
     let points = points as usize;
     let (mut random, mut in_vain, mut done) = (Random(0x9e37_79b9_7f4a_7c15), 0, 0);
     while done < points {
-        match values(&nodes, &Field(random.prime()), &mut random) {
-            None if in_vain == MOST_IN_VAIN => {
+        match values(&nodes, &Field(random.prime(taken > 0)), &mut random, taken > 0) {
+            None if in_vain == MOST_IN_VAIN << taken => {
                 return Identity::Untested("a denominator vanishes at every point that was tried");
             }
             None => in_vain += 1,
@@ -122,7 +135,12 @@ fn bounds(nodes: &[Sym], expressions: &[Sym]) -> Bounds {
                 let (above, below) = sizes.unwrap_or((constant(f64::INFINITY), constant(0.0)));
                 Quotient { above, below }
             }
-            Node::Symbol(_) | Node::Root(_) | Node::Elementary(..) | Node::Function(..) => generator,
+            Node::Symbol(_) | Node::Elementary(..) | Node::Function(..) => generator,
+            // no larger than its square
+            Node::Root(a) => {
+                let Quotient { above, below } = of(&a);
+                Quotient { above: above.times(generator.above), below }
+            }
             Node::Cos(a) | Node::Sin(a) => {
                 angles.insert(a);
                 generator
@@ -151,7 +169,7 @@ fn bounds(nodes: &[Sym], expressions: &[Sym]) -> Bounds {
 }
 
 /// The values at a random point; none where a denominator vanishes.
-fn values(nodes: &[Sym], field: &Field, random: &mut Random) -> Option<FxHashMap<Sym, u64>> {
+fn values(nodes: &[Sym], field: &Field, random: &mut Random, takes_roots: bool) -> Option<FxHashMap<Sym, u64>> {
     let mut values: FxHashMap<Sym, u64> = FxHashMap::default();
     let mut circle: FxHashMap<Sym, (u64, u64)> = FxHashMap::default();
     for &each in nodes {
@@ -169,6 +187,7 @@ fn values(nodes: &[Sym], field: &Field, random: &mut Random) -> Option<FxHashMap
         let of = |a: &Sym| values[a];
         let value = match each.node() {
             Node::Constant(_) => field.reduced(each.as_constant()?)?,
+            Node::Root(a) if takes_roots => field.root(of(&a))?,
             Node::Symbol(_) | Node::Root(_) | Node::Elementary(..) | Node::Function(..) => random.below(field.0),
             Node::Sum(a, b) => field.plus(of(&a), of(&b)),
             Node::Difference(a, b) => field.minus(of(&a), of(&b)),
@@ -211,6 +230,12 @@ impl Field {
             exponent >>= 1;
         }
         product
+    }
+
+    /// A root in a field whose prime is 3 beyond a multiple of 4; none of what has none.
+    fn root(&self, a: u64) -> Option<u64> {
+        let root = self.power(a, self.0.div_ceil(4));
+        (self.times(root, root) == a).then_some(root)
     }
 
     fn inverse(&self, a: u64) -> Option<u64> {
@@ -262,10 +287,10 @@ impl Random {
         }
     }
 
-    /// Between 2^60 and 2^61.
-    fn prime(&mut self) -> u64 {
+    /// Between 2^60 and 2^61; where roots are taken, 3 beyond a multiple of 4, as every second one is.
+    fn prime(&mut self, for_roots: bool) -> u64 {
         loop {
-            let drawn = (1 << 60) | (self.next() >> 4) | 1;
+            let drawn = (1 << 60) | (self.next() >> 4) | if for_roots { 3 } else { 1 };
             if is_prime(drawn) {
                 return drawn;
             }
@@ -297,15 +322,29 @@ mod tests {
     #[test]
     fn a_number_that_one_prime_divides_is_not_taken_for_zero() {
         let [x] = symbols(["x"]);
-        let prime = Random(0x9e37_79b9_7f4a_7c15).prime();
+        let prime = Random(0x9e37_79b9_7f4a_7c15).prime(false);
         assert_eq!(identified(&[x * Sym::int(prime as i64)]), Identity::NotZero);
         assert!(is_prime((1 << 61) - 1) && !is_prime((1 << 61) + 1) && is_prime(101) && !is_prime(3 * 5 * 17));
     }
 
     #[test]
+    fn roots_are_those_of_their_squares() {
+        let [x, y] = symbols(["x", "y"]);
+        let length = (x * x + y * y).sqrt();
+        let unit = x / length * (x / length) + y / length * (y / length) - Sym::ONE;
+        assert!(matches!(identified(&[unit, length * length - x * x - y * y]), Identity::Identified { .. }));
+        assert_eq!(identified(&[length - x - y]), Identity::NotZero);
+        // a root of a square has two signs
+        assert_eq!(identified(&[(x * x).sqrt() - x]), Identity::NotZero);
+    }
+
+    #[test]
     fn what_has_no_value_in_the_field_is_not_tested() {
         let [x] = symbols(["x"]);
-        assert!(matches!(identified(&[x.sqrt() * x.sqrt() - x]), Identity::Untested(_)));
+        let seven: Vec<Sym> = (1..8).map(|k| (x + Sym::int(k)).sqrt()).collect();
+        assert!(matches!(identified(&[seven[0] * seven[0] - x - Sym::ONE, seven[1], seven[6]]), Identity::NotZero));
+        let all = seven.iter().fold(Sym::ONE, |product, root| product * *root);
+        assert!(matches!(identified(&[all * all - all * all, all]), Identity::Untested(_)));
         let twice = x.elementary(Elementary::Exp, x) - (x + x).elementary(Elementary::Exp, x).sqrt();
         assert!(matches!(identified(&[twice]), Identity::Untested(_)));
         let opaque = (x.sqrt() + Sym::ONE) * (x.sqrt() - Sym::ONE) - x.sqrt() * x.sqrt() + Sym::ONE;

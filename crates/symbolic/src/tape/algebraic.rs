@@ -47,7 +47,6 @@ impl Algebraic {
     }
 
     /// The value at the inputs, with N registers on the stack; none where N are too few or inputs are missing.
-    #[inline(always)]
     pub fn evaluate<S: Scalar, const N: usize>(&self, inputs: impl Iterator<Item = S>) -> Option<S> {
         let mut registers = [S::zero(); N];
         let mut next = 0;

@@ -1,0 +1,6 @@
+//! The rules of the house, the list of broken laws, and the instructions for contributors.
+
+mod contributing;
+mod features;
+mod mutants;
+mod rules;

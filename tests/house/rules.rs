@@ -1,0 +1,140 @@
+//! The rules of the house: who may use whom, what stands beside a dependency, what the machinery may know.
+
+use serde_json::Value;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The layers from the lowest: a crate uses crates of lower layers only.
+const LAYERS: &[(&str, i32)] = &[
+    ("dalembert-features", -1),
+    ("dalembert-field", 0),
+    ("dalembert-symbolic", 1),
+    ("dalembert-native", 2),
+    ("dalembert-units", 2),
+    ("dalembert-mechanics", 2),
+    ("dalembert-integrators", 2),
+    ("dalembert-model", 3),
+    ("dalembert-claims", 3),
+    ("dalembert-charts", 4),
+    ("dalembert", 5),
+    ("dalembert-scenes", 6),
+    ("dalembert-cli", 7),
+];
+
+#[test]
+fn every_crate_uses_lower_layers_only() {
+    let layers: HashMap<&str, i32> = LAYERS.iter().copied().collect();
+    let packages = packages();
+    assert_eq!(packages.len(), LAYERS.len(), "a crate without a layer: write it into tests/house/rules.rs");
+    for package in &packages {
+        let name = package["name"].as_str().expect("a package has a name");
+        let layer = layers.get(name).unwrap_or_else(|| panic!("{name} has no layer"));
+        for dependency in package["dependencies"].as_array().expect("dependencies are a list") {
+            let used = dependency["name"].as_str().expect("a dependency has a name");
+            if let Some(below) = layers.get(used).filter(|_| dependency["kind"].is_null()) {
+                assert!(below < layer, "{name} (layer {layer}) uses {used} (layer {below})");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_dependency_has_its_reason() {
+    let manifest = read(&root().join("Cargo.toml"));
+    let list = manifest.split("[workspace.dependencies]").nth(1).expect("the workspace lists its dependencies");
+    let list = list.split("\n[").next().expect("a list ends").lines().skip(1);
+    let mut reason = false;
+    for line in list.map(str::trim).filter(|line| !line.is_empty()) {
+        let ours = line.contains("path =");
+        assert!(reason || ours || line.starts_with('#'), "no reason stands before `{line}`");
+        // a family of crates may share one reason
+        reason = line.starts_with('#') || (reason && line.split(['-', '_', ' ']).next() == Some("dashu"));
+        reason |= line.starts_with("serde ");
+    }
+}
+
+#[test]
+fn the_machinery_names_no_system() {
+    for folder in ["field", "symbolic", "units", "native", "mechanics", "model", "integrators", "claims", "charts"] {
+        for file in rust_files(&root().join("crates").join(folder).join("src")) {
+            let text = read(&file).to_lowercase();
+            for system in ["gyrostat", "konosevich", "damper"] {
+                assert!(!text.contains(system), "{} speaks of a {system}", file.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn laws_do_not_branch_on_values() {
+    for folder in ["derivations/systems", "crates/mechanics/src"] {
+        for file in rust_files(&root().join(folder)) {
+            let text = read(&file);
+            let generic = text.contains("S: Over<P>") || text.contains("S: Scalar");
+            assert!(!generic || !text.contains("PartialOrd"), "{} compares scalars", file.display());
+        }
+    }
+}
+
+#[test]
+fn unsafe_code_stands_in_one_place() {
+    let own = root().join("crates/native/src/lib.rs");
+    for folder in ["crates", "derivations"] {
+        let tested = |file: &Path| file.iter().any(|part| part == "tests");
+        for file in rust_files(&root().join(folder)).filter(|file| *file != own && !tested(file)) {
+            assert!(!read(&file).contains("unsafe {"), "{} has unsafe code", file.display());
+        }
+    }
+}
+
+#[test]
+fn the_program_writes_files_whole() {
+    let folder = root().join("crates/cli/src");
+    // the first writes files whole, pipes and devices are opened by the second, the table of the third grows by whole rows
+    let own = ["whole.rs", "output/place.rs", "ensemble/table.rs"].map(|name| folder.join(name));
+    let tested = |file: &Path| file.ends_with("tests.rs");
+    for file in rust_files(&folder).filter(|file| !own.contains(file) && !tested(file)) {
+        for way in ["fs::write", "File::create", "OpenOptions"] {
+            assert!(!read(&file).contains(way), "{} writes by {way}, not by `output`", file.display());
+        }
+    }
+}
+
+#[test]
+fn every_snapshot_is_small_enough_to_be_read() {
+    for file in files(&root().join("snapshots")) {
+        let bytes = std::fs::metadata(&file).expect("a listed file exists").len();
+        assert!(bytes <= 20 * 1024, "{} has {bytes} bytes", file.display());
+    }
+}
+
+pub fn packages() -> Vec<Value> {
+    let output = Command::new(env!("CARGO"))
+        .args(["metadata", "--no-deps", "--format-version", "1", "--offline"])
+        .current_dir(root())
+        .output()
+        .expect("cargo runs, since it runs this test");
+    let metadata: Value = serde_json::from_slice(&output.stdout).expect("cargo prints JSON");
+    metadata["packages"].as_array().expect("packages are a list").clone()
+}
+
+pub fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn rust_files(folder: &Path) -> impl Iterator<Item = PathBuf> {
+    files(folder).into_iter().filter(|file| file.extension().is_some_and(|end| end == "rs"))
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    entries
+        .map(|entry| entry.expect("a folder can be read").path())
+        .flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] })
+        .collect()
+}

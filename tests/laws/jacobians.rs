@@ -1,0 +1,87 @@
+//! The Jacobian that the implicit methods use, machine code of the laws differentiated exactly, is that of dual numbers: for
+//! every machine and form, and for every mechanism, away from the start.
+
+use crate::physical::machines::Bars;
+use crate::physical::rounded;
+use derivations::differentiated::Differentiated;
+use derivations::machines::{AnyMachine, Catalogued, ForMachine};
+use derivations::papers::konosevich2022::gyrostats;
+use derivations::recorded::Recorded;
+use derivations::scene::{AnyScene, Axes, Family as _};
+use derivations::systems::gyrostat::driven::Driven;
+use derivations::systems::gyrostat::forms::Form;
+use integrators::{Jacobian, Ode, System};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Whether the system has slopes of its own, after comparing them at a few states.
+fn compared(system: &dyn System, states: impl IntoIterator<Item = Vec<f64>>) -> bool {
+    let n = Ode::<f64>::dimension(system);
+    let (mut own, mut dual) = (Jacobian::of(system), Jacobian::new(system));
+    let (mut ours, mut theirs) = (vec![f64::NAN; n * n + n], vec![f64::NAN; n * n + n]);
+    for (turn, y) in states.into_iter().enumerate() {
+        let t = 0.1 + 0.3 * turn as f64;
+        for (jacobian, into) in [(&mut own, &mut ours), (&mut dual, &mut theirs)] {
+            let (matrix, by_time) = into.split_at_mut(n * n);
+            jacobian.matrix(t, &y, matrix);
+            jacobian.time_slopes(t, &y, by_time);
+        }
+        let size = theirs.iter().fold(1.0, |most: f64, entry| most.max(entry.abs()));
+        for (place, (ours, theirs)) in ours.iter().zip(&theirs).enumerate() {
+            let difference = (ours - theirs).abs();
+            assert!(difference < 1e-13 * size, "row {}, column {}: {ours} for {theirs}", place / n, place % n);
+        }
+    }
+    system.slopes().is_some()
+}
+
+struct Compare<F>(F);
+
+impl<F: Form<f64> + Send + Sync + 'static> ForMachine for Compare<F> {
+    type Output = bool;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> bool {
+        let law = Arc::new(Driven::new(self.0, machine));
+        let system = Differentiated::new(Recorded::new(Arc::clone(&law)), law);
+        let n = Ode::<f64>::dimension(&system);
+        let state = |turn: usize| (0..n).map(|i| 2.0 * ((7 * turn + 3 * i) as f64).sin()).collect();
+        compared(&system, (0..5).map(state))
+    }
+}
+
+#[test]
+fn the_jacobian_of_a_machine_is_that_of_dual_numbers() {
+    let g = rounded(&gyrostats::opposite_sign().gyrostat);
+    let mut with = Vec::new();
+    for (name, _) in AnyMachine::LIST {
+        for bars in [1, 6] {
+            let Some(Ok(machine)) = AnyMachine::read(name, &mut Bars(bars)) else { panic!("{name} is in the list") };
+            let first = machine.clone().apply(Compare(g.first_form().0));
+            if first && machine.apply(Compare(g.second_form().0)) {
+                with.push(*name);
+            }
+        }
+    }
+    // else nothing was compared
+    assert!(with.contains(&"synchronous") && with.contains(&"multi_current"), "{with:?}");
+}
+
+#[test]
+fn the_jacobian_of_a_mechanism_is_that_of_dual_numbers_and_so_are_its_slopes_in_time() {
+    let mut with = Vec::new();
+    for name in
+        ["bodies/crank_slider", "bodies/coin", "drive/stiff_diode", "governors/drum_programme", "governors/released"]
+    {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
+        let scene = AnyScene::open(&path).unwrap_or_else(|error| panic!("{error}"));
+        let problem = scene.smooth().expect("one initial value problem").problem(Axes::First);
+        let away = |turn: usize| {
+            let moved = |(i, y): (usize, &f64)| y + 0.01 * ((5 * turn + 2 * i) as f64).cos();
+            problem.state.iter().enumerate().map(moved).collect()
+        };
+        if compared(&*problem.law, (0..3).map(away)) {
+            with.push(name);
+        }
+    }
+    assert!(with.contains(&"bodies/crank_slider") && with.contains(&"governors/drum_programme"), "{with:?}");
+}

@@ -1,0 +1,331 @@
+//! Scenes of mechanisms: they end as they should, beside closed forms and theory, and their energy is the work on them.
+
+use derivations::governors::{self, SPEED, growth};
+use derivations::mechanisms::governors::{Discs, Drum, Programme, Released};
+use derivations::mechanisms::{LIST, Mechanism, MechanismScene};
+use derivations::scene::{Choice, Family, Smooth, Told, Trajectory, methods};
+use derivations::stabilisation::experiment;
+use derivations::systems::elastic_governor::ElasticGovernor;
+use integrators::{Failure, Method, Refusal};
+use std::convert::Infallible;
+use std::path::Path;
+
+fn open(name: &str) -> MechanismScene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
+    MechanismScene::open(&path).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A scene by its own choice.
+fn run(name: &str) -> (MechanismScene, Trajectory, Told) {
+    let scene = open(name);
+    let choice = scene.run.choice();
+    let trajectory = scene.simulate(&choice, |_| ());
+    let told = scene.told(&choice, &trajectory);
+    (scene, trajectory, told)
+}
+
+/// (scene, what its diagnosis begins with, if it ends early).
+const SCENES: [(&str, Option<&str>); 16] = [
+    ("governors/drum_programme", None),
+    ("governors/blow_up", Some("blow-up in finite time: the wheel comes to the axis of the second disc")),
+    ("governors/between_discs", None),
+    ("governors/between_discs_blow_up", Some("blow-up in finite time: the wheel comes to the axis of the second disc")),
+    ("governors/released", None),
+    ("governors/elastic_stable", None),
+    ("governors/elastic_unstable", None),
+    ("drive/euler_bears", None),
+    ("drive/euler_overdamped", Some("the violation of the constraint grows")),
+    ("drive/euler_stiff_diode", Some("the currents grow")),
+    ("drive/stiff_diode", None),
+    ("bodies/coin", None),
+    ("bodies/falling_disc", Some("the disc lies flat")),
+    ("bodies/sleigh", None),
+    ("bodies/crank_slider", None),
+    ("failures/nodding_top", Some("p g2 = q g1")),
+];
+
+#[test]
+fn every_scene_ends_as_it_should_and_is_diagnosed_by_name() {
+    for (name, diagnosis) in SCENES {
+        let (_, trajectory, told) = run(name);
+        assert_eq!(trajectory.outcome.reached(), diagnosis.is_none(), "{name}: {:?}", trajectory.stopped());
+        let found = told.diagnosis.as_deref();
+        assert_eq!(found.is_some(), diagnosis.is_some(), "{name}: {found:?}");
+        assert!(found.unwrap_or_default().starts_with(diagnosis.unwrap_or_default()), "{name}: {found:?}");
+        assert!(trajectory.rows.iter().flatten().chain(&trajectory.last).all(|x| x.is_finite()), "{name}");
+        assert!(trajectory.rows.iter().all(|row| row.len() == trajectory.names.len()), "{name}");
+    }
+}
+
+#[test]
+fn every_scene_of_the_project_is_looked_at_here() {
+    let files: usize = ["governors", "drive", "bodies"]
+        .iter()
+        .flat_map(|folder| std::fs::read_dir(Path::new("scenes").join(folder)).expect("it is there"))
+        .filter(|entry| entry.as_ref().is_ok_and(|entry| entry.path().extension().is_some_and(|end| end == "toml")))
+        .count();
+    // those that are made to fail are counted by their catalogue
+    assert_eq!(files, SCENES.iter().filter(|(name, _)| !name.starts_with("failures")).count());
+    let shown: Vec<&str> = SCENES.iter().map(|(name, _)| open(name).name).collect();
+    let missing: Vec<&str> =
+        MechanismScene::systems().into_iter().map(|(name, _)| name).filter(|name| !shown.contains(name)).collect();
+    // the same as the drum's, with the other gear
+    assert_eq!(missing, ["disc_governor"]);
+    assert_eq!(MechanismScene::systems().len(), LIST.len());
+}
+
+/// Euler is far from it: what it violates is no constraint.
+#[test]
+fn the_energy_is_the_work_on_the_mechanism() {
+    for (name, _) in SCENES.iter().filter(|(name, _)| !name.contains("euler")) {
+        let (scene, trajectory, _) = run(name);
+        let problem = scene.problem();
+        let count = scene.columns().iter().position(|quantity| quantity.name == "work").expect("it is counted");
+        let work = trajectory.last[count].abs().max(1.0);
+        let [deviation] = &trajectory.outcome.deviations[..] else { panic!("{name}: one balance") };
+        assert!(deviation.largest < 1e-6 * work, "{name}: {deviation:?}, work {work}");
+        assert_eq!(problem.state.len(), count + 1);
+    }
+}
+
+#[test]
+fn runs_agree_with_their_closed_forms() {
+    for name in ["drum_programme", "blow_up", "between_discs", "between_discs_blow_up"] {
+        let (_, _, told) = run(&format!("governors/{name}"));
+        let (what, off) = told.closed_form.unwrap_or_else(|| panic!("{name} has a closed form"));
+        assert!(off < 1e-10, "{name}: {what}: {off:.1e}");
+    }
+}
+
+#[test]
+fn a_blow_up_is_where_the_closed_form_says() {
+    for (name, time) in [("blow_up", 1.1025), ("between_discs_blow_up", 7.265608828656)] {
+        let (_, trajectory, told) = run(&format!("governors/{name}"));
+        assert!((trajectory.outcome.time - time).abs() < 1e-9, "{name}: {}", trajectory.outcome.time);
+        let diagnosis = told.diagnosis.expect("it is named");
+        assert!(diagnosis.contains(&format!("by the closed form at t = {time}")), "{diagnosis}");
+    }
+}
+
+/// A step that is as long as ever would land on the other side, where the law has values again.
+#[test]
+fn no_method_steps_over_the_axis() {
+    let scene = open("governors/blow_up");
+    for (written, _) in methods::list() {
+        let method = methods::method(&written.replace("STEPS", "70")).expect("it is in the list");
+        let choice = Choice { method, ..scene.run.choice() };
+        let trajectory = scene.simulate(&choice, |_| ());
+        if let Some(Failure::Refused(refusal)) = trajectory.outcome.failure() {
+            assert_eq!(refusal, Refusal::NoPieces, "{method}");
+            continue;
+        }
+        let told = scene.told(&choice, &trajectory);
+        assert!(!trajectory.outcome.reached() && trajectory.last[0] > 0.0, "{method}: {:?}", trajectory.last);
+        // backward Euler's equation has no root two steps before the end: what theory foretells is all that is said
+        let named = told.diagnosis.is_some_and(|what| what.starts_with("blow-up"));
+        assert_eq!(named, !matches!(method, Method::BackwardEuler { .. }), "{method}: {:?}", trajectory.stopped());
+        assert!(told.theory[0].contains("t = 1.1025"), "{:?}", told.theory);
+        assert!(trajectory.rows.iter().all(|row| row[0] > 0.0), "{method}");
+    }
+}
+
+/// Adaptive methods, and one with a constant step that is fine enough.
+fn accurate_methods() -> impl Iterator<Item = Method> {
+    let named = methods::list().filter_map(|(written, _)| methods::method(&written).ok());
+    named.chain([Method::RungeKutta4 { steps: 5000 }])
+}
+
+/// The angle goes through zero as smoothly as through any other value, but the law divides by 1 - cos^2 theta, which is zero in double
+/// precision where theta is below 1.05e-8: the last step that a method can make ends before that, much nearer than its tolerance.
+#[test]
+fn the_disc_lies_flat_at_one_time_by_every_method_at_every_tolerance() {
+    let scene = open("bodies/falling_disc");
+    for method in accurate_methods() {
+        for tolerance in [1e-4, 1e-6, 1e-9, 1e-12] {
+            let choice = Choice { method, tolerance, ..scene.run.choice() };
+            let trajectory = scene.simulate(&choice, |_| ());
+            let told = scene.told(&choice, &trajectory);
+            assert!(trajectory.left.is_some_and(|what| what.contains("lies flat")), "{method}: {:?}", trajectory.left);
+            assert!(told.diagnosis.is_some_and(|what| what.starts_with("the disc lies flat")), "{method}");
+            let (time, theta) = (trajectory.outcome.time, trajectory.last[3]);
+            assert!(trajectory.last.iter().all(|number| number.is_finite()), "{method}: {:?}", trajectory.last);
+            assert!((time - 0.804644).abs() < (10.0 * tolerance).max(1e-6), "{method} at {tolerance:e}: {time}");
+            assert!((0.0..(1e-2 * tolerance).max(1e-7)).contains(&theta), "{method} at {tolerance:e}: {theta:e}");
+        }
+    }
+}
+
+#[test]
+fn samples_change_no_step_of_any_method() {
+    let scene = open("bodies/coin");
+    let steps = |written: String| methods::method(&written.replace("STEPS", "977")).expect("it is in the list");
+    for method in methods::list().map(|(written, _)| steps(written)) {
+        let run = |samples: usize| {
+            let choice = Choice { method, tolerance: 1e-8, samples, ..scene.run.choice() };
+            scene.simulate(&choice, |_| ())
+        };
+        let few = run(5);
+        if !few.outcome.reached() {
+            continue;
+        }
+        let many = run(1234);
+        let work = |run: &Trajectory| (run.outcome.work.steps, run.outcome.work.rates, run.outcome.work.rejected);
+        assert_eq!((work(&many), &many.last), (work(&few), &few.last), "{method}");
+        assert_eq!((few.times.len(), many.times.len()), (6, 1235), "{method}");
+    }
+}
+
+/// The crate's Radau5 goes on with factors of other steps, and Kvaerno's iteration wants less than rounding: both are dealt with.
+#[test]
+fn implicit_methods_meet_tight_tolerances_on_stiff_circuits() {
+    for name in ["drive/stiff_diode", "drive/euler_bears"] {
+        let scene = open(name);
+        for (method, tolerance) in
+            [(Method::Radau5, 1e-11), (Method::Radau5, 3e-12), (Method::Radau5, 1e-13), (Method::Kvaerno5, 1e-13)]
+        {
+            let choice = Choice { method, tolerance, samples: 10, ..scene.run.choice() };
+            let trajectory = scene.simulate(&choice, |_| ());
+            assert!(trajectory.outcome.reached(), "{name}, {method} at {tolerance:e}: {:?}", trajectory.stopped());
+        }
+    }
+}
+
+/// The step that Euler bears is longest for an instant: between a hundred instants it was missed.
+#[test]
+fn the_longest_step_that_euler_bears_is_found() {
+    let (_, _, told) = run("drive/euler_bears");
+    let said = told.theory.iter().find(|said| said.contains("longest steps")).expect("theory tells the steps");
+    let greatest = said.split(" s to ").nth(1).and_then(|rest| rest.split(' ').next()).map(str::parse::<f64>);
+    assert!(greatest.is_some_and(|step| step.is_ok_and(|step| (0.0890..0.0900).contains(&step))), "{said}");
+}
+
+/// What a mechanism shows at a state; every datum is 1 but those that are told.
+fn shown<M: Mechanism>(name: &str, y: &[f64], told: &[(&str, f64)]) -> f64 {
+    let datum = |name: &str| told.iter().find(|(told, _)| *told == name).map_or(1.0, |(_, value)| *value);
+    let Ok(mechanism) = M::read(&mut |quantity| Ok::<_, Infallible>(datum(&quantity.name)));
+    let place = M::SHOWN.iter().position(|quantity| quantity.name == name).expect("it is shown");
+    mechanism.shown(0.0, y)[place]
+}
+
+/// No contact slips: R omega1 = rho omega2 at a drum, rho omega1 = (a - rho) omega2 between two discs.
+#[test]
+fn the_other_shaft_is_shown_as_fast_as_the_wheel_rolls() {
+    let (drum, discs) = ([("drum", 0.5), ("speed", 3.0)], [("distance", 1.0), ("speed", 3.0)]);
+    assert_eq!(shown::<Programme<Drum>>("omega1", &[0.25], &drum), 1.5);
+    assert_eq!(shown::<Released<Drum>>("omega1", &[3.0, 0.25, 0.0], &drum), 1.5);
+    assert_eq!(shown::<Programme<Discs>>("omega1", &[0.25], &discs), 9.0);
+    assert_eq!(shown::<Released<Discs>>("omega1", &[3.0, 0.25, 0.0], &discs), 9.0);
+    let elastic = [("drum", 0.5), ("offset", 0.5)];
+    assert_eq!(shown::<ElasticGovernor<f64>>("omega2", &[3.0, 0.75, 0.0, 0.0, 0.0], &elastic), 6.0);
+}
+
+/// The rate of the linear theory, seen over forty seconds of the motion.
+#[test]
+fn the_elastic_governor_leaves_or_regains_its_stationary_motion_as_fast_as_theory_says() {
+    for (name, load) in [("elastic_stable", 20.0), ("elastic_unstable", 23.0)] {
+        let (scene, trajectory, told) = run(&format!("governors/{name}"));
+        let of_the_maps = governors::governor(50.0, load);
+        for (name, value) in [("m1", of_the_maps.m1), ("delta2", of_the_maps.delta2), ("beta", of_the_maps.beta)] {
+            let given = scene.data.iter().find(|(quantity, _)| quantity.name == name).expect("it is a datum").1;
+            assert!((given - value).abs() < 1e-14, "{name}: {given} and {value}");
+        }
+        let column = trajectory.column("x").expect("a state");
+        let largest = |from: f64, to: f64| {
+            let rows = trajectory.times.iter().zip(&trajectory.rows);
+            let inside = rows.filter(|(time, _)| (from..to).contains(*time));
+            inside.map(|(_, row)| (row[column] - of_the_maps.rest).abs()).fold(0.0, f64::max)
+        };
+        let rate = (largest(80.0, 100.0) / largest(40.0, 60.0)).ln() / 40.0;
+        let foretold = growth(&of_the_maps, SPEED).expect("eigenvalues");
+        assert_eq!(foretold > 0.0, name.contains("unstable"));
+        assert!((rate - foretold).abs() < 0.1 * foretold.abs(), "{name}: {rate} and {foretold}");
+        let word = if foretold > 0.0 { "is unstable" } else { "is stable" };
+        assert!(told.theory.iter().any(|said| said.contains(word)), "{:?}", told.theory);
+    }
+}
+
+#[test]
+fn the_drive_of_the_scene_is_the_drive_of_the_experiment() {
+    let (_, trajectory, told) = run("drive/euler_bears");
+    let euler: fn(u32) -> Method = |steps| Method::Euler { steps };
+    let track = experiment::run("", euler, experiment::STEP, 200.0, 1e4);
+    let (time, state) = track.points[500];
+    assert!((time - 5.0).abs() < 1e-12);
+    for (found, expected) in trajectory.last.iter().zip(state) {
+        assert!((found - expected).abs() < 1e-9, "{found} and {expected}");
+    }
+    assert!(told.theory.iter().any(|said| said.contains("decays")), "{:?}", told.theory);
+}
+
+/// The moments of the one grow with the time, the source of the other alternates: the tape must know the time.
+#[test]
+fn taylors_method_follows_laws_with_the_time_in_them() {
+    for name in ["governors/released", "drive/euler_bears"] {
+        let scene = open(name);
+        let by = |method| {
+            let choice = Choice { method, tolerance: 1e-10, ..scene.run.choice() };
+            let trajectory = scene.simulate(&choice, |_| ());
+            assert!(trajectory.outcome.reached(), "{name}: {:?}", trajectory.stopped());
+            trajectory.outcome.state
+        };
+        let (series, stages) = (by(Method::Taylor), by(Method::DormandPrince8));
+        for (a, b) in series.iter().zip(&stages) {
+            assert!((a - b).abs() < 1e-6 * a.abs().max(1.0), "{name}: {a} and {b}");
+        }
+    }
+}
+
+#[test]
+fn what_theory_says_of_a_constant_step_is_what_the_run_does() {
+    let overdamped = open("drive/euler_overdamped");
+    // h b = 2 + h^2 k/2 at h = 5 s/654
+    for (steps, bears) in [(500, false), (600, false), (700, true), (2000, true)] {
+        let choice = Choice { method: Method::Euler { steps }, ..overdamped.run.choice() };
+        let trajectory = overdamped.simulate(&choice, |_| ());
+        let told = overdamped.told(&choice, &trajectory);
+        assert_eq!(trajectory.outcome.reached(), bears, "{steps}: {:?}", trajectory.stopped());
+        assert_eq!(
+            told.theory.iter().any(|said| said.contains("violation of the constraint decays")),
+            bears,
+            "{told:?}"
+        );
+    }
+}
+
+#[test]
+fn the_sound_text_is_accepted() {
+    MechanismScene::parse("scene.toml", SOUND).unwrap_or_else(|error| panic!("{error}"));
+}
+
+const SOUND: &str = include_str!("../../scenes/drive/stiff_diode.toml");
+const GOVERNOR: &str = include_str!("../../scenes/governors/between_discs.toml");
+
+/// What is wrong stands under the marks, is said, and comes with what would be accepted.
+#[test]
+fn what_is_wrong_with_a_mechanism_is_told_at_its_place() {
+    for (text, from, to, marked, said) in [
+        (SOUND, "rod = \"600 mm\"", "rod = \"100 mm\"", "\"100 mm\"", "the rod is no longer than the crank"),
+        (SOUND, "mutual = \"300 mH\"", "mutual = \"600 mH\"", "\"600 mH\"", "M^2 < L1 L2 is broken"),
+        (SOUND, "reverse = \"10 kohm\"", "reverse = \"1 mohm\"", "\"1 mohm\"", "conducts better backwards"),
+        (SOUND, "c3 = \"50 mA s/V\"", "c3 = \"0 A s/V\"", "\"0 A s/V\"", "must be positive"),
+        (SOUND, "c3 = \"50 mA s/V\"", "c3 = \"50 mQ\"", "\"50 mQ\"", "cannot be read"),
+        (SOUND, "l4 = \"500 mH\"\n", "", "[data]", "`l4` is missing"),
+        (SOUND, "q6 = \"0.3 rad\"", "q7 = \"0.3 m\"", "q7", "unknown key `q7`"),
+        (SOUND, "\"violation\"]", "\"violaton\"]", "\"violaton\"", "unknown output"),
+        (SOUND, "\"crank_drive\"", "\"crank_driv\"", "\"crank_driv\"", "unknown system"),
+        (SOUND, "\"crank_drive\"", "\"gyrostat\"", "\"gyrostat\"", "is not a mechanism"),
+        (GOVERNOR, "rho = \"300 mm\"", "rho = \"900 mm\"", "\"900 mm\"", "axis of the second disc"),
+        (GOVERNOR, "rho = \"300 mm\"", "rho = \"-1 mm\"", "\"-1 mm\"", "axis of the first disc"),
+        (GOVERNOR, "speed = \"2 rad/s\"", "speed = \"0 rad/s\"", "\"0 rad/s\"", "no wheel keeps a shaft at rest"),
+        (GOVERNOR, "j1 = \"0.6 kg m^2\"", "j1 = \"-0.6 kg m^2\"", "\"-0.6 kg m^2\"", "must be positive"),
+    ] {
+        assert_eq!(text.matches(from).count(), 1, "`{from}` must stand once");
+        let text = text.replace(from, to);
+        let error = MechanismScene::parse("scene.toml", &text).expect_err(said);
+        let found = error.issues.iter().any(|issue| {
+            let marks = issue.span.clone().map_or("", |span| &text[span]);
+            marks.starts_with(marked) && issue.title.contains(said) && issue.help.is_some()
+        });
+        assert!(found, "{error}");
+    }
+}

@@ -1,0 +1,5 @@
+//! What a reviewer reads: the ledger's pages and rows, the verdicts on motors.
+
+mod ledger;
+mod ledger_rows;
+mod motors;

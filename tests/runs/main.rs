@@ -1,0 +1,12 @@
+//! Runs beside what they should give: references, closed forms, other steps, other formulations.
+
+mod beside;
+mod closed_forms;
+mod ensembles;
+mod friction_forms;
+#[path = "../physical/mod.rs"]
+mod physical;
+mod references;
+mod rough_references;
+mod splitting;
+mod transition;

@@ -1,9 +1,0 @@
-//! All stationary motions: of a thousand random gyrostats beside an independent search, in closed cases, for every motor.
-
-mod closed;
-mod momentum;
-mod motors;
-#[path = "../physical/mod.rs"]
-mod physical;
-mod search;
-mod thousand;
