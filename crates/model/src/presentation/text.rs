@@ -33,9 +33,9 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     section(&mut text, "Parameters", parameters(trace));
     let units = trace.model.coordinates.iter().map(|each| format!("{} in {}", each.name, each.unit)).collect();
     section(&mut text, "Coordinates q", units);
-    let rows: Vec<String> = (0..form.speeds.len()).map(|speed| trace.direction(speed)).collect();
     let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
     section(&mut text, "Inputs", open.map(|input| format!("{} in {}", input.name, input.unit)).collect());
+    let rows: Vec<String> = (0..form.speeds.len()).map(|speed| trace.direction(speed)).collect();
     let entry = |name: &str, place: String, value: Sym| format!("{name}[{place}] = {}", value.decimal_text());
     let mut mass = Vec::new();
     for (i, row) in form.mass.iter().enumerate() {
