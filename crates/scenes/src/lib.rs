@@ -10,6 +10,8 @@ mod compiled_system;
 mod first_motion;
 mod implicit;
 mod modes;
+mod quoted_keys;
+mod readiness;
 mod scene;
 mod start;
 pub mod text;

@@ -18,6 +18,8 @@ pub enum Unmet {
     Open(Open),
     /// A constraint, where the model has it, that follows from those before it.
     Redundant(Range<usize>),
+    /// A constraint that no coordinate and no speed moves.
+    Idle(Range<usize>),
     /// A constraint that is led to zero by more gains, or fewer, than its kind has.
     Gains { at: Range<usize>, level: Level },
     /// A constraint that is another one in another case of a condition.
@@ -96,10 +98,7 @@ pub fn consistent(model: &Model) -> Result<Vec<f64>, Unmet> {
             return Err(Unmet::Open(open));
         }
     }
-    match constraints.redundant(&state) {
-        Some(at) => Err(Unmet::Redundant(at)),
-        None => Ok(state),
-    }
+    constraints.redundant(&state).map_or(Ok(state), Err)
 }
 
 /// Whether a state breaks a constraint of a model that is kept at zero.
@@ -179,7 +178,7 @@ impl Constraints {
     }
 
     /// The first constraint whose direction depends on those of the others before it.
-    fn redundant(&self, state: &[f64]) -> Option<Range<usize>> {
+    fn redundant(&self, state: &[f64]) -> Option<Unmet> {
         let jacobian = self.rows(state, self.known.len());
         let largest = jacobian.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
         let mut kept: Vec<DVector<f64>> = Vec::new();
@@ -189,8 +188,11 @@ impl Constraints {
             let rest =
                 (0..2).fold(whole.clone(), |rest, _| kept.iter().fold(rest, |rest, one| &rest - one * one.dot(&rest)));
             let length = rest.norm();
-            if length <= RANK * whole.norm() || whole.norm() <= RANK * largest || length == 0.0 {
-                return Some(at.clone());
+            if whole.norm() <= RANK * largest || whole.norm() == 0.0 {
+                return Some(Unmet::Idle(at.clone()));
+            }
+            if length <= RANK * whole.norm() {
+                return Some(Unmet::Redundant(at.clone()));
             }
             kept.push(rest / length);
         }
