@@ -10,10 +10,11 @@ use derivations::taped::Program;
 use field::DoubleDouble;
 use integrators::{Directions, Ode};
 use model::equations::{Equation, Equations, Level, Singular, constraints_of};
-use model::{Model, Trace};
+use model::{Model, ScalarId, Trace};
 use std::fmt;
+use std::ops::Range;
 use std::sync::Arc;
-use symbolic::{Hypotheses, Sym, decide, substitute_all};
+use symbolic::{Hypotheses, Sym, apart, decide, substitute_all};
 
 /// Why a model has no law that runs.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +31,8 @@ pub enum NotCompiled {
     FreeFrame { name: String },
     /// A law that changes at conditions, where one law is asked for.
     Changes,
+    /// A condition, or an event, that depends on accelerations or reactions, by its place.
+    OfAccelerations { at: Range<usize> },
     /// A switch that no value between its cases keeps at zero.
     NotHeld { switch: usize },
     /// An expression has no values.
@@ -49,6 +52,9 @@ impl fmt::Display for NotCompiled {
             ),
             Self::NotHeld { switch } => {
                 write!(f, "condition {} cannot be kept at zero: nothing in the law grows with it alone", switch + 1)
+            }
+            Self::OfAccelerations { .. } => {
+                write!(f, "a condition that depends on accelerations or reactions is not there yet")
             }
             Self::Tilted { body } => {
                 write!(f, "`{body}` turns about another axis than z: one moment of inertia does not say how it resists")
@@ -96,6 +102,9 @@ impl CompiledSystem {
     /// Why there is no law that runs.
     pub fn of(model: &Arc<Model>, mode: &[Case]) -> Result<Self, NotCompiled> {
         has_values(model)?;
+        if let Some(at) = of_accelerations(model) {
+            return Err(NotCompiled::OfAccelerations { at });
+        }
         let changes = !(model.switches.is_empty() && model.events.is_empty());
         let unknowns = model.speeds() + model.constraints.len();
         if !changes && unknowns > MOST_WRITTEN {
@@ -184,6 +193,22 @@ pub(crate) fn plain(model: &Model) -> Result<(), NotCompiled> {
         return Err(NotCompiled::FreeFrame { name: model.frames[frame.0].name.clone() });
     }
     if model.switches.is_empty() { Ok(()) } else { Err(NotCompiled::Changes) }
+}
+
+/// The first condition or event that depends on accelerations or reactions.
+fn of_accelerations(model: &Model) -> Option<Range<usize>> {
+    if model.switches.is_empty() && model.events.is_empty() {
+        return None;
+    }
+    apart(|| {
+        let trace = Trace::of(model);
+        let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
+        let unknown: Vec<Sym> = trace.accelerations.iter().copied().chain(multipliers).collect();
+        let depends = |id: ScalarId| trace.scalar(id).symbols_of().iter().any(|symbol| unknown.contains(symbol));
+        let mut switches = model.switches.iter().zip(&model.switch_places);
+        let switch = switches.find_map(|(switch, at)| depends(*switch).then(|| at.clone()));
+        switch.or_else(|| model.events.iter().find_map(|event| depends(event.when).then(|| event.at.clone())))
+    })
 }
 
 /// Whether every parameter and every input has a value.

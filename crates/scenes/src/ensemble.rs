@@ -3,7 +3,8 @@
 use crate::admissible::BodyNumbers;
 use crate::compiled_system::{ENERGIES, NotCompiled, plain};
 use crate::parametric_law::ParametricLaw;
-use crate::scene::{ModelScene, columns, refused, unmet_at};
+use crate::readiness::{refused, unmet_at};
+use crate::scene::{ModelScene, columns};
 use crate::start::{StartSolver, Unmet, given};
 use derivations::ensemble::{
     Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, Shape, Sizes, Stopped, Variable, lane_series,
@@ -183,6 +184,7 @@ fn told(unmet: &Unmet) -> String {
     match unmet {
         Unmet::Open(open) => open.to_string(),
         Unmet::Redundant { name, .. } => format!("{name} follows from those before it"),
+        Unmet::Idle { name, .. } => format!("{name} holds nothing there"),
         Unmet::Gains { .. } | Unmet::Piecewise(_) => "a constraint that no start can meet".to_owned(),
         Unmet::NotCompiled(reason) => reason.to_string(),
     }

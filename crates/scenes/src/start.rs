@@ -19,6 +19,8 @@ pub enum Unmet {
     Open(Open),
     /// A constraint, where the model has it, that follows from those before it.
     Redundant { at: Range<usize>, name: String },
+    /// A constraint that no coordinate and no speed moves.
+    Idle { at: Range<usize>, name: String },
     /// A constraint that is led to zero by more gains, or fewer, than its kind has.
     Gains { at: Range<usize>, level: Level },
     /// A constraint that is another one in another case of a condition.
@@ -198,10 +200,7 @@ impl StartSolver {
                 return Err(Unmet::Open(open));
             }
         }
-        match constraints.redundant(&state, parameters) {
-            Some((name, at)) => Err(Unmet::Redundant { at, name }),
-            None => Ok(state),
-        }
+        constraints.redundant(&state, parameters).map_or(Ok(state), Err)
     }
 
     /// Writes all that decides a completed start beside the given numbers.
@@ -278,7 +277,7 @@ impl Constraints {
     }
 
     /// The first constraint whose direction depends on those of the others before it.
-    fn redundant(&self, state: &[f64], parameters: &[f64]) -> Option<(String, Range<usize>)> {
+    fn redundant(&self, state: &[f64], parameters: &[f64]) -> Option<Unmet> {
         let jacobian = self.rows(&self.values(0.0, state, parameters), self.known.len());
         let largest = jacobian.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
         let mut kept: Vec<DVector<f64>> = Vec::new();
@@ -288,8 +287,12 @@ impl Constraints {
             let rest =
                 (0..2).fold(whole.clone(), |rest, _| kept.iter().fold(rest, |rest, one| &rest - one * one.dot(&rest)));
             let length = rest.norm();
-            if length <= RANK * whole.norm() || whole.norm() <= RANK * largest || length == 0.0 {
-                return Some((called(name), at.clone()));
+            let (name, at) = (called(name), at.clone());
+            if whole.norm() <= RANK * largest || whole.norm() == 0.0 {
+                return Some(Unmet::Idle { at, name });
+            }
+            if length <= RANK * whole.norm() {
+                return Some(Unmet::Redundant { at, name });
             }
             kept.push(rest / length);
         }

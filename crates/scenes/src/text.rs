@@ -1,7 +1,7 @@
 //! The tables of a file as a system: keys, texts and their places.
 
+use derivations::scene::Issue;
 use derivations::scene::read::{At, Table};
-use derivations::scene::{Issue, SceneError};
 use model::{
     BodySource, ConstraintSource, Entry, EventSource, Fault, InertiaSource, InputSource, LoadSource, Source, Text,
 };
@@ -54,6 +54,36 @@ fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
     (entries, place.filter(|_| is_asked))
 }
 
+/// Tables and keys at the top of a file.
+const TOP: [&str; 18] = [
+    "title",
+    "description",
+    "language",
+    "gravity",
+    "parameters",
+    "coordinates",
+    "definitions",
+    "frames",
+    "points",
+    "bodies",
+    "energies",
+    "force",
+    "torque",
+    "constraint",
+    "inputs",
+    "outputs",
+    "event",
+    "start",
+];
+
+/// Whether a table at the top has a name that is not known: its absence explains other faults.
+pub fn has_unknown_tables(top: &Table<'_>) -> bool {
+    let is_known = |key: &str| TOP.contains(&key) || matches!(key, "run" | "ensemble");
+    top.keys()
+        .iter()
+        .any(|key| !is_known(&key.value) && (top.is_table(&key.value) || units::nearest(&key.value, TOP).is_some()))
+}
+
 /// A fault of the model at its place in the file.
 pub fn issue(fault: Fault) -> Issue {
     let Fault { span, title, label, accepted } = fault;
@@ -98,44 +128,32 @@ fn entries_of(table: &mut Table<'_>, name: &str, keys: Vec<At<String>>) -> Vec<E
 /// Whether a key holds a list or a table, as some keys of bodies, forces, constraints and events do.
 fn holds_more(table: &mut Table<'_>, key: &str) -> bool {
     match key {
-        "between" | "zero" => {
-            let (place, texts) = (table.place_of(key), table.text_or_texts(key, "text"));
-            texts.first().is_some_and(|text| Some(&text.span) != place.as_ref())
-        }
+        "between" | "zero" => is_list(table, key),
         _ => table.is_table(key),
     }
 }
 
-/// Adds to a fault of TOML that a key with a prime stands in quotes, where one stands there without.
-pub fn with_quoted_primes(mut error: SceneError) -> SceneError {
-    let SceneError { text, issues, .. } = &mut error;
-    for issue in issues.iter_mut().filter(|issue| issue.help.is_none()) {
-        let Some(place) = issue.span.as_ref().map(|span| span.start.min(text.len())) else { continue };
-        let begin = text.as_bytes()[..place].iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
-        let line = text.get(begin..).and_then(|rest| rest.lines().next()).unwrap_or("");
-        let help = match primed_key(line) {
-            Some(key) => format!("a key with a prime stands in quotes: \"{key}\" = ..."),
-            None => "keys, tables and texts as TOML has them: key = \"text\", [table], [[list of tables]]".to_owned(),
-        };
-        issue.help = Some(help);
-    }
-    error
-}
-
-/// A name with a prime that stands before `=` without quotes.
-fn primed_key(line: &str) -> Option<&str> {
-    line.split('=').rev().skip(1).find_map(|before| {
-        let before = before.trim_end();
-        let name = before.rsplit(|c: char| !(c.is_alphanumeric() || matches!(c, '_' | '\'' | '′'))).next()?;
-        let is_primed = name.ends_with(['\'', '′']) && name.starts_with(char::is_alphabetic);
-        is_primed.then_some(name)
-    })
+/// Whether a key holds a list of texts.
+fn is_list(table: &mut Table<'_>, key: &str) -> bool {
+    let Some(place) = table.place_of(key) else { return false };
+    table.text_or_texts(key, "text").first().is_some_and(|text| text.span != place)
 }
 
 fn bodies(top: &mut Table<'_>) -> Vec<BodySource> {
     let Some(mut table) = top.optional_table("bodies") else { return Vec::new() };
     let mut bodies = Vec::new();
     for key in table.keys() {
+        if !table.is_table(&key.value)
+            && let Some(fault) = model::misplaced(&key_text(&key), "bodies")
+        {
+            // once: the keys below share the heading
+            table.report(issue(Fault {
+                accepted: "[bodies.NAME]: each body has a name of its own".to_owned(),
+                ..fault
+            }));
+            table.known_all();
+            break;
+        }
         let mut body = table.table(&key.value, "a body");
         let mut text = |key: &str, needed: &str| {
             let found = body.written(key, needed)?;
@@ -145,9 +163,23 @@ fn bodies(top: &mut Table<'_>) -> Vec<BodySource> {
         let (centre, mass) = (text("centre", "centre of mass, a point"), text("mass", "mass"));
         let inertia = if body.is_table("inertia") {
             Some(tensor(&mut body))
+        } else if is_list(&mut body, "inertia") {
+            let place = body.place_of("inertia").unwrap_or_else(|| body.span());
+            let issue = Issue::at(place, "moments of inertia have names", "a list");
+            body.report(issue.accepted("inertia = { axes = \"C\", principal = [\"A\", \"B\", \"C\"] }"));
+            None
         } else {
             text_of(&mut body, "inertia", "moment of inertia").map(InertiaSource::Axial)
         };
+        let own = ["turns", "frame", "centre", "mass", "inertia"];
+        let others = body.keys();
+        let mut others = others.iter().filter(|other| !own.contains(&other.value.as_str()));
+        if let Some(fault) =
+            others.find_map(|other| model::misplaced(&key_text(other), &format!("bodies.{}", key.value)))
+        {
+            body.report(issue(fault));
+            body.known_all();
+        }
         bodies.push(BodySource { name: key_text(&key), turns, frame, centre, mass, inertia });
         table.absorb(body);
     }
@@ -183,7 +215,7 @@ fn tensor(body: &mut Table<'_>) -> InertiaSource {
 }
 
 fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
-    let needed = format!("each [[{name}]] is a table");
+    let needed = format!("[[{name}]] in double brackets is accepted, since a system may have several");
     let mut loads = Vec::new();
     for mut table in top.tables(name, &needed) {
         let own_name = text_of(&mut table, "name", "name");
@@ -213,7 +245,9 @@ fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
 
 fn constraints(top: &mut Table<'_>) -> Vec<ConstraintSource> {
     let mut constraints = Vec::new();
-    for mut table in top.tables("constraint", "each [[constraint]] is a table") {
+    for mut table in
+        top.tables("constraint", "[[constraint]] in double brackets is accepted, since a system may have several")
+    {
         let name = text_of(&mut table, "name", "name");
         let gains = programmed(&mut table);
         let zero = table.text_or_texts("zero", "expression that is zero, or a list of such");
@@ -263,12 +297,20 @@ fn inputs(top: &mut Table<'_>) -> Vec<InputSource> {
 
 fn events(top: &mut Table<'_>) -> Vec<EventSource> {
     let mut events = Vec::new();
-    for mut table in top.tables("event", "each [[event]] is a table") {
+    for mut table in top.tables("event", "[[event]] in double brackets is accepted, since a system may have several") {
         let name = text_of(&mut table, "name", "name");
         let when = table.text("when", "expression that passes zero");
         let when = placed(&table, &when);
         let direction = text_of(&mut table, "direction", "\"up\", \"down\" or \"both\"");
-        let set = entries(&mut table, "set");
+        let set = match table.place_of("set").filter(|_| !table.is_table("set")) {
+            Some(place) => {
+                table.known(&["set"]);
+                let issue = Issue::at(place, "`set` gives coordinates and speeds their values", "no table");
+                table.report(issue.accepted("set = { \"x'\" = \"-e*x'\", y = \"0\" }"));
+                Vec::new()
+            }
+            None => entries(&mut table, "set"),
+        };
         let ends = table.flag("end", "end of the run");
         let at = table.span();
         let sound = !table.has_issues();

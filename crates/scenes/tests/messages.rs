@@ -180,6 +180,107 @@ fn what_cannot_run_says_why() {
 }
 
 #[test]
+fn a_place_of_the_ground_takes_forces_and_the_ground_itself_none() {
+    let force = |keys: &str| format!("[[force]]\n{keys}\n\n[outputs]");
+    let spring = force("between = [\"ground at O + (1 m)*N.x\", \"bob\"]\nis = \"(3 N)\"");
+    assert_eq!(messages(&[("[outputs]", &spring)]), Vec::<String>::new());
+    let of = |keys: &str, parts: &[&str]| one(&[("[outputs]", &force(keys))], parts);
+    of("between = [\"ground\", \"bob\"]\nis = \"(3 N)\"", &["the ground is everywhere", "\"ground at O\""]);
+    of("on = \"ground at O\"\nis = \"(3 N)*N.x\"", &["a force on the ground moves nothing"]);
+    of("between = [\"P\", \"bob\"]\nis = \"(3 N)\"", &["a force acts between two points, and these are one"]);
+    of("on = \"bob\"", &["`is` is missing"]);
+    let torque = |keys: &str, parts: &[&str]| one(&[("[outputs]", &format!("[[torque]]\n{keys}\n\n[outputs]"))], parts);
+    torque("on = \"bob at P\"\nis = \"(3 N m)*N.z\"", &["a torque acts on a body as a whole", "\"bob\""]);
+    torque("on = \"ground\"\nis = \"(3 N m)*N.z\"", &["a torque on the ground moves nothing"]);
+    torque("between = [\"A\", \"A\"]\nis = \"(3 N m)*N.z\"", &["these turn together"]);
+    torque("on = \"A\"\nis = \"(3 N m)\"", &["a torque is a vector", "about the axis of a planar system a*N.z"]);
+    one(&[("[[force]]", "[force]")], &["`force` has the wrong type", "[[force]] in double brackets"]);
+}
+
+#[test]
+fn a_heading_that_is_missing_is_told_once() {
+    one(&[("[bodies.bob]\n", "")], &["`mass` stands under [points]", "`mass` is a key of [bodies.NAME]"]);
+    one(&[("[[force]]\n", "")], &["`on` stands under [bodies.bob]", "[[force]] or [[torque]]"]);
+    one(&[("[run]\n", "")], &["`span` stands under [start]", "a key of [run]"]);
+    one(&[("[bodies.bob]", "[bodies]")], &["`centre` stands under [bodies]", "each body has a name of its own"]);
+    one(&[("[bodies.bob]", "[body.bob]")], &["unknown key `body`", "is `bodies` meant?"]);
+    let between = "[outputs]\nbetween = [\"O\", \"bob\"]\nis = \"(1 N)\"";
+    one(&[("[outputs]", between)], &["`between` stands under [outputs]"]);
+}
+
+#[test]
+fn what_stands_in_the_wrong_table_is_sent_to_its_own() {
+    let parameter = |text: &str| format!("g = \"9.81 m/s^2\"\nI = \"{text}\"");
+    one(&[("g = \"9.81 m/s^2\"", &parameter("m*l^2/3"))], &["an expression stands under [definitions]"]);
+    one(&[("g = \"9.81 m/s^2\"", &parameter("N turned theta about z"))], &["a frame stands under [frames]"]);
+    one(&[("theta = \"rad\"", "theta = \"0.3 rad\"")], &["the value at time zero stands under [start]"]);
+    one(&[("theta = \"rad\"", "thetta = \"rad\"")], &["`theta`", "is `thetta` meant?"]);
+}
+
+#[test]
+fn slips_of_the_pen_in_expressions_are_told_with_the_way_out() {
+    let told = |text: &str, parts: &[&str]| one(&[("\"l*sin(theta)\"", &format!("\"{text}\""))], parts);
+    told("P . N.y", &["a point is no vector", "`(P - O) . N.y`"]);
+    told("2l*theta", &["`2*l` is a product", "`(2 l)` a number with a unit"]);
+    told("l*sin(30 deg)", &["`(30 deg)` a number with a unit, in parentheses of its own"]);
+    told("l*sin theta", &["functions too: sin(a)"]);
+    told("l**2", &["powers are written with ^"]);
+    told("theta = 1", &["an expression has no equals sign"]);
+    told("if(theta > 0 and theta < 1, l, 0)", &["two are nested: if("]);
+    told("l*pi", &["no letter is called `pi`", "half a turn is (180 deg)"]);
+    told("l*A", &["a scalar and a frame cannot be multiplied", "A.x, A.y, A.z"]);
+    told("P + P", &["a point and a point cannot be added", "point + vector"]);
+    told("velocity(bob)/velocity(bob)", &["cannot be divided", "scalar/scalar, vector/scalar"]);
+    told("theta^(1/3)", &["no multiple of 1/2 is not there yet", "exp(ln(x)/3)"]);
+    one(&[("\"reach\"", "\"velocity(bob)\"")], &["the output `width` is a scalar", "v . N.x, or norm(v)"]);
+    one(&[("theta = \"0.3 rad\"", "theta' = \"0.3 rad/s\"")], &["a key with a prime stands in quotes: \"theta'\""]);
+    let event = "[[event]]\nwhen = \"theta < 1\"\nend = true\n\n[outputs]";
+    one(&[("[outputs]", event)], &["an expression passes zero", "when = \"theta - (1)\", with direction"]);
+    one(&[("[outputs]", "[[constraint]]\nzero = \"theta > 0\"\n\n[outputs]")], &["a constraint is an equation"]);
+    let set = "[[event]]\nwhen = \"theta\"\nset = \"theta' = 0\"\n\n[outputs]";
+    one(&[("[outputs]", set)], &["`set` gives coordinates and speeds their values", "set = { \"x'\""]);
+}
+
+#[test]
+fn reactions_and_conditions_are_refused_where_they_cannot_be() {
+    let rod = |rest: &str| format!("[[constraint]]\nname = \"rod\"\nzero = \"theta - 0.3\"\n\n{rest}");
+    let output = |text: &str| rod(&format!("[outputs]\nload = \"{text}\""));
+    let told = |text: &str, parts: &[&str]| one(&[("[outputs]", &output(text))], parts);
+    told("reaction(pod)", &["no constraint is called `pod`", "is `rod` meant?"]);
+    told("abs(reaction(rod))", &["depends on accelerations or reactions is not there yet", "sqrt(r^2)"]);
+    told("joint_force(bob)", &["the output `load` is a scalar", "this is a vector"]);
+    told("joint_force(P) . N.x", &["a body has a joint"]);
+    let force = rod("[[force]]\non = \"bob\"\nis = \"reaction(rod)*N.x/l\"\n\n[outputs]");
+    one(&[("[outputs]", &force)], &["`reaction` stands in [outputs] only"]);
+    let event = "[[event]]\nwhen = \"theta'' - (1 rad/s^2)\"\nend = true\n\n[outputs]";
+    one(&[("[outputs]", event)], &["depends on accelerations or reactions is not there yet", "^^^"]);
+    let piecewise = "[[constraint]]\nzero = \"if(t < (1 s), theta - 0.3, theta)\"\n\n[outputs]";
+    one(&[("[outputs]", piecewise)], &["a constraint that changes at a condition is not there yet"]);
+}
+
+#[test]
+fn a_start_without_a_motion_names_what_stops_it() {
+    one(&[("[run]\nspan = \"1 s\"\n", "")], &["the table [run] is missing", "the file ends here"]);
+    one(&[("m = \"2 kg\"", "m = \"kg\"")], &["the parameter `m` has no value", ":5:1"]);
+    let high = "[[constraint]]\nname = \"high\"\nzero = \"(P - O) . N.y - 2*l\"\n\n[outputs]";
+    let guessed = [("[outputs]", high), ("theta = \"0.3 rad\"", "theta = \"guess 0.3 rad\"")];
+    one(
+        &guessed,
+        &["the constraint `high` was not met from this start", "moving `theta` left", "theta = \"guess ...\""],
+    );
+    let same = "[[constraint]]\nzero = \"l - l\"\n\n[outputs]";
+    one(&[("[outputs]", same)], &["this constraint holds nothing at the start"]);
+    let pole = [
+        ("theta = \"rad\"", "phi = \"rad\"\ntheta = \"rad\""),
+        ("N turned theta about z", "B turned theta about x\"\nB = \"N turned phi about y"),
+        ("theta = \"0.3 rad\"", "theta = \"0 rad\""),
+    ];
+    one(&pole, &["the acceleration of `phi` is not determined at the start", "no azimuth at the pole"]);
+    one(&[("\"(0.1 N)*N.x\"", "\"(0.1 N)*ln(theta - 1)*N.x\"")], &["the forces on `theta` have no value at the start"]);
+    one(&[("\"(0.1 N)*N.x\"", "\"(100 N)*sign(theta')*N.x\"")], &["this is at zero at the start"]);
+}
+
+#[test]
 fn what_the_language_will_have_is_refused_by_name() {
     one(&[("[outputs]", "[[contact]]\nof = \"bob at P\"\n\n[outputs]")], &["contacts with friction are not there yet"]);
 }

@@ -150,14 +150,20 @@ const READ: &str = "title = \"t\"\nTOP\n[parameters]\nm = \"1 kg\"\n[coordinates
                     [[force]]\non = \"b\"\nis = \"0\"\nFORCE\n[[torque]]\non = \"N\"\nis = \"0\"\nTORQUE\n[[constraint]]\nzero = \"x\"\nCONSTRAINT\n\
                     [[event]]\nwhen = \"x\"\nend = true\nEVENT\n[inputs]\nu = { unit = \"N\"INPUT }\n[run]\nspan = \"1 s\"\nRUN\n";
 
+/// The file with something at one of its places.
+fn with(place: &str, written: &str) -> String {
+    let places = ["TOP", "BODY", "FORCE", "TORQUE", "CONSTRAINT", "EVENT", "INPUT", "RUN"];
+    places
+        .iter()
+        .fold(READ.to_owned(), |text, other| text.replacen(other, if *other == place { written } else { "" }, 1))
+}
+
 /// The keys that the reader says it knows where a key stands that it does not know.
 fn known(place: &str, written: &str) -> BTreeSet<String> {
-    let places = ["TOP", "BODY", "FORCE", "TORQUE", "CONSTRAINT", "EVENT", "INPUT", "RUN"];
-    let text = places
-        .iter()
-        .fold(READ.to_owned(), |text, other| text.replacen(other, if *other == place { written } else { "" }, 1));
+    let text = with(place, written);
     let error = ModelScene::parse("scene.toml", &text).expect_err("a key is not known");
-    let issue = error.issues.iter().find(|issue| issue.title.contains("`zqzqzq`")).unwrap_or_else(|| panic!("{error}"));
+    let issue =
+        error.issues.iter().find(|issue| issue.title.contains("`unheard_of_key`")).unwrap_or_else(|| panic!("{error}"));
     let list =
         issue.help.as_deref().and_then(|help| help.strip_prefix("known here: ")).unwrap_or_else(|| panic!("{error}"));
     list.split(", ").map(str::to_owned).collect()
@@ -170,27 +176,31 @@ fn the_schema_has_every_key_that_the_reader_knows_and_no_other() {
         let properties = schema.pointer(&format!("{place}/properties")).unwrap_or_else(|| panic!("{place}"));
         properties.as_object().expect("keys").keys().cloned().collect()
     };
-    let one = "zqzqzq = 1";
+    let one = "unheard_of_key = 1";
     for (place, written, of_schema) in [
         ("TOP", one, ""),
         ("BODY", one, "/$defs/body"),
-        ("BODY", "inertia = { zqzqzq = 1 }", "/$defs/tensor"),
+        ("BODY", "inertia = { unheard_of_key = 1 }", "/$defs/tensor"),
         ("FORCE", one, "/properties/force/items"),
         ("TORQUE", one, "/properties/torque/items"),
         ("CONSTRAINT", one, "/properties/constraint/items"),
         (
             "CONSTRAINT",
-            "programmed = { gains = [\"(1 1/s)\"], zqzqzq = 1 }",
+            "programmed = { gains = [\"(1 1/s)\"], unheard_of_key = 1 }",
             "/properties/constraint/items/properties/programmed",
         ),
         ("EVENT", one, "/properties/event/items"),
-        ("INPUT", ", zqzqzq = 1", "/properties/inputs/additionalProperties/anyOf/1"),
+        ("INPUT", ", unheard_of_key = 1", "/properties/inputs/additionalProperties/anyOf/1"),
         ("RUN", one, "/properties/run"),
     ] {
         assert_eq!(known(place, written), keys(of_schema), "{place} {written}");
     }
-    let energies = "[energies]\nzqzqzq = \"0\"\n[bodies.b]";
-    let error = ModelScene::parse("scene.toml", &READ.replacen("[bodies.b]", energies, 1)).expect_err("no such energy");
+    let text = with("BODY", "[energies]\nunheard_of_key = \"0\"");
+    let error = ModelScene::parse("scene.toml", &text).expect_err("no such energy").to_string();
     let listed = keys("/properties/energies").into_iter().collect::<Vec<_>>().join(", ");
-    assert!(listed == "dissipation, kinetic, potential" && error.to_string().contains("zqzqzq"), "{error}");
+    assert_eq!(listed, "dissipation, kinetic, potential");
+    assert!(
+        error.contains("no energy is called `unheard_of_key`") && error.contains("kinetic, potential, dissipation"),
+        "{error}"
+    );
 }

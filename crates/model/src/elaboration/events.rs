@@ -1,7 +1,19 @@
 //! Events: the instants at which an expression passes zero, and the state after them.
 
 use super::{Elaborator, Sound};
-use crate::{Assignment, Direction, Entry, Event, EventSource, Fault};
+use crate::expression::{Form, read};
+use crate::{Assignment, Direction, Entry, Event, EventSource, Fault, Text};
+
+/// The two sides of a text that is a comparison as a whole.
+pub(super) fn compared(text: &Text) -> Option<[&str; 2]> {
+    let expression = read(&text.text).ok()?;
+    match expression.parts.last() {
+        Some(Form::Comparison(_, left, right)) => {
+            Some([left, right].map(|side| &text.text[expression.spans[*side].clone()]))
+        }
+        _ => None,
+    }
+}
 
 impl Elaborator<'_> {
     pub(super) fn events(&mut self) {
@@ -14,6 +26,11 @@ impl Elaborator<'_> {
     }
 
     fn event(&mut self, source: &EventSource) -> Sound<Event> {
+        if let Some([left, right]) = compared(&source.when) {
+            let accepted = format!("when = \"{left} - ({right})\", with direction = \"up\" or \"down\"");
+            let title = "an event is an instant at which an expression passes zero";
+            return Err(Box::new(Fault::at(source.when.span(), title, "a condition", accepted)));
+        }
         let when = self.scalar_value(&source.when, "`when`", None)?;
         let direction = match &source.direction {
             None => Direction::Both,

@@ -119,6 +119,11 @@ impl Elaborator<'_> {
             None => None,
         };
         for text in &constraint.zero {
+            if super::events::compared(text).is_some() {
+                let accepted = "an expression that is zero; contacts, which hold one side, are not there yet";
+                let title = "a constraint is an equation";
+                return Err(Box::new(Fault::at(text.span(), title, "an inequality", accepted)));
+            }
             let zero = match self.value(text)? {
                 Value::Scalar(zero) => Zero::Scalar(zero),
                 Value::Vector(zero) => Zero::Vector(zero),

@@ -53,7 +53,17 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
         faults = headless.into_iter().map(|(_, fault)| fault).collect();
     }
     faults.sort_by_key(|fault| fault.span.start);
+    once_for_each_name(&mut faults);
     if faults.is_empty() { Ok(model) } else { Err(faults) }
+}
+
+/// Leaves of several faults about one name that is not known the first.
+fn once_for_each_name(faults: &mut Vec<Fault>) {
+    let mut told: FxHashSet<String> = FxHashSet::default();
+    faults.retain(|fault| match fault.title.split_once(" is called ") {
+        Some((_, name)) => told.insert(name.to_owned()),
+        None => true,
+    });
 }
 
 /// The meaning of a name of the system.
@@ -311,12 +321,21 @@ const EXAMPLES: &str =
 
 fn mismatch(span: &Range<usize>, what: &str, needed: &str, found: &Value) -> Box<Fault> {
     let found = found.describe();
-    Box::new(Fault::at(
-        span.clone(),
-        format!("{what} is {needed}"),
-        format!("this is {found}"),
-        format!("{needed} is accepted"),
-    ))
+    Box::new(Fault::at(span.clone(), format!("{what} is {needed}"), format!("this is {found}"), instead(needed, found)))
+}
+
+/// An expression that would be accepted in the place of another.
+fn instead(needed: &str, found: &str) -> String {
+    let example = match (needed, found) {
+        ("a vector", "a scalar") => ", such as a*N.x; about the axis of a planar system a*N.z",
+        ("a vector", "a point") => ", such as P - O",
+        ("a scalar", "a vector") => ", such as the component v . N.x, or norm(v)",
+        ("a scalar", "a point") => ", such as (P - O) . N.x, or distance(O, P)",
+        ("a point", "a vector") => ", such as O + v",
+        ("a point", "a scalar") => ", such as O + x*N.x",
+        _ => " is accepted",
+    };
+    format!("{needed}{example}")
 }
 
 /// A name that is not known; of a name whose definition is wrong, a consequence of that.
@@ -332,6 +351,7 @@ fn unknown<'a>(
     }
     let mut known: Vec<&str> = known.collect();
     known.sort_unstable();
+    known.dedup();
     let accepted = match units::nearest(name, known.iter().copied()) {
         Some(nearest) => format!("is `{nearest}` meant?"),
         None if known.is_empty() => format!("the system has no {kind}"),

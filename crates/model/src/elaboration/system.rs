@@ -4,6 +4,7 @@ use super::order::Definition;
 use super::value::Value;
 use super::{Elaborator, MOST, Named, Sound, mismatch};
 use crate::arena::Scalar;
+use crate::expression::Form;
 use crate::{
     Body, BodyId, BodySource, Coordinate, Entry, Fault, Frame, FrameId, Inertia, InertiaSource, Input, InputSource,
     Parameter, Point, PointId, Text, Turn,
@@ -15,6 +16,7 @@ impl Elaborator<'_> {
     pub(super) fn letters(&mut self) {
         for entry in &self.source.parameters {
             let found = self.parameter(entry);
+            let found = found.map_err(|fault| self.elsewhere(&entry.value, fault));
             let found = self.under("parameters", &entry.name, found);
             if let Some(parameter) = self.kept_as(&entry.name, found) {
                 let dimension = parameter.dimension;
@@ -25,6 +27,7 @@ impl Elaborator<'_> {
         }
         for entry in &self.source.coordinates {
             let found = self.unit(&entry.value, "a coordinate has a unit", "x = \"m\", theta = \"rad\"");
+            let found = found.map_err(|fault| self.elsewhere(&entry.value, fault));
             let found = self.under("coordinates", &entry.name, found);
             let Some((dimension, unit)) = self.kept_as(&entry.name, found) else { continue };
             let (name, at) = (entry.name.text.clone(), entry.name.span());
@@ -48,6 +51,35 @@ impl Elaborator<'_> {
             let accepted = "[coordinates] names what moves: theta = \"rad\"; or a frame turns freely: F = \"N free\"";
             self.faults.push(Fault::at(0..0, "the system has no coordinates", "nothing moves", accepted));
         }
+    }
+
+    /// The fault of a text that is no unit, with the table where such a text stands.
+    fn elsewhere(&self, text: &Text, fault: Box<Fault>) -> Box<Fault> {
+        let accepted = if is_frame(&text.text) {
+            "a frame stands under [frames]"
+        } else if units::quantity::parse_any(&text.text).is_ok() {
+            "a unit alone, \"rad\"; the value at time zero stands under [start]"
+        } else if self.has_names(text) {
+            "an expression stands under [definitions], a point under [points]"
+        } else {
+            return fault;
+        };
+        Box::new(Fault { accepted: accepted.to_owned(), ..*fault })
+    }
+
+    /// Whether a text is an expression in which names of the system stand.
+    fn has_names(&self, text: &Text) -> bool {
+        let Ok(expression) = crate::expression::read(&text.text) else { return false };
+        let source = self.source;
+        let entries = [&source.parameters, &source.coordinates, &source.definitions, &source.frames, &source.points];
+        let known = |name: &String| {
+            super::is_reserved(name) || entries.iter().any(|table| table.iter().any(|entry| entry.name.text == *name))
+        };
+        expression.parts.len() > 1
+            && expression.parts.iter().any(|form| match form {
+                Form::Name(name) | Form::Member { of: name, .. } => known(name),
+                _ => false,
+            })
     }
 
     fn unit(&self, text: &Text, what: &str, accepted: &str) -> Sound<(Dimension, String)> {

@@ -118,6 +118,8 @@ pub enum Reason {
     Operand,
     /// Two operands without a sign between them.
     Operator,
+    /// A number and a name side by side.
+    Beside { number: String, name: String },
     /// Two sides of an equation.
     Equation,
     /// `**`
@@ -152,6 +154,10 @@ impl fmt::Display for Reason {
                     "an operator is expected here; products are written with *, numbers with units in parentheses: (20 mm), functions too: sin(a)"
                 )
             }
+            Self::Beside { number, name } => write!(
+                f,
+                "`{number}*{name}` is a product, `({number} {name})` a number with a unit, in parentheses of its own"
+            ),
             Self::Equation => write!(f, "an expression has no equals sign: a equals b where `a - b` is zero"),
             Self::Stars => write!(f, "powers are written with ^"),
             Self::Connective => {

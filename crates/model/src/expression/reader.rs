@@ -61,6 +61,12 @@ impl<'a> Reader<'a> {
     fn unjoined(&self) -> Reason {
         match self.peek() {
             Some(Token::Name("and" | "or")) => Reason::Connective,
+            Some(Token::Name(name)) => match self.at.checked_sub(1).map(|last| &self.tokens[last].1) {
+                Some(Token::Number(number)) => {
+                    Reason::Beside { number: (*number).to_owned(), name: (*name).to_owned() }
+                }
+                _ => Reason::Operator,
+            },
             _ => Reason::Operator,
         }
     }
@@ -343,7 +349,8 @@ mod tests {
     fn a_text_that_is_no_expression_is_refused_at_its_place() {
         let wrong = |text: &str| read(text).map_err(|wrong| (wrong.span, wrong.reason)).expect_err(text);
         assert_eq!(wrong(""), (0..0, Reason::Operand));
-        assert_eq!(wrong("2x"), (1..2, Reason::Operator));
+        assert_eq!(wrong("2x"), (1..2, Reason::Beside { number: "2".to_owned(), name: "x".to_owned() }));
+        assert_eq!(wrong("a b"), (2..3, Reason::Operator));
         assert_eq!(wrong("a*(b"), (2..3, Reason::Parenthesis));
         assert_eq!(wrong("a)"), (1..2, Reason::Parenthesis));
         assert_eq!(wrong("x^y"), (2..3, Reason::Exponent));

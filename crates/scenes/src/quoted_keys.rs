@@ -1,0 +1,30 @@
+//! Faults of TOML, with what would be accepted: most often a key with a prime that stands without quotes.
+
+use derivations::scene::SceneError;
+
+/// Adds to a fault of TOML that a key with a prime stands in quotes, where one stands there without.
+pub fn with_quoted_primes(mut error: SceneError) -> SceneError {
+    let SceneError { text, issues, .. } = &mut error;
+    for issue in issues.iter_mut().filter(|issue| issue.help.is_none()) {
+        let Some(place) = issue.span.as_ref().map(|span| span.start.min(text.len())) else { continue };
+        let begin = text.as_bytes()[..place].iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+        let line = text.get(begin..).and_then(|rest| rest.lines().next()).unwrap_or("");
+        let help = match primed_key(line) {
+            Some(key) => format!("a key with a prime stands in quotes: \"{key}\" = ..."),
+            None if issue.label.contains("duplicate") => "each name stands once in its table".to_owned(),
+            None => "keys, tables and texts as TOML has them: key = \"text\", [table], [[list of tables]]".to_owned(),
+        };
+        issue.help = Some(help);
+    }
+    error
+}
+
+/// A name with a prime that stands before `=` without quotes.
+fn primed_key(line: &str) -> Option<&str> {
+    line.split('=').rev().skip(1).find_map(|before| {
+        let before = before.trim_end();
+        let name = before.rsplit(|c: char| !(c.is_alphanumeric() || matches!(c, '_' | '\'' | '′'))).next()?;
+        let is_primed = name.ends_with(['\'', '′']) && name.starts_with(char::is_alphabetic);
+        is_primed.then_some(name)
+    })
+}
