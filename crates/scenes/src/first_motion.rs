@@ -6,7 +6,7 @@
 //! A direction that this matrix takes to zero moves nothing with inertia and breaks no constraint: a coordinate that loses its meaning
 //! there, as the azimuth of spherical angles does at the pole.
 
-use crate::compiled_system::{CompiledSystem, values};
+use crate::compiled_system::{CompiledSystem, NotCompiled, values};
 use crate::modes::Case;
 use derivations::scene::Issue;
 use derivations::taped::Program;
@@ -45,6 +45,13 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
         return Some(Issue::at(at, title, "its acceleration would be no number").accepted(NO_NUMBER));
     }
     let (name, at) = moved(terms.free(n)?);
+    let elsewhere: Vec<f64> = start.iter().zip(1..).map(|(part, place)| part + 0.1 * f64::from(place)).collect();
+    let there = Terms::of(model, &system.mode, &elsewhere).filter(|terms| without_value(&terms.matrix).is_none());
+    if there.and_then(|terms| terms.free(n)).is_some() {
+        let massless = NotCompiled::Massless { coordinate: name };
+        let issue = Issue::at(at, format!("this system cannot run: {massless}"), "this coordinate");
+        return Some(issue.accepted("a body that moves with it, or a constraint that determines it"));
+    }
     let title = format!("the acceleration of `{name}` is not determined at the start");
     let issue = Issue::at(at, title, "in this position nothing with inertia moves with it");
     Some(issue.accepted(
