@@ -15,13 +15,11 @@ const DIGITS: f64 = 22.0;
 pub(crate) fn equal_digits(pairs: &[(Sym, Sym)]) -> Option<(usize, f64)> {
     let (mut points, mut digits) = (0, f64::INFINITY);
     for point in 0..POINTS {
-        let mut least = f64::INFINITY;
-        for &(one, other) in pairs {
-            least = least.min(agreed(one, other, point));
-        }
-        if least.is_nan() {
+        let here: Vec<f64> = pairs.iter().map(|&(one, other)| agreed(one, other, point)).collect();
+        if here.iter().any(|digits| digits.is_nan()) {
             continue;
         }
+        let least = here.into_iter().fold(f64::INFINITY, f64::min);
         points += 1;
         digits = digits.min(least);
     }

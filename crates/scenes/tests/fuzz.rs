@@ -269,7 +269,7 @@ fn whatever_stands_in_a_file_it_is_read_or_refused_with_reasons() {
 #[test]
 fn whatever_varies_a_member_starts_or_says_why() {
     let text = include_str!("../../../scenes/models/slider_crank.toml").to_owned()
-        + "\n[ensemble]\nmembers = 4\n[ensemble.vary]\nparameters.l = { from = \"0.1 m\", to = \"0.4 m\" }\n\
+        + "\n[ensemble]\nmembers = 4\n[ensemble.vary]\nparameters.l = { from = \"0.01 m\", to = \"0.06 m\" }\n\
         start.theta = { mean = \"0 rad\", deviation = \"1 rad\" }\nstart.\"phi'\" = { values = \"1 2 3 4 rad/s\" }\n";
     let sound = with_guess(&text);
     let mut drawn = Drawn(37);

@@ -151,3 +151,16 @@ fn elementary_functions_run_by_every_method() {
     let all = METHODS.map(|method| runs(&spring, method).last[0]);
     all.iter().for_each(|x| close(*x, all[0], 1e-9));
 }
+
+/// A start at which a condition and its rate are zero: the next rate decides, or two motions go on.
+#[test]
+fn a_condition_at_rest_at_zero_is_decided_by_its_next_rate() {
+    let spring = PUSHED.replace("FORCE", "-(2 N)*x/(1 m)*if(x > (1 m), 1, 2)") + "[start]\nx = \"1 m\"\n";
+    let trajectory = runs(&spring, Method::DormandPrince8);
+    assert_eq!(trajectory.stopped(), None);
+    // x'' = -2 x below one metre
+    close(trajectory.last[0], (2f64.sqrt() * 5.0).cos(), 1e-9);
+    let fork = PUSHED.replace("FORCE", "if(x > (1 m), (2 N), -(2 N))") + "[start]\nx = \"1 m\"\n";
+    let error = ModelScene::parse("scene.toml", &fork).unwrap_err().to_string();
+    assert!(error.contains("several motions go on from here"), "{error}");
+}

@@ -227,7 +227,6 @@ fn slips_of_the_pen_in_expressions_are_told_with_the_way_out() {
     told("l**2", &["powers are written with ^"]);
     told("theta = 1", &["an expression has no equals sign"]);
     told("if(theta > 0 and theta < 1, l, 0)", &["two are nested: if("]);
-    told("l*pi", &["no letter is called `pi`", "half a turn is (180 deg)"]);
     told("l*A", &["a scalar and a frame cannot be multiplied", "A.x, A.y, A.z"]);
     told("P + P", &["a point and a point cannot be added", "point + vector"]);
     told("velocity(bob)/velocity(bob)", &["cannot be divided", "scalar/scalar, vector/scalar"]);

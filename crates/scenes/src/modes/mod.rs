@@ -86,7 +86,7 @@ impl Modes {
         self.moded(&off).map_err(Refused::Law)?;
         let moded = self.at(0.0, state).map_err(|why| {
             let conditions = self.moded(&off).map(|moded| moded.signals.conditions(0.0, state)).unwrap_or_default();
-            Refused::Motion { why, switch: conditions.iter().position(|[value, _]| *value == 0.0) }
+            Refused::Motion { why, switch: conditions.iter().position(|[value, ..]| *value == 0.0) }
         })?;
         Ok(Arc::clone(&moded.system))
     }

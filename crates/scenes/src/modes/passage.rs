@@ -91,13 +91,19 @@ impl Modes {
         if open.len() > MOST_OPEN {
             return Err(TOO_MANY);
         }
-        let cases = [Case::On, Case::Off, Case::Held];
+        // of cases that rest the one that the event led to comes first
+        let first = mode.clone();
+        let cases = |switch: usize| match first[switch] {
+            Case::On => [Case::On, Case::Off, Case::Held],
+            Case::Off => [Case::Off, Case::On, Case::Held],
+            Case::Held => [Case::Held, Case::On, Case::Off],
+        };
         let (mut agreeing, mut resting, mut reason) = (Vec::new(), None, NONE);
-        for combination in 0..cases.len().pow(open.len() as u32) {
+        for combination in 0..3_usize.pow(open.len() as u32) {
             let mut rest = combination;
             for &switch in open {
-                mode[switch] = cases[rest % cases.len()];
-                rest /= cases.len();
+                mode[switch] = cases(switch)[rest % 3];
+                rest /= 3;
             }
             if closed.iter().any(|switch| mode[*switch] == Case::Held) {
                 continue;
@@ -120,8 +126,8 @@ impl Modes {
     }
 }
 
-/// Whether open conditions move as their cases say: each away from zero or held between its cases, or, otherwise, at rest where it
-/// should move; none where one contradicts its case.
+/// Whether open conditions move as their cases say: each away from zero, by its rate or where that is zero by the next one, or held
+/// between its cases; or, otherwise, at rest where it should move; none where one contradicts its case.
 fn agreement(moded: &Moded, time: f64, state: &[f64], open: &[usize]) -> Option<bool> {
     let conditions = moded.signals.conditions(time, state);
     let signals = moded.signals.at(time, state);
@@ -129,7 +135,9 @@ fn agreement(moded: &Moded, time: f64, state: &[f64], open: &[usize]) -> Option<
     for &switch in open {
         match moded.system.mode[switch] {
             case @ (Case::On | Case::Off) => {
-                let rate = conditions[switch][1] * if case == Case::On { 1.0 } else { -1.0 };
+                let side = if case == Case::On { 1.0 } else { -1.0 };
+                let [_, first, second] = conditions[switch];
+                let rate = side * if first == 0.0 { second } else { first };
                 if rate.is_nan() || rate < 0.0 {
                     return None;
                 }

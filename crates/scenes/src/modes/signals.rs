@@ -54,7 +54,7 @@ impl Signals {
 
     /// The values of everything that is written: signals with their rates, conditions with theirs, and what events set.
     fn all(&self, time: f64, state: &[f64]) -> Vec<f64> {
-        let mut values = vec![f64::NAN; 2 * (self.falls.len() + self.conditions) + self.events * state.len()];
+        let mut values = vec![f64::NAN; 2 * self.falls.len() + 3 * self.conditions + self.events * state.len()];
         self.program.run(time, state, &mut values);
         values
     }
@@ -69,14 +69,14 @@ impl Signals {
         self.at(time, state)[self.falls.len() - self.events..].to_vec()
     }
 
-    /// The value and the rate of every condition.
-    pub fn conditions(&self, time: f64, state: &[f64]) -> Vec<[f64; 2]> {
-        self.all(time, state).as_chunks::<2>().0[self.falls.len()..][..self.conditions].to_vec()
+    /// The value of every condition, its rate, and the rate of that.
+    pub fn conditions(&self, time: f64, state: &[f64]) -> Vec<[f64; 3]> {
+        self.all(time, state)[2 * self.falls.len()..].as_chunks::<3>().0[..self.conditions].to_vec()
     }
 
     /// The state after an event.
     pub fn set_by(&self, event: usize, time: f64, state: &[f64]) -> Vec<f64> {
-        let first = 2 * (self.falls.len() + self.conditions) + event * state.len();
+        let first = 2 * self.falls.len() + 3 * self.conditions + event * state.len();
         self.all(time, state)[first..][..state.len()].to_vec()
     }
 }
@@ -110,7 +110,8 @@ fn written(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Result<Vec
         all.extend(with_rate(trace.scalar(event.when)));
     }
     for condition in conditions {
-        all.extend(with_rate(condition));
+        let [value, rate] = with_rate(condition);
+        all.extend([value, rate, trace.rate_of(rate).substitute(&motion)]);
     }
     let kept: Vec<Sym> = trace.coordinates.iter().chain(&trace.speeds).copied().collect();
     for event in &model.events {
