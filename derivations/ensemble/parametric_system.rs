@@ -57,13 +57,16 @@ pub struct Column {
     pub unit: String,
 }
 
+/// The end of a member at a time and a state.
+pub type EndOf<'a> = dyn Fn(f64, &[f64]) -> Last + Send + 'a;
+
 /// A member before its run.
 pub struct Member<'a> {
     pub parameters: Vec<f64>,
     /// At time zero, as the law has it.
     pub state: Vec<f64>,
     /// The end of its run as a row shows it, from the last good time and state.
-    pub end: Box<dyn Fn(f64, &[f64]) -> Last + Send + 'a>,
+    pub end: Box<EndOf<'a>>,
 }
 
 /// The numbers of a variable for one member, in SI units.

@@ -59,7 +59,7 @@ const MET: f64 = 1e-11;
 /// An equation is at least this part as large as the largest one.
 const FLOOR: f64 = 1e-3;
 
-/// Coordinates that [start] gives are kept; those that it leaves out, or gives as a guess, are moved. With `all` every coordinate is.
+/// Coordinates that `[start]` gives are kept; those that it leaves out, or gives as a guess, are moved. With `all` every coordinate is.
 ///
 /// # Errors
 /// Why there is none.

@@ -42,11 +42,11 @@ fn a_block_with_dry_friction_sticks_where_the_closed_form_says() {
 /// Heights after each bounce shrink by e^2: the times of flight are a geometric series.
 #[test]
 fn a_ball_bounces_as_often_as_the_closed_form_says() {
-    let (g, e) = (9.81, 0.8f64);
+    let (g, e) = (9.81f64, 0.8);
     for method in METHODS {
         let trajectory = runs(&stored("bouncing_ball"), method);
         assert_eq!(trajectory.stopped(), None, "{method:?}");
-        let (mut landed, mut flight, mut speed) = ((2.0 / g as f64).sqrt(), 0.0, (2.0 * g as f64).sqrt());
+        let (mut landed, mut flight, mut speed) = ((2.0 / g).sqrt(), 0.0, (2.0 * g).sqrt());
         while landed + flight < 3.0 {
             landed += flight;
             speed *= e;

@@ -148,13 +148,11 @@ fn solved(matrix: &[Vec<Sym>], mut right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
             if factor == Sym::ZERO {
                 continue;
             }
-            for place in above..k {
-                let part = factor * rows[above][place];
-                rows[below][place] -= part;
-            }
-            for place in 0..right[below].len() {
-                let part = factor * right[above][place];
-                right[below][place] -= part;
+            for table in [&mut rows, &mut right] {
+                let (upper, lower) = table.split_at_mut(below);
+                for (entry, &pivot) in lower[0].iter_mut().zip(&upper[above]) {
+                    *entry -= factor * pivot;
+                }
             }
         }
     }

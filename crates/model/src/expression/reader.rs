@@ -223,7 +223,8 @@ impl<'a> Reader<'a> {
         let (unit, first) = self.tokens.get(self.at + 2 + sign)?;
         let per = matches!(self.tokens.get(self.at + 3 + sign), Some((_, Token::Sign('/'))));
         // `1/s` begins with a number
-        if !matches!(first, Token::Name(_)) && !(*first == Token::Number("1") && per) {
+        let begins_unit = matches!(first, Token::Name(_)) || *first == Token::Number("1") && per;
+        if !begins_unit {
             return None;
         }
         let rest = &self.tokens[self.at + 2 + sign..];

@@ -36,7 +36,7 @@ impl Rotation {
     }
 
     /// Components along the axes of the parent as those along the axes of the frame.
-    pub fn from_parent(self, components: [Sym; 3]) -> [Sym; 3] {
+    pub fn into_frame(self, components: [Sym; 3]) -> [Sym; 3] {
         match self {
             Rotation::About { axis, angle: Circle { cos, sin } } => turned(components, axis, Circle { cos, sin: -sin }),
             Rotation::Matrix(rows) => std::array::from_fn(|column| product(rows.map(|row| row[column]), components)),

@@ -96,7 +96,7 @@ impl Frames {
         }
         for frame in down.into_iter().rev() {
             let link = &self.links[frame.0];
-            components = link.rotation.from_parent(components);
+            components = link.rotation.into_frame(components);
         }
         Vector { frame: to, components }
     }

@@ -59,10 +59,12 @@ fn solved(mut rows: Vec<Vec<Sym>>, mut right: Vec<Sym>) -> Result<Vec<Sym>, usiz
         right.swap(pivot, row);
         for below in pivot + 1..n {
             let factor = rows[below][pivot] / rows[pivot][pivot];
-            for column in pivot..n {
-                rows[below][column] = rows[below][column] - factor * rows[pivot][column];
+            let (upper, lower) = rows.split_at_mut(below);
+            for (entry, &above) in lower[0].iter_mut().zip(&upper[pivot]) {
+                *entry -= factor * above;
             }
-            right[below] = right[below] - factor * right[pivot];
+            let part = factor * right[pivot];
+            right[below] -= part;
         }
     }
     for row in (0..n).rev() {

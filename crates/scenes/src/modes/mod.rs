@@ -29,7 +29,7 @@ pub enum Case {
 /// The laws of a model by their modes, and the mode of a run.
 pub struct Modes {
     model: Arc<Model>,
-    known: Mutex<HashMap<Vec<Case>, Result<Arc<Moded>, NotCompiled>>>,
+    known: Mutex<HashMap<Vec<Case>, Made>>,
     current: Mutex<Option<Current>>,
 }
 
@@ -48,6 +48,9 @@ pub enum Refused {
     /// No case of the conditions, or more than one, agrees with the motion that it gives; with the first condition that is at zero.
     Motion { why: &'static str, switch: Option<usize> },
 }
+
+/// The law of a mode, or why there is none.
+type Made = Result<Arc<Moded>, NotCompiled>;
 
 /// The law of a mode, with the signals that end it.
 pub(crate) struct Moded {
