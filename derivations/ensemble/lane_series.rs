@@ -8,7 +8,7 @@ use symbolic::{Abreast, Recurrence};
 const FEW: usize = 256;
 const MANY: usize = 1 << 16;
 
-/// The series of L systems of one recurrence, to this order; `None` where there are more quantities than [`MANY`].
+/// The series of L systems of one recurrence, to this order; `None` where there are more quantities than `MANY`.
 pub fn lane_series<const L: usize>(recurrence: &Recurrence, order: usize) -> Option<Box<dyn LaneSeries<L> + '_>> {
     if let Some(series) = recurrence.abreast::<L, FEW>(order) {
         return Some(Box::new(Series(series)));
