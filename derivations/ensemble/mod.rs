@@ -4,7 +4,7 @@
 //! * [`EnsembleScene`]: a scene with a table `[ensemble]` that says what varies, from a file;
 //! * [`parametric_system`]: what an ensemble needs of a scene: names of the numbers that may vary, a law with a symbol for each, members;
 //! * [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
-//! * [`run`]: all members in lanes and threads; [`lane_series`]: the series of a recurrence in lanes;
+//! * [`run`]: all members in lanes and threads; [`lane_series()`]: the series of a recurrence in lanes;
 //! * [`fingerprint`]: what decides a member, so that rows of different ensembles are told apart;
 //! * scenes with a motor: [`known`], the numbers that may vary; [`kind`], the law; `driven_system`, their members.
 
