@@ -3,7 +3,7 @@
 //! The model is the same as one read from a file; nothing here is compiled for a number of links.
 
 use model::principles::Principle;
-use model::{BodySource, Entry, Model, Source, Trace, agreement, readable};
+use model::{BodySource, Entry, MatrixForm, Model, Source, Trace, agreement};
 use std::process::ExitCode;
 
 /// Point masses on massless links, each turned about z against the vertical.
@@ -47,9 +47,10 @@ fn main() -> ExitCode {
                 let verdict = verdict.unwrap_or_else(|why| why.to_string());
                 lines.push(format!("lagrange = {}: {verdict}", other.name()));
             }
-            if links == 2 {
-                let equations = readable(&trace, Principle::Lagrange).unwrap_or_default();
-                lines.extend(equations.iter().map(|one| format!("{} = {}", one.left, one.right)));
+            if links == 2
+                && let Ok(form) = MatrixForm::of(&trace, Principle::Lagrange)
+            {
+                lines.push(model::text(&trace, &form.for_reading()));
             }
             lines
         });
