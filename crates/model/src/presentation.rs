@@ -111,14 +111,16 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
         format!("{}: {kind}{time}", constraint.title(k))
     };
     let equations = equations_of(trace);
+    let kept = equations.iter().any(|constraint| constraint.level == Level::Position);
+    let general = if kept { ", for general constants of those of positions" } else { "" };
     let whole = match Integrability::of(trace, &equations) {
         _ if equations.iter().all(|constraint| constraint.level == Level::Position) => None,
         Integrability::Open => None,
-        Integrability::Integrable => Some("constraints of speeds: integrable (Frobenius)"),
-        Integrability::NotIntegrable => Some("constraints of speeds: not integrable (Frobenius)"),
+        Integrability::Integrable => Some("constraints of speeds: integrable (Frobenius, identified)".to_owned()),
+        Integrability::NotIntegrable => Some(format!("constraints of speeds: not integrable (Frobenius{general})")),
     };
     let lines = equations.into_iter().enumerate().map(kind);
-    lines.chain(whole.map(str::to_owned)).collect()
+    lines.chain(whole).collect()
 }
 
 /// Expressions with more operations are left as they are.

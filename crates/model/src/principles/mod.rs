@@ -14,11 +14,11 @@ pub(crate) mod hamilton;
 pub(crate) mod lagrange;
 pub(crate) mod loads;
 mod newton_euler;
-mod projected;
+mod projections;
 mod virtual_power;
 
-pub(crate) use projected::linear;
-pub use projected::{Operator, Projection, operator};
+pub(crate) use projections::linear;
+pub use projections::{Operator, Projection, operator};
 
 use crate::Trace;
 use std::fmt;

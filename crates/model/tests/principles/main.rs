@@ -86,11 +86,11 @@ fn constraints_of_speeds_are_integrable_or_not_as_frobenius_says() {
     assert_eq!(kind(&held_by(&["velocity(disc at P) . N.x", "velocity(disc at P) . N.y"])), rolls);
     // straight ahead: x' = r spin'
     let straight = ["x' - r*spin'", "y'", "heading'", "lean'"];
-    assert_eq!(kind(&held_by(&straight)), "constraints of speeds: integrable (Frobenius)");
+    assert_eq!(kind(&held_by(&straight)), "constraints of speeds: integrable (Frobenius, identified)");
     // one direction is left: no other leads out of it
     assert_eq!(
         kind(&held_by(&["x' - r*spin'*cos(lean)", "y' - heading'*x", "lean' - spin'", "heading' - spin'*cos(lean)"])),
-        "constraints of speeds: integrable (Frobenius)"
+        "constraints of speeds: integrable (Frobenius, identified)"
     );
 }
 
