@@ -45,7 +45,7 @@ struct Row {
     subject: Subject,
     /// Why it does not apply, otherwise.
     agreement: Result<Agreement, String>,
-    /// What stands behind the verdict: where it was decided, what a mistake loses.
+    /// Grounds of the verdict: where it was decided, and the loss by a mistake.
     behind: Vec<String>,
     /// Whether the verdict must not be a refutation.
     must_hold: bool,

@@ -159,7 +159,7 @@ pub struct Energies {
 pub struct Constraint {
     pub name: Option<String>,
     pub zero: Zero,
-    /// Of one that is led to zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
+    /// Gains of a constraint that is led to zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
     pub gains: Option<Vec<ScalarId>>,
     pub at: Range<usize>,
 }

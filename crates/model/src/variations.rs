@@ -22,7 +22,7 @@ pub struct Variations {
     pub rate: Varied,
     /// b.
     pub acceleration: Varied,
-    /// What a run shows.
+    /// Outputs of a run.
     pub outputs: Varied,
 }
 

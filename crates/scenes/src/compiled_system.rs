@@ -73,7 +73,7 @@ impl fmt::Display for NotCompiled {
 #[derive(Debug)]
 pub struct CompiledSystem {
     model: Arc<Model>,
-    /// Of each switch of the model, the case in which the law holds.
+    /// Case of each switch of the model in which the law holds.
     pub mode: Vec<Case>,
     rates: Rates,
     /// Scalars that a run shows beside the state, from the state, and from accelerations and multipliers where these are solved for.

@@ -24,7 +24,7 @@ struct ModelEnsemble {
     law: ParametricLaw,
     start: StartSolver,
     bodies: BodyNumbers,
-    /// What each variable is.
+    /// Target of each variable.
     targets: Vec<Target>,
 }
 

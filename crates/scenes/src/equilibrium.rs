@@ -27,7 +27,7 @@ pub enum NoEquilibrium {
     Moves {
         speed: String,
     },
-    /// What is left at the best point found.
+    /// Residual at the best point found.
     NotFound {
         equation: String,
         residual: f64,

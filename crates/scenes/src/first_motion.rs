@@ -95,7 +95,7 @@ impl Terms {
         Some(Terms { size, matrix: found, right })
     }
 
-    /// Of the first n unknowns the one that is moved most by a direction that the matrix takes to zero.
+    /// The one of the first n unknowns that is moved most by a direction that the matrix takes to zero.
     fn free(&self, n: usize) -> Option<usize> {
         let decomposed = DMatrix::from_row_slice(self.size, self.size, &self.matrix).svd(false, true);
         let (least, smallest) = decomposed.singular_values.argmin();

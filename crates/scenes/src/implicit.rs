@@ -56,7 +56,7 @@ struct Room<S> {
 }
 
 impl Implicit {
-    /// Of a model without conditions whose parameters have values.
+    /// The law of a model without conditions whose parameters have values.
     pub fn of(model: &Arc<Model>) -> Result<Self, NotCompiled> {
         let speeds = model.speeds();
         let mut constraints = 0;

@@ -31,7 +31,7 @@ impl Inputs {
     }
 }
 
-/// What stands for time, coordinates, speeds and parameters.
+/// Expressions that stand for time, coordinates, speeds and parameters.
 #[derive(Clone, Copy)]
 pub(crate) struct Letters<'a> {
     time: Sym,

@@ -56,7 +56,7 @@ pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
     completed.map_err(|unmet| unmet_at(model, unmet))
 }
 
-/// What a start does not meet, at its place.
+/// The condition that a start does not meet, at its place.
 pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     match unmet {
         Unmet::Open(open) => inconsistent(&open),

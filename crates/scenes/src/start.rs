@@ -68,10 +68,10 @@ struct Constraints {
     tape: Tape,
     /// Constraints of positions stand first.
     known: Vec<(Level, String, Range<usize>)>,
-    /// So many stand first; the others are led to zero, and may start elsewhere.
+    /// Number of those that are kept, which stand first; the others are led to zero, and may start elsewhere.
     kept: usize,
     layout: Layout,
-    /// Of coordinates and speeds, in the order of a state.
+    /// Names of coordinates and speeds, in the order of a state.
     names: Vec<String>,
 }
 
@@ -263,7 +263,7 @@ impl Constraints {
         (DVector::from_fn(count, |i, _| values[first + i]), self.rows(&values, count))
     }
 
-    /// What should be zero, its rates, and their derivatives by the speeds.
+    /// Values that should be zero, their rates, and their derivatives by the speeds.
     fn values(&self, time: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.known.len() * (2 + self.layout.speeds())];
         self.tape.over().evaluate(&[state, &[time], parameters].concat(), &mut values);

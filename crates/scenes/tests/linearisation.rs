@@ -68,7 +68,7 @@ fn a_hanging_double_pendulum_has_its_two_frequencies() {
     assert_eq!(Stability::of(&all, true), Stability::Undecided(4));
 }
 
-/// Of systems without constraints A is the Jacobian of the law that runs, along the motion too, by dual numbers.
+/// Without constraints A is the Jacobian of the law that runs, along the motion too, by dual numbers.
 #[test]
 fn a_moving_point_has_the_jacobian_of_the_law_that_runs() {
     let moving = CART.replace("[run]", "[start]\na = \"0.4 rad\"\n\"a'\" = \"1.7 rad/s\"\n\"x'\" = \"0.3 m/s\"\n[run]");
@@ -111,7 +111,7 @@ fn completed(equations: &VariedEquations, about: &Linearisation, independent: &D
     equations.with_accelerations(point).expect("it is determined")
 }
 
-/// Of systems with constraints A is what the equations make of two states on the constraints, closer and closer: loops, rolling.
+/// With constraints A is what the equations make of two states on the constraints, closer and closer: loops, rolling.
 #[test]
 fn constrained_systems_have_the_linear_equations_of_states_on_their_constraints() {
     let crank = std::fs::read_to_string(stored("slider_crank")).expect("it is there");

@@ -46,7 +46,7 @@ fn is_of(kind: &str, value: &Value) -> bool {
     }
 }
 
-/// What a schema refuses in a value, with the way to it. A keyword that is not known here fails, so that none goes unchecked.
+/// Parts of a value that a schema refuses, with the way to it. A keyword that is not known here fails, so that none goes unchecked.
 fn refused(schema: &Value, value: &Value, way: &str) -> Vec<String> {
     let mut all = Vec::new();
     let number = |limit: &Value| limit.as_f64().expect("a limit");

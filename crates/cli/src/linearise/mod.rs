@@ -15,7 +15,7 @@ use model::Model;
 use serde_json::json;
 use std::path::PathBuf;
 
-/// What is linearised, and about which point.
+/// The model that is linearised, and its point.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// A file with `[coordinates]`

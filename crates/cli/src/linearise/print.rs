@@ -22,13 +22,13 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// Of the components of x.
+    /// Names of the components of x.
     fn states(&self, linear: &Linearisation) -> Vec<String> {
         let coordinates = linear.coordinates.iter().map(|&place| self.coordinates[place].to_owned());
         coordinates.chain(linear.speeds.iter().map(|&place| format!("{}'", self.coordinates[place]))).collect()
     }
 
-    /// Of rows and columns of a matrix.
+    /// Names of the rows and columns of a matrix.
     fn sides(&self, linear: &Linearisation, matrix: &str) -> (Vec<String>, Vec<String>) {
         let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
         let states = self.states(linear);
@@ -90,7 +90,7 @@ pub(super) fn text(names: &Names<'_>, found: &Found) -> String {
     text
 }
 
-/// What is left of an entry by rounding alone reads as zero.
+/// An entry that rounding alone left reads as zero.
 fn shown(value: f64, largest: f64) -> f64 {
     if value.abs() < 1e-14 * largest { 0.0 } else { value }
 }

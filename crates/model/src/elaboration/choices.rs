@@ -1,7 +1,8 @@
 //! Functions that are pieced together: `if`, `abs`, `sign`, `min`, `max`, `table`. A condition becomes a switch, 1 or 0, and each of
 //! these functions a polynomial in switches: between two events nothing is chosen.
 
-use super::expressions::{Meaning, no_operation};
+use super::expressions::Meaning;
+use super::operations::no_operation;
 use super::value::Value;
 use super::{Elaborator, Sound};
 use crate::arena::{Number, Scalar};

@@ -6,7 +6,7 @@ use crate::arena::{Scalar, Vector};
 use crate::{Fault, Force, LoadSource, Material, PointId, ScalarId, Text, Torque, VectorId};
 use symbolic::Dimension;
 
-/// What a force acts on.
+/// Receiver of a force.
 enum Acted {
     Moving(Material),
     /// The ground, at a place: it gives the line of action and does no work.

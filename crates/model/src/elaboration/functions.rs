@@ -1,7 +1,8 @@
 //! Functions in expressions: of numbers, of vectors, of motions.
 
 use super::elementary::OF_ONE;
-use super::expressions::{Meaning, no_operation, not_yet};
+use super::expressions::{Meaning, not_yet};
+use super::operations::no_operation;
 use super::value::Value;
 use super::{Elaborator, Sound, unknown};
 use crate::arena::{Function, Scalar, Vector};

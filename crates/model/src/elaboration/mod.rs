@@ -8,6 +8,7 @@ mod forces;
 mod functions;
 mod headings;
 mod loads;
+mod operations;
 mod order;
 mod orientation;
 mod reactions;

@@ -26,7 +26,7 @@ pub struct Characteristics {
 }
 
 impl Characteristics {
-    /// Of the constraints of a trace.
+    /// The characteristics of the constraints of a trace.
     pub fn of(trace: &Trace<'_>, constraints: &[Equation]) -> Self {
         let row = |constraint: &Equation| constraint.row.iter().map(|&slope| in_short(slope)).collect();
         let rows: Vec<Vec<Sym>> = constraints.iter().map(row).collect();

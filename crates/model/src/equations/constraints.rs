@@ -27,7 +27,7 @@ pub struct Equation {
     pub row: Vec<Sym>,
     /// c: what is left of the next rate where accelerations are zero, with the gains of a constraint that is led to zero.
     pub bias: Sym,
-    /// Of one that is led to zero, and may start elsewhere, the number of its gains.
+    /// Number of gains of a constraint that is led to zero and may start elsewhere.
     pub gains: Option<usize>,
     /// Where the model has it.
     pub at: Range<usize>,

@@ -24,7 +24,7 @@ pub enum Integrability {
 }
 
 impl Integrability {
-    /// Of the constraints of speeds among these, on what the constraints of positions leave; where these keep any constant values.
+    /// Integrability of the constraints of speeds among these, where the constraints of positions keep any constant values.
     pub fn of(trace: &Trace<'_>, constraints: &[Equation]) -> Self {
         let moving = [trace.speeds.as_slice(), &[trace.time]].concat();
         let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();

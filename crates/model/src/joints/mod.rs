@@ -32,7 +32,7 @@ pub(crate) struct Joints<'t, 'm> {
     trace: &'t Trace<'m>,
     tree: Tree<'t, 'm>,
     loads: Vec<Load>,
-    /// Of each multiplier: its symbol, and the coordinates along which it acts by name.
+    /// Symbol of each multiplier, and the coordinates along which it acts by name.
     along: Vec<(Sym, Vec<(usize, Sym)>)>,
 }
 

@@ -21,7 +21,7 @@ pub(super) fn circle(angle: Sym) -> Circle<Sym> {
     rest.circle() + point
 }
 
-/// Of a part of pi: a whole number of twelfths.
+/// Cosine and sine of a part of pi: a whole number of twelfths.
 fn exact(part: Rational) -> Option<Circle<Sym>> {
     let twelfths = (part * Rational::new(12, 1)).to_big().filter(|big| big.denominator().is_one())?;
     Some(Sym::of_twelfths(i64::try_from(twelfths.numerator()).ok()?))

@@ -13,7 +13,7 @@ pub(crate) enum Rotation {
 }
 
 impl Rotation {
-    /// Of the quaternion e0 + e1 i + e2 j + e3 k, of any length other than zero: rounding does not bend the axes.
+    /// Rotation by the quaternion e0 + e1 i + e2 j + e3 k, of any length other than zero: rounding does not bend the axes.
     pub fn of_quaternion([a, b, c, d]: [Sym; 4]) -> Self {
         let two = Sym::int(2);
         let square = a * a + b * b + c * c + d * d;

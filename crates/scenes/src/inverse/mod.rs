@@ -25,7 +25,7 @@ pub struct Forces {
     pub accelerations: Vec<f64>,
     /// The unknown parameters and inputs.
     pub unknowns: Vec<f64>,
-    /// Of constraints, those of positions first.
+    /// Multipliers of constraints, those of positions first.
     pub multipliers: Vec<f64>,
 }
 

@@ -40,7 +40,7 @@ pub fn dependent(rows: &DMatrix<f64>) -> Result<Vec<usize>, usize> {
     Ok(taken)
 }
 
-/// What is not dependent.
+/// The columns that are independent.
 pub fn others(n: usize, dependent: &[usize]) -> Vec<usize> {
     (0..n).filter(|column| !dependent.contains(column)).collect()
 }

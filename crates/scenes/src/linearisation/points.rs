@@ -38,7 +38,7 @@ pub fn along(scene: &ModelScene, times: &[f64], allowed: Duration) -> Result<Vec
     Ok(times.iter().map(|&time| (time, state(time))).collect())
 }
 
-/// How the point of a linearisation moves.
+/// Motion of the point of a linearisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
     /// Nothing moves, nothing accelerates.

@@ -14,7 +14,7 @@ const ZERO: f64 = 1e-9;
 pub struct Spectrum {
     /// By falling real parts.
     pub values: Vec<Complex<f64>>,
-    /// So many are zeros of variations that no equation asks for, whose columns are zero, or that never change, whose rows are zero.
+    /// Number of zeros of variations that no equation asks for, whose columns are zero, or that never change, whose rows are zero.
     pub idle: usize,
 }
 
@@ -35,12 +35,12 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Spectrum {
     Spectrum { values: all, idle }
 }
 
-/// What eigenvalues say.
+/// Verdict of eigenvalues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
     /// The point moves: those of an instant decide nothing.
     Moving,
-    /// So many have positive real parts.
+    /// Number of those with positive real parts.
     Unstable(usize),
     /// All have negative real parts, but for so many zeros of variations that no equation asks for.
     Asymptotic { idle: usize },
@@ -51,7 +51,7 @@ pub enum Stability {
 }
 
 impl Stability {
-    /// Of a point of rest or of a motion along which the linear equations stay as they are; otherwise `is_steady` is false.
+    /// Stability of a point of rest or of a motion along which the linear equations stay as they are; otherwise `is_steady` is false.
     pub fn of(spectrum: &Spectrum, is_steady: bool) -> Self {
         let Spectrum { values: eigenvalues, idle } = spectrum;
         let largest = eigenvalues.iter().map(|value| value.norm()).fold(0.0, f64::max);

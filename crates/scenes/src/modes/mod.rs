@@ -61,7 +61,7 @@ pub(crate) struct Moded {
 }
 
 impl Modes {
-    /// Of a model; laws are compiled when a run comes to them.
+    /// The modes of a model; laws are compiled when a run comes to them.
     pub fn of(model: &Arc<Model>) -> Self {
         Modes { model: Arc::clone(model), known: Mutex::default(), current: Mutex::default() }
     }

@@ -128,7 +128,7 @@ fn written(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Result<Vec
 /// Watches the signals of a mode, and the events of the model from the side on which the run is.
 pub(crate) struct Watch {
     pub moded: Arc<Moded>,
-    /// Of each event, 1 above zero and -1 below.
+    /// Side of each event: 1 above zero, -1 below.
     pub sides: Vec<f64>,
 }
 

@@ -11,7 +11,7 @@ use crate::Trace;
 use std::f64::consts::PI;
 use symbolic::{Language, Statements, Sym, Tape};
 
-/// What is written: sizes, names and statements.
+/// The written program: sizes, names and statements.
 struct Program {
     /// Coordinates.
     n: usize,

@@ -6,11 +6,11 @@ use field::Rational;
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 
-/// What stands behind a monomial: a wave as it is, or cosines and sines of single angles with exponents.
+/// Factor behind a monomial: a wave as it is, or cosines and sines of single angles with exponents.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Factor {
     Wave(Wave),
-    /// Of each angle, which is a step times its term: the exponents of its cosine and its sine.
+    /// Exponents of the cosine and the sine of each angle, which is a step times its term.
     Powers(Vec<(u32, Multiple, [u32; 2])>),
 }
 

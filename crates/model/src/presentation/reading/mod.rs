@@ -25,7 +25,7 @@ pub(crate) struct Reading {
     /// Letters and other parts that no sum or product opens; parameters first.
     leaves: Vec<Leaf>,
     places: FxHashMap<Sym, u32>,
-    /// So many of them are parameters.
+    /// Number of parameters among them.
     parameters: u32,
     /// Terms of angles.
     atoms: Vec<Sym>,
@@ -37,7 +37,7 @@ struct Leaf {
     expression: Sym,
     /// Whether it is known to be positive.
     is_positive: bool,
-    /// Of a square root.
+    /// Radicand of a square root.
     square: Option<Rc<Sum>>,
 }
 

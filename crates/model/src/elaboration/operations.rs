@@ -1,0 +1,191 @@
+//! Operations of scalars, vectors and points: sums, products, powers, with the dimensions of their results.
+
+use super::expressions::not_yet;
+use super::value::Value;
+use super::{Elaborator, Sound};
+use crate::arena::{Number, Scalar, Vector};
+use crate::expression::Exponent;
+use crate::{Fault, PointId, VectorId};
+use field::Rational;
+use std::ops::Range;
+use symbolic::Dimension;
+
+/// The longest number that is made of numbers.
+const MOST_BITS: u64 = 1 << 20;
+
+impl Elaborator<'_> {
+    /// The dimension of two parts that are added; zero fits to everything.
+    pub(super) fn common(&self, span: &Range<usize>, a: usize, b: usize) -> Sound<Option<Dimension>> {
+        match (self.dimension_of(a), self.dimension_of(b)) {
+            (Some(left), Some(right)) if left != right => Err(Box::new(Fault::at(
+                span.clone(),
+                "the two sides have different dimensions",
+                format!("{left} and {right}"),
+                "terms of one dimension are added; a number with a unit stands in parentheses: (20 mm)",
+            ))),
+            (left, right) => Ok(left.or(right)),
+        }
+    }
+
+    pub(super) fn sum(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        Ok(match (a, b) {
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                let dimension = self.common(span, a.0, b.0)?;
+                Value::Scalar(self.scalar(Scalar::Sum(a, b), dimension))
+            }
+            (Value::Vector(a), Value::Vector(b)) => Value::Vector(self.vector_sum(span, a, b)?),
+            (Value::Point { base, way }, Value::Vector(b)) | (Value::Vector(b), Value::Point { base, way }) => {
+                self.must_measure(span, b.0, "a way between points", Some(Dimension::length()))?;
+                let way = match way {
+                    Some(way) => self.vector_sum(span, way, b)?,
+                    None => b,
+                };
+                Value::Point { base, way: Some(way) }
+            }
+            _ => return Err(no_operation(span, "added", &[a, b])),
+        })
+    }
+
+    fn vector_sum(&mut self, span: &Range<usize>, a: VectorId, b: VectorId) -> Sound<VectorId> {
+        let dimension = self.common(span, a.0, b.0)?;
+        Ok(self.vector(Vector::Sum(a, b), dimension))
+    }
+
+    pub(super) fn difference(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        Ok(match (a, b) {
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                let dimension = self.common(span, a.0, b.0)?;
+                Value::Scalar(self.scalar(Scalar::Difference(a, b), dimension))
+            }
+            (Value::Vector(a), Value::Vector(b)) => {
+                let dimension = self.common(span, a.0, b.0)?;
+                Value::Vector(self.vector(Vector::Difference(a, b), dimension))
+            }
+            (Value::Point { .. }, Value::Vector(b)) => {
+                let dimension = self.dimension_of(b.0);
+                let back = self.vector(Vector::Negation(b), dimension);
+                self.sum(span, a, Value::Vector(back))?
+            }
+            (Value::Point { base: to, way: to_way }, Value::Point { base: from, way: from_way }) => {
+                let (from, to) = (self.point_of(from, from_way), self.point_of(to, to_way));
+                Value::Vector(self.between(from, to))
+            }
+            _ => return Err(no_operation(span, "subtracted", &[a, b])),
+        })
+    }
+
+    pub(super) fn between(&mut self, from: PointId, to: PointId) -> VectorId {
+        self.vector(Vector::Between { from, to }, Some(Dimension::length()))
+    }
+
+    pub(super) fn product(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        Ok(match (a, b) {
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                let dimension = self.multiplied(a.0, b.0);
+                Value::Scalar(self.scalar(Scalar::Product(a, b), dimension))
+            }
+            (Value::Scalar(a), Value::Vector(b)) | (Value::Vector(b), Value::Scalar(a)) => {
+                let dimension = self.multiplied(a.0, b.0);
+                Value::Vector(self.vector(Vector::Scaled(a, b), dimension))
+            }
+            (Value::Vector(_), Value::Vector(_)) => {
+                return Err(Box::new(Fault::at(
+                    span.clone(),
+                    "two vectors are multiplied by *",
+                    "which product is meant?",
+                    "a . b (with spaces) or dot(a, b); cross(a, b)",
+                )));
+            }
+            _ => return Err(no_operation(span, "multiplied", &[a, b])),
+        })
+    }
+
+    fn multiplied(&self, a: usize, b: usize) -> Option<Dimension> {
+        Some(self.dimension_of(a)? * self.dimension_of(b)?)
+    }
+
+    fn divided(&self, a: usize, b: usize) -> Option<Dimension> {
+        Some(self.dimension_of(a)? / self.dimension_of(b)?)
+    }
+
+    pub(super) fn quotient(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        let Value::Scalar(below) = b else { return Err(no_operation(span, "divided", &[a, b])) };
+        if self.dimension_of(below.0).is_none() {
+            return Err(Box::new(Fault::at(
+                span.clone(),
+                "a division by zero",
+                "zero below",
+                "a divisor other than zero",
+            )));
+        }
+        Ok(match a {
+            Value::Scalar(a) => {
+                let dimension = self.divided(a.0, below.0);
+                Value::Scalar(self.scalar(Scalar::Quotient(a, below), dimension))
+            }
+            Value::Vector(a) => {
+                let one =
+                    self.scalar(Scalar::Number(Number { value: 1.0, times: 1.0, per: 1.0 }), Some(Dimension::none()));
+                let inverse = self.divided(one.0, below.0);
+                let inverse = self.scalar(Scalar::Quotient(one, below), inverse);
+                let dimension = self.divided(a.0, below.0);
+                Value::Vector(self.vector(Vector::Scaled(inverse, a), dimension))
+            }
+            _ => return Err(no_operation(span, "divided", &[a, b])),
+        })
+    }
+
+    pub(super) fn dot(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {
+        let (Value::Vector(a), Value::Vector(b)) = (a, b) else {
+            return Err(no_operation(span, "multiplied as vectors", &[a, b]));
+        };
+        let dimension = self.multiplied(a.0, b.0);
+        Ok(Value::Scalar(self.scalar(Scalar::Dot(a, b), dimension)))
+    }
+
+    pub(super) fn power(&mut self, span: &Range<usize>, a: Value, exponent: Exponent) -> Sound<Value> {
+        let Value::Scalar(a) = a else {
+            return Err(no_operation(span, "raised to a power", &[a]));
+        };
+        if !matches!(exponent.denominator, 1 | 2) {
+            let accepted = "whole exponents and halves, x^(3/2); of a positive number x also exp(ln(x)/3)";
+            return Err(not_yet(span, "an exponent that is no multiple of 1/2", accepted));
+        }
+        if self.bits[a.0].is_some_and(|bits| bits.saturating_mul(exponent.numerator.unsigned_abs().into()) > MOST_BITS)
+        {
+            let title = "this number has more digits than anything needs";
+            return Err(Box::new(Fault::at(span.clone(), title, "too long", "a decimal number such as 1.5e-3")));
+        }
+        let share = Rational::new(exponent.numerator.into(), exponent.denominator.into());
+        let dimension = self.dimension_of(a.0).map(|dimension| dimension.power(share));
+        Ok(Value::Scalar(self.scalar(Scalar::Power(a, exponent), dimension)))
+    }
+}
+
+pub(super) fn no_operation(span: &Range<usize>, done: &str, values: &[Value]) -> Box<Fault> {
+    let found = values.iter().map(Value::describe).collect::<Vec<_>>().join(" and ");
+    let accepted = if values.iter().any(|value| matches!(value, Value::Frame(_))) {
+        "a frame is no operand; its axes are vectors: A.x, A.y, A.z"
+    } else {
+        operands(done)
+    };
+    Box::new(Fault::at(span.clone(), format!("{found} cannot be {done}"), found, accepted))
+}
+
+/// The operands that an operation has.
+fn operands(done: &str) -> &'static str {
+    match done {
+        "added" => "scalar + scalar, vector + vector, point + vector",
+        "subtracted" => "scalar - scalar, vector - vector, point - vector; point - point is a vector",
+        "negated" => "-scalar, -vector",
+        "multiplied" => {
+            "scalar*scalar, scalar*vector; of two vectors a . b or cross(a, b); (P - O) is the vector of a point P"
+        }
+        "divided" => "scalar/scalar, vector/scalar",
+        "multiplied as vectors" => "two vectors: a . b, dot(a, b), cross(a, b)",
+        "raised to a power" => "a scalar; of a vector v . v is the square",
+        "measured apart" => "distance(P, Q) of two points",
+        "measured" => "norm(v) and unit(v) of a vector, distance(P, Q) of two points, abs(x) of a scalar",
+        _ => "two scalars",
+    }
+}
