@@ -45,6 +45,8 @@ fn free_frames_are_taken_along() {
         constraints: vec![held("rolling", &["velocity(ball at P) . N.x", "velocity(ball at P) . N.y"])],
         ..Source::default()
     };
+    // virtual power, Appell, Gauss and Newton-Euler know no rule of turns that do not commute
+    crate::agree(&ball);
     for projection in Projection::ALL {
         let Projected { agreement, points } = found(&ball, projection).expect("it applies");
         assert!(matches!(agreement, Agreement::Proved { .. }), "{projection}: {agreement}; {points}");
