@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use crate::{clock, progress};
+use ::scenes::with_ways_to_a_system;
 use charts::visible;
 use derivations::scene::SceneError;
 
@@ -90,7 +91,7 @@ impl Ending {
 
 impl From<SceneError> for Ending {
     fn from(error: SceneError) -> Self {
-        Ending::Refused(rendered(&error))
+        Ending::Refused(rendered(&with_ways_to_a_system(error)))
     }
 }
 

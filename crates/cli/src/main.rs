@@ -68,7 +68,11 @@ fn main() -> ExitCode {
     if arguments.quiet {
         ending::be_quiet();
     }
-    ::scenes::register();
+    ::scenes::register(|warning| {
+        if !ending::is_quiet() {
+            ending::warn(warning);
+        }
+    });
     let (command, keeps, seconds) = arguments.timed();
     clock::start(command, keeps, seconds);
     let work = progress::Progress::new(command);

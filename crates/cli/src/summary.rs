@@ -71,12 +71,14 @@ impl Summary<'_> {
         line("method", format!("{}, tolerance {:e}{form}", choice.method, choice.tolerance));
         line("work", outcome.work.to_string());
         told.theory.iter().for_each(|said| line("theory", said.clone()));
-        match trajectory.stopped() {
-            None => line("reached", format!("t = {} s", outcome.time)),
-            Some(why) => line("stopped", format!("{why}; the last good state is at t = {} s", outcome.time)),
+        let stopped = trajectory.stopped();
+        match (&stopped, &told.diagnosis) {
+            (None, None) => line("reached", format!("t = {} s", outcome.time)),
+            (None, Some(end)) => line("reached", format!("t = {} s: {end}", outcome.time)),
+            (Some(why), _) => line("stopped", format!("{why}; the last good state is at t = {} s", outcome.time)),
         }
         beside.iter().for_each(|beside| line("steps", beside.to_string()));
-        if let Some(diagnosis) = &told.diagnosis {
+        if let (Some(_), Some(diagnosis)) = (&stopped, &told.diagnosis) {
             line("diagnosis", diagnosis.clone());
         }
         for (name, value) in trajectory.names.iter().zip(&trajectory.last).filter(|(name, _)| self.shown(name)) {

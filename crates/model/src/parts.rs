@@ -264,6 +264,8 @@ pub struct Model {
     pub start: Vec<StartValue>,
     /// Where it is said that the start is an equilibrium near these values.
     pub equilibrium: Option<Range<usize>>,
+    /// Texts that are accepted, and perhaps mean something else.
+    pub warnings: Vec<Fault>,
     pub(crate) arena: Arena,
 }
 

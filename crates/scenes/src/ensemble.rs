@@ -6,6 +6,7 @@ use crate::parametric_law::ParametricLaw;
 use crate::readiness::{refused, unmet_at};
 use crate::scene::{ModelScene, columns};
 use crate::start::{StartSolver, Unmet, given};
+use crate::warnings::warn_of;
 use derivations::ensemble::{
     Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, Shape, Sizes, Stopped, Variable, lane_series,
     vary,
@@ -47,6 +48,7 @@ pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneErro
         let example = scene.as_ref().map_or_else(String::new, |scene| example(&scene.model));
         let variation = vary::read(top, issues, known.as_ref().map(|(variables, _)| &variables[..]), &example);
         let (scene, variation, (_, targets)) = (scene?, variation?, known?);
+        warn_of(name, text, &scene.model.warnings);
         let model = Arc::clone(&scene.model);
         let system = ModelEnsemble::of(scene, targets).map_err(|unmet| issues.push(unmet_at(&model, unmet))).ok()?;
         let not_run = |_| issues.push(refused(&model, &NotCompiled::TooLong));

@@ -24,7 +24,9 @@ mod readiness;
 mod row_units;
 mod scene;
 mod start;
+mod system_missing;
 pub mod text;
+mod warnings;
 
 pub use compiled_system::{CompiledSystem, NotCompiled};
 pub use ensemble::parse_ensemble;
@@ -34,3 +36,5 @@ pub use motions::read_prescribed;
 pub use readiness::{equilibrium_of, start_of};
 pub use scene::{ModelScene, read_model, register};
 pub use start::{Open, Unmet, consistent};
+pub use system_missing::with_ways_to_a_system;
+pub use warnings::Warn;

@@ -1,6 +1,7 @@
 //! Prescribed motions: expressions of the time, in the letters of a file.
 
 use crate::scene::model;
+use crate::warnings::warn_of;
 use derivations::scene::file::{read_text, tables};
 use derivations::scene::{Issue, SceneError};
 use model::{Entry, Fault, Model, ScalarId, Text};
@@ -17,7 +18,8 @@ pub fn read_prescribed(
 ) -> Result<(Model, Vec<(usize, ScalarId)>), SceneError> {
     let text = read_text(path)?;
     let behind = text.len();
-    tables(&path.display().to_string(), &text, |top, issues| {
+    let name = path.display().to_string();
+    tables(&name, &text, |top, issues| {
         top.known(&["title", "description", "run", "ensemble"]);
         let (own, mut source) = model(top, issues)?;
         let mut places: Vec<usize> = Vec::new();
@@ -48,6 +50,7 @@ pub fn read_prescribed(
             let issue = Issue::at(0..0, format!("a prescribed motion: {}", fault.title), fault.label);
             issue.accepted(fault.accepted)
         };
+        warn_of(&name, &text, &own.warnings);
         let model = Model::of(&source).map_err(|faults| issues.extend(faults.into_iter().map(told))).ok()?;
         let first = model.outputs.len() - motions.len();
         let prescribed = places.into_iter().zip(&model.outputs[first..]).map(|(place, output)| (place, output.is));

@@ -3,20 +3,24 @@
 use crate::admissible::impossible;
 use crate::compiled_system::{CompiledSystem, ENERGIES};
 use crate::ensemble::parse_ensemble;
-use crate::modes::Modes;
+use crate::modes::{Ended, Modes};
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{ready, without_run};
 use crate::row_units::{coherent, rate_unit};
 use crate::text;
+use crate::warnings::{Warn, warn_by, warn_of};
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
 use derivations::scene::file::{read_text, tables};
 use derivations::scene::problem::Invariant;
 use derivations::scene::read::Table;
 use derivations::scene::smooth::Parameter;
 use derivations::scene::switching::Switching;
-use derivations::scene::{Axes, Issue, ModelReaders, Modelled, Problem, Run, SceneError, Smooth, read_models_by, run};
+use derivations::scene::{
+    Axes, Choice, Issue, ModelReaders, Modelled, Problem, Run, SceneError, Smooth, Told, Trajectory, read_models_by,
+    run,
+};
 use integrators::Reference;
-use model::{Model, Source};
+use model::{Event, Model, Source};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
@@ -32,12 +36,18 @@ pub struct ModelScene {
     /// Coordinates, then speeds, at time zero: the constraints hold.
     pub start: Vec<f64>,
     pub run: Run,
+    /// Each event by its name, or by its line in the file.
+    events: Vec<String>,
+    ended: Arc<Ended>,
 }
 
-/// Makes every command read files with `[coordinates]`.
-pub fn register() {
+/// Makes every command read files with `[coordinates]`; `warn` is told what is accepted in them and perhaps means something else.
+pub fn register(warn: Warn) {
+    warn_by(warn);
     let scene = |name: &str, text: &str| -> Result<Arc<dyn Modelled>, SceneError> {
-        Ok(Arc::new(ModelScene::parse(name, text)?))
+        let scene = ModelScene::parse(name, text)?;
+        warn_of(name, text, &scene.model.warnings);
+        Ok(Arc::new(scene))
     };
     read_models_by(ModelReaders { scene, ensemble: parse_ensemble });
 }
@@ -47,12 +57,14 @@ pub fn register() {
 /// # Errors
 /// All that is wrong with the system, each at its place.
 pub fn read_model(path: &Path) -> Result<Model, SceneError> {
-    let text = read_text(path)?;
-    let model = tables(&path.display().to_string(), &text, |top, issues| {
+    let (name, text) = (path.display().to_string(), read_text(path)?);
+    let model = tables(&name, &text, |top, issues| {
         top.known(&["title", "description", "run", "ensemble"]);
         model(top, issues).map(|(model, _)| model)
     });
-    model.map_err(with_quoted_primes)
+    let model = model.map_err(with_quoted_primes)?;
+    warn_of(&name, &text, &model.warnings);
+    Ok(model)
 }
 
 /// The system of a file with its source; what is wrong with it goes into the list.
@@ -108,7 +120,16 @@ impl ModelScene {
         let ready = exist.then(|| ready(&model))?;
         let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
-        Some(ModelScene { title, description, model, system, start, run: run? })
+        let events = model.events.iter().map(|event| called(event, text)).collect();
+        Some(ModelScene { title, description, model, system, start, run: run?, events, ended: Arc::default() })
+    }
+}
+
+/// An event by its name, or by its line.
+fn called(event: &Event, text: &str) -> String {
+    match event.name.as_str() {
+        "" => format!("the event in line {}", text.get(..event.at.start).unwrap_or(text).matches('\n').count() + 1),
+        name => format!("the event `{name}`"),
     }
 }
 
@@ -141,7 +162,7 @@ impl Smooth for ModelScene {
     fn problem(&self, _axes: Axes) -> Problem {
         let (shown, kept) = (Arc::clone(&self.system), Arc::clone(&self.system));
         let changes = !(self.model.switches.is_empty() && self.model.events.is_empty());
-        let modes = changes.then(|| Arc::new(Modes::of(&self.model)));
+        let modes = changes.then(|| Arc::new(Modes::telling(&self.model, Arc::clone(&self.ended))));
         let of_mode = modes.clone();
         let row = move |time: f64, state: &[f64]| {
             let current = of_mode.as_ref().and_then(|modes| modes.current());
@@ -165,6 +186,11 @@ impl Smooth for ModelScene {
             margins: Box::new(|_, _| Vec::new()),
             switching: modes.map(|modes| modes as Arc<dyn Switching>),
         }
+    }
+
+    fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
+        let ended = trajectory.stopped().is_none().then(|| self.ended.at(trajectory.outcome.time)).flatten();
+        Told { diagnosis: ended.map(|event| format!("{} ends the run", self.events[event])), ..Told::default() }
     }
 
     fn parameters(&self) -> Vec<Parameter> {

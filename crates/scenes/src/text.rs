@@ -84,6 +84,11 @@ pub fn has_unknown_tables(top: &Table<'_>) -> bool {
         .any(|key| !is_known(&key.value) && (top.is_table(&key.value) || units::nearest(&key.value, TOP).is_some()))
 }
 
+/// Whether a table at the top of a file is a part of a system, and no part of what every file has.
+pub(crate) fn is_of_system(key: &str) -> bool {
+    TOP.contains(&key) && !matches!(key, "title" | "description" | "parameters")
+}
+
 /// A fault of the model at its place in the file.
 pub fn issue(fault: Fault) -> Issue {
     let Fault { span, title, label, accepted } = fault;

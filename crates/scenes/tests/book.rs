@@ -51,6 +51,7 @@ fn every_file_and_piece_of_the_book_runs() {
             false => with(file, block),
         };
         let scene = ModelScene::parse("book", &text).unwrap_or_else(|error| panic!("{error}"));
+        assert!(scene.model.warnings.is_empty(), "{:?}\n{block}", scene.model.warnings);
         let choice = Choice { allowed: Duration::from_secs(60), ..scene.run().choice() };
         let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
         assert_eq!(trajectory.stopped(), None, "{block}");

@@ -119,6 +119,29 @@ fn an_event_ends_a_run_or_stops_a_motion_that_breaks_a_constraint() {
     assert!(broken.stopped().unwrap().contains("breaks a constraint"), "{:?}", broken.stopped());
 }
 
+/// Of two events that could end the run the one that does is named: by its name, else by its line.
+#[test]
+fn the_event_that_ends_a_run_is_told() {
+    let ends = |when: &str, name: &str| {
+        format!("[[event]]\n{name}when = \"x - ({when})\"\nset = {{ x = \"0\" }}\nend = true\n")
+    };
+    let text = PUSHED.replace("FORCE", "(2 N)") + &ends("9 m", "name = \"far\"\n");
+    let told = |text: &str| {
+        let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
+        let choice = Choice { method: Method::Taylor, ..scene.run().choice() };
+        let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
+        (trajectory.outcome.time, scene.told(&choice, &trajectory).diagnosis)
+    };
+    let (time, diagnosis) = told(&(text.clone() + &ends("4 m", "name = \"wall\"\n")));
+    close(time, 8f64.sqrt(), 1e-9);
+    assert_eq!(diagnosis.as_deref(), Some("the event `wall` ends the run"));
+    let (_, diagnosis) = told(&(text.clone() + &ends("4 m", "")));
+    let line = text.lines().count() + 1;
+    assert_eq!(diagnosis, Some(format!("the event in line {line} ends the run")));
+    // one that is not reached ends nothing
+    assert_eq!(told(&(PUSHED.replace("FORCE", "(2 N)") + &ends("90 m", ""))).1, None);
+}
+
 #[test]
 fn a_start_from_which_two_motions_go_is_refused() {
     let fork = PUSHED.replace("FORCE", "(2 N)*sign(x')");

@@ -42,6 +42,14 @@ fn end(scene: &ModelScene, method: Method, tolerance: f64) -> (Vec<f64>, Vec<f64
 }
 
 #[test]
+fn no_system_that_is_shown_has_a_warning() {
+    for path in all() {
+        let warnings = open(&path).model.warnings.clone();
+        assert!(warnings.is_empty(), "{}: {warnings:?}", path.display());
+    }
+}
+
+#[test]
 fn every_principle_gives_every_model_the_same_equations() {
     for path in all() {
         let model = read_model(&path).unwrap_or_else(|error| panic!("{error}"));

@@ -198,3 +198,51 @@ fn an_ensemble_of_a_file_goes_on_where_it_was_killed() {
     assert!(other.status.code() == Some(2) && said.contains("line 2: another ensemble"), "{said}");
     [scene, path, whole].iter().for_each(|path| std::fs::remove_file(path).expect("it is there"));
 }
+
+const PENDULUM: &str = "title = \"A pendulum\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\ntheta = \"rad\"\n\
+    [frames]\nA = \"N turned theta about z\"\n[bodies.bob]\ncentre = \"O - (1 m)*A.y\"\nmass = \"(1 kg)\"\n\
+    [[event]]\nname = \"low\"\nwhen = \"theta - (32 rad)\"\nend = true\n\
+    [start]\ntheta = 30\n[run]\nspan = \"9 s\"\n";
+
+#[test]
+fn an_angle_of_several_turns_is_told_by_its_place_and_the_event_that_ends_a_run_by_its_name() {
+    let scene = temporary("warned.toml");
+    std::fs::write(&scene, PENDULUM).expect("it can be written");
+    let file = scene.to_string_lossy().into_owned();
+    for command in [&["run"][..], &["derive"], &["prove"], &["linearise"]] {
+        let output = run(&[command, &[file.as_str()]].concat());
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(0), "{message}");
+        let place = format!("warning: {file}:15:9: 30 rad are 4.8 turns");
+        assert!(message.contains(&place) && message.contains("\"30 deg\""), "{message}");
+    }
+    let quiet = run(&["run", &file, "--quiet"]);
+    assert!(quiet.stderr.is_empty(), "{}", String::from_utf8_lossy(&quiet.stderr));
+    let text = String::from_utf8_lossy(&quiet.stdout).into_owned();
+    let reached = text.lines().find(|line| line.starts_with("reached")).expect("it reaches its end");
+    assert!(reached.contains("t = ") && reached.ends_with("s: the event `low` ends the run"), "{reached}");
+    assert!(!text.contains("diagnosis"), "{text}");
+    std::fs::remove_file(&scene).expect("it is there");
+}
+
+#[test]
+fn a_file_that_names_no_system_is_led_to_one() {
+    let scene = temporary("nameless.toml");
+    let file = scene.to_string_lossy().into_owned();
+    let told = |text: &str, command: &str, parts: &[&str]| {
+        std::fs::write(&scene, text).expect("it can be written");
+        let output = run(&[command, &file]);
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert_eq!(message.matches("error:").count(), 1, "{message}");
+        parts.iter().for_each(|part| assert!(message.contains(part), "{part}\n{message}"));
+    };
+    let ways = ["this file names no system", "[coordinates] names what moves", "`system = "];
+    let without = PENDULUM.replace("[coordinates]\ntheta = \"rad\"\n", "");
+    for command in ["run", "derive", "prove", "chart", "linearise", "reference"] {
+        told(&without, command, &[&ways[..], &["nameless.toml:2:1"]].concat());
+    }
+    told(&PENDULUM.replace("[coordinates]", "[coordinate]"), "run", &["nameless.toml:3:2", "is `coordinates` meant?"]);
+    told("title = \"Empty\"\n", "run", &["this file names no system", "`dalembert scenes` lists them"]);
+    std::fs::remove_file(&scene).expect("it is there");
+}

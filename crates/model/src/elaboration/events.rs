@@ -62,6 +62,9 @@ impl Elaborator<'_> {
         let (coordinate, order) = self.of_state(name)?;
         let needed = self.dimension_of_state(coordinate, order);
         let is = self.scalar_value(value, &format!("`{}`", name.text), Some(needed))?;
+        if order == 0 && self.model.coordinates[coordinate].unit == "rad" {
+            self.judge_angle_text(value);
+        }
         Ok(Assignment { coordinate, order, is })
     }
 }

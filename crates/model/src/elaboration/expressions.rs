@@ -38,6 +38,7 @@ impl Elaborator<'_> {
             let meaning = self.meaning(text, form, &text.part(span), &meanings, &expression.spans)?;
             meanings.push(meaning);
         }
+        self.judge_angles(text, expression);
         match meanings.last() {
             Some(Meaning::Value(value)) => Ok(*value),
             Some(Meaning::Body(body)) => {

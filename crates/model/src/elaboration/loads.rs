@@ -219,6 +219,9 @@ impl Elaborator<'_> {
         if found != needed {
             return Err(fault(format!("this has the dimension {found}")));
         }
+        if order == 0 && self.model.coordinates[coordinate].unit == "rad" {
+            self.judge_angle(value.span(), number, "\"30 deg\"");
+        }
         Ok(StartValue { coordinate, order, value: si, is_guess })
     }
 }

@@ -1,5 +1,6 @@
 //! From a system as it was written to a model: names resolved in the order in which they need each other, dimensions checked.
 
+mod angles;
 mod choices;
 mod elementary;
 mod events;
@@ -48,7 +49,8 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     elaborator.events();
     elaborator.start();
     elaborator.model.equilibrium.clone_from(&source.equilibrium);
-    let Elaborator { model, mut faults, headless, .. } = elaborator;
+    let Elaborator { mut model, mut faults, headless, .. } = elaborator;
+    model.warnings.sort_by_key(|warning| warning.span.start);
     // what stands under a wrong heading is missing elsewhere: these faults explain others
     if !headless.is_empty() {
         faults = headless.into_iter().map(|(_, fault)| fault).collect();

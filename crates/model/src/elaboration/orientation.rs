@@ -14,7 +14,7 @@ impl Elaborator<'_> {
     }
 
     /// `F = "30 deg about x, then 10 deg about z"`, or a guess of it: the parts of a quaternion.
-    pub(super) fn orientation(&self, number: usize, Entry { name, value }: &Entry) -> Sound<Vec<StartValue>> {
+    pub(super) fn orientation(&mut self, number: usize, Entry { name, value }: &Entry) -> Sound<Vec<StartValue>> {
         let (is_guess, text) = match value.text.trim_start().strip_prefix("guess ") {
             Some(rest) => (true, value.slice(value.text.len() - rest.len()..value.text.len())),
             None => (false, value.clone()),
@@ -32,7 +32,7 @@ impl Elaborator<'_> {
     }
 
     /// `30 deg about x`
-    fn turn(&self, name: &Text, whole: &Text, turn: &str, place: Range<usize>) -> Sound<[f64; 4]> {
+    fn turn(&mut self, name: &Text, whole: &Text, turn: &str, place: Range<usize>) -> Sound<[f64; 4]> {
         let fault = |label: String| {
             let title = format!("the start of `{}` is a turn", name.text);
             Box::new(Fault::at(whole.part(&place), title, label, ACCEPTED))
@@ -42,6 +42,7 @@ impl Elaborator<'_> {
         let Some(axis) = ["x", "y", "z"].iter().position(|known| *known == axis.trim()) else {
             return Err(fault("about another axis than x, y or z".to_owned()));
         };
+        self.judge_angle(whole.part(&place), angle, &format!("30 deg about {}", ["x", "y", "z"][axis]));
         let (angle, dimension) = units::quantity::parse_any(angle).map_err(|wrong| fault(wrong.to_string()))?;
         if dimension.of_expressions() != Dimension::none() {
             return Err(fault(format!("this has the dimension {}", dimension.of_expressions())));

@@ -236,6 +236,7 @@ impl Elaborator<'_> {
             return Err(wrong("a frame turns about x, y or z of its parent", "another axis"));
         };
         let angle = self.scalar_value(&angle_text, "the angle of a turn", Some(Dimension::none()))?;
+        self.judge_angle_text(&angle_text);
         Ok(self.new_frame(&entry.name.text, parent, Turn::About { axis, angle }))
     }
 
@@ -253,6 +254,7 @@ impl Elaborator<'_> {
             }
             (Some(turns), None) => {
                 let angle = self.scalar_value(turns, "the angle of a turn", Some(Dimension::none()))?;
+                self.judge_angle_text(turns);
                 Some(self.new_frame(&body.name.text, FrameId::GROUND, Turn::About { axis: 2, angle }))
             }
             (None, Some(frame)) => Some(self.frame(frame)?),

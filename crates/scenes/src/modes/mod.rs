@@ -31,6 +31,22 @@ pub struct Modes {
     model: Arc<Model>,
     known: Mutex<HashMap<Vec<Case>, Made>>,
     current: Mutex<Option<Current>>,
+    ended: Arc<Ended>,
+}
+
+/// The events that ended runs, by the times of their ends.
+#[derive(Debug, Default)]
+pub(crate) struct Ended(Mutex<HashMap<u64, usize>>);
+
+impl Ended {
+    /// The event that ended a run at a time, by its place in the model.
+    pub fn at(&self, time: f64) -> Option<usize> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(&time.to_bits()).copied()
+    }
+
+    fn keep(&self, time: f64, event: usize) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(time.to_bits(), event);
+    }
 }
 
 /// The law in which a run is, and the sides of its events.
@@ -63,7 +79,12 @@ pub(crate) struct Moded {
 impl Modes {
     /// The modes of a model; laws are compiled when a run comes to them.
     pub fn of(model: &Arc<Model>) -> Self {
-        Modes { model: Arc::clone(model), known: Mutex::default(), current: Mutex::default() }
+        Modes::telling(model, Arc::default())
+    }
+
+    /// The same, and each event that ends a run is kept.
+    pub(crate) fn telling(model: &Arc<Model>, ended: Arc<Ended>) -> Self {
+        Modes { model: Arc::clone(model), known: Mutex::default(), current: Mutex::default(), ended }
     }
 
     /// The law in a mode.
@@ -131,9 +152,14 @@ impl Switching for Modes {
     fn pass(&self, event: &Event, state: &mut [f64]) -> Result<Option<Segment>, &'static str> {
         let before = self.current.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let Some(before) = before else { return Err("the run has no mode") };
-        let Some(moded) = self.after(&before.moded, &before.sides, event, state)? else { return Ok(None) };
-        let falls = &before.moded.signals.falls;
-        let sides = sides(&moded, event.time, state, Some((falls[event.signal], &before.sides)));
+        let fall = before.moded.signals.falls[event.signal];
+        let Some(moded) = self.after(&before.moded, &before.sides, event, state)? else {
+            if let Fall::Event { event: number } = fall {
+                self.ended.keep(event.time, number);
+            }
+            return Ok(None);
+        };
+        let sides = sides(&moded, event.time, state, Some((fall, &before.sides)));
         Ok(Some(self.enter(Current { moded, sides })))
     }
 }

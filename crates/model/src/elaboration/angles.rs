@@ -1,0 +1,91 @@
+//! Angles that are written as numbers alone: radians, and perhaps degrees were meant.
+
+use super::Elaborator;
+use crate::expression::{Expression, Form, Part, read};
+use crate::{Entry, Fault, Text};
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+/// A turn and a little more, in radians: nobody writes a larger angle by mistake for a smaller one.
+const MOST: f64 = 6.3;
+
+impl<'s> Elaborator<'s> {
+    /// Warns of a number alone that is an angle of more than a turn; `degrees` shows how degrees are written at its place.
+    pub(super) fn judge_angle(&mut self, place: Range<usize>, written: &str, degrees: &str) {
+        let Ok(value) = units::quantity::finite(written.trim()) else { return };
+        if value.abs() <= MOST || self.model.warnings.iter().any(|known| known.span == place) {
+            return;
+        }
+        let title = format!("{} rad are {:.1} turns", written.trim(), value.abs() / TAU);
+        let accepted = format!("degrees are written {}", degrees.replace("30", written.trim()));
+        self.model.warnings.push(Fault::at(place, title, "a number alone is in radians", accepted));
+    }
+
+    /// Warns of numbers alone in an expression that is an angle, such as that of a turn.
+    pub(super) fn judge_angle_text(&mut self, text: &Text) {
+        if let Ok(expression) = read(&text.text) {
+            self.judge_terms(text, &expression, expression.whole());
+        }
+    }
+
+    /// The same wherever an expression holds an angle: in `sin`, `cos` and `tan`, and beside a letter that is one.
+    pub(super) fn judge_angles(&mut self, text: &Text, expression: &Expression) {
+        let mut inner = vec![false; expression.parts.len()];
+        for (place, form) in expression.parts.iter().enumerate().rev() {
+            match form {
+                Form::Call { function, arguments } if matches!(function.as_str(), "sin" | "cos" | "tan") => {
+                    arguments.iter().for_each(|argument| self.judge_terms(text, expression, argument.value));
+                }
+                Form::Sum(..) | Form::Difference(..) | Form::Comparison(..) if !inner[place] => {
+                    let terms = terms_of(expression, place, &mut inner);
+                    if terms.iter().any(|term| self.is_angle(&expression.parts[*term])) {
+                        self.judge_terms(text, expression, place);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn judge_terms(&mut self, text: &Text, expression: &Expression, part: Part) {
+        for term in terms_of(expression, part, &mut vec![false; expression.parts.len()]) {
+            match &expression.parts[term] {
+                Form::Number(digits) => {
+                    self.judge_angle(text.part(&expression.spans[term]), digits, "(30 deg)");
+                }
+                Form::Name(name) => {
+                    let source = self.source;
+                    let named = |entries: &'s [Entry]| entries.iter().find(|entry| entry.name.text == *name);
+                    if let Some(Entry { value, .. }) = named(&source.parameters) {
+                        self.judge_angle(value.span(), &value.text, "\"30 deg\"");
+                    } else if let Some(Entry { value, .. }) = named(&source.definitions) {
+                        self.judge_angle_text(value);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Whether a letter has a unit of angles.
+    fn is_angle(&self, form: &Form) -> bool {
+        let Form::Name(name) = form else { return false };
+        let of_angle = |written: &str| ["rad", "deg", "rev"].iter().any(|unit| written.ends_with(unit));
+        self.model.coordinates.iter().any(|one| one.name == *name && one.unit == "rad")
+            || self.model.parameters.iter().any(|one| one.name == *name && of_angle(&one.written))
+    }
+}
+
+/// The terms of a sum, or of both sides of a comparison; the sums inside are marked.
+fn terms_of(expression: &Expression, part: Part, inner: &mut [bool]) -> Vec<Part> {
+    let (mut open, mut terms) = (vec![part], Vec::new());
+    while let Some(part) = open.pop() {
+        inner[part] = true;
+        match &expression.parts[part] {
+            Form::Sum(a, b) | Form::Difference(a, b) | Form::Comparison(_, a, b) => open.extend([*a, *b]),
+            Form::Negation(a) => open.push(*a),
+            _ => terms.push(part),
+        }
+    }
+    terms
+}
