@@ -1,7 +1,7 @@
 //! The quantities that stand for the letters of a model in a compiled function: inputs, or values folded in.
 
 use field::{Over, Rational};
-use model::{Model, Trace};
+use model::{HALF_TURN, Model, Trace};
 use symbolic::{Sym, substitute_all};
 
 /// Inputs for the state, the time and the parameters of a model, in this order.
@@ -73,8 +73,6 @@ impl<'a> Letters<'a> {
     }
 }
 
-/// Pi to 48 digits, as the sum of three floats.
 fn half_turn() -> Sym {
-    const PARTS: [f64; 3] = [std::f64::consts::PI, 1.224_646_799_147_353_2e-16, -2.994_769_809_718_339_7e-33];
-    PARTS.into_iter().map(|part| Sym::lift(Rational::exactly(part))).fold(Sym::ZERO, |sum, part| sum + part)
+    HALF_TURN.into_iter().map(|part| Sym::lift(Rational::exactly(part))).fold(Sym::ZERO, |sum, part| sum + part)
 }

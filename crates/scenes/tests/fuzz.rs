@@ -266,6 +266,37 @@ fn whatever_stands_in_a_file_it_is_read_or_refused_with_reasons() {
     assert!(read > 200 && refused > 200, "{read} {refused}");
 }
 
+/// Each model has decimals of its own with seventeen digits, in powers and products of hundreds of digits. Exact, their constants would
+/// take 6 KB a model and stay.
+#[test]
+fn long_constants_leave_memory_flat() {
+    let text = |k: usize| {
+        let digits = format!("{:.16}", 1.2 + k as f64 * 1.234567891234567e-5);
+        format!(
+            "title = \"A mass\"\n[parameters]\nm = \"2 kg\"\n[coordinates]\nx = \"m\"\n\
+             [bodies.b]\ncentre = \"O + x*N.x\"\nmass = \"m\"\n\
+             [[force]]\non = \"b\"\nis = \"(1 N)*({digits}^40 - {digits}^39*{digits})*N.x - (1 N)*(x/(1 m))*{digits}^23/{digits}^21*N.x\"\n\
+             [start]\nx = \"1 m\"\n[run]\nspan = \"1 s\"\n"
+        )
+    };
+    let (warm, all) = (200, 2_200);
+    let mut before = None;
+    for k in 0..all {
+        if k == warm {
+            before = resident();
+        }
+        let scene = ModelScene::parse("scene.toml", &text(k)).unwrap_or_else(|error| panic!("{error}"));
+        let mut rates = [0.0; 2];
+        integrators::Ode::<f64>::rates(&*scene.system, 0.0, &[1.0, 0.0], &mut rates);
+        let digit = 1.2 + k as f64 * 1.234567891234567e-5;
+        assert!((rates[1] + digit * digit / 2.0).abs() < 1e-11, "{k}: {rates:?}");
+    }
+    let (Some(before), Some(after)) = (before, resident()) else { return };
+    let per_model = (after - before) * 1024.0 / (all - warm) as f64;
+    println!("{per_model} KB a model");
+    assert!(per_model < 1.5, "{per_model} KB a model stay");
+}
+
 #[test]
 fn whatever_varies_a_member_starts_or_says_why() {
     let text = include_str!("../../../scenes/models/slider_crank.toml").to_owned()

@@ -286,7 +286,13 @@ fn what_the_language_will_have_is_refused_by_name() {
 
 #[test]
 fn numbers_that_fill_the_memory_are_refused() {
-    one(&[("\"l*sin(theta)\"", "\"l*((((2^64)^64)^64)^64)^64\"")], &["more digits than anything needs"]);
+    one(&[("\"l*sin(theta)\"", "\"l*((((2^64)^64)^64)^64)^64\"")], &["this number is too large"]);
+    one(&[("\"l*sin(theta)\"", "\"l*(1e-9)^40\"")], &["this number is too small"]);
+    one(
+        &[("\"l*sin(theta)\"", "\"l*(g/(1.234567891 m/s^2))^40\"")],
+        &["more digits than a run can hold", "a parameter of its own"],
+    );
+    one(&[("\"l*sin(theta)\"", "\"l*1/(2 - 2)\"")], &[]);
     one(&[("\"l*sin(theta)\"", &format!("\"{}l\"", "(".repeat(101)))], &["parentheses deeper than 100"]);
 }
 

@@ -2,6 +2,7 @@
 
 mod angles;
 mod choices;
+mod constants;
 mod elementary;
 mod events;
 mod expressions;
@@ -19,11 +20,13 @@ mod value;
 use crate::arena::{Arena, Scalar, Vector};
 use crate::expression::{Expression, read};
 use crate::{BodyId, Fault, Frame, FrameId, Model, Point, PointId, ScalarId, Source, Text, VectorId};
+use constants::Constant;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use symbolic::Dimension;
 use value::Value;
 
+pub use constants::HALF_TURN;
 pub use headings::misplaced;
 
 /// Names that have a meaning of their own.
@@ -85,8 +88,8 @@ struct Elaborator<'s> {
     names: FxHashMap<String, Named>,
     /// The dimension of each part of an expression; none for zero, which has every dimension.
     dimensions: Vec<Option<Dimension>>,
-    /// A bound of the bits of each part that is a number.
-    bits: Vec<Option<u64>>,
+    /// The exact value of each part that is made of constants.
+    constants: Vec<Option<Constant>>,
     /// Whether reactions and loads of joints may stand here: in outputs.
     shows_loads: bool,
     /// Names whose definition is wrong: nothing more is said of them.
@@ -106,7 +109,7 @@ impl<'s> Elaborator<'s> {
             model,
             names: FxHashMap::default(),
             dimensions: Vec::new(),
-            bits: Vec::new(),
+            constants: Vec::new(),
             shows_loads: false,
             broken: FxHashSet::default(),
             faults: Vec::new(),
@@ -128,36 +131,21 @@ impl<'s> Elaborator<'s> {
     }
 
     fn scalar(&mut self, scalar: Scalar, dimension: Option<Dimension>) -> ScalarId {
-        let bits = self.bits_of(&scalar);
+        let constant = self.constant_of(&scalar);
         let id = self.arena().scalar(scalar, dimension);
         // what was written before has its dimension
         if id.0 == self.dimensions.len() {
             self.dimensions.push(dimension);
-            self.bits.push(bits);
+            self.constants.push(constant);
         }
         id
-    }
-
-    /// A bound of the bits of a number that is made of numbers.
-    fn bits_of(&self, scalar: &Scalar) -> Option<u64> {
-        let of = |id: &ScalarId| self.bits[id.0];
-        match scalar {
-            // a decimal of seventeen digits between 1e-308 and 1e308
-            Scalar::Number(_) => Some(2_200),
-            Scalar::Negation(a) => of(a),
-            Scalar::Sum(a, b) | Scalar::Difference(a, b) | Scalar::Product(a, b) | Scalar::Quotient(a, b) => {
-                Some(of(a)?.saturating_add(of(b)?).saturating_add(1))
-            }
-            Scalar::Power(a, exponent) => Some(of(a)?.saturating_mul(exponent.numerator.unsigned_abs().into())),
-            _ => None,
-        }
     }
 
     fn vector(&mut self, vector: Vector, dimension: Option<Dimension>) -> VectorId {
         let id = self.arena().vector(vector);
         if id.0 == self.dimensions.len() {
             self.dimensions.push(dimension);
-            self.bits.push(None);
+            self.constants.push(None);
         }
         id
     }

@@ -10,9 +10,6 @@ use field::Rational;
 use std::ops::Range;
 use symbolic::Dimension;
 
-/// The longest number that is made of numbers.
-const MOST_BITS: u64 = 1 << 20;
-
 impl Elaborator<'_> {
     /// The dimension of two parts that are added; zero fits to everything.
     pub(super) fn common(&self, span: &Range<usize>, a: usize, b: usize) -> Sound<Option<Dimension>> {
@@ -31,7 +28,7 @@ impl Elaborator<'_> {
         Ok(match (a, b) {
             (Value::Scalar(a), Value::Scalar(b)) => {
                 let dimension = self.common(span, a.0, b.0)?;
-                Value::Scalar(self.scalar(Scalar::Sum(a, b), dimension))
+                Value::Scalar(self.bounded(span, Scalar::Sum(a, b), dimension)?)
             }
             (Value::Vector(a), Value::Vector(b)) => Value::Vector(self.vector_sum(span, a, b)?),
             (Value::Point { base, way }, Value::Vector(b)) | (Value::Vector(b), Value::Point { base, way }) => {
@@ -55,7 +52,7 @@ impl Elaborator<'_> {
         Ok(match (a, b) {
             (Value::Scalar(a), Value::Scalar(b)) => {
                 let dimension = self.common(span, a.0, b.0)?;
-                Value::Scalar(self.scalar(Scalar::Difference(a, b), dimension))
+                Value::Scalar(self.bounded(span, Scalar::Difference(a, b), dimension)?)
             }
             (Value::Vector(a), Value::Vector(b)) => {
                 let dimension = self.common(span, a.0, b.0)?;
@@ -82,7 +79,7 @@ impl Elaborator<'_> {
         Ok(match (a, b) {
             (Value::Scalar(a), Value::Scalar(b)) => {
                 let dimension = self.multiplied(a.0, b.0);
-                Value::Scalar(self.scalar(Scalar::Product(a, b), dimension))
+                Value::Scalar(self.bounded(span, Scalar::Product(a, b), dimension)?)
             }
             (Value::Scalar(a), Value::Vector(b)) | (Value::Vector(b), Value::Scalar(a)) => {
                 let dimension = self.multiplied(a.0, b.0);
@@ -121,7 +118,7 @@ impl Elaborator<'_> {
         Ok(match a {
             Value::Scalar(a) => {
                 let dimension = self.divided(a.0, below.0);
-                Value::Scalar(self.scalar(Scalar::Quotient(a, below), dimension))
+                Value::Scalar(self.bounded(span, Scalar::Quotient(a, below), dimension)?)
             }
             Value::Vector(a) => {
                 let one =
@@ -151,14 +148,9 @@ impl Elaborator<'_> {
             let accepted = "whole exponents and halves, x^(3/2); of a positive number x also exp(ln(x)/3)";
             return Err(not_yet(span, "an exponent that is no multiple of 1/2", accepted));
         }
-        if self.bits[a.0].is_some_and(|bits| bits.saturating_mul(exponent.numerator.unsigned_abs().into()) > MOST_BITS)
-        {
-            let title = "this number has more digits than anything needs";
-            return Err(Box::new(Fault::at(span.clone(), title, "too long", "a decimal number such as 1.5e-3")));
-        }
         let share = Rational::new(exponent.numerator.into(), exponent.denominator.into());
         let dimension = self.dimension_of(a.0).map(|dimension| dimension.power(share));
-        Ok(Value::Scalar(self.scalar(Scalar::Power(a, exponent), dimension)))
+        Ok(Value::Scalar(self.bounded(span, Scalar::Power(a, exponent), dimension)?))
     }
 }
 
