@@ -76,14 +76,6 @@ fn is_sum(text: &str) -> bool {
     })
 }
 
-/// Refuses a model with a free frame: its speeds are no rates of coordinates.
-fn no_free_frame(trace: &Trace<'_>) -> Result<(), String> {
-    trace.model.free.first().map_or(Ok(()), |frame| {
-        let name = &trace.model.frames[frame.0].name;
-        Err(format!("`{name}` is free: text, latex and mathml write such a system; other formats are not there yet"))
-    })
-}
-
 /// Letters in the order of the model.
 fn reading_of(trace: &Trace<'_>) -> Reading {
     let is_positive = |parameter: &crate::Parameter| parameter.value.is_some_and(|value| value > 0.0);

@@ -125,6 +125,60 @@ fn slider_crank() -> Source {
     }
 }
 
+/// A top about a fixed point, dragged by the air, in a frame that turns freely or by three angles.
+fn top(coordinates: &[(&str, &str)], frames: &[(&str, &str)]) -> Source {
+    let entry = |text: &str| Some(text.into());
+    let moments = [entry("A"), entry("1.2*A"), entry("C"), None, None, None];
+    Source {
+        parameters: entries(&[
+            ("m", "1.5 kg"),
+            ("l", "0.2 m"),
+            ("A", "0.03 kg m^2"),
+            ("C", "0.01 kg m^2"),
+            ("k", "0.02 N m s"),
+        ]),
+        coordinates: entries(coordinates),
+        frames: entries(frames),
+        points: entries(&[("P", "O + l*F.z")]),
+        bodies: vec![BodySource {
+            name: "top".into(),
+            frame: entry("F"),
+            centre: entry("P"),
+            mass: entry("m"),
+            inertia: Some(InertiaSource::Tensor { axes: None, entries: Box::new(moments) }),
+            ..BodySource::default()
+        }],
+        gravity: entry("-(9.81 m/s^2)*N.z"),
+        torques: vec![LoadSource { on: entry("top"), is: "-k*angular_velocity(top)".into(), ..LoadSource::default() }],
+        ..Source::default()
+    }
+}
+
+fn free_top() -> Source {
+    top(&[], &[("F", "N free")])
+}
+
+fn turned_top() -> Source {
+    top(
+        &[("yaw", "rad"), ("tilt", "rad"), ("spin", "rad")],
+        &[("Y", "N turned yaw about z"), ("T", "Y turned tilt about x"), ("F", "T turned spin about z")],
+    )
+}
+
+/// A body on a slide, its frame free, its corner on a plane.
+fn pinned_plate() -> Source {
+    Source {
+        coordinates: entries(&[("x", "m"), ("z", "m")]),
+        points: entries(&[("P", "O + x*N.x + z*N.z"), ("E", "P + l*F.x - l/2*F.z")]),
+        constraints: vec![ConstraintSource {
+            name: Some("plane".into()),
+            zero: vec!["(E - O) . N.z".into(), "velocity(top at E) . N.y".into()],
+            ..ConstraintSource::default()
+        }],
+        ..free_top()
+    }
+}
+
 /// A system, a state of it, and the accelerations and multipliers there.
 struct Case {
     name: &'static str,
@@ -132,7 +186,10 @@ struct Case {
     time: f64,
     coordinates: Vec<f64>,
     speeds: Vec<f64>,
+    /// Accelerations, then multipliers.
     expected: Vec<f64>,
+    /// The rates of the state.
+    rates: Vec<f64>,
 }
 
 fn cases() -> Vec<Case> {
@@ -140,7 +197,10 @@ fn cases() -> Vec<Case> {
         let model = Model::of(&source).unwrap_or_else(|faults| panic!("{name}: {faults:?}"));
         let (coordinates, speeds, time) = (coordinates.to_vec(), speeds.to_vec(), 0.7);
         let expected = expected(&model, time, &coordinates, &speeds);
-        Case { name, model, time, coordinates, speeds, expected }
+        let mut rates = vec![0.0; coordinates.len()];
+        model.position_rates(&[&coordinates[..], &speeds].concat(), &mut rates);
+        rates.extend(&expected[..speeds.len()]);
+        Case { name, model, time, coordinates, speeds, expected, rates }
     };
     vec![
         case("faller", faller(), &[0.2], &[0.1]),
@@ -148,6 +208,8 @@ fn cases() -> Vec<Case> {
         case("stop", stop(), &[0.2], &[-0.3]),
         case("double_pendulum", double_pendulum(), &[0.9, -0.4], &[1.3, 0.7]),
         case("slider_crank", slider_crank(), &[0.6, 0.2, 0.35], &[2.0, -0.7, 0.3]),
+        case("free_top", free_top(), &[0.8, -0.3, 0.5, 0.2], &[0.4, 3.0, -7.0]),
+        case("pinned_plate", pinned_plate(), &[0.1, 0.4, 0.8, -0.3, 0.5, 0.2], &[0.3, -0.2, 0.4, 3.0, -7.0]),
     ]
 }
 
@@ -160,10 +222,8 @@ fn expected(model: &Model, time: f64, coordinates: &[f64], speeds: &[f64]) -> Ve
         for parameter in &model.parameters {
             values.insert(parameter.name.clone(), parameter.value.expect("it has one"));
         }
-        for (k, coordinate) in model.coordinates.iter().enumerate() {
-            values.insert(coordinate.name.clone(), coordinates[k]);
-            values.insert(format!("{}'", coordinate.name), speeds[k]);
-        }
+        let state = coordinates.iter().chain(speeds);
+        values.extend(model.state_names().into_iter().zip(state).map(|((name, _), value)| (name, *value)));
         for (letter, condition) in trace.switches.iter().zip(&model.switches) {
             let condition = trace.scalar(*condition).evaluate_analytic(&|name| values.get(name).copied());
             let is_positive = condition.expect("every letter has a value") > 0.0;
@@ -185,9 +245,10 @@ fn code(case: &Case, language: Language) -> String {
 
 fn agree(case: &Case, output: &str) {
     let found: Vec<f64> = output.split_whitespace().map(|word| word.parse().expect("a number")).collect();
-    assert_eq!(found.len(), case.expected.len(), "{}: {output}", case.name);
-    let size = case.expected.iter().fold(1.0, |most: f64, value| most.max(value.abs()));
-    for (found, value) in found.iter().zip(&case.expected) {
+    let known = [&case.expected[..], &case.rates].concat();
+    assert_eq!(found.len(), known.len(), "{}: {output}", case.name);
+    let size = known.iter().fold(1.0, |most: f64, value| most.max(value.abs()));
+    for (found, value) in found.iter().zip(&known) {
         assert!((found - value).abs() <= 1e-12 * size, "{}: {found} for {value}", case.name);
     }
 }
@@ -223,16 +284,20 @@ fn the_c_has_the_accelerations_and_multipliers() {
         return;
     }
     for case in cases() {
-        let (n, m) = (case.coordinates.len(), case.expected.len() - case.coordinates.len());
+        let (n, m) = (case.speeds.len(), case.expected.len() - case.speeds.len());
         let text = format!(
-            "{}\n#include <stdio.h>\nint main(void)\n{{\n    const double q[] = {{{}}}, u[] = {{{}}};\n    double a[{n}], lambda[{}];\n    \
-             if (accelerations({:?}, q, u, &defaults, a, lambda)) return 1;\n    \
+            "{}\n#include <stdio.h>\nint main(void)\n{{\n    const double q[] = {{{}}}, u[] = {{{}}}, y[] = {{{}}};\n    \
+             double a[{n}], lambda[{}], dy[{}];\n    const double t = {:?};\n    \
+             if (accelerations(t, q, u, &defaults, a, lambda) || rates(t, y, &defaults, dy)) return 1;\n    \
              for (int i = 0; i < {n}; ++i) printf(\"%.17g\\n\", a[i]);\n    \
-             for (int i = 0; i < {m}; ++i) printf(\"%.17g\\n\", lambda[i]);\n    return 0;\n}}\n",
+             for (int i = 0; i < {m}; ++i) printf(\"%.17g\\n\", lambda[i]);\n    \
+             for (int i = 0; i < COORDINATES + SPEEDS; ++i) printf(\"%.17g\\n\", dy[i]);\n    return 0;\n}}\n",
             code(&case, Language::C),
             listed(&case.coordinates),
             listed(&case.speeds),
+            listed(&[&case.coordinates[..], &case.speeds].concat()),
             m.max(1),
+            case.rates.len(),
             case.time,
         );
         let (source, program) =
@@ -253,12 +318,15 @@ fn the_rust_has_the_accelerations_and_multipliers() {
         let text = format!(
             "{}\nfn main() {{\n    let p = Parameters::default();\n    let (q, u) = ([{}], [{}]);\n    \
              let Some((a, lambda)) = accelerations({:?}, &q, &u, &p) else {{ std::process::exit(1) }};\n    \
-             a.iter().chain(&lambda).for_each(|value| println!(\"{{value:?}}\"));\n    \
+             let Some(dy) = rates({:?}, &[{}], &p) else {{ std::process::exit(1) }};\n    \
+             a.iter().chain(&lambda).chain(&dy).for_each(|value| println!(\"{{value:?}}\"));\n    \
              let _ = (constraints({:?}, &q, &u, &p), p.clone());\n}}\n",
             code(&case, Language::Rust),
             listed(&case.coordinates),
             listed(&case.speeds),
             case.time,
+            case.time,
+            listed(&[&case.coordinates[..], &case.speeds].concat()),
             case.time,
         );
         let (source, program) =
@@ -277,7 +345,7 @@ fn the_python_has_the_accelerations_and_multipliers() {
     for case in cases() {
         let text = format!(
             "{}\nq, u = [{}], [{}]\na, multipliers = accelerations({:?}, q, u)\n\
-             print(*map(repr, map(float, [*a, *multipliers])))\nassert len(rates({:?}, q + u)) == 2*len(q)\n",
+             print(*map(repr, map(float, [*a, *multipliers, *rates({:?}, q + u)])))\n",
             code(&case, Language::Python),
             listed(&case.coordinates),
             listed(&case.speeds),
@@ -299,17 +367,22 @@ fn sympy_solves_the_equations_to_the_accelerations_and_multipliers() {
         let module = apart(|| {
             let trace = Trace::of(&case.model);
             model::sympy(&trace, &MatrixForm::of(&trace, Principle::Lagrange).expect("it applies"))
-                .expect("it can be written")
         });
         let text = format!(
-            "{module}\nfrom sympy import Matrix as M_, zeros\nstate = [(q[k].diff(t), v) for k, v in enumerate([{}])]\n\
+            "{module}\nfrom sympy import Matrix as M_, zeros\nturns = \"kinematics\" in globals()\n\
+             speeds, rates = [{}], [{}]\nu_ = list(u) if turns else [q[k].diff(t) for k in range(len(q))]\n\
+             state = [(q[k].diff(t), v) for k, v in enumerate(rates)]\n\
+             state += [(s, v) for s, v in zip(u_, speeds) if not s.is_Derivative]\n\
              state += [(q[k], v) for k, v in enumerate([{}])] + [(t, {:?})] + list(values.items())\n\
              held = \"jacobian\" in globals()\n\
              rows = mass_matrix.row_join(-jacobian.T).col_join(jacobian.row_join(zeros(*[jacobian.shape[0]]*2))) if held else mass_matrix\n\
              right = (forces - inertia).col_join(-bias) if held else forces - inertia\n\
              a, b = rows.subs(state).evalf(30), right.subs(state).evalf(30)\n\
-             print(*map(float, a.LUsolve(b)))\nassert len(equations) == len(q)\n",
+             assert not turns or max(abs(k) for k in kinematics.subs(state).evalf(30)) < 1e-14\n\
+             found = list(a.LUsolve(b))\nprint(*map(float, found + rates + found[:len(speeds)]))\n\
+             assert len(equations) == len(speeds)\n",
             listed(&case.speeds),
+            listed(&case.rates[..case.coordinates.len()]),
             listed(&case.coordinates),
             case.time,
         );
@@ -317,6 +390,40 @@ fn sympy_solves_the_equations_to_the_accelerations_and_multipliers() {
         fs::write(&source, text).expect("the code is written");
         agree(&case, &output(Command::new("python3").arg(&source)));
     }
+}
+
+/// The top of three angles beside the free one, each by its own code and the same steps: the axis and a mark on the rim stand at one place.
+#[test]
+fn the_code_of_a_free_top_moves_it_as_that_of_three_turns() {
+    if !answers("python3", &["-c", "import numpy"]) {
+        return;
+    }
+    let case = |name, source: Source| {
+        let model = Model::of(&source).unwrap_or_else(|faults| panic!("{name}: {faults:?}"));
+        let (coordinates, speeds, expected, rates) = Default::default();
+        code(&Case { name, model, time: 0.0, coordinates, speeds, expected, rates }, Language::Python)
+    };
+    for (name, source) in [("free", free_top()), ("turned", turned_top())] {
+        fs::write(folder("python").join(format!("{name}_top.py")), case(name, source)).expect("the code is written");
+    }
+    let text = "import numpy as np\nimport free_top, turned_top\nfrom numpy import cos, sin\n\
+        def ends(rates, y):\n    h, t = 0.0005, 0.0\n    for _ in range(1000):\n        k1 = rates(t, y)\n        \
+        k2 = rates(t + h/2, y + h/2*k1)\n        k3 = rates(t + h/2, y + h/2*k2)\n        k4 = rates(t + h, y + h*k3)\n        \
+        y, t = y + h/6*(k1 + 2*k2 + 2*k3 + k4), t + h\n    return y\n\
+        about = lambda a, i: np.array([cos(a/2)] + [sin(a/2) if k == i else 0.0 for k in range(3)])\n\
+        def times(p, q):\n    return np.concatenate([[p[0]*q[0] - p[1:] @ q[1:]], p[0]*q[1:] + q[0]*p[1:] + np.cross(p[1:], q[1:])])\n\
+        yaw, tilt, spin = 0.2, 0.7, 0.3\ndyaw, dtilt, dspin = 0.4, 0.5, 30.0\n\
+        q = times(times(about(yaw, 2), about(tilt, 0)), about(spin, 2))\n\
+        w = [dyaw*sin(tilt)*sin(spin) + dtilt*cos(spin), dyaw*sin(tilt)*cos(spin) - dtilt*sin(spin), dyaw*cos(tilt) + dspin]\n\
+        free = ends(free_top.rates, np.concatenate([q, w]))\n\
+        turned = ends(turned_top.rates, np.array([yaw, tilt, spin, dyaw, dtilt, dspin]))\n\
+        one = times(times(about(turned[0], 2), about(turned[1], 0)), about(turned[2], 2))\n\
+        other = free[:4]/np.linalg.norm(free[:4])\nprint(repr(float(1 - abs(one @ other))))\n";
+    let source = folder("python").join("both_tops.py");
+    fs::write(&source, text).expect("the code is written");
+    let apart: f64 = output(Command::new("python3").arg(&source)).trim().parse().expect("a number");
+    // half of the square of half the angle between them
+    assert!(apart.abs() < 1e-10, "{apart}");
 }
 
 #[test]

@@ -4,34 +4,37 @@ use super::identifiers::identifiers;
 use super::matrix_form::MatrixForm;
 use crate::Trace;
 use std::fmt::Write;
-use symbolic::Sym;
+use symbolic::{Sym, substitute_all};
 
 /// Words of Python, what the module imports, and what it defines.
 const WORDS: &str = "False None True and as assert async await break class continue def del elif else except finally for from global \
     if import in is lambda nonlocal not or pass raise return try while with print Derivative Function Matrix Piecewise Rational Subs Symbol \
     atan2 cos exp log pi sin sqrt tanh t q values mass_matrix inertia forces jacobian bias multipliers constraints equations";
 
+/// More of them where a frame is free: then speeds are more than rates of coordinates.
+const WORDS_OF_TURNS: &str = "u kinematics";
+
 /// The module.
 ///
-/// # Errors
-/// Where a frame is free.
-pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
-    super::no_free_frame(trace)?;
+/// A free frame has four coordinates, a quaternion, and its angular velocity, in its own axes, as functions of their own.
+pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
+    let own = trace.model.coordinates.len();
+    let turns = own < trace.speeds.len();
+    let free = &trace.speeds[own..];
     let conditions: Vec<Sym> = form.switches.iter().map(|(letter, _)| *letter).collect();
-    let letters: Vec<Sym> = [&form.parameters, &form.coordinates, &form.multipliers, &form.inputs, &conditions]
-        .into_iter()
-        .flatten()
-        .copied()
-        .collect();
-    let names = identifiers(&letters, WORDS);
+    let letters: Vec<Sym> =
+        [&form.parameters[..], &trace.coordinates, free, &form.multipliers, &form.inputs, &conditions].concat();
+    let words = if turns { format!("{WORDS} {WORDS_OF_TURNS}") } else { WORDS.to_owned() };
+    let names = identifiers(&letters, &words);
     let (parameters, rest) = names.split_at(form.parameters.len());
-    let (coordinates, rest) = rest.split_at(form.coordinates.len());
+    let (coordinates, rest) = rest.split_at(trace.coordinates.len());
+    let (turning, rest) = rest.split_at(free.len());
     let multipliers = &rest[..form.multipliers.len()];
     let switches = &names[names.len() - conditions.len()..];
     // rates are derivatives of functions, under names that no letter has
-    let rate = |order: usize| -> Vec<String> {
+    let rate = |order: usize, of: &[String]| -> Vec<String> {
         let name = |name: &String| format!("{name}{}", "_dot".repeat(order));
-        let all = coordinates.iter().map(name);
+        let all = of.iter().map(name);
         all.map(|mut name| {
             while names.contains(&name) {
                 name.push('_');
@@ -40,25 +43,32 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
         })
         .collect()
     };
-    let (speeds, accelerations) = (rate(1), rate(2));
-    let olds = letters.iter().chain(&form.speeds).chain(&form.accelerations);
-    let news = names.iter().chain(&speeds).chain(&accelerations).map(|name| Sym::symbol(name));
-    let form = form.renamed(&olds.copied().zip(news).collect::<Vec<_>>()).for_reading();
+    let speeds = [rate(1, &coordinates[..own]), turning.to_vec()].concat();
+    let accelerations = [rate(2, &coordinates[..own]), rate(1, turning)].concat();
+    let olds = letters.iter().chain(&trace.speeds[..own]).chain(&form.accelerations);
+    let news = names.iter().chain(&speeds[..own]).chain(&accelerations).map(|name| Sym::symbol(name));
+    let renamed: Vec<(Sym, Sym)> = olds.copied().zip(news).collect();
+    let moved = substitute_all(&trace.position_rates[own..], &renamed);
+    let form = form.renamed(&renamed).for_reading();
 
-    let mut text = String::from(
-        "# mass_matrix*q'' + inertia = forces + jacobian.T*multipliers, jacobian*q'' + bias = 0, constraints = 0\n\
+    let rate = if turns { "u'" } else { "q''" };
+    let mut text = format!(
+        "# mass_matrix*{rate} + inertia = forces + jacobian.T*multipliers, jacobian*{rate} + bias = 0, constraints = 0\n\
          # jacobian: derivatives of each constraint's rate by the speeds; a positive multiplier acts along its row\n\
          from sympy import Derivative, Function, Matrix, Piecewise, Rational, Subs, Symbol, atan2, cos, exp, log, pi, sin, sqrt, tanh\n\n\
          t = Symbol(\"t\")\n",
     );
     for (letter, name) in letters.iter().zip(&names).take(names.len() - switches.len()) {
-        let _ = match coordinates.contains(name) {
+        let _ = match coordinates.contains(name) || turning.contains(name) {
             true => writeln!(text, "{name} = Function({:?})(t)", letter.to_string()),
             false => writeln!(text, "{name} = Symbol({:?})", letter.to_string()),
         };
     }
-    for (k, name) in coordinates.iter().enumerate() {
+    for (k, name) in coordinates[..own].iter().enumerate() {
         let _ = writeln!(text, "{} = {name}.diff(t)\n{} = {name}.diff(t, 2)", speeds[k], accelerations[k]);
+    }
+    for (name, rate) in turning.iter().zip(&accelerations[own..]) {
+        let _ = writeln!(text, "{rate} = {name}.diff(t)");
     }
     for (name, (_, condition)) in switches.iter().zip(&form.switches) {
         let _ = writeln!(text, "{name} = Piecewise((1, {} > 0), (0, True))", condition.sympy());
@@ -71,6 +81,17 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
         };
     }
     let _ = writeln!(text, "}}\n\nq = Matrix([{}])", coordinates.join(", "));
+    let accelerations = if turns { "u.diff(t)" } else { "q.diff(t, 2)" };
+    if turns {
+        let rates = coordinates[own..].iter().zip(&moved);
+        let rates: String = rates.map(|(name, rate)| format!("    {name}.diff(t) - ({}),\n", rate.sympy())).collect();
+        let _ = writeln!(
+            text,
+            "# speeds; of a free frame its angular velocity along its own axes\nu = Matrix([{}])\n\
+             # zero: the rates of each free frame's quaternion by its angular velocity\nkinematics = Matrix([\n{rates}])",
+            speeds.join(", "),
+        );
+    }
     let sympy = |values: &[Sym]| values.iter().map(|value| value.sympy()).collect::<Vec<_>>().join(", ");
     let rows = |rows: &mut dyn Iterator<Item = &Vec<Sym>>| -> String {
         rows.map(|row| format!("    [{}],\n", sympy(row))).collect()
@@ -80,8 +101,8 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     let _ = writeln!(text, "inertia = Matrix([\n{}])", column(&form.inertia));
     let _ = writeln!(text, "forces = Matrix([\n{}])", column(&form.forces));
     if form.constraints.is_empty() {
-        text += "\nequations = mass_matrix*q.diff(t, 2) + inertia - forces\n";
-        return Ok(text);
+        let _ = writeln!(text, "\nequations = mass_matrix*{accelerations} + inertia - forces");
+        return text;
     }
     let zeros: Vec<Sym> = form.constraints.iter().map(|held| held.zero).collect();
     let biases: Vec<Sym> = form.constraints.iter().map(|held| held.bias).collect();
@@ -89,6 +110,6 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     let _ = writeln!(text, "jacobian = Matrix([\n{}])", rows(&mut form.constraints.iter().map(|held| &held.row)));
     let _ = writeln!(text, "bias = Matrix([\n{}])", column(&biases));
     let _ = writeln!(text, "multipliers = Matrix([{}])", multipliers.join(", "));
-    text += "\nequations = mass_matrix*q.diff(t, 2) + inertia - forces - jacobian.T*multipliers\n";
-    Ok(text)
+    let _ = writeln!(text, "\nequations = mass_matrix*{accelerations} + inertia - forces - jacobian.T*multipliers");
+    text
 }

@@ -8,7 +8,7 @@ pub(super) const WORDS: &str = "auto break case char const continue default do d
     _Imaginary asm bool true false nullptr constexpr thread_local typeof alignas alignof static_assert";
 
 pub(super) fn written(program: &Program) -> String {
-    let Program { n, m, parameters, conditions, terms, zeros, .. } = program;
+    let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, .. } = program;
     let mut text = program.heading("//");
     text += "#include <math.h>\n\nstruct parameters {\n";
     for named in parameters {
@@ -26,7 +26,7 @@ pub(super) fn written(program: &Program) -> String {
         let values = if values.is_empty() { "    0,".to_owned() } else { values.join("\n") };
         let _ = writeln!(text, "const struct parameters defaults = {{\n{values}\n}};\n");
     }
-    let _ = writeln!(text, "enum {{ COORDINATES = {n}, CONSTRAINTS = {m} }};\n");
+    let _ = writeln!(text, "enum {{ COORDINATES = {positions}, SPEEDS = {n}, CONSTRAINTS = {m} }};\n");
     // conditions first, each in a block of its own
     let mut chosen = String::new();
     if !conditions.is_empty() {
@@ -61,15 +61,24 @@ pub(super) fn written(program: &Program) -> String {
             indented(&assigned("out", &zeros.outputs)),
         );
     }
-    text + SOLVE
+    let _ = writeln!(
+        text,
+        "{SOLVE}\n// dy/dt of y = (q, u); gives 0, or 1 where the accelerations are not determined\n\
+         int rates(double t, const double *y, const struct parameters *p, double *dy)\n{{\n    \
+         const double *q = y, *u = y + COORDINATES;\n    double lambda[CONSTRAINTS + 1];\n{}{}    \
+         return accelerations(t, q, u, p, dy + COORDINATES, lambda);\n}}",
+        indented(&position_rates.lines),
+        indented(&assigned("dy", &position_rates.outputs)),
+    );
+    text
 }
 
 /// Gaussian elimination with row pivots of [M, -J^T; J, 0], rows scaled.
 const SOLVE: &str = "\
-// q'' and lambda; gives 0, or 1 where they are not determined
+// u' and lambda; gives 0, or 1 where they are not determined
 int accelerations(double t, const double *q, const double *u, const struct parameters *p, double *acceleration, double *lambda)
 {
-    enum { N = COORDINATES, M = CONSTRAINTS, S = N + M };
+    enum { N = SPEEDS, M = CONSTRAINTS, S = N + M };
     double v[N * N + N + M * N + M], a[S][S + 1], scale[S];
     terms(t, q, u, p, v);
     const double *load = v + N * N, *jacobian = load + N, *bias = jacobian + M * N;

@@ -1,5 +1,7 @@
 //! A whole system as code of a language: M, h - Q, J and c as straight-line code over time, state and parameters; accelerations and
-//! multipliers by a solve with pivots.
+//! multipliers by a solve with pivots; the rates of coordinates and speeds together.
+//!
+//! A free frame has four coordinates, a quaternion, which stand behind the others, and three speeds, its angular velocity in its own axes.
 
 mod c;
 mod python;
@@ -14,12 +16,17 @@ use symbolic::{Language, Statements, Sym, Tape};
 /// The written program: sizes, names and statements.
 struct Program {
     /// Coordinates.
+    positions: usize,
+    /// Speeds.
     n: usize,
     /// Constraints.
     m: usize,
     parameters: Vec<Named>,
     /// Letters in their order, for a reader.
     coordinates: Vec<String>,
+    speeds: Vec<String>,
+    /// Whether a frame is free: then q' is not u.
+    turns: bool,
     constraints: Vec<String>,
     /// Conditions, each of which makes a component of s one where it is positive, else zero.
     conditions: Vec<Statements>,
@@ -27,6 +34,8 @@ struct Program {
     terms: Statements,
     /// f.
     zeros: Statements,
+    /// q'.
+    position_rates: Statements,
 }
 
 /// A parameter, or an input without a value, and what it is called there.
@@ -41,9 +50,8 @@ struct Named {
 /// The system as code.
 ///
 /// # Errors
-/// Where a frame is free, an expression divides by the constant zero, or a constant is beyond the range of double precision.
+/// Where an expression divides by the constant zero, or a constant is beyond the range of double precision.
 pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<String, String> {
-    super::no_free_frame(trace)?;
     let words = match language {
         Language::C => c::WORDS,
         Language::Python => "",
@@ -58,16 +66,16 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
         Language::Python => format!("p[{:?}]", quoted[place]),
         Language::Rust => format!("p.{}", names[place]),
     };
-    let component = |name: &'static str| (0..form.coordinates.len()).map(move |i| format!("{name}[{i}]"));
+    let component = |name: &'static str, count: usize| (0..count).map(move |i| format!("{name}[{i}]"));
     let inputs: Vec<String> = std::iter::once("t".to_owned())
-        .chain(component("q"))
-        .chain(component("u"))
+        .chain(component("q", trace.coordinates.len()))
+        .chain(component("u", trace.speeds.len()))
         .chain((0..names.len()).map(access))
         .chain((0..form.switches.len()).map(|k| format!("s[{k}]")))
         .chain([format!("{PI:?}")])
         .collect();
     let letters: Vec<Sym> = std::iter::once(form.time)
-        .chain([&form.coordinates, &form.speeds, &given].into_iter().flatten().copied())
+        .chain([&trace.coordinates, &trace.speeds, &given].into_iter().flatten().copied())
         .chain(form.switches.iter().map(|(letter, _)| *letter))
         .chain([trace.pi])
         .collect();
@@ -88,12 +96,16 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
     let units = units.chain(open.map(|input| (input.unit.clone(), None)));
     let parameters = names.into_iter().zip(quoted).zip(units);
     let program = Program {
-        n: form.coordinates.len(),
+        positions: trace.coordinates.len(),
+        n: trace.speeds.len(),
         m: form.constraints.len(),
-        coordinates: texts(&form.coordinates),
+        coordinates: texts(&trace.coordinates),
+        speeds: texts(&trace.speeds),
+        turns: !trace.model.free.is_empty(),
         constraints: form.constraints.iter().map(|held| held.name.clone()).collect(),
         terms: statements(&mass.chain(loads).chain(rows).chain(biases).collect::<Vec<_>>())?,
         zeros: statements(&zeros)?,
+        position_rates: statements(&trace.position_rates)?,
         conditions: form.switches.iter().map(|(_, condition)| statements(&[*condition])).collect::<Result<_, _>>()?,
         parameters: parameters.map(|((name, letter), (unit, value))| Named { name, letter, unit, value }).collect(),
     };
@@ -112,10 +124,21 @@ impl Program {
 
     /// The first lines of a file, each behind a sign of comments.
     fn heading(&self, comment: &str) -> String {
-        let mut lines = vec![
-            "M q'' + h = Q + J^T lambda, J q'' + c = 0; u = q'. A positive lambda acts along its row of J.".to_owned(),
-            format!("q = ({})", self.coordinates.join(", ")),
-        ];
+        let q = format!("q = ({})", self.coordinates.join(", "));
+        let mut lines = match self.turns {
+            false => vec![
+                "M q'' + h = Q + J^T lambda, J q'' + c = 0; u = q'. A positive lambda acts along its row of J."
+                    .to_owned(),
+                q,
+            ],
+            true => vec![
+                "M u' + h = Q + J^T lambda, J u' + c = 0. A positive lambda acts along its row of J.".to_owned(),
+                format!(
+                    "{q}: of a free frame the quaternion q0 + q1 i + q2 j + q3 k, q0 = 1 where it stands as its parent"
+                ),
+                format!("u = ({}): of a free frame the angular velocity along its own axes", self.speeds.join(", ")),
+            ],
+        };
         let name = |(k, name): (usize, &String)| match name.as_str() {
             "" => format!("{}", k + 1),
             name => format!("{} ({name})", k + 1),

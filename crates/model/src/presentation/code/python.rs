@@ -4,7 +4,7 @@ use super::{Program, indented};
 use std::fmt::Write;
 
 pub(super) fn written(program: &Program) -> String {
-    let Program { n, m, parameters, conditions, terms, zeros, .. } = program;
+    let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, .. } = program;
     let mut text = program.heading("#");
     text +=
         "import numpy as np\nfrom numpy import arctan2 as atan2, cos, exp, log, sin, sqrt, tanh\n\nPARAMETERS = {\n";
@@ -48,21 +48,22 @@ pub(super) fn written(program: &Program) -> String {
         lines(&zeros.lines),
         array(&zeros.outputs),
     );
-    text + SOLVE
+    let _ = writeln!(
+        text,
+        "{SOLVE}\n\ndef rates(t, y, p=PARAMETERS):\n    \"\"\"dy/dt of y = (q, u), for an integrator.\"\"\"\n    q, u = y[:{positions}], y[{positions}:]\n\
+         {}    moved = {}\n    return np.concatenate([moved, accelerations(t, q, u, p)[0]])",
+        indented(&position_rates.lines),
+        array(&position_rates.outputs),
+    );
+    text
 }
 
 const SOLVE: &str = "\
 def accelerations(t, q, u, p=PARAMETERS):
-    \"\"\"q'' and lambda; LinAlgError where they are not determined.\"\"\"
+    \"\"\"u' and lambda; LinAlgError where they are not determined.\"\"\"
     mass, load, jacobian, bias = terms(t, q, u, p)
     n, m = len(load), len(bias)
     matrix = np.block([[mass, -jacobian.T], [jacobian, np.zeros((m, m))]])
     solution = np.linalg.solve(matrix, -np.concatenate([load, bias]))
     return solution[:n], solution[n:]
-
-
-def rates(t, y, p=PARAMETERS):
-    \"\"\"dy/dt of y = (q, u), for an integrator.\"\"\"
-    n = len(y) // 2
-    return np.concatenate([y[n:], accelerations(t, y[:n], y[n:], p)[0]])
 ";

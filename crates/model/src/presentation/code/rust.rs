@@ -8,11 +8,11 @@ pub(super) const WORDS: &str = "as break const continue crate dyn else enum exte
     override priv typeof unsized virtual yield try gen _";
 
 pub(super) fn written(program: &Program) -> String {
-    let Program { n, m, parameters, conditions, terms, zeros, .. } = program;
+    let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, .. } = program;
     let mut text = program.heading("//");
     let _ = writeln!(
         text,
-        "\npub const COORDINATES: usize = {n};\npub const CONSTRAINTS: usize = {m};\n\n#[allow(non_snake_case)]\n#[derive(Clone, Debug)]\npub struct Parameters {{"
+        "\npub const COORDINATES: usize = {positions};\npub const SPEEDS: usize = {n};\npub const CONSTRAINTS: usize = {m};\n\n#[allow(non_snake_case)]\n#[derive(Clone, Debug)]\npub struct Parameters {{"
     );
     for named in parameters {
         let _ = writeln!(text, "    /// {}\n    pub {}: f64,", named.unit, named.name);
@@ -44,7 +44,7 @@ pub(super) fn written(program: &Program) -> String {
     let size = terms.outputs.len();
     let function = |name: &str, said: &str, size: usize, lines: String, outputs: String| {
         format!(
-            "\n/// {said}\n#[allow(unused_parens)]\npub fn {name}(t: f64, q: &[f64; COORDINATES], u: &[f64; COORDINATES], p: &Parameters) -> [f64; {size}] {{\n    \
+            "\n/// {said}\n#[allow(unused_parens)]\npub fn {name}(t: f64, q: &[f64; COORDINATES], u: &[f64; SPEEDS], p: &Parameters) -> [f64; {size}] {{\n    \
              let _ = (t, q, u, p);\n{chosen}{lines}    #[allow(unused_mut)]\n    let mut out = [0.0; {size}];\n{outputs}    out\n}}\n"
         )
     };
@@ -62,20 +62,30 @@ pub(super) fn written(program: &Program) -> String {
         indented(&zeros.lines),
         indented(&assigned("out", &zeros.outputs)),
     );
-    text + SOLVE
+    let _ = write!(
+        text,
+        "{SOLVE}\n/// dy/dt of y = (q, u); none where the accelerations are not determined.\n#[allow(unused_parens)]\n\
+         pub fn rates(t: f64, y: &[f64; COORDINATES + SPEEDS], p: &Parameters) -> Option<[f64; COORDINATES + SPEEDS]> {{\n    \
+         let q: &[f64; COORDINATES] = y.first_chunk()?;\n    let u: &[f64; SPEEDS] = y.last_chunk()?;\n    \
+         let mut out = [0.0; COORDINATES + SPEEDS];\n{}{}    \
+         out[COORDINATES..].copy_from_slice(&accelerations(t, q, u, p)?.0);\n    Some(out)\n}}\n",
+        indented(&position_rates.lines),
+        indented(&assigned("out", &position_rates.outputs)),
+    );
+    text
 }
 
 /// Gaussian elimination with row pivots of [M, -J^T; J, 0], rows scaled.
 const SOLVE: &str = "
-/// q'' and lambda; none where they are not determined.
+/// u' and lambda; none where they are not determined.
 pub fn accelerations(
     t: f64,
     q: &[f64; COORDINATES],
-    u: &[f64; COORDINATES],
+    u: &[f64; SPEEDS],
     p: &Parameters,
-) -> Option<([f64; COORDINATES], [f64; CONSTRAINTS])> {
-    const N: usize = COORDINATES;
-    const S: usize = COORDINATES + CONSTRAINTS;
+) -> Option<([f64; SPEEDS], [f64; CONSTRAINTS])> {
+    const N: usize = SPEEDS;
+    const S: usize = SPEEDS + CONSTRAINTS;
     let v = terms(t, q, u, p);
     let (load, jacobian) = (&v[N * N..], &v[N * N + N..]);
     let bias = &jacobian[CONSTRAINTS * N..];
