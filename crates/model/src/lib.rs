@@ -52,5 +52,5 @@ pub use source::{
     BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source, Text,
 };
 pub use statements::{Mistake, Mistaken, Statement, mistaken, statements};
-pub use trace::{Trace, Vector, quaternion_rates};
+pub use trace::{Trace, Vector, quaternion_rates, turned_further};
 pub use variations::{Variations, Varied};

@@ -404,9 +404,9 @@ fn the_code_of_a_free_top_moves_it_as_that_of_three_turns() {
         code(&Case { name, model, time: 0.0, coordinates, speeds, expected, rates }, Language::Python)
     };
     for (name, source) in [("free", free_top()), ("turned", turned_top())] {
-        fs::write(folder("python").join(format!("{name}_top.py")), case(name, source)).expect("the code is written");
+        fs::write(folder("python").join(format!("top_{name}.py")), case(name, source)).expect("the code is written");
     }
-    let text = "import numpy as np\nimport free_top, turned_top\nfrom numpy import cos, sin\n\
+    let text = "import numpy as np\nimport top_free as free_top, top_turned as turned_top\nfrom numpy import cos, sin\n\
         def ends(rates, y):\n    h, t = 0.0005, 0.0\n    for _ in range(1000):\n        k1 = rates(t, y)\n        \
         k2 = rates(t + h/2, y + h/2*k1)\n        k3 = rates(t + h/2, y + h/2*k2)\n        k4 = rates(t + h, y + h*k3)\n        \
         y, t = y + h/6*(k1 + 2*k2 + 2*k3 + k4), t + h\n    return y\n\

@@ -1,7 +1,7 @@
 //! A system that is written in its file as an ensemble: parameters, coordinates and speeds of its own for every member.
 
 use crate::admissible::BodyNumbers;
-use crate::compiled_system::{ENERGIES, NotCompiled, plain};
+use crate::compiled_system::{ENERGIES, NotCompiled};
 use crate::parametric_law::ParametricLaw;
 use crate::readiness::{refused, unmet_at};
 use crate::scene::{ModelScene, columns};
@@ -14,7 +14,7 @@ use derivations::ensemble::{
 use derivations::scene::file::tables;
 use derivations::scene::{Run, SceneError, Smooth};
 use integrators::LaneSeries;
-use model::Model;
+use model::{Model, turned_further};
 use std::fmt::{self, Write};
 use std::sync::Arc;
 
@@ -35,6 +35,8 @@ enum Target {
     Parameter(usize),
     /// Coordinates, then speeds.
     Start(usize),
+    /// The orientation of a free frame, by its number: a turn about its own axes, beside that of the file.
+    Turn(usize),
 }
 
 /// Reads a file with `[coordinates]` and `[ensemble]`; `name` is what messages call it.
@@ -59,22 +61,29 @@ pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneErro
 /// All numbers of a model that may vary, each with its place.
 fn variables(scene: &ModelScene) -> (Vec<Variable>, Vec<Target>) {
     let model = &scene.model;
-    let variable = |table, key: &str, meaning: String, unit: String| Variable {
+    let variable = |table, key: &str, meaning: String, unit: String, count: usize| Variable {
         table,
         key: key.to_owned().into(),
         meaning: meaning.into(),
         unit: unit.into(),
-        shape: Shape::Numbers(1),
+        shape: Shape::Numbers(count),
     };
     let parameters = model.parameters.iter().enumerate().map(|(place, parameter)| {
         let meaning = format!("parameter `{}`", parameter.name);
-        (variable("parameters", &parameter.name, meaning, parameter.unit.clone()), Target::Parameter(place))
+        (variable("parameters", &parameter.name, meaning, parameter.unit.clone(), 1), Target::Parameter(place))
     });
-    let start = columns(model).into_iter().take(2 * model.coordinates.len()).enumerate().map(|(place, name)| {
+    let quaternions = model.coordinates.len()..model.positions();
+    let names = columns(model).into_iter().take(model.positions() + model.speeds()).enumerate();
+    let start = names.filter(|(place, _)| !quaternions.contains(place)).map(|(place, name)| {
         let unit = scene.unit(&name).into_owned();
-        (variable("start", &name, format!("start of `{name}`"), unit), Target::Start(place))
+        (variable("start", &name, format!("start of `{name}`"), unit, 1), Target::Start(place))
     });
-    parameters.chain(start).unzip()
+    let turns = model.free.iter().enumerate().map(|(number, frame)| {
+        let name = &model.frames[frame.0].name;
+        let meaning = format!("turn of `{name}` about its own axes x, y, z, beside its start");
+        (variable("start", name, meaning, "rad".to_owned(), 3), Target::Turn(number))
+    });
+    parameters.chain(start).chain(turns).unzip()
 }
 
 /// One line of `[ensemble.vary]` for a model.
@@ -93,8 +102,7 @@ fn example(model: &Model) -> String {
 impl ModelEnsemble {
     fn of(scene: ModelScene, targets: Vec<Target>) -> Result<Self, Unmet> {
         let model = &scene.model;
-        plain(model).map_err(Unmet::NotCompiled)?;
-        if !model.events.is_empty() || model.equilibrium.is_some() {
+        if !model.switches.is_empty() || !model.events.is_empty() || model.equilibrium.is_some() {
             return Err(Unmet::NotCompiled(NotCompiled::Changes));
         }
         let law = ParametricLaw::of(model).map_err(Unmet::NotCompiled)?;
@@ -139,20 +147,30 @@ impl ParametricSystem for ModelEnsemble {
         let model = &self.scene.model;
         let mut parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
         let (mut state, mut given) = (model.start_state(), given(model));
-        let n = model.coordinates.len();
+        let n = model.positions();
         let is_guess = |place: usize| {
             model.start.iter().any(|value| value.is_guess && value.order * n + value.coordinate == place)
         };
         for Drawn { variable, numbers } in drawn {
-            let Some(number) = numbers.first() else { continue };
-            match self.targets[*variable] {
-                Target::Parameter(place) => parameters[place] = *number,
-                Target::Start(place) => {
-                    state[place] = *number;
-                    // what the file guesses stays a guess
-                    given[place] = !is_guess(place);
+            let first = match self.targets[*variable] {
+                Target::Parameter(place) => {
+                    numbers.iter().take(1).for_each(|number| parameters[place] = *number);
+                    continue;
                 }
-            }
+                Target::Start(place) => {
+                    numbers.iter().take(1).for_each(|number| state[place] = *number);
+                    place..place + 1
+                }
+                Target::Turn(number) => {
+                    let first = model.free_position(number);
+                    if let (Some(&quaternion), Some(&turn)) = (state[first..].first_chunk(), numbers.first_chunk()) {
+                        state[first..first + 4].copy_from_slice(&turned_further(quaternion, turn));
+                    }
+                    first..first + 4
+                }
+            };
+            // what the file guesses stays a guess
+            first.for_each(|place| given[place] = !is_guess(place));
         }
         if let Some(issue) = self.bodies.impossible(model, &parameters).into_iter().next() {
             return Err(Stopped::Impossible(format!("{}: {}", issue.title, issue.label)));

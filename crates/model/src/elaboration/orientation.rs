@@ -1,6 +1,7 @@
 //! The orientation of a free frame at time zero: turns one after the other.
 
 use super::{Elaborator, Sound};
+use crate::trace::quaternion_product;
 use crate::{Entry, Fault, FrameId, StartValue, Text};
 use std::ops::Range;
 use symbolic::Dimension;
@@ -24,7 +25,7 @@ impl Elaborator<'_> {
         for turn in text.text.split(',') {
             let place = from..from + turn.len();
             from = place.end + 1;
-            quaternion = product(quaternion, self.turn(name, &text, turn, place)?);
+            quaternion = quaternion_product(quaternion, self.turn(name, &text, turn, place)?);
         }
         let first = self.model.free_position(number);
         let part = |(at, value): (usize, f64)| StartValue { coordinate: first + at, order: 0, value, is_guess };
@@ -52,14 +53,4 @@ impl Elaborator<'_> {
         quaternion[1 + axis] = half.sin();
         Ok(quaternion)
     }
-}
-
-/// One turn, then another about the axes that it has turned.
-fn product([a, b, c, d]: [f64; 4], [e, f, g, h]: [f64; 4]) -> [f64; 4] {
-    [
-        a * e - b * f - c * g - d * h,
-        a * f + b * e + c * h - d * g,
-        a * g - b * h + c * e + d * f,
-        a * h + b * g - c * f + d * e,
-    ]
 }

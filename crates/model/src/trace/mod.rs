@@ -13,7 +13,8 @@ mod vector;
 
 use free_frame::FreeFrame;
 use rotation::Rotation;
-pub use rotation::quaternion_rates;
+pub(crate) use rotation::quaternion_product;
+pub use rotation::{quaternion_rates, turned_further};
 pub use vector::Vector;
 
 use crate::arena::{Function, Number, Part, Scalar};

@@ -55,6 +55,24 @@ pub fn quaternion_rates<S: Scalar>([a, b, c, d]: [S; 4], [x, y, z]: [S; 3]) -> [
     ]
 }
 
+/// One turn, then another about the axes that it has turned.
+pub(crate) fn quaternion_product<S: Scalar>([a, b, c, d]: [S; 4], [e, f, g, h]: [S; 4]) -> [S; 4] {
+    [
+        a * e - b * f - c * g - d * h,
+        a * f + b * e + c * h - d * g,
+        a * g - b * h + c * e + d * f,
+        a * h + b * g - c * f + d * e,
+    ]
+}
+
+/// The quaternion of a frame that has turned further: about the direction of a vector in its own axes, by the vector's length in rad.
+pub fn turned_further(quaternion: [f64; 4], [x, y, z]: [f64; 3]) -> [f64; 4] {
+    let half = (x * x + y * y + z * z).sqrt() / 2.0;
+    // sin(h)/(2 h), at zero too
+    let share = if half > 0.0 { half.sin() / (2.0 * half) } else { 0.5 };
+    quaternion_product(quaternion, [half.cos(), share * x, share * y, share * z])
+}
+
 fn product(a: [Sym; 3], b: [Sym; 3]) -> Sym {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
