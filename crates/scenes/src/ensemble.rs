@@ -3,7 +3,7 @@
 use crate::admissible::BodyNumbers;
 use crate::compiled_system::{ENERGIES, NotCompiled};
 use crate::parametric_law::ParametricLaw;
-use crate::readiness::{refused, unmet_at};
+use crate::readiness::{one_law, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
 use crate::start::{StartSolver, Unmet, given};
 use crate::warnings::warn_of;
@@ -102,7 +102,8 @@ fn example(model: &Model) -> String {
 impl ModelEnsemble {
     fn of(scene: ModelScene, targets: Vec<Target>) -> Result<Self, Unmet> {
         let model = &scene.model;
-        if !model.switches.is_empty() || !model.events.is_empty() || model.equilibrium.is_some() {
+        one_law(model).map_err(Unmet::NotCompiled)?;
+        if !model.events.is_empty() || model.equilibrium.is_some() {
             return Err(Unmet::NotCompiled(NotCompiled::Changes));
         }
         let law = ParametricLaw::of(model).map_err(Unmet::NotCompiled)?;

@@ -5,8 +5,10 @@
 //! Newton's method with least changes, by singular values: where equilibria form a family, the nearest one of it is found. Forces are
 //! those of time zero.
 
-use crate::compiled_system::{NotCompiled, plain};
+use crate::compiled_system::NotCompiled;
 use crate::linearisation::{At, Point, VariedEquations};
+use crate::readiness::one_law;
+use crate::start::{Layout, given};
 use model::Model;
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
@@ -64,16 +66,17 @@ const FLOOR: f64 = 1e-3;
 /// # Errors
 /// Why there is none.
 pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibrium> {
-    let n = model.coordinates.len();
-    plain(model).map_err(NoEquilibrium::NotCompiled)?;
+    one_law(model).map_err(NoEquilibrium::NotCompiled)?;
+    let layout = Layout::of(model);
+    let (n, names) = (layout.speeds(), model.state_names());
     if let (Some(start), false) = (model.start.iter().find(|start| start.order == 1 && start.value != 0.0), all) {
-        return Err(NoEquilibrium::Moves { speed: format!("{}'", model.coordinates[start.coordinate].name) });
+        return Err(NoEquilibrium::Moves { speed: names[layout.positions() + start.coordinate].0.clone() });
     }
     let equations = VariedEquations::of(model, &[]).map_err(NoEquilibrium::NotCompiled)?;
-    let given = |i: usize| !all && model.start.iter().any(|v| (v.coordinate, v.order, v.is_guess) == (i, 0, false));
-    let free: Vec<usize> = (0..n).filter(|&i| !given(i)).collect();
+    let given = given(model);
+    let free: Vec<usize> = (0..n).filter(|&speed| all || !layout.places(speed, 0).any(|at| given[at])).collect();
     let mut state = model.start_state();
-    state[n..].fill(0.0);
+    state[layout.positions()..].fill(0.0);
     let guess = equations.point(0.0, &state);
     let m = guess.multipliers.len();
     let (mut point, mut system) = balanced(&equations, &free, guess.clone());
@@ -84,7 +87,7 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
         for (at, &place) in free.iter().enumerate() {
             // in turn to both sides, by parts that are no multiples of each other
             let part = ((at + 1) as f64 * GOLDEN).fract() + 0.5;
-            other.coordinates[place] += if attempt % 2 == 0 { size * part } else { -size * part };
+            equations.displace(&mut other, place, if attempt % 2 == 0 { size * part } else { -size * part });
         }
         other
     });
@@ -110,7 +113,10 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
         }
         Some(row) => {
             let equation = match row.checked_sub(n) {
-                None => format!("the forces along `{}`", model.coordinates[row].name),
+                None => format!(
+                    "the forces along `{}`",
+                    names[layout.places(row, usize::from(row >= model.coordinates.len())).start].0
+                ),
                 Some(k) => {
                     // those of positions stand twice: as they are, and as rates
                     let places = equations.of_positions();
@@ -144,7 +150,7 @@ fn balanced(equations: &VariedEquations, free: &[usize], guess: Point) -> (Point
         && system.is_finite()
         && let Ok(first) = reactions.svd(true, true).solve(&-&system.residuals, RANK)
     {
-        let trial = moved(&point, &[], &first, 1.0);
+        let trial = moved(equations, &point, &[], &first, 1.0);
         let at = System::of(equations, &trial, free);
         if at.size() < system.size() {
             (point, system) = (trial, at);
@@ -158,11 +164,10 @@ fn balanced(equations: &VariedEquations, free: &[usize], guess: Point) -> (Point
         let largest = decomposed.singular_values.amax();
         let Ok(step) = decomposed.solve(&-&system.residuals, RANK * largest) else { break };
         // a step is not longer than the way that derivatives speak for
-        let far =
-            free.iter().zip(step.iter()).map(|(&place, part)| part.abs() / (1.0 + point.coordinates[place].abs()));
+        let far = free.iter().zip(step.iter()).map(|(&place, part)| part.abs() / equations.size(&point, place));
         let longest = far.fold(LONGEST, f64::max);
         let halves = (0..MOST_HALVES).map(|halves| LONGEST / longest * 0.5_f64.powi(halves as i32));
-        let better = halves.map(|share| moved(&point, free, &step, share)).find_map(|trial| {
+        let better = halves.map(|share| moved(equations, &point, free, &step, share)).find_map(|trial| {
             let at = System::of(equations, &trial, free);
             (at.size() < system.size()).then_some((trial, at))
         });
@@ -204,7 +209,7 @@ impl System {
         let jacobian = DMatrix::from_fn(rows, free.len() + m, slope);
         let size = |row: usize| {
             let (values, at) = part(row);
-            let by_place = (0..n).map(|i| values.by_coordinates[(at, i)].abs() * (1.0 + point.coordinates[i].abs()));
+            let by_place = (0..n).map(|i| values.by_coordinates[(at, i)].abs() * equations.size(point, i));
             let by_reaction = (0..m).map(|k| (values.by_multipliers[(at, k)] * point.multipliers[k]).abs());
             by_place.chain(by_reaction).sum::<f64>()
         };
@@ -232,10 +237,10 @@ impl System {
 }
 
 /// A share of a step: of free coordinates, then of multipliers.
-fn moved(point: &Point, free: &[usize], step: &DVector<f64>, share: f64) -> Point {
+fn moved(equations: &VariedEquations, point: &Point, free: &[usize], step: &DVector<f64>, share: f64) -> Point {
     let mut next = point.clone();
     for (&place, part) in free.iter().zip(step.iter()) {
-        next.coordinates[place] += share * part;
+        equations.displace(&mut next, place, share * part);
     }
     for (multiplier, part) in next.multipliers.iter_mut().zip(step.iter().skip(free.len())) {
         *multiplier += share * part;

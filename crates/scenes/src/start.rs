@@ -110,27 +110,27 @@ pub(crate) fn breaks(model: &Model, time: f64, state: &[f64]) -> bool {
 
 /// Where coordinates and speeds stand in a state: free frames have four coordinates for three speeds.
 #[derive(Clone, Copy, Debug)]
-struct Layout {
+pub(crate) struct Layout {
     /// Coordinates with rates of their own.
     plain: usize,
     free: usize,
 }
 
 impl Layout {
-    fn of(model: &Model) -> Self {
+    pub fn of(model: &Model) -> Self {
         Layout { plain: model.coordinates.len(), free: model.free.len() }
     }
 
-    fn positions(self) -> usize {
+    pub fn positions(self) -> usize {
         self.plain + 4 * self.free
     }
 
-    fn speeds(self) -> usize {
+    pub fn speeds(self) -> usize {
         self.plain + 3 * self.free
     }
 
     /// Where the coordinates that a speed moves stand, or the speed itself.
-    fn places(self, speed: usize, order: usize) -> Range<usize> {
+    pub fn places(self, speed: usize, order: usize) -> Range<usize> {
         match speed.checked_sub(self.plain) {
             _ if order == 1 => self.positions() + speed..self.positions() + speed + 1,
             None => speed..speed + 1,
@@ -142,7 +142,7 @@ impl Layout {
     }
 
     /// Moves a speed, or by its displacement the coordinates: of a free frame by a turn about one of its axes.
-    fn displace(self, state: &mut [f64], (speed, order): (usize, usize), by: f64) {
+    pub fn displace(self, state: &mut [f64], (speed, order): (usize, usize), by: f64) {
         let own = self.places(speed, order);
         if own.len() == 1 {
             state[own.start] += by;
@@ -155,6 +155,11 @@ impl Layout {
         own.clone().zip(moved).for_each(|(at, rate)| state[at] += rate);
         let length = own.clone().map(|at| state[at] * state[at]).sum::<f64>().sqrt();
         own.for_each(|at| state[at] /= length);
+    }
+
+    /// The first speed and the first coordinate of each free frame.
+    pub fn turning(self) -> impl Iterator<Item = (usize, usize)> {
+        (0..self.free).map(move |number| (self.plain + 3 * number, self.plain + 4 * number))
     }
 }
 

@@ -1,22 +1,35 @@
 //! Linear equations as text, JSON and a table.
 
 use super::Found;
-use ::scenes::linearisation::{Linearisation, Standing, VariedEquations};
+use ::scenes::linearisation::{Linearisation, Point, Standing, VariedEquations};
 use model::Model;
 use serde_json::json;
 use std::fmt::Write;
 
 /// Names of what rows and columns are.
 pub(super) struct Names<'a> {
-    coordinates: Vec<&'a str>,
+    /// Coordinates and speeds of a state.
+    coordinates: Vec<String>,
+    speeds: Vec<String>,
+    /// Displacements along speeds: coordinates, and turns of free frames about their axes.
+    displacements: Vec<String>,
     inputs: Vec<&'a str>,
     outputs: Vec<&'a str>,
 }
 
 impl<'a> Names<'a> {
     pub(super) fn of(model: &'a Model, equations: &'a VariedEquations) -> Self {
+        let mut coordinates: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
+        let speeds = coordinates.split_off(model.positions());
+        let own = model.coordinates.iter().map(|coordinate| coordinate.name.clone());
+        let turns = model.free.iter().flat_map(|frame| {
+            let name = &model.frames[frame.0].name;
+            ["x", "y", "z"].map(|axis| format!("turn about {name}.{axis}"))
+        });
         Names {
-            coordinates: model.coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect(),
+            coordinates,
+            speeds,
+            displacements: own.chain(turns).collect(),
             inputs: equations.inputs.iter().map(String::as_str).collect(),
             outputs: model.outputs.iter().map(|output| output.name.as_str()).collect(),
         }
@@ -24,8 +37,31 @@ impl<'a> Names<'a> {
 
     /// Names of the components of x.
     fn states(&self, linear: &Linearisation) -> Vec<String> {
-        let coordinates = linear.coordinates.iter().map(|&place| self.coordinates[place].to_owned());
-        coordinates.chain(linear.speeds.iter().map(|&place| format!("{}'", self.coordinates[place]))).collect()
+        let displacements = linear.coordinates.iter().map(|&place| self.displacements[place].clone());
+        displacements.chain(linear.speeds.iter().map(|&place| self.speeds[place].clone())).collect()
+    }
+
+    /// The values of a point, each coordinate with its rates.
+    fn point(&self, point: &Point) -> String {
+        let written = |name: &str, value: f64| format!("{name} = {}", number(value).trim());
+        let rates = |place: usize| {
+            let name = &self.speeds[place];
+            [written(name, point.speeds[place]), written(&format!("{name}'"), point.accelerations[place])]
+        };
+        let own = self.speeds.iter().filter(|name| name.ends_with('\'')).count();
+        let mut text = String::new();
+        for (place, (name, &value)) in self.coordinates.iter().zip(&point.coordinates).enumerate() {
+            let line = if place < own {
+                [&[written(name, value)][..], &rates(place)].concat()
+            } else {
+                vec![written(name, value)]
+            };
+            let _ = writeln!(text, "  {}", line.join(", "));
+        }
+        (own..self.speeds.len()).for_each(|place| {
+            let _ = writeln!(text, "  {}", rates(place).join(", "));
+        });
+        text
     }
 
     /// Names of the rows and columns of a matrix.
@@ -48,19 +84,13 @@ fn standing(standing: Standing) -> &'static str {
 pub(super) fn text(names: &Names<'_>, found: &Found) -> String {
     let Found { linear, eigenvalues, stability, .. } = found;
     let mut text = format!("t = {} s, {}\n", linear.point.time, standing(found.standing));
-    let point = &linear.point;
-    let values = [("", &point.coordinates), ("'", &point.speeds), ("''", &point.accelerations)];
-    for (k, name) in names.coordinates.iter().enumerate() {
-        let line = values.map(|(primes, values)| format!("{name}{primes} = {}", number(values[k]).trim()));
-        let _ = writeln!(text, "  {}", line.join(", "));
-    }
+    text += &names.point(&linear.point);
     let _ = writeln!(text, "x = ({})", names.states(linear).join(", "));
-    let dependent = names.coordinates.iter().enumerate().filter(|(place, _)| !linear.coordinates.contains(place));
-    let fixed_speeds = (0..names.coordinates.len()).filter(|place| !linear.speeds.contains(place));
-    let fixed: Vec<String> = dependent
-        .map(|(_, name)| (*name).to_owned())
-        .chain(fixed_speeds.map(|place| format!("{}'", names.coordinates[place])))
-        .collect();
+    let dependent = |names: &[String], free: &[usize]| -> Vec<String> {
+        names.iter().enumerate().filter(|(place, _)| !free.contains(place)).map(|(_, name)| name.clone()).collect()
+    };
+    let fixed =
+        [dependent(&names.displacements, &linear.coordinates), dependent(&names.speeds, &linear.speeds)].concat();
     if !fixed.is_empty() {
         let _ = writeln!(text, "by the constraints: {}", fixed.join(", "));
     }

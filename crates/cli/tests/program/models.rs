@@ -85,6 +85,21 @@ fn a_run_is_linearised_at_its_instants() {
     assert_eq!(points[0]["point"], "moving point");
 }
 
+/// About its middle axis a body turns over: a free frame has three turns and three speeds in its linear equations.
+#[test]
+fn a_free_frame_is_linearised_by_its_turns() {
+    let body = "scenes/models/tumbling_body.toml";
+    let point = &json(&run(&["linearise", body, "--format", "json"]))["points"][0];
+    let turns = ["turn about F.x", "turn about F.y", "turn about F.z"];
+    let states = ["x", turns[0], turns[1], turns[2], "x'", "F.wx", "F.wy", "F.wz"];
+    assert_eq!(point["states"], serde_json::json!(states));
+    assert_eq!((point["A"].as_array().map(Vec::len), point["coordinates"].as_array().map(Vec::len)), (Some(8), Some(5)));
+    let text = printed(&["linearise", body]);
+    assert!(text.contains("  F.wx = 0.01, F.wx' = 0") && text.contains("F.q0 = "), "{text}");
+    let table = printed(&["linearise", body, "--times", "0,1", "--format", "csv"]);
+    assert!(table.contains("1.0,A,turn about F.x,F.wx,1.0"), "{table}");
+}
+
 #[test]
 fn forces_for_a_motion_are_printed_or_refused_with_the_rank() {
     let crank = "scenes/models/slider_crank.toml";

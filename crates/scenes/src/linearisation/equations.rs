@@ -1,9 +1,10 @@
 //! The varied equations of a model as numbers at a point.
 
 use crate::compiled_system::{NotCompiled, has_values_but, values};
+use crate::start::Layout;
 use derivations::taped::Program;
 use model::equations::{Equation, Level, constraints_of};
-use model::{Model, Trace, Variations, Varied};
+use model::{Model, Trace, Variations, Varied, turned_further};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use symbolic::{Sym, substitute_all};
@@ -12,7 +13,9 @@ use symbolic::{Sym, substitute_all};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     pub time: f64,
+    /// Those of free frames, quaternions, stand last.
     pub coordinates: DVector<f64>,
+    /// Rates of coordinates, then angular velocities of free frames.
     pub speeds: DVector<f64>,
     pub accelerations: DVector<f64>,
     /// In the order of the constraints here.
@@ -36,6 +39,7 @@ pub struct Known {
 #[derive(Clone, Debug)]
 pub struct Values {
     pub values: DVector<f64>,
+    /// By a displacement along each speed: of its coordinate, or by a small turn about an axis of a free frame.
     pub by_coordinates: DMatrix<f64>,
     pub by_speeds: DMatrix<f64>,
     pub by_accelerations: DMatrix<f64>,
@@ -61,8 +65,9 @@ pub struct VariedEquations {
     program: Program,
     /// Inputs, then conditions of switches, from all that a point has.
     outside: Program,
-    /// Coordinates, constraints, inputs, outputs, switches.
+    /// Speeds, constraints, inputs, outputs, switches.
     sizes: [usize; 5],
+    layout: Layout,
     /// Those of positions that are kept, those of speeds that are kept, those that are led to zero.
     pub constraints: Vec<Known>,
     /// Parameters that are inputs, then the inputs of the model, by their names.
@@ -78,12 +83,9 @@ impl VariedEquations {
     /// Why there are no equations with numbers.
     pub fn of(model: &Model, parameters: &[usize]) -> Result<Self, NotCompiled> {
         has_values_but(model, parameters)?;
-        if let Some(frame) = model.free.first() {
-            return Err(NotCompiled::FreeFrame { name: model.frames[frame.0].name.clone() });
-        }
         let (open, own) = opened(model);
         let open = &open;
-        let n = model.coordinates.len();
+        let (n, layout) = (model.speeds(), Layout::of(model));
         let known: Vec<Known> = symbolic::apart(|| {
             let trace = Trace::of(open);
             if let Some(body) = trace.tilted().first() {
@@ -103,7 +105,7 @@ impl VariedEquations {
         let parameter_names = parameters.iter().map(|&place| model.parameters[place].name.clone());
         let inputs: Vec<String> =
             parameter_names.chain(own.iter().map(|&place| model.inputs[place].name.clone())).collect();
-        let length = 3 * n + m + inputs.len() + switches;
+        let length = layout.positions() + 2 * n + m + inputs.len() + switches;
         let mut nonlinear = Vec::new();
         let program = Program::of_any_length(length, |time, state| {
             let trace = Trace::of(open);
@@ -143,6 +145,7 @@ impl VariedEquations {
             program: program.ok_or(NotCompiled::TooLong)?,
             outside: outside.ok_or(NotCompiled::TooLong)?,
             sizes: [n, m, inputs.len(), model.outputs.len(), switches],
+            layout,
             constraints: order.iter().map(|&k| known[k].clone()).collect(),
             inputs,
             nonlinear,
@@ -162,10 +165,11 @@ impl VariedEquations {
     /// A point without accelerations and multipliers, with its inputs and switches.
     pub fn point(&self, time: f64, state: &[f64]) -> Point {
         let [n, m, k, _, s] = self.sizes;
+        let (coordinates, speeds) = state.split_at(self.layout.positions());
         let mut point = Point {
             time,
-            coordinates: DVector::from_column_slice(&state[..n]),
-            speeds: DVector::from_column_slice(&state[n..2 * n]),
+            coordinates: DVector::from_column_slice(coordinates),
+            speeds: DVector::from_column_slice(speeds),
             accelerations: DVector::zeros(n),
             multipliers: DVector::zeros(m),
             inputs: DVector::zeros(k),
@@ -173,6 +177,53 @@ impl VariedEquations {
         };
         self.choose(&mut point);
         point
+    }
+
+    /// Displaces a point along a speed: its coordinate, or a free frame by a turn about one of its axes.
+    pub fn displace(&self, point: &mut Point, speed: usize, by: f64) {
+        self.layout.displace(point.coordinates.as_mut_slice(), (speed, 0), by);
+    }
+
+    /// One radian or metre, and the size of a coordinate beside it: a turn begins wherever a frame stands.
+    pub(crate) fn size(&self, point: &Point, speed: usize) -> f64 {
+        match self.layout.places(speed, 0) {
+            own if own.len() == 1 => 1.0 + point.coordinates[own.start].abs(),
+            _ => 1.0,
+        }
+    }
+
+    /// Rates of displacements: of turns of a free frame, along its own axes, those of the angular velocity less w x them.
+    pub(super) fn displacement_rates(
+        &self,
+        point: &Point,
+        displacements: &DMatrix<f64>,
+        speeds: &DMatrix<f64>,
+    ) -> DMatrix<f64> {
+        let mut rates = speeds.clone();
+        for (first, _) in self.layout.turning() {
+            let turning: [f64; 3] = std::array::from_fn(|axis| point.speeds[first + axis]);
+            for axis in 0..3 {
+                let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+                let across =
+                    displacements.row(first + last) * turning[next] - displacements.row(first + next) * turning[last];
+                let mut own = rates.row_mut(first + axis);
+                own -= across;
+            }
+        }
+        rates
+    }
+
+    /// The point later, with every speed as it is.
+    pub(super) fn straight_on(&self, point: &Point, later: f64) -> Point {
+        let plain = self.layout.turning().next().map_or(point.speeds.len(), |(first, _)| first);
+        let mut state: Vec<f64> = point.coordinates.iter().chain(point.speeds.iter()).copied().collect();
+        (0..plain).for_each(|place| state[place] += point.speeds[place] * later);
+        for (speed, coordinate) in self.layout.turning() {
+            let quaternion = std::array::from_fn(|part| point.coordinates[coordinate + part]);
+            let turn = std::array::from_fn(|axis| point.speeds[speed + axis] * later);
+            state[coordinate..coordinate + 4].copy_from_slice(&turned_further(quaternion, turn));
+        }
+        self.point(point.time + later, &state)
     }
 
     /// Inputs and switches as a point has them.
@@ -248,11 +299,11 @@ fn flat(point: &Point) -> Vec<f64> {
 
 /// Letters of a trace by those of a program.
 fn letters_of(trace: &Trace<'_>, multipliers: &[Sym], inputs: &[Sym], time: Sym, state: &[Sym]) -> Vec<(Sym, Sym)> {
-    let n = trace.coordinates.len();
-    let mut known = values(trace, time, &state[..2 * n]);
+    let moving = trace.coordinates.len() + trace.speeds.len();
+    let mut known = values(trace, time, &state[..moving]);
     known.retain(|(letter, _)| !inputs.contains(letter));
     let others = trace.accelerations.iter().chain(multipliers).chain(inputs).chain(&trace.switches);
-    known.extend(others.copied().zip(state[2 * n..].iter().copied()));
+    known.extend(others.copied().zip(state[moving..].iter().copied()));
     known
 }
 

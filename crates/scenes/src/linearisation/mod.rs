@@ -4,6 +4,8 @@
 //! reactions there belong to the derivatives. Constraints are solved for as many coordinates and speeds as they tie together, so
 //! that the state x holds independent variations alone: of coordinates, then of speeds. Where constraints of speeds cannot be
 //! integrated, it holds fewer speeds than coordinates.
+//!
+//! A free frame varies by three small turns about its own axes, and not by the four parts of its quaternion.
 
 mod equations;
 mod independence;
@@ -25,9 +27,9 @@ use std::fmt;
 #[derive(Clone, Debug)]
 pub struct Linearisation {
     pub point: Point,
-    /// Coordinates whose variations stand in the state, by their places.
+    /// Displacements that stand in the state, by the places of their speeds: of coordinates, and turns of free frames.
     pub coordinates: Vec<usize>,
-    /// Those whose speeds do.
+    /// Speeds that do.
     pub speeds: Vec<usize>,
     pub a: DMatrix<f64>,
     pub b: DMatrix<f64>,
@@ -93,7 +95,7 @@ impl VariedEquations {
             return Err(NotLinear::AtCondition { switch });
         }
         let at = self.at(&point);
-        let (n, m, positions, kept) = (point.coordinates.len(), self.constraints.len(), self.positions(), self.kept());
+        let (n, m, positions, kept) = (point.speeds.len(), self.constraints.len(), self.positions(), self.kept());
         for (row, constraint) in self.constraints[..kept].iter().enumerate() {
             if let Some(column) = (0..self.inputs.len()).find(|&column| {
                 [&at.zero, &at.rate, &at.acceleration].iter().any(|part| part.by_inputs[(row, column)] != 0.0)
@@ -134,8 +136,9 @@ impl VariedEquations {
 
         let mut a = DMatrix::zeros(x_q + x_u, x_q + x_u);
         let mut b = DMatrix::zeros(x_q + x_u, k);
+        let rates = self.displacement_rates(&point, &coordinates, &speeds);
         for (row, &place) in free.iter().enumerate() {
-            a.row_mut(row).copy_from(&speeds.row(place));
+            a.row_mut(row).copy_from(&rates.row(place));
         }
         for (row, &place) in free_speeds.iter().enumerate() {
             a.row_mut(x_q + row).copy_from(&moved.view((place, 0), (1, x_q + x_u)));

@@ -80,7 +80,7 @@ impl VariedEquations {
     /// # Errors
     /// The rank where the equations do not determine them.
     pub fn with_accelerations(&self, mut point: Point) -> Result<Point, Undetermined> {
-        let n = point.coordinates.len();
+        let n = point.speeds.len();
         let at = self.at(&point);
         let m = at.acceleration.values.len();
         let open =

@@ -64,9 +64,7 @@ impl VariedEquations {
             return Ok(Standing::Moving);
         }
         for later in [0.37, 1.9] {
-            let coordinates = &point.coordinates + &point.speeds * later;
-            let state: Vec<f64> = coordinates.iter().chain(point.speeds.iter()).copied().collect();
-            let there = self.linearised(self.point(point.time + later, &state))?;
+            let there = self.linearised(self.straight_on(point, later))?;
             let same = |one: &nalgebra::DMatrix<f64>, other: &nalgebra::DMatrix<f64>| {
                 one.shape() == other.shape() && (one - other).iter().all(|gap| gap.abs() <= STILL * size)
             };
