@@ -15,8 +15,8 @@ pub struct Asked {
     /// A file with `[coordinates]`
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
-    /// A coordinate as an expression of the time and of parameters, such as "theta = 0.5*sin(w*t)"; once for each that the
-    /// constraints leave open
+    /// A coordinate as an expression of the time and of parameters, such as "theta = 0.5*sin(w*t)"; a free frame by turns, such as
+    /// "F = w*t about z, then (10 deg) about x"; once for each that the constraints leave open
     #[arg(long = "motion", value_name = "Q = EXPRESSION", required = true, value_parser = motion)]
     pub motions: Vec<(String, String)>,
     /// A parameter or an input that is sought, such as a force; may be repeated
@@ -58,12 +58,12 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let _progress = Progress::new("inverse dynamics");
     let times: Vec<f64> = (0..=asked.samples).map(|k| asked.span * f64::from(k) / f64::from(asked.samples)).collect();
     let found = inverse(&model, &prescribed, &asked.unknowns, &times).map_err(|why| refused(why.to_string()))?;
-    let coordinates: Vec<&str> = model.coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect();
     let multipliers = found.first().map_or(0, |first| first.multipliers.len());
+    let state = model.state_names();
+    let (state, speeds) = (state.iter().map(|(name, _)| name.clone()), &state[model.positions()..]);
     let names: Vec<String> = std::iter::once("time".to_owned())
-        .chain(coordinates.iter().map(|name| (*name).to_owned()))
-        .chain(coordinates.iter().map(|name| format!("{name}'")))
-        .chain(coordinates.iter().map(|name| format!("{name}''")))
+        .chain(state)
+        .chain(speeds.iter().map(|(name, _)| format!("{name}'")))
         .chain(asked.unknowns.iter().cloned())
         .chain((1..=multipliers).map(|k| format!("lambda{k}")))
         .collect();

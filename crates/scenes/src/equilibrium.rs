@@ -6,9 +6,10 @@
 //! those of time zero.
 
 use crate::compiled_system::NotCompiled;
+use crate::layout::Layout;
 use crate::linearisation::{At, Point, VariedEquations};
 use crate::readiness::one_law;
-use crate::start::{Layout, given};
+use crate::start::given;
 use model::Model;
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};

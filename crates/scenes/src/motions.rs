@@ -7,54 +7,103 @@ use derivations::scene::{Issue, SceneError};
 use model::{Entry, Fault, Model, ScalarId, Text};
 use std::path::Path;
 
-/// Reads the system of a file with prescribed motions: coordinates by their names with expressions of the time, as the file could
-/// have them. Each comes back as the place of its coordinate and its expression.
+/// What is prescribed, by an expression of the time each.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Motion {
+    /// A coordinate, by its place.
+    Coordinate { place: usize, is: ScalarId },
+    /// A free frame, by its number: turns in its parent, one after the other, each about an axis x, y or z that the one before has turned.
+    Turns { frame: usize, turns: Vec<(usize, ScalarId)> },
+}
+
+/// A motion before its expressions have a meaning: the texts of them, and of turns the axes.
+enum Written<'a> {
+    Coordinate { place: usize, is: &'a str },
+    Turns { frame: usize, turns: Vec<(usize, &'a str)> },
+}
+
+const TURNS: &str = "turns one after the other: F = 0.3*sin(t*(2 rad/s)) about x, then (10 deg) about z";
+
+/// Reads the system of a file with prescribed motions: coordinates and free frames by their names, with expressions of the time as the
+/// file could have them.
 ///
 /// # Errors
 /// All that is wrong with the system, and with the motions.
-pub fn read_prescribed(
-    path: &Path,
-    motions: &[(String, String)],
-) -> Result<(Model, Vec<(usize, ScalarId)>), SceneError> {
+pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Model, Vec<Motion>), SceneError> {
     let text = read_text(path)?;
     let behind = text.len();
-    let name = path.display().to_string();
-    tables(&name, &text, |top, issues| {
+    let file = path.display().to_string();
+    tables(&file, &text, |top, issues| {
         top.known(&["title", "description", "run", "ensemble"]);
         let (own, mut source) = model(top, issues)?;
-        let mut places: Vec<usize> = Vec::new();
-        for (name, is) in motions {
-            let place = own.coordinates.iter().position(|coordinate| coordinate.name == *name);
-            let wrong = match place {
-                None => Some("no coordinate has this name"),
-                Some(place) if places.contains(&place) => Some("it is prescribed twice"),
-                Some(_) => None,
-            };
-            match (wrong, place) {
-                (None, Some(place)) => places.push(place),
-                (wrong, _) => {
-                    let issue =
-                        Issue::at(0..0, format!("the motion of `{name}` is not accepted"), wrong.unwrap_or("here"));
-                    let known: Vec<&str> = own.coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect();
-                    issues.push(issue.accepted(format!("a motion for each of: {}", known.join(", "))));
+        let mut all: Vec<Written<'_>> = Vec::new();
+        for (place, (name, is)) in motions.iter().enumerate() {
+            let is_again = motions[..place].iter().any(|(known, _)| known == name);
+            let found = if is_again { Err(("it is prescribed twice", known(&own))) } else { written(&own, name, is) };
+            match found {
+                Ok(motion) => all.push(motion),
+                Err((wrong, accepted)) => {
+                    let issue = Issue::at(0..0, format!("the motion of `{name}` is not accepted"), wrong);
+                    issues.push(issue.accepted(accepted));
                 }
             }
-            // the sum has the dimension of the coordinate, or is refused
-            let is = Text::at(format!("{is} + ({name} - {name})"), behind);
-            source.outputs.push(Entry { name: Text::at(format!("the motion of {name}"), behind), value: is });
         }
-        if places.len() < motions.len() {
+        if all.len() < motions.len() {
             return None;
+        }
+        let mut expression = |name: &str, is: String| {
+            let name = Text::at(format!("the motion of {name}"), behind);
+            source.outputs.push(Entry { name, value: Text::at(is, behind) });
+        };
+        for ((name, _), motion) in motions.iter().zip(&all) {
+            // the sum has the dimension of what is prescribed, or is refused
+            match motion {
+                Written::Coordinate { is, .. } => expression(name, format!("{is} + ({name} - {name})")),
+                Written::Turns { turns, .. } => {
+                    turns.iter().for_each(|(_, is)| expression(name, format!("{is} + (1 - 1)")));
+                }
+            }
         }
         let told = |fault: Fault| {
             let issue = Issue::at(0..0, format!("a prescribed motion: {}", fault.title), fault.label);
             issue.accepted(fault.accepted)
         };
-        warn_of(&name, &text, &own.warnings);
+        warn_of(&file, &text, &own.warnings);
         let model = Model::of(&source).map_err(|faults| issues.extend(faults.into_iter().map(told))).ok()?;
-        let first = model.outputs.len() - motions.len();
-        let prescribed = places.into_iter().zip(&model.outputs[first..]).map(|(place, output)| (place, output.is));
-        let prescribed = prescribed.collect();
+        let mut expressions = model.outputs[own.outputs.len()..].iter().map(|output| output.is);
+        let mut prescribed = Vec::with_capacity(all.len());
+        for motion in all {
+            prescribed.push(match motion {
+                Written::Coordinate { place, .. } => Motion::Coordinate { place, is: expressions.next()? },
+                Written::Turns { frame, turns } => {
+                    let axes = turns.into_iter().map(|(axis, _)| axis);
+                    Motion::Turns { frame, turns: axes.zip(expressions.by_ref()).collect() }
+                }
+            });
+        }
         Some((model, prescribed))
     })
+}
+
+/// A motion by the name of its coordinate or free frame; else the fault, and what is accepted.
+fn written<'a>(own: &Model, name: &str, is: &'a str) -> Result<Written<'a>, (&'static str, String)> {
+    if let Some(place) = own.coordinates.iter().position(|coordinate| coordinate.name == name) {
+        return Ok(Written::Coordinate { place, is });
+    }
+    let Some(frame) = own.free.iter().position(|frame| own.frames[frame.0].name == name) else {
+        return Err(("no coordinate has this name", known(own)));
+    };
+    let turn = |turn: &'a str| {
+        let (angle, axis) = turn.rsplit_once(" about ")?;
+        Some((["x", "y", "z"].iter().position(|known| *known == axis.trim())?, angle))
+    };
+    let turns: Option<Vec<(usize, &str)>> = is.split(", then ").map(turn).collect();
+    turns.map(|turns| Written::Turns { frame, turns }).ok_or(("a free frame turns", TURNS.to_owned()))
+}
+
+/// What may be prescribed.
+fn known(own: &Model) -> String {
+    let frames = own.free.iter().map(|frame| own.frames[frame.0].name.as_str());
+    let names: Vec<&str> = own.coordinates.iter().map(|coordinate| coordinate.name.as_str()).chain(frames).collect();
+    format!("a motion for each of: {}", names.join(", "))
 }

@@ -419,3 +419,80 @@ fn a_hanging_plate_with_a_free_frame_is_found_at_rest_and_swings_as_a_pendulum()
     let refused = ModelScene::parse("scene.toml", &text.replace("[run]", "\"F.wx\" = \"1 rad/s\"\n[run]"));
     assert!(refused.expect_err("it turns").to_string().contains("F.wx is not zero"));
 }
+
+/// A body on a slide, pushed and turned by forces that are sought; its frame is FRAMES.
+const TURNED: &str = "title = \"A body\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"2 kg\"\nA = \"0.3 kg m^2\"\nB = \"0.4 kg m^2\"\nC = \"0.6 kg m^2\"\n\
+    g = \"9.81 m/s^2\"\nP = \"0 N\"\nT1 = \"0 N m\"\nT2 = \"0 N m\"\nT3 = \"0 N m\"\n[coordinates]\nx = \"m\"\nCOORDINATES\n[frames]\nFRAMES\n\
+    [bodies.stone]\nframe = \"F\"\ncentre = \"O + x*N.x + (0.1 m)*F.z\"\nmass = \"m\"\ninertia = { principal = [\"A\", \"B\", \"C\"] }\n\
+    [[force]]\non = \"stone at O + x*N.x\"\nis = \"P*N.x\"\n[[torque]]\non = \"stone\"\nis = \"T1*F.x + T2*F.y + T3*F.z\"\n[run]\nspan = \"1 s\"\n";
+
+fn forces_of(name: &str, text: &str, motions: &[(&str, &str)]) -> Vec<scenes::inverse::Forces> {
+    let path = std::env::temp_dir().join(format!("dalembert_{}_{name}.toml", std::process::id()));
+    std::fs::write(&path, text).expect("it can be written");
+    let motions: Vec<(String, String)> = motions.iter().map(|&(name, is)| (name.to_owned(), is.to_owned())).collect();
+    let read = read_prescribed(&path, &motions);
+    std::fs::remove_file(&path).expect("it is there");
+    let (model, prescribed) = read.unwrap_or_else(|error| panic!("{error}"));
+    let unknowns = ["P", "T1", "T2", "T3"].map(str::to_owned);
+    inverse(&model, &prescribed, &unknowns, &[0.0, 0.3, 1.1]).unwrap_or_else(|why| panic!("{why}"))
+}
+
+/// A free frame that is turned one turn after the other needs the torques that three angles need.
+#[test]
+fn forces_for_turns_of_a_free_frame_are_those_for_three_angles() {
+    let slide = ("x", "(0.2 m)*sin(t*(3 rad/s))");
+    let [yaw, tilt, spin] = ["0.4 + t*(0.7 rad/s)", "1 + 0.3*cos(t*(2 rad/s))", "t^2*(3 1/s^2)"];
+    let free = TURNED.replace("COORDINATES", "").replace("FRAMES", "F = \"N free\"");
+    let free =
+        forces_of("free", &free, &[slide, ("F", &format!("{yaw} about z, then {tilt} about x, then {spin} about z"))]);
+    let turned = TURNED.replace("COORDINATES", "yaw = \"rad\"\ntilt = \"rad\"\nspin = \"rad\"").replace(
+        "FRAMES",
+        "Y = \"N turned yaw about z\"\nT = \"Y turned tilt about x\"\nF = \"T turned spin about z\"",
+    );
+    let turned = forces_of("turned", &turned, &[slide, ("yaw", yaw), ("tilt", tilt), ("spin", spin)]);
+    for (free, turned) in free.iter().zip(&turned) {
+        assert_eq!([free.coordinates.len(), free.speeds.len(), free.accelerations.len()], [5, 4, 4]);
+        for (one, other) in free.unknowns.iter().zip(&turned.unknowns) {
+            assert!((one - other).abs() < 1e-9 * (1.0 + other.abs()), "{free:?} {turned:?}");
+        }
+        // at the start one of them is zero
+        let act = free.unknowns.iter().filter(|force| force.abs() > 1e-3).count();
+        assert_eq!(act, if free.time > 0.0 { 4 } else { 3 }, "{free:?}");
+    }
+}
+
+/// About one axis alone the torque is C theta''; coordinates that a constraint ties to a free frame follow it.
+#[test]
+fn a_free_frame_that_turns_about_one_axis_needs_the_torque_of_its_moment() {
+    let held = TURNED
+        .replace("COORDINATES", "y = \"m\"")
+        .replace("FRAMES", "F = \"N free\"")
+        .replace("[run]", "[[constraint]]\nname = \"tie\"\nzero = \"y - (0.5 m)*(F.x . N.y)\"\n[run]");
+    let found = forces_of("tied", &held, &[("x", "(0 m)"), ("F", "t^2*(2 1/s^2) about z")]);
+    for forces in found {
+        let angle = 2.0 * forces.time * forces.time;
+        assert!((forces.coordinates[1] - 0.5 * angle.sin()).abs() < 1e-12, "{forces:?}");
+        assert!((forces.unknowns[3] - 0.6 * 4.0).abs() < 1e-9 && forces.unknowns[0].abs() < 1e-9, "{forces:?}");
+    }
+}
+
+#[test]
+fn a_motion_of_a_free_frame_that_is_no_turn_is_refused() {
+    let path = stored("tumbling_body");
+    let refused = |motion: &[(&str, &str)]| {
+        let motion: Vec<_> = motion.iter().map(|&(name, is)| (name.to_owned(), is.to_owned())).collect();
+        match read_prescribed(&path, &motion) {
+            Err(error) => error.to_string(),
+            Ok((model, prescribed)) => {
+                inverse(&model, &prescribed, &[], &[0.0]).expect_err("it is refused").to_string()
+            }
+        }
+    };
+    assert!(refused(&[("F", "t*(1 rad/s)")]).contains("turns one after the other: F = "));
+    assert!(refused(&[("F", "t*(1 rad/s) about w")]).contains("a free frame turns"));
+    assert!(refused(&[("F", "t about z")]).contains("different dimensions"));
+    assert!(refused(&[("F", "F.wx*t about z")]).contains("the motion of `F` must be an expression of t"));
+    assert!(refused(&[("F", "t*(1 rad/s) about z"), ("F", "0 about x")]).contains("it is prescribed twice"));
+    assert!(refused(&[("G", "0 about x")]).contains("a motion for each of: x, F"));
+    assert!(refused(&[("x", "(1 m)")]).contains("do not determine `F.wx`, `F.wy`, `F.wz`"));
+}

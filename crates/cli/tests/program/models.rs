@@ -93,7 +93,10 @@ fn a_free_frame_is_linearised_by_its_turns() {
     let turns = ["turn about F.x", "turn about F.y", "turn about F.z"];
     let states = ["x", turns[0], turns[1], turns[2], "x'", "F.wx", "F.wy", "F.wz"];
     assert_eq!(point["states"], serde_json::json!(states));
-    assert_eq!((point["A"].as_array().map(Vec::len), point["coordinates"].as_array().map(Vec::len)), (Some(8), Some(5)));
+    assert_eq!(
+        (point["A"].as_array().map(Vec::len), point["coordinates"].as_array().map(Vec::len)),
+        (Some(8), Some(5))
+    );
     let text = printed(&["linearise", body]);
     assert!(text.contains("  F.wx = 0.01, F.wx' = 0") && text.contains("F.q0 = "), "{text}");
     let table = printed(&["linearise", body, "--times", "0,1", "--format", "csv"]);
@@ -111,6 +114,10 @@ fn forces_for_a_motion_are_printed_or_refused_with_the_rank() {
     refused(&["inverse", crank, "--motion", "theta"], "a coordinate and an expression of t");
     refused(&["inverse", crank, "--motion", "omega = t/(1 s)"], "no coordinate has this name");
     refused(&["inverse", crank, "--motion", "theta = 2*q"], "a prescribed motion");
+    let body = "scenes/models/tumbling_body.toml";
+    let free = ["inverse", body, "--motion", "x = (0 m)", "--motion"];
+    refused(&[&free[..], &["F = t*(1 rad/s) about z"]].concat(), "0 of 4 equations (the rank): underactuated");
+    refused(&[&free[..], &["F = t*(1 rad/s)"]].concat(), "turns one after the other");
 }
 
 #[test]

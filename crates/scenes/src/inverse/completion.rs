@@ -1,65 +1,14 @@
 //! A prescribed motion at an instant: coordinates that are not prescribed follow from the constraints.
 
-use super::{Motion, NoForces, RANK};
-use crate::compiled_system::{NotCompiled, values};
+use super::prescribed::Prescribed;
+use super::{NoForces, RANK};
 use crate::linearisation::{Known, Point, VariedEquations};
-use derivations::taped::Program;
-use model::{Model, Trace};
+use model::Model;
 use nalgebra::{DMatrix, DVector};
-use symbolic::substitute_all;
 
 /// Residuals of constraints below this, in SI units, are rounding.
 const MET: f64 = 1e-9;
 const MOST_STEPS: usize = 50;
-
-/// Prescribed coordinates as functions of the time, with two rates.
-pub(super) struct Prescribed {
-    places: Vec<usize>,
-    program: Program,
-}
-
-impl Prescribed {
-    /// # Errors
-    /// Where a motion asks for something that moves.
-    pub fn of(model: &Model, motions: &[Motion]) -> Result<Self, NoForces> {
-        let mut wrong = None;
-        let program = Program::of_any_length(0, |time, _| {
-            let trace = Trace::of(model);
-            let positions: Vec<_> = motions.iter().map(|(_, is)| trace.scalar(*is)).collect();
-            let speeds: Vec<_> = positions.iter().map(|&position| trace.rate_of(position)).collect();
-            let accelerations: Vec<_> = speeds.iter().map(|&speed| trace.rate_of(speed)).collect();
-            let moving = [&trace.coordinates, &trace.speeds, &trace.accelerations];
-            wrong = positions.iter().position(|position| {
-                position.symbols_of().iter().any(|symbol| moving.iter().any(|letters| letters.contains(symbol)))
-            });
-            if wrong.is_some() {
-                return Vec::new();
-            }
-            substitute_all(&[positions, speeds, accelerations].concat(), &values(&trace, time, &[]))
-        });
-        match (wrong, program) {
-            (Some(place), _) => {
-                Err(NoForces::NotOfTime { coordinate: model.coordinates[motions[place].0].name.clone() })
-            }
-            (None, Some(program)) => {
-                Ok(Prescribed { places: motions.iter().map(|(place, _)| *place).collect(), program })
-            }
-            (None, None) => Err(NoForces::NotCompiled(NotCompiled::TooLong)),
-        }
-    }
-
-    /// Into the coordinates, speeds and accelerations of a point.
-    fn put(&self, point: &mut Point) {
-        let count = self.places.len();
-        let mut numbers = vec![f64::NAN; 3 * count];
-        self.program.run(point.time, &[], &mut numbers);
-        for (k, &place) in self.places.iter().enumerate() {
-            point.coordinates[place] = numbers[k];
-            point.speeds[place] = numbers[count + k];
-            point.accelerations[place] = numbers[2 * count + k];
-        }
-    }
-}
 
 /// Coordinates that are not prescribed, by the constraints.
 pub(super) struct Completion<'a> {
@@ -72,10 +21,10 @@ impl Completion<'_> {
     /// # Errors
     /// A constraint that does not hold, or coordinates that nothing determines.
     pub fn of(&self, mut point: Point) -> Result<Point, NoForces> {
-        let (n, time) = (point.coordinates.len(), point.time);
+        let (n, time) = (point.speeds.len(), point.time);
         let (positions, kept) = (self.equations.positions(), self.equations.kept());
         self.prescribed.put(&mut point);
-        let open: Vec<usize> = (0..n).filter(|place| !self.prescribed.places.contains(place)).collect();
+        let open: Vec<usize> = (0..n).filter(|&speed| !self.prescribed.has(speed)).collect();
         let columns = |matrix: &DMatrix<f64>, rows: usize| {
             DMatrix::from_fn(rows, open.len(), |row, column| matrix[(row, open[column])])
         };
@@ -98,13 +47,17 @@ impl Completion<'_> {
                 break;
             }
             for (&place, part) in open.iter().zip(step.iter()) {
-                point.coordinates[place] -= part;
+                self.equations.displace(&mut point, place, -part);
             }
         }
         let at = self.equations.at(&point);
         self.met(&at.zero.values, positions, time)?;
         if rank_of(&columns(&at.zero.by_coordinates, positions)) < open.len() {
-            let coordinates = open.iter().map(|&place| format!("`{}`", self.model.coordinates[place].name)).collect();
+            let names = self.model.state_names();
+            let layout = self.prescribed.layout;
+            let order = |speed: usize| usize::from(layout.places(speed, 0).len() > 1);
+            let name = |&speed: &usize| format!("`{}`", names[layout.places(speed, order(speed)).start].0);
+            let coordinates = open.iter().map(name).collect();
             return Err(NoForces::Open { coordinates, time });
         }
         // rates are linear in speeds once more, accelerations in themselves; constraints of speeds that are not are iterated

@@ -5,16 +5,16 @@
 //! Coordinates that are not prescribed follow from the constraints of positions. The unknown parameters p stand in the forces linearly.
 
 mod completion;
+mod prescribed;
 
 use crate::compiled_system::NotCompiled;
 use crate::linearisation::{At, Point, VariedEquations};
-use completion::{Completion, Prescribed};
-use model::{Model, ScalarId};
+use crate::motions::Motion;
+use completion::Completion;
+use model::Model;
 use nalgebra::{DMatrix, DVector};
+use prescribed::Prescribed;
 use std::fmt;
-
-/// A prescribed coordinate: its place, and an expression of the time.
-pub type Motion = (usize, ScalarId);
 
 /// The forces at an instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,7 +142,7 @@ pub fn inverse(model: &Model, motions: &[Motion], unknowns: &[String], times: &[
     for &time in times {
         let point = equations.point(time, &guess);
         let mut point = Completion { equations: &equations, model, prescribed: &prescribed }.of(point)?;
-        guess[..model.coordinates.len()].copy_from_slice(point.coordinates.as_slice());
+        guess[..model.positions()].copy_from_slice(point.coordinates.as_slice());
         columns.iter().for_each(|&column| point.inputs[column] = 0.0);
         all.push(forces(&equations, point, &columns)?);
     }

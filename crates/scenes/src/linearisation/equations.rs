@@ -1,10 +1,10 @@
 //! The varied equations of a model as numbers at a point.
 
 use crate::compiled_system::{NotCompiled, has_values_but, values};
-use crate::start::Layout;
+use crate::layout::Layout;
 use derivations::taped::Program;
 use model::equations::{Equation, Level, constraints_of};
-use model::{Model, Trace, Variations, Varied, turned_further};
+use model::{Model, Trace, Variations, Varied};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use symbolic::{Sym, substitute_all};
@@ -67,7 +67,7 @@ pub struct VariedEquations {
     outside: Program,
     /// Speeds, constraints, inputs, outputs, switches.
     sizes: [usize; 5],
-    layout: Layout,
+    pub(super) layout: Layout,
     /// Those of positions that are kept, those of speeds that are kept, those that are led to zero.
     pub constraints: Vec<Known>,
     /// Parameters that are inputs, then the inputs of the model, by their names.
@@ -177,53 +177,6 @@ impl VariedEquations {
         };
         self.choose(&mut point);
         point
-    }
-
-    /// Displaces a point along a speed: its coordinate, or a free frame by a turn about one of its axes.
-    pub fn displace(&self, point: &mut Point, speed: usize, by: f64) {
-        self.layout.displace(point.coordinates.as_mut_slice(), (speed, 0), by);
-    }
-
-    /// One radian or metre, and the size of a coordinate beside it: a turn begins wherever a frame stands.
-    pub(crate) fn size(&self, point: &Point, speed: usize) -> f64 {
-        match self.layout.places(speed, 0) {
-            own if own.len() == 1 => 1.0 + point.coordinates[own.start].abs(),
-            _ => 1.0,
-        }
-    }
-
-    /// Rates of displacements: of turns of a free frame, along its own axes, those of the angular velocity less w x them.
-    pub(super) fn displacement_rates(
-        &self,
-        point: &Point,
-        displacements: &DMatrix<f64>,
-        speeds: &DMatrix<f64>,
-    ) -> DMatrix<f64> {
-        let mut rates = speeds.clone();
-        for (first, _) in self.layout.turning() {
-            let turning: [f64; 3] = std::array::from_fn(|axis| point.speeds[first + axis]);
-            for axis in 0..3 {
-                let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-                let across =
-                    displacements.row(first + last) * turning[next] - displacements.row(first + next) * turning[last];
-                let mut own = rates.row_mut(first + axis);
-                own -= across;
-            }
-        }
-        rates
-    }
-
-    /// The point later, with every speed as it is.
-    pub(super) fn straight_on(&self, point: &Point, later: f64) -> Point {
-        let plain = self.layout.turning().next().map_or(point.speeds.len(), |(first, _)| first);
-        let mut state: Vec<f64> = point.coordinates.iter().chain(point.speeds.iter()).copied().collect();
-        (0..plain).for_each(|place| state[place] += point.speeds[place] * later);
-        for (speed, coordinate) in self.layout.turning() {
-            let quaternion = std::array::from_fn(|part| point.coordinates[coordinate + part]);
-            let turn = std::array::from_fn(|axis| point.speeds[speed + axis] * later);
-            state[coordinate..coordinate + 4].copy_from_slice(&turned_further(quaternion, turn));
-        }
-        self.point(point.time + later, &state)
     }
 
     /// Inputs and switches as a point has them.

@@ -7,6 +7,7 @@
 //!
 //! A free frame varies by three small turns about its own axes, and not by the four parts of its quaternion.
 
+mod displacement;
 mod equations;
 mod independence;
 mod point;
