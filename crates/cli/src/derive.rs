@@ -140,7 +140,7 @@ fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Resul
             let lines: Vec<String> = typeset.collect::<Result<_, _>>().map_err(Ending::refused)?;
             Ok(lines.join("\n") + "\n")
         }
-        Equations::Sympy => Ok(model::sympy(trace, form)),
+        Equations::Sympy => model::sympy(trace, form).map_err(Ending::refused),
         Equations::C => code(Language::C),
         Equations::Python => code(Language::Python),
         Equations::Rust => code(Language::Rust),

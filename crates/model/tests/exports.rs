@@ -367,6 +367,7 @@ fn sympy_solves_the_equations_to_the_accelerations_and_multipliers() {
         let module = apart(|| {
             let trace = Trace::of(&case.model);
             model::sympy(&trace, &MatrixForm::of(&trace, Principle::Lagrange).expect("it applies"))
+                .expect("it can be written")
         });
         let text = format!(
             "{module}\nfrom sympy import Matrix as M_, zeros\nturns = \"kinematics\" in globals()\n\
@@ -479,4 +480,26 @@ fn angles_stay_together_and_constants_are_as_written() {
     ] {
         assert!(crank.lines().any(|known| known.trim() == line), "{line}\n{crank}");
     }
+}
+
+/// Three bodies, each of which turns freely on the one before: written out, their equations have more operations than anybody reads.
+#[test]
+fn a_module_that_would_be_too_long_is_refused_by_name() {
+    let mut tower = free_top();
+    for (frame, parent, point, place) in [("H", "F", "Q", "O + 2*l*F.z + l*H.x"), ("I", "H", "R", "Q + l*H.x + l*I.y")]
+    {
+        tower.frames.push((frame, format!("{parent} free").as_str()).into());
+        tower.points.push((point, place).into());
+        let (name, frame, centre) = (point.to_lowercase(), Some(frame.into()), Some(point.into()));
+        tower.bodies.push(BodySource { name: name.as_str().into(), frame, centre, ..tower.bodies[0].clone() });
+    }
+    let model = Model::of(&tower).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let refused = apart(|| {
+        let trace = Trace::of(&model);
+        let form = MatrixForm::of(&trace, Principle::VirtualPower).expect("it applies");
+        assert!(model::code(&trace, &form, Language::C).is_ok());
+        model::sympy(&trace, &form).map(|module| module.len())
+    });
+    let refused = refused.expect_err("it is long");
+    assert!(refused.contains("operations is too long for SymPy; c, python and rust"), "{refused}");
 }

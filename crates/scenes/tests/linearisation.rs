@@ -350,12 +350,21 @@ fn a_free_frame_that_moves_has_the_linear_equations_of_the_law_that_runs() {
         .replace("O + l*F.z", "O + x*N.x + z*N.z + l*F.z")
         .replace("[start]\n", "[[force]]\nbetween = [\"ground at O - (1 m)*N.x\", \"top at O + x*N.x + z*N.z + l*F.x\"]\n\
             is = \"-(40 N/m)*(distance(O - (1 m)*N.x, O + x*N.x + z*N.z + l*F.x) - (0.8 m))\"\n[start]\nx = \"0.3 m\"\n\"z'\" = \"0.4 m/s\"\n");
-    for text in [top, sprung] {
+    let carried = top
+        .replace("F = \"N free\"", "Y = \"N turned (1 rad/s)*t about y\"\nF = \"Y free\"\nH = \"F free\"")
+        .replace(
+            "[outputs]",
+            "[bodies.gyro]\nframe = \"H\"\ncentre = \"O + 2*l*F.z + l*H.x\"\nmass = \"m/3\"\n\
+            inertia = { principal = [\"A\", \"1.1*A\", \"1.3*A\"] }\n[outputs]",
+        )
+        .replace("[run]", "H = \"50 deg about y\"\n\"H.wx\" = \"3 rad/s\"\n\"H.wz\" = \"-1 rad/s\"\n[run]");
+    for text in [top, sprung, carried] {
         let scene = scene(&text);
         let (equations, found) = linear(&scene.model, &scene.start, &[]);
         assert_eq!(equations.standing(&found), Ok(Standing::Moving));
         let (own, p, n) = (scene.model.coordinates.len(), scene.model.positions(), scene.model.speeds());
         assert_eq!(found.a.shape(), (2 * n, 2 * n));
+        let quaternion_of = |turn: usize| own + 4 * ((turn - own) / 3);
         let law = scene.problem(Axes::First).law;
         let rates = |state: &[f64]| {
             let mut rates = vec![0.0; state.len()];
@@ -369,19 +378,23 @@ fn a_free_frame_that_moves_has_the_linear_equations_of_the_law_that_runs() {
                 match column {
                     place if place < own => state[place] += step,
                     turn if turn < n => {
-                        let mut along = [0.0; 3];
-                        along[turn - own] = step;
-                        let quaternion = std::array::from_fn(|part| state[own + part]);
-                        state[own..p].copy_from_slice(&model::turned_further(quaternion, along));
+                        let (mut along, first) = ([0.0; 3], quaternion_of(turn));
+                        along[(turn - own) % 3] = step;
+                        let quaternion = std::array::from_fn(|part| state[first + part]);
+                        state[first..first + 4].copy_from_slice(&model::turned_further(quaternion, along));
                     }
                     speed => state[p + speed - n] += step,
                 }
                 let there = rates(&state);
                 let apart = |place: usize| there[place] - about[place];
-                let [one, other] = [way(&about[own..p], &state[own..p]), way(&scene.start[own..p], &there[own..p])];
-                let turns = (1..4).map(|part| 2.0 * (one[part] + other[part]));
-                let all: Vec<f64> = (0..own).map(apart).chain(turns).chain((p..p + n).map(apart)).collect();
-                DVector::from_vec(all)
+                let turned = |turn: usize| {
+                    let at = quaternion_of(turn)..quaternion_of(turn) + 4;
+                    let ways = [way(&about[at.clone()], &state[at.clone()]), way(&scene.start[at.clone()], &there[at])];
+                    let part = 1 + (turn - own) % 3;
+                    2.0 * (ways[0][part] + ways[1][part])
+                };
+                let displaced = (0..n).map(|place| if place < own { apart(place) } else { turned(place) });
+                DVector::from_vec(displaced.chain((p..p + n).map(apart)).collect())
             };
             let step = 1e-4;
             let [near, far] = [step, 2.0 * step].map(|step| (moved(step) - moved(-step)) / (2.0 * step));

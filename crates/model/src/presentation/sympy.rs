@@ -17,7 +17,10 @@ const WORDS_OF_TURNS: &str = "u kinematics";
 /// The module.
 ///
 /// A free frame has four coordinates, a quaternion, and its angular velocity, in its own axes, as functions of their own.
-pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
+///
+/// # Errors
+/// Where an expression is too long to be written out.
+pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     let own = trace.model.coordinates.len();
     let turns = own < trace.speeds.len();
     let free = &trace.speeds[own..];
@@ -50,6 +53,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let renamed: Vec<(Sym, Sym)> = olds.copied().zip(news).collect();
     let moved = substitute_all(&trace.position_rates[own..], &renamed);
     let form = form.renamed(&renamed).for_reading();
+    form.is_written_out()?;
 
     let rate = if turns { "u'" } else { "q''" };
     let mut text = format!(
@@ -102,7 +106,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let _ = writeln!(text, "forces = Matrix([\n{}])", column(&form.forces));
     if form.constraints.is_empty() {
         let _ = writeln!(text, "\nequations = mass_matrix*{accelerations} + inertia - forces");
-        return text;
+        return Ok(text);
     }
     let zeros: Vec<Sym> = form.constraints.iter().map(|held| held.zero).collect();
     let biases: Vec<Sym> = form.constraints.iter().map(|held| held.bias).collect();
@@ -111,5 +115,24 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let _ = writeln!(text, "bias = Matrix([\n{}])", column(&biases));
     let _ = writeln!(text, "multipliers = Matrix([{}])", multipliers.join(", "));
     let _ = writeln!(text, "\nequations = mass_matrix*{accelerations} + inertia - forces - jacobian.T*multipliers");
-    text
+    Ok(text)
+}
+
+impl MatrixForm {
+    /// # Errors
+    /// Where an expression of the form is longer than what is written out.
+    fn is_written_out(&self) -> Result<(), String> {
+        let held = self.constraints.iter().flat_map(|held| held.row.iter().chain([&held.zero, &held.bias]));
+        let conditions = self.switches.iter().map(|(_, condition)| condition);
+        let vectors = [&self.inertia, &self.forces].into_iter().flatten();
+        let all = self.mass.iter().flatten().chain(vectors).chain(held).chain(conditions);
+        let long =
+            all.map(|one| one.sympy()).find_map(|text| text.strip_prefix("# ").map(|text| text.trim_end().to_owned()));
+        match long {
+            None => Ok(()),
+            Some(text) => {
+                Err(format!("{text} is too long for SymPy; c, python and rust write these equations as code"))
+            }
+        }
+    }
 }
