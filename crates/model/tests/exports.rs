@@ -470,6 +470,10 @@ fn angles_stay_together_and_constants_are_as_written() {
         !oscillator.chars().collect::<Vec<_>>().windows(12).any(|window| window.iter().all(char::is_ascii_digit)),
         "{oscillator}"
     );
+    let [top, latex, _] = text(free_top(), Principle::VirtualPower).expect("it applies");
+    let line = "F.q0' = -1/2*(F.q1*F.wx + F.q2*F.wy + F.q3*F.wz)";
+    assert!(top.lines().any(|known| known.trim() == line), "{top}");
+    assert!(latex.contains(r"\dot{q_{F,3}} &= "), "{latex}");
     let [crank, ..] = text(slider_crank(), Principle::VirtualPower).expect("it applies");
     for line in [
         "M q'' + h = Q + J^T lambda, with q = (theta, phi, s)",

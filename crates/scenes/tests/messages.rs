@@ -338,6 +338,14 @@ fn a_number_alone_that_is_an_angle_of_more_than_a_turn_is_accepted_with_a_warnin
 }
 
 #[test]
+fn a_start_without_its_unit_is_shown_one_of_its_own() {
+    let metres = ("[coordinates]\ntheta = \"rad\"", "[coordinates]\ntheta = \"rad\"\nx = \"mm\"");
+    let start = "theta = \"0.3 rad\"";
+    one(&[metres, (start, "x = 100")], &["the start of `x` cannot be read", "such as \"0.3 m\""]);
+    one(&[metres, (start, "\"x'\" = 100")], &["such as \"0.3 m/s\" or \"guess 0.3 m/s\""]);
+}
+
+#[test]
 fn angles_with_units_small_ones_and_numbers_that_are_no_angles_are_no_warning() {
     for edits in [
         &[("theta = \"0.3 rad\"", "theta = \"30 rad\"")][..],

@@ -208,10 +208,16 @@ impl Elaborator<'_> {
             Some(rest) => (true, rest),
             None => (false, value.text.as_str()),
         };
+        let of_own = self.model.coordinates.get(coordinate).map_or("rad", |known| known.unit.as_str());
+        let unit = match (of_own, order) {
+            ("1", 0) => String::new(),
+            (own, 0) => format!(" {own}"),
+            (own, _) => format!(" {own}/s"),
+        };
         let fault = |label: String| {
             let title = format!("the start of `{}` cannot be read", name.text);
             let accepted =
-                format!("a number with a unit of the dimension {needed}, such as \"0.3 rad\" or \"guess 0.3 rad\"");
+                format!("a number with a unit of the dimension {needed}, such as \"0.3{unit}\" or \"guess 0.3{unit}\"");
             Box::new(Fault::at(value.span(), title, label, accepted))
         };
         let (si, found) = units::quantity::parse_any(number).map_err(|wrong| fault(wrong.to_string()))?;

@@ -11,7 +11,7 @@ pub struct Typeset {
     pub right: String,
 }
 
-/// Groups of equations that belong together: the form, parameters, M, h, Q, constraints.
+/// Groups of equations that belong together: the form, rates of the quaternions of free frames, parameters, M, h, Q, constraints.
 pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let equation = |left: String, right: String| Typeset { left, right };
     let held = !form.constraints.is_empty();
@@ -29,6 +29,10 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     if held {
         first.insert(1, equation(format!(r"\mathbf{{J}} {rate} + \mathbf{{c}}"), r"\mathbf{0}".to_owned()));
     }
+    let turned = trace.model.coordinates.len()..;
+    let turned = trace.coordinates[turned.clone()].iter().zip(&trace.position_rates[turned]);
+    let turned =
+        turned.map(|(part, rate)| equation(format!(r"\dot{{{}}}", part.latex()), rate.decimal_latex())).collect();
     let known = trace.model.parameters.iter().zip(&form.parameters).filter(|(parameter, _)| parameter.value.is_some());
     let parameters = known.map(|(parameter, letter)| equation(letter.latex(), quantity(&parameter.written))).collect();
     let matrix = |name: &str, rows: Vec<(String, Sym)>| -> Vec<Typeset> {
@@ -51,7 +55,7 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
         held_to.extend(matrix("J", held.row.iter().enumerate().map(|(i, value)| (pair(k, i), *value)).collect()));
         held_to.extend(matrix("c", vec![((k + 1).to_string(), held.bias)]));
     }
-    let groups = vec![first, parameters, mass, vector("h", &form.inertia), vector("Q", &form.forces), held_to];
+    let groups = vec![first, turned, parameters, mass, vector("h", &form.inertia), vector("Q", &form.forces), held_to];
     groups.into_iter().filter(|group| !group.is_empty()).collect()
 }
 

@@ -33,6 +33,7 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     section(&mut text, "Parameters", parameters(trace));
     let units = trace.model.coordinates.iter().map(|each| format!("{} in {}", each.name, each.unit)).collect();
     section(&mut text, "Coordinates q", units);
+    section(&mut text, "Orientation of free frames, quaternions q0 + q1 i + q2 j + q3 k", quaternions(trace));
     let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
     section(&mut text, "Inputs", open.map(|input| format!("{} in {}", input.name, input.unit)).collect());
     let rows: Vec<String> = (0..form.speeds.len()).map(|speed| trace.direction(speed)).collect();
@@ -61,6 +62,13 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     }
     section(&mut text, "Constraints", lines);
     text
+}
+
+/// The rate of each part of each quaternion, by the angular velocity along the axes of its frame.
+fn quaternions(trace: &Trace<'_>) -> Vec<String> {
+    let turned = trace.model.coordinates.len()..;
+    let parts = trace.coordinates[turned.clone()].iter().zip(&trace.position_rates[turned]);
+    parts.map(|(part, rate)| format!("{part}' = {}", rate.decimal_text())).collect()
 }
 
 /// Each with its value as it was written, or its unit where it has none.
