@@ -40,7 +40,7 @@ mod variations;
 
 pub use agreement::{Agreement, Projected, agreement, projected_agreement};
 pub use arena::{Function, Number, ScalarId, VectorId};
-pub use elaboration::{HALF_TURN, is_reserved, misplaced};
+pub use elaboration::{HALF_TURN, bare_angle, is_reserved, misplaced};
 pub use fault::Fault;
 pub use parts::{
     Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId,

@@ -14,7 +14,7 @@ use derivations::ensemble::{
 use derivations::scene::file::tables;
 use derivations::scene::{Run, SceneError, Smooth};
 use integrators::LaneSeries;
-use model::{Model, turned_further};
+use model::{Fault, Model, bare_angle, turned_further};
 use std::fmt::{self, Write};
 use std::sync::Arc;
 
@@ -50,7 +50,7 @@ pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneErro
         let example = scene.as_ref().map_or_else(String::new, |scene| example(&scene.model));
         let variation = vary::read(top, issues, known.as_ref().map(|(variables, _)| &variables[..]), &example);
         let (scene, variation, (_, targets)) = (scene?, variation?, known?);
-        warn_of(name, text, &scene.model.warnings);
+        warn_of(name, text, &[scene.model.warnings.clone(), bare_starts(&scene.model, text)].concat());
         let model = Arc::clone(&scene.model);
         let system = ModelEnsemble::of(scene, targets).map_err(|unmet| issues.push(unmet_at(&model, unmet))).ok()?;
         let not_run = |_| issues.push(refused(&model, &NotCompiled::TooLong));
@@ -84,6 +84,39 @@ fn variables(scene: &ModelScene) -> (Vec<Variable>, Vec<Target>) {
         (variable("start", name, meaning, "rad".to_owned(), 3), Target::Turn(number))
     });
     parameters.chain(start).chain(turns).unzip()
+}
+
+/// Warnings of starts that vary: angles without a unit that are more than a turn.
+fn bare_starts(model: &Model, text: &str) -> Vec<Fault> {
+    let angles = model.coordinates.iter().filter(|coordinate| coordinate.unit == "rad").map(|angle| &angle.name);
+    let turns = model.free.iter().map(|frame| &model.frames[frame.0].name);
+    let found = tables("", text, |top, _| {
+        top.known_all();
+        let mut found = Vec::new();
+        let mut ensemble = top.optional_table("ensemble")?;
+        let mut start = ensemble.optional_table("vary")?.optional_table("start")?;
+        for name in angles.chain(turns) {
+            let Some(mut law) = start.optional_table(name) else { continue };
+            for key in ["from", "to", "mean", "deviation", "values"] {
+                let Some(written) = law.written(key, "angle") else { continue };
+                let largest = written.value.split_whitespace().map(|word| (word.parse::<f64>(), word));
+                // the first without a number is the unit
+                let numbers: Vec<(f64, &str)> = largest.map_while(|(value, word)| Some((value.ok()?, word))).collect();
+                let is_bare = numbers.len() == written.value.split_whitespace().count();
+                let largest = numbers.into_iter().max_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));
+                let bare = largest.filter(|_| is_bare).and_then(|(_, word)| {
+                    bare_angle(
+                        written.span.clone(),
+                        word,
+                        &format!("\"{} deg\"", written.value.replacen(word, "{}", 1)),
+                    )
+                });
+                found.extend(bare);
+            }
+        }
+        Some(found)
+    });
+    found.unwrap_or_default()
 }
 
 /// One line of `[ensemble.vary]` for a model.

@@ -238,6 +238,17 @@ fn an_angle_of_several_turns_is_told_by_its_place_and_the_event_that_ends_a_run_
         let place = format!("warning: {file}:15:9: 30 rad are 4.8 turns");
         assert!(message.contains(&place) && message.contains("\"30 deg\""), "{message}");
     }
+    let members = "[ensemble]\nmembers = 2\n[ensemble.vary]\nstart.theta = { from = 20, to = \"30 deg\" }\n";
+    let start = PENDULUM.replace("theta = 30", "theta = \"30 deg\"");
+    let start = start.replace("[[event]]\nname = \"low\"\nwhen = \"theta - (32 rad)\"\nend = true\n", "");
+    std::fs::write(&scene, start + members).expect("it can be written");
+    let table = temporary("warned.csv");
+    let output = run(&["ensemble", &file, "--out", &table.to_string_lossy()]);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(message.contains(": 20 rad are 3.2 turns") && message.contains("\"20 deg\""), "{message}");
+    // 20 rad are more than 30 deg: nothing ran
+    assert!(output.status.code() == Some(2) && !table.exists(), "{message}");
+    std::fs::write(&scene, PENDULUM).expect("it can be written");
     let quiet = run(&["run", &file, "--quiet"]);
     assert!(quiet.stderr.is_empty(), "{}", String::from_utf8_lossy(&quiet.stderr));
     let text = String::from_utf8_lossy(&quiet.stdout).into_owned();

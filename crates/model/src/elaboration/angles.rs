@@ -9,16 +9,22 @@ use std::ops::Range;
 /// A turn and a little more, in radians: nobody writes a larger angle by mistake for a smaller one.
 const MOST: f64 = 6.3;
 
+/// The warning of an angle at a place that is written without a unit and is more than a turn; `degrees` is how degrees are written
+/// there, with {} for the number.
+pub fn bare_angle(place: Range<usize>, written: &str, degrees: &str) -> Option<Fault> {
+    let written = written.trim();
+    let value = units::quantity::finite(written).ok().filter(|value| value.abs() > MOST)?;
+    let title = format!("{written} rad are {:.1} turns", value.abs() / TAU);
+    let accepted = format!("degrees are written {}", degrees.replace("{}", written));
+    Some(Fault::at(place, title, "a number alone is in radians", accepted))
+}
+
 impl<'s> Elaborator<'s> {
-    /// Warns of a number alone that is an angle of more than a turn; `degrees` shows how degrees are written at its place.
+    /// Warns of a number alone that is an angle of more than a turn; `degrees` is how degrees are written there, with {} for
+    /// the number.
     pub(super) fn judge_angle(&mut self, place: Range<usize>, written: &str, degrees: &str) {
-        let Ok(value) = units::quantity::finite(written.trim()) else { return };
-        if value.abs() <= MOST || self.model.warnings.iter().any(|known| known.span == place) {
-            return;
-        }
-        let title = format!("{} rad are {:.1} turns", written.trim(), value.abs() / TAU);
-        let accepted = format!("degrees are written {}", degrees.replace("30", written.trim()));
-        self.model.warnings.push(Fault::at(place, title, "a number alone is in radians", accepted));
+        let is_known = self.model.warnings.iter().any(|known| known.span == place);
+        self.model.warnings.extend(bare_angle(place, written, degrees).filter(|_| !is_known));
     }
 
     /// Warns of numbers alone in an expression that is an angle, such as that of a turn.
@@ -51,13 +57,13 @@ impl<'s> Elaborator<'s> {
         for term in terms_of(expression, part, &mut vec![false; expression.parts.len()]) {
             match &expression.parts[term] {
                 Form::Number(digits) => {
-                    self.judge_angle(text.part(&expression.spans[term]), digits, "(30 deg)");
+                    self.judge_angle(text.part(&expression.spans[term]), digits, "({} deg)");
                 }
                 Form::Name(name) => {
                     let source = self.source;
                     let named = |entries: &'s [Entry]| entries.iter().find(|entry| entry.name.text == *name);
                     if let Some(Entry { value, .. }) = named(&source.parameters) {
-                        self.judge_angle(value.span(), &value.text, "\"30 deg\"");
+                        self.judge_angle(value.span(), &value.text, "\"{} deg\"");
                     } else if let Some(Entry { value, .. }) = named(&source.definitions) {
                         self.judge_angle_text(value);
                     }

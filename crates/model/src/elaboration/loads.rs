@@ -226,7 +226,7 @@ impl Elaborator<'_> {
             return Err(fault(format!("this has the dimension {found}")));
         }
         if order == 0 && self.model.coordinates[coordinate].unit == "rad" {
-            self.judge_angle(value.span(), number, "\"30 deg\"");
+            self.judge_angle(value.span(), number, "\"{} deg\"");
         }
         Ok(StartValue { coordinate, order, value: si, is_guess })
     }

@@ -26,6 +26,7 @@ use std::ops::Range;
 use symbolic::Dimension;
 use value::Value;
 
+pub use angles::bare_angle;
 pub use constants::HALF_TURN;
 pub use headings::misplaced;
 

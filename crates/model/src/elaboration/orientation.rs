@@ -43,7 +43,7 @@ impl Elaborator<'_> {
         let Some(axis) = ["x", "y", "z"].iter().position(|known| *known == axis.trim()) else {
             return Err(fault("about another axis than x, y or z".to_owned()));
         };
-        self.judge_angle(whole.part(&place), angle, &format!("30 deg about {}", ["x", "y", "z"][axis]));
+        self.judge_angle(whole.part(&place), angle, &format!("{{}} deg about {}", ["x", "y", "z"][axis]));
         let (angle, dimension) = units::quantity::parse_any(angle).map_err(|wrong| fault(wrong.to_string()))?;
         if dimension.of_expressions() != Dimension::none() {
             return Err(fault(format!("this has the dimension {}", dimension.of_expressions())));
