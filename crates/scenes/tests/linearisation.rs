@@ -509,3 +509,30 @@ fn a_motion_of_a_free_frame_that_is_no_turn_is_refused() {
     assert!(refused(&[("G", "0 about x")]).contains("a motion for each of: x, F"));
     assert!(refused(&[("x", "(1 m)")]).contains("do not determine `F.wx`, `F.wy`, `F.wz`"));
 }
+
+/// Three constraints turn a free frame about N.z by 0.5 t^2, which nobody prescribes: it follows from them, and the third one acts with
+/// C theta'' = lambda cos(theta), since it holds sin(theta).
+#[test]
+fn a_free_frame_that_constraints_turn_is_found_from_them() {
+    let held = TURNED.replace("COORDINATES", "").replace("FRAMES", "F = \"N free\"").replace("(0.1 m)*F.z", "0*x*F.z").replace(
+        "[[torque]]\non = \"stone\"\nis = \"T1*F.x + T2*F.y + T3*F.z\"\n",
+        "[[constraint]]\nname = \"turn\"\nzero = [\"F.x . N.z\", \"F.y . N.z\", \"F.x . N.y - sin(t^2*(0.5 1/s^2))\"]\n",
+    );
+    let path = std::env::temp_dir().join(format!("dalembert_{}_held.toml", std::process::id()));
+    std::fs::write(&path, &held).expect("it can be written");
+    let read = read_prescribed(&path, &[("x".to_owned(), "(0.1 m)*t^2/(1 s^2)".to_owned())]);
+    std::fs::remove_file(&path).expect("it is there");
+    let (model, prescribed) = read.unwrap_or_else(|error| panic!("{error}"));
+    let times: Vec<f64> = (0..=10).map(|k| 0.1 * f64::from(k)).collect();
+    for forces in inverse(&model, &prescribed, &["P".to_owned()], &times).unwrap_or_else(|why| panic!("{why}")) {
+        let angle = 0.5 * forces.time * forces.time;
+        let [q0, q3] = [forces.coordinates[1], forces.coordinates[4]];
+        assert!((2.0 * q3.atan2(q0) - angle).abs() < 1e-9, "{forces:?}");
+        assert!(
+            (forces.speeds[3] - forces.time).abs() < 1e-9 && (forces.accelerations[3] - 1.0).abs() < 1e-8,
+            "{forces:?}"
+        );
+        assert!((forces.multipliers[2] * angle.cos() - 0.6).abs() < 1e-8, "{forces:?}");
+        assert!((forces.unknowns[0] - 2.0 * 0.2).abs() < 1e-9, "{forces:?}");
+    }
+}
