@@ -7,6 +7,12 @@ const MODEL: &str = "scenes/models/double_pendulum.toml";
 
 #[test]
 fn every_principle_and_notation_gives_the_equations() {
+    let body = "scenes/models/tumbling_body.toml";
+    for format in ["text", "latex", "mathml", "sympy", "c", "python", "rust"] {
+        assert!(
+            printed(&["derive", body, "--format", format]).contains("q0") || format == "latex" || format == "mathml"
+        );
+    }
     for principle in ["lagrange", "virtual-power", "appell", "gauss", "newton-euler", "hamel", "hamilton"] {
         for format in ["text", "latex", "mathml", "sympy", "c", "python", "rust"] {
             let output = run(&["derive", MODEL, "--principle", principle, "--format", format]);
