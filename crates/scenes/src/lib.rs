@@ -22,6 +22,7 @@ mod motions;
 mod parametric_law;
 mod quoted_keys;
 mod readiness;
+mod recording;
 mod row_units;
 mod scene;
 mod start;

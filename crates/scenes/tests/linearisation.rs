@@ -198,6 +198,25 @@ const SPRING: &str = "title = \"A mass on a spring\"\ngravity = \"-g*N.y\"\n[par
     [run]\nspan = \"1 s\"\n";
 
 /// Where the forces' derivatives vanish Newton's method has no way: points around it do.
+/// m x'' = min(k (sin t - x), F), of which the second input holds the first.
+#[test]
+fn an_input_may_ask_for_another_one_at_a_condition() {
+    let text = "title = \"Two inputs\"\n[parameters]\nk = \"20 N/m\"\n[coordinates]\nx = \"m\"\n[bodies.b]\n\
+                centre = \"O + x*N.x\"\nmass = \"(2 kg)\"\n[inputs]\n\
+                ref = { unit = \"m\", value = \"max(sin(t*(1 rad/s)), 0)*(1 m)\" }\n\
+                u = { unit = \"N\", value = \"min(k*(ref - x), (5 N))\" }\n[[force]]\non = \"b\"\nis = \"u*N.x\"\n\
+                [run]\nspan = \"2 s\"\n";
+    let scene = scene(text);
+    let equations = VariedEquations::of(&scene.model, &[]).unwrap_or_else(|why| panic!("{why}"));
+    for (time, x, force) in [(0.1_f64, 0.05, 20.0 * (0.1_f64.sin() - 0.05)), (1.0, 0.1, 5.0)] {
+        let point = equations.point(time, &[x, 0.0]);
+        assert!((point.inputs[0] - time.sin()).abs() < 1e-15 && (point.inputs[1] - force).abs() < 1e-14, "{point:?}");
+        let found = equations.linearised(point).unwrap_or_else(|why| panic!("{why}"));
+        assert!((found.b[(1, 1)] - 0.5).abs() < 1e-15 && found.b[(1, 0)] == 0.0, "{}", found.b);
+        assert!((found.point.accelerations[0] - force / 2.0).abs() < 1e-14);
+    }
+}
+
 #[test]
 fn an_equilibrium_is_found_from_a_guess_at_which_a_force_is_stationary() {
     let text = std::fs::read_to_string(stored("double_pendulum")).expect("it is there");

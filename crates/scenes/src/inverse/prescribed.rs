@@ -1,10 +1,11 @@
 //! Prescribed motions as numbers at an instant, with two rates.
 
 use super::NoForces;
-use crate::compiled_system::{NotCompiled, values};
+use crate::compiled_system::values;
 use crate::layout::Layout;
 use crate::linearisation::Point;
 use crate::motions::Motion;
+use crate::recording::recorded;
 use derivations::taped::Program;
 use model::{Model, ScalarId, Trace, turned_further};
 use symbolic::substitute_all;
@@ -26,7 +27,7 @@ impl Prescribed {
             Motion::Coordinate { is, .. } => vec![*is],
             Motion::Turns { turns, .. } => turns.iter().map(|(_, is)| *is).collect(),
         };
-        let program = Program::of_any_length(0, |time, _| {
+        let program = recorded(0, |time, _| {
             let trace = Trace::of(model);
             let moving = [&trace.coordinates, &trace.speeds, &trace.accelerations];
             let moves = |is: &ScalarId| {
@@ -49,8 +50,8 @@ impl Prescribed {
                     Motion::Turns { frame, .. } => model.frames[model.free[frame].0].name.clone(),
                 },
             }),
-            (None, Some(program)) => Ok(Prescribed { motions: motions.to_vec(), layout: Layout::of(model), program }),
-            (None, None) => Err(NoForces::NotCompiled(NotCompiled::TooLong)),
+            (None, Ok(program)) => Ok(Prescribed { motions: motions.to_vec(), layout: Layout::of(model), program }),
+            (None, Err(why)) => Err(NoForces::NotCompiled(why)),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use crate::compiled_system::{NotCompiled, has_values_but, values};
 use crate::layout::Layout;
+use crate::recording::recorded;
 use derivations::taped::Program;
 use model::equations::{Equation, Level, constraints_of};
 use model::{Model, Trace, Variations, Varied};
@@ -107,7 +108,7 @@ impl VariedEquations {
             parameter_names.chain(own.iter().map(|&place| model.inputs[place].name.clone())).collect();
         let length = layout.positions() + 2 * n + m + inputs.len() + switches;
         let mut nonlinear = Vec::new();
-        let program = Program::of_any_length(length, |time, state| {
+        let program = recorded(length, |time, state| {
             let trace = Trace::of(open);
             let letters: Vec<Sym> = inputs.iter().map(|name| Sym::symbol(name)).collect();
             let varied = Variations::of(&trace, &letters);
@@ -125,7 +126,7 @@ impl VariedEquations {
             let multipliers: Vec<Sym> = order.iter().map(|&k| varied.multipliers[k]).collect();
             substitute_all(&all, &letters_of(&trace, &multipliers, &letters, time, state))
         });
-        let outside = Program::of_any_length(length, |time, state| {
+        let outside = recorded(length, |time, state| {
             // inputs by their values, conditions by inputs
             let (trace, closed) = (Trace::of(open), Trace::of(model));
             let letters: Vec<Sym> = inputs.iter().map(|name| Sym::symbol(name)).collect();
@@ -139,11 +140,14 @@ impl VariedEquations {
                 own.iter().map(|&place| model.inputs[place].value.map_or(Sym::ZERO, |value| closed.scalar(value)));
             let conditions = model.switches.iter().map(|&condition| trace.scalar(condition));
             let all: Vec<Sym> = data.chain(given).chain(conditions).collect();
-            substitute_all(&all, &letters_of(&trace, &multipliers, &letters, time, state))
+            let mut known = letters_of(&trace, &multipliers, &letters, time, state);
+            // where inputs have their values, a condition that asks for one is another letter
+            known.extend(closed.switches.iter().copied().zip(state[length - switches..].iter().copied()));
+            substitute_all(&all, &known)
         });
         Ok(VariedEquations {
-            program: program.ok_or(NotCompiled::TooLong)?,
-            outside: outside.ok_or(NotCompiled::TooLong)?,
+            program: program?,
+            outside: outside?,
             sizes: [n, m, inputs.len(), model.outputs.len(), switches],
             layout,
             constraints: order.iter().map(|&k| known[k].clone()).collect(),
