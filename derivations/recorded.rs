@@ -11,6 +11,7 @@ use symbolic::{Equations, Expansion, Fused, Recurrence, Sym};
 #[derive(Clone, Debug)]
 pub struct Recorded<L> {
     law: Arc<L>,
+    record: fn(&L) -> Option<Recurrence>,
     /// Made when it is first asked for; `None` where a law cannot be recorded: then there is no Taylor method.
     recurrence: OnceLock<Option<Recurrence>>,
     spare: Spare<f64>,
@@ -23,18 +24,24 @@ type Spare<S> = Arc<Mutex<Vec<Expansion<S, WIDTH, FEW>>>>;
 impl<L: Ode<Sym> + Sync> Recorded<L> {
     /// A system, which may depend on time.
     pub fn new(law: Arc<L>) -> Self {
-        Recorded { law, recurrence: OnceLock::new(), spare: Spare::default(), finer: Spare::default() }
+        Recorded::by(law, |law| {
+            written(law, |Written { state, time, rates }| {
+                let moves = rates.iter().any(|rate| rate.symbols_of().contains(time));
+                let equations = Equations { state, time: moves.then_some(*time), parameters: &[], rates, solve: None };
+                Recurrence::record(&equations).ok()
+            })
+        })
+    }
+}
+
+impl<L> Recorded<L> {
+    /// A system whose recurrence is made in this way.
+    pub fn by(law: Arc<L>, record: fn(&L) -> Option<Recurrence>) -> Self {
+        Recorded { law, record, recurrence: OnceLock::new(), spare: Spare::default(), finer: Spare::default() }
     }
 
     fn recurrence(&self) -> Option<&Recurrence> {
-        let made = self.recurrence.get_or_init(|| {
-            written(&*self.law, |Written { state, time, rates }| {
-                let moves = rates.iter().any(|rate| rate.symbols_of().contains(time));
-                let equations = Equations { state, time: moves.then_some(*time), parameters: &[], rates };
-                Recurrence::record(&equations).ok()
-            })
-        });
-        made.as_ref()
+        self.recurrence.get_or_init(|| (self.record)(&self.law)).as_ref()
     }
 
     /// One that goes from run to run, where it is of usual size.
@@ -74,7 +81,7 @@ impl<S: Scalar, L: Ode<S>> Ode<S> for Recorded<L> {
     }
 }
 
-impl<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync> System for Recorded<L> {
+impl<L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync> System for Recorded<L> {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         self.kept(&self.spare)
     }

@@ -136,7 +136,7 @@ fn kind(state: &[Sym], parameters: &[Sym], kept: [Sym; 4], law: impl Fn(&mut [Sy
     law(&mut rates);
     let inputs = [state, parameters].concat();
     Ok(Kind {
-        recurrence: Recurrence::record(&Equations { state, time: None, parameters, rates: &rates })?,
+        recurrence: Recurrence::record(&Equations { state, time: None, parameters, rates: &rates, solve: None })?,
         invariants: Tape::record(&inputs, &kept)?,
     })
 }

@@ -129,7 +129,7 @@ fn counts(law: &impl Ode<Sym>) -> (usize, usize) {
     let state: Vec<Sym> = (0..law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
     let mut rates = vec![Sym::ZERO; state.len()];
     law.rates(Sym::ZERO, &state, &mut rates);
-    let equations = Equations { state: &state, time: None, parameters: &[], rates: &rates };
+    let equations = Equations { state: &state, time: None, parameters: &[], rates: &rates, solve: None };
     let recurrence = Recurrence::record(&equations).expect("it is a law");
     (recurrence.columns::<8>(), Tape::record(&state, &rates).expect("it is a program").operations())
 }

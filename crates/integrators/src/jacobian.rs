@@ -66,12 +66,12 @@ impl<'a> Jacobian<'a> {
 }
 
 /// A number that varies along direction k.
-pub(crate) fn variable(value: f64, k: usize) -> Directions {
+pub fn variable(value: f64, k: usize) -> Directions {
     Directions::from_re(value).derivative(k)
 }
 
 /// The derivative of a number along direction k.
-pub(crate) fn slope(number: &Directions, k: usize) -> f64 {
+pub fn slope(number: &Directions, k: usize) -> f64 {
     let Derivative(slopes) = &number.eps;
     slopes.as_ref().map_or(0.0, |slopes| slopes[k])
 }

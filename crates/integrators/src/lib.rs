@@ -92,7 +92,7 @@ pub use failure::{Failure, Refusal};
 pub use front::{excess, front};
 pub use held::{Held, HeldSystem, Holding, hold, integrate_projected};
 pub use integrate::{integrate, integrate_in};
-pub use jacobian::Jacobian;
+pub use jacobian::{Jacobian, slope, variable};
 pub use method::{MOST_STAGES, Method, Traits};
 pub use observer::{Observer, Progress, Record, Samples, Sizes};
 pub use ode::{DIRECTIONS, Directions, Ode, Slopes, System, Working};

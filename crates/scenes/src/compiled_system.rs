@@ -1,6 +1,6 @@
 //! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
 
-use crate::implicit::Implicit;
+use crate::implicit::{Implicit, ImplicitLaw, recurrence, unknown_letters};
 use crate::letters::Letters;
 use crate::modes::{Case, held};
 use derivations::differentiated::Differentiated;
@@ -88,12 +88,33 @@ enum Rates {
     /// The elimination is written down: any field, series too.
     Written(Program),
     /// Accelerations are solved for at each evaluation.
-    Solved(Arc<Implicit>),
+    Solved(Arc<ImplicitLaw>),
+}
+
+/// How accelerations are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// By an elimination that is written down.
+    Written,
+    /// By a solve at each evaluation.
+    Solved,
 }
 
 /// Systems with more unknowns, accelerations and multipliers together, are solved at each evaluation: the elimination grows with
 /// their third power.
 const MOST_WRITTEN: usize = 40;
+
+/// Series of systems with at least so many unknowns solve for them. Measured at order 20 on chains of links, with a solve and written
+/// down: 3 links 22 and 26 us, 6 links 76 and 114, 10 links 217 and 346, 20 links 1.7 and 2.7 ms.
+const LEAST_SOLVED: usize = 5;
+
+impl Way {
+    /// The way of a model; one with conditions or events has its elimination written down.
+    pub fn of(model: &Model) -> Self {
+        let unknowns = model.speeds() + model.constraints.len();
+        if !changes(model) && unknowns > MOST_WRITTEN { Way::Solved } else { Way::Written }
+    }
+}
 
 impl CompiledSystem {
     /// Writes the equations down and compiles them; `mode` has the case of each switch.
@@ -105,14 +126,12 @@ impl CompiledSystem {
         if let Some(at) = of_accelerations(model) {
             return Err(NotCompiled::OfAccelerations { at });
         }
-        let changes = !(model.switches.is_empty() && model.events.is_empty());
-        let unknowns = model.speeds() + model.constraints.len();
-        if !changes && unknowns > MOST_WRITTEN {
+        if Way::of(model) == Way::Solved {
             return CompiledSystem::solved(model);
         }
         match CompiledSystem::written(model, mode) {
             // a constraint may move what has no inertia
-            Err(NotCompiled::Massless { coordinate }) if !changes && !model.constraints.is_empty() => {
+            Err(NotCompiled::Massless { coordinate }) if !changes(model) && !model.constraints.is_empty() => {
                 CompiledSystem::solved(model).map_err(|_| NotCompiled::Massless { coordinate })
             }
             other => other,
@@ -124,12 +143,13 @@ impl CompiledSystem {
         let mut keeps_energy = false;
         let outputs = Program::of_any_length(implicit.extended(), |time, extended| {
             keeps_energy = conserves(model);
-            outputs_of_solved(model, time, extended)
+            let (state, unknowns) = extended.split_at(model.positions() + model.speeds());
+            outputs_of_solved(model, Letters::with_data(time, state), unknowns)
         });
         Ok(CompiledSystem {
             model: Arc::clone(model),
             mode: Vec::new(),
-            rates: Rates::Solved(Arc::new(implicit)),
+            rates: Rates::Solved(Arc::new(ImplicitLaw::new(implicit))),
             outputs: outputs.ok_or(NotCompiled::TooLong)?,
             keeps_energy,
         })
@@ -163,9 +183,20 @@ impl CompiledSystem {
     /// As every method runs it: with series and derivatives where it asks for them.
     pub fn law(self: &Arc<Self>) -> Arc<dyn Law> {
         match &self.rates {
-            Rates::Written(_) => Arc::new(Differentiated::new(Recorded::new(Arc::clone(self)), Arc::clone(self))),
-            Rates::Solved(implicit) => Arc::clone(implicit) as Arc<dyn Law>,
+            Rates::Written(_) => {
+                let recorded = match self.has_solved_series() {
+                    true => Recorded::by(Arc::clone(self), |system| recurrence(&system.model)),
+                    false => Recorded::new(Arc::clone(self)),
+                };
+                Arc::new(Differentiated::new(recorded, Arc::clone(self)))
+            }
+            Rates::Solved(law) => Arc::clone(law) as Arc<dyn Law>,
         }
+    }
+
+    /// Whether a series solves for its accelerations, where rates have them written down: it has fewer products from there on.
+    fn has_solved_series(&self) -> bool {
+        !changes(&self.model) && self.model.speeds() + self.model.constraints.len() >= LEAST_SOLVED
     }
 
     /// The outputs at a time and a state.
@@ -173,7 +204,7 @@ impl CompiledSystem {
         let mut values = vec![f64::NAN; self.model.outputs.len() + ENERGIES];
         match &self.rates {
             Rates::Written(_) => self.outputs.run(time, state, &mut values),
-            Rates::Solved(implicit) => self.outputs.run(time, &implicit.extend(time, state), &mut values),
+            Rates::Solved(law) => self.outputs.run(time, &law.equations.extend(time, state), &mut values),
         };
         values
     }
@@ -187,6 +218,11 @@ fn speed_name(model: &Model, speed: usize) -> String {
     }
 }
 
+/// Whether the law of a model changes at conditions or events.
+fn changes(model: &Model) -> bool {
+    !(model.switches.is_empty() && model.events.is_empty())
+}
+
 /// Whether a model has one law, in coordinates with rates of their own.
 pub(crate) fn plain(model: &Model) -> Result<(), NotCompiled> {
     if let Some(frame) = model.free.first() {
@@ -197,7 +233,7 @@ pub(crate) fn plain(model: &Model) -> Result<(), NotCompiled> {
 
 /// The first condition or event that depends on accelerations or reactions.
 fn of_accelerations(model: &Model) -> Option<Range<usize>> {
-    if model.switches.is_empty() && model.events.is_empty() {
+    if !changes(model) {
         return None;
     }
     apart(|| {
@@ -265,7 +301,7 @@ impl Motion {
 pub(crate) fn conserves(model: &Model) -> bool {
     let acts = !(model.forces.is_empty() && model.torques.is_empty() && model.generalised.is_empty())
         || model.energies.dissipation.is_some();
-    if !(model.switches.is_empty() && model.events.is_empty()) {
+    if changes(model) {
         return false;
     }
     if acts || model.gravity.is_some() && Trace::of(model).uniform_gravity().is_none() {
@@ -311,16 +347,13 @@ pub(crate) fn outputs(model: &Model, mode: &[Case], letters: Letters<'_>) -> Vec
     letters.put_into(&trace, &all)
 }
 
-/// The same where accelerations and multipliers stand behind the state.
-fn outputs_of_solved(model: &Model, time: Sym, extended: &[Sym]) -> Vec<Sym> {
+/// The same where accelerations and multipliers are inputs of their own.
+pub(crate) fn outputs_of_solved(model: &Model, letters: Letters<'_>, unknowns: &[Sym]) -> Vec<Sym> {
     let trace = Trace::of(model);
-    let state = model.positions() + model.speeds();
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
     let all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
-    let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
-    let solved = trace.accelerations.iter().copied().chain(multipliers);
-    let solved: Vec<(Sym, Sym)> = solved.zip(extended[state..].iter().copied()).collect();
-    substitute_all(&all, &[values(&trace, time, &extended[..state]), solved].concat())
+    let all = substitute_all(&all, &unknown_letters(&trace, unknowns));
+    letters.put_into(&trace, &all)
 }
 
 /// Symbols of the model by those of the state, and parameters by their values.
@@ -339,7 +372,7 @@ macro_rules! runs {
                 match &self.rates {
                     // made for a state of this length
                     Rates::Written(program) => program.run(t, y, dy).unwrap_or(()),
-                    Rates::Solved(implicit) => implicit.rates(t, y, dy),
+                    Rates::Solved(law) => law.rates(t, y, dy),
                 }
             }
         }

@@ -6,12 +6,13 @@
 //! A direction that this matrix takes to zero moves nothing with inertia and breaks no constraint: a coordinate that loses its meaning
 //! there, as the azimuth of spherical angles does at the pole.
 
-use crate::compiled_system::{CompiledSystem, NotCompiled, values};
+use crate::compiled_system::{CompiledSystem, NotCompiled};
+use crate::implicit::linear_equations;
+use crate::letters::Letters;
 use crate::modes::Case;
 use derivations::scene::Issue;
 use derivations::taped::Program;
 use integrators::Ode;
-use model::equations::Equations;
 use model::{Model, Trace};
 use nalgebra::DMatrix;
 use symbolic::{Sym, substitute_all};
@@ -72,27 +73,24 @@ struct Terms {
 
 impl Terms {
     fn of(model: &Model, mode: &[Case], start: &[f64]) -> Option<Self> {
-        let mut size = 0;
+        let mut pattern = None;
         let program = Program::of_any_length(start.len(), |time, state| {
             let trace = Trace::of(model);
-            let Equations { mass, bias, constraints } = Equations::of(&trace);
-            let n = bias.len();
-            size = n + constraints.len();
-            let zeros = |count: usize| std::iter::repeat_n(Sym::ZERO, count);
-            let above = mass.iter().enumerate().flat_map(|(row, entries)| {
-                entries.iter().copied().chain(constraints.iter().map(move |one| one.row[row])).collect::<Vec<_>>()
-            });
-            let below = constraints.iter().flat_map(|one| one.row.iter().copied().chain(zeros(size - n)));
-            let right = bias.iter().map(|bias| -*bias).chain(constraints.iter().map(|one| -one.bias));
-            let all: Vec<Sym> = above.chain(below).chain(right).collect();
+            let solve = linear_equations(&trace, Letters::with_data(time, state));
+            let all = solve.expressions();
+            pattern = Some(solve.pattern);
             let case = |case: &Case| if *case == Case::On { Sym::ONE } else { Sym::ZERO };
             let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(mode.iter().map(case)).collect();
-            substitute_all(&substitute_all(&all, &cases), &values(&trace, time, state))
+            substitute_all(&all, &cases)
         })?;
-        let mut found = vec![f64::NAN; size * (size + 1)];
+        let pattern = pattern?;
+        let (places, size) = (pattern.places(), pattern.size());
+        let mut found = vec![f64::NAN; places.len() + size];
         program.run(0.0, start, &mut found)?;
-        let right = found.split_off(size * size);
-        Some(Terms { size, matrix: found, right })
+        let right = found.split_off(places.len());
+        let mut matrix = vec![0.0; size * size];
+        places.iter().zip(found).for_each(|(&(row, column), entry)| matrix[row * size + column] = entry);
+        Some(Terms { size, matrix, right })
     }
 
     /// The one of the first n unknowns that is moved most by a direction that the matrix takes to zero.

@@ -1,24 +1,47 @@
 //! The equations of motion of a model with every parameter as an input: one law for all members of an ensemble.
 
-use crate::compiled_system::{NotCompiled, conserves, outputs, rates};
+use crate::compiled_system::{NotCompiled, Way, conserves, outputs, outputs_of_solved, rates};
+use crate::implicit::{linear_equations, recurrence_of};
 use crate::letters::Inputs;
-use model::Model;
-use symbolic::{Equations, Recurrence, Tape, Untapeable, apart};
+use model::{Model, Trace};
+use symbolic::solve::{Factors, Pattern, Solve};
+use symbolic::{Equations, Recurrence, Sym, Tape, Untapeable, apart};
 
 /// The law of a model and its outputs, over state, time and parameters.
 #[derive(Debug)]
 pub(crate) struct ParametricLaw {
     pub recurrence: Recurrence,
-    /// From state, time and parameters to the outputs, the kinetic and the potential energy.
+    /// From state, time and parameters, and from accelerations and multipliers where these are solved for, to the outputs, the
+    /// kinetic and the potential energy.
     outputs: Tape,
+    unknowns: Option<Unknowns>,
     /// Whether kinetic and potential energy together stay what they are, for all values of the parameters.
     pub keeps_energy: bool,
+}
+
+/// Accelerations and multipliers that outputs ask for.
+#[derive(Debug)]
+struct Unknowns {
+    /// From state, time and parameters to the entries of the matrix, then the right side.
+    terms: Tape,
+    pattern: Pattern,
+    speeds: usize,
 }
 
 impl ParametricLaw {
     /// By the trace from which a run is compiled; parameters need no values.
     pub fn of(model: &Model) -> Result<Self, NotCompiled> {
-        let undefined = |reason: Untapeable| NotCompiled::Undefined { reason: reason.to_string() };
+        match Way::of(model) {
+            Way::Written => match ParametricLaw::written(model) {
+                // a constraint may move what has no inertia
+                Err(NotCompiled::Massless { .. }) if !model.constraints.is_empty() => ParametricLaw::solved(model),
+                other => other,
+            },
+            Way::Solved => ParametricLaw::solved(model),
+        }
+    }
+
+    fn written(model: &Model) -> Result<Self, NotCompiled> {
         apart(|| {
             let inputs = Inputs::of(model);
             let rates = rates(model, &[], inputs.letters())?;
@@ -28,17 +51,59 @@ impl ParametricLaw {
                 time: moves.then_some(inputs.time),
                 parameters: &inputs.parameters,
                 rates: &rates,
+                solve: None,
             });
             let recurrence = recurrence.map_err(undefined)?;
             let outputs = Tape::record(&inputs.all(), &outputs(model, &[], inputs.letters())).map_err(undefined)?;
-            Ok(ParametricLaw { recurrence, outputs, keeps_energy: conserves(model) })
+            Ok(ParametricLaw { recurrence, outputs, unknowns: None, keeps_energy: conserves(model) })
+        })
+    }
+
+    fn solved(model: &Model) -> Result<Self, NotCompiled> {
+        apart(|| {
+            let (inputs, trace) = (Inputs::of(model), Trace::of(model));
+            let recurrence = recurrence_of(&trace, &inputs, inputs.letters(), &inputs.parameters).map_err(undefined)?;
+            let Solve { unknowns, pattern, entries, right } = linear_equations(&trace, inputs.letters());
+            let shown = outputs_of_solved(model, inputs.letters(), &unknowns);
+            let are_asked = shown.iter().any(|each| each.symbols_of().iter().any(|symbol| unknowns.contains(symbol)));
+            let all: Vec<Sym> = [inputs.all(), unknowns].concat();
+            let outputs = Tape::record(&all, &shown).map_err(undefined)?;
+            let terms = Tape::record(&inputs.all(), &[entries, right].concat()).map_err(undefined)?;
+            let unknowns = Unknowns { terms, pattern, speeds: model.speeds() };
+            let keeps_energy = conserves(model);
+            Ok(ParametricLaw { recurrence, outputs, unknowns: are_asked.then_some(unknowns), keeps_energy })
         })
     }
 
     /// The outputs of the model, the kinetic and the potential energy.
     pub fn outputs(&self, time: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.outputs.outputs()];
-        self.outputs.over().evaluate(&[state, &[time], parameters].concat(), &mut values);
+        let mut inputs = [state, &[time], parameters].concat();
+        if let Some(unknowns) = &self.unknowns {
+            inputs.extend(unknowns.at(&inputs));
+        }
+        inputs.resize(self.outputs.inputs(), f64::NAN);
+        self.outputs.over().evaluate(&inputs, &mut values);
         values
     }
+}
+
+impl Unknowns {
+    /// Accelerations, then multipliers; no numbers where they are not determined.
+    fn at(&self, inputs: &[f64]) -> Vec<f64> {
+        let mut terms = vec![f64::NAN; self.terms.outputs()];
+        self.terms.over().evaluate(inputs, &mut terms);
+        let mut found = terms.split_off(self.pattern.places().len());
+        let mut factors = Factors::new(&self.pattern);
+        match factors.factor(&terms) {
+            Ok(()) => factors.solve(&mut found),
+            Err(_) => found.fill(f64::NAN),
+        }
+        found[self.speeds..].iter_mut().for_each(|multiplier| *multiplier = -*multiplier);
+        found
+    }
+}
+
+fn undefined(reason: Untapeable) -> NotCompiled {
+    NotCompiled::Undefined { reason: reason.to_string() }
 }

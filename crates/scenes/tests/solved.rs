@@ -1,7 +1,8 @@
 //! Systems whose accelerations are solved for at each evaluation.
 
 use derivations::scene::{Choice, Smooth, Trajectory};
-use integrators::Method;
+use field::DoubleDouble;
+use integrators::{Jacobian, Method, Ode, System};
 use scenes::ModelScene;
 
 fn runs(text: &str, method: Method, tolerance: f64) -> Trajectory {
@@ -28,10 +29,72 @@ fn chain(links: usize) -> String {
 
 #[test]
 fn a_chain_of_fifty_links_keeps_its_energy() {
-    let trajectory = runs(&chain(50), Method::DormandPrince8, 1e-9);
-    assert_eq!(trajectory.stopped(), None);
-    let [energy] = trajectory.outcome.deviations.as_slice() else { panic!("the energy is watched") };
-    assert!(energy.largest < 1e-6 * energy.first.abs(), "{energy:?}");
+    for (method, tolerance) in [(Method::DormandPrince8, 1e-9), (Method::Taylor, 1e-12)] {
+        let trajectory = runs(&chain(50), method, tolerance);
+        assert_eq!(trajectory.stopped(), None);
+        let [energy] = trajectory.outcome.deviations.as_slice() else { panic!("the energy is watched") };
+        assert!(energy.largest < 1e3 * tolerance * energy.first.abs(), "{method:?}: {energy:?}");
+    }
+}
+
+#[test]
+fn series_and_single_steps_of_a_long_chain_have_one_end() {
+    let text = chain(45);
+    let [series, steps] = [(Method::Taylor, 1e-13), (Method::DormandPrince8, 1e-12)].map(|(method, tolerance)| {
+        let trajectory = runs(&text, method, tolerance);
+        assert_eq!(trajectory.stopped(), None);
+        trajectory.last
+    });
+    for (series, steps) in series.iter().zip(&steps) {
+        assert!((series - steps).abs() < 1e-8 * steps.abs().max(1.0), "{series} is not {steps}");
+    }
+}
+
+/// Differences of other states, along each component and along time.
+fn differences(law: &dyn System, t: f64, y: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let (n, h) = (y.len(), DoubleDouble::from(1e-10));
+    let rates = |t: DoubleDouble, y: &[DoubleDouble]| {
+        let mut rates = vec![DoubleDouble::from(0.0); n];
+        Ode::<DoubleDouble>::rates(law, t, y, &mut rates);
+        rates
+    };
+    let at = y.iter().map(|&y| DoubleDouble::from(y)).collect::<Vec<_>>();
+    let t = DoubleDouble::from(t);
+    let between = |after: Vec<DoubleDouble>, before: Vec<DoubleDouble>| {
+        let pairs = after.into_iter().zip(before);
+        pairs.map(|(after, before)| ((after - before) / (h + h)).hi()).collect::<Vec<f64>>()
+    };
+    let mut matrix = vec![0.0; n * n];
+    for column in 0..n {
+        let moved = |by: DoubleDouble| {
+            let mut moved = at.clone();
+            moved[column] += by;
+            rates(t, &moved)
+        };
+        let slopes = between(moved(h), moved(-h));
+        slopes.iter().enumerate().for_each(|(row, slope)| matrix[row * n + column] = *slope);
+    }
+    (matrix, between(rates(t + h, &at), rates(t - h, &at)))
+}
+
+#[test]
+fn the_jacobian_with_one_factorisation_is_that_of_differences() {
+    let moved = MASSLESS.replace("is = \"-k*x*N.x\"", "is = \"-k*x^2*sin((3 1/s)*t)*x'*(1 s/m^2)*N.x\"");
+    for (text, state) in [(chain(41), None), (moved, Some(vec![0.4, 3.0 * 0.4_f64.sin(), 0.7, -0.6]))] {
+        let scene = ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"));
+        let problem = scene.problem(scene.run().choice().axes);
+        let state = state.unwrap_or_else(|| (0..problem.state.len()).map(|k| (k as f64).sin()).collect());
+        let (n, t) = (state.len(), 0.3);
+        let mut jacobian = Jacobian::of(&*problem.law);
+        let (mut matrix, mut by_time) = (vec![0.0; n * n], vec![0.0; n]);
+        jacobian.matrix(t, &state, &mut matrix);
+        jacobian.time_slopes(t, &state, &mut by_time);
+        let (differences, differences_by_time) = differences(&*problem.law, t, &state);
+        for (own, other) in matrix.iter().zip(&differences).chain(by_time.iter().zip(&differences_by_time)) {
+            assert!((own - other).abs() < 1e-9 * other.abs().max(1.0), "{own} is not {other}");
+        }
+        assert!(differences.iter().any(|slope| slope.abs() > 1e-2));
+    }
 }
 
 /// A slider that is moved by a massless arm: theta carries nothing, the constraint ties it to x.
@@ -62,7 +125,7 @@ span = "3 s"
 
 #[test]
 fn a_coordinate_without_inertia_moves_with_what_holds_it() {
-    for method in [Method::DormandPrince8, Method::Radau5] {
+    for method in [Method::DormandPrince8, Method::Radau5, Method::Taylor] {
         let trajectory = runs(MASSLESS, method, 1e-11);
         assert_eq!(trajectory.stopped(), None, "{method:?}");
         let at = |name: &str| trajectory.last[trajectory.column(name).unwrap()];

@@ -49,6 +49,7 @@ mod print;
 mod prove;
 pub mod real;
 mod recurrence;
+pub mod solve;
 mod sym;
 mod tape;
 

@@ -1,13 +1,14 @@
 //! From the expression graph to sums and products.
 
-use super::collect::{Uses, common_factor, whole_sums};
+use super::collect::{Uses, common_factor, parts_of_one, whole_sums};
 use super::form::{Atom, Form};
 use super::plan::Plan;
 use super::small::Law;
 use super::{Equations, Recurrence, Reduced};
 use crate::graph::Node;
+use crate::solve::Solve;
 use crate::{Sym, Tape, Untapeable};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// What a quantity is.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +20,25 @@ pub(super) enum Definition {
     Product(Atom, Atom),
     Reciprocal(Atom),
     Root(Atom),
+    /// An unknown of the linear equations.
+    Unknown,
+}
+
+/// Linear equations with their entries and right sides brought to constants and quantities.
+pub(super) struct Reduction<'a> {
+    pub solve: &'a Solve,
+    pub entries: Vec<Part>,
+    pub right: Vec<Part>,
+    /// The first unknown; the others follow.
+    pub first: Atom,
+}
+
+/// A number of linear equations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Part {
+    /// What does not move, as an expression.
+    Fixed(Sym),
+    Moving(Atom),
 }
 
 /// Sums and products in the making.
@@ -28,10 +48,13 @@ pub(super) struct Builder<'a> {
     /// For each state its rate, a sum.
     pub rates: Vec<Form>,
     pub forms: FxHashMap<Sym, Form>,
+    /// Parts of one larger expression alone, among what is being read.
+    parts: FxHashSet<Sym>,
     known_sums: FxHashMap<Vec<(Atom, Sym)>, Atom>,
     known: FxHashMap<(u8, Atom, Atom), Atom>,
     /// The coordinates of circle points and the elementary functions among the states, as expressions.
     pub points: Vec<Sym>,
+    pub reduction: Option<Reduction<'a>>,
     /// Products of sums with at most so many terms are multiplied out.
     multiplied_out: usize,
     /// Where products arise: counted in a first run, used in a second.
@@ -63,9 +86,11 @@ impl<'a> Builder<'a> {
             definitions: vec![Definition::State; states],
             rates: Vec::new(),
             forms,
+            parts: FxHashSet::default(),
             known_sums: FxHashMap::default(),
             known: FxHashMap::default(),
             points: Vec::new(),
+            reduction: None,
             multiplied_out,
             uses,
             gathers,
@@ -76,7 +101,11 @@ impl<'a> Builder<'a> {
         let mut rates = self.equations.rates.to_vec();
         rates.extend(self.equations.time.map(|_| Sym::ONE));
         // Circle points and elementary functions are states: their rates come after the others, and may bring new ones.
-        self.admit_points(&mut rates);
+        let solved = self.equations.solve.map(Solve::expressions).unwrap_or_default();
+        self.admit_points(&mut rates, &solved);
+        if let Some(solve) = self.equations.solve {
+            self.reduce(solve, &solved)?;
+        }
         self.read(&rates)?;
         for rate in rates {
             let form = self.forms[&rate].clone();
@@ -86,9 +115,31 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
+    /// The linear equations, whose unknowns are quantities from here on.
+    fn reduce(&mut self, solve: &'a Solve, solved: &[Sym]) -> Result<(), Untapeable> {
+        self.read(solved)?;
+        let mut parts: Vec<Part> = Vec::with_capacity(solved.len());
+        for expression in solved {
+            let form = self.forms[expression].clone();
+            parts.push(match form.as_constant() {
+                Some(constant) => Part::Fixed(constant),
+                None => Part::Moving(self.quantity(form)),
+            });
+        }
+        let right = parts.split_off(solve.entries.len());
+        let first = self.definitions.len();
+        for (number, &unknown) in solve.unknowns.iter().enumerate() {
+            self.definitions.push(Definition::Unknown);
+            self.forms.insert(unknown, Form::atom(first + number));
+        }
+        self.reduction = Some(Reduction { solve, entries: parts, right, first });
+        Ok(())
+    }
+
     fn read(&mut self, rates: &[Sym]) -> Result<(), Untapeable> {
         let order = Sym::reached(rates, |each, _| !self.forms.contains_key(&each));
         let whole = whole_sums(&order, rates);
+        self.parts = parts_of_one(&order, rates);
         for each in order {
             if !self.forms.contains_key(&each) {
                 let form = self.form(each)?;
@@ -107,8 +158,8 @@ impl<'a> Builder<'a> {
             Node::Symbol(_) => return Err(Untapeable::Unbound(each.to_string())),
             Node::Function(..) => return Err(Untapeable::Function(each.to_string())),
             _ if fixed => Form::constant(each),
-            Node::Sum(a, b) => self.forms[&a].clone().plus(&self.forms[&b], Sym::ONE),
-            Node::Difference(a, b) => self.forms[&a].clone().plus(&self.forms[&b], -Sym::ONE),
+            Node::Sum(a, b) => self.sum(a, b),
+            Node::Difference(a, b) => self.taken(a).plus(&self.forms[&b], -Sym::ONE),
             Node::Negation(a) => self.forms[&a].times(-Sym::ONE),
             Node::Product(a, b) => self.product(self.forms[&a].clone(), self.forms[&b].clone()),
             Node::Power(a, n) => {
@@ -134,9 +185,23 @@ impl<'a> Builder<'a> {
                 let square = self.quantity(self.forms[&a].clone());
                 Form::atom(self.intern(2, square, square, Definition::Root(square)))
             }
-            // constants have no children; circle points and elementary functions that move are states already
-            Node::Constant(_) | Node::Cos(_) | Node::Sin(_) | Node::Elementary(..) => Form::constant(each),
+            // constants have no children; circle points and elementary functions that move with the state are states already
+            Node::Constant(_) | Node::Cos(_) | Node::Sin(_) | Node::Elementary(..) => {
+                return Err(Untapeable::Function(each.to_string()));
+            }
         })
+    }
+
+    /// Into the longer one of the two: of a sum of many terms each part is then added once.
+    fn sum(&mut self, a: Sym, b: Sym) -> Form {
+        let (long, short) = if self.forms[&a].terms() < self.forms[&b].terms() { (b, a) } else { (a, b) };
+        self.taken(long).plus(&self.forms[&short], Sym::ONE)
+    }
+
+    /// The form of a part: itself where nothing else needs it, a copy otherwise.
+    fn taken(&mut self, part: Sym) -> Form {
+        let own = if self.parts.contains(&part) { self.forms.remove(&part) } else { None };
+        own.unwrap_or_else(|| self.forms[&part].clone())
     }
 
     fn product(&mut self, a: Form, b: Form) -> Form {
@@ -218,6 +283,8 @@ impl<'a> Builder<'a> {
             Definition::Sum(form) => 4 + form.terms(),
             Definition::Product(..) => 8,
             Definition::Reciprocal(_) | Definition::Root(_) => 24,
+            // the same however the rest is written
+            Definition::Unknown => 0,
         };
         let used = self.used();
         let definitions = self.definitions.iter().zip(&used).filter(|(_, used)| **used).map(|(each, _)| of(each));
@@ -228,9 +295,16 @@ impl<'a> Builder<'a> {
     pub fn used(&self) -> Vec<bool> {
         let mut used = vec![false; self.definitions.len()];
         self.rates.iter().flat_map(|rate| rate.linear.keys()).for_each(|&atom| used[atom] = true);
+        if let Some(Reduction { entries, right, .. }) = &self.reduction {
+            let moving = entries.iter().chain(right).filter_map(|part| match part {
+                Part::Moving(atom) => Some(*atom),
+                Part::Fixed(_) => None,
+            });
+            moving.for_each(|atom| used[atom] = true);
+        }
         for atom in (0..self.definitions.len()).rev() {
             match &self.definitions[atom] {
-                Definition::State => used[atom] = true,
+                Definition::State | Definition::Unknown => used[atom] = true,
                 _ if !used[atom] => {}
                 Definition::Sum(form) => form.linear.keys().for_each(|&part| used[part] = true),
                 Definition::Product(a, b) => (used[*a], used[*b]) = (true, true),

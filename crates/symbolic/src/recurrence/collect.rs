@@ -15,10 +15,15 @@ pub(super) type Uses = FxHashMap<(Atom, Atom), u32>;
 pub(super) fn common_factor(form: &Form, uses: &Uses) -> Option<(Atom, Form)> {
     let own = |pair: &(Atom, Atom)| uses.get(pair).is_some_and(|&count| count == 1);
     let pairs: Vec<(Atom, Atom)> = form.products.keys().copied().filter(own).collect();
-    let atoms: FxHashSet<Atom> = pairs.iter().flat_map(|&(a, b)| [a, b]).collect();
-    let count = |atom: Atom| pairs.iter().filter(|&&(a, b)| a == atom || b == atom).count();
+    let mut counts: FxHashMap<Atom, usize> = FxHashMap::default();
+    for &(a, b) in &pairs {
+        *counts.entry(a).or_default() += 1;
+        if b != a {
+            *counts.entry(b).or_default() += 1;
+        }
+    }
     // among equals the first, so that the choice does not hang on the order of hashing
-    let factor = atoms.into_iter().max_by_key(|&atom| (count(atom), std::cmp::Reverse(atom)))?;
+    let (factor, _) = counts.into_iter().max_by_key(|&(atom, count)| (count, std::cmp::Reverse(atom)))?;
     let mut sum = Form::default();
     for &(a, b) in pairs.iter().filter(|&&(a, b)| a == factor || b == factor) {
         let partner = if a == factor { b } else { a };
@@ -29,6 +34,7 @@ pub(super) fn common_factor(form: &Form, uses: &Uses) -> Option<(Atom, Form)> {
 
 /// The sums that are not part of one larger sum alone.
 pub(super) fn whole_sums(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
+    let outputs: FxHashSet<Sym> = outputs.iter().copied().collect();
     let is_sum = |each: Sym| matches!(each.node(), Node::Sum(..) | Node::Difference(..));
     let mut parents: FxHashMap<Sym, u32> = FxHashMap::default();
     let mut in_sums: FxHashMap<Sym, u32> = FxHashMap::default();
@@ -42,4 +48,17 @@ pub(super) fn whole_sums(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
     }
     let partial = |each: Sym| parents.get(&each) == Some(&1) && in_sums.get(&each) == Some(&1);
     order.iter().copied().filter(|&each| is_sum(each) && (outputs.contains(&each) || !partial(each))).collect()
+}
+
+/// What is part of one larger expression, and no output.
+pub(super) fn parts_of_one(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
+    let mut parents: FxHashMap<Sym, u32> = FxHashMap::default();
+    // an output is needed beside what it is part of
+    let needed =
+        order.iter().flat_map(|each| each.node().children()).chain(outputs.iter().flat_map(|&each| [each, each]));
+    needed.for_each(|part| *parents.entry(part).or_default() += 1);
+    let is_read =
+        |each: &Sym| !matches!(each.node(), Node::Symbol(_) | Node::Cos(_) | Node::Sin(_) | Node::Elementary(..));
+    let once = parents.into_iter().filter(|(each, count)| *count == 1 && is_read(each));
+    once.map(|(each, _)| each).collect()
 }

@@ -5,12 +5,13 @@ use super::permuting::Permuting;
 use super::pick::{OneByOne, Pick};
 use super::small::{Never, Small, SmallSeries};
 use super::stored::{Parts, Stored};
+use crate::solve::Magnitude;
 use field::{Analytic, DoubleDouble, Over};
 use std::marker::PhantomData;
 use std::sync::OnceLock;
 
 /// A field with a product added to a sum as fast as the processor can.
-pub trait Fused: Analytic + Over<f64> + From<f64> {
+pub trait Fused: Analytic + Magnitude + Over<f64> + From<f64> {
     /// Whether it holds more digits than `f64`.
     const FINER: bool = false;
 

@@ -1,8 +1,10 @@
 //! Where the quantities of a plan stand, so that `W` of them are computed at once.
 
 use super::fused::Fused;
+use super::linear_equations::{Checked, LinearSeries};
 use super::pick::Selection;
 use super::plan::{Place, Plan, Product, Sums};
+use crate::solve::Magnitude;
 use field::Scalar;
 
 /// W numbers side by side; a group of eight `f64` is one line of the cache.
@@ -38,6 +40,7 @@ pub(super) struct Laid<S, const W: usize> {
     pub roots: Vec<Implicit<S>>,
     /// Whether there is one of them.
     pub has_implicit: bool,
+    pub linear: Option<Box<LinearSeries<S, Checked<S>>>>,
 }
 
 /// W products of two series each.
@@ -84,7 +87,7 @@ pub(super) struct Block<S, const W: usize> {
 
 const NONE: u32 = u32::MAX;
 
-impl<S: Scalar, const W: usize> Layout<S, W> {
+impl<S: Scalar + Magnitude, const W: usize> Layout<S, W> {
     /// The layout for series to the given order, without its coefficients.
     pub fn new(plan: &Plan, order: usize) -> Self {
         let mut columns = Places { of: (0..plan.moving as u16).collect(), next: plan.moving.next_multiple_of(W) };
@@ -113,15 +116,23 @@ impl<S: Scalar, const W: usize> Layout<S, W> {
             };
             let (reciprocals, roots) = (implicit(&stage.reciprocals), implicit(&stage.roots));
             let has_implicit = !(reciprocals.is_empty() && roots.is_empty());
-            stages.push(Laid { sums, groups, reciprocals, roots, has_implicit });
             columns.next = columns.next.next_multiple_of(W);
+            let linear = stage.linear.as_ref().map(|linear| {
+                columns.take::<W>(linear.unknowns.iter().copied());
+                let factors = Checked::new(&linear.pattern);
+                Box::new(LinearSeries::new(linear, order, factors, |place| columns.of(place).into()))
+            });
+            stages.push(Laid { sums, groups, reciprocals, roots, has_implicit, linear });
         }
         Layout { stages, rates: Rows::new(&plan.rates, 0, &columns) }
     }
 
     /// Takes the values of the coefficients.
     pub fn set(&mut self, values: &[S]) {
-        self.stages.iter_mut().for_each(|stage| stage.sums.set(values));
+        for stage in &mut self.stages {
+            stage.sums.set(values);
+            stage.linear.iter_mut().for_each(|linear| linear.set(values));
+        }
         self.rates.set(values);
     }
 }
@@ -138,6 +149,9 @@ impl<const W: usize> Layout<f64, W> {
                 let known = order + 1 - up_to..order + 1;
                 round(&mut own.right[known.clone()], &finer.right[known]);
             }
+            if let (Some(own), Some(finer)) = (&mut own.linear, &finer.linear) {
+                own.take(finer, up_to, S::rounded);
+            }
             let implicit = own.reciprocals.iter_mut().chain(&mut own.roots);
             for (own, finer) in implicit.zip(finer.reciprocals.iter().chain(&finer.roots)) {
                 let known = own.series[..up_to].iter_mut().zip(&finer.series);
@@ -151,7 +165,9 @@ impl<const W: usize> Layout<f64, W> {
 pub(super) fn width(plan: &Plan, lanes: usize) -> usize {
     let stage = |stage: &super::plan::Stage| {
         let single = (stage.reciprocals.len() + stage.roots.len()).next_multiple_of(lanes);
-        stage.sum_places.len().next_multiple_of(lanes) + stage.products.len().next_multiple_of(lanes) + single
+        let unknowns = stage.linear.as_ref().map_or(0, |linear| linear.unknowns.len()).next_multiple_of(lanes);
+        let groups = stage.sum_places.len().next_multiple_of(lanes) + stage.products.len().next_multiple_of(lanes);
+        groups + single + unknowns
     };
     plan.moving.next_multiple_of(lanes) + plan.stages.iter().map(stage).sum::<usize>()
 }

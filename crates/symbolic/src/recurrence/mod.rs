@@ -4,6 +4,8 @@
 //! (a b)_k = sum_j a_j b_(k-j). Everything else is brought to these two. Cosine and sine of an angle become states with
 //! c' = -a' s, s' = a' c; a reciprocal solves (r b)_k = 0, a root (r r)_k = a_k, each a product solved for its last term.
 //!
+//! Unknowns of linear equations are found order by order with one factorisation of the matrix: see [`crate::solve`].
+//!
 //! The cost of a series is the number of products, times the square of its order, and that of the sums times the order.
 //! So sums are kept in one piece, products of sums are multiplied out where their parts are needed elsewhere
 //! (slip cos, slip sin), and what has a factor in common is gathered: seven currents, each with the field at its own
@@ -16,6 +18,7 @@ mod expand;
 mod form;
 mod fused;
 mod layout;
+mod linear_equations;
 mod order;
 #[cfg(target_arch = "x86_64")]
 mod permuting;
@@ -31,6 +34,7 @@ pub use abreast::Abreast;
 pub use expand::Expansion;
 pub use fused::Fused;
 
+use crate::solve::Solve;
 use crate::{Sym, Tape, Untapeable};
 use build::Builder;
 use plan::Plan;
@@ -46,6 +50,8 @@ pub struct Equations<'a> {
     pub parameters: &'a [Sym],
     /// One for each state.
     pub rates: &'a [Sym],
+    /// Linear equations in whose unknowns the rates may be written.
+    pub solve: Option<&'a Solve>,
 }
 
 /// The right-hand side as sums and products. It knows nothing of the expression graph, may be sent to other threads, and
@@ -69,6 +75,9 @@ struct Reduced {
     coefficients: Tape,
 }
 
+/// Equations with a higher cost are taken as they are written.
+const MOST_MULTIPLIED_OUT: usize = 4_000;
+
 impl Recurrence {
     /// Brings the equations to sums and products.
     ///
@@ -81,6 +90,10 @@ impl Recurrence {
         }
         let mut best: Option<(usize, Builder<'_>)> = None;
         for multiplied_out in [1, 2, 6] {
+            // multiplied out, long sums of products grow with a higher power
+            if best.as_ref().is_some_and(|(least, _)| *least > MOST_MULTIPLIED_OUT) {
+                break;
+            }
             let builder = Builder::run(equations, multiplied_out)?;
             let cost = builder.cost();
             if best.as_ref().is_none_or(|(least, _)| cost < *least) {

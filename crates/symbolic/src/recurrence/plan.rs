@@ -1,8 +1,9 @@
 //! The order in which sums and products are formed.
 
-use super::build::{Builder, Definition};
+use super::build::{Builder, Definition, Part, Reduction};
 use super::form::Form;
 use crate::Sym;
+use crate::solve::Pattern;
 use rustc_hash::FxHashMap;
 
 /// A quantity in the plan.
@@ -32,6 +33,24 @@ pub(super) struct Stage {
     pub products: Vec<Product>,
     pub reciprocals: Vec<(Place, Place)>,
     pub roots: Vec<(Place, Place)>,
+    pub linear: Option<LinearEquations>,
+}
+
+/// Linear equations, from quantities that stand before them.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct LinearEquations {
+    pub pattern: Pattern,
+    pub entries: Vec<Quantity>,
+    pub right: Vec<Quantity>,
+    pub unknowns: Vec<Place>,
+}
+
+/// A number of linear equations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Quantity {
+    /// What does not move: a coefficient, by its number.
+    Fixed(u32),
+    Moving(Place),
 }
 
 /// place = a b
@@ -69,12 +88,32 @@ impl Coefficients {
     }
 }
 
+impl LinearEquations {
+    fn of(reduction: &Reduction<'_>, coefficients: &mut Coefficients) -> Self {
+        let Reduction { solve, entries, right, first } = reduction;
+        let mut quantities = |parts: &[Part]| -> Vec<Quantity> {
+            let quantity = |part: &Part| match *part {
+                Part::Fixed(constant) => Quantity::Fixed(coefficients.number(constant)),
+                Part::Moving(atom) => Quantity::Moving(atom as Place),
+            };
+            parts.iter().map(quantity).collect()
+        };
+        LinearEquations {
+            pattern: solve.pattern.clone(),
+            entries: quantities(entries),
+            right: quantities(right),
+            unknowns: (0..solve.unknowns.len()).map(|number| (first + number) as Place).collect(),
+        }
+    }
+}
+
 impl Stage {
     /// The quantities that it brings.
     pub fn places(&self) -> impl Iterator<Item = Place> {
         let products = self.products.iter().map(|product| product.place);
         let implicit = self.reciprocals.iter().chain(&self.roots).map(|(place, _)| *place);
-        self.sum_places.iter().copied().chain(products).chain(implicit)
+        let unknowns = self.linear.iter().flat_map(|linear| linear.unknowns.iter().copied());
+        self.sum_places.iter().copied().chain(products).chain(implicit).chain(unknowns)
     }
 }
 
@@ -101,11 +140,19 @@ impl Plan {
         for (atom, definition) in builder.definitions.iter().enumerate().filter(|(atom, _)| used[*atom]) {
             let place = atom as Place;
             let after = |atoms: &[usize]| atoms.iter().map(|&atom| ready[atom]).max().unwrap_or(0);
+            let parts = |reduction: &Reduction<'_>| {
+                let atoms = reduction.entries.iter().chain(&reduction.right).filter_map(|part| match part {
+                    Part::Moving(atom) => Some(ready[*atom]),
+                    Part::Fixed(_) => None,
+                });
+                atoms.max().unwrap_or(0)
+            };
             let stage = match definition {
                 Definition::State => continue,
                 Definition::Sum(form) => form.linear.keys().map(|&part| ready[part]).max().unwrap_or(0),
                 Definition::Product(a, b) => after(&[*a, *b]),
                 Definition::Reciprocal(a) | Definition::Root(a) => after(&[*a]),
+                Definition::Unknown => builder.reduction.as_ref().map_or(0, parts),
             };
             if stage >= stages.len() {
                 stages.resize(stage + 1, Stage::default());
@@ -122,6 +169,12 @@ impl Plan {
                 }
                 Definition::Reciprocal(a) => here.reciprocals.push((place, *a as Place)),
                 Definition::Root(a) => here.roots.push((place, *a as Place)),
+                // the first brings all of them
+                Definition::Unknown => {
+                    let first = builder.reduction.as_ref().filter(|reduction| reduction.first == atom);
+                    here.linear =
+                        first.map(|reduction| LinearEquations::of(reduction, &mut coefficients)).or(here.linear.take());
+                }
             }
             // a sum is ready for the products of its own stage
             ready[atom] = if matches!(definition, Definition::Sum(_)) { stage } else { stage + 1 };

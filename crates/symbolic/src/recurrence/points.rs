@@ -6,14 +6,16 @@ use crate::Sym;
 use crate::graph::Node;
 
 impl Builder<'_> {
-    /// Makes states of all circle points and elementary functions in the rates, and in the rates of those.
-    pub fn admit_points(&mut self, rates: &mut Vec<Sym>) {
-        let mut next = 0;
-        while next < rates.len() {
-            let inside = Sym::reached(&rates[next..], |each, _| !self.forms.contains_key(&each));
-            next = rates.len();
+    /// Makes states of all circle points and elementary functions in the rates and in the equations that are solved, and in the
+    /// rates of those.
+    pub fn admit_points(&mut self, rates: &mut Vec<Sym>, solved: &[Sym]) {
+        let mut fresh = [&rates[..], solved].concat();
+        while !fresh.is_empty() {
+            let inside = Sym::reached(&fresh, |each, _| !self.forms.contains_key(&each));
+            let known = rates.len();
             for each in inside {
-                if self.forms.contains_key(&each) || !self.moves(each) {
+                let is_point = matches!(each.node(), Node::Cos(_) | Node::Sin(_) | Node::Elementary(..));
+                if !is_point || self.forms.contains_key(&each) || !self.moves(each) {
                     continue;
                 }
                 match each.node() {
@@ -32,6 +34,7 @@ impl Builder<'_> {
                     _ => {}
                 }
             }
+            fresh = rates[known..].to_vec();
         }
     }
 

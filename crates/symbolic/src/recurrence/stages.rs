@@ -2,6 +2,7 @@
 
 use super::fused::{Fused, Task};
 use super::layout::{CHAINS, Lanes, Layout, Rows};
+use super::linear_equations::Next;
 use super::pick::{Columns, Pick};
 use super::plan::Plan;
 use std::ops::Range;
@@ -62,6 +63,11 @@ impl<S: Fused, const W: usize, const N: usize> Stages<S, W, N> {
                 }
                 if stage.has_implicit {
                     stage.implicit(k, &mut now.0);
+                }
+                if let Some(series) = &mut stage.linear {
+                    series.read(|column| now.0[column % N]);
+                    S::run(Next { series, k }, 1);
+                    series.write(k, |column, unknown| now.0[column % N] = unknown);
                 }
             }
             // x_(k+1) = (x')_k / (k + 1)

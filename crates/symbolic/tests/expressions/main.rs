@@ -5,6 +5,7 @@ mod balls;
 mod decisions;
 mod dimensions;
 mod laws;
+mod linear_unknowns;
 mod parsing;
 mod printing;
 mod programs;

@@ -4,7 +4,7 @@ use field::{Analytic, DoubleDouble, Lanes, Scalar};
 use symbolic::{Equations, Fused, Recurrence, Sym, Untapeable, symbols};
 
 fn record(state: &[Sym], time: Option<Sym>, parameters: &[Sym], rates: &[Sym]) -> Result<Recurrence, Untapeable> {
-    Recurrence::record(&Equations { state, time, parameters, rates })
+    Recurrence::record(&Equations { state, time, parameters, rates, solve: None })
 }
 
 /// The coefficients of the solution of y' = rate through (t, y).
@@ -323,7 +323,7 @@ fn long_sums_abreast_are_each_their_own_whether_one_stands_alone_or_five_are_ali
     let start: Vec<f64> = (0..9).map(|i| 0.3 + 0.1 * f64::from(i)).collect();
     for sums in 1..=5 {
         let (state, rates) = alike(sums);
-        let equations = Equations { state: &state, time: None, parameters: &[], rates: &rates };
+        let equations = Equations { state: &state, time: None, parameters: &[], rates: &rates, solve: None };
         let recurrence = Recurrence::record(&equations).unwrap();
         let mut abreast = recurrence.abreast::<2, 64>(6).unwrap();
         (0..2).for_each(|lane| abreast.set(lane, &[]));

@@ -3,6 +3,7 @@
 use super::products::{Factor, Fan, paired};
 use super::sums::Rows;
 use crate::recurrence::layout::Implicit;
+use crate::recurrence::linear_equations::{LinearSeries, SideBySide};
 use crate::recurrence::plan::{Place, Product, Stage};
 use field::Lanes;
 
@@ -14,6 +15,7 @@ pub(super) struct Side<const L: usize> {
     pub alone: Vec<Fan<L, 1>>,
     pub reciprocals: Vec<Implicit<Lanes<L>>>,
     pub roots: Vec<Implicit<Lanes<L>>>,
+    pub linear: Option<Box<LinearSeries<Lanes<L>, SideBySide<L>>>>,
 }
 
 /// The factors so far, and of each place which one it is.
@@ -65,6 +67,10 @@ impl<const L: usize> Side<L> {
             alone: alone.into_iter().map(|product| slots.fan([product])).collect(),
             reciprocals: implicit(&stage.reciprocals),
             roots: implicit(&stage.roots),
+            linear: stage.linear.as_ref().map(|linear| {
+                let factors = SideBySide::new(&linear.pattern);
+                Box::new(LinearSeries::new(linear, order, factors, |place| place as usize))
+            }),
         }
     }
 }

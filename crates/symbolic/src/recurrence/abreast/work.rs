@@ -38,8 +38,11 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
     fn learn(&mut self) {
         let parameters = &self.inputs[self.states + usize::from(self.time)..];
         self.coefficients.evaluate(parameters, &mut self.values);
-        let stages = self.stages.iter_mut().map(|stage| &mut stage.sums);
-        stages.chain([&mut self.rates]).for_each(|sums| sums.take(&self.values));
+        for stage in &mut self.stages {
+            stage.sums.take(&self.values);
+            stage.linear.iter_mut().for_each(|linear| linear.set(&self.values));
+        }
+        self.rates.take(&self.values);
         self.changed = false;
     }
 
@@ -119,6 +122,11 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
             }
             for each in &mut stage.roots {
                 quantities[each.column % N].newest[I] = each.root(k, quantities[each.of % N].newest[I]);
+            }
+            if let Some(series) = &mut stage.linear {
+                series.read(|column| quantities[column % N].newest[I]);
+                series.next_of_lanes(k);
+                series.write(k, |column, unknown| quantities[column % N].newest[I] = unknown);
             }
         }
         if I == 3 {

@@ -59,7 +59,7 @@ impl<'a> Making<'a> {
     /// What the next definition becomes; `None` where it can be nothing.
     fn role(&mut self, definition: &'a Definition) -> Option<Role> {
         match definition {
-            Definition::State => None,
+            Definition::State | Definition::Unknown => None,
             Definition::Sum(form) if form.linear.keys().all(|part| *part < self.symbols) => Some(self.moving(form)),
             Definition::Sum(form) => {
                 self.sums.push((self.solved.len(), form));

@@ -1,0 +1,139 @@
+//! Accelerations by a solve at each evaluation, with pivots: for systems whose elimination, written down, would be too long, and for
+//! coordinates without inertia that constraints move.
+//!
+//! One list of expressions serves every method: as machine code and over every field, as series with one factorisation a step, and
+//! for the Jacobian,
+//!
+//!   A z' = b' - A' z .
+
+mod equations;
+mod law;
+mod series;
+mod slopes;
+
+pub(crate) use equations::{linear_equations, unknown_letters};
+pub(crate) use law::ImplicitLaw;
+pub(crate) use series::{recurrence, recurrence_of};
+
+use crate::compiled_system::NotCompiled;
+use crate::letters::Letters;
+use derivations::taped::{Program, Running};
+use field::DoubleDouble;
+use integrators::{Directions, Ode, System};
+use model::{Model, Trace};
+use std::sync::{Arc, Mutex, PoisonError};
+use symbolic::solve::{Factors, Magnitude, NotSolved, Pattern, Solve};
+
+/// The equations of motion of a model with the values of its parameters, their accelerations and multipliers as unknowns.
+#[derive(Debug)]
+pub(crate) struct Implicit {
+    model: Arc<Model>,
+    /// The entries of the matrix, then the right side.
+    terms: Program,
+    pattern: Pattern,
+    plain: Pool<f64>,
+    directed: Pool<Directions>,
+    exact: Pool<DoubleDouble>,
+}
+
+/// Room for evaluations that run at the same time.
+#[derive(Debug)]
+struct Pool<S>(Mutex<Vec<Room<S>>>);
+
+impl<S> Default for Pool<S> {
+    fn default() -> Self {
+        Pool(Mutex::new(Vec::new()))
+    }
+}
+
+/// Room for one evaluation.
+#[derive(Debug)]
+struct Room<S> {
+    terms: Vec<S>,
+    factors: Factors<S>,
+}
+
+impl<S: Magnitude> Room<S> {
+    fn new(pattern: &Pattern) -> Self {
+        Room { terms: vec![S::zero(); pattern.places().len() + pattern.size()], factors: Factors::new(pattern) }
+    }
+}
+
+impl Implicit {
+    /// The equations of a model without conditions whose parameters have values.
+    pub fn of(model: &Arc<Model>) -> Result<Self, NotCompiled> {
+        let mut pattern = None;
+        let terms = Program::of_any_length(model.positions() + model.speeds(), |time, state| {
+            let Solve { pattern: own, entries, right, .. } =
+                linear_equations(&Trace::of(model), Letters::with_data(time, state));
+            pattern = Some(own);
+            [entries, right].concat()
+        });
+        let (Some(terms), Some(pattern)) = (terms, pattern) else { return Err(NotCompiled::TooLong) };
+        let (plain, directed, exact) = (Pool::default(), Pool::default(), Pool::default());
+        Ok(Implicit { model: Arc::clone(model), terms, pattern, plain, directed, exact })
+    }
+
+    /// The length of [`Self::extend`].
+    pub fn extended(&self) -> usize {
+        self.model.positions() + self.model.speeds() + self.pattern.size()
+    }
+
+    /// The state with the accelerations and the multipliers behind it; no numbers where they are not determined.
+    pub fn extend(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let mut extended = state.to_vec();
+        extended.resize(self.extended(), f64::NAN);
+        let speeds = self.model.speeds();
+        let shown = self.solve(&self.plain, time, state, |found| {
+            let (accelerations, multipliers) = extended[state.len()..].split_at_mut(speeds);
+            accelerations.copy_from_slice(&found[..speeds]);
+            multipliers.iter_mut().zip(&found[speeds..]).for_each(|(lambda, less)| *lambda = -less);
+        });
+        // what is not determined stays no number
+        shown.unwrap_or(());
+        extended
+    }
+
+    /// Shows the accelerations and the negative multipliers, where they are determined.
+    fn solve<S: Magnitude + Running>(
+        &self,
+        pool: &Pool<S>,
+        t: S,
+        y: &[S],
+        show: impl FnOnce(&[S]),
+    ) -> Result<(), NotSolved> {
+        let taken = pool.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        let mut room = taken.unwrap_or_else(|| Room::new(&self.pattern));
+        let made = self.terms.run(t, y, &mut room.terms);
+        let (entries, right) = room.terms.split_at_mut(self.pattern.places().len());
+        let factored = made.ok_or(NotSolved::NotANumber).and_then(|()| room.factors.factor(entries));
+        if factored.is_ok() {
+            room.factors.solve(right);
+            show(right);
+        }
+        pool.0.lock().unwrap_or_else(PoisonError::into_inner).push(room);
+        factored
+    }
+}
+
+macro_rules! runs {
+    ($($field:ty: $pool:ident),*) => {$(
+        impl Ode<$field> for Implicit {
+            fn dimension(&self) -> usize {
+                self.model.positions() + self.model.speeds()
+            }
+
+            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
+                let (rates, accelerations) = dy.split_at_mut(self.model.positions());
+                self.model.position_rates(y, rates);
+                accelerations.fill(<$field>::from(f64::NAN));
+                let count = accelerations.len();
+                let shown = self.solve(&self.$pool, t, y, |found| accelerations.copy_from_slice(&found[..count]));
+                shown.unwrap_or(());
+            }
+        }
+    )*};
+}
+runs!(f64: plain, Directions: directed, DoubleDouble: exact);
+
+impl System for Implicit {}

@@ -1,0 +1,98 @@
+//! The Jacobian of a law whose accelerations are solved for: the matrix is factored once, as numbers, and each direction costs one
+//! solve,
+//!
+//!   A z' = b' - A' z .
+
+use super::{Implicit, Room};
+use integrators::{DIRECTIONS, Directions, Slopes, slope, variable};
+use symbolic::solve::NotSolved;
+
+/// The derivatives of one law, with room for them.
+pub(super) struct ImplicitSlopes<'a> {
+    implicit: &'a Implicit,
+    room: Room<f64>,
+    state: Vec<Directions>,
+    terms: Vec<Directions>,
+    rates: Vec<Directions>,
+    /// b' - A' z, then z', of one direction.
+    right: Vec<f64>,
+}
+
+impl<'a> ImplicitSlopes<'a> {
+    pub fn new(implicit: &'a Implicit) -> Self {
+        let Implicit { model, pattern, .. } = implicit;
+        let zeros = |count: usize| vec![Directions::from(0.0); count];
+        ImplicitSlopes {
+            implicit,
+            room: Room::new(pattern),
+            state: zeros(model.positions() + model.speeds()),
+            terms: zeros(pattern.places().len() + pattern.size()),
+            rates: zeros(model.positions()),
+            right: vec![0.0; pattern.size()],
+        }
+    }
+}
+
+impl ImplicitSlopes<'_> {
+    /// Factors the matrix and finds the unknowns, which then stand in the place of the right side.
+    fn solve(&mut self, t: f64, y: &[f64]) -> Result<(), NotSolved> {
+        let Room { terms, factors } = &mut self.room;
+        self.implicit.terms.run(t, y, terms).ok_or(NotSolved::NotANumber)?;
+        let (entries, right) = terms.split_at_mut(self.implicit.pattern.places().len());
+        factors.factor(entries)?;
+        factors.solve(right);
+        Ok(())
+    }
+
+    /// The terms along the directions of time and state, and the rates of the positions.
+    fn direct(&mut self, t: Directions) -> Option<()> {
+        self.implicit.model.position_rates(&self.state, &mut self.rates);
+        self.implicit.terms.run(t, &self.state, &mut self.terms)
+    }
+
+    /// The derivatives of all rates in direction k.
+    fn along(&mut self, k: usize, mut put: impl FnMut(usize, f64)) {
+        let pattern = &self.implicit.pattern;
+        let (entries, right) = self.terms.split_at(pattern.places().len());
+        let unknowns = &self.room.terms[pattern.places().len()..];
+        self.right.iter_mut().zip(right).for_each(|(own, right)| *own = slope(right, k));
+        for (&(row, column), entry) in pattern.places().iter().zip(entries) {
+            self.right[row] -= slope(entry, k) * unknowns[column];
+        }
+        self.room.factors.solve(&mut self.right);
+        let accelerations = &self.right[..self.state.len() - self.rates.len()];
+        let rates = self.rates.iter().map(|rate| slope(rate, k)).chain(accelerations.iter().copied());
+        rates.enumerate().for_each(|(row, rate)| put(row, rate));
+    }
+}
+
+impl Slopes for ImplicitSlopes<'_> {
+    fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]) {
+        let n = y.len();
+        self.state.iter_mut().zip(y).for_each(|(own, y)| *own = Directions::from(*y));
+        if self.solve(t, y).is_err() {
+            return matrix.fill(f64::NAN);
+        }
+        for first in (0..n).step_by(DIRECTIONS) {
+            let block = DIRECTIONS.min(n - first);
+            for k in 0..block {
+                self.state[first + k] = variable(y[first + k], k);
+            }
+            if self.direct(Directions::from(t)).is_none() {
+                return matrix.fill(f64::NAN);
+            }
+            for k in 0..block {
+                self.along(k, |row, slope| matrix[row * n + first + k] = slope);
+                self.state[first + k] = Directions::from(y[first + k]);
+            }
+        }
+    }
+
+    fn by_time(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
+        self.state.iter_mut().zip(y).for_each(|(own, y)| *own = Directions::from(*y));
+        match self.solve(t, y).is_ok() && self.direct(variable(t, 0)).is_some() {
+            true => self.along(0, |row, slope| slopes[row] = slope),
+            false => slopes.fill(f64::NAN),
+        }
+    }
+}
