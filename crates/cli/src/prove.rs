@@ -54,7 +54,7 @@ struct Row {
 enum Subject {
     Principles([&'static str; 2]),
     Statement { about: String, says: String },
-    Mistake(Mistake),
+    Mistake { mistake: Mistake, says: String },
 }
 
 /// Compares the residuals of every principle with those of the first, parameters as letters, states what the equations keep, and
@@ -109,14 +109,14 @@ fn all(trace: &Trace<'_>) -> Vec<Row> {
 }
 
 fn of_mistake(trace: &Trace<'_>, mistake: Mistake) -> Row {
-    let (agreement, behind) = match mistaken(trace, mistake) {
-        Ok(Mistaken { agreement, lost }) => {
+    let (says, agreement, behind) = match mistaken(trace, mistake) {
+        Ok(Mistaken { says, agreement, lost }) => {
             let lost = lost.into_iter().map(|(name, term)| format!("lost in the equation of {name}: {term}"));
-            (Ok(agreement), lost.collect())
+            (says, Ok(agreement), lost.collect())
         }
-        Err(why) => (Err(why.to_string()), Vec::new()),
+        Err(why) => (mistake.says().to_owned(), Err(why.to_string()), Vec::new()),
     };
-    Row { subject: Subject::Mistake(mistake), agreement, behind, must_hold: false }
+    Row { subject: Subject::Mistake { mistake, says }, agreement, behind, must_hold: false }
 }
 
 impl Row {
@@ -124,7 +124,7 @@ impl Row {
         match &self.subject {
             Subject::Principles([one, other]) => format!("{one} = {other}"),
             Subject::Statement { about, says } => format!("{about}: {says}"),
-            Subject::Mistake(mistake) => format!("mistake: {}", mistake.says()),
+            Subject::Mistake { says, .. } => format!("mistake: {says}"),
         }
     }
 
@@ -154,7 +154,10 @@ fn object(row: &Row) -> serde_json::Value {
             object["about"] = json!(about);
             object["says"] = json!(says);
         }
-        Subject::Mistake(mistake) => object["mistake"] = json!(mistake.name()),
+        Subject::Mistake { mistake, says } => {
+            object["mistake"] = json!(mistake.name());
+            object["says"] = json!(says);
+        }
     }
     object
 }

@@ -73,7 +73,7 @@ const MOST_EXPANDED: usize = 4_000;
 /// Where one of them does not apply to the model.
 pub fn agreement(trace: &Trace<'_>, one: Principle, other: Principle) -> Result<Agreement, NotApplicable> {
     let (one, other) = (one.residual(trace)?, other.residual(trace)?);
-    Ok(decided(&one.into_iter().zip(other).collect::<Vec<_>>()))
+    Ok(decided(trace, &one.into_iter().zip(other).collect::<Vec<_>>()))
 }
 
 /// The agreement of a principle that knows the constraints, and the points at which it was decided.
@@ -104,7 +104,7 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
             // letters in the place of inertia less forces: what follows holds for any
             let any: Vec<Sym> = (0..trace.speeds.len()).map(|i| Sym::symbol(&format!("residual {}", i + 1))).collect();
             let (by_maggi, by_multipliers) = (characteristics.along(&any), characteristics.without_reactions(&any));
-            let agreement = decided(&by_multipliers.into_iter().zip(by_maggi).collect::<Vec<_>>());
+            let agreement = decided(trace, &by_multipliers.into_iter().zip(by_maggi).collect::<Vec<_>>());
             let points = format!(
                 "for any inertia and any forces: multipliers drop out along du/dw, with {dependent} by {}",
                 or_nothing(&independent)
@@ -116,7 +116,9 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
             let by_multipliers = characteristics.without_reactions(&Principle::Lagrange.residual(trace)?);
             let motion = linear(&constraints, characteristics.motion(trace, &constraints))?;
             let by_multipliers = motion.on_constraints(&by_multipliers);
-            let agreement = decided(&by_multipliers.into_iter().zip(by_shulgin).collect::<Vec<_>>());
+            // a mass may depend on dependent speeds
+            let by_shulgin = motion.on_constraints(&trace.with_masses(&by_shulgin));
+            let agreement = decided(trace, &by_multipliers.into_iter().zip(by_shulgin).collect::<Vec<_>>());
             let points = format!(
                 "at points on the constraints: all letters and {} are free, {dependent} and their rates follow",
                 or_nothing(&independent)
@@ -130,8 +132,15 @@ fn or_nothing(names: &str) -> &str {
     if names.is_empty() { "no speed" } else { names }
 }
 
-/// Whether the two sides of every pair are equal: on the highest rung that is reached.
-pub(crate) fn decided(pairs: &[(Sym, Sym)]) -> Agreement {
+/// Whether the two sides of every pair are equal, masses that vary by their values: on the highest rung that is reached.
+pub(crate) fn decided(trace: &Trace<'_>, pairs: &[(Sym, Sym)]) -> Agreement {
+    let (ones, others): (Vec<Sym>, Vec<Sym>) = pairs.iter().copied().unzip();
+    let (ones, others) = (trace.with_masses(&ones), trace.with_masses(&others));
+    compared(&ones.into_iter().zip(others).collect::<Vec<_>>())
+}
+
+/// Whether the two sides of every pair are equal as they stand.
+fn compared(pairs: &[(Sym, Sym)]) -> Agreement {
     let differences: Vec<Sym> = pairs.iter().map(|&(one, other)| one - other).collect();
     let identity = identified(&differences);
     if let (Identity::Identified { points, error, .. }, true) =
@@ -187,8 +196,8 @@ mod tests {
         apart(|| {
             let [x, y] = symbols(["x", "y"]);
             let root = (x * x + y * y).sqrt();
-            assert!(matches!(decided(&[(root * root, x * x + y * y)]), Agreement::Proved { .. }));
-            assert!(matches!(decided(&[(root, x + y)]), Agreement::Refuted { .. }));
+            assert!(matches!(compared(&[(root * root, x * x + y * y)]), Agreement::Proved { .. }));
+            assert!(matches!(compared(&[(root, x + y)]), Agreement::Refuted { .. }));
         });
     }
 
@@ -197,7 +206,7 @@ mod tests {
         apart(|| {
             let [x, y] = symbols(["x", "y"]);
             let long = (0..2_500).fold(x, |sum, k| sum * y + Sym::int(k));
-            let found = decided(&[(x, x), (long, long * Sym::int(2))]);
+            let found = compared(&[(x, x), (long, long * Sym::int(2))]);
             let Agreement::Refuted { equation: 1, point } = found else { panic!("{found}") };
             assert_eq!(point, "not zero at a random point of a prime field");
         });

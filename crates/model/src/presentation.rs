@@ -64,7 +64,7 @@ pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
 }
 
 /// Whether a text has several terms outside of its parentheses.
-fn is_sum(text: &str) -> bool {
+pub(crate) fn is_sum(text: &str) -> bool {
     let mut depth = 0;
     text.char_indices().any(|(at, letter)| {
         match letter {
@@ -77,7 +77,7 @@ fn is_sum(text: &str) -> bool {
 }
 
 /// Letters in the order of the model.
-fn reading_of(trace: &Trace<'_>) -> Reading {
+pub(crate) fn reading_of(trace: &Trace<'_>) -> Reading {
     let is_positive = |parameter: &crate::Parameter| parameter.value.is_some_and(|value| value > 0.0);
     let parameters = trace.parameters.iter().zip(&trace.model.parameters);
     let parameters = parameters.map(|(&letter, parameter)| (letter, is_positive(parameter))).chain([(trace.pi, true)]);

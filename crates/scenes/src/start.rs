@@ -180,7 +180,7 @@ impl Constraints {
             if let Some(constraint) = all.iter().find(chooses) {
                 return Err(Unmet::Piecewise(constraint.at.clone()));
             }
-            let wrong = |constraint: &&Equation| match (constraint.gains, constraint.level) {
+            let wrong = |constraint: &&Equation| match (constraint.gains.as_ref().map(Vec::len), constraint.level) {
                 (None, _) | (Some(2), Level::Position) | (Some(1), Level::Speed) => false,
                 (Some(_), _) => true,
             };

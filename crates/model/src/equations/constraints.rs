@@ -27,8 +27,8 @@ pub struct Equation {
     pub row: Vec<Sym>,
     /// c: what is left of the next rate where accelerations are zero, with the gains of a constraint that is led to zero.
     pub bias: Sym,
-    /// Number of gains of a constraint that is led to zero and may start elsewhere.
-    pub gains: Option<usize>,
+    /// Gains of a constraint that is led to zero and may start elsewhere: of f' first, of positions.
+    pub gains: Option<Vec<Sym>>,
     /// Where the model has it.
     pub at: Range<usize>,
 }
@@ -119,9 +119,10 @@ fn equation(trace: &Trace<'_>, constraint: &Constraint, multiplier: Sym, zero: S
     let at_rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&symbol| (symbol, Sym::ZERO)).collect();
     let mut bias = trace.rate_of(rate).substitute(&at_rest);
     let below: &[Sym] = if level == Level::Position { &[rate, zero] } else { &[zero] };
+    let gains = gains.as_ref().map(|gains| gains.iter().map(|&gain| trace.scalar(gain)).collect::<Vec<Sym>>());
     for (&gain, &lower) in gains.iter().flatten().zip(below) {
-        bias += trace.scalar(gain) * lower;
+        bias += gain * lower;
     }
-    let (name, gains) = (name.clone().unwrap_or_default(), gains.as_ref().map(Vec::len));
+    let name = name.clone().unwrap_or_default();
     Equation { name, multiplier, level, zero, rate, row, bias, gains, at: at.clone() }
 }

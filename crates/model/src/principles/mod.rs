@@ -22,7 +22,7 @@ pub use projections::{Operator, Projection, operator};
 
 use crate::Trace;
 use std::fmt;
-use symbolic::{Sym, substitute_all};
+use symbolic::Sym;
 
 /// A principle of mechanics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,6 +100,6 @@ impl Principle {
             Principle::Hamel => hamel::residual(trace),
             Principle::Hamilton => hamilton::residual(trace)?,
         };
-        Ok(substitute_all(&residual, &trace.solid()))
+        Ok(trace.with_masses(&residual))
     }
 }

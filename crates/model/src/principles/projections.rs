@@ -51,6 +51,8 @@ pub struct Operator {
     pub energy: Vec<Sym>,
     /// The parts of lost_j, for each independent speed by each dependent one, and by the turns of free frames.
     pub lost: Vec<Vec<Sym>>,
+    /// d/dt du_d/dw_j - X_j(u_d), which momenta multiply: all are zero where the constraints are integrable.
+    pub brackets: Vec<Vec<Sym>>,
 }
 
 /// Both sides of the identity but the first sum, at points on the constraints.
@@ -73,17 +75,19 @@ pub fn operator(trace: &Trace<'_>, characteristics: &Characteristics, motion: &M
     let of_whole = |i: usize| trace.transposition(i, |k| trace.by_speed(kinetic, k));
     let whole: Vec<Sym> = (0..trace.speeds.len()).map(of_whole).collect();
     let whole = motion.on_constraints(&characteristics.along(&whole));
+    let brackets = |place: usize| -> Vec<Sym> {
+        let dependent = motion.speeds.iter().zip(slopes);
+        dependent.map(|(&(_, speed), slopes)| rate(slopes[place]) - along(speed, place)).collect()
+    };
+    let brackets: Vec<Vec<Sym>> = (0..characteristics.independent.len()).map(brackets).collect();
     let lost = |place: usize| {
-        let dependent = motion.speeds.iter().zip(slopes).zip(&momenta);
-        let mut parts: Vec<Sym> = dependent
-            .map(|((&(_, speed), slopes), &momentum)| momentum * (rate(slopes[place]) - along(speed, place)))
-            .collect();
-        parts.push(turned(characteristics.independent[place]) - whole[place]);
-        parts
+        let parts = momenta.iter().zip(&brackets[place]).map(|(&momentum, &bracket)| momentum * bracket);
+        parts.chain([turned(characteristics.independent[place]) - whole[place]]).collect()
     };
     Operator {
         energy: characteristics.independent.iter().enumerate().map(energy).collect(),
         lost: (0..characteristics.independent.len()).map(lost).collect(),
+        brackets,
     }
 }
 
@@ -102,7 +106,7 @@ impl Projection {
             Projection::Maggi => Ok(characteristics.along(&Principle::Lagrange.residual(trace)?)),
             Projection::Shulgin => {
                 let motion = linear(constraints, characteristics.motion(trace, constraints))?;
-                let Operator { energy, lost } = operator(trace, characteristics, &motion);
+                let Operator { energy, lost, .. } = operator(trace, characteristics, &motion);
                 let forces = motion.on_constraints(&characteristics.along(&generalised(trace, true)));
                 let lost = lost.iter().map(|parts| parts.iter().fold(Sym::ZERO, |sum, &part| sum + part));
                 Ok(energy
@@ -116,7 +120,11 @@ impl Projection {
     }
 }
 
-/// The motion on the constraints, or which of them is not linear.
+/// The motion on the constraints, or which of them is not linear, or need not hold.
 pub(crate) fn linear(constraints: &[Equation], motion: Result<Motion, usize>) -> Result<Motion, NotApplicable> {
+    if let Some(place) = constraints.iter().position(|constraint| constraint.gains.is_some()) {
+        let title = constraints[place].title(place);
+        return Err(NotApplicable(format!("{title} is programmed: it need not hold along a motion")));
+    }
     motion.map_err(|place| NotApplicable(format!("{} is not linear in the speeds", constraints[place].title(place))))
 }

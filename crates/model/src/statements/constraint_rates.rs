@@ -1,10 +1,12 @@
 //! The equations J u' + c = 0 keep the constraints: their left side is the second rate of a constraint of positions and the first of one
-//! of speeds, found a second time by partial derivatives alone.
+//! of speeds, found a second time by partial derivatives alone; with the gains of a constraint that is led to zero.
 
-use super::Statement;
+use super::power_balance::is_homogeneous;
+use super::reaction_power::ReactionPower;
+use super::{Statement, piecewise, while_inputs_rest};
 use crate::Trace;
 use crate::agreement::decided;
-use crate::equations::{Equation, Level, constraints_of, vanishes};
+use crate::equations::{Equation, Level, constraints_of};
 use symbolic::Sym;
 
 pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
@@ -14,17 +16,41 @@ pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
 fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation) -> Statement {
     let kept = constraint.row.iter().zip(&trace.accelerations);
     let kept = kept.fold(constraint.bias, |sum, (&slope, &acceleration)| sum + slope * acceleration);
-    let second = match constraint.level {
-        Level::Position => total_rate(trace, total_rate(trace, constraint.zero)),
-        Level::Speed => total_rate(trace, constraint.zero),
+    let (led, rates) = led(trace, constraint);
+    let power = ReactionPower::of(trace, constraint);
+    let agreement = decided(trace, &[(kept, led), (power.along, power.idle + power.working)]);
+    let written = || power.written(trace, place).unwrap_or_else(|| format!("lambda{} J u", place + 1));
+    let work = match power.is_zero() {
+        true => "its reaction does no work".to_owned(),
+        false => format!("the power of its reaction is {}", written()),
     };
-    let agreement = decided(&[(kept, second)]);
-    let rates = if constraint.level == Level::Position { "its second rate" } else { "its rate" };
-    // lambda J u is the power of the reaction: zero with f' = J u, and with a homogeneous f of second degree, where J u = 2 f
-    let along = constraint.row.iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&slope, &speed)| sum + slope * speed);
-    let is_idle = vanishes(along - constraint.rate) || vanishes(along - constraint.rate - constraint.rate);
-    let work = if is_idle { "its reaction does no work" } else { "its reaction may do work" };
-    Statement { subject: constraint.title(place), says: format!("J u' + c is {rates}; {work}"), agreement }
+    // coordinates that move with the time carry bodies along at u = 0
+    let relative = if is_homogeneous(trace) { "" } else { " on velocities less those at u = 0" };
+    let says = format!("J u' + c is {rates}; {work}{relative}");
+    let chooses = constraint.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
+    let says = if chooses { piecewise(trace, &says) } else { says };
+    let says = while_inputs_rest(trace, &[constraint.zero], says);
+    Statement { subject: constraint.title(place), says, agreement }
+}
+
+/// The combination of the rates of a constraint that its equation keeps at zero, and its name.
+fn led(trace: &Trace<'_>, constraint: &Equation) -> (Sym, String) {
+    let mut rates = vec![constraint.zero, total_rate(trace, constraint.zero)];
+    if constraint.level == Level::Position {
+        rates.push(total_rate(trace, rates[1]));
+    }
+    let highest = rates.len() - 1;
+    let gains = constraint.gains.as_deref().unwrap_or_default();
+    if gains.is_empty() {
+        return (rates[highest], if highest == 2 { "its second rate" } else { "its rate" }.to_owned());
+    }
+    let names = ["f", "f'", "f''"];
+    let (mut sum, mut name) = (rates[highest], names[highest].to_owned());
+    for (number, (&gain, lower)) in gains.iter().zip((0..highest).rev()).enumerate() {
+        sum += gain * rates[lower];
+        name += &format!(" + g{} {}", number + 1, names[lower]);
+    }
+    (sum, name)
 }
 
 /// df/dt by the chain rule over partial derivatives, one for each coordinate, speed and the time.

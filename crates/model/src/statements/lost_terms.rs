@@ -45,6 +45,8 @@ impl Mistake {
 /// The equations of a mistaken derivation beside the right ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistaken {
+    /// The derivation in words, and the reason why it loses nothing where that is so.
+    pub says: String,
     pub agreement: Agreement,
     /// For each equation in which something is lost: the speed or coordinate that it belongs to, and the term that is missing on the
     /// side of the inertia.
@@ -56,13 +58,20 @@ pub struct Mistaken {
 /// # Errors
 /// Where the mistake cannot be made on this model.
 pub fn mistaken(trace: &Trace<'_>, mistake: Mistake) -> Result<Mistaken, NotApplicable> {
-    match mistake {
-        Mistake::ConstraintsInEnergy => constraints_in_energy(trace),
-        Mistake::AccelerationsInEnergy => Ok(accelerations_in_energy(trace)),
+    let (mut found, reason) = match mistake {
+        Mistake::ConstraintsInEnergy => constraints_in_energy(trace)?,
+        Mistake::AccelerationsInEnergy => {
+            (accelerations_in_energy(trace), "its inertia has no part without accelerations")
+        }
+    };
+    if !matches!(found.agreement, Agreement::Refuted { .. } | Agreement::Undecided { .. }) {
+        found.says = format!("{} lose no term in this system, since {reason}", mistake.says());
     }
+    Ok(found)
 }
 
-fn constraints_in_energy(trace: &Trace<'_>) -> Result<Mistaken, NotApplicable> {
+/// The mistake, and the reason why it would lose nothing.
+fn constraints_in_energy(trace: &Trace<'_>) -> Result<(Mistaken, &'static str), NotApplicable> {
     let constraints = constraints_of(trace);
     if constraints.iter().all(|constraint| constraint.level == Level::Position) {
         return Err(NotApplicable("no constraint of the system speaks of speeds".to_owned()));
@@ -72,11 +81,16 @@ fn constraints_in_energy(trace: &Trace<'_>) -> Result<Mistaken, NotApplicable> {
     let inertia: Vec<Sym> = (0..trace.speeds.len()).map(|i| inertia(trace, i)).collect();
     let right = motion.on_constraints(&characteristics.along(&inertia));
     let naive = operator(trace, &characteristics, &motion);
-    let agreement = decided(&naive.energy.iter().copied().zip(right).collect::<Vec<_>>());
+    let agreement = decided(trace, &naive.energy.iter().copied().zip(right).collect::<Vec<_>>());
+    let is_integrable =
+        trace.model.free.is_empty() && naive.brackets.iter().flatten().all(|&bracket| vanishes(bracket));
+    let reason = if is_integrable { "its constraints of speeds are integrable" } else { "the lost terms cancel" };
     let sums = naive.lost.iter().map(|parts| parts.iter().fold(Sym::ZERO, |sum, &part| sum + part));
     let names = characteristics.independent.iter().map(|&i| trace.direction(i));
     // the operator holds what is lost beside the inertia: right = energy - lost
-    Ok(Mistaken { agreement, lost: named(names, sums.map(|lost| -lost)) })
+    let lost: Vec<Sym> = trace.with_masses(&sums.map(|lost| -lost).collect::<Vec<_>>());
+    let says = Mistake::ConstraintsInEnergy.says().to_owned();
+    Ok((Mistaken { says, agreement, lost: named(names, lost.into_iter()) }, reason))
 }
 
 fn accelerations_in_energy(trace: &Trace<'_>) -> Mistaken {
@@ -84,9 +98,11 @@ fn accelerations_in_energy(trace: &Trace<'_>) -> Mistaken {
     let n = trace.speeds.len();
     let naive = substitute_all(&momenta(trace), &primed);
     let right: Vec<Sym> = (0..n).map(|i| inertia(trace, i)).collect();
-    let agreement = decided(&naive.iter().copied().zip(right.iter().copied()).collect::<Vec<_>>());
+    let agreement = decided(trace, &naive.iter().copied().zip(right.iter().copied()).collect::<Vec<_>>());
     let names = (0..n).map(|i| trace.direction(i));
-    Mistaken { agreement, lost: named(names, right.into_iter().zip(naive).map(|(right, naive)| right - naive)) }
+    let lost: Vec<Sym> = right.into_iter().zip(naive).map(|(right, naive)| right - naive).collect();
+    let says = Mistake::AccelerationsInEnergy.says().to_owned();
+    Mistaken { says, agreement, lost: named(names, trace.with_masses(&lost).into_iter()) }
 }
 
 /// The terms that are not zero, simplified.

@@ -5,6 +5,7 @@ mod constraint_rates;
 mod lost_terms;
 mod momenta;
 mod power_balance;
+mod reaction_power;
 
 pub use lost_terms::{Mistake, Mistaken, mistaken};
 
@@ -25,14 +26,28 @@ pub struct Statement {
 
 /// All statements that a model makes by itself.
 pub fn statements(trace: &Trace<'_>) -> Vec<Statement> {
-    let mut all = Vec::new();
-    // what leaves with a varying mass takes energy and momentum along
+    let mut all = vec![power_balance::statement(trace)];
+    // what leaves with a varying mass takes momentum along
     if !trace.varies() {
-        all.push(power_balance::statement(trace));
         all.extend(momenta::statements(trace));
     }
     all.extend(constraint_rates::statements(trace));
     all
+}
+
+/// A sentence about a motion whose law may change at events and conditions, and which may jump there.
+fn piecewise(trace: &Trace<'_>, says: &str) -> String {
+    let changes = !(trace.model.events.is_empty() && trace.model.switches.is_empty());
+    if changes { format!("between events {says}") } else { says.to_owned() }
+}
+
+/// A sentence about expressions that inputs without a value stand in: rates take such an input as a constant.
+fn while_inputs_rest(trace: &Trace<'_>, of: &[Sym], says: String) -> String {
+    let known: Vec<Sym> = of.iter().flat_map(|expression| expression.symbols_of()).collect();
+    let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
+    let open: Vec<&str> =
+        open.map(|input| input.name.as_str()).filter(|name| known.contains(&Sym::symbol(name))).collect();
+    if open.is_empty() { says } else { format!("at constant {}: {says}", open.join(", ")) }
 }
 
 /// Inertia less forces, by bodies where they are known, so that energies are compared with equations that do not know them.

@@ -1,11 +1,12 @@
 //! Cyclic momenta: dT/du of a coordinate that neither T nor V contains, on which no force and no reaction acts, is kept.
 
-use super::{Statement, residual};
+use super::{Statement, piecewise, residual, while_inputs_rest};
 use crate::Trace;
 use crate::agreement::decided;
 use crate::equations::{constraints_of, vanishes};
 use crate::principles::hamilton::momenta;
 use crate::principles::loads::generalised;
+use symbolic::Sym;
 
 pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
     let lagrangian = trace.kinetic_energy() - trace.potential_energy();
@@ -24,9 +25,12 @@ pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
     }
     let residual = residual(trace);
     let of = |i: usize| {
-        let agreement = decided(&[(trace.rate_of(momenta[i]), residual[i])]);
+        let idle = constraints.iter().map(|constraint| (constraint.row[i], Sym::ZERO));
+        let kept = [(trace.rate_of(momenta[i]), residual[i])];
+        let agreement = decided(trace, &kept.into_iter().chain(idle).collect::<Vec<_>>());
         let subject = format!("momentum of {}", trace.direction(i));
-        Statement { subject, says: format!("(dT/d{})' is zero", trace.speeds[i]), agreement }
+        let says = piecewise(trace, &format!("(dT/d{})' is zero", trace.speeds[i]));
+        Statement { subject, says: while_inputs_rest(trace, &[lagrangian], says), agreement }
     };
     cyclic.into_iter().map(of).collect()
 }

@@ -1,51 +1,131 @@
-//! The energy goes where the forces send it.
+//! The balance of energy: its rate is the power of all that works.
 //!
-//! With H = sum u dT/du - T + V and the residual R of the equations of motion, identically
+//! With H = sum u dT/du - T + V and the residual R of the equations of motion, inertia less forces, identically
 //!
-//!   dH/dt + dT/dt|q,u - dV/dt|q = sum u R + P ,
+//!   dH/dt = sum u R + P + d(V - T)/dt|q,u + sum m' dH/dm ,
 //!
-//! where P is the power of all forces without a potential on the motion relative to the one at u = 0. Along a motion R is the
-//! reaction J^T lambda, whose power is that of [`constraint_rates`](super::constraint_rates).
+//! where P is the power of all forces without a potential on the velocities less those at u = 0, and m are the masses and moments of
+//! inertia that vary: the equations take them as solidified. Along a motion R is the reaction J^T lambda, whose power sum lambda J u is
+//! that of [`ReactionPower`]. Where T is homogeneous of second degree in the speeds, H is T + V.
 
-use super::{Statement, residual};
-use crate::Trace;
+use super::reaction_power::{ReactionPower, or_zero, sum_written};
+use super::{Statement, piecewise, residual, while_inputs_rest};
 use crate::agreement::decided;
-use crate::equations::vanishes;
+use crate::equations::{constraints_of, vanishes};
 use crate::principles::hamilton::momenta;
 use crate::principles::loads::{along, forces, torques};
+use crate::{Trace, Vector};
 use symbolic::Sym;
 
-pub(super) fn statement(trace: &Trace<'_>) -> Statement {
-    let (kinetic, potential) = (trace.kinetic_energy(), trace.potential_energy());
-    let moved = momenta(trace).iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&p, &u)| sum + p * u);
-    let energy = moved - kinetic + potential;
-    let by_time = |expression: Sym| expression.diff(trace.time);
-    let rate = trace.rate_of(energy) + by_time(kinetic) - by_time(potential);
-    let equations = residual(trace).iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&r, &u)| sum + u * r);
-    let agreement = decided(&[(rate, equations + power(trace))]);
-    let is_whole = vanishes(energy - kinetic - potential);
-    let knows_time = !(vanishes(by_time(kinetic)) && vanishes(by_time(potential)));
-    let of = if is_whole { "T + V" } else { "H = sum u dT/du - T + V" };
-    let rate = if knows_time { format!("({of})' less what the time does to V - T") } else { format!("({of})'") };
-    let says =
-        if vanishes(power(trace)) { format!("{rate} is zero") } else { format!("{rate} is the power of the forces") };
-    let changes = !(trace.model.events.is_empty() && trace.model.switches.is_empty());
-    let says = if changes { format!("between events {says}") } else { says };
-    Statement { subject: "energy".to_owned(), says, agreement }
+/// The energy that a balance is of.
+struct Energy {
+    is: Sym,
+    /// Whether it is T + V.
+    is_whole: bool,
+    /// d(V - T)/dt at rest.
+    by_time: Sym,
 }
 
-/// The power of forces without a potential, less that on the motion at u = 0.
-fn power(trace: &Trace<'_>) -> Sym {
-    let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
-    let moving = |vector: crate::Vector| vector.map(|component| component - component.substitute(&at_rest));
-    let by_forces = forces(trace, trace.uniform_gravity().is_none()).into_iter();
-    let by_forces = by_forces.map(|force| trace.dot(force.is, moving(trace.material_velocity(force.at))));
-    let by_torques = torques(trace).into_iter().map(|torque| trace.dot(torque.is, moving(trace.turning(torque.on))));
-    let along = trace.speeds.iter().enumerate().map(|(i, &u)| u * along(trace, i));
-    let given = by_forces.chain(by_torques).chain(along).fold(Sym::ZERO, |sum, each| sum + each);
-    trace.model.energies.dissipation.map_or(given, |id| {
-        let resisted = trace.scalar(id);
-        let resisted = trace.speeds.iter().enumerate().map(|(i, &u)| u * trace.by_speed(resisted, i));
-        resisted.fold(given, |sum, each| sum - each)
-    })
+impl Energy {
+    fn of(trace: &Trace<'_>) -> Self {
+        let (kinetic, potential) = (trace.kinetic_energy(), trace.potential_energy());
+        let moved = momenta(trace).iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&p, &u)| sum + p * u);
+        let is_whole = is_homogeneous(trace);
+        let is = if is_whole { kinetic + potential } else { moved - kinetic + potential };
+        Energy { is, is_whole, by_time: or_zero((potential - kinetic).diff(trace.time)) }
+    }
+
+    /// sum m' dH/dm over the masses and moments of inertia that vary.
+    fn by_masses(&self, trace: &Trace<'_>) -> Sym {
+        trace.solid().iter().fold(Sym::ZERO, |sum, &(letter, value)| sum + self.is.diff(letter) * trace.rate_of(value))
+    }
+}
+
+/// Whether T is homogeneous of second degree in the speeds: then no body moves where all speeds are zero.
+pub(super) fn is_homogeneous(trace: &Trace<'_>) -> bool {
+    let kinetic = trace.kinetic_energy();
+    let moved = momenta(trace).iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&p, &u)| sum + p * u);
+    vanishes(moved - kinetic - kinetic)
+}
+
+pub(super) fn statement(trace: &Trace<'_>) -> Statement {
+    let energy = Energy::of(trace);
+    let constraints = constraints_of(trace);
+    let powers: Vec<ReactionPower> = constraints.iter().map(|one| ReactionPower::of(trace, one)).collect();
+    let by_forces = Power::of_forces(trace);
+    let by_masses = energy.by_masses(trace);
+    let of_reactions = |part: &dyn Fn(&ReactionPower) -> Sym| {
+        constraints.iter().zip(&powers).fold(Sym::ZERO, |sum, (one, power)| sum + one.multiplier * part(power))
+    };
+    // zero along every motion: sum u (R - J^T lambda), and sum lambda n f
+    let of_speed = |(i, &inertia): (usize, &Sym)| {
+        constraints.iter().fold(inertia, |rest, one| rest - one.multiplier * one.row[i]) * trace.speeds[i]
+    };
+    let equations = residual(trace).iter().enumerate().map(of_speed).fold(Sym::ZERO, |sum, each| sum + each);
+    let rate = trace.rate_of(energy.is) + by_masses;
+    let stated = by_forces.is + of_reactions(&|power| power.working) + energy.by_time + by_masses;
+    let agreement = decided(trace, &[(rate, stated + equations + of_reactions(&|power| power.idle))]);
+    let says = piecewise(trace, &says(trace, &energy, &by_forces, &powers));
+    let known: Vec<Sym> = constraints.iter().map(|one| one.zero).chain([energy.is]).collect();
+    Statement { subject: "energy".to_owned(), says: while_inputs_rest(trace, &known, says), agreement }
+}
+
+/// The balance in words.
+fn says(trace: &Trace<'_>, energy: &Energy, by_forces: &Power, powers: &[ReactionPower]) -> String {
+    let (name, short) = match energy.is_whole {
+        true => ("(T + V)'", "T + V"),
+        false => ("(H = sum u dT/du - T + V)'", "H"),
+    };
+    let mut parts = Vec::new();
+    if by_forces.is != Sym::ZERO {
+        parts.push("the power of the forces".to_owned());
+    }
+    let works = powers.iter().any(|power| !power.is_zero());
+    if works {
+        let sum = sum_written(trace, powers).unwrap_or_else(|| "sum lambda J u".to_owned());
+        parts.push(format!("the power of the reactions ({sum})"));
+    }
+    let is_relative = works && !energy.is_whole || by_forces.is_relative;
+    if let (true, Some(power)) = (is_relative, parts.last_mut()) {
+        *power += ", on velocities less those at u = 0";
+    }
+    if energy.by_time != Sym::ZERO {
+        parts.push("the partial rate of V - T by t".to_owned());
+    }
+    if !trace.solid().is_empty() {
+        parts.push(format!("sum m' d({short})/dm over the masses and moments of inertia m that vary"));
+    }
+    let sum = if parts.is_empty() { "zero".to_owned() } else { parts.join(" plus ") };
+    format!("{name} is {sum}")
+}
+
+/// The power of forces without a potential on the velocities less those at u = 0.
+struct Power {
+    is: Sym,
+    /// Whether forces have power at u = 0 too.
+    is_relative: bool,
+}
+
+impl Power {
+    fn of_forces(trace: &Trace<'_>) -> Self {
+        let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
+        let (mut is, mut still) = (Sym::ZERO, Sym::ZERO);
+        let mut add = |force: Vector, velocity: Vector| {
+            let moving = velocity.map(|component| component - component.substitute(&at_rest));
+            is += trace.dot(force, moving);
+            still += trace.dot(force, velocity.map(|component| component.substitute(&at_rest)));
+        };
+        for force in forces(trace, trace.uniform_gravity().is_none()) {
+            add(force.is, trace.material_velocity(force.at));
+        }
+        for torque in torques(trace) {
+            add(torque.is, trace.turning(torque.on));
+        }
+        let dissipation = trace.model.energies.dissipation.map_or(Sym::ZERO, |id| trace.scalar(id));
+        for (i, &speed) in trace.speeds.iter().enumerate() {
+            is += (along(trace, i) - trace.by_speed(dissipation, i)) * speed;
+        }
+        let is = or_zero(is);
+        Power { is, is_relative: is != Sym::ZERO && !vanishes(still) }
+    }
 }

@@ -5,7 +5,7 @@
 
 use super::{Trace, Vector};
 use crate::{Body, FrameId, Inertia, ScalarId};
-use symbolic::Sym;
+use symbolic::{Sym, substitute_all};
 
 impl Trace<'_> {
     /// The mass of a body and its centre's velocity and acceleration; none without a mass.
@@ -41,6 +41,14 @@ impl Trace<'_> {
     /// Letters of what is solidified, with their values.
     pub fn solid(&self) -> Vec<(Sym, Sym)> {
         self.solid.borrow().clone()
+    }
+
+    /// Expressions with the values of what is solidified in the place of its letters.
+    pub(crate) fn with_masses(&self, expressions: &[Sym]) -> Vec<Sym> {
+        match &self.solid()[..] {
+            [] => expressions.to_vec(),
+            solid => substitute_all(expressions, solid),
+        }
     }
 
     /// The angular velocity of a body that has an inertia.

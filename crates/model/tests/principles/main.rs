@@ -4,6 +4,7 @@ mod projected;
 mod reactions;
 mod statements;
 mod systems;
+mod verdicts;
 
 use model::principles::Principle;
 use model::{Model, Source, Trace};

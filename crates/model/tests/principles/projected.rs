@@ -14,7 +14,14 @@ fn found(source: &Source, projection: Projection) -> Result<Projected, String> {
 fn maggi_and_shulgin_agree_with_multipliers() {
     let mut belt = rolling_disc();
     belt.constraints = vec![held("belt", &["velocity(disc at P) . N.x - (1 m/s^2)*t", "velocity(disc at P) . N.y"])];
-    for source in [sleigh(), rolling_disc(), slider_crank(), belt] {
+    let varying = |mut source: Source, mass: &str| {
+        source.bodies.last_mut().expect("it has a body").mass = Some(mass.into());
+        source
+    };
+    let losing = varying(slider_crank(), "m - (0.1 kg/s)*t");
+    // a mass by a dependent speed, which the constraints give
+    let fast = varying(sleigh(), "m + (0.1 kg s/m)*y' + (0.2 kg/m)*x");
+    for source in [sleigh(), rolling_disc(), slider_crank(), belt, losing, fast] {
         for projection in Projection::ALL {
             let Projected { agreement, points } = found(&source, projection).expect("it applies");
             assert!(matches!(agreement, Agreement::Proved { .. }), "{projection}: {agreement}; {points}");
@@ -70,6 +77,10 @@ fn a_principle_that_does_not_apply_says_why() {
     fast.constraints = vec![held("speed", &["x'^2 + y'^2 - (1 m/s)^2"])];
     let nonlinear = found(&fast, Projection::Shulgin).expect_err("it is not linear");
     assert!(nonlinear.contains("constraint 1 `speed` is not linear in the speeds"), "{nonlinear}");
+    let mut led = sleigh();
+    led.constraints[0].gains = Some(vec!["(2 1/s)".into()]);
+    let programmed = found(&led, Projection::Shulgin).expect_err("it need not hold");
+    assert!(programmed.contains("constraint 1 `edge` is programmed: it need not hold along a motion"), "{programmed}");
     let Projected { agreement, .. } = found(&fast, Projection::Maggi).expect("it applies");
     assert!(matches!(agreement, Agreement::Proved { .. }), "{agreement}");
 }

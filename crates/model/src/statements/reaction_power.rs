@@ -1,0 +1,101 @@
+//! The power of reactions.
+//!
+//! A reaction J^T lambda has the power lambda J u on the speeds. Along a motion f' = 0 holds of positions and f = 0 of speeds: with
+//!
+//!   J u = n f' + w    or    J u = n f + w
+//!
+//! the power is lambda w. Of a constraint that is linear in the speeds n is 1, and -w is the part of its rate that no speed multiplies;
+//! of one that is homogeneous of degree n in the speeds w vanishes (Euler). A programmed constraint is not zero along its motion: n is
+//! 0 there, and w is J u.
+
+use crate::Trace;
+use crate::equations::{Equation, Level, vanishes};
+use crate::presentation::{is_sum, reading_of, simplified};
+use field::Scalar as _;
+use symbolic::Sym;
+
+/// J u = n f + w of one constraint.
+pub(super) struct ReactionPower {
+    /// J u.
+    pub along: Sym,
+    /// n f', or n f: zero along every motion.
+    pub idle: Sym,
+    /// w, the constant zero where it vanishes.
+    pub working: Sym,
+}
+
+/// Degrees of homogeneity that are tried, the usual first.
+const DEGREES: [i64; 5] = [1, 2, 0, 3, 4];
+
+/// Longer expressions are not written out.
+const MOST_WRITTEN: usize = 60;
+
+impl ReactionPower {
+    pub fn of(trace: &Trace<'_>, constraint: &Equation) -> Self {
+        let along =
+            constraint.row.iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&slope, &speed)| sum + slope * speed);
+        let by_speeds = constraint.row.iter().flat_map(|slope| slope.symbols_of());
+        let is_linear =
+            constraint.level == Level::Position || !by_speeds.into_iter().any(|one| trace.speeds.contains(&one));
+        let at_rest = || {
+            let rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
+            -constraint.rate.substitute(&rest)
+        };
+        let split = |degree: i64| {
+            let idle = Sym::int(degree) * constraint.rate;
+            let working = if is_linear && degree == 1 { at_rest() } else { along - idle };
+            ReactionPower { along, idle, working: simplified(working) }
+        };
+        let splits: Vec<ReactionPower> = match (&constraint.gains, is_linear) {
+            (Some(_), _) => vec![split(0)],
+            (None, true) => vec![split(1)],
+            (None, false) => DEGREES.map(split).into(),
+        };
+        let size = |one: &ReactionPower| if one.is_zero() { 0 } else { 1 + Sym::operations_of(&[one.working]) };
+        let splits = splits.into_iter().map(|one| ReactionPower { working: or_zero(one.working), ..one });
+        splits.min_by_key(size).unwrap_or(ReactionPower { along, idle: Sym::ZERO, working: along })
+    }
+
+    /// Whether it vanishes along every motion.
+    pub fn is_zero(&self) -> bool {
+        self.working == Sym::ZERO
+    }
+
+    /// lambda w for reading, with the number of the constraint; none where it is long.
+    pub fn written(&self, trace: &Trace<'_>, place: usize) -> Option<String> {
+        let letter = format!("lambda{}", place + 1);
+        if Sym::operations_of(&[self.working]) > MOST_WRITTEN {
+            return None;
+        }
+        let factor = reading_of(trace).of(self.working).decimal_text();
+        Some(match (factor.as_str(), factor.strip_prefix('-')) {
+            ("1", _) => letter,
+            ("-1", _) => format!("-{letter}"),
+            (sum, _) if is_sum(sum) => format!("{letter}*({factor})"),
+            _ if factor.trim_start_matches('-').starts_with(|digit: char| digit.is_ascii_digit()) => {
+                format!("{factor}*{letter}")
+            }
+            (_, Some(size)) => format!("-{letter}*{size}"),
+            _ => format!("{letter}*{factor}"),
+        })
+    }
+}
+
+/// The constant zero in the place of an expression that vanishes.
+pub(super) fn or_zero(expression: Sym) -> Sym {
+    if vanishes(expression) { Sym::ZERO } else { expression }
+}
+
+/// The sum of the powers of all reactions for reading; none where one of them is long.
+pub(super) fn sum_written(trace: &Trace<'_>, powers: &[ReactionPower]) -> Option<String> {
+    let mut sum = String::new();
+    for (place, power) in powers.iter().enumerate().filter(|(_, power)| !power.is_zero()) {
+        let written = power.written(trace, place)?;
+        sum = match (sum.is_empty(), written.strip_prefix('-')) {
+            (true, _) => written,
+            (false, Some(size)) => format!("{sum} - {size}"),
+            (false, None) => format!("{sum} + {written}"),
+        };
+    }
+    Some(sum)
+}

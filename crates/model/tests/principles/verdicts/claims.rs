@@ -1,0 +1,188 @@
+//! Sentences of `prove` beside numbers: each claim at a state, by differences along the motion through it.
+
+use super::mechanics::Mechanics;
+use super::numbers::{curvature, dot, slope, value};
+use super::system::{State, System};
+use model::equations::Level;
+
+/// Why a sentence is false at a state.
+pub type Fault = String;
+
+/// A state with the accelerations and multipliers of the motion through it.
+pub struct At<'a, 's, 't, 'm> {
+    pub mechanics: &'a Mechanics<'s, 't, 'm>,
+    pub state: State,
+    pub solved: Vec<f64>,
+}
+
+/// Difference that rounding and steps leave, relative to the size of what is compared.
+const TOLERANCE: f64 = 1e-6;
+
+pub fn equal(claim: &str, one: f64, other: f64, size: f64) -> Result<(), Fault> {
+    let size = 1.0 + size.abs() + one.abs() + other.abs();
+    if (one - other).abs() <= TOLERANCE * size { Ok(()) } else { Err(format!("{claim}: {one} is not {other}")) }
+}
+
+impl<'t, 'm> At<'_, '_, 't, 'm> {
+    fn system(&self) -> &System<'t, 'm> {
+        self.mechanics.system
+    }
+
+    /// The value of a printed expression.
+    fn printed(&self, text: &str) -> f64 {
+        value(text, &|name| self.system().letter(name, &self.state, &self.solved))
+    }
+
+    /// J u of a constraint, by differences of its expression.
+    fn along(&self, place: usize) -> f64 {
+        let (system, state) = (self.system(), &self.state);
+        let constraint = &system.constraints[place];
+        let zero = system.numbers(&[constraint.zero]);
+        let f = |at: &State| system.at(&zero, at, &[])[0];
+        match constraint.level {
+            Level::Position => slope(|length| f(&system.displaced(state, &state.u, length))),
+            Level::Speed => slope(|length| {
+                let u = state.u.iter().map(|u| (1.0 + length) * u).collect();
+                f(&State { u, ..state.clone() })
+            }),
+        }
+    }
+
+    fn multiplier(&self, place: usize) -> f64 {
+        self.solved[self.state.u.len() + place]
+    }
+
+    /// `(T + V)' is the power of the forces plus ...`
+    pub fn energy(&self, says: &str) -> Result<(), Fault> {
+        let (mechanics, system, state) = (self.mechanics, self.system(), &self.state);
+        let (name, sum) = bare(says).split_once(" is ").ok_or("no sentence")?;
+        let is_whole = match name {
+            "(T + V)'" => true,
+            "(H = sum u dT/du - T + V)'" => false,
+            other => return Err(format!("`{other}` is no energy")),
+        };
+        let is_relative = sum.contains(RELATIVE);
+        let mut expected = 0.0;
+        for part in sum.replace(RELATIVE, "").split(" plus ") {
+            expected += match part {
+                "zero" => 0.0,
+                "the power of the forces" => {
+                    let still = mechanics.power(state, &vec![0.0; state.u.len()], &self.solved);
+                    let whole = mechanics.power(state, &state.u, &self.solved);
+                    if is_relative { whole - still } else { whole }
+                }
+                "the partial rate of V - T by t" => slope(|length| {
+                    let later = State { time: state.time + length, ..state.clone() };
+                    mechanics.potential(&later, state) - mechanics.kinetic(&later, &state.u, state)
+                }),
+                "sum m' d(T + V)/dm over the masses and moments of inertia m that vary"
+                | "sum m' d(H)/dm over the masses and moments of inertia m that vary" => {
+                    slope(|length| mechanics.energy(is_whole, state, &system.later(state, length)))
+                }
+                other => {
+                    let printed =
+                        other.strip_prefix("the power of the reactions (").and_then(|sum| sum.strip_suffix(')'));
+                    let printed = printed.ok_or(format!("`{other}`?"))?;
+                    let works = |place: usize| self.multiplier(place) * self.along(place);
+                    let power: f64 = (0..system.constraints.len()).map(works).sum();
+                    if printed != "sum lambda J u" {
+                        equal(printed, self.printed(printed), power, 0.0)?;
+                    }
+                    power
+                }
+            };
+        }
+        let rate = slope(|length| {
+            let later = system.later(state, length);
+            mechanics.energy(is_whole, &later, &later)
+        });
+        equal(says, rate, expected, mechanics.energy(is_whole, state, state))
+    }
+
+    /// `(dT/dx')' is zero`, of a speed by its place.
+    pub fn momentum(&self, speed: usize, says: &str) -> Result<(), Fault> {
+        let name = self.system().trace.speeds[speed];
+        if bare(says) != format!("(dT/d{name})' is zero") {
+            return Err(format!("`{says}`?"));
+        }
+        let momentum = |at: &State| self.mechanics.momentum(at, speed, at);
+        let rate = slope(|length| momentum(&self.system().later(&self.state, length)));
+        equal(says, rate, 0.0, momentum(&self.state))
+    }
+
+    /// `J u' + c is its rate; its reaction does no work`, of a constraint by its place and at any accelerations.
+    pub fn constraint(&self, place: usize, accelerations: &[f64], says: &str) -> Result<(), Fault> {
+        let (system, state) = (self.system(), &self.state);
+        let (rates, work) = bare(says).split_once("; ").ok_or("no sentence")?;
+        let constraint = &system.constraints[place];
+        let zero = system.numbers(&[constraint.zero]);
+        let f = |length: f64| system.at(&zero, &system.moved(state, accelerations, length), &[])[0];
+        let gains = constraint.gains.as_ref().map_or(Vec::new(), |gains| system.at(&system.numbers(gains), state, &[]));
+        let led = match (rates.strip_prefix("J u' + c is ").ok_or("no sentence")?, constraint.level) {
+            ("its second rate", Level::Position) => curvature(f),
+            ("its rate", Level::Speed) => slope(f),
+            ("f'' + g1 f' + g2 f", Level::Position) => curvature(f) + gains[0] * slope(f) + gains[1] * f(0.0),
+            ("f'' + g1 f'", Level::Position) => curvature(f) + gains[0] * slope(f),
+            ("f' + g1 f", Level::Speed) => slope(f) + gains[0] * f(0.0),
+            (other, _) => return Err(format!("`{other}`?")),
+        };
+        equal(rates, system.kept(state, accelerations)[place], led, f(0.0))?;
+        let is_relative = work.ends_with(&RELATIVE[2..]);
+        if !is_relative && self.mechanics.is_carried(state) {
+            return Err(format!("{work}: bodies move at u = 0"));
+        }
+        let work = work.replace(&format!(" {}", &RELATIVE[2..]), "");
+        let power = self.multiplier(place) * self.along(place);
+        match work.strip_prefix("the power of its reaction is ") {
+            None if work == "its reaction does no work" => equal(&work, power, 0.0, self.multiplier(place)),
+            Some(printed) if printed.ends_with(" J u") => Ok(()),
+            Some(printed) => equal(printed, self.printed(printed), power, 0.0),
+            None => Err(format!("`{work}`?")),
+        }
+    }
+
+    /// Newton's and Euler's law of every body, by differences; for one that has no bodies beside given energies nothing is said.
+    pub fn law(&self) -> Result<(), Fault> {
+        if self.system().model().energies.kinetic.is_some() {
+            return Ok(());
+        }
+        let (inertia, left) = self.mechanics.inertia_less_forces(&self.state, &self.solved);
+        left.iter()
+            .zip(self.reactions())
+            .zip(inertia)
+            .try_for_each(|((left, reaction), size)| equal("Newton's law", *left, reaction, size))
+    }
+
+    /// J^T lambda, by differences of the constraints.
+    pub fn reactions(&self) -> Vec<f64> {
+        let (system, state) = (self.system(), &self.state);
+        let n = state.u.len();
+        let zeros = system.constraints.iter().map(|one| one.zero).collect::<Vec<_>>();
+        let zeros = system.numbers(&zeros);
+        let of = |i: usize| {
+            let unit: Vec<f64> = (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
+            let row = (0..system.constraints.len()).map(|place| {
+                let f = |at: &State| system.at(&zeros, at, &[])[place];
+                match system.constraints[place].level {
+                    Level::Position => slope(|length| f(&system.displaced(state, &unit, length))),
+                    Level::Speed => slope(|length| {
+                        let mut u = state.u.clone();
+                        u[i] += length;
+                        f(&State { u, ..state.clone() })
+                    }),
+                }
+            });
+            dot(&row.collect::<Vec<_>>(), &self.solved[n..])
+        };
+        (0..n).map(of).collect()
+    }
+}
+
+const RELATIVE: &str = ", on velocities less those at u = 0";
+
+/// A sentence without the conditions that stand before it.
+fn bare(says: &str) -> &str {
+    let says =
+        says.strip_prefix("at constant ").map_or(says, |rest| rest.split_once(": ").map_or(rest, |(_, says)| says));
+    says.strip_prefix("between events ").unwrap_or(says)
+}

@@ -1,0 +1,111 @@
+//! The terms that a mistaken derivation loses, by differences of the energy that it uses.
+
+use super::claims::{At, Fault, equal};
+use super::numbers::{slope, solved};
+use super::system::State;
+use model::equations::Characteristics;
+use model::{Mistake, Mistaken};
+
+/// The printed terms beside the inertia less its mistaken form, for a system whose frames are not free.
+pub fn lost(
+    at: &At<'_, '_, '_, '_>,
+    characteristics: &Characteristics,
+    mistake: Mistake,
+    made: &Mistaken,
+) -> Result<(), Fault> {
+    let n = at.state.u.len();
+    let inertia: Vec<f64> = (0..n).map(|i| inertia(at, i)).collect();
+    let own: Vec<usize> = (0..n).collect();
+    let (places, differences): (&[usize], Vec<f64>) = match mistake {
+        Mistake::AccelerationsInEnergy => {
+            let primed = State { u: at.solved[..n].to_vec(), ..at.state.clone() };
+            let naive = |i: usize| at.mechanics.momentum(&primed, i, &at.state);
+            (&own, (0..n).map(|i| inertia[i] - naive(i)).collect())
+        }
+        Mistake::ConstraintsInEnergy => {
+            let reduced = Reduced { at, characteristics };
+            let places = &characteristics.independent;
+            (places, (0..places.len()).map(|place| reduced.right(place, &inertia) - reduced.naive(place)).collect())
+        }
+    };
+    let trace = at.mechanics.system.trace;
+    for (&place, difference) in places.iter().zip(differences) {
+        let name = trace.direction(place);
+        let printed = made.lost.iter().find(|(known, _)| *known == name);
+        let printed = printed.map_or(0.0, |&(_, term)| {
+            at.mechanics.system.at(&at.mechanics.system.numbers(&[term]), &at.state, &at.solved)[0]
+        });
+        equal(&format!("lost in the equation of {name}"), printed, difference, inertia[place])?;
+    }
+    let says_nothing = made.says.contains("lose no term in this system");
+    if says_nothing == made.lost.is_empty() { Ok(()) } else { Err("its sentence and its terms differ".to_owned()) }
+}
+
+/// d/dt dT/du - dT/dq along the motion, masses at rest.
+fn inertia(at: &At<'_, '_, '_, '_>, i: usize) -> f64 {
+    let (mechanics, system, state) = (at.mechanics, at.mechanics.system, &at.state);
+    let unit: Vec<f64> = (0..state.u.len()).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
+    let rate = slope(|length| mechanics.momentum(&system.later(state, length), i, state));
+    rate - slope(|length| mechanics.kinetic(&system.displaced(state, &unit, length), &state.u, state))
+}
+
+/// The kinetic energy by the independent speeds alone.
+struct Reduced<'a, 'b, 's, 't, 'm> {
+    at: &'a At<'b, 's, 't, 'm>,
+    characteristics: &'a Characteristics,
+}
+
+impl Reduced<'_, '_, '_, '_, '_> {
+    /// The speeds of a state whose dependent ones follow from others.
+    fn speeds(&self, state: &State, independent: &[f64]) -> Vec<f64> {
+        let mut u = vec![0.0; state.u.len()];
+        for (&place, speed) in self.characteristics.independent.iter().zip(independent) {
+            u[place] = *speed;
+        }
+        let dependent: Vec<usize> = self.characteristics.dependent.iter().map(|&(place, _)| place).collect();
+        let (rows, rates) = self.at.mechanics.system.rates(&State { u: u.clone(), ..state.clone() });
+        let rows: Vec<Vec<f64>> = rows.iter().map(|row| dependent.iter().map(|&place| row[place]).collect()).collect();
+        let right: Vec<f64> = rates.iter().map(|rate| -rate).collect();
+        for (&place, speed) in dependent.iter().zip(solved(&rows, &right).0) {
+            u[place] = speed;
+        }
+        u
+    }
+
+    fn independent(&self, state: &State) -> Vec<f64> {
+        self.characteristics.independent.iter().map(|&place| state.u[place]).collect()
+    }
+
+    fn energy(&self, state: &State, independent: &[f64]) -> f64 {
+        self.at.mechanics.kinetic(state, &self.speeds(state, independent), &self.at.state)
+    }
+
+    /// The virtual displacement of one independent speed: N of it, a difference of two admissible speeds.
+    fn direction(&self, place: usize) -> Vec<f64> {
+        let state = &self.at.state;
+        let mut other = self.independent(state);
+        let one = self.speeds(state, &other);
+        other[place] += 1.0;
+        self.speeds(state, &other).iter().zip(one).map(|(other, one)| other - one).collect()
+    }
+
+    /// Lagrange's operator on the reduced energy.
+    fn naive(&self, place: usize) -> f64 {
+        let (system, state) = (self.at.mechanics.system, &self.at.state);
+        let momentum = |at: &State| {
+            slope(|length| {
+                let mut speeds = self.independent(at);
+                speeds[place] += length;
+                self.energy(at, &speeds)
+            })
+        };
+        let rate = slope(|length| momentum(&system.later(state, length)));
+        let direction = self.direction(place);
+        let speeds = self.independent(state);
+        rate - slope(|length| self.energy(&system.displaced(state, &direction, length), &speeds))
+    }
+
+    fn right(&self, place: usize, inertia: &[f64]) -> f64 {
+        self.direction(place).iter().zip(inertia).map(|(along, inertia)| along * inertia).sum()
+    }
+}
