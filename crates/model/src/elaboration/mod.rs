@@ -13,6 +13,7 @@ mod loads;
 mod operations;
 mod order;
 mod orientation;
+mod rates;
 mod reactions;
 mod system;
 mod value;
@@ -50,6 +51,7 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     }
     elaborator.bodies();
     elaborator.loads();
+    elaborator.rates();
     elaborator.events();
     elaborator.start();
     elaborator.model.equilibrium.clone_from(&source.equilibrium);

@@ -1,7 +1,6 @@
 //! The equations J u' + c = 0 keep the constraints: their left side is the second rate of a constraint of positions and the first of one
 //! of speeds, found a second time by partial derivatives alone; with the gains of a constraint that is led to zero.
 
-use super::power_balance::is_homogeneous;
 use super::reaction_power::ReactionPower;
 use super::{Statement, piecewise, while_inputs_rest};
 use crate::Trace;
@@ -25,7 +24,8 @@ fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation) -> Statemen
         false => format!("the power of its reaction is {}", written()),
     };
     // coordinates that move with the time carry bodies along at u = 0
-    let relative = if is_homogeneous(trace) { "" } else { " on velocities less those at u = 0" };
+    let relative =
+        if trace.has_quadratic_kinetic_energy() { "" } else { " on velocities less the velocities at u = 0" };
     let says = format!("J u' + c is {rates}; {work}{relative}");
     let chooses = constraint.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
     let says = if chooses { piecewise(trace, &says) } else { says };

@@ -30,7 +30,7 @@ impl Energy {
     fn of(trace: &Trace<'_>) -> Self {
         let (kinetic, potential) = (trace.kinetic_energy(), trace.potential_energy());
         let moved = momenta(trace).iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&p, &u)| sum + p * u);
-        let is_whole = is_homogeneous(trace);
+        let is_whole = trace.has_quadratic_kinetic_energy();
         let is = if is_whole { kinetic + potential } else { moved - kinetic + potential };
         Energy { is, is_whole, by_time: or_zero((potential - kinetic).diff(trace.time)) }
     }
@@ -39,13 +39,6 @@ impl Energy {
     fn by_masses(&self, trace: &Trace<'_>) -> Sym {
         trace.solid().iter().fold(Sym::ZERO, |sum, &(letter, value)| sum + self.is.diff(letter) * trace.rate_of(value))
     }
-}
-
-/// Whether T is homogeneous of second degree in the speeds: then no body moves where all speeds are zero.
-pub(super) fn is_homogeneous(trace: &Trace<'_>) -> bool {
-    let kinetic = trace.kinetic_energy();
-    let moved = momenta(trace).iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&p, &u)| sum + p * u);
-    vanishes(moved - kinetic - kinetic)
 }
 
 pub(super) fn statement(trace: &Trace<'_>) -> Statement {
@@ -85,10 +78,6 @@ fn says(trace: &Trace<'_>, energy: &Energy, by_forces: &Power, powers: &[Reactio
         let sum = sum_written(trace, powers).unwrap_or_else(|| "sum lambda J u".to_owned());
         parts.push(format!("the power of the reactions ({sum})"));
     }
-    let is_relative = works && !energy.is_whole || by_forces.is_relative;
-    if let (true, Some(power)) = (is_relative, parts.last_mut()) {
-        *power += ", on velocities less those at u = 0";
-    }
     if energy.by_time != Sym::ZERO {
         parts.push("the partial rate of V - T by t".to_owned());
     }
@@ -96,7 +85,9 @@ fn says(trace: &Trace<'_>, energy: &Energy, by_forces: &Power, powers: &[Reactio
         parts.push(format!("sum m' d({short})/dm over the masses and moments of inertia m that vary"));
     }
     let sum = if parts.is_empty() { "zero".to_owned() } else { parts.join(" plus ") };
-    format!("{name} is {sum}")
+    let is_relative = works && !energy.is_whole || by_forces.is_relative;
+    let relative = if is_relative { "; powers are those on velocities less the velocities at u = 0" } else { "" };
+    format!("{name} is {sum}{relative}")
 }
 
 /// The power of forces without a potential on the velocities less those at u = 0.

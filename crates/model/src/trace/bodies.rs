@@ -4,6 +4,7 @@
 //! arrives acts by a force that the model gives. Until the equations stand, such a quantity is a letter that rests.
 
 use super::{Trace, Vector};
+use crate::equations::vanishes;
 use crate::{Body, FrameId, Inertia, ScalarId};
 use symbolic::{Sym, substitute_all};
 
@@ -99,6 +100,13 @@ impl Trace<'_> {
             }
         }
         sum
+    }
+
+    /// Whether T is homogeneous of second degree in the speeds: then no body moves where all speeds are zero.
+    pub fn has_quadratic_kinetic_energy(&self) -> bool {
+        let kinetic = self.kinetic_energy();
+        let moved = (0..self.speeds.len()).fold(Sym::ZERO, |sum, i| sum + self.by_speed(kinetic, i) * self.speeds[i]);
+        vanishes(moved - kinetic - kinetic)
     }
 
     /// Free fall, where it is the same at every place and time: then weights have the potential energy -m g . r.

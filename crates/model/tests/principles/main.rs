@@ -1,6 +1,7 @@
 //! Every principle gives the same equations, whatever the model.
 
 mod projected;
+mod rates;
 mod reactions;
 mod statements;
 mod systems;

@@ -1,7 +1,7 @@
 //! Sentences of `prove` beside numbers: each claim at a state, by differences along the motion through it.
 
 use super::mechanics::Mechanics;
-use super::numbers::{curvature, dot, slope, value};
+use super::numbers::{curvature, dot, slope, unit, value};
 use super::system::{State, System};
 use model::equations::Level;
 
@@ -127,11 +127,11 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
             (other, _) => return Err(format!("`{other}`?")),
         };
         equal(rates, system.kept(state, accelerations)[place], led, f(0.0))?;
-        let is_relative = work.ends_with(&RELATIVE[2..]);
+        let is_relative = work.ends_with(CARRIED);
         if !is_relative && self.mechanics.is_carried(state) {
             return Err(format!("{work}: bodies move at u = 0"));
         }
-        let work = work.replace(&format!(" {}", &RELATIVE[2..]), "");
+        let work = work.replace(CARRIED, "");
         let power = self.multiplier(place) * self.along(place);
         match work.strip_prefix("the power of its reaction is ") {
             None if work == "its reaction does no work" => equal(&work, power, 0.0, self.multiplier(place)),
@@ -160,7 +160,7 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
         let zeros = system.constraints.iter().map(|one| one.zero).collect::<Vec<_>>();
         let zeros = system.numbers(&zeros);
         let of = |i: usize| {
-            let unit: Vec<f64> = (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
+            let unit = unit(n, i);
             let row = (0..system.constraints.len()).map(|place| {
                 let f = |at: &State| system.at(&zeros, at, &[])[place];
                 match system.constraints[place].level {
@@ -178,7 +178,8 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
     }
 }
 
-const RELATIVE: &str = ", on velocities less those at u = 0";
+const RELATIVE: &str = "; powers are those on velocities less the velocities at u = 0";
+const CARRIED: &str = " on velocities less the velocities at u = 0";
 
 /// A sentence without the conditions that stand before it.
 fn bare(says: &str) -> &str {

@@ -1,6 +1,6 @@
 //! Energies, powers and momenta of a system by differences of its positions: no velocity and no derivative of the model is used.
 
-use super::numbers::{cross, dot, slope, slopes};
+use super::numbers::{cross, dot, slope, slopes, unit};
 use super::system::{Numbers, State, System};
 use model::{Body, Force, Inertia, Material, Torque, Trace};
 use symbolic::Sym;
@@ -219,7 +219,6 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
     /// Newton's and Euler's law of every body along a motion: inertia less all forces, on the velocities du of one speed alone.
     pub fn inertia_less_forces(&self, state: &State, solved: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = state.u.len();
-        let unit = |i: usize| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
         let momenta = |at: &State| -> Vec<f64> {
             let all = self.momenta(&Kinematics::of(self.system, at, &at.u), state);
             all.into_iter().flat_map(|(_, linear, angular)| [linear, angular].concat()).collect()
@@ -228,7 +227,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         let at_rest = Kinematics::of(self.system, state, &vec![0.0; n]);
         let still = self.power(state, &vec![0.0; n], solved);
         let of = |i: usize| {
-            let moving = Kinematics::of(self.system, state, &unit(i));
+            let moving = Kinematics::of(self.system, state, &unit(n, i));
             let bodies = self.system.model().bodies.iter().zip(rates.chunks(6));
             let inertia: f64 = bodies
                 .map(|(body, rates)| {
@@ -242,8 +241,8 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
                     carried + turned
                 })
                 .sum();
-            let falls = slope(|length| self.potential(&self.system.displaced(state, &unit(i), length), state));
-            (inertia, inertia + falls - (self.power(state, &unit(i), solved) - still))
+            let falls = slope(|length| self.potential(&self.system.displaced(state, &unit(n, i), length), state));
+            (inertia, inertia + falls - (self.power(state, &unit(n, i), solved) - still))
         };
         (0..n).map(of).unzip()
     }

@@ -1,7 +1,7 @@
 //! The terms that a mistaken derivation loses, by differences of the energy that it uses.
 
 use super::claims::{At, Fault, equal};
-use super::numbers::{slope, solved};
+use super::numbers::{slope, solved, unit};
 use super::system::State;
 use model::equations::Characteristics;
 use model::{Mistake, Mistaken};
@@ -18,8 +18,13 @@ pub fn lost(
     let own: Vec<usize> = (0..n).collect();
     let (places, differences): (&[usize], Vec<f64>) = match mistake {
         Mistake::AccelerationsInEnergy => {
-            let primed = State { u: at.solved[..n].to_vec(), ..at.state.clone() };
-            let naive = |i: usize| at.mechanics.momentum(&primed, i, &at.state);
+            // affine in the speeds
+            let momentum =
+                |i: usize, u: Vec<f64>| at.mechanics.momentum(&State { u, ..at.state.clone() }, i, &at.state);
+            let naive = |i: usize| {
+                let still = momentum(i, vec![0.0; n]);
+                (0..n).fold(still, |sum, j| sum + at.solved[j] * (momentum(i, unit(n, j)) - still))
+            };
             (&own, (0..n).map(|i| inertia[i] - naive(i)).collect())
         }
         Mistake::ConstraintsInEnergy => {
@@ -44,7 +49,7 @@ pub fn lost(
 /// d/dt dT/du - dT/dq along the motion, masses at rest.
 fn inertia(at: &At<'_, '_, '_, '_>, i: usize) -> f64 {
     let (mechanics, system, state) = (at.mechanics, at.mechanics.system, &at.state);
-    let unit: Vec<f64> = (0..state.u.len()).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
+    let unit = unit(state.u.len(), i);
     let rate = slope(|length| mechanics.momentum(&system.later(state, length), i, state));
     rate - slope(|length| mechanics.kinetic(&system.displaced(state, &unit, length), &state.u, state))
 }

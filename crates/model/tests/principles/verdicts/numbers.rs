@@ -37,6 +37,11 @@ pub fn cross(a: &[f64], b: &[f64]) -> Vec<f64> {
     (0..3).map(|k| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]).collect()
 }
 
+/// The vector of n numbers of which one is 1.
+pub fn unit(n: usize, place: usize) -> Vec<f64> {
+    (0..n).map(|other| if other == place { 1.0 } else { 0.0 }).collect()
+}
+
 /// A solution of matrix * x = right by elimination with full pivots; what no equation determines is zero. The second number counts
 /// the pivots.
 pub fn solved(matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, usize) {

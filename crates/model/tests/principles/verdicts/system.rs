@@ -1,6 +1,6 @@
 //! A model in numbers: consistent states, its motion, and its mechanics by differences of positions alone.
 
-use super::numbers::{Drawn, dot, solved};
+use super::numbers::{Drawn, dot, solved, unit};
 use model::equations::{Equation, Level, constraints_of};
 use model::principles::Principle;
 use model::{FrameId, Model, PointId, Trace, Vector};
@@ -213,8 +213,11 @@ impl<'t, 'm> System<'t, 'm> {
         let held = self.at(&self.held, state, &[]);
         let columns: Vec<Vec<f64>> = (0..n)
             .map(|j| {
-                let unit: Vec<f64> = (0..n).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
-                self.at(&self.residual, state, &unit).iter().zip(&bias).map(|(value, bias)| value - bias).collect()
+                self.at(&self.residual, state, &unit(n, j))
+                    .iter()
+                    .zip(&bias)
+                    .map(|(value, bias)| value - bias)
+                    .collect()
             })
             .collect();
         let rows: Vec<&[f64]> = held.chunks(n + 3).map(|values| &values[3..]).collect();

@@ -1,0 +1,180 @@
+//! Rates where a law has no place for them: positions, potentials and angles of turns hold coordinates and the time alone; constraints,
+//! masses and the other energies hold speeds, and no accelerations.
+
+use super::Elaborator;
+use crate::arena::{Part, Scalar, Vector};
+use crate::{Constraint, Fault, FrameId, Inertia, Material, Model, PointId, ScalarId, Text, Turn, VectorId, Zero};
+use std::ops::Range;
+
+/// The highest rate of a coordinate in each part: none of one that no coordinate moves.
+struct Orders<'m> {
+    model: &'m Model,
+    of_parts: Vec<Option<usize>>,
+}
+
+impl<'m> Orders<'m> {
+    fn of(model: &'m Model) -> Self {
+        let mut orders = Orders { model, of_parts: Vec::with_capacity(model.arena.parts.len()) };
+        for part in &model.arena.parts {
+            let order = match part {
+                Part::Scalar(scalar) => orders.of_scalar(scalar),
+                Part::Vector(vector) => orders.of_vector(vector),
+            };
+            orders.of_parts.push(order);
+        }
+        orders
+    }
+
+    fn of_scalar(&self, scalar: &Scalar) -> Option<usize> {
+        let of = |id: &ScalarId| self.of_parts[id.0];
+        match scalar {
+            Scalar::Number(_) | Scalar::Parameter(_) | Scalar::Time | Scalar::Switch(_) | Scalar::Pi => None,
+            Scalar::Reaction { .. } => None,
+            Scalar::Coordinate(_) => Some(0),
+            Scalar::Rate { order, .. } => Some(*order),
+            Scalar::Input(input) => self.model.inputs[*input].value.as_ref().and_then(of),
+            Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) => of(a),
+            Scalar::Sum(a, b) | Scalar::Difference(a, b) | Scalar::Product(a, b) | Scalar::Quotient(a, b) => {
+                of(a).max(of(b))
+            }
+            Scalar::Elementary(_, a, b) => of(a).max(of(b)),
+            Scalar::Dot(a, b) => self.of_parts[a.0].max(self.of_parts[b.0]),
+            Scalar::Norm(a) => self.of_parts[a.0],
+            Scalar::RateOf(a) => of(a).map(|order| order + 1),
+        }
+    }
+
+    fn of_vector(&self, vector: &Vector) -> Option<usize> {
+        let of = |id: &crate::VectorId| self.of_parts[id.0];
+        let rate = |order: Option<usize>| order.map(|order| order + 1);
+        match vector {
+            Vector::Zero | Vector::Reaction { .. } | Vector::JointForce(_) | Vector::JointTorque(_) => None,
+            Vector::Axis { frame, .. } => self.of_frame(*frame),
+            Vector::Negation(a) => of(a),
+            Vector::Sum(a, b) | Vector::Difference(a, b) | Vector::Cross(a, b) => of(a).max(of(b)),
+            Vector::Scaled(a, b) => self.of_parts[a.0].max(of(b)),
+            Vector::Between { from, to } => self.of_point(*from).max(self.of_point(*to)),
+            Vector::Velocity { of, seen } => rate(self.of_material(*of).max(self.of_frame(*seen))),
+            Vector::Acceleration { of, seen } => rate(rate(self.of_material(*of).max(self.of_frame(*seen)))),
+            Vector::AngularVelocity { of, seen } => rate(self.of_frame(*of).max(self.of_frame(*seen))),
+            Vector::RateOf { of: vector, seen } => rate(of(vector).max(self.of_frame(*seen))),
+        }
+    }
+
+    fn of_frame(&self, frame: FrameId) -> Option<usize> {
+        let mut order = None;
+        let mut at = frame;
+        while let Some((parent, turn)) = self.model.frames[at.0].parent {
+            let own = match turn {
+                Turn::About { angle, .. } => self.of_parts[angle.0],
+                Turn::Free { .. } => Some(0),
+            };
+            (order, at) = (order.max(own), parent);
+        }
+        order
+    }
+
+    fn of_point(&self, point: PointId) -> Option<usize> {
+        let mut order = None;
+        let mut at = point;
+        while let Some((base, way)) = self.model.points[at.0].base {
+            (order, at) = (order.max(self.of_parts[way.0]), base);
+        }
+        order
+    }
+
+    fn of_material(&self, at: Material) -> Option<usize> {
+        let body = at.body.map(|body| &self.model.bodies[body.0]);
+        let frame = body.and_then(|body| body.frame).and_then(|frame| self.of_frame(frame));
+        let centre = body.and_then(|body| body.centre).and_then(|centre| self.of_point(centre));
+        self.of_point(at.point).max(frame).max(centre)
+    }
+}
+
+/// An expression whose rates are bounded.
+struct Bounded {
+    what: String,
+    order: Option<usize>,
+    /// The highest rate that may stand in it.
+    most: usize,
+    span: Option<Range<usize>>,
+}
+
+impl Bounded {
+    fn fault(self) -> Option<Fault> {
+        self.order.filter(|order| *order > self.most)?;
+        let (held, accepted) = match self.most {
+            0 => ("speeds", "coordinates and the time; speeds stand in forces and constraints"),
+            _ => ("accelerations", "coordinates, speeds and the time"),
+        };
+        Some(Fault::at(self.span.unwrap_or(0..0), format!("{} holds {held}", self.what), "this", accepted))
+    }
+}
+
+impl Elaborator<'_> {
+    /// Refuses rates where no law has a place for them; those of frames, then of points, explain others.
+    pub(super) fn rates(&mut self) {
+        let orders = Orders::of(&self.model);
+        let groups = [self.angles(&orders), self.ways(&orders), self.laws(&orders)];
+        let faults = groups.map(|group| group.into_iter().filter_map(Bounded::fault).collect::<Vec<Fault>>());
+        let first = faults.into_iter().find(|group| !group.is_empty());
+        self.faults.extend(first.unwrap_or_default());
+    }
+
+    /// The text that gives a name its meaning.
+    fn written(&self, name: &str) -> Option<Range<usize>> {
+        let entries = [&self.source.points, &self.source.frames, &self.source.definitions];
+        let entry = entries.into_iter().flatten().find(|entry| entry.name.text == name).map(|entry| &entry.value);
+        let turns = self.source.bodies.iter().find(|body| body.name.text == name).and_then(|body| body.turns.as_ref());
+        entry.or(turns).map(Text::span)
+    }
+
+    fn angles(&self, orders: &Orders<'_>) -> Vec<Bounded> {
+        let of = |frame: &crate::Frame| {
+            let Some((_, Turn::About { angle, .. })) = frame.parent else { return None };
+            let what = format!("the angle of `{}`", frame.name);
+            Some(Bounded { what, order: orders.of_parts[angle.0], most: 0, span: self.written(&frame.name) })
+        };
+        self.model.frames.iter().filter_map(of).collect()
+    }
+
+    fn ways(&self, orders: &Orders<'_>) -> Vec<Bounded> {
+        let of = |point: &crate::Point| {
+            let (_, way) = point.base?;
+            let what = if point.name.is_empty() { "a point".to_owned() } else { format!("the point `{}`", point.name) };
+            Some(Bounded { what, order: orders.of_parts[way.0], most: 0, span: self.written(&point.name) })
+        };
+        self.model.points.iter().filter_map(of).collect()
+    }
+
+    /// Energies, constraints, masses and moments of inertia.
+    fn laws(&self, orders: &Orders<'_>) -> Vec<Bounded> {
+        let model = &self.model;
+        let highest = |ids: &[ScalarId]| ids.iter().filter_map(|id| orders.of_parts[id.0]).max();
+        let energies = [
+            ("potential", model.energies.potential, 0),
+            ("kinetic", model.energies.kinetic, 1),
+            ("dissipation", model.energies.dissipation, 1),
+        ];
+        let energies = energies.into_iter().map(|(name, given, most)| {
+            let entry = self.source.energies.iter().find(|entry| entry.name.text == name);
+            let order = given.and_then(|id| orders.of_parts[id.0]);
+            Bounded { what: format!("the {name} energy"), order, most, span: entry.map(|entry| entry.value.span()) }
+        });
+        let constraints = model.constraints.iter().map(|Constraint { zero, gains, at, .. }| {
+            let (Zero::Scalar(ScalarId(zero)) | Zero::Vector(VectorId(zero))) = zero;
+            let order = orders.of_parts[*zero].max(highest(gains.as_deref().unwrap_or_default()));
+            Bounded { what: "a constraint".to_owned(), order, most: 1, span: Some(at.clone()) }
+        });
+        let bodies = model.bodies.iter().map(|body| {
+            let moments = match &body.inertia {
+                None => Vec::new(),
+                Some(Inertia::Axial(moment)) => vec![*moment],
+                Some(Inertia::Tensor { entries, .. }) => entries.iter().flatten().copied().collect(),
+            };
+            let order = highest(&moments).max(body.mass.and_then(|mass| orders.of_parts[mass.0]));
+            Bounded { what: format!("the inertia of `{}`", body.name), order, most: 1, span: Some(body.at.clone()) }
+        });
+        energies.chain(constraints).chain(bodies).collect()
+    }
+}
