@@ -9,10 +9,16 @@ use crate::equations::{Equation, Level, constraints_of};
 use symbolic::Sym;
 
 pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
-    constraints_of(trace).iter().enumerate().map(|(place, constraint)| statement(trace, place, constraint)).collect()
+    // coordinates that move with the time carry bodies along at u = 0
+    let relative = if trace.has_quadratic_kinetic_energy() { "" } else { CARRIED };
+    let constraints = constraints_of(trace).into_iter().enumerate();
+    constraints.map(|(place, constraint)| statement(trace, place, &constraint, relative)).collect()
 }
 
-fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation) -> Statement {
+/// The velocities that H counts.
+const CARRIED: &str = " on velocities less the velocities at u = 0";
+
+fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation, relative: &str) -> Statement {
     let kept = constraint.row.iter().zip(&trace.accelerations);
     let kept = kept.fold(constraint.bias, |sum, (&slope, &acceleration)| sum + slope * acceleration);
     let (led, rates) = led(trace, constraint);
@@ -23,9 +29,6 @@ fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation) -> Statemen
         true => "its reaction does no work".to_owned(),
         false => format!("the power of its reaction is {}", written()),
     };
-    // coordinates that move with the time carry bodies along at u = 0
-    let relative =
-        if trace.has_quadratic_kinetic_energy() { "" } else { " on velocities less the velocities at u = 0" };
     let says = format!("J u' + c is {rates}; {work}{relative}");
     let chooses = constraint.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
     let says = if chooses { piecewise(trace, &says) } else { says };

@@ -27,6 +27,9 @@ pub(super) struct ReactionPower {
 /// Degrees of homogeneity that are tried, the usual first.
 const DEGREES: [i64; 5] = [1, 2, 0, 3, 4];
 
+/// Longer expressions are not brought into normal form.
+const MOST_SIMPLIFIED: usize = 300;
+
 /// Longer expressions are not written out.
 const MOST_WRITTEN: usize = 60;
 
@@ -44,7 +47,7 @@ impl ReactionPower {
         let split = |degree: i64| {
             let idle = Sym::int(degree) * constraint.rate;
             let working = if is_linear && degree == 1 { at_rest() } else { along - idle };
-            ReactionPower { along, idle, working: simplified(working) }
+            ReactionPower { along, idle, working: in_short(working) }
         };
         let splits: Vec<ReactionPower> = match (&constraint.gains, is_linear) {
             (Some(_), _) => vec![split(0)],
@@ -79,6 +82,10 @@ impl ReactionPower {
             _ => format!("{letter}*{factor}"),
         })
     }
+}
+
+fn in_short(expression: Sym) -> Sym {
+    if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED { expression } else { simplified(expression) }
 }
 
 /// The constant zero in the place of an expression that vanishes.

@@ -6,7 +6,7 @@ use super::system::State;
 use model::equations::Characteristics;
 use model::{Mistake, Mistaken};
 
-/// The printed terms beside the inertia less its mistaken form, for a system whose frames are not free.
+/// The printed terms beside the inertia less its mistaken form.
 pub fn lost(
     at: &At<'_, '_, '_, '_>,
     characteristics: &Characteristics,
@@ -46,12 +46,21 @@ pub fn lost(
     if says_nothing == made.lost.is_empty() { Ok(()) } else { Err("its sentence and its terms differ".to_owned()) }
 }
 
+/// (w x p)_i of a speed of a free frame, since turns about its axes do not commute; zero of another speed.
+fn turned(at: &At<'_, '_, '_, '_>, i: usize, momentum: impl Fn(usize) -> f64) -> f64 {
+    let Some(turn) = i.checked_sub(at.mechanics.system.model().coordinates.len()) else { return 0.0 };
+    let first = i - turn % 3;
+    let [next, last] = [first + (turn + 1) % 3, first + (turn + 2) % 3];
+    at.state.u[next] * momentum(last) - at.state.u[last] * momentum(next)
+}
+
 /// d/dt dT/du - dT/dq along the motion, masses at rest.
 fn inertia(at: &At<'_, '_, '_, '_>, i: usize) -> f64 {
     let (mechanics, system, state) = (at.mechanics, at.mechanics.system, &at.state);
     let unit = unit(state.u.len(), i);
     let rate = slope(|length| mechanics.momentum(&system.later(state, length), i, state));
-    rate - slope(|length| mechanics.kinetic(&system.displaced(state, &unit, length), &state.u, state))
+    let turned = turned(at, i, |j| mechanics.momentum(state, j, state));
+    rate + turned - slope(|length| mechanics.kinetic(&system.displaced(state, &unit, length), &state.u, state))
 }
 
 /// The kinetic energy by the independent speeds alone.
@@ -97,17 +106,21 @@ impl Reduced<'_, '_, '_, '_, '_> {
     /// Lagrange's operator on the reduced energy.
     fn naive(&self, place: usize) -> f64 {
         let (system, state) = (self.at.mechanics.system, &self.at.state);
-        let momentum = |at: &State| {
+        let momentum = |at: &State, place: usize| {
             slope(|length| {
                 let mut speeds = self.independent(at);
                 speeds[place] += length;
                 self.energy(at, &speeds)
             })
         };
-        let rate = slope(|length| momentum(&system.later(state, length)));
+        let rate = slope(|length| momentum(&system.later(state, length), place));
+        // the reduced energy has no momentum along a dependent speed
+        let places = &self.characteristics.independent;
+        let of_speed = |j: usize| places.iter().position(|&own| own == j).map_or(0.0, |own| momentum(state, own));
+        let turned = turned(self.at, places[place], of_speed);
         let direction = self.direction(place);
         let speeds = self.independent(state);
-        rate - slope(|length| self.energy(&system.displaced(state, &direction, length), &speeds))
+        rate + turned - slope(|length| self.energy(&system.displaced(state, &direction, length), &speeds))
     }
 
     fn right(&self, place: usize, inertia: &[f64]) -> f64 {

@@ -139,10 +139,8 @@ fn examined(model: &Model) -> Examined {
                 };
                 found.held(&line, held);
             }
-            if model.free.is_empty() {
-                for (mistake, made) in &mistakes {
-                    found.held(&made.says, mistakes::lost(&at, &characteristics, *mistake, made));
-                }
+            for (mistake, made) in &mistakes {
+                found.held(&made.says, mistakes::lost(&at, &characteristics, *mistake, made));
             }
         }
         if states < STATES {
