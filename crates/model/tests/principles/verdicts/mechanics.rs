@@ -1,6 +1,6 @@
 //! Energies, powers and momenta of a system by differences of its positions: no velocity and no derivative of the model is used.
 
-use super::numbers::{cross, dot, slope, slopes, unit};
+use super::numbers::{cross, dot, quadratic_slope, slope, slopes, unit};
 use super::system::{Numbers, State, System};
 use model::{Body, Force, Inertia, Material, Torque, Trace};
 use symbolic::Sym;
@@ -155,7 +155,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
 
     /// dT/du, masses of another state.
     pub fn momentum(&self, state: &State, i: usize, masses: &State) -> f64 {
-        slope(|length| {
+        quadratic_slope(|length| {
             let mut u = state.u.clone();
             u[i] += length;
             self.kinetic(state, &u, masses)
@@ -170,7 +170,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
             return kinetic + potential;
         }
         let scaled = |length: f64| state.u.iter().map(|u| (1.0 + length) * u).collect::<Vec<f64>>();
-        slope(|length| self.kinetic(state, &scaled(length), masses)) - kinetic + potential
+        quadratic_slope(|length| self.kinetic(state, &scaled(length), masses)) - kinetic + potential
     }
 
     /// The power of all loads but those with a potential, on the velocities with some speeds.

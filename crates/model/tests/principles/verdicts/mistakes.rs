@@ -1,7 +1,7 @@
 //! The terms that a mistaken derivation loses, by differences of the energy that it uses.
 
 use super::claims::{At, Fault, equal};
-use super::numbers::{slope, solved, unit};
+use super::numbers::{quadratic_slope, slope, solved, unit};
 use super::system::State;
 use model::equations::Characteristics;
 use model::{Mistake, Mistaken};
@@ -107,7 +107,7 @@ impl Reduced<'_, '_, '_, '_, '_> {
     fn naive(&self, place: usize) -> f64 {
         let (system, state) = (self.at.mechanics.system, &self.at.state);
         let momentum = |at: &State, place: usize| {
-            slope(|length| {
+            quadratic_slope(|length| {
                 let mut speeds = self.independent(at);
                 speeds[place] += length;
                 self.energy(at, &speeds)

@@ -2,6 +2,7 @@
 //! by differences along motions, at random consistent states.
 
 mod claims;
+mod composed;
 mod mechanics;
 mod mistakes;
 mod numbers;
@@ -226,4 +227,22 @@ fn a_false_sentence_is_found() {
         let less = model::Mistaken { lost: made.lost[1..].to_vec(), ..made };
         mistakes::lost(at, &characteristics, Mistake::ConstraintsInEnergy, &less)
     });
+}
+
+/// Models of random parts, the same each time.
+#[test]
+fn every_sentence_of_composed_models_holds_along_their_motions() {
+    let count = std::env::var("COMPOSED").ok().and_then(|count| count.parse().ok()).unwrap_or(40);
+    let mut drawn = Drawn(std::env::var("SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(3));
+    let (mut faults, mut checks) = (Vec::new(), 0);
+    for _ in 0..count {
+        let text = composed::text(&mut drawn);
+        let examined = examined(&text::model(&text));
+        checks += examined.checks;
+        // what cannot be met at all has no motion
+        let found = examined.faults.into_iter().filter(|fault| fault != "no consistent state is found");
+        faults.extend(found.map(|fault| format!("{fault}\n{text}")));
+    }
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n\n"));
+    assert!(checks > 50 * count, "{checks}");
 }

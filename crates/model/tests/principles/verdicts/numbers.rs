@@ -2,15 +2,34 @@
 
 use model::expression::{Form, read};
 
-/// Points of a difference and their weights: the error is of fourth order in the step.
-const STEP: f64 = 1e-3;
-const STENCIL: [(f64, f64); 4] = [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)];
-const SECOND: [(f64, f64); 5] =
-    [(-2.0, -1.0 / 12.0), (-1.0, 4.0 / 3.0), (0.0, -2.5), (1.0, 4.0 / 3.0), (2.0, -1.0 / 12.0)];
+/// Points of a difference and their weights: the error is of sixth order in the step.
+const STEP: f64 = 2e-4;
+const STENCIL: [(f64, f64); 6] = [
+    (-3.0, -1.0 / 60.0),
+    (-2.0, 3.0 / 20.0),
+    (-1.0, -3.0 / 4.0),
+    (1.0, 3.0 / 4.0),
+    (2.0, -3.0 / 20.0),
+    (3.0, 1.0 / 60.0),
+];
+const SECOND: [(f64, f64); 7] = [
+    (-3.0, 1.0 / 90.0),
+    (-2.0, -3.0 / 20.0),
+    (-1.0, 3.0 / 2.0),
+    (0.0, -49.0 / 18.0),
+    (1.0, 3.0 / 2.0),
+    (2.0, -3.0 / 20.0),
+    (3.0, 1.0 / 90.0),
+];
 
 /// The derivative at zero.
 pub fn slope(f: impl Fn(f64) -> f64) -> f64 {
     STENCIL.iter().map(|(at, weight)| weight * f(at * STEP)).sum::<f64>() / STEP
+}
+
+/// The derivative at zero of a quadratic function: wide steps leave less to rounding.
+pub fn quadratic_slope(f: impl Fn(f64) -> f64) -> f64 {
+    (f(1.0) - f(-1.0)) / 2.0
 }
 
 /// The derivatives at zero of several functions.

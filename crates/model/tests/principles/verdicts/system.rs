@@ -15,6 +15,12 @@ pub struct State {
     pub u: Vec<f64>,
 }
 
+/// Steps of one motion.
+const STEPS: usize = 3;
+
+/// Larger accelerations and multipliers are those of states near a singular one, where differences are poor.
+const MOST: f64 = 60.0;
+
 /// Expressions that are evaluated together.
 pub struct Numbers(Tape, usize);
 
@@ -130,7 +136,8 @@ impl<'t, 'm> System<'t, 'm> {
 
     /// The state after a time of the motion.
     pub fn later(&self, state: &State, length: f64) -> State {
-        self.stepped(state, length, &|at| self.motion(at).0[..at.u.len()].to_vec(), true)
+        let accelerations = |at: &State| self.motion(at).0[..at.u.len()].to_vec();
+        (0..STEPS).fold(state.clone(), |at, _| self.stepped(&at, length / STEPS as f64, &accelerations, true))
     }
 
     /// A displacement along speeds, at a fixed time.
@@ -161,9 +168,10 @@ impl<'t, 'm> System<'t, 'm> {
                 && open(self.violated(&state, |_| Some(1)))
             {
                 self.choose(&state);
-                let (accelerations, pivots) = self.motion(&state);
-                assert!(accelerations.len() == n + self.constraints.len());
-                return (pivots >= n && accelerations.iter().all(|value| value.abs() < 1e3)).then_some(state);
+                let (solved, pivots) = self.motion(&state);
+                let is_met = self.kept(&state, &solved[..n]).iter().all(|rate| rate.abs() < 1e-9);
+                let is_regular = pivots >= n && is_met && solved.iter().all(|value| value.abs() < MOST);
+                return is_regular.then_some(state);
             }
         }
         None
