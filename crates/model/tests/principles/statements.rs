@@ -13,6 +13,15 @@ fn says(statements: &[Statement]) -> Vec<String> {
     statements.iter().map(|one| format!("{}: {}", one.subject, one.says)).collect()
 }
 
+/// All that a system states, proved.
+pub fn says_of(source: &Source) -> Vec<String> {
+    let all = stated(source);
+    for Statement { subject, agreement, .. } in &all {
+        assert!(matches!(agreement, Agreement::Proved { .. }), "{subject}: {agreement}");
+    }
+    says(&all)
+}
+
 #[test]
 fn every_statement_of_every_system_is_proved() {
     let all = [double_pendulum(true), disc(), rolling_disc(), sleigh(), slider_crank(), two_bodies(), chain(3)];
@@ -134,6 +143,31 @@ fn the_energy_of_a_mass_that_varies_is_balanced() {
         let printed = format!("{found:?}");
         assert!(!found.lost.is_empty() && !printed.contains("solidified"), "{printed}");
     });
+}
+
+/// A constraint that gains lead to zero is not zero on the way: its reaction has power there.
+#[test]
+fn a_programmed_constraint_is_led_by_its_gains() {
+    let led = |zero: &str, gains: &[&str]| model::ConstraintSource {
+        gains: Some(gains.iter().map(|&gain| gain.into()).collect()),
+        ..held("led", &[zero])
+    };
+    let mut source = double_pendulum(true);
+    source.constraints = vec![
+        led("sin(a) - b", &["(8 1/s)", "(16 1/s^2)"]),
+        led("a' - b*(2 1/s)", &["(3 1/s)"]),
+        held("kept", &["Q - P - l2*N.x"]),
+    ];
+    let told = says_of(&source);
+    assert_eq!(
+        told[1..],
+        [
+            "constraint 1 `led`: J u' + c is f'' + g1 f' + g2 f; its reaction may do work",
+            "constraint 2 `led`: J u' + c is f' + g1 f; its reaction may do work",
+            "constraint 3 `kept`: J u' + c is its second rate; its reaction does no work",
+            "constraint 4 `kept`: J u' + c is its second rate; its reaction does no work",
+        ]
+    );
 }
 
 /// The rolling put into T: Lagrange's equations for heading, lean and spin alone lose m r^2 cos(lean) lean' times the rate of spin
