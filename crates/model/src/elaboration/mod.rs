@@ -16,6 +16,8 @@ mod orientation;
 mod rates;
 mod reactions;
 mod system;
+#[cfg(test)]
+mod tests;
 mod value;
 
 use crate::arena::{Arena, Scalar, Vector};

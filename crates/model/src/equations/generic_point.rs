@@ -140,3 +140,44 @@ pub(crate) fn pivots(rows: &[Vec<Sym>], order: &[usize]) -> Vec<(usize, usize)> 
     }
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{generic_rank, pivots};
+    use field::{Analytic, Scalar};
+    use symbolic::{Sym, apart, symbols};
+
+    /// The rank of a row that is zero by an identity is none.
+    #[test]
+    fn identities_of_numbers_powers_and_angles_hold_at_the_point() {
+        apart(|| {
+            let [x, y] = symbols(["x", "y"]);
+            let circle = x.circle();
+            let square = circle.cos * circle.cos + circle.sin * circle.sin;
+            for zero in [
+                square - Sym::ONE,
+                (x - y) * (x + y) - x.powi(2) + y.powi(2),
+                x.powi(3) - x * x * x,
+                x * Sym::int(-3) + x + x + x,
+                x * Sym::ratio(-3, 7) + x * Sym::ratio(3, 7),
+                x / y - Sym::ONE / (y / x),
+            ] {
+                assert_eq!(generic_rank(&[vec![zero]]), 0, "{zero}");
+                assert_eq!(generic_rank(&[vec![zero + x]]), 1, "{zero} + x");
+            }
+        });
+    }
+
+    #[test]
+    fn a_row_that_depends_on_those_before_it_has_no_pivot() {
+        apart(|| {
+            let [x, y] = symbols(["x", "y"]);
+            let rows =
+                [vec![x, y, Sym::ONE], vec![x * y, y * y, y], vec![Sym::ZERO, y, x], vec![x, y + y, Sym::ONE + x]];
+            // the second is y times the first, the last the sum of the first and the third
+            assert_eq!(pivots(&rows, &[0, 1, 2]), [(0, 0), (2, 1)]);
+            assert_eq!(pivots(&rows, &[2, 1, 0]), [(0, 2), (2, 1)]);
+            assert_eq!(generic_rank(&rows), 2);
+        });
+    }
+}
