@@ -1,0 +1,22 @@
+//! Long systems: verdicts come in seconds.
+
+use crate::systems::chain;
+use model::principles::Principle;
+use model::{Agreement, Model, Trace};
+use symbolic::apart;
+
+#[test]
+fn principles_and_statements_agree_on_a_chain_of_eight_links() {
+    let model = Model::of(&chain(8)).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| {
+        let trace = Trace::of(&model);
+        let is_known = |found: &Agreement| matches!(found, Agreement::Proved { .. } | Agreement::Identified { .. });
+        for other in Principle::ALL.into_iter().skip(1) {
+            let found = model::agreement(&trace, Principle::Lagrange, other).expect("it applies");
+            assert!(is_known(&found), "{}: {found}", other.name());
+        }
+        for stated in model::statements(&trace) {
+            assert!(is_known(&stated.agreement), "{}: {}", stated.subject, stated.agreement);
+        }
+    });
+}

@@ -1,0 +1,71 @@
+//! Bodies that turn freely: turns about their axes do not commute.
+
+use crate::systems::entries;
+use crate::{agree, motions::vanish, statements::says_of};
+use model::{BodySource, InertiaSource, LoadSource, Source};
+
+fn body(name: &str, frame: &str, centre: &str, moments: [&str; 3]) -> BodySource {
+    let [x, y, z] = moments.map(|moment| Some(moment.into()));
+    BodySource {
+        name: name.into(),
+        frame: Some(frame.into()),
+        centre: Some(centre.into()),
+        mass: Some("m".into()),
+        inertia: Some(InertiaSource::Tensor { axes: None, entries: Box::new([x, y, z, None, None, None]) }),
+        ..BodySource::default()
+    }
+}
+
+/// Two heavy tops on fixed points; a torque on the second goes with the spin of the first.
+fn tops() -> Source {
+    Source {
+        parameters: entries(&[
+            ("m", "kg"),
+            ("l", "m"),
+            ("J", "kg m^2"),
+            ("K", "kg m^2"),
+            ("L", "kg m^2"),
+            ("g", "m/s^2"),
+            ("c", "N m s"),
+        ]),
+        frames: entries(&[("F", "N free"), ("H", "N free")]),
+        points: entries(&[("G", "O + l*F.x + 2*l*F.z"), ("K1", "O + l*H.y")]),
+        bodies: vec![body("first", "F", "G", ["J", "K", "L"]), body("second", "H", "K1", ["L", "J", "K"])],
+        gravity: Some("-g*N.z".into()),
+        torques: vec![LoadSource { on: Some("H".into()), is: "-c*F.wx*N.y".into(), ..LoadSource::default() }],
+        ..Source::default()
+    }
+}
+
+#[test]
+fn principles_agree_on_two_frames_that_turn_freely() {
+    agree(&tops());
+}
+
+/// Euler: of a body with equal moments about y and z the spin about x is kept; of one with three moments nothing is but the energy.
+#[test]
+fn the_spin_of_a_free_body_is_kept_about_an_axis_of_symmetry_alone() {
+    let free = |moments: [&str; 3]| {
+        let bodies = vec![body("rotor", "F", "O", moments)];
+        Source {
+            frames: entries(&[("F", "N free")]),
+            points: Vec::new(),
+            bodies,
+            torques: Vec::new(),
+            gravity: None,
+            ..tops()
+        }
+    };
+    assert_eq!(says_of(&free(["J", "K", "L"])), ["energy: (T + V)' is zero"]);
+    assert_eq!(says_of(&free(["J", "K", "K"])), ["energy: (T + V)' is zero", "momentum of F.wx: (dT/dF.wx)' is zero"]);
+}
+
+/// The axes of both frames move by their angular velocities, and stay of length one: by the quaternions alone.
+#[test]
+fn axes_of_free_frames_move_by_their_angular_velocities() {
+    let (f, h) = ("angular_velocity(F)", "angular_velocity(H)");
+    let rates = [("F.x", "H.y"), ("F.y", "H.z"), ("F.z", "H.z")]
+        .map(|(a, b)| format!("(rate({a} . {b}) - dot(cross({f}, {a}), {b}) - dot({a}, cross({h}, {b})))*N.x"));
+    let lengths = ["F.x", "F.y", "F.z"].map(|a| format!("(({a} . N.x)^2 + ({a} . N.y)^2 + ({a} . N.z)^2 - 1)*N.x"));
+    vanish(tops(), &rates.iter().chain(&lengths).map(String::as_str).collect::<Vec<_>>());
+}
