@@ -1,5 +1,6 @@
 //! Loads of every kind beside energies and forces along coordinates that say the same.
 
+use crate::statements::says_of;
 use crate::systems::{entries, parameters};
 use model::principles::Principle;
 use model::{BodySource, LoadSource, MatrixForm, Model, Source, Trace};
@@ -47,7 +48,12 @@ fn a_force_between_two_particles_is_that_of_the_energy_of_their_spring() {
         // Rayleigh's function is half the power that is lost
         ("dissipation", "c/2*rate(distance(P, Q))^2"),
     ]);
-    are_one(&[Source { forces: by_force, ..free.clone() }, Source { energies: by_energies, ..free }]);
+    let all = [Source { forces: by_force, ..free.clone() }, Source { energies: by_energies, ..free }];
+    are_one(&all);
+    // V of the spring is counted as energy, or its force as a power
+    for source in all {
+        assert_eq!(says_of(&source)[0], "energy: (T + V)' is the power of the forces");
+    }
 }
 
 /// Two pendulums on one axis with a spring and a damper between them.

@@ -1,19 +1,24 @@
 //! Principles that know the constraints: Maggi, Shulgin.
 
 use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
+use model::equations::{Characteristics, constraints_of};
 use model::principles::Projection;
 use model::{Agreement, BodySource, InertiaSource, Model, Projected, Source, Trace, projected_agreement};
-use symbolic::apart;
+use symbolic::{Hypotheses, Sym, apart};
 
 fn found(source: &Source, projection: Projection) -> Result<Projected, String> {
     let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
     apart(|| projected_agreement(&Trace::of(&model), projection).map_err(|why| why.to_string()))
 }
 
+/// A disc on a belt that is accelerated.
+fn belt() -> Source {
+    let drives = held("belt", &["velocity(disc at P) . N.x - (1 m/s^2)*t", "velocity(disc at P) . N.y"]);
+    Source { constraints: vec![drives], ..rolling_disc() }
+}
+
 #[test]
 fn maggi_and_shulgin_agree_with_multipliers() {
-    let mut belt = rolling_disc();
-    belt.constraints = vec![held("belt", &["velocity(disc at P) . N.x - (1 m/s^2)*t", "velocity(disc at P) . N.y"])];
     let varying = |mut source: Source, mass: &str| {
         source.bodies.last_mut().expect("it has a body").mass = Some(mass.into());
         source
@@ -21,11 +26,29 @@ fn maggi_and_shulgin_agree_with_multipliers() {
     let losing = varying(slider_crank(), "m - (0.1 kg/s)*t");
     // a mass by a dependent speed, which the constraints give
     let fast = varying(sleigh(), "m + (0.1 kg s/m)*y' + (0.2 kg/m)*x");
-    for source in [sleigh(), rolling_disc(), slider_crank(), belt, losing, fast] {
+    for source in [sleigh(), rolling_disc(), slider_crank(), belt(), losing, fast] {
         for projection in Projection::ALL {
             let Projected { agreement, points } = found(&source, projection).expect("it applies");
             assert!(matches!(agreement, Agreement::Proved { .. }), "{projection}: {agreement}; {points}");
         }
+    }
+}
+
+/// Dependent speeds and accelerations put back into the constraints' rates, for every independent one.
+#[test]
+fn the_motion_by_independent_speeds_keeps_the_constraints() {
+    for source in [sleigh(), rolling_disc(), slider_crank(), belt()] {
+        let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
+        apart(|| {
+            let trace = Trace::of(&model);
+            let constraints = constraints_of(&trace);
+            let motion = Characteristics::of(&trace, &constraints).motion(&trace, &constraints).expect("it is linear");
+            let rates = constraints.iter().flat_map(|constraint| [constraint.rate, trace.rate_of(constraint.rate)]);
+            for left in motion.on_constraints(&rates.collect::<Vec<Sym>>()) {
+                let decided = symbolic::decide(left, &Hypotheses::none());
+                assert!(decided.is_zero(), "{decided}");
+            }
+        });
     }
 }
 

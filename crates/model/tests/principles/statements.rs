@@ -57,6 +57,11 @@ fn what_is_driven_takes_in_energy() {
     let [energy, ..] = &stated(&hoop)[..] else { panic!("it has an energy") };
     assert_eq!(energy.says, "(H = sum u dT/du - T + V)' is the power of the forces");
     assert!(matches!(energy.agreement, Agreement::Proved { .. }), "{}", energy.agreement);
+    // a force on what the motor moves too: of its power the part at u = 0 is the motor's
+    let drag = model::LoadSource { on: Some("P".into()), is: "-(1 kg/s)*velocity(P)".into(), ..Default::default() };
+    hoop.forces = vec![drag];
+    let [energy, ..] = &stated(&hoop)[..] else { panic!("it has an energy") };
+    assert!(matches!(energy.agreement, Agreement::Proved { .. }), "{}", energy.agreement);
     // a pivot that is accelerated: T knows the time
     let mut pivot = double_pendulum(true);
     pivot.points = entries(&[("P", "O + (1 m/s^2)*t^2*N.x - l1*A.y"), ("Q", "P - l2*B.y")]);
