@@ -99,7 +99,7 @@ SUBJECT_OF = {
     "crates/mechanics/src/discrete/": ["systems::discrete", "mechanics"],
     "crates/mechanics/src/first_approximation/": ["mechanics"],
     "crates/mechanics/src/uniform/": ["mechanics", "systems::selected"],
-    "crates/model/": ["principles"],
+    "crates/model/": ["principles", "model", "exports"],
     "derivations/closed_forms/": ["runs::closed_forms"],
     "derivations/mechanisms/points.rs": ["motions::atlas"],
     "crates/symbolic/src/recurrence/abreast/": ["expressions::series"],
@@ -117,8 +117,12 @@ SUBJECT_OF = {
     "crates/symbolic/src/print/": ["expressions::printing"],
     "crates/charts/src/text/": ["charts"],
 }
+# modules that take longer than all others of their crate's program: asked only of what these do not notice
+SLOW = {"principles": ["chains"]}
 # quick to build: only what proves and what multiplies big numbers is optimised, and a little all that runs whole motions
 OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
+# crates whose own tests prove and multiply big numbers too
+PROVING = {"model"}
 # what is built once for all gains nothing by parts, which do not survive a kill
 SETTINGS = {"CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_INCREMENTAL": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
 # that a law fails is enough: no search for its smallest failure; pages stay behind, and are not compared
@@ -192,7 +196,7 @@ def prepare_together(mutants: list[Mutant]) -> list[int]:
             if (COPY / file).read_text() != text:
                 (COPY / file).write_text(text)
         wrong: set[int] = set()
-        for file, line in errors(crates_of([mutant.file for mutant in mutants])):
+        for file, line in errors([mutant.file for mutant in mutants]):
             number = together.holds((COPY / file).read_text(), line)
             wrong |= {number} if number else set(held.get(file, []))
         if not wrong:
@@ -200,9 +204,10 @@ def prepare_together(mutants: list[Mutant]) -> list[int]:
         left_out |= wrong
 
 
-def errors(crates: list[str]) -> set[tuple[str, int]]:
-    """In which lines of which files the copy does not compile."""
-    packages = [word for crate in ["", *(f"-{crate}" for crate in crates)] for word in ("--package", f"dalembert{crate}")]
+def errors(files: list[str]) -> set[tuple[str, int]]:
+    """In which lines of which files the copy does not compile. A body breaks no crate above its own: those of these files are asked."""
+    own = [] if all(file.startswith("crates/") for file in files) else ["dalembert"]
+    packages = [word for name in [*own, *(f"dalembert-{crate}" for crate in crates_of(files))] for word in ("--package", name)]
     command = ["cargo", "check", "--quiet", "--keep-going", "--message-format=json", "--lib", *packages]
     done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS, capture_output=True, text=True)
     said = [json.loads(line).get("message", {}) for line in done.stdout.splitlines() if line.startswith("{")]
@@ -216,8 +221,9 @@ def crates_of(files: list[str]) -> list[str]:
 
 
 def laws_of(crates: list[str]) -> list[str]:
-    """The laws, and the programs that test these crates alone."""
-    return [*LAWS, *(test for crate in crates for test in sorted(programs_in(ROOT / "crates" / crate / "tests")))]
+    """The laws, and the programs that test these crates alone, with their slow modules."""
+    own = [test for crate in crates for test in sorted(programs_in(ROOT / "crates" / crate / "tests"))]
+    return [*LAWS, *own, *(f"{test}::{module}" for test in own for module in SLOW.get(test, []))]
 
 
 def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
@@ -234,8 +240,9 @@ def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
             continue
         command = ["cargo", "test", "--quiet", "--no-run", "--message-format=json", *chosen]
         command += [word for name in of_packages for word in ("--package", name)]
-        # what a crate tests alone is small
-        optimised = OPTIMISED if "dalembert" in of_packages else []
+        # what a crate tests alone is small, unless it proves
+        proves = "dalembert" in of_packages or PROVING & set(crates)
+        optimised = OPTIMISED if proves else []
         command += [word for crate in optimised for word in ("--config", f"profile.dev.package.{crate}.opt-level=2")]
         done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS | level, capture_output=True, text=True)
         if done.returncode != 0:
@@ -257,8 +264,10 @@ def near(file: str) -> list[str]:
 
 def failures(test: str, programs: dict[str, Path], number: int) -> list[str]:
     """The names of the tests that fail with a mutant, in their order; the program's where it does not come to its tests."""
-    command = [programs[program_of(test)], "--test-threads=2"]
-    command += [f"{module}::" for module in test.split("::")[1:]]
+    program, *modules = test.split("::")
+    command = [programs[program], "--test-threads=2", *(f"{module}::" for module in modules)]
+    if not modules:
+        command += [word for module in SLOW.get(program, []) for word in ("--skip", f"{module}::")]
     seconds = 10 * TOOK[test] + 30 if test in TOOK else None
     running = os.environ | RUNNING | {together.VARIABLE: str(number)}
     begin = time.monotonic()
