@@ -1,8 +1,9 @@
 //! Bodies that turn freely: turns about their axes do not commute.
 
 use crate::systems::entries;
-use crate::{agree, motions::vanish, statements::says_of};
-use model::{BodySource, InertiaSource, LoadSource, Source};
+use crate::{agree, loads::are_one, motions::vanish, statements::says_of};
+use model::{BodySource, InertiaSource, LoadSource, Model, Source, StartValue, Trace};
+use symbolic::apart;
 
 fn body(name: &str, frame: &str, centre: &str, moments: [&str; 3]) -> BodySource {
     let [x, y, z] = moments.map(|moment| Some(moment.into()));
@@ -58,6 +59,57 @@ fn the_spin_of_a_free_body_is_kept_about_an_axis_of_symmetry_alone() {
     };
     assert_eq!(says_of(&free(["J", "K", "L"])), ["energy: (T + V)' is zero"]);
     assert_eq!(says_of(&free(["J", "K", "K"])), ["energy: (T + V)' is zero", "momentum of F.wx: (dT/dF.wx)' is zero"]);
+}
+
+/// Turns one after the other at the start: the axes of frames that are turned so.
+#[test]
+fn a_free_frame_starts_as_frames_that_are_turned_one_after_the_other() {
+    let pairs = ["x", "y", "z"].map(|a| ["x", "y", "z"].map(|b| (format!("{a}{b}"), format!("F.{a} . C.{b}"))));
+    let pairs: Vec<(&str, &str)> = pairs.iter().flatten().map(|(name, is)| (name.as_str(), is.as_str())).collect();
+    let source = Source {
+        frames: entries(&[
+            ("H", "N free"),
+            ("F", "N free"),
+            ("A", "N turned (30 deg) about x"),
+            ("B", "A turned (-50 deg) about z"),
+            ("C", "B turned (20 deg) about y"),
+        ]),
+        start: entries(&[("F", "30 deg about x, then -50 deg about z, then 20 deg about y")]),
+        outputs: entries(&pairs),
+        ..tops()
+    };
+    let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| {
+        let trace = Trace::of(&model);
+        let letters = |name: &str| {
+            let of = |start: &StartValue| trace.coordinates[start.coordinate].to_string() == name;
+            let pi = (name == "pi").then_some(std::f64::consts::PI);
+            pi.or_else(|| model.start.iter().find(|start| of(start)).map(|start| start.value))
+        };
+        for (k, output) in model.outputs.iter().enumerate() {
+            let found = trace.scalar(output.is).evaluate_analytic(&letters).expect("every letter has a value");
+            let expected = if k % 4 == 0 { 1.0 } else { 0.0 };
+            assert!((found - expected).abs() < 1e-14, "{}: {found}", output.name);
+        }
+    });
+}
+
+#[test]
+fn the_parts_of_an_angular_velocity_are_those_of_their_frame() {
+    vanish(
+        tops(),
+        &[
+            "angular_velocity(F) - F.wx*F.x - F.wy*F.y - F.wz*F.z",
+            "angular_velocity(H) - H.wx*H.x - H.wy*H.y - H.wz*H.z",
+        ],
+    );
+    // a force along one of them is a torque about the axis
+    let torque = LoadSource { on: Some("H".into()), is: "c*F.wy*H.z".into(), ..LoadSource::default() };
+    let along = LoadSource { along: Some("H.wz".into()), is: "c*F.wy".into(), ..LoadSource::default() };
+    are_one(&[
+        Source { torques: vec![torque], ..tops() },
+        Source { torques: Vec::new(), forces: vec![along], ..tops() },
+    ]);
 }
 
 /// The axes of both frames move by their angular velocities, and stay of length one: by the quaternions alone.

@@ -7,7 +7,7 @@ use model::{BodySource, LoadSource, MatrixForm, Model, Source, Trace};
 use symbolic::{Decision, Hypotheses, Sym, apart};
 
 /// Every principle gives one and the same residual for all of these systems, which differ in their words alone.
-fn are_one(sources: &[Source]) {
+pub fn are_one(sources: &[Source]) {
     let models = sources.iter().map(|source| Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}")));
     let models: Vec<Model> = models.collect();
     apart(|| {

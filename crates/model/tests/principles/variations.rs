@@ -1,9 +1,10 @@
 //! The equations of motion and their derivatives, beside other principles and the rates of constraints.
 
-use crate::systems::{double_pendulum, entries, held, rolling_disc, slider_crank, two_bodies};
+use crate::systems::{chain, double_pendulum, entries, held, rolling_disc, slider_crank, two_bodies};
+use model::equations::{Equations, constraints_of};
 use model::principles::Principle;
 use model::{ConstraintSource, InputSource, LoadSource, Model, Source, Trace, Variations, Varied};
-use symbolic::{Hypotheses, Sym, apart};
+use symbolic::{Hypotheses, Identity, Sym, apart, identified, substitute_all};
 
 fn is_zero(what: &str, difference: Sym) {
     let decided = symbolic::decide(difference, &Hypotheses::none());
@@ -17,7 +18,7 @@ fn agree(source: &Source) {
         let trace = Trace::of(&model);
         let inputs: Vec<Sym> = model.inputs.iter().map(|input| Sym::symbol(&input.name)).collect();
         let varied = Variations::of(&trace, &inputs);
-        let constraints = model::equations::constraints_of(&trace);
+        let constraints = constraints_of(&trace);
         for (i, residual) in Principle::Gauss.residual(&trace).expect("it applies").into_iter().enumerate() {
             let reactions = constraints.iter().map(|one| one.multiplier * trace.by_speed(one.rate, i));
             is_zero("motion", reactions.fold(residual, |rest, each| rest - each) - varied.motion.values[i]);
@@ -58,6 +59,26 @@ fn variations_are_the_equations_and_their_slopes() {
     driven.outputs = entries(&[("height", "(Q - O) . N.y"), ("power", "drive*a'")]);
     for source in [driven, rolling_disc(), slider_crank(), two_bodies()] {
         agree(&source);
+    }
+}
+
+/// The elimination of several accelerations and multipliers, put back into the equations.
+#[test]
+fn accelerations_and_multipliers_fulfil_the_equations() {
+    let closed =
+        Source { constraints: vec![held("end", &["E4 - (O + l*N.x)"]), held("lower", &["q1 + q2"])], ..chain(4) };
+    for source in [chain(4), closed] {
+        let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
+        apart(|| {
+            let trace = Trace::of(&model);
+            let (accelerations, multipliers) = Equations::of(&trace).solved().expect("it is regular");
+            let varied = Variations::of(&trace, &[]);
+            let symbols = trace.accelerations.iter().chain(&varied.multipliers).copied();
+            let known: Vec<(Sym, Sym)> = symbols.zip(accelerations.into_iter().chain(multipliers)).collect();
+            let left = substitute_all(&[varied.motion.values, varied.acceleration.values].concat(), &known);
+            let found = identified(&left);
+            assert!(matches!(found, Identity::Identified { .. }), "{found:?}");
+        });
     }
 }
 
