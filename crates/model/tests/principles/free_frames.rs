@@ -72,9 +72,16 @@ fn a_free_frame_starts_as_frames_that_are_turned_one_after_the_other() {
             ("F", "N free"),
             ("A", "N turned (30 deg) about x"),
             ("B", "A turned (-50 deg) about z"),
-            ("C", "B turned (20 deg) about y"),
+            ("D", "B turned (20 deg) about y"),
+            ("E", "D turned (40 deg) about z"),
+            ("G0", "E turned (-70 deg) about x"),
+            ("C", "G0 turned (25 deg) about y"),
         ]),
-        start: entries(&[("F", "30 deg about x, then -50 deg about z, then 20 deg about y")]),
+        start: entries(&[(
+            "F",
+            "30 deg about x, then -50 deg about z, then 20 deg about y, \
+             then 40 deg about z, then -70 deg about x, then 25 deg about y",
+        )]),
         outputs: entries(&pairs),
         ..tops()
     };

@@ -13,7 +13,7 @@ mod variations;
 mod verdicts;
 
 use model::principles::Principle;
-use model::{Model, Source, Trace};
+use model::{BodySource, LoadSource, Model, Source, Trace};
 use symbolic::{Decision, Hypotheses, apart};
 use systems::{chain, disc, double_pendulum, held, sleigh, slider_crank, two_bodies};
 
@@ -56,6 +56,20 @@ fn principles_agree_on_systems_with_constraints_and_in_space() {
     // every operation by which a constraint can be written
     agree(&held_by(disc(), &["x/(y - r) - tan(spin)", "unit(G - F) . C.y", "atan2(x, y) - exp(lean)*tanh(heading)"]));
     agree(&held_by(disc(), &["norm(rate(G - F in C)) - h*heading'^2/lean'", "cross(velocity(G in D), C.x) . B.z"]));
+}
+
+/// A point and a frame without a body, which move with the bodies' coordinates and are fixed in none of them.
+#[test]
+fn loads_act_on_points_and_frames_without_a_body() {
+    let on = |on: &str, is: &str| LoadSource { on: Some(on.into()), is: is.into(), ..LoadSource::default() };
+    let mut source = double_pendulum(true);
+    source.coordinates.push(("s", "m").into());
+    source.points.extend([("R", "P + s*A.x").into(), ("S", "P - s*A.x").into()]);
+    source.frames.push(("M", "N turned 2*b - s/l1 about z").into());
+    source.bodies.push(BodySource::particle("counterweight", "S", "m1"));
+    source.forces = vec![on("R", "k*l1*B.y"), on("R", "k*s*A.y")];
+    source.torques.push(on("M", "c*a'*N.z"));
+    agree(&source);
 }
 
 /// A mass that grows with the way or the time is taken as solidified at each instant.
