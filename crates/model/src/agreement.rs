@@ -218,6 +218,8 @@ mod tests {
             let [x, y] = symbols(["x", "y"]);
             let close = x * Sym::ratio(1_000_000_001, 1_000_000_000);
             assert_eq!(equal_digits(&[(x, close)]), None);
+            // letters have values of their own
+            assert_eq!(equal_digits(&[(x, y)]), None);
             assert!(equal_digits(&[(x.circle().sin * y, y * x.circle().sin)]).is_some());
             // no real point has a value
             assert_eq!(equal_digits(&[((-x).sqrt(), (-x).sqrt() + y)]), None);
