@@ -1,9 +1,11 @@
 //! Rates where a law has no place for them: positions, potentials and angles of turns hold coordinates and the time alone; constraints,
-//! masses and the other energies hold speeds, and no accelerations.
+//! loads, masses and the other energies hold speeds, and no accelerations, which a mass matrix that is symmetric would lose.
 
 use super::Elaborator;
 use crate::arena::{Part, Scalar, Vector};
-use crate::{Constraint, Fault, FrameId, Inertia, Material, Model, PointId, ScalarId, Text, Turn, VectorId, Zero};
+use crate::{
+    Constraint, Fault, Force, FrameId, Inertia, Material, Model, PointId, ScalarId, Text, Torque, Turn, VectorId, Zero,
+};
 use std::ops::Range;
 
 /// The highest rate of a coordinate in each part: none of one that no coordinate moves.
@@ -112,10 +114,13 @@ impl Bounded {
 }
 
 impl Elaborator<'_> {
-    /// Refuses rates where no law has a place for them; those of frames, then of points, explain others.
+    /// Refuses rates where no law has a place for them; those of frames, then of points, explain others, and other faults these.
     pub(super) fn rates(&mut self) {
+        if !self.faults.is_empty() || !self.headless.is_empty() {
+            return;
+        }
         let orders = Orders::of(&self.model);
-        let groups = [self.angles(&orders), self.ways(&orders), self.laws(&orders)];
+        let groups = [self.angles(&orders), self.ways(&orders), self.laws(&orders), self.acting(&orders)];
         let faults = groups.map(|group| group.into_iter().filter_map(Bounded::fault).collect::<Vec<Fault>>());
         let first = faults.into_iter().find(|group| !group.is_empty());
         self.faults.extend(first.unwrap_or_default());
@@ -145,6 +150,30 @@ impl Elaborator<'_> {
             Some(Bounded { what, order: orders.of_parts[way.0], most: 0, span: self.written(&point.name) })
         };
         self.model.points.iter().filter_map(of).collect()
+    }
+
+    /// Gravity, forces and torques.
+    fn acting(&self, orders: &Orders<'_>) -> Vec<Bounded> {
+        let model = &self.model;
+        let at_places = model.forces.iter().map(|force| match force {
+            Force::On { is, .. } => is.0,
+            Force::Between { is, .. } => is.0,
+        });
+        let along = model.generalised.iter().map(|force| force.is.0);
+        let torques = model.torques.iter().map(|(Torque::On { is, .. } | Torque::Between { is, .. })| is.0);
+        let written = |is_along: bool| self.source.forces.iter().filter(move |load| load.along.is_some() == is_along);
+        let forces = at_places.zip(written(false)).chain(along.zip(written(true)));
+        let forces = forces.map(|(part, load)| ("a force", part, load.is.span()));
+        let torques = torques.zip(&self.source.torques).map(|(part, load)| ("a torque", part, load.is.span()));
+        let gravity = model.gravity.map(|gravity| gravity.0).zip(self.source.gravity.as_ref());
+        let gravity = gravity.map(|(part, text)| ("gravity", part, text.span()));
+        let bounded = |(what, part, span): (&str, usize, Range<usize>)| Bounded {
+            what: what.to_owned(),
+            order: orders.of_parts[part],
+            most: 1,
+            span: Some(span),
+        };
+        forces.chain(torques).chain(gravity).map(bounded).collect()
     }
 
     /// Energies, constraints, masses and moments of inertia.

@@ -37,6 +37,19 @@ fn constraints_masses_and_energies_hold_no_accelerations() {
     assert!(dissipation.contains("the dissipation energy holds accelerations"), "{dissipation}");
 }
 
+/// A force by accelerations has no place in a symmetric mass matrix.
+#[test]
+fn loads_hold_no_accelerations() {
+    let load = |on: &str, is: &str| model::LoadSource { on: Some(on.into()), is: is.into(), ..Default::default() };
+    let force = told(Source { forces: vec![load("sleigh", "-(0.1 kg)*acceleration(G)")], ..sleigh() });
+    assert!(force.contains("a force holds accelerations; coordinates, speeds and the time"), "{force}");
+    let along = model::LoadSource { along: Some("x".into()), is: "-(0.1 kg)*y''".into(), ..Default::default() };
+    let along = told(Source { forces: vec![along], ..sleigh() });
+    assert!(along.contains("a force holds accelerations"), "{along}");
+    let torque = told(Source { torques: vec![load("sleigh", "-(0.1 kg m^2)*psi''*N.z")], ..sleigh() });
+    assert!(torque.contains("a torque holds accelerations"), "{torque}");
+}
+
 /// A rate of the time alone is no speed.
 #[test]
 fn rates_of_the_time_may_stand_in_positions() {
