@@ -1,7 +1,7 @@
 //! The equations J u' + c = 0 keep the constraints: their left side is the second rate of a constraint of positions and the first of one
 //! of speeds, found a second time by partial derivatives alone; with the gains of a constraint that is led to zero.
 
-use super::reaction_power::ReactionPower;
+use super::reaction_power::{ReactionPower, multiplier};
 use super::{Statement, piecewise, while_inputs_rest};
 use crate::Trace;
 use crate::agreement::decided;
@@ -24,7 +24,7 @@ fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation, relative: &
     let (led, rates) = led(trace, constraint);
     let power = ReactionPower::of(trace, constraint);
     let agreement = decided(trace, &[(kept, led), (power.along, power.idle + power.working)]);
-    let written = || power.written(trace, place).unwrap_or_else(|| format!("lambda{} J u", place + 1));
+    let written = || power.written(trace, place).unwrap_or_else(|| format!("{} J u", multiplier(trace, place)));
     let work = match power.is_zero() {
         true => "its reaction does no work".to_owned(),
         false => format!("the power of its reaction is {}", written()),

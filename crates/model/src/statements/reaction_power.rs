@@ -4,9 +4,9 @@
 //!
 //!   J u = n f' + w    or    J u = n f + w
 //!
-//! the power is lambda w. Of a constraint that is linear in the speeds n is 1, and -w is the part of its rate that no speed multiplies;
-//! of one that is homogeneous of degree n in the speeds w vanishes (Euler). A programmed constraint is not zero along its motion: n is
-//! 0 there, and w is J u.
+//! the power is lambda w. A constraint that is linear in the speeds has n = 1, and -w is the part of its rate that no speed multiplies.
+//! For a constraint that is homogeneous of degree n in the speeds w vanishes (Euler). A programmed constraint is not zero along its
+//! motion: n is 0 there, and w is J u.
 
 use crate::Trace;
 use crate::equations::{Equation, Level, vanishes};
@@ -66,7 +66,7 @@ impl ReactionPower {
 
     /// lambda w for reading, with the number of the constraint; none where it is long.
     pub fn written(&self, trace: &Trace<'_>, place: usize) -> Option<String> {
-        let letter = format!("lambda{}", place + 1);
+        let letter = multiplier(trace, place);
         if Sym::operations_of(&[self.working]) > MOST_WRITTEN {
             return None;
         }
@@ -82,6 +82,15 @@ impl ReactionPower {
             _ => format!("{letter}*{factor}"),
         })
     }
+}
+
+/// The multiplier of a constraint by its number: lambda1, or another word where the system has such a name.
+pub(super) fn multiplier(trace: &Trace<'_>, place: usize) -> String {
+    let names = trace.parameters.iter().chain(&trace.coordinates).map(Sym::to_string);
+    let names = names.chain(trace.model.inputs.iter().map(|input| input.name.clone()));
+    let mut numbers = names.filter_map(|name| name.strip_prefix("lambda").map(str::to_owned));
+    let is_taken = numbers.any(|number| !number.is_empty() && number.chars().all(|digit| digit.is_ascii_digit()));
+    format!("{}{}", if is_taken { "multiplier" } else { "lambda" }, place + 1)
 }
 
 fn in_short(expression: Sym) -> Sym {

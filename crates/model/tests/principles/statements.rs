@@ -91,7 +91,7 @@ fn homogeneous_constraints_do_no_work() {
     assert_eq!(work("x'^3 - y'^2*x'"), "J u' + c is its rate; its reaction does no work");
 }
 
-/// What a reaction of a driven constraint feeds in stands in the balance of energy, and nothing is kept.
+/// The balance of energy holds the power of the reaction of a driven constraint: the energy is not kept.
 #[test]
 fn the_reaction_of_a_drive_feeds_the_energy() {
     let driven = |zero: &str| {
@@ -108,6 +108,11 @@ fn the_reaction_of_a_drive_feeds_the_energy() {
         ]
     );
     assert_eq!(driven("a' - 2*b'")[0], "energy: (T + V)' is zero");
+    // a letter of the system is not a multiplier
+    let mut source = Source { torques: Vec::new(), ..double_pendulum(true) };
+    source.parameters.push(("lambda1", "3 rad/s").into());
+    source.constraints = vec![held("drive", &["a' - lambda1"])];
+    assert_eq!(says(&stated(&source))[0], "energy: (T + V)' is the power of the reactions (multiplier1*lambda1)");
 }
 
 /// A programmed constraint is not zero along a motion: its reaction works, and its equation has the gains.

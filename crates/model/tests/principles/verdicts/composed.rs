@@ -50,6 +50,16 @@ const CONSTRAINTS: [&str; 12] = [
     "a' - 2*b'",
 ];
 
+/// Frames that turn freely, with what holds them.
+const FREE: [&str; 2] = ["N free", "H free"];
+const HOLDING: [&str; 5] = [
+    "F.wz - (0.8 rad/s)*cos(w*t)",
+    "velocity(three at S) . N.x",
+    "velocity(three at S) . F.y - v",
+    "F.wx*x/(1 m) - F.wy",
+    "F.wx^2 - F.wy*F.wz",
+];
+
 /// The text of the next model.
 pub fn text(drawn: &mut Drawn) -> String {
     let mut chosen = |count: usize| ((drawn.number() + 1.0) / 2.0 * count as f64) as usize % count;
@@ -61,11 +71,22 @@ pub fn text(drawn: &mut Drawn) -> String {
     text += HEAD;
     let (frame, centre) = (FRAMES[chosen(FRAMES.len())], CENTRES[chosen(CENTRES.len())]);
     text += &format!("[frames]\nH = \"{frame}\"\nA = \"H turned a about z\"\nB = \"N turned b about z\"\n");
+    let free = (chosen(3) == 0).then(|| FREE[chosen(FREE.len())]);
+    if let Some(free) = free {
+        text += &format!("F = \"{free}\"\n");
+    }
     text += &format!("[points]\nP = \"{centre}\"\nQ = \"P + l*A.x\"\nR = \"O + (2 m)*N.x + l*B.y\"\n");
     let mass = MASSES[chosen(MASSES.len())];
     let inertia = r#"{ xx = "m*l^2/3", yy = "m*l^2", zz = "m*l^2", xy = "m*l^2/9" }"#;
-    text += &format!("[bodies.one]\nframe = \"A\"\ncentre = \"P\"\nmass = \"{mass}\"\ninertia = {inertia}\n");
-    text += "[bodies.two]\nframe = \"B\"\ncentre = \"R\"\nmass = \"m\"\ninertia = \"m*l^2/2\"\n";
+    let mut bodies = format!("[bodies.one]\nframe = \"A\"\ncentre = \"P\"\nmass = \"{mass}\"\ninertia = {inertia}\n");
+    bodies += "[bodies.two]\nframe = \"B\"\ncentre = \"R\"\nmass = \"m\"\ninertia = \"m*l^2/2\"\n";
+    if free.is_some() {
+        let inertia = r#"{ xx = "m*l^2", yy = "2*m*l^2", zz = "m*l^2*(1 + t/(5 s))", yz = "m*l^2/7" }"#;
+        text += "S = \"P + l*F.x\"\n";
+        bodies += &format!("[bodies.three]\nframe = \"F\"\ncentre = \"S\"\nmass = \"m\"\ninertia = {inertia}\n");
+        bodies += "[[torque]]\non = \"three\"\nis = \"-(0.2 N m s)*F.w + (0.1 N m)*N.y\"\n";
+    }
+    text += &bodies;
     let (one, other) = (chosen(FORCES.len()), chosen(FORCES.len()));
     text += FORCES[one];
     if one != other && !(FORCES[one].starts_with("[energies]") && FORCES[other].starts_with("[energies]")) {
@@ -73,11 +94,12 @@ pub fn text(drawn: &mut Drawn) -> String {
     }
     let first = chosen(CONSTRAINTS.len());
     let second = (first + 1 + chosen(CONSTRAINTS.len() - 1)) % CONSTRAINTS.len();
-    for zero in [first, second].into_iter().take(chosen(3)) {
-        let zero = CONSTRAINTS[zero];
+    let own = [first, second].map(|zero| CONSTRAINTS[zero]).into_iter().take(chosen(3));
+    let holding = free.map(|_| HOLDING[chosen(HOLDING.len())]);
+    for zero in own.chain(holding).collect::<Vec<_>>() {
         text += &format!("[[constraint]]\nzero = \"{zero}\"\n");
         if chosen(4) == 0 {
-            let of_speeds = zero.contains('\'') || zero.contains("velocity");
+            let of_speeds = ["'", "velocity", "F.w"].iter().any(|rate| zero.contains(rate));
             let gains = if of_speeds { r#""(2 1/s)""# } else { r#""(2 1/s)", "(3 1/s^2)""# };
             text += &format!("programmed = {{ gains = [{gains}] }}\n");
         }

@@ -13,7 +13,7 @@ struct Kinematics {
 }
 
 impl Kinematics {
-    /// Of a state with other speeds than its own.
+    /// The kinematics of a state with other speeds than its own.
     fn of(system: &System<'_, '_>, state: &State, u: &[f64]) -> Self {
         let start = State { u: u.to_vec(), ..state.clone() };
         let places = |at: &State| system.at(&system.places, at, &[]);

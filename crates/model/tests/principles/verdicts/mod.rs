@@ -37,7 +37,7 @@ fn holds(agreement: &Agreement) -> bool {
     matches!(agreement, Agreement::Proved { .. } | Agreement::Identified { .. } | Agreement::Tested { .. })
 }
 
-/// What is printed of a model, and all that is false of it.
+/// The lines that are printed of a model, and all that is false in them.
 #[derive(Default)]
 struct Examined {
     lines: Vec<String>,
@@ -239,7 +239,7 @@ fn every_sentence_of_composed_models_holds_along_their_motions() {
         let text = composed::text(&mut drawn);
         let examined = examined(&text::model(&text));
         checks += examined.checks;
-        // what cannot be met at all has no motion
+        // constraints that contradict each other leave no motion
         let found = examined.faults.into_iter().filter(|fault| fault != "no consistent state is found");
         faults.extend(found.map(|fault| format!("{fault}\n{text}")));
     }

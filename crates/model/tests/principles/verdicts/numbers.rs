@@ -61,8 +61,8 @@ pub fn unit(n: usize, place: usize) -> Vec<f64> {
     (0..n).map(|other| if other == place { 1.0 } else { 0.0 }).collect()
 }
 
-/// A solution of matrix * x = right by elimination with full pivots; what no equation determines is zero. The second number counts
-/// the pivots.
+/// A solution of matrix * x = right by elimination with full pivots, and the number of pivots; an unknown that no equation determines
+/// is zero.
 pub fn solved(matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, usize) {
     let columns = matrix.first().map_or(0, Vec::len);
     let mut rows: Vec<Vec<f64>> = matrix.iter().zip(right).map(|(row, &right)| [&row[..], &[right]].concat()).collect();

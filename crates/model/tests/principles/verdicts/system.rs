@@ -147,7 +147,7 @@ impl<'t, 'm> System<'t, 'm> {
         State { u: state.u.clone(), ..end }
     }
 
-    /// A state on all constraints that are not programmed, far from the zeros of conditions; none where none is found.
+    /// A state on all constraints that are not programmed, whose conditions stay as they are; none where none is found.
     pub fn drawn(&self, drawn: &mut Drawn) -> Option<State> {
         let numbers = |count: usize, drawn: &mut Drawn| (0..count).map(|_| 1.2 * drawn.number()).collect::<Vec<f64>>();
         let time = 0.7 + 0.5 * drawn.number();
@@ -207,7 +207,7 @@ impl<'t, 'm> System<'t, 'm> {
         }
     }
 
-    /// J, and J u' + c for accelerations.
+    /// J u' + c for accelerations.
     pub fn kept(&self, state: &State, accelerations: &[f64]) -> Vec<f64> {
         let values = self.at(&self.held, state, &[]);
         values.chunks(state.u.len() + 3).map(|values| values[2] + dot(&values[3..], accelerations)).collect()
