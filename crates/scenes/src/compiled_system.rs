@@ -326,7 +326,10 @@ pub(crate) fn conserves(model: &Model) -> bool {
     let is_driven = driven != Sym::ZERO && !decide(driven, &Hypotheses::none()).is_zero();
     // a given energy may be linear in the speeds too: then T + V is not the energy that is kept
     let is_quadratic = model.energies.kinetic.is_none() || trace.has_quadratic_kinetic_energy();
-    do_no_work && !is_driven && is_quadratic && ![trace.kinetic_energy(), trace.potential_energy()].iter().any(knows_time)
+    do_no_work
+        && !is_driven
+        && is_quadratic
+        && ![trace.kinetic_energy(), trace.potential_energy()].iter().any(knows_time)
 }
 
 /// The outputs, the kinetic and the potential energy.
