@@ -141,12 +141,16 @@ impl<'t, 'm> At<'_, '_, 't, 'm> {
         }
     }
 
-    /// Newton's and Euler's law of every body, by differences; for one that has no bodies beside given energies nothing is said.
+    /// Newton's and Euler's law of every body, by differences; Lagrange's where a kinetic energy is given.
     pub fn law(&self) -> Result<(), Fault> {
+        let (mut inertia, mut left) = self.mechanics.inertia_less_forces(&self.state, &self.solved);
         if self.system().model().energies.kinetic.is_some() {
-            return Ok(());
+            for (i, (of_bodies, left)) in inertia.iter_mut().zip(&mut left).enumerate() {
+                let whole = super::mistakes::inertia(self, i);
+                *left += whole - *of_bodies;
+                *of_bodies = whole;
+            }
         }
-        let (inertia, left) = self.mechanics.inertia_less_forces(&self.state, &self.solved);
         left.iter()
             .zip(self.reactions())
             .zip(inertia)

@@ -62,7 +62,7 @@ fn turned(at: &At<'_, '_, '_, '_>, i: usize, momentum: impl Fn(usize) -> f64) ->
 }
 
 /// d/dt dT/du - dT/dq along the motion, masses at rest.
-fn inertia(at: &At<'_, '_, '_, '_>, i: usize) -> f64 {
+pub fn inertia(at: &At<'_, '_, '_, '_>, i: usize) -> f64 {
     let (mechanics, system, state) = (at.mechanics, at.mechanics.system, &at.state);
     let unit = unit(state.u.len(), i);
     let rate = slope(|length| mechanics.momentum(&system.later(state, length), i, state));
