@@ -25,16 +25,18 @@ impl Table {
         self.output.as_ref()
     }
 
-    /// Writes it; of a run that stopped, what there is.
-    pub fn write(self, times: &[f64], rows: &[Vec<f64>]) -> Result<Option<Written>, Ending> {
+    /// Writes it: the samples of a run, then its end where that comes after the last of them, as at an event.
+    pub fn write(self, times: &[f64], rows: &[Vec<f64>], end: (f64, &[f64])) -> Result<Option<Written>, Ending> {
         let Table { output, heading } = self;
         let content = |out: &mut dyn Write| {
             let mut table = table(out);
             table.write_record(&heading).map_err(of_system)?;
             let mut record = ByteRecord::new();
-            for (time, row) in times.iter().zip(rows) {
+            let samples = times.iter().copied().zip(rows.iter().map(Vec::as_slice));
+            let after = Some(end).filter(|(time, _)| times.last().is_none_or(|last| last < time));
+            for (time, row) in samples.chain(after) {
                 record.clear();
-                std::iter::once(time).chain(row).for_each(|value| record.push_field(cell(*value).as_bytes()));
+                std::iter::once(&time).chain(row).for_each(|value| record.push_field(cell(*value).as_bytes()));
                 table.write_byte_record(&record).map_err(of_system)?;
             }
             table.flush()

@@ -35,7 +35,7 @@ pub fn run(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
         clock::goes_on()
     });
     drop(progress);
-    let table = table.write(&course.times, &course.rows);
+    let table = table.write(&course.times, &course.rows, (end(&course), course.last()));
     print(&match asked.format {
         Format::Text => text(scene, &plan, &course),
         Format::Json => json(scene, &plan, &course),

@@ -160,7 +160,7 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     };
 
     // what follows may take longer than the run, and the run is not lost by it
-    let table = table.write(&trajectory.times, &trajectory.rows);
+    let table = table.write(&trajectory.times, &trajectory.rows, (trajectory.outcome.time, &trajectory.last));
     clock::publish(text(&Told::default(), None));
     let told = phase("what theory says of the run", || scene.told(&choice, &trajectory));
     clock::publish(text(&told, None));

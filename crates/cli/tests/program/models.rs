@@ -285,3 +285,20 @@ fn a_file_that_names_no_system_is_led_to_one() {
     told("title = \"Empty\"\n", "run", &["this file names no system", "`dalembert scenes` lists them"]);
     std::fs::remove_file(&scene).expect("it is there");
 }
+
+/// The crossing of 32 rad lies between two samples; a run that stops ends between two samples too.
+#[test]
+fn the_table_of_a_run_ends_where_the_run_ends() {
+    let (scene, table) = (temporary("ends.toml"), temporary("ends.csv"));
+    std::fs::write(&scene, PENDULUM.replace("theta = 30", "theta = \"30 rad\"")).expect("it can be written");
+    let (file, out) = (scene.to_string_lossy().into_owned(), table.to_string_lossy().into_owned());
+    let output = run(&["run", &file, "--samples", "3", "--format", "json", "--out", &out]);
+    let found = json(&output);
+    let text = std::fs::read_to_string(&table).expect("it was written");
+    let last: Vec<f64> = text.lines().last().expect("rows").split(',').filter_map(|cell| cell.parse().ok()).collect();
+    let end = found["time"].as_f64().expect("a number");
+    assert!(last[0].to_bits() == end.to_bits() && end % 3.0 != 0.0, "{text}");
+    assert!(found["state"]["theta"].as_f64().is_some_and(|theta| theta.to_bits() == last[1].to_bits()), "{text}");
+    assert_eq!(text.lines().count(), 2 + 1 + (end / 3.0) as usize, "{text}");
+    [scene, table].iter().for_each(|path| std::fs::remove_file(path).expect("it is there"));
+}
