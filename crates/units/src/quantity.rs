@@ -88,9 +88,15 @@ fn split(text: &str) -> (&str, &str) {
     (text, "")
 }
 
+/// An example has no more numbers in a row.
+const MOST_SHOWN: usize = 9;
+
 /// How a quantity is written, by example.
 pub fn example(rows: usize, columns: usize, needed: Dimension) -> String {
-    let row = vec!["0"; columns.saturating_sub(1)].into_iter().chain(["1"]).collect::<Vec<_>>().join(" ");
+    // nobody reads ten thousand zeros
+    let row =
+        vec!["0"; columns.min(MOST_SHOWN).saturating_sub(1)].into_iter().chain(["1"]).collect::<Vec<_>>().join(" ");
+    let row = if columns > MOST_SHOWN { format!("{columns} numbers: 0 ... {row}") } else { row };
     let numbers = if rows == 3 && columns == 3 { "1 0 0; 0 1 0; 0 0 1".to_owned() } else { vec![row; rows].join("; ") };
     match needed.usual().first() {
         Some(unit) if !needed.is_number() => format!("\"{numbers} {unit}\""),

@@ -56,6 +56,13 @@ const NAMED: &[(&str, f64, f64, [i32; 4])] = &[
 /// Units that take no prefix.
 const PLAIN: &[(&str, f64, f64, [i32; 4])] = &[
     ("min", 60.0, 1.0, [0, 0, 1, 0]),
+    ("h", 3600.0, 1.0, [0, 0, 1, 0]),
+    ("day", 86_400.0, 1.0, [0, 0, 1, 0]),
+    ("bar", 1e5, 1.0, [1, -1, -2, 0]),
+    ("in", 254.0, 1e4, [0, 1, 0, 0]),
+    ("ft", 3048.0, 1e4, [0, 1, 0, 0]),
+    ("lb", 45_359_237.0, 1e8, [1, 0, 0, 0]),
+    ("lbf", 44_482_216_152_605.0, 1e13, [1, 1, -2, 0]),
     ("deg", std::f64::consts::PI, 180.0, NUMBER),
     ("rev", std::f64::consts::TAU, 1.0, NUMBER),
     ("rpm", std::f64::consts::TAU, 60.0, [0, 0, -1, 0]),
@@ -67,18 +74,19 @@ const PREFIXES: &[(&str, f64, f64)] =
 
 /// The units that messages propose, the coherent one of each dimension first.
 const USUAL: &[&str] = &[
-    "kg", "g", "m", "mm", "cm", "s", "ms", "min", "rad", "deg", "rad/s", "rpm", "deg/s", "rev/s", "m/s^2", "N", "kN",
-    "N m", "N mm", "kN m", "J", "N m s", "J s", "kg m^2", "g cm^2", "ohm", "mohm", "H", "mH", "uH", "Wb", "V s", "mWb",
-    "A", "mA", "V", "W",
+    "kg", "g", "m", "mm", "cm", "s", "ms", "min", "rad", "deg", "rad/s", "rpm", "deg/s", "rev/s", "m/s", "km/h",
+    "m/s^2", "N", "kN", "N m", "N mm", "kN m", "J", "N m s", "J s", "kg m^2", "g cm^2", "ohm", "mohm", "H", "mH", "uH",
+    "Wb", "V s", "mWb", "A", "mA", "V", "W",
 ];
 
 impl Unit {
-    /// Reads a product of units such as `kg m^2/s`; the empty text is the number one.
+    /// Reads a product of units such as `kg m^2/s`, with or without spaces about its slash; the empty text is the number one.
     pub fn parse(text: &str) -> Result<Self, NoUnit> {
         let mut product = Unit { times: 1.0, per: 1.0, dimension: Dimension { exponents: NUMBER } };
         let mut divided = false;
         let spaced = text.replace(['*', '\u{b7}'], " ");
-        for word in spaced.split_whitespace() {
+        let parts: Vec<&str> = spaced.split('/').map(str::trim).collect();
+        for word in parts.join("/").split_whitespace() {
             for (i, part) in word.split('/').enumerate() {
                 if i == 0 && divided {
                     return Err(NoUnit::AmbiguousSlash { after: part.to_owned() });
@@ -89,6 +97,21 @@ impl Unit {
             }
         }
         Ok(product)
+    }
+
+    /// The names of all units that take a prefix.
+    pub fn with_prefixes() -> impl Iterator<Item = &'static str> {
+        NAMED.iter().map(|(name, ..)| *name)
+    }
+
+    /// The names of all units that take none.
+    pub fn without_prefixes() -> impl Iterator<Item = &'static str> {
+        PLAIN.iter().map(|(name, ..)| *name)
+    }
+
+    /// All prefixes.
+    pub fn prefixes() -> impl Iterator<Item = &'static str> {
+        PREFIXES.iter().map(|(prefix, ..)| *prefix)
     }
 
     /// A number of this unit in SI units.
@@ -213,5 +236,31 @@ impl fmt::Display for NoUnit {
             }
             Self::Malformed { part } => write!(f, "`{part}` is no power of a unit; written so: `m^2`, `s^-1`"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Unit;
+
+    #[test]
+    fn units_beside_si_have_their_defined_values() {
+        for (text, si) in [
+            ("h", 3600.0),
+            ("day", 86_400.0),
+            ("bar", 1e5),
+            ("in", 0.0254),
+            ("ft", 0.3048),
+            ("lb", 0.453_592_37),
+            ("lbf", 4.448_221_615_260_5),
+            ("km / h", 1.0 / 3.6),
+            ("lbf ft", 4.448_221_615_260_5 * 0.3048),
+            ("N / m", 1.0),
+            ("kg m^2/ s^2", 1.0),
+        ] {
+            let found = Unit::parse(text).unwrap_or_else(|wrong| panic!("{text}: {wrong}")).to_si(1.0);
+            assert!((found - si).abs() <= 1e-15 * si, "{text}: {found}");
+        }
+        assert!(Unit::parse("kg / m s").is_err());
     }
 }
