@@ -99,6 +99,7 @@ fn is_model(path: &Path) -> bool {
 fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
     refuse_form(asked, "a system that is written in its file has one form")?;
     let model = read_model(path)?;
+    let file = read_text(path)?;
     let principle = match asked.principle {
         None if model.energies.kinetic.is_some() => model::principles::Principle::Lagrange,
         None | Some(PrincipleName::VirtualPower) => model::principles::Principle::VirtualPower,
@@ -123,7 +124,7 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
             let lines = [vectors(&trace), constraints(&trace)].concat();
             text += &(lines.join("\n") + "\n\n");
         }
-        let form = MatrixForm::of(&trace, principle).map_err(Ending::refused)?;
+        let form = MatrixForm::of(&trace, principle).map_err(Ending::refused)?.in_file(&model, &file);
         Ok(text + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
 }

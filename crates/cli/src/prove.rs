@@ -5,7 +5,7 @@ use crate::ending::{Ending, print};
 use ::scenes::read_model;
 use clap::{Args, ValueEnum};
 use model::principles::{Principle, Projection};
-use model::{Agreement, Mistake, Mistaken, Trace, agreement, mistaken, projected_agreement, statements};
+use model::{Agreement, Mistake, Mistaken, Trace, agreement, mistaken, projected_agreement, statements, titles};
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -96,8 +96,13 @@ fn all(trace: &Trace<'_>) -> Vec<Row> {
         let subject = Subject::Principles([first.name(), projection.name()]);
         Row { subject, agreement, behind, must_hold: true }
     };
+    let axes = titles(trace);
+    let along = |subject: String| match axes.iter().find(|(title, _)| *title == subject) {
+        Some((_, along)) => along.clone(),
+        None => subject,
+    };
     let stated = statements(trace).into_iter().map(|statement| Row {
-        subject: Subject::Statement { about: statement.subject, says: statement.says },
+        subject: Subject::Statement { about: along(statement.subject), says: statement.says },
         agreement: Ok(statement.agreement),
         behind: Vec::new(),
         must_hold: true,

@@ -47,7 +47,9 @@ pub use parts::{
     GeneralisedForce, Inertia, Input, Material, Model, Output, Parameter, Point, PointId, StartValue, Torque, Turn,
     Zero,
 };
-pub use presentation::{Held, MatrixForm, Typeset, code, constraints, latex, sympy, text, typeset, vectors};
+pub use presentation::{
+    Held, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out, sympy, text, titles, typeset, vectors,
+};
 pub use source::{
     BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source, Text,
 };

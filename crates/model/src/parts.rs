@@ -99,6 +99,9 @@ pub struct Body {
     pub inertia: Option<Inertia>,
     /// Where its name stands.
     pub at: Range<usize>,
+    /// Where its mass stands, and its inertia; where they are missing, its name.
+    pub mass_at: Range<usize>,
+    pub inertia_at: Range<usize>,
 }
 
 /// Moments of inertia about the centre of mass.
@@ -159,6 +162,8 @@ pub struct Energies {
 pub struct Constraint {
     pub name: Option<String>,
     pub zero: Zero,
+    /// Of that expression.
+    pub dimension: Dimension,
     /// Gains of a constraint that is led to zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
     pub gains: Option<Vec<ScalarId>>,
     pub at: Range<usize>,
@@ -260,6 +265,8 @@ pub struct Model {
     pub switches: Vec<ScalarId>,
     /// Where each of them stands first.
     pub switch_places: Vec<Range<usize>>,
+    /// The coherent unit of each of them.
+    pub switch_units: Vec<String>,
     pub events: Vec<Event>,
     pub start: Vec<StartValue>,
     /// Where it is said that the start is an equilibrium near these values.

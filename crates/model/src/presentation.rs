@@ -1,6 +1,8 @@
 //! Equations of motion for reading and for other programs: matrix form, vectors, kinds of constraints.
 
+mod axes;
 mod code;
+mod conditions;
 mod identifiers;
 mod latex;
 mod matrix_form;
@@ -8,9 +10,11 @@ mod reading;
 mod sympy;
 mod text;
 
+pub use axes::{axes, titles};
 pub use code::code;
+pub use conditions::left_out;
 pub use latex::{Typeset, equations as typeset, latex};
-pub use matrix_form::{Held, MatrixForm};
+pub use matrix_form::{Held, Lines, MatrixForm};
 pub use sympy::sympy;
 pub use text::text;
 
@@ -89,7 +93,7 @@ pub(crate) fn reading_of(trace: &Trace<'_>) -> Reading {
 /// without. Then whether those of speeds are rates of constraints of positions.
 pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
     let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
-    let kind = |(k, constraint): (usize, Equation)| {
+    let kind = |(k, (constraint, axis)): (usize, (Equation, Option<String>))| {
         let moves =
             constraint.row.iter().any(|slope| slope.symbols_of().iter().any(|symbol| trace.speeds.contains(symbol)));
         let kind = match constraint.level {
@@ -100,7 +104,7 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
         };
         let knows_time = constraint.zero.symbols_of().contains(&trace.time);
         let time = if knows_time { ", with the time" } else { "" };
-        format!("{}: {kind}{time}", constraint.title(k))
+        format!("{}{}: {kind}{time}", constraint.title(k), axes::along(axis.as_deref()))
     };
     let equations = equations_of(trace);
     let kept = equations.iter().any(|constraint| constraint.level == Level::Position);
@@ -111,7 +115,7 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
         Integrability::Integrable => Some("constraints of speeds: integrable (Frobenius, identified)".to_owned()),
         Integrability::NotIntegrable => Some(format!("constraints of speeds: not integrable (Frobenius{general})")),
     };
-    let lines = equations.into_iter().enumerate().map(kind);
+    let lines = equations.into_iter().zip(axes(trace)).enumerate().map(kind);
     lines.chain(whole).collect()
 }
 

@@ -479,7 +479,7 @@ fn angles_stay_together_and_constants_are_as_written() {
         "M q'' + h = Q + J^T lambda, with q = (theta, phi, s)",
         "M[phi, phi] = l^2*mrod/4 + Jrod",
         "Q[theta] = T - r*mrod*g*cos(theta)",
-        "constraint 1 `pin`: of positions",
+        "constraint 1 `pin` along R.x: of positions",
         "f1 = l + r*cos(theta + phi) - s*cos(phi)",
     ] {
         assert!(crank.lines().any(|known| known.trim() == line), "{line}\n{crank}");

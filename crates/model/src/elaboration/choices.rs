@@ -35,7 +35,10 @@ impl Elaborator<'_> {
     fn switch(&mut self, positive: ScalarId, span: &Range<usize>) -> ScalarId {
         let known = self.model.switches.iter().position(|known| *known == positive);
         let switch = known.unwrap_or_else(|| {
+            let unit = self.dimension_of(positive.0).unwrap_or_else(Dimension::none).to_string();
+            let unit = units::Dimension::of(&unit).coherent();
             self.model.switches.push(positive);
+            self.model.switch_units.push(unit);
             self.model.switch_places.push(span.clone());
             self.model.switches.len() - 1
         });

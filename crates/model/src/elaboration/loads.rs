@@ -131,8 +131,13 @@ impl Elaborator<'_> {
                     return Err(mismatch(&text.span(), "a constraint", "a scalar or a vector that is zero", &other));
                 }
             };
-            let gains = gains.clone();
-            self.model.constraints.push(Constraint { name: name.clone(), zero, gains, at: text.span() });
+            let part = match zero {
+                Zero::Scalar(zero) => zero.0,
+                Zero::Vector(zero) => zero.0,
+            };
+            let dimension = self.dimension_of(part).unwrap_or_else(Dimension::none);
+            let (name, gains, at) = (name.clone(), gains.clone(), text.span());
+            self.model.constraints.push(Constraint { name, zero, dimension, gains, at });
         }
         Ok(())
     }
@@ -150,8 +155,25 @@ impl Elaborator<'_> {
     fn output(&mut self, Entry { name, value }: &Entry) -> Sound<()> {
         let is = self.scalar_value(value, &format!("the output `{}`", name.text), None)?;
         let dimension = self.dimension_of(is.0).unwrap_or(Dimension::none());
+        if let Some(taken) = self.column_of(&name.text) {
+            let title = format!("the output `{}` has the name of {taken}", name.text);
+            let label = "a run has a column of this name";
+            return Err(Box::new(Fault::at(name.span(), title, label, "a name of its own for each output")));
+        }
         self.model.outputs.push(Output { name: name.text.clone(), is, dimension });
         Ok(())
+    }
+
+    /// The column of a run that has a name already.
+    fn column_of(&self, name: &str) -> Option<&'static str> {
+        let is_state = || self.model.state_names().iter().any(|(own, _)| own == name);
+        match name {
+            "time" => Some("the column of times"),
+            "kinetic_energy" | "potential_energy" => Some("an energy of the run"),
+            _ if self.model.outputs.iter().any(|output| output.name == name) => Some("another output"),
+            _ if is_state() => Some("a coordinate or a speed"),
+            _ => None,
+        }
     }
 
     pub(super) fn start(&mut self) {

@@ -53,12 +53,17 @@ impl Elaborator<'_> {
             ([], ..) => {
                 let names = self.source.constraints.iter().filter_map(|one| one.name.as_ref());
                 let names = names.map(|name| name.text.as_str());
+                // it is there, and what is wrong with it is told
+                if names.clone().any(|known| known == name) {
+                    return Err(Box::new(Fault::consequence(span.clone())));
+                }
                 return Err(Box::new(unknown(&self.broken, span.clone(), name, "constraint", names)));
             }
             ([only], None, 1) => *only,
             (some, Some(place), _) if (1..=some.len()).contains(&place) => some[place - 1],
             (some, ..) => {
-                let title = format!("`{name}` holds {} equations", some.len());
+                let count = some.len();
+                let title = format!("`{name}` holds {count} {}", if count == 1 { "equation" } else { "equations" });
                 return Err(refused(span, title, "which one is meant?", accepted));
             }
         };

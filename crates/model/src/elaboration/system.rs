@@ -264,8 +264,15 @@ impl Elaborator<'_> {
             Some(centre) => Some(self.point(centre)?),
             None => None,
         };
-        let name = body.name.text.clone();
-        self.model.bodies.push(Body { name, frame, centre, mass: None, inertia: None, at: body.name.span() });
+        let (name, at) = (body.name.text.clone(), body.name.span());
+        let first = match &body.inertia {
+            Some(InertiaSource::Axial(axial)) => Some(axial),
+            Some(InertiaSource::Tensor { entries, .. }) => entries.iter().flatten().next(),
+            None => None,
+        };
+        let place = |text: Option<&Text>| text.map_or_else(|| at.clone(), Text::span);
+        let (mass_at, inertia_at) = (place(body.mass.as_ref()), place(first));
+        self.model.bodies.push(Body { name, frame, centre, mass: None, inertia: None, mass_at, inertia_at, at });
         Ok(BodyId(self.model.bodies.len() - 1))
     }
 

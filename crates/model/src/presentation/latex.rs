@@ -1,5 +1,6 @@
 //! A whole system in LaTeX: every equation, for `align` or alone.
 
+use super::conditions::{Condition, conditions, left_out};
 use super::matrix_form::MatrixForm;
 use crate::Trace;
 use symbolic::Sym;
@@ -11,7 +12,8 @@ pub struct Typeset {
     pub right: String,
 }
 
-/// Groups of equations that belong together: the form, rates of the quaternions of free frames, parameters, M, h, Q, constraints.
+/// Groups of equations that belong together: the form, rates of the quaternions of free frames, parameters, M, h, Q, constraints,
+/// conditions.
 pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let equation = |left: String, right: String| Typeset { left, right };
     let held = !form.constraints.is_empty();
@@ -35,12 +37,19 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
         turned.map(|(part, rate)| equation(format!(r"\dot{{{}}}", part.latex()), rate.decimal_latex())).collect();
     let known = trace.model.parameters.iter().zip(&form.parameters).filter(|(parameter, _)| parameter.value.is_some());
     let parameters = known.map(|(parameter, letter)| equation(letter.latex(), quantity(&parameter.written))).collect();
+    // c_1 may be a parameter of the system
+    let n = form.speeds.len();
+    let most = n.max(form.constraints.len());
+    let entry = |name: &str| match form.free_letter(&[name, ""], most) {
+        "" => format!(r"\mathbf{{{name}}}"),
+        free => free.to_owned(),
+    };
     let matrix = |name: &str, rows: Vec<(String, Sym)>| -> Vec<Typeset> {
+        let name = entry(name);
         let written = rows.into_iter().filter(|(_, value)| *value != Sym::ZERO);
         written.map(|(place, value)| equation(format!("{name}_{{{place}}}"), value.decimal_latex())).collect()
     };
-    let n = form.speeds.len();
-    let comma = if n.max(form.constraints.len()) > 9 { "," } else { "" };
+    let comma = if most > 9 { "," } else { "" };
     let pair = |i: usize, j: usize| format!("{}{comma}{}", i + 1, j + 1);
     let upper = (0..n).flat_map(|i| (i..n).map(move |j| (i, j)));
     let mass = matrix("M", upper.map(|(i, j)| (pair(i, j), form.mass[i][j])).collect());
@@ -49,13 +58,25 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     };
     let mut held_to = Vec::new();
     for (k, held) in form.constraints.iter().enumerate() {
-        held_to.push(equation(format!("0 = f_{{{}}}", k + 1), held.zero.decimal_latex()));
+        let along = held.axis.as_ref().map_or_else(String::new, |axis| format!(r" \quad \text{{along {axis}}}"));
+        let zero = held.zero.decimal_latex() + &along.replace('_', r"\_");
+        held_to.push(equation(format!("0 = {}_{{{}}}", entry("f"), k + 1), zero));
     }
     for (k, held) in form.constraints.iter().enumerate() {
         held_to.extend(matrix("J", held.row.iter().enumerate().map(|(i, value)| (pair(k, i), *value)).collect()));
         held_to.extend(matrix("c", vec![((k + 1).to_string(), held.bias)]));
     }
-    let groups = vec![first, turned, parameters, mass, vector("h", &form.inertia), vector("Q", &form.forces), held_to];
+    let chosen = conditions(trace, form).into_iter().map(|Condition { number, letter, is, told }| {
+        let bracket = letter.latex();
+        let is = format!(r"{} \quad \text{{{}}}", is.decimal_latex(), told.replace('^', r"\^{}"));
+        [
+            equation(bracket, format!(r"1 \text{{ where condition {number} is positive, else }} 0")),
+            equation(format!(r"\text{{condition {number}}}"), is),
+        ]
+    });
+    let chosen: Vec<Typeset> = chosen.flatten().collect();
+    let (inertia, forces) = (vector("h", &form.inertia), vector("Q", &form.forces));
+    let groups = vec![first, turned, parameters, mass, inertia, forces, held_to, chosen];
     groups.into_iter().filter(|group| !group.is_empty()).collect()
 }
 
@@ -65,7 +86,8 @@ pub fn latex(trace: &Trace<'_>, form: &MatrixForm) -> String {
         let lines: Vec<String> = group.iter().map(|Typeset { left, right }| format!("  {left} &= {right}")).collect();
         format!("\\begin{{align}}\n{}\n\\end{{align}}\n", lines.join(" \\\\\n"))
     };
-    equations(trace, form).into_iter().map(group).collect()
+    let left_out = left_out(trace, form).into_iter().map(|line| format!("% {line}\n"));
+    equations(trace, form).into_iter().map(group).chain(left_out).collect()
 }
 
 /// `2 kg m^2`, the unit upright; `deg` as the sign.

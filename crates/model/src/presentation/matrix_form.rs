@@ -1,9 +1,11 @@
 //! The whole system in matrix form: M q'' + h = Q + J^T lambda, with every constraint.
 
+use super::axes::axes;
 use super::reading::Reading;
 use crate::equations::{Equations, Level};
 use crate::principles::{NotApplicable, Principle};
 use crate::{Energies, Model, Trace};
+use std::ops::Range;
 use symbolic::{Sym, substitute_all};
 
 /// A system in matrix form, over the symbols of a trace.
@@ -31,8 +33,17 @@ pub struct MatrixForm {
     pub inputs: Vec<Sym>,
     /// Letters that are 1 where a condition is positive, else 0; and the conditions.
     pub switches: Vec<(Sym, Sym)>,
+    /// Where conditions and events stand.
+    pub lines: Lines,
     /// Parameters whose values are positive.
     positive: Vec<bool>,
+}
+
+/// Lines of a file, counted from one; empty where the file is not known.
+#[derive(Clone, Debug, Default)]
+pub struct Lines {
+    pub conditions: Vec<usize>,
+    pub events: Vec<usize>,
 }
 
 /// A scalar constraint f = 0.
@@ -40,6 +51,8 @@ pub struct MatrixForm {
 pub struct Held {
     /// As the model names it; empty where it does not.
     pub name: String,
+    /// The axis of a vector's component, such as `F3.x`; none of a scalar.
+    pub axis: Option<String>,
     pub level: Level,
     /// f.
     pub zero: Sym,
@@ -62,7 +75,15 @@ impl MatrixForm {
         let forces = inertia.iter().zip(&bias).map(|(&inertia, &bias)| inertia - bias).collect();
         let constraints: Vec<Held> = constraints
             .into_iter()
-            .map(|each| Held { name: each.name, level: each.level, zero: each.zero, row: each.row, bias: each.bias })
+            .zip(axes(trace))
+            .map(|(each, axis)| Held {
+                name: each.name,
+                axis,
+                level: each.level,
+                zero: each.zero,
+                row: each.row,
+                bias: each.bias,
+            })
             .collect();
         let letters = [&trace.parameters, &trace.coordinates];
         let taken: Vec<Sym> = letters.into_iter().flatten().copied().collect();
@@ -94,8 +115,28 @@ impl MatrixForm {
                 .filter(|input| input.value.is_none())
                 .map(|input| Sym::symbol(&input.name))
                 .collect(),
+            lines: Lines::default(),
             positive: trace.model.parameters.iter().map(|each| each.value.is_some_and(|value| value > 0.0)).collect(),
         })
+    }
+
+    /// The same with the lines of conditions and events in the file of a model.
+    #[must_use]
+    pub fn in_file(mut self, model: &Model, file: &str) -> Self {
+        let line = |at: &Range<usize>| 1 + file.get(..at.start).unwrap_or(file).matches('\n').count();
+        self.lines = Lines {
+            conditions: model.switch_places.iter().map(line).collect(),
+            events: model.events.iter().map(|event| line(&event.at)).collect(),
+        };
+        self
+    }
+
+    /// A letter with which numbers from 1 make no letter of the system: the first of a list; its last where all do.
+    pub(super) fn free_letter<'a>(&self, letters: &[&'a str], count: usize) -> &'a str {
+        let own = [&self.parameters, &self.coordinates, &self.speeds, &self.inputs].into_iter().flatten();
+        let own: Vec<String> = own.map(Sym::to_string).collect();
+        let is_free = |letter: &&&str| (1..=count).all(|k| !own.contains(&format!("{letter}{k}")));
+        letters.iter().find(is_free).or(letters.last()).copied().unwrap_or_default()
     }
 
     /// The same with other letters.
@@ -142,6 +183,7 @@ impl MatrixForm {
                 .map(|&(letter, condition)| (single(map, letter), single(map, condition)))
                 .collect(),
             inputs: map(&self.inputs),
+            lines: self.lines.clone(),
             positive: self.positive.clone(),
         }
     }

@@ -1,5 +1,7 @@
 //! A whole system as a module for SymPy: letters as symbols, coordinates as functions of the time.
 
+use super::axes::axes;
+use super::conditions::left_out;
 use super::identifiers::identifiers;
 use super::matrix_form::MatrixForm;
 use crate::Trace;
@@ -62,6 +64,11 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
          from sympy import Derivative, Function, Matrix, Piecewise, Rational, Subs, Symbol, atan2, cos, exp, log, pi, sin, sqrt, tanh\n\n\
          t = Symbol(\"t\")\n",
     );
+    let titled = |(k, axis): (usize, Option<String>)| {
+        axis.map(|axis| format!("# multiplier {}: the reaction along {axis}\n", k + 1))
+    };
+    text.extend(axes(trace).into_iter().enumerate().filter_map(titled));
+    text.extend(left_out(trace, &form).into_iter().map(|line| format!("# {line}\n")));
     for (letter, name) in letters.iter().zip(&names).take(names.len() - switches.len()) {
         let _ = match coordinates.contains(name) || turning.contains(name) {
             true => writeln!(text, "{name} = Function({:?})(t)", letter.to_string()),

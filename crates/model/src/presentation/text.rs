@@ -1,5 +1,6 @@
 //! A whole system as text.
 
+use super::conditions::{Condition, conditions, left_out};
 use super::constraints;
 use super::matrix_form::MatrixForm;
 use crate::Trace;
@@ -13,17 +14,25 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let held = !form.constraints.is_empty();
     let reactions = if held { " + J^T lambda" } else { "" };
     let turns = !trace.model.free.is_empty();
+    let f = form.free_letter(&["f", "F", "phi", "zero"], form.constraints.len());
     match turns {
         false => writeln!(text, "M q'' + h = Q{reactions}, with q = ({})", names(&form.coordinates)),
         true => writeln!(text, "M u' + h = Q{reactions}, with u = ({})", names(&form.speeds)),
     }
     .unwrap_or(());
     if held && turns {
-        text += "J u' + c = 0: every constraint f = 0, differentiated; J holds df'/du of positions, df/du of speeds\n";
-        text += "A positive lambda acts along the gradient of f\n";
+        let _ = writeln!(
+            text,
+            "J u' + c = 0: every constraint {f} = 0, differentiated; J holds d{f}'/du of positions, d{f}/du of speeds"
+        );
     } else if held {
-        text += "J q'' + c = 0: every constraint f = 0, differentiated; J holds df/dq of positions, df/dq' of speeds\n";
-        text += "A positive lambda acts along the gradient of f\n";
+        let _ = writeln!(
+            text,
+            "J q'' + c = 0: every constraint {f} = 0, differentiated; J holds d{f}/dq of positions, d{f}/dq' of speeds"
+        );
+    }
+    if held {
+        let _ = writeln!(text, "A positive lambda acts along the gradient of {f}");
     }
     let section = |text: &mut String, title: &str, lines: Vec<String>| {
         if !lines.is_empty() {
@@ -54,13 +63,21 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let mut lines = Vec::new();
     for (k, (held, kind)) in form.constraints.iter().zip(constraints(trace)).enumerate() {
         lines.push(kind);
-        lines.push(format!("f{} = {}", k + 1, held.zero.decimal_text()));
+        lines.push(format!("{f}{} = {}", k + 1, held.zero.decimal_text()));
         for (row, value) in rows.iter().zip(&held.row).filter(|(_, value)| **value != Sym::ZERO) {
             lines.push(entry("J", format!("{}, {row}", k + 1), *value));
         }
         lines.push(entry("c", (k + 1).to_string(), held.bias));
     }
     section(&mut text, "Constraints", lines);
+    let conditions = conditions(trace, form).into_iter().map(|Condition { number, letter, is, told }| {
+        format!("{letter}: condition {number} = {}, {told}", is.decimal_text())
+    });
+    section(&mut text, "Conditions; a bracket is 1 where its condition is positive, else 0", conditions.collect());
+    let left_out = left_out(trace, form);
+    if !left_out.is_empty() {
+        let _ = write!(text, "\n{}\n", left_out.join("\n"));
+    }
     text
 }
 

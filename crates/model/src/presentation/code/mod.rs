@@ -7,6 +7,8 @@ mod c;
 mod python;
 mod rust;
 
+use super::axes::along;
+use super::conditions::left_out;
 use super::identifiers::identifiers;
 use super::matrix_form::MatrixForm;
 use crate::Trace;
@@ -27,7 +29,10 @@ struct Program {
     speeds: Vec<String>,
     /// Whether a frame is free: then q' is not u.
     turns: bool,
-    constraints: Vec<String>,
+    /// Each by its name and its axis.
+    constraints: Vec<(String, Option<String>)>,
+    /// What the code leaves out.
+    left_out: Vec<String>,
     /// Conditions, each of which makes a component of s one where it is positive, else zero.
     conditions: Vec<Statements>,
     /// M, h - Q, J, c.
@@ -102,7 +107,8 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
         coordinates: texts(&trace.coordinates),
         speeds: texts(&trace.speeds),
         turns: !trace.model.free.is_empty(),
-        constraints: form.constraints.iter().map(|held| held.name.clone()).collect(),
+        constraints: form.constraints.iter().map(|held| (held.name.clone(), held.axis.clone())).collect(),
+        left_out: left_out(trace, form),
         terms: statements(&mass.chain(loads).chain(rows).chain(biases).collect::<Vec<_>>())?,
         zeros: statements(&zeros)?,
         position_rates: statements(&trace.position_rates)?,
@@ -143,10 +149,12 @@ impl Program {
             "" => format!("{}", k + 1),
             name => format!("{} ({name})", k + 1),
         };
+        let name = |(k, (own, axis)): (usize, &(String, Option<String>))| name((k, own)) + &along(axis.as_deref());
         if self.m > 0 {
             let names: Vec<String> = self.constraints.iter().enumerate().map(name).collect();
             lines.push(format!("constraints: {}", names.join(", ")));
         }
+        lines.extend_from_slice(&self.left_out);
         lines.into_iter().map(|line| format!("{comment} {line}\n")).collect()
     }
 }

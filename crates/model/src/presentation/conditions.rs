@@ -1,0 +1,77 @@
+//! Conditions of a law for its reader: what each bracket stands for, and what the equations leave out.
+
+use super::matrix_form::MatrixForm;
+use crate::{Direction, Event, ScalarId, Trace};
+use symbolic::Sym;
+
+/// A condition that stands in the equations: 1 where it is positive, else 0.
+pub(super) struct Condition {
+    /// Counted from one.
+    pub number: usize,
+    /// Its bracket.
+    pub letter: Sym,
+    pub is: Sym,
+    /// Its unit, and its line where the file is known.
+    pub told: String,
+}
+
+/// The conditions that equations hold, and those that stand in other conditions.
+pub(super) fn conditions(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Condition> {
+    let held = form.constraints.iter().flat_map(|held| held.row.iter().chain([&held.zero, &held.bias]));
+    let loads = form.mass.iter().flatten().chain(&form.inertia).chain(&form.forces);
+    let mut open: Vec<Sym> = loads.chain(held).copied().collect();
+    let mut stands = vec![false; form.switches.len()];
+    while let Some(expression) = open.pop() {
+        let letters = expression.symbols_of();
+        for (number, (letter, is)) in form.switches.iter().enumerate() {
+            if letters.contains(letter) && !std::mem::replace(&mut stands[number], true) {
+                open.push(*is);
+            }
+        }
+    }
+    let all = form.switches.iter().enumerate().filter(|(number, _)| stands[*number]);
+    all.map(|(number, &(letter, is))| {
+        let line = form.lines.conditions.get(number).map_or_else(String::new, |line| format!(", line {line}"));
+        let unit = &trace.model.switch_units[number];
+        Condition { number: number + 1, letter, is, told: format!("in {unit}{line}") }
+    })
+    .collect()
+}
+
+/// What the equations of a model leave out, a sentence each: none where nothing is left out.
+pub fn left_out(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
+    let mut sentences = Vec::new();
+    if !conditions(trace, form).is_empty() {
+        sentences.push(
+            "A condition that stays at zero, such as the speed of dry friction that sticks, is not part of these equations: \
+             `run` finds the force that keeps it there."
+                .to_owned(),
+        );
+    }
+    if trace.model.events.is_empty() {
+        return sentences;
+    }
+    sentences.push("Events are not part of these equations; the file has:".to_owned());
+    let written = |scalar: ScalarId| trace.scalar(scalar).decimal_text();
+    sentences.extend(trace.model.events.iter().enumerate().map(|(place, event)| {
+        let line = form.lines.events.get(place).map_or_else(String::new, |line| format!(" (line {line})"));
+        let Event { name, when, direction, set, ends, .. } = event;
+        let name = if name.is_empty() { format!("event {}", place + 1) } else { format!("event `{name}`") };
+        let passes = match direction {
+            Direction::Up => "passes zero upwards",
+            Direction::Down => "passes zero downwards",
+            Direction::Both => "passes zero",
+        };
+        let letter = |each: &crate::Assignment| match each.order {
+            0 => trace.coordinates[each.coordinate],
+            _ => trace.speeds[each.coordinate],
+        };
+        let mut does: Vec<String> =
+            set.iter().map(|each| format!("{} becomes {}", letter(each), written(each.is))).collect();
+        if *ends {
+            does.push("the run ends".to_owned());
+        }
+        format!("  {name}{line}: where {} {passes}, {}", written(*when), does.join(", "))
+    }));
+    sentences
+}
