@@ -1,10 +1,11 @@
 //! `dalembert inverse`: the forces under which a system that is written in its file moves as prescribed.
 
 use crate::arguments::{finite, whole};
+use crate::csv;
 use crate::ending::{Ending, print};
 use crate::progress::Progress;
 use ::scenes::inverse::{Forces, inverse};
-use ::scenes::read_prescribed;
+use ::scenes::{read_prescribed, unit_of, unit_of_rate};
 use clap::{Args, ValueEnum};
 use serde_json::json;
 use std::path::PathBuf;
@@ -57,15 +58,16 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
     let _progress = Progress::new("inverse dynamics");
     let times: Vec<f64> = (0..=asked.samples).map(|k| asked.span * f64::from(k) / f64::from(asked.samples)).collect();
-    let found = inverse(&model, &prescribed, &asked.unknowns, &times).map_err(|why| refused(why.to_string()))?;
-    let multipliers = found.first().map_or(0, |first| first.multipliers.len());
-    let state = model.state_names();
-    let (state, speeds) = (state.iter().map(|(name, _)| name.clone()), &state[model.positions()..]);
-    let names: Vec<String> = std::iter::once("time".to_owned())
-        .chain(state)
-        .chain(speeds.iter().map(|(name, _)| format!("{name}'")))
-        .chain(asked.unknowns.iter().cloned())
-        .chain((1..=multipliers).map(|k| format!("lambda{k}")))
+    let found = inverse(&model, &prescribed, &asked.unknowns, &times);
+    let (found, constraints) = found.map_err(|why| refused(why.to_string()))?;
+    let with_unit = |name: &String| (name.clone(), unit_of(&model, name));
+    let state: Vec<(String, String)> = model.state_names().iter().map(|(name, _)| with_unit(name)).collect();
+    let speeds = &state[model.positions()..];
+    let columns: Vec<(String, String)> = std::iter::once(("time".to_owned(), "s".to_owned()))
+        .chain(state.iter().cloned())
+        .chain(speeds.iter().map(|(name, unit)| (format!("{name}'"), unit_of_rate(unit))))
+        .chain(asked.unknowns.iter().map(with_unit))
+        .chain(constraints.iter().map(|known| (known.multiplier(), known.unit.clone())))
         .collect();
     let row = |forces: &Forces| -> Vec<f64> {
         let Forces { time, coordinates, speeds, accelerations, unknowns, multipliers } = forces;
@@ -73,11 +75,15 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     };
     let rows: Vec<Vec<f64>> = found.iter().map(row).collect();
     print(&match asked.format {
-        Form::Json => format!("{:#}\n", json!({ "columns": names, "rows": rows })),
+        Form::Json => {
+            let (names, units): (Vec<&String>, Vec<&String>) = columns.iter().map(|(name, unit)| (name, unit)).unzip();
+            format!("{:#}\n", json!({ "columns": names, "units": units, "rows": rows }))
+        }
         Form::Csv => {
             let line =
                 |row: &Vec<f64>| row.iter().map(|value| format!("{value:?}")).collect::<Vec<_>>().join(",") + "\n";
-            format!("{}\n{}", names.join(","), rows.iter().map(line).collect::<String>())
+            let heading: Vec<String> = columns.iter().map(|(name, unit)| csv::headed(name, unit)).collect();
+            format!("{}\n{}", csv::line(&heading), rows.iter().map(line).collect::<String>())
         }
     })?;
     Ok(Ending::Done)

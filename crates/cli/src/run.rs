@@ -7,6 +7,7 @@ use crate::progress::Progress;
 use crate::rough;
 use crate::summary::Summary;
 use crate::{clock, csv};
+use ::scenes::completed_start;
 use clap::Args;
 use derivations::machines::AnyMachine;
 use derivations::scene::run::most_samples;
@@ -56,7 +57,7 @@ pub fn help() -> String {
     let column = |name: &str, what: &str| format!("  {name:<22} {what}\n");
     let methods: String = methods::list().map(|(name, what)| column(&name, what)).collect();
     let models: String = AnyMachine::LIST.iter().map(|(name, what)| column(name, what)).collect();
-    format!("Methods:\n{methods}\nModels:\n{models}")
+    format!("Methods:\n{methods}\n  {SPLITTINGS}\n\nModels:\n{models}")
 }
 
 fn method(text: &str) -> Result<Method, String> {
@@ -87,6 +88,10 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
         }
         AnyScene::Model(scene) => {
             refuse("a system that is written in its file", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+            let choice = choice(scene.run(), asked);
+            if matches!(choice.method, Method::Split { .. }) {
+                return Err(no_pieces(&choice, &asked.scene));
+            }
             follow(&*scene, asked, None)
         }
     }
@@ -151,8 +156,10 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
         clock::goes_on()
     });
     drop(progress);
+    let completed = completed_start(&asked.scene);
     let text = |told: &Told, beside: Option<Beside>| {
-        let summary = Summary { scene, choice: &choice, form, trajectory: &trajectory, told, beside };
+        let (choice, trajectory, completed) = (&choice, &trajectory, &completed);
+        let summary = Summary { scene, choice, form, trajectory, told, beside, completed };
         match asked.format {
             Format::Text => summary.text(),
             Format::Json => summary.json(),
@@ -194,6 +201,24 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     }
     Ok(ending)
 }
+
+/// A splitting of a law without pieces.
+fn no_pieces(choice: &Choice, path: &Path) -> Ending {
+    let others = methods::list().map(|(name, _)| name).filter(|name| {
+        let numbered = name.replace("STEPS", "1");
+        !matches!(methods::method(&numbered), Ok(Method::Split { .. }))
+    });
+    Ending::refused(format!(
+        "{} does not apply to {}: {SPLITTINGS}; accepted are {}",
+        methods::written(choice.method),
+        path.display(),
+        others.collect::<Vec<_>>().join(", ")
+    ))
+}
+
+/// The scenes that splittings apply to.
+const SPLITTINGS: &str = "splittings (strang, blanes_moan_4, blanes_moan_6, kahan_li_8) apply to gyrostats and motors whose law has pieces \
+                          with known flows, and not to a system that is written in its file";
 
 /// A part of a command that may take long.
 fn phase<T>(label: &str, work: impl FnOnce() -> T) -> T {

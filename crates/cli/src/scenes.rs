@@ -45,6 +45,7 @@ fn listed(path: &Path) -> Result<(String, String), usize> {
 fn line(path: &str, scene: Result<(String, String), usize>) -> String {
     match scene {
         Ok((system, title)) => format!("{path:<46} {system:<22} {title}\n"),
+        Err(1) => format!("{path:<46} {:<22} 1 fault; `dalembert run` tells it\n", ""),
         Err(faults) => format!("{path:<46} {:<22} {faults} faults; `dalembert run` tells them\n", ""),
     }
 }

@@ -15,12 +15,14 @@ pub struct Summary<'a> {
     pub told: &'a Told,
     /// Of constant steps: what shorter ones say.
     pub beside: Option<Beside>,
+    /// Values of the start that constraints or an equilibrium have moved.
+    pub completed: &'a [(String, f64)],
 }
 
 impl Summary<'_> {
     /// `{time, state, work, invariants, model, method, ...}`, one object on its lines.
     pub fn json(&self) -> String {
-        let Summary { scene, choice, form, trajectory, told, beside } = self;
+        let Summary { scene, choice, form, trajectory, told, beside, completed } = self;
         let outcome = &trajectory.outcome;
         let states = trajectory.names.iter().zip(&trajectory.last);
         let state: Map<String, Value> = states.map(|(name, value)| (name.clone(), json!(value))).collect();
@@ -52,6 +54,7 @@ impl Summary<'_> {
             "theory": told.theory,
             "diagnosis": told.diagnosis,
             "steps": beside.map(judged),
+            "completed_start": completed.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<_, _>>(),
             "closed_form": told.closed_form.map(|(what, deviation)| json!({ "what": what, "deviation": deviation })),
         });
         format!("{object:#}\n")
@@ -59,7 +62,7 @@ impl Summary<'_> {
 
     /// For reading.
     pub fn text(&self) -> String {
-        let Summary { scene, choice, form, trajectory, told, beside } = self;
+        let Summary { scene, choice, form, trajectory, told, beside, completed } = self;
         let outcome = &trajectory.outcome;
         let mut text = format!("{}\n\n", scene.title());
         let mut line = |name: &str, value: String| {
@@ -69,6 +72,14 @@ impl Summary<'_> {
         let form = form.map_or_else(String::new, |axes| format!(", {axes} form"));
         line("model", scene.model().to_owned());
         line("method", format!("{}, tolerance {:e}{form}", choice.method, choice.tolerance));
+        if !completed.is_empty() {
+            let value = |(name, value): &(String, f64)| {
+                let unit = self.scene.unit(name);
+                let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+                format!("{name} = {}{unit}", readable(*value))
+            };
+            line("start", format!("completed: {}", completed.iter().map(value).collect::<Vec<_>>().join(", ")));
+        }
         line("work", outcome.work.to_string());
         told.theory.iter().for_each(|said| line("theory", said.clone()));
         let stopped = trajectory.stopped();

@@ -4,6 +4,7 @@ use crate::compiled_system::NotCompiled;
 use crate::letters::{Inputs, Letters};
 use derivations::scene::Issue;
 use model::{Body, Inertia, Model, ScalarId, Trace};
+use std::ops::Range;
 use symbolic::{Sym, Tape, apart};
 
 /// The share by which a moment may exceed the sum of the two others, for data with few digits.
@@ -75,11 +76,12 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
     for body in &model.bodies {
         let mass = body.mass.and_then(|_| numbers.next().flatten());
         let inertia: Vec<Option<f64>> = moments(body).iter().map(|_| numbers.next().flatten()).collect();
-        let mut report = |title: String, label: String, accepted: &str| {
-            issues.push(Issue::at(body.at.clone(), title, label).accepted(accepted));
+        let mut report = |at: &Range<usize>, title: String, label: String, accepted: &str| {
+            issues.push(Issue::at(at.clone(), title, label).accepted(accepted));
         };
         if let Some(mass) = mass.filter(|mass| *mass <= 0.0) {
             report(
+                &body.mass_at,
                 format!("the mass of `{}` must be positive", body.name),
                 format!("it is {mass} kg"),
                 "a positive mass",
@@ -87,7 +89,12 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
         }
         if let Some(moment) = inertia.iter().flatten().find(|moment| **moment < 0.0) {
             let title = format!("a moment of inertia of `{}` is negative", body.name);
-            report(title, format!("it is {moment} kg m^2"), "moments of inertia that are zero or positive");
+            report(
+                &body.inertia_at,
+                title,
+                format!("it is {moment} kg m^2"),
+                "moments of inertia that are zero or positive",
+            );
         }
         if let [Some(a), Some(b), Some(c)] = inertia[..]
             && is_diagonal(body)
@@ -96,7 +103,12 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
                 .any(|[one, other, last]| *last > (one + other) * (1.0 + ROUNDING))
         {
             let title = format!("no body has the moments of inertia of `{}`", body.name);
-            report(title, format!("they are {a}, {b} and {c} kg m^2"), "none is larger than the two others together");
+            report(
+                &body.inertia_at,
+                title,
+                format!("they are {a}, {b} and {c} kg m^2"),
+                "none is larger than the two others together",
+            );
         }
     }
     issues

@@ -3,7 +3,7 @@
 use crate::admissible::BodyNumbers;
 use crate::compiled_system::{ENERGIES, NotCompiled};
 use crate::parametric_law::ParametricLaw;
-use crate::readiness::{one_law, refused, unmet_at};
+use crate::readiness::{changes, one_law, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
 use crate::start::{StartSolver, Unmet, given};
 use crate::warnings::warn_of;
@@ -52,7 +52,13 @@ pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneErro
         let (scene, variation, (_, targets)) = (scene?, variation?, known?);
         warn_of(name, text, &[scene.model.warnings.clone(), bare_starts(&scene.model, text)].concat());
         let model = Arc::clone(&scene.model);
-        let system = ModelEnsemble::of(scene, targets).map_err(|unmet| issues.push(unmet_at(&model, unmet))).ok()?;
+        let system = ModelEnsemble::of(scene, targets).map_err(|unmet| {
+            issues.push(match unmet {
+                Unmet::NotCompiled(NotCompiled::Changes) => changes(&model, "`ensemble` cannot run this system"),
+                other => unmet_at(&model, other),
+            });
+        });
+        let system = system.ok()?;
         let not_run = |_| issues.push(refused(&model, &NotCompiled::TooLong));
         EnsembleScene::new(Arc::new(system), variation).map_err(not_run).ok()
     })
@@ -239,7 +245,10 @@ fn told(unmet: &Unmet) -> String {
         Unmet::Open(open) => open.to_string(),
         Unmet::Redundant { name, .. } => format!("{name} follows from those before it"),
         Unmet::Idle { name, .. } => format!("{name} holds nothing there"),
-        Unmet::Gains { .. } | Unmet::Piecewise(_) => "a constraint that no start can meet".to_owned(),
+        Unmet::Contradiction { .. } => "two constraints contradict each other".to_owned(),
+        Unmet::Gains { .. } | Unmet::Piecewise(_) | Unmet::Fixed { .. } => {
+            "a constraint that no start can meet".to_owned()
+        }
         Unmet::NotCompiled(reason) => reason.to_string(),
     }
 }

@@ -5,6 +5,7 @@ use crate::warnings::warn_of;
 use derivations::scene::file::{read_text, tables};
 use derivations::scene::{Issue, SceneError};
 use model::{Entry, Fault, Model, ScalarId, Text};
+use std::ops::Range;
 use std::path::Path;
 
 /// What is prescribed, by an expression of the time each.
@@ -33,7 +34,9 @@ pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Mod
     let text = read_text(path)?;
     let behind = text.len();
     let file = path.display().to_string();
-    tables(&file, &text, |top, issues| {
+    let options = Options::of(motions);
+    let mut wrong: Vec<Issue> = Vec::new();
+    let read = tables(&file, &text, |top, issues| {
         top.known(&["title", "description", "run", "ensemble"]);
         let (own, mut source) = model(top, issues)?;
         let mut all: Vec<Written<'_>> = Vec::new();
@@ -42,34 +45,36 @@ pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Mod
             let found = if is_again { Err(("it is prescribed twice", known(&own))) } else { written(&own, name, is) };
             match found {
                 Ok(motion) => all.push(motion),
-                Err((wrong, accepted)) => {
-                    let issue = Issue::at(0..0, format!("the motion of `{name}` is not accepted"), wrong);
-                    issues.push(issue.accepted(accepted));
+                Err((label, accepted)) => {
+                    let title = format!("the motion of `{name}` is not accepted");
+                    wrong.push(Issue::at(options.line(place), title, label).accepted(accepted));
                 }
             }
         }
         if all.len() < motions.len() {
             return None;
         }
-        let mut expression = |name: &str, is: String| {
-            let name = Text::at(format!("the motion of {name}"), behind);
-            source.outputs.push(Entry { name, value: Text::at(is, behind) });
+        let mut expression = |place: usize, part: &str, is: String| {
+            let at = behind + options.expressions[place] + options.within(place, part);
+            let name = Text::at(format!("motion {}", source.outputs.len()), behind);
+            source.outputs.push(Entry { name, value: Text::at(is, at) });
         };
-        for ((name, _), motion) in motions.iter().zip(&all) {
+        for (place, ((name, _), motion)) in motions.iter().zip(&all).enumerate() {
             // the sum has the dimension of what is prescribed, or is refused
             match motion {
-                Written::Coordinate { is, .. } => expression(name, format!("{is} + ({name} - {name})")),
+                Written::Coordinate { is, .. } => expression(place, is, format!("{is} + ({name} - {name})")),
                 Written::Turns { turns, .. } => {
-                    turns.iter().for_each(|(_, is)| expression(name, format!("{is} + (1 - 1)")));
+                    turns.iter().for_each(|(_, is)| expression(place, is, format!("{is} + (1 - 1)")));
                 }
             }
         }
         let told = |fault: Fault| {
-            let issue = Issue::at(0..0, format!("a prescribed motion: {}", fault.title), fault.label);
-            issue.accepted(fault.accepted)
+            let within = |end: usize| options.text.len().min(end.saturating_sub(behind));
+            let place = within(fault.span.start)..within(fault.span.end);
+            Issue::at(place, format!("a prescribed motion: {}", fault.title), fault.label).accepted(fault.accepted)
         };
         warn_of(&file, &text, &own.warnings);
-        let model = Model::of(&source).map_err(|faults| issues.extend(faults.into_iter().map(told))).ok()?;
+        let model = Model::of(&source).map_err(|faults| wrong.extend(faults.into_iter().map(told))).ok()?;
         let mut expressions = model.outputs[own.outputs.len()..].iter().map(|output| output.is);
         let mut prescribed = Vec::with_capacity(all.len());
         for motion in all {
@@ -82,7 +87,46 @@ pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Mod
             });
         }
         Some((model, prescribed))
-    })
+    });
+    match wrong.is_empty() {
+        true => read,
+        false => Err(SceneError { path: "--motion".to_owned(), text: options.text, issues: wrong }),
+    }
+}
+
+/// The motions as they were written, a line each.
+struct Options<'a> {
+    text: String,
+    /// The first byte of each line, and of each expression.
+    lines: Vec<usize>,
+    expressions: Vec<usize>,
+    motions: &'a [(String, String)],
+}
+
+impl<'a> Options<'a> {
+    fn of(motions: &'a [(String, String)]) -> Self {
+        let mut options = Options { text: String::new(), lines: Vec::new(), expressions: Vec::new(), motions };
+        for (name, is) in motions {
+            options.lines.push(options.text.len());
+            options.text += &format!("{name} = ");
+            options.expressions.push(options.text.len());
+            options.text += &format!("{is}\n");
+        }
+        options
+    }
+
+    /// A whole motion.
+    fn line(&self, place: usize) -> Range<usize> {
+        let (name, is) = &self.motions[place];
+        let start = self.lines[place];
+        start..start + name.len() + " = ".len() + is.len()
+    }
+
+    /// Bytes of a motion's expression before a part of it.
+    fn within(&self, place: usize, part: &str) -> usize {
+        let whole = &self.motions[place].1;
+        (part.as_ptr() as usize).checked_sub(whole.as_ptr() as usize).filter(|at| *at <= whole.len()).unwrap_or(0)
+    }
 }
 
 /// A motion by the name of its coordinate or free frame; else the fault, and what is accepted.

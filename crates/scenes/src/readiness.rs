@@ -91,8 +91,40 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
             let issue = Issue::at(at, "a constraint that changes at a condition is not there yet", "this one");
             issue.accepted("constraints without `if`, `sign`, `abs`, `min`, `max` and `table`")
         }
+        Unmet::Fixed { at } => {
+            let title = "this constraint holds no coordinate and no speed";
+            let issue = Issue::at(at, title, "no motion changes its value");
+            issue.accepted(
+                "an expression of coordinates, of speeds, or of both; a relation between parameters is no constraint",
+            )
+        }
+        Unmet::Contradiction { at, residual } => {
+            let [one, other] = at.clone().map(|at| {
+                let place = model.constraints.iter().position(|constraint| constraint.at == at).unwrap_or(0);
+                let name = model.constraints[place].name.as_ref();
+                format!("constraint {}{}", place + 1, name.map_or_else(String::new, |name| format!(" `{name}`")))
+            });
+            let [_, at] = at;
+            let label = format!("it leaves {residual:.6e}, and not zero, wherever {one} holds");
+            let issue = Issue::at(at, format!("{other} contradicts {one}"), label);
+            issue.accepted("constraints that some position meets together: leave one of the two out, or mend it")
+        }
         Unmet::NotCompiled(reason) => refused(model, &reason),
     }
+}
+
+/// A system whose law or start changes, where one law is asked for: at the place where it changes.
+pub(crate) fn changes(model: &Model, what: &str) -> Issue {
+    let event = model.events.first().map(|event| (event.at.clone(), "an event"));
+    let condition = || Some((model.switch_places.first()?.clone(), "the law changes here"));
+    let equilibrium = || Some((model.equilibrium.clone()?, "the start is an equilibrium"));
+    let (at, label) = event.or_else(condition).or_else(equilibrium).unwrap_or((0..0, "in this file"));
+    let issue = Issue::at(
+        at,
+        format!("{what}: its law or its start changes at conditions, at events or with an equilibrium"),
+        label,
+    );
+    issue.accepted("a system with one law and a start of numbers; `run` runs this one")
 }
 
 /// The equilibrium near the coordinates at the start, all of which may move.
@@ -108,6 +140,9 @@ fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
     let found = equilibrium(model, all).map_err(|why| {
         let at = model.equilibrium.clone().unwrap_or_default();
         match why {
+            NoEquilibrium::NotCompiled(NotCompiled::Changes) => {
+                changes(model, "no equilibrium of this system can be sought")
+            }
             NoEquilibrium::NotCompiled(reason) => refused(model, &reason),
             NoEquilibrium::Moves { speed } => {
                 let issue = Issue::at(at, "an equilibrium has no speeds", format!("{speed} is not zero"));

@@ -1,4 +1,8 @@
-//! Units of the columns of a run.
+//! Units of the columns of runs and other tables.
+
+use model::Model;
+use model::equations::{Equation, Level};
+use symbolic::Dimension;
 
 /// The unit in which a run has a quantity that is written in another: m for mm, rad for deg.
 pub(crate) fn coherent(unit: &str) -> String {
@@ -12,9 +16,45 @@ pub(crate) fn coherent(unit: &str) -> String {
 
 /// The unit of a rate: m/s, and m/s^2 of m/s.
 pub(crate) fn rate_unit(unit: &str) -> String {
+    if let Some(of) = unit.strip_suffix("/s") {
+        return format!("{of}/s^2");
+    }
     let rate = format!("{unit}/s");
     match units::Unit::parse(&rate) {
         Ok(parsed) if unit.contains('/') => parsed.dimension().coherent(),
         _ => rate,
     }
+}
+
+/// The unit in which runs and tables have a quantity of a model by its name: of the state, an output, an energy, a parameter, an input; 1
+/// of what has none.
+pub fn unit_of(model: &Model, name: &str) -> String {
+    let rate = |unit: &str| unit.strip_suffix("/s").map_or_else(|| coherent(unit), |of| rate_unit(&coherent(of)));
+    let state = model.state_names().into_iter().find_map(|(own, unit)| (own == name).then(|| rate(&unit)));
+    let energy = || ["kinetic_energy", "potential_energy"].contains(&name).then(|| "J".to_owned());
+    let output = || {
+        let output = model.outputs.iter().find(|output| output.name == name)?;
+        Some(coherent(&output.dimension.to_string()))
+    };
+    let parameter = || Some(model.parameters.iter().find(|parameter| parameter.name == name)?.unit.clone());
+    let input = || Some(coherent(&model.inputs.iter().find(|input| input.name == name)?.unit));
+    state.or_else(energy).or_else(output).or_else(parameter).or_else(input).unwrap_or_else(|| "1".to_owned())
+}
+
+/// The unit of the rate of a quantity in a coherent unit: of a speed in m/s an acceleration in m/s^2.
+pub fn unit_of_rate(unit: &str) -> String {
+    rate_unit(unit)
+}
+
+/// The unit of a multiplier: power per rate of its constraint.
+pub(crate) fn multiplier_unit(model: &Model, constraint: &Equation) -> String {
+    let zero = model.constraints.iter().find(|own| own.at == constraint.at);
+    let zero = zero.map_or_else(Dimension::none, |own| own.dimension);
+    let (length, time) = (Dimension::length(), Dimension::time());
+    let energy = Dimension::mass() * length * length / (time * time);
+    let multiplier = match constraint.level {
+        Level::Position => energy / zero,
+        Level::Speed => energy / time / zero,
+    };
+    coherent(&multiplier.to_string())
 }

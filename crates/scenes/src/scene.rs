@@ -5,10 +5,11 @@ use crate::compiled_system::{CompiledSystem, ENERGIES};
 use crate::ensemble::parse_ensemble;
 use crate::modes::{Ended, Modes};
 use crate::quoted_keys::with_quoted_primes;
-use crate::readiness::{ready, without_run};
-use crate::row_units::{coherent, rate_unit};
+use crate::readiness::{ready, start_of, without_run};
+use crate::row_units::unit_of;
 use crate::text;
 use crate::warnings::{Warn, warn_by, warn_of};
+use derivations::scene::any::holds_model;
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
 use derivations::scene::file::{read_text, tables};
 use derivations::scene::problem::Invariant;
@@ -133,6 +134,24 @@ fn called(event: &Event, text: &str) -> String {
     }
 }
 
+/// Coordinates and speeds at the start of a file that were left out or guessed, and that constraints or an equilibrium have moved, with
+/// their values in SI units; none of a file that holds no such system.
+pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
+    let Ok(text) = read_text(path) else { return Vec::new() };
+    if !holds_model(&text) {
+        return Vec::new();
+    }
+    let model = tables("", &text, |top, issues| {
+        top.known(&["title", "description", "run", "ensemble"]);
+        model(top, issues).map(|(model, _)| model)
+    });
+    let Ok(model) = model else { return Vec::new() };
+    let Ok(start) = start_of(&model) else { return Vec::new() };
+    let names = model.state_names().into_iter().map(|(name, _)| name);
+    let moved = names.zip(start.into_iter().zip(model.start_state()));
+    moved.filter(|(_, (now, written))| now != written).map(|(name, (now, _))| (name, now)).collect()
+}
+
 /// Names of a row: coordinates, speeds, outputs, energies.
 pub(crate) fn columns(model: &Model) -> Vec<String> {
     let state = model.state_names().into_iter().map(|(name, _)| name);
@@ -204,7 +223,13 @@ impl Smooth for ModelScene {
     }
 
     fn ways(&self) -> Vec<Way> {
-        vec![Way::of(Formulation::Minimal, "", Standing::Own, self.problem(Axes::First))]
+        let constraints = &self.model.constraints;
+        let formulation = match constraints.iter().filter(|constraint| constraint.gains.is_some()).count() {
+            _ if constraints.is_empty() => Formulation::Minimal,
+            led if led == constraints.len() => Formulation::Given,
+            _ => Formulation::IndexReduced,
+        };
+        vec![Way::of(formulation, "", Standing::Own, self.problem(Axes::First))]
     }
 
     fn observed(&self, reference: &Reference) -> Vec<Observed> {
@@ -213,13 +238,6 @@ impl Smooth for ModelScene {
     }
 
     fn unit(&self, name: &str) -> Cow<'static, str> {
-        let rate = |unit: &str| unit.strip_suffix("/s").map_or_else(|| coherent(unit), |of| rate_unit(&coherent(of)));
-        let found = self.model.state_names().into_iter().find_map(|(own, unit)| (own == name).then(|| rate(&unit)));
-        let energy = || ["kinetic_energy", "potential_energy"].contains(&name).then(|| "J".to_owned());
-        let output = || {
-            let output = self.model.outputs.iter().find(|output| output.name == name)?;
-            Some(coherent(&output.dimension.to_string()))
-        };
-        found.or_else(energy).or_else(output).unwrap_or_else(|| "1".to_owned()).into()
+        unit_of(&self.model, name).into()
     }
 }

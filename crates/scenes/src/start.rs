@@ -22,6 +22,10 @@ pub enum Unmet {
     Redundant { at: Range<usize>, name: String },
     /// A constraint that no coordinate and no speed moves.
     Idle { at: Range<usize>, name: String },
+    /// A constraint that holds no coordinate and no speed.
+    Fixed { at: Range<usize> },
+    /// Two constraints that no position meets together, by their places, and what the second leaves where the first holds.
+    Contradiction { at: [Range<usize>; 2], residual: f64 },
     /// A constraint that is led to zero by more gains, or fewer, than its kind has.
     Gains { at: Range<usize>, level: Level },
     /// A constraint that is another one in another case of a condition.
@@ -148,7 +152,8 @@ impl StartSolver {
                 }
             }
             if let Some(open) = constraints.open(&state, parameters, level, &free) {
-                return Err(Unmet::Open(open));
+                let contradiction = constraints.contradiction(&state, parameters, level);
+                return Err(contradiction.unwrap_or(Unmet::Open(open)));
             }
         }
         constraints.redundant(&state, parameters).map_or(Ok(state), Err)
@@ -179,6 +184,13 @@ impl Constraints {
             let chooses = |one: &&Equation| one.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
             if let Some(constraint) = all.iter().find(chooses) {
                 return Err(Unmet::Piecewise(constraint.at.clone()));
+            }
+            let moving = [&trace.coordinates, &trace.speeds];
+            let moves = |one: &&Equation| {
+                one.zero.symbols_of().iter().any(|symbol| moving.iter().any(|letters| letters.contains(symbol)))
+            };
+            if let Some(constraint) = all.iter().find(|one| !moves(one)) {
+                return Err(Unmet::Fixed { at: constraint.at.clone() });
             }
             let wrong = |constraint: &&Equation| match (constraint.gains.as_ref().map(Vec::len), constraint.level) {
                 (None, _) | (Some(2), Level::Position) | (Some(1), Level::Speed) => false,
@@ -248,6 +260,37 @@ impl Constraints {
             kept.push(rest / length);
         }
         None
+    }
+
+    /// The first two constraints of which one is a multiple of the other and a constant, at every state: f = k g + d with d other than
+    /// zero. Two displaced states decide it.
+    fn contradiction(&self, state: &[f64], parameters: &[f64], level: Option<Level>) -> Option<Unmet> {
+        let displaced = |by: f64| {
+            let mut moved = state.to_vec();
+            (0..self.layout.speeds()).for_each(|speed| {
+                (0..2).for_each(|order| {
+                    self.layout.displace(&mut moved, (speed, order), by * (1.0 + speed as f64).sqrt())
+                });
+            });
+            self.at(&moved, parameters, level)
+        };
+        let all = [self.at(state, parameters, level), displaced(0.37), displaced(-0.61)];
+        let tie = |(residuals, rows): &(DVector<f64>, DMatrix<f64>), one: usize, other: usize| {
+            let (first, second) = (rows.row(one), rows.row(other));
+            let factor = second.dot(&first) / first.norm_squared();
+            let is_parallel = (second - first * factor).norm() <= MET * second.norm();
+            is_parallel.then(|| [factor, residuals[other] - factor * residuals[one]])
+        };
+        let pairs = (0..all[0].0.len()).flat_map(|other| (0..other).map(move |one| (one, other)));
+        let apart = |(one, other): (usize, usize)| {
+            let ties: Vec<[f64; 2]> = all.iter().filter_map(|at| tie(at, one, other)).collect();
+            let [[factor, residual], rest @ ..] = ties.as_slice() else { return None };
+            let alike = |known: &f64, other: &f64| (known - other).abs() <= MET * (1.0 + known.abs());
+            let stays = rest.iter().all(|[k, d]| alike(factor, k) && alike(residual, d));
+            (ties.len() == all.len() && stays && residual.abs() > MET).then_some((one, other, *residual))
+        };
+        let (one, other, residual) = pairs.into_iter().find_map(apart)?;
+        Some(Unmet::Contradiction { at: [one, other].map(|place| self.known[place].2.clone()), residual })
     }
 
     /// The first constraint that does not hold, with those of the free coordinates, or speeds, that move it.

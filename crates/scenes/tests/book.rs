@@ -60,3 +60,23 @@ fn every_file_and_piece_of_the_book_runs() {
     }
     assert!(count >= 14, "only {count} blocks were found");
 }
+
+/// The table of units in the book is the one of the reader.
+#[test]
+fn the_book_lists_every_unit_that_is_read() {
+    let section = BOOK.split("\n### Units\n").nth(1).and_then(|rest| rest.split("\n#").next()).expect("it is there");
+    let listed = |row: &str| -> Vec<String> {
+        let line = section.lines().find(|line| line.starts_with(&format!("| {row} |"))).expect("the row is there");
+        let mut names: Vec<String> = line.split('`').skip(1).step_by(2).map(str::to_owned).collect();
+        names.sort();
+        names
+    };
+    let read = |names: &mut dyn Iterator<Item = &'static str>| -> Vec<String> {
+        let mut names: Vec<String> = names.map(str::to_owned).collect();
+        names.sort();
+        names
+    };
+    assert_eq!(listed("with a prefix or without"), read(&mut units::Unit::with_prefixes()));
+    assert_eq!(listed("without prefixes"), read(&mut units::Unit::without_prefixes()));
+    assert_eq!(listed("prefixes"), read(&mut units::Unit::prefixes()));
+}

@@ -264,7 +264,7 @@ fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
     let (model, prescribed) = read_prescribed(&path, &motion).unwrap_or_else(|error| panic!("{error}"));
     let place = model.parameters.iter().position(|parameter| parameter.name == "T").expect("it is there");
     let times = [0.0, 0.1, 0.55];
-    let found = inverse(&model, &prescribed, &["T".to_owned()], &times).unwrap_or_else(|why| panic!("{why}"));
+    let (found, _) = inverse(&model, &prescribed, &["T".to_owned()], &times).unwrap_or_else(|why| panic!("{why}"));
     for forces in found {
         let mut driven = model.clone();
         driven.parameters[place].value = Some(forces.unknowns[0]);
@@ -291,7 +291,7 @@ fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
     assert!(wrong.contains("a prescribed motion: ") && wrong.contains("different dimensions"), "{wrong}");
     let zero = [("theta".to_owned(), "(0 deg)".to_owned())];
     let (model, prescribed) = read_prescribed(&path, &zero).unwrap_or_else(|error| panic!("{error}"));
-    let resting = inverse(&model, &prescribed, &["T".to_owned()], &[0.0]).unwrap_or_else(|why| panic!("{why}"));
+    let (resting, _) = inverse(&model, &prescribed, &["T".to_owned()], &[0.0]).unwrap_or_else(|why| panic!("{why}"));
     // level, the rod's weight on the crank's end: half of it, a tenth of a metre out
     assert!((resting[0].unknowns[0] - 0.4 * 9.81 * 0.1 / 2.0).abs() < 1e-12, "{resting:?}");
 }
@@ -466,7 +466,7 @@ fn forces_of(name: &str, text: &str, motions: &[(&str, &str)]) -> Vec<scenes::in
     std::fs::remove_file(&path).expect("it is there");
     let (model, prescribed) = read.unwrap_or_else(|error| panic!("{error}"));
     let unknowns = ["P", "T1", "T2", "T3"].map(str::to_owned);
-    inverse(&model, &prescribed, &unknowns, &[0.0, 0.3, 1.1]).unwrap_or_else(|why| panic!("{why}"))
+    inverse(&model, &prescribed, &unknowns, &[0.0, 0.3, 1.1]).unwrap_or_else(|why| panic!("{why}")).0
 }
 
 /// A free frame that is turned one turn after the other needs the torques that three angles need.
@@ -543,7 +543,7 @@ fn a_free_frame_that_constraints_turn_is_found_from_them() {
     std::fs::remove_file(&path).expect("it is there");
     let (model, prescribed) = read.unwrap_or_else(|error| panic!("{error}"));
     let times: Vec<f64> = (0..=10).map(|k| 0.1 * f64::from(k)).collect();
-    for forces in inverse(&model, &prescribed, &["P".to_owned()], &times).unwrap_or_else(|why| panic!("{why}")) {
+    for forces in inverse(&model, &prescribed, &["P".to_owned()], &times).unwrap_or_else(|why| panic!("{why}")).0 {
         let angle = 0.5 * forces.time * forces.time;
         let [q0, q3] = [forces.coordinates[1], forces.coordinates[4]];
         assert!((2.0 * q3.atan2(q0) - angle).abs() < 1e-9, "{forces:?}");

@@ -268,7 +268,7 @@ fn a_start_without_a_motion_names_what_stops_it() {
         &["the constraint `high` was not met from this start", "moving `theta` left", "theta = \"guess ...\""],
     );
     let same = "[[constraint]]\nzero = \"l - l\"\n\n[outputs]";
-    one(&[("[outputs]", same)], &["this constraint holds nothing at the start"]);
+    one(&[("[outputs]", same)], &["this constraint holds no coordinate and no speed"]);
     let pole = [
         ("theta = \"rad\"", "phi = \"rad\"\ntheta = \"rad\""),
         ("N turned theta about z", "B turned theta about x\"\nB = \"N turned phi about y"),
@@ -356,5 +356,54 @@ fn angles_with_units_small_ones_and_numbers_that_are_no_angles_are_no_warning() 
         &[("theta = \"0.3 rad\"", "\"theta'\" = \"30 rad/s\"")],
     ] {
         assert_eq!(warnings(edits), Vec::new(), "{edits:?}");
+    }
+}
+
+#[test]
+fn columns_of_one_name_are_refused_at_the_second() {
+    let again = |name: &str, parts: &[&str]| {
+        one(&[("width = \"reach\"", &format!("width = \"reach\"\n{name} = \"l\""))], parts)
+    };
+    again("theta", &["`theta` has the name of a coordinate", "scene.toml:31:1"]);
+    again("\"theta'\"", &["has the name of a coordinate or a speed"]);
+    again("kinetic_energy", &["has the name of an energy of the run"]);
+    again("time", &["has the name of the column of times"]);
+}
+
+#[test]
+fn constraints_that_contradict_each_other_are_both_named() {
+    let two = |one: &str, other: &str| {
+        format!("[[constraint]]\nname = \"low\"\nzero = \"{one}\"\n[[constraint]]\nzero = \"{other}\"\n[outputs]")
+    };
+    let found = |one_zero: &str, other: &str, parts: &[&str]| {
+        one(&[("[outputs]", &two(one_zero, other)), ("theta = \"0.3 rad\"", "theta = \"guess 0.3 rad\"")], parts)
+    };
+    let both = ["constraint 2 contradicts constraint 1 `low`", "-1.000000e-1", "zero = \"2*theta - 0.1\""];
+    found("theta", "2*theta - 0.1", &both);
+    found("sin(theta)", "3*sin(theta) + 1", &["constraint 2 contradicts constraint 1 `low`"]);
+    // out of reach of each other, by no identity
+    found("sin(theta)", "cos(theta)", &["was not met from this start"]);
+}
+
+#[test]
+fn what_is_wrong_with_a_constraint_is_told_once() {
+    let load = "[[constraint]]\nname = \"low\"\nzero = \"thata\"\n[outputs]\nload = \"reaction(low)\"";
+    one(&[("[outputs]", load)], &["is called `thata`"]);
+    one(&[("theta = \"rad\"", "theta = \"radd\""), ("[outputs]", &load.replace("thata", "theta"))], &["`radd`"]);
+    let none = load.replace("zero = \"thata\"", "zero = \"theta\"").replace("reaction(low)", "reaction(high)");
+    one(&[("[outputs]", &none)], &["no constraint is called `high`"]);
+}
+
+#[test]
+fn a_mass_that_is_not_positive_is_told_at_its_own_text() {
+    one(&[("mass = \"m\"", "mass = \"m - (3 kg)\"")], &["scene.toml:23:9", "it is -1 kg"]);
+}
+
+#[test]
+fn units_of_engineers_and_spaces_about_a_slash_are_read() {
+    for spring in ["72 km/h", "20 m / s", "1200 m /min", "1728000 m/day"] {
+        let edits =
+            [("l = \"0.5 m\"", &*format!("l = \"0.5 m\"\nv = \"{spring}\"")), ("(0.1 N)*N.x", "(0.1 N s/m)*v*N.x")];
+        assert_eq!(messages(&edits), Vec::<String>::new(), "{spring}");
     }
 }

@@ -4,13 +4,13 @@ mod print;
 
 use self::print::{Names, csv, object, text};
 use crate::clock;
-use crate::ending::Ending;
+use crate::ending::{Ending, warn};
 use crate::progress::Progress;
 use ::scenes::linearisation::{Linearisation, NotLinear, Stability, Standing, VariedEquations, eigenvalues, points};
 use ::scenes::{ModelScene, equilibrium_of, read_model, start_of};
 use clap::{Args, ValueEnum};
-use derivations::scene::SceneError;
 use derivations::scene::file::read_text;
+use derivations::scene::{Issue, SceneError};
 use model::Model;
 use serde_json::json;
 use std::path::PathBuf;
@@ -30,7 +30,8 @@ pub struct Asked {
     /// A parameter that is an input; may be repeated
     #[arg(long = "input", value_name = "NAME")]
     pub inputs: Vec<String>,
-    /// How to print the matrices; CSV has a row for each entry
+    /// How to print the matrices; CSV has a row for each entry, in the unit of its row, per second in A and B, over that of its
+    /// column
     #[arg(long, value_enum, default_value_t)]
     pub format: Form,
 }
@@ -77,9 +78,20 @@ pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
     let _progress = Progress::new("the linear equations");
     let instances = instances(&model, asked)?;
     let equations = VariedEquations::of(&model, &inputs).map_err(|why| refused(why.to_string()))?;
+    if !equations.feedback.is_empty() {
+        let inputs: Vec<String> = equations.feedback.iter().map(|name| format!("`{name}`")).collect();
+        warn(&format!(
+            "A does not hold the feedback by {}: an input is held at its value at the point; a value that stands in the force itself is \
+             part of A",
+            inputs.join(", ")
+        ));
+    }
     let mut all = Vec::with_capacity(instances.len());
     for (time, state) in instances {
-        let no_linear = |why: NotLinear| refused(format!("at t = {time} s {why}"));
+        let no_linear = |why: NotLinear| match why {
+            NotLinear::AtCondition { switch } => at_condition(&model, asked, switch, &format!("at t = {time} s {why}")),
+            _ => refused(format!("at t = {time} s {why}")),
+        };
         let linear = equations.linearised(equations.point(time, &state)).map_err(no_linear)?;
         let standing = equations.standing(&linear).map_err(no_linear)?;
         let eigenvalues = eigenvalues(&linear.a);
@@ -96,6 +108,17 @@ pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
         Form::Csv => csv(&names, &all),
     })?;
     Ok(Ending::Done)
+}
+
+/// A condition that is zero at a point, at its place in the file.
+fn at_condition(model: &Model, asked: &Asked, switch: usize, why: &str) -> Ending {
+    let text = match read_text(&asked.scene) {
+        Ok(text) => text,
+        Err(error) => return error.into(),
+    };
+    let issue = Issue::at(model.switch_places[switch].clone(), why, "this condition is zero there");
+    let issue = issue.accepted("a point at which no condition is zero: another start, or --times");
+    SceneError { path: asked.scene.display().to_string(), text, issues: vec![issue] }.into()
 }
 
 /// The places of parameters that are inputs; one without a value is taken about zero.

@@ -1,9 +1,12 @@
 //! Linear equations as text, JSON and a table.
 
 use super::Found;
+use crate::csv::{headed as csv_headed, line};
 use ::scenes::linearisation::{Linearisation, Point, Standing, VariedEquations};
+use ::scenes::unit_of;
 use model::Model;
 use serde_json::json;
+use std::collections::HashMap;
 use std::fmt::Write;
 
 /// Names of what rows and columns are.
@@ -15,6 +18,8 @@ pub(super) struct Names<'a> {
     displacements: Vec<String>,
     inputs: Vec<&'a str>,
     outputs: Vec<&'a str>,
+    /// Each with its unit.
+    headed: HashMap<String, String>,
 }
 
 impl<'a> Names<'a> {
@@ -26,13 +31,16 @@ impl<'a> Names<'a> {
             let name = &model.frames[frame.0].name;
             ["x", "y", "z"].map(|axis| format!("turn about {name}.{axis}"))
         });
-        Names {
-            coordinates,
-            speeds,
-            displacements: own.chain(turns).collect(),
-            inputs: equations.inputs.iter().map(String::as_str).collect(),
-            outputs: model.outputs.iter().map(|output| output.name.as_str()).collect(),
-        }
+        let inputs: Vec<&str> = equations.inputs.iter().map(String::as_str).collect();
+        let outputs: Vec<&str> = model.outputs.iter().map(|output| output.name.as_str()).collect();
+        let displacements: Vec<String> = own.chain(turns).collect();
+        let shown =
+            displacements.iter().chain(&speeds).map(String::as_str).chain(inputs.iter().chain(&outputs).copied());
+        let headed = shown.map(|name| {
+            let unit = if name.starts_with("turn about ") { "rad".to_owned() } else { unit_of(model, name) };
+            (name.to_owned(), csv_headed(name, &unit))
+        });
+        Names { headed: headed.collect(), coordinates, speeds, displacements, inputs, outputs }
     }
 
     /// Names of the components of x.
@@ -159,7 +167,8 @@ pub(super) fn object(names: &Names<'_>, found: &Found) -> serde_json::Value {
     object
 }
 
-/// A row for each entry of a matrix, then for each eigenvalue.
+/// A row for each entry of a matrix, then for each eigenvalue. Rows and columns carry their units: an entry has that of its row, per
+/// second in A and B, over that of its column.
 pub(super) fn csv(names: &Names<'_>, all: &[Found]) -> String {
     let mut text = "time [s],matrix,row,column,value\n".to_owned();
     for Found { linear, eigenvalues, .. } in all {
@@ -168,13 +177,14 @@ pub(super) fn csv(names: &Names<'_>, all: &[Found]) -> String {
             let (left, above) = names.sides(linear, matrix);
             for (row, values) in left.iter().zip(rows) {
                 for (column, value) in above.iter().zip(values) {
-                    let _ = writeln!(text, "{time:?},{matrix},{row},{column},{value:?}");
+                    let cells = [&format!("{time:?}"), matrix, &names.headed[row], &names.headed[column]];
+                    let _ = writeln!(text, "{},{value:?}", line(&cells));
                 }
             }
         }
         for (place, value) in eigenvalues.iter().enumerate() {
             for (part, value) in ["real", "imaginary"].into_iter().zip(value) {
-                let _ = writeln!(text, "{time:?},eigenvalue,{},{part},{value:?}", place + 1);
+                let _ = writeln!(text, "{time:?},eigenvalue,{},{part} [1/s],{value:?}", place + 1);
             }
         }
     }

@@ -73,7 +73,7 @@ fn linear_equations_are_printed_in_every_format() {
     let text = printed(&["linearise", &path, "--input", "F"]);
     assert!(text.contains("+ 3 i") && text.contains("do not decide stability"), "{text}");
     let table = printed(&["linearize", &path, "--input", "F", "--format", "csv"]);
-    assert!(table.contains("0.0,A,x',x,-9.0") && table.contains("0.0,B,x',F,0.5"), "{table}");
+    assert!(table.contains("0.0,A,x' [m/s],x [m],-9.0") && table.contains("0.0,B,x' [m/s],F [N],0.5"), "{table}");
     refused(&["linearise", &path], "the parameter `F` has no value");
     refused(&["linearise", &path, "--input", "G"], "no parameter is called `G`");
     refused(&["linearise", &path, "--times", "-1"], "a time that is not negative");
@@ -106,7 +106,7 @@ fn a_free_frame_is_linearised_by_its_turns() {
     let text = printed(&["linearise", body]);
     assert!(text.contains("  F.wx = 0.01, F.wx' = 0") && text.contains("F.q0 = "), "{text}");
     let table = printed(&["linearise", body, "--times", "0,1", "--format", "csv"]);
-    assert!(table.contains("1.0,A,turn about F.x,F.wx,1.0"), "{table}");
+    assert!(table.contains("1.0,A,turn about F.x [rad],F.wx [rad/s],1.0"), "{table}");
 }
 
 #[test]
@@ -115,7 +115,12 @@ fn forces_for_a_motion_are_printed_or_refused_with_the_rank() {
     let motion = ["inverse", crank, "--motion", "theta = 0.3*sin(t*(5 rad/s))", "--samples", "4"];
     let table = printed(&[&motion[..], &["--unknown", "T"]].concat());
     assert_eq!(table.lines().count(), 6);
-    assert!(table.starts_with("time,theta,phi,s,theta',") && table.contains(",T,lambda1,lambda2"), "{table}");
+    assert!(
+        table.starts_with("time [s],theta [rad],phi [rad],s [m],theta' [rad/s],")
+            && table.contains(",theta'' [rad/s^2],")
+            && table.contains(",T [N m],lambda1 pin along R.x [N],lambda2 pin along R.y [N]"),
+        "{table}"
+    );
     refused(&motion, "2 of 3 equations (the rank): underactuated");
     refused(&["inverse", crank, "--motion", "theta"], "a coordinate and an expression of t");
     refused(&["inverse", crank, "--motion", "omega = t/(1 s)"], "no coordinate has this name");
@@ -301,4 +306,104 @@ fn the_table_of_a_run_ends_where_the_run_ends() {
     assert!(found["state"]["theta"].as_f64().is_some_and(|theta| theta.to_bits() == last[1].to_bits()), "{text}");
     assert_eq!(text.lines().count(), 2 + 1 + (end / 3.0) as usize, "{text}");
     [scene, table].iter().for_each(|path| std::fs::remove_file(path).expect("it is there"));
+}
+
+/// A block that a limited drive pulls, with dry friction, a damping called c1 and a coordinate called f1.
+const BLOCK: &str = "title = \"A block\"\n[parameters]\nm = \"2 kg\"\nc1 = \"3 N s/m\"\nF = \"4 N\"\n[coordinates]\nf1 = \"m\"\ny = \"m\"\n\
+    [bodies.b]\ncentre = \"O + f1*N.x + y*N.y\"\nmass = \"m\"\n[[force]]\non = \"b\"\nis = \"(-c1*f1' - F*sign(f1'))*N.x\"\n\
+    [[force]]\non = \"b\"\nis = \"min(F, F*sin(t*(2 rad/s)) + F*cos(t*(3 rad/s))*sin(t*(5 rad/s)))*N.x\"\n\
+    [[constraint]]\nname = \"rail\"\nzero = \"y*N.y\"\n\
+    [[event]]\nname = \"wall\"\nwhen = \"f1 - (1 m)\"\ndirection = \"up\"\nset = { \"f1'\" = \"-0.5*f1'\" }\nend = true\n\
+    [start]\n\"f1'\" = \"1 m/s\"\n[run]\nspan = \"1 s\"\n";
+
+#[test]
+fn equations_say_what_their_conditions_are_and_what_they_leave_out() {
+    let path = temporary("block.toml");
+    std::fs::write(&path, BLOCK).expect("it is written");
+    let file = path.display().to_string();
+    let text = printed(&["derive", &file]);
+    for line in [
+        "Conditions; a bracket is 1 where its condition is positive, else 0",
+        "  [f1' > 0]: condition 1 = f1', in m/s, line 14",
+        "in N, line 17",
+        "  constraint 1 `rail` along N.y: of positions",
+        "  F1 = y",
+        "A positive lambda acts along the gradient of F",
+        "A condition that stays at zero, such as the speed of dry friction that sticks, is not part of these equations",
+        "  event `wall` (line 21): where f1 - 1 passes zero upwards, f1' becomes -1/2*f1', the run ends",
+    ] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+    let bracket = text.lines().find(|line| line.starts_with("  [condition 2 > 0]: condition 2 = "));
+    assert!(bracket.is_some_and(|line| line.contains("sin(2*t)")), "{text}");
+    let latex = printed(&["derive", &file, "--format", "latex"]);
+    for part in [r"\text{condition 2} &= ", r"0 = \mathbf{f}_{1} &= y \quad \text{along N.y}", "% Events are not part"]
+    {
+        assert!(latex.contains(part), "{part}\n{latex}");
+    }
+    printed(&["derive", &file, "--format", "mathml"]);
+    for (format, sign) in [("python", "#"), ("sympy", "#"), ("c", "//"), ("rust", "//")] {
+        let code = printed(&["derive", &file, "--format", format]);
+        let event = format!("\n{sign}   event `wall` (line 21): where ");
+        assert!(code.contains(&event) && code.contains("along N.y"), "{format}\n{code}");
+    }
+    std::fs::remove_file(&path).expect("it is there");
+}
+
+#[test]
+fn the_place_of_what_a_command_cannot_take_is_shown() {
+    let path = temporary("taken.toml");
+    let file = path.display().to_string();
+    std::fs::write(&path, BLOCK.replace("\"f1'\" = \"1 m/s\"\n", "")).expect("it is written");
+    refused(&["linearise", &file], "taken.toml:14:20");
+    std::fs::write(
+        &path,
+        BLOCK.to_owned()
+            + "[ensemble]\nmembers = 2\n[ensemble.vary]\nparameters.m = { from = \"1 kg\", to = \"2 kg\" }\n",
+    )
+    .expect("it is written");
+    refused(
+        &["ensemble", &file, "--out", "none.csv"],
+        "`ensemble` cannot run this system: its law or its start changes",
+    );
+    refused(&["ensemble", &file, "--out", "none.csv"], "taken.toml:21:1");
+    refused(&["run", &file, "--method", "strang:1000"], "strang:1000 does not apply to");
+    refused(&["inverse", &file, "--motion", "f1 = (1 m)*sin(tt)"], "--motion:1:16");
+    refused(&["inverse", &file, "--motion", "f1 = 30 mm"], "30 mm");
+    refused(&["inverse", &file, "--motion", "f1 = (1 s)"], "--motion:1:6");
+    std::fs::remove_file(&path).expect("it is there");
+}
+
+#[test]
+fn redundant_coordinates_are_called_so() {
+    let said = |scene: &str| printed(&["chart", scene, "--seconds", "2"]);
+    let (crank, pendulum) = (said("scenes/models/slider_crank.toml"), said("scenes/models/double_pendulum.toml"));
+    assert!(crank.contains("redundant coordinates") && !crank.contains("minimal coordinates"), "{crank}");
+    assert!(pendulum.contains("minimal coordinates"), "{pendulum}");
+}
+
+#[test]
+fn a_completed_start_and_a_feedback_that_is_no_part_of_a_are_told() {
+    let path = temporary("told.toml");
+    let file = path.display().to_string();
+    let tied = SPRING.replace("F = \"N\"", "F = \"1 N\"").replace("[coordinates]\n", "[coordinates]\ny = \"m\"\n");
+    let tied = tied.replace(
+        "[outputs]",
+        "[[constraint]]\nzero = \"y - 2*x - (1 m)\"\n[start]\nx = \"0.25 m\"\ny = \"guess 1 m\"\n[outputs]",
+    );
+    std::fs::write(&path, &tied).expect("it is written");
+    let text = printed(&["run", &file]);
+    assert!(text.contains("start                completed: y = 1.500000000 m\n"), "{text}");
+    let object = json(&run(&["run", &file, "--format", "json"]));
+    assert_eq!(object["completed_start"], serde_json::json!({ "y": 1.5 }));
+    let pushed = SPRING
+        .replace("F = \"N\"\n", "")
+        .replace("[[force]]", "[inputs]\nF = { unit = \"N\", value = \"-k*x\" }\n[[force]]");
+    std::fs::write(&path, &pushed).expect("it is written");
+    let said = String::from_utf8_lossy(&run(&["linearise", &file]).stderr).into_owned();
+    assert!(said.contains("A does not hold the feedback by `F`"), "{said}");
+    let timed = pushed.replace("-k*x\" }", "(1 N)*sin(t*(1 rad/s))\" }");
+    std::fs::write(&path, &timed).expect("it is written");
+    assert!(run(&["linearise", &file]).stderr.is_empty());
+    std::fs::remove_file(&path).expect("it is there");
 }

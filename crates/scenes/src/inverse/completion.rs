@@ -2,7 +2,7 @@
 
 use super::prescribed::Prescribed;
 use super::{NoForces, RANK};
-use crate::linearisation::{Known, Point, VariedEquations};
+use crate::linearisation::{Point, VariedEquations};
 use model::Model;
 use nalgebra::{DMatrix, DVector};
 
@@ -87,10 +87,7 @@ impl Completion<'_> {
         match residuals.iter().take(count).position(unmet) {
             None => Ok(()),
             Some(row) => {
-                let constraint = match &self.equations.constraints[row] {
-                    Known { name, .. } if name.is_empty() => format!("constraint {}", row + 1),
-                    Known { name, .. } => format!("the constraint `{name}`"),
-                };
+                let constraint = self.equations.constraints[row].title();
                 Err(NoForces::Unmet { constraint, residual: residuals[row], time })
             }
         }

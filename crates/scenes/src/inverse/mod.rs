@@ -8,7 +8,7 @@ mod completion;
 mod prescribed;
 
 use crate::compiled_system::NotCompiled;
-use crate::linearisation::{At, Point, VariedEquations};
+use crate::linearisation::{At, Known, Point, VariedEquations};
 use crate::motions::Motion;
 use completion::Completion;
 use model::Model;
@@ -113,11 +113,16 @@ impl fmt::Display for NoForces {
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-10;
 
-/// The forces at times, which rise.
+/// The forces at times, which rise, and the constraints of their multipliers.
 ///
 /// # Errors
 /// Why there are none.
-pub fn inverse(model: &Model, motions: &[Motion], unknowns: &[String], times: &[f64]) -> Result<Vec<Forces>, NoForces> {
+pub fn inverse(
+    model: &Model,
+    motions: &[Motion],
+    unknowns: &[String],
+    times: &[f64],
+) -> Result<(Vec<Forces>, Vec<Known>), NoForces> {
     let mut known = model.clone();
     known.close_inputs();
     let named = |name: &String| model.parameters.iter().position(|parameter| parameter.name == *name);
@@ -146,7 +151,7 @@ pub fn inverse(model: &Model, motions: &[Motion], unknowns: &[String], times: &[
         columns.iter().for_each(|&column| point.inputs[column] = 0.0);
         all.push(forces(&equations, point, &columns)?);
     }
-    Ok(all)
+    Ok((all, equations.constraints))
 }
 
 /// p and lambda at a point whose motion is known.

@@ -3,9 +3,10 @@
 use crate::compiled_system::{NotCompiled, has_values_but, values};
 use crate::layout::Layout;
 use crate::recording::recorded;
+use crate::row_units::multiplier_unit;
 use derivations::taped::Program;
 use model::equations::{Equation, Level, constraints_of};
-use model::{Model, Trace, Variations, Varied};
+use model::{Model, Trace, Variations, Varied, axes};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use symbolic::{Sym, substitute_all};
@@ -31,9 +32,33 @@ pub struct Point {
 pub struct Known {
     pub level: Level,
     pub name: String,
+    /// Its number among the constraints of the model, from one.
+    pub number: usize,
+    /// The axis of a vector's component, such as `F3.x`; none of a scalar.
+    pub axis: Option<String>,
+    /// The unit of its multiplier: power per rate of the constraint.
+    pub unit: String,
     /// Whether it is led to zero, and not kept there.
     pub is_programmed: bool,
     pub at: Range<usize>,
+}
+
+impl Known {
+    /// As sentences call it: constraint 2 `loop` along F3.x.
+    pub fn title(&self) -> String {
+        let name = if self.name.is_empty() { String::new() } else { format!(" `{}`", self.name) };
+        format!("constraint {}{name}{}", self.number, self.along())
+    }
+
+    /// Of its multiplier: lambda2 loop along F3.x.
+    pub fn multiplier(&self) -> String {
+        let name = if self.name.is_empty() { String::new() } else { format!(" {}", self.name) };
+        format!("lambda{}{name}{}", self.number, self.along())
+    }
+
+    fn along(&self) -> String {
+        self.axis.as_ref().map_or_else(String::new, |axis| format!(" along {axis}"))
+    }
 }
 
 /// Values of equations and their derivatives; rows are equations.
@@ -73,6 +98,8 @@ pub struct VariedEquations {
     pub constraints: Vec<Known>,
     /// Parameters that are inputs, then the inputs of the model, by their names.
     pub inputs: Vec<String>,
+    /// Inputs of the model whose values depend on coordinates or speeds: the derivatives by the state hold none of this feedback.
+    pub feedback: Vec<String>,
     /// Inputs in which the equations of motion are not linear.
     pub nonlinear: Vec<bool>,
 }
@@ -92,13 +119,16 @@ impl VariedEquations {
             if let Some(body) = trace.tilted().first() {
                 return Err(NotCompiled::Tilted { body: (*body).to_owned() });
             }
-            let known = |each: Equation| Known {
+            let known = |(place, (each, axis)): (usize, (Equation, Option<String>))| Known {
                 level: each.level,
-                name: each.name,
+                number: place + 1,
+                axis,
+                unit: multiplier_unit(model, &each),
                 is_programmed: each.gains.is_some(),
+                name: each.name,
                 at: each.at,
             };
-            Ok(constraints_of(&trace).into_iter().map(known).collect())
+            Ok(constraints_of(&trace).into_iter().zip(axes(&trace)).enumerate().map(known).collect())
         })?;
         let (m, switches) = (known.len(), model.switches.len());
         let mut order: Vec<usize> = (0..m).collect();
@@ -151,6 +181,7 @@ impl VariedEquations {
             sizes: [n, m, inputs.len(), model.outputs.len(), switches],
             layout,
             constraints: order.iter().map(|&k| known[k].clone()).collect(),
+            feedback: feedback(model, &own),
             inputs,
             nonlinear,
         })
@@ -245,6 +276,25 @@ fn opened(model: &Model) -> (Model, Vec<usize>) {
         input.value = model.inputs[place].value;
     }
     (open, own)
+}
+
+/// The names of those inputs whose values depend on coordinates or speeds, by themselves or by conditions.
+fn feedback(model: &Model, own: &[usize]) -> Vec<String> {
+    symbolic::apart(|| {
+        let trace = Trace::of(model);
+        let mut moving: Vec<Sym> = [&trace.coordinates[..], &trace.speeds].concat();
+        // conditions stand in those after them
+        for (letter, condition) in trace.switches.iter().zip(&model.switches) {
+            if trace.scalar(*condition).symbols_of().iter().any(|symbol| moving.contains(symbol)) {
+                moving.push(*letter);
+            }
+        }
+        let depends = |place: &&usize| {
+            let value = model.inputs[**place].value.map_or(Sym::ZERO, |value| trace.scalar(value));
+            value.symbols_of().iter().any(|symbol| moving.contains(symbol))
+        };
+        own.iter().filter(depends).map(|&place| model.inputs[place].name.clone()).collect()
+    })
 }
 
 /// Everything that a point has, in the order of the programs.

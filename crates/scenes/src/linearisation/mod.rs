@@ -63,17 +63,13 @@ pub enum NotLinear {
 
 impl fmt::Display for NotLinear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let named = |known: &Known| match known.name.as_str() {
-            "" => "a constraint".to_owned(),
-            name => format!("the constraint `{name}`"),
-        };
         match self {
             Self::Undetermined(why) => write!(f, "{why}"),
-            Self::Redundant(known) => write!(f, "{} depends on those before it", named(known)),
+            Self::Redundant(known) => write!(f, "{} depends on those before it", known.title()),
             Self::DrivenConstraint { input, constraint } => write!(
                 f,
                 "the input `{input}` moves {}, whose rates of it would be inputs too; inputs of forces are accepted",
-                named(constraint)
+                constraint.title()
             ),
             Self::AtCondition { switch } => write!(
                 f,
