@@ -52,9 +52,9 @@ pub enum NotLinear {
     /// The equations do not determine accelerations and reactions.
     Undetermined(Undetermined),
     /// A constraint depends on those before it.
-    Redundant(Known),
+    Redundant(Box<Known>),
     /// An input moves a constraint: its rates would be inputs too.
-    DrivenConstraint { input: String, constraint: Known },
+    DrivenConstraint { input: String, constraint: Box<Known> },
     /// A condition is zero at the point.
     AtCondition { switch: usize },
     /// A derivative has no finite value.
@@ -98,10 +98,10 @@ impl VariedEquations {
                 [&at.zero, &at.rate, &at.acceleration].iter().any(|part| part.by_inputs[(row, column)] != 0.0)
             }) {
                 let input = self.inputs[column].clone();
-                return Err(NotLinear::DrivenConstraint { input, constraint: constraint.clone() });
+                return Err(NotLinear::DrivenConstraint { input, constraint: Box::new(constraint.clone()) });
             }
         }
-        let redundant = |row: usize| NotLinear::Redundant(self.constraints[row].clone());
+        let redundant = |row: usize| NotLinear::Redundant(Box::new(self.constraints[row].clone()));
         let rows = &at.acceleration.by_accelerations.rows(0, kept).into_owned();
         let fixed_speeds = dependent(rows).map_err(redundant)?;
         let (fixed, _) = fixed_speeds.split_at(positions);
