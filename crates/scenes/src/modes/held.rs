@@ -4,6 +4,7 @@
 //! sticks, s takes the value of the force that is needed.
 
 use super::Case;
+use super::mirrored::{Mirrored, letters as letters_of, mirrored as mirrored_in};
 use crate::compiled_system::{Motion, NotCompiled};
 use model::Trace;
 use symbolic::{Derivation, Sym, substitute_all};
@@ -20,16 +21,21 @@ pub(crate) fn held(
         Case::Off => Some(Sym::ZERO),
         Case::Held => None,
     };
-    let letters = trace.switches.iter().zip(mode);
-    let known: Vec<(Sym, Sym)> = letters.clone().filter_map(|(&letter, case)| Some((letter, fixed(case)?))).collect();
-    let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &known));
+    let mirrored = mirrored_in(trace);
+    let others = letters_of(trace, &mirrored);
+    let is_own = |switch: &usize| mirrored[*switch].is_none();
+    let own = || (0..mode.len()).filter(is_own);
+    let known: Vec<(Sym, Sym)> =
+        own().filter_map(|switch| Some((trace.switches[switch], fixed(&mode[switch])?))).collect();
+    let in_mode = |all: &[Sym]| substitute_all(&substitute_all(all, &others), &known);
+    let [accelerations, multipliers] = [accelerations, multipliers].map(|all| in_mode(&all));
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
-    let unknown: Vec<usize> = (0..mode.len()).filter(|&k| mode[k] == Case::Held).collect();
+    let unknown: Vec<usize> = own().filter(|&switch| mode[switch] == Case::Held).collect();
     let symbols: Vec<Sym> = unknown.iter().map(|&k| trace.switches[k]).collect();
     // rows of b, and -a
     let (mut rows, mut right): (Vec<Vec<Sym>>, Vec<Sym>) = (Vec::new(), Vec::new());
     for &switch in &unknown {
-        let condition = trace.scalar(trace.model.switches[switch]).substitute(&known);
+        let condition = in_mode(&[trace.scalar(trace.model.switches[switch])])[0];
         let rate = trace.rate_of(condition).substitute(&motion);
         let slopes: Vec<Sym> = symbols.iter().map(|&letter| Derivation::new([(letter, Sym::ONE)]).of(rate)).collect();
         let is_linear = slopes.iter().all(|slope| symbols.iter().all(|letter| !slope.symbols_of().contains(letter)));
@@ -42,9 +48,15 @@ pub(crate) fn held(
     }
     let values = solved(rows, right).map_err(|row| NotCompiled::NotHeld { switch: unknown[row] })?;
     let found: Vec<(Sym, Sym)> = symbols.iter().copied().zip(values).collect();
-    let switches = letters.map(|(&letter, case)| match fixed(case) {
-        Some(value) => value,
-        None => found.iter().find(|(symbol, _)| *symbol == letter).map_or(Sym::UNDEFINED, |(_, value)| *value),
+    let value = |switch: usize| {
+        let letter = trace.switches[switch];
+        let solved = found.iter().find(|(symbol, _)| *symbol == letter).map_or(Sym::UNDEFINED, |(_, value)| *value);
+        fixed(&mode[switch]).unwrap_or(solved)
+    };
+    let switches = mirrored.iter().enumerate().map(|(switch, mirrored)| match *mirrored {
+        None => value(switch),
+        Some(Mirrored { of, same_side: true }) => value(of),
+        Some(Mirrored { of, same_side: false }) => Sym::ONE - value(of),
     });
     let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &found));
     Ok(Motion { switches: switches.collect(), accelerations, multipliers })

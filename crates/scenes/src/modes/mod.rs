@@ -1,7 +1,12 @@
 //! Modes of a model: the case of each of its conditions, the law that holds there, and the instants at which it ends.
 
+mod decision;
+mod expansion;
 mod held;
+mod jet;
+mod mirrored;
 mod passage;
+mod sides;
 mod signals;
 
 pub(crate) use held::held;
@@ -9,11 +14,13 @@ pub(crate) use held::held;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use derivations::scene::problem::Law;
 use derivations::scene::switching::{Segment, Switching};
+use expansion::Expansions;
 use integrators::Event;
 use model::Model;
-use signals::{Fall, Signals, Watch};
+use sides::Side;
+use signals::Signals;
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// The case of a condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,6 +37,8 @@ pub enum Case {
 pub struct Modes {
     model: Arc<Model>,
     known: Mutex<HashMap<Vec<Case>, Made>>,
+    /// Made when a mode is first decided.
+    expansions: OnceLock<Result<Expansions, NotCompiled>>,
     current: Mutex<Option<Current>>,
     ended: Arc<Ended>,
 }
@@ -49,11 +58,16 @@ impl Ended {
     }
 }
 
-/// The law in which a run is, and the sides of its events.
+/// The law in which a run is, and what is known of the zeros of its signals.
 #[derive(Clone)]
 struct Current {
     moded: Arc<Moded>,
-    sides: Vec<f64>,
+    /// Of each event.
+    sides: Vec<Side>,
+    /// How far from zero each condition may be and yet counts as zero: errors of rounding, and of the motion while it was held.
+    near: Vec<f64>,
+    /// The same for the distances of each switch from 0 and from 1.
+    margins: Vec<[f64; 2]>,
 }
 
 /// Why a motion does not start.
@@ -69,11 +83,11 @@ pub enum Refused {
 type Made = Result<Arc<Moded>, NotCompiled>;
 
 /// The law of a mode, with the signals that end it.
-pub(crate) struct Moded {
-    pub system: Arc<CompiledSystem>,
+struct Moded {
+    system: Arc<CompiledSystem>,
     /// Made once: series and Jacobian serve every segment.
     law: Arc<dyn Law>,
-    pub signals: Signals,
+    signals: Signals,
 }
 
 impl Modes {
@@ -84,14 +98,20 @@ impl Modes {
 
     /// The same, and each event that ends a run is kept.
     pub(crate) fn telling(model: &Arc<Model>, ended: Arc<Ended>) -> Self {
-        Modes { model: Arc::clone(model), known: Mutex::default(), current: Mutex::default(), ended }
+        Modes {
+            model: Arc::clone(model),
+            known: Mutex::default(),
+            expansions: OnceLock::new(),
+            current: Mutex::default(),
+            ended,
+        }
     }
 
     /// The law in a mode.
     ///
     /// # Errors
     /// Why there is none.
-    pub(crate) fn moded(&self, mode: &[Case]) -> Result<Arc<Moded>, NotCompiled> {
+    fn moded(&self, mode: &[Case]) -> Result<Arc<Moded>, NotCompiled> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let made = known.entry(mode.to_vec()).or_insert_with(|| {
             let system = Arc::new(CompiledSystem::of(&self.model, mode)?);
@@ -108,11 +128,9 @@ impl Modes {
     pub fn first(&self, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
         let off = vec![Case::Off; self.model.switches.len()];
         self.moded(&off).map_err(Refused::Law)?;
-        let moded = self.at(0.0, state).map_err(|why| {
-            let conditions = self.moded(&off).map(|moded| moded.signals.conditions(0.0, state)).unwrap_or_default();
-            Refused::Motion { why, switch: conditions.iter().position(|[value, ..]| *value == 0.0) }
-        })?;
-        Ok(Arc::clone(&moded.system))
+        self.expansions().map_err(Refused::Law)?;
+        let begun = self.begun(0.0, state).map_err(|why| Refused::Motion { why, switch: self.at_zero(0.0, state) })?;
+        Ok(begun.moded.system.clone())
     }
 
     /// The law in which the run is, or was last.
@@ -122,44 +140,24 @@ impl Modes {
     }
 
     fn enter(&self, current: Current) -> Segment {
-        let Current { moded, sides } = current.clone();
-        *self.current.lock().unwrap_or_else(PoisonError::into_inner) = Some(current);
-        Segment { law: Arc::clone(&moded.law), switches: Box::new(Watch { moded, sides }) }
+        *self.current.lock().unwrap_or_else(PoisonError::into_inner) = Some(current.clone());
+        Segment { law: Arc::clone(&current.moded.law), switches: Box::new(current) }
     }
-}
-
-/// The side of each event's expression: by its value, or by its rate where it has just passed zero.
-fn sides(moded: &Moded, time: f64, state: &[f64], passed: Option<(Fall, &[f64])>) -> Vec<f64> {
-    let of = |(event, [value, rate]): (usize, [f64; 2])| {
-        let at_zero = value == 0.0 || matches!(passed, Some((Fall::Event { event: own }, _)) if own == event);
-        match (at_zero, passed) {
-            (false, _) => value.signum(),
-            (true, _) if rate != 0.0 => rate.signum(),
-            (true, Some((_, before))) => before[event],
-            (true, None) => 1.0,
-        }
-    };
-    moded.signals.events(time, state).into_iter().enumerate().map(of).collect()
 }
 
 impl Switching for Modes {
     fn begin(&self, time: f64, state: &mut [f64]) -> Result<Segment, &'static str> {
-        let moded = self.at(time, state)?;
-        let sides = sides(&moded, time, state, None);
-        Ok(self.enter(Current { moded, sides }))
+        Ok(self.enter(self.begun(time, state)?))
     }
 
     fn pass(&self, event: &Event, state: &mut [f64]) -> Result<Option<Segment>, &'static str> {
         let before = self.current.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let Some(before) = before else { return Err("the run has no mode") };
         let fall = before.moded.signals.falls[event.signal];
-        let Some(moded) = self.after(&before.moded, &before.sides, event, state)? else {
-            if let Fall::Event { event: number } = fall {
-                self.ended.keep(event.time, number);
-            }
-            return Ok(None);
-        };
-        let sides = sides(&moded, event.time, state, Some((fall, &before.sides)));
-        Ok(Some(self.enter(Current { moded, sides })))
+        let after = self.after(&before, event, state)?;
+        if let (Fall::Event { event: number }, None) = (fall, &after) {
+            self.ended.keep(event.time, number);
+        }
+        Ok(after.map(|current| self.enter(current)))
     }
 }

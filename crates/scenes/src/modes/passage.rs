@@ -1,158 +1,216 @@
-//! The mode that holds at a state, and after an event.
+//! The mode in which a run begins, and the one that follows an event.
 
+use super::decision::{Decided, MOST_OPEN, SLACKS, TERMS, decided};
+use super::expansion::{Expansion, Expansions, Instant};
+use super::sides::{Past, Side, side};
 use super::signals::Fall;
-use super::{Case, Moded, Modes};
+use super::{Case, Current, Modes};
 use crate::compiled_system::NotCompiled;
 use crate::start::breaks;
-use integrators::Event;
+use integrators::{Event, Happening};
 use model::Direction;
-use std::sync::Arc;
-
-/// Conditions that may be at zero together: every combination of their cases is tried.
-const MOST_OPEN: usize = 6;
 
 const NO_LAW: &str =
     "no law holds after a condition changes: it would have to be kept at zero, and nothing keeps it there";
 const NONE: &str = "no case of its conditions agrees with the motion that it gives";
 const SEVERAL: &str = "several motions go on from here, each by another case of its conditions";
-const TOO_MANY: &str = "more than six conditions are at zero together";
+const TOO_MANY: &str = "more than seven conditions are at zero together";
 const BROKEN: &str = "an event leaves a state that breaks a constraint";
+const _: () = assert!(MOST_OPEN == 7);
+
+/// The least multiple of a doubt that counts.
+const SLACK: f64 = SLACKS[0];
 
 impl Modes {
+    pub(super) fn expansions(&self) -> Result<&Expansions, NotCompiled> {
+        self.expansions.get_or_init(|| Expansions::of(&self.model)).as_ref().map_err(Clone::clone)
+    }
+
+    /// The first condition that is at zero.
+    pub(super) fn at_zero(&self, time: f64, state: &[f64]) -> Option<usize> {
+        let off = vec![Case::Off; self.model.switches.len()];
+        let found = self.expansions().ok()?.at::<1>(&Instant { time, state, late: 0.0 }, &off)?;
+        found.conditions.iter().position(|condition| condition.sign_of(0, SLACK) == 0.0)
+    }
+
     /// The mode at a state that no mode has led to.
-    pub(super) fn at(&self, time: f64, state: &[f64]) -> Result<Arc<Moded>, &'static str> {
+    pub(super) fn begun(&self, time: f64, state: &[f64]) -> Result<Current, &'static str> {
+        self.at(&Instant { time, state, late: 0.0 }, &[], |_| Past::None)
+    }
+
+    /// The mode at a state; conditions that were held, and may be so still, are open.
+    fn at(
+        &self,
+        instant: &Instant<'_>,
+        held: &[usize],
+        past: impl Fn(usize) -> Past,
+    ) -> Result<Current, &'static str> {
+        let expansions = self.expansions().map_err(refused)?;
         let mut mode = vec![Case::Off; self.model.switches.len()];
+        let mut open = Vec::new();
         // a condition may depend on the cases of those before it
         for switch in 0..mode.len() {
-            let conditions = self.moded(&mode).map_err(refused)?.signals.conditions(time, state);
-            mode[switch] = if conditions[switch][0] > 0.0 { Case::On } else { Case::Off };
+            let Some(Expansion { conditions, .. }) = expansions.at::<1>(instant, &mode) else { return Err(NO_LAW) };
+            let sign = conditions[switch].sign_of(0, SLACK);
+            mode[switch] = if sign > 0.0 { Case::On } else { Case::Off };
+            if expansions.mirrored[switch].is_none() && (sign == 0.0 || held.contains(&switch)) {
+                open.push(switch);
+            }
+            expansions.mirror(&mut mode);
         }
-        let conditions = self.moded(&mode).map_err(refused)?.signals.conditions(time, state);
-        let open: Vec<usize> = (0..mode.len()).filter(|&switch| conditions[switch][0] == 0.0).collect();
-        self.settled(time, state, mode, &open, &[])
+        self.settled(instant, &mode, &open, past)
     }
 
     /// The mode after an event, and the state, which the event may set; none where the motion ends with it.
     pub(super) fn after(
         &self,
-        before: &Moded,
-        sides: &[f64],
+        before: &Current,
         event: &Event,
         state: &mut [f64],
-    ) -> Result<Option<Arc<Moded>>, &'static str> {
-        let mut mode = before.system.mode.clone();
-        let mut open: Vec<usize> = (0..mode.len()).filter(|&switch| mode[switch] == Case::Held).collect();
-        let mut closed = Vec::new();
-        match before.signals.falls[event.signal] {
+    ) -> Result<Option<Current>, &'static str> {
+        let expansions = self.expansions().map_err(refused)?;
+        let mut mode = before.moded.system.mode.clone();
+        let fall = before.moded.signals.falls[event.signal];
+        let exact = Instant { time: event.time, state, late: 0.0 };
+        let Some(known) = expansions.at::<TERMS>(&exact, &mode) else { return Err(NO_LAW) };
+        let late = late(&known, fall, event);
+        let is_near = |found: &Expansion<TERMS>, switch: usize| {
+            let condition = &found.conditions[switch];
+            condition.terms[0].abs() <= before.near[switch].max(SLACK * condition.doubts[0])
+        };
+        let own = |switch: &usize| expansions.mirrored[*switch].is_none();
+        let held: Vec<usize> = (0..mode.len()).filter(own).filter(|&switch| mode[switch] == Case::Held).collect();
+        let keeps = |other: usize| match before.sides[other] {
+            Side { is_open: true, .. } => Past::None,
+            Side { sign, .. } => Past::Side(sign),
+        };
+        let last = match fall {
             Fall::Event { event: number } => {
-                let [_, rate] = before.signals.events(event.time, state)[number];
-                let counts = match self.model.events[number].direction {
-                    Direction::Down => sides[number] > 0.0,
-                    Direction::Up => sides[number] < 0.0,
-                    Direction::Both => true,
-                };
-                // one that has not left zero since it was set there does not come back to it
-                if !counts || rate * sides[number] > 0.0 {
-                    return self.moded(&mode).map(Some).map_err(refused);
-                }
-                state.copy_from_slice(&before.signals.set_by(number, event.time, state));
-                if self.model.events[number].ends {
-                    return Ok(None);
-                }
-                if breaks(&self.model, event.time, state) {
-                    return Err(BROKEN);
-                }
-                return self.at(event.time, state).map(Some);
+                return self.after_own(before, (number, late), event, state, (&known, &held));
             }
             Fall::Passes { switch } => {
                 mode[switch] = if mode[switch] == Case::On { Case::Off } else { Case::On };
-                open.push(switch);
+                switch
             }
             Fall::Leaves { switch, to } => {
                 mode[switch] = to;
-                closed.push(switch);
+                switch
             }
-        }
-        self.settled(event.time, state, mode, &open, &closed).map(Some)
+        };
+        let is_open = |switch: &usize| held.contains(switch) || *switch == last || is_near(&known, *switch);
+        let open: Vec<usize> = (0..mode.len()).filter(own).filter(is_open).collect();
+        expansions.mirror(&mut mode);
+        let instant = Instant { late, ..exact };
+        self.settled(&instant, &mode, &open, keeps).map(Some)
     }
 
-    /// The one mode with these cases whose open conditions move as it says; closed ones are not held.
+    /// The same after an event of the model.
+    fn after_own(
+        &self,
+        before: &Current,
+        (number, late): (usize, f64),
+        event: &Event,
+        state: &mut [f64],
+        (known, held): (&Expansion<TERMS>, &[usize]),
+    ) -> Result<Option<Current>, &'static str> {
+        let Side { sign: from, is_open } = before.sides[number];
+        let with_side = |side: Side| {
+            let mut current = before.clone();
+            current.sides[number] = side;
+            Ok(Some(current))
+        };
+        if is_open && event.what == Happening::StartsBelow {
+            return with_side(Side { sign: -from, is_open: false });
+        }
+        // one that has not left zero since it was set there does not come back to it
+        let rate = before.moded.signals.event_rate(number, event.time, state);
+        if rate * from > 0.0 {
+            return Ok(Some(before.clone()));
+        }
+        let counts = match self.model.events[number].direction {
+            Direction::Down => from > 0.0,
+            Direction::Up => from < 0.0,
+            Direction::Both => true,
+        };
+        if !counts {
+            return with_side(side(known, number, Past::Passed(from), SLACK));
+        }
+        state.copy_from_slice(&before.moded.signals.set_by(number, event.time, state));
+        if self.model.events[number].ends {
+            return Ok(None);
+        }
+        if breaks(&self.model, event.time, state) {
+            return Err(BROKEN);
+        }
+        let expansions = self.expansions().map_err(refused)?;
+        let instant = Instant { time: event.time, state, late };
+        // what was held, and is where it was, may be held still
+        let off = vec![Case::Off; before.moded.system.mode.len()];
+        let now = expansions.at::<1>(&instant, &off);
+        let stays = |switch: &usize| {
+            now.as_ref().is_some_and(|now| {
+                let (now, before) = (&now.conditions[*switch], &known.conditions[*switch]);
+                (now.terms[0] - before.terms[0]).abs() <= SLACK * (now.doubts[0] + before.doubts[0])
+            })
+        };
+        let held: Vec<usize> = held.iter().copied().filter(stays).collect();
+        let past = |other: usize| match before.sides[other] {
+            Side { sign, .. } if other == number => Past::Set(sign),
+            Side { sign, is_open: false } if known.events[other].sign_of(0, SLACK) == 0.0 => Past::Side(sign),
+            _ => Past::None,
+        };
+        self.at(&instant, &held, past).map(Some)
+    }
+
+    /// The one mode with these cases whose open conditions move as it says.
     fn settled(
         &self,
-        time: f64,
-        state: &[f64],
-        mut mode: Vec<Case>,
+        instant: &Instant<'_>,
+        mode: &[Case],
         open: &[usize],
-        closed: &[usize],
-    ) -> Result<Arc<Moded>, &'static str> {
-        if open.is_empty() {
-            return self.moded(&mode).map_err(refused);
-        }
-        if open.len() > MOST_OPEN {
-            return Err(TOO_MANY);
-        }
-        // of cases that rest the one that the event led to comes first
-        let first = mode.clone();
-        let cases = |switch: usize| match first[switch] {
-            Case::On => [Case::On, Case::Off, Case::Held],
-            Case::Off => [Case::Off, Case::On, Case::Held],
-            Case::Held => [Case::Held, Case::On, Case::Off],
+        past: impl Fn(usize) -> Past,
+    ) -> Result<Current, &'static str> {
+        let expansions = self.expansions().map_err(refused)?;
+        let (mode, expansion, slack) = match decided(expansions, instant, mode, open) {
+            Decided::One { mode, expansion, slack } => (mode, expansion, slack),
+            Decided::None { not_held } => return Err(if not_held { NO_LAW } else { NONE }),
+            Decided::Several => return Err(SEVERAL),
+            Decided::TooMany => return Err(TOO_MANY),
         };
-        let (mut agreeing, mut resting, mut reason) = (Vec::new(), None, NONE);
-        for combination in 0..3_usize.pow(open.len() as u32) {
-            let mut rest = combination;
-            for &switch in open {
-                mode[switch] = cases(switch)[rest % 3];
-                rest /= 3;
-            }
-            if closed.iter().any(|switch| mode[*switch] == Case::Held) {
-                continue;
-            }
-            match self.moded(&mode) {
-                Ok(moded) => match agreement(&moded, time, state, open) {
-                    Some(true) => agreeing.push(moded),
-                    Some(false) => resting = resting.or(Some(moded)),
-                    None => {}
-                },
-                Err(NotCompiled::NotHeld { .. }) => reason = NO_LAW,
-                Err(other) => return Err(refused(other)),
-            }
-        }
-        match agreeing.len() {
-            0 => resting.ok_or(reason),
-            1 => Ok(agreeing.remove(0)),
-            _ => Err(SEVERAL),
-        }
+        let near = |switch: usize| {
+            let condition = &expansion.conditions[switch];
+            // what has moved off zero while it was held begins from there
+            let moved = 2.0 * condition.terms[0].abs();
+            if open.contains(&switch) { moved.max(slack * condition.doubts[0]) } else { 0.0 }
+        };
+        let margins = |switch: usize| {
+            expansion.margins(switch).map(|margin| match margin.sign_of(0, slack) {
+                0.0 => slack * margin.doubts[0],
+                _ => 0.0,
+            })
+        };
+        Ok(Current {
+            moded: self.moded(&mode).map_err(refused)?,
+            sides: (0..self.model.events.len())
+                .map(|event| side(&expansion, event, past(event), slack))
+                .collect(),
+            near: (0..mode.len()).map(near).collect(),
+            margins: (0..mode.len()).map(margins).collect(),
+        })
     }
 }
 
-/// Whether open conditions move as their cases say: each away from zero, by its rate or where that is zero by the next one, or held
-/// between its cases; or, otherwise, at rest where it should move; none where one contradicts its case.
-fn agreement(moded: &Moded, time: f64, state: &[f64], open: &[usize]) -> Option<bool> {
-    let conditions = moded.signals.conditions(time, state);
-    let signals = moded.signals.at(time, state);
-    let mut moves = true;
-    for &switch in open {
-        match moded.system.mode[switch] {
-            case @ (Case::On | Case::Off) => {
-                let side = if case == Case::On { 1.0 } else { -1.0 };
-                let [_, first, second] = conditions[switch];
-                let rate = side * if first == 0.0 { second } else { first };
-                if rate.is_nan() || rate < 0.0 {
-                    return None;
-                }
-                moves &= rate > 0.0;
-            }
-            Case::Held => {
-                let own = |fall: &Fall| matches!(fall, Fall::Leaves { switch: own, .. } if *own == switch);
-                let margins = moded.signals.falls.iter().zip(&signals).filter(|(fall, _)| own(fall));
-                if margins.map(|(_, [value, _])| *value).any(|margin| margin.is_nan() || margin < 0.0) {
-                    return None;
-                }
-            }
-        }
+/// The error of the time of a fall, by what is left of its signal.
+fn late(known: &Expansion<TERMS>, fall: Fall, event: &Event) -> f64 {
+    if event.what != Happening::Falls {
+        return 0.0;
     }
-    Some(moves)
+    let signal = match fall {
+        Fall::Passes { switch } => known.conditions[switch],
+        Fall::Leaves { switch, to } => known.margins(switch)[usize::from(to == Case::On)],
+        Fall::Event { event } => known.events[event],
+    };
+    if signal.sign_of(1, SLACK).abs() == 1.0 { 2.0 * (signal.terms[0] / signal.terms[1]).abs() } else { 0.0 }
 }
 
 fn refused(reason: NotCompiled) -> &'static str {

@@ -1,0 +1,126 @@
+//! The one mode whose conditions move as its cases say, among all cases of conditions that are at zero.
+//!
+//! Next after an instant a condition g with g = 0 is on where the first of g', g'', ... that is not zero is positive, off where it is
+//! negative, and held where the switch s that keeps it at zero lies between 0 and 1: where it is at a bound, by the first of s', s'', ...
+//! that is not zero. Every sign is decided beside the rounding error of its value, in every candidate alike, so that two cases whose
+//! difference is a rounding are told apart by the next rate and not by chance.
+
+use super::Case;
+use super::expansion::{Expansion, Expansions, Instant};
+
+/// Conditions that may be at zero together: every combination of their cases is tried.
+pub(super) const MOST_OPEN: usize = 7;
+
+/// Terms by which combinations are sifted, and by which those that are left are decided.
+const FEW: usize = 2;
+pub(super) const TERMS: usize = 6;
+
+/// How many times its doubt a term must be, to count. A larger one serves where a smaller leaves no case, or several: a force that
+/// rises beyond friction so little, or so shortly, that the speed stays within its rounding.
+pub(super) const SLACKS: [f64; 7] = [16.0, 256.0, 4096.0, 65_536.0, 1_048_576.0, 16_777_216.0, 268_435_456.0];
+
+/// The order of what agrees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Standing {
+    /// A condition that should leave zero stays there.
+    Rests,
+    /// A switch that is held stays at its bound.
+    AtBound,
+    /// Everything moves as its case says.
+    Moves,
+}
+
+/// The cases that go on from an instant.
+#[derive(Debug)]
+pub(super) enum Decided {
+    One { mode: Vec<Case>, expansion: Expansion<TERMS>, slack: f64 },
+    /// None agrees; whether one cannot be held.
+    None { not_held: bool },
+    Several,
+    TooMany,
+}
+
+/// Decides the cases of open conditions, beginning with those of a mode; other conditions keep theirs.
+pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Case], open: &[usize]) -> Decided {
+    if open.len() > MOST_OPEN {
+        return Decided::TooMany;
+    }
+    // of cases that rest the one that the event led to comes first
+    let cases = |switch: usize| match mode[switch] {
+        Case::On => [Case::On, Case::Off, Case::Held],
+        Case::Off => [Case::Off, Case::On, Case::Held],
+        Case::Held => [Case::Held, Case::On, Case::Off],
+    };
+    let (mut candidates, mut not_held) = (Vec::new(), false);
+    let widest = SLACKS[SLACKS.len() - 1];
+    for combination in 0..3_usize.pow(open.len() as u32) {
+        let (mut candidate, mut rest) = (mode.to_vec(), combination);
+        for &switch in open {
+            candidate[switch] = cases(switch)[rest % 3];
+            rest /= 3;
+        }
+        expansions.mirror(&mut candidate);
+        let Some(sifted) = expansions.at::<FEW>(instant, &candidate) else {
+            not_held = true;
+            continue;
+        };
+        if is_possible(&sifted, &candidate, open, widest)
+            && let Some(expansion) = expansions.at::<TERMS>(instant, &candidate)
+        {
+            candidates.push((candidate, expansion));
+        }
+    }
+    let mut several = false;
+    for slack in SLACKS {
+        let standings: Vec<Option<Standing>> =
+            candidates.iter().map(|(mode, expansion)| standing(expansion, mode, open, slack)).collect();
+        let Some(best) = standings.iter().copied().max().flatten() else { continue };
+        let mut agreeing = (0..candidates.len()).filter(|&place| standings[place] == Some(best));
+        let Some(first) = agreeing.next() else { continue };
+        let differs = |place: usize| differ(&candidates[first].1, &candidates[place].1, slack);
+        several = best == Standing::Moves && agreeing.any(differs);
+        if !several {
+            let (mode, expansion) = candidates.swap_remove(first);
+            return Decided::One { mode, expansion, slack };
+        }
+    }
+    if several { Decided::Several } else { Decided::None { not_held } }
+}
+
+/// Whether no open condition contradicts its case by its rate, or its switch by its value.
+fn is_possible(sifted: &Expansion<FEW>, mode: &[Case], open: &[usize], slack: f64) -> bool {
+    open.iter().all(|&switch| match mode[switch] {
+        Case::On => sifted.conditions[switch].sign_of(1, slack) >= 0.0,
+        Case::Off => sifted.conditions[switch].sign_of(1, slack) <= 0.0,
+        Case::Held => sifted.margins(switch).iter().all(|margin| margin.sign_of(0, slack) >= 0.0),
+    })
+}
+
+/// Whether open conditions move as their cases say; none where one contradicts its case.
+fn standing(expansion: &Expansion<TERMS>, mode: &[Case], open: &[usize], slack: f64) -> Option<Standing> {
+    let mut all = Standing::Moves;
+    for &switch in open {
+        let condition = &expansion.conditions[switch];
+        // one that has moved off zero while it was held must come back through it
+        let way = condition.way((slack * condition.doubts[0]).max(4.0 * condition.terms[0].abs()), slack);
+        let (signs, at_zero) = match mode[switch] {
+            Case::On => ([way; 2], Standing::Rests),
+            Case::Off => ([-way; 2], Standing::Rests),
+            Case::Held => (expansion.margins(switch).map(|margin| margin.sign(slack)), Standing::AtBound),
+        };
+        for sign in signs {
+            if sign.is_nan() || sign < 0.0 {
+                return None;
+            }
+            if sign == 0.0 {
+                all = all.min(at_zero);
+            }
+        }
+    }
+    Some(all)
+}
+
+/// Whether two motions differ beyond rounding.
+fn differ<const N: usize>(a: &Expansion<N>, b: &Expansion<N>, slack: f64) -> bool {
+    a.rates.iter().zip(&b.rates).any(|(a, b)| (*a - *b).sign(slack) != 0.0)
+}

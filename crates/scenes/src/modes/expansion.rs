@@ -1,0 +1,224 @@
+//! The motion next after an instant in any mode: Taylor coefficients of conditions, switches and events, without compiling its law.
+//!
+//! Accelerations are written down once with every switch as an input. Switches that are held follow order by order from g' = 0,
+//! which is linear in them.
+
+use super::Case;
+use super::jet::{Jet, ROUNDING};
+use super::mirrored::{Mirrored, letters, mirrored};
+use crate::compiled_system::{NotCompiled, values};
+use model::equations::{Equations, Singular};
+use model::{Model, Trace};
+use num_traits::{One, Zero};
+use symbolic::{Derivation, Sym, Tape, apart, substitute_all};
+
+/// How many roundings of each number of a state, and of the time, may have gone wrong.
+const ROUNDINGS: f64 = 4.0;
+
+/// A pivot is zero where it is not so many times its doubt.
+const PIVOT: f64 = 64.0;
+
+/// A model as a function of the time, the state and the switches.
+#[derive(Debug)]
+pub(super) struct Expansions {
+    tape: Tape,
+    states: usize,
+    /// Slopes of the rates of conditions by switches, where they are not zero.
+    slopes: Vec<Slope>,
+    pub mirrored: Vec<Option<Mirrored>>,
+    events: usize,
+}
+
+/// The slope of the rate of a condition by a switch, and the switches that change it.
+#[derive(Debug)]
+struct Slope {
+    condition: usize,
+    switch: usize,
+    changed_by: Vec<usize>,
+}
+
+/// Where a motion goes on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Instant<'a> {
+    pub time: f64,
+    pub state: &'a [f64],
+    /// The error of the time of the event that led here.
+    pub late: f64,
+}
+
+/// Quantities along the motion from an instant on.
+#[derive(Clone, Debug)]
+pub(super) struct Expansion<const N: usize> {
+    pub rates: Vec<Jet<N>>,
+    pub conditions: Vec<Jet<N>>,
+    pub switches: Vec<Jet<N>>,
+    pub events: Vec<Jet<N>>,
+}
+
+impl<const N: usize> Expansion<N> {
+    /// The distances of a switch from 0 and from 1.
+    pub fn margins(&self, switch: usize) -> [Jet<N>; 2] {
+        [self.switches[switch], Jet::one() - self.switches[switch]]
+    }
+}
+
+impl Expansions {
+    pub fn of(model: &Model) -> Result<Self, NotCompiled> {
+        apart(|| written(model))
+    }
+
+    /// The motion in a mode; none where a condition cannot be held.
+    pub fn at<const N: usize>(&self, instant: &Instant<'_>, mode: &[Case]) -> Option<Expansion<N>> {
+        let Instant { time, state, late } = *instant;
+        let mut clock = Jet::<N>::constant(time, ROUNDINGS * ROUNDING * time.abs() + late);
+        if N > 1 {
+            clock.terms[1] = 1.0;
+        }
+        let uncertain = |value: &f64| Jet::constant(*value, ROUNDINGS * ROUNDING * value.abs());
+        let mut moved: Vec<Jet<N>> = state.iter().map(uncertain).collect();
+        let first = self.run(clock, &moved, mode)?;
+        // errors of rates add up from the start on
+        for (part, rate) in moved.iter_mut().zip(&first.rates) {
+            let own = rate.doubts[0] + ROUNDINGS * ROUNDING * rate.terms[0].abs();
+            part.doubts[0] += time.abs() * own + late * rate.terms[0].abs();
+        }
+        for order in 0..N - 1 {
+            let found = self.run(clock, &moved, mode)?;
+            moved.iter_mut().zip(&found.rates).for_each(|(part, rate)| part.follow(rate, order));
+        }
+        self.run(clock, &moved, mode)
+    }
+
+    /// Gives mirrored conditions the cases that follow from those of others.
+    pub fn mirror(&self, mode: &mut [Case]) {
+        for (place, mirrored) in self.mirrored.iter().enumerate() {
+            if let Some(Mirrored { of, same_side }) = *mirrored {
+                mode[place] = match (mode[of], same_side) {
+                    (Case::On, false) => Case::Off,
+                    (Case::Off, false) => Case::On,
+                    (case, _) => case,
+                };
+            }
+        }
+    }
+
+    fn run<const N: usize>(&self, time: Jet<N>, state: &[Jet<N>], mode: &[Case]) -> Option<Expansion<N>> {
+        let mut switches: Vec<Jet<N>> =
+            mode.iter().map(|case| if *case == Case::On { Jet::one() } else { Jet::zero() }).collect();
+        let held: Vec<usize> =
+            (0..mode.len()).filter(|&place| mode[place] == Case::Held && self.mirrored[place].is_none()).collect();
+        let mut values = self.values(time, state, &switches);
+        if !held.is_empty() {
+            let (mut rows, mut right) = (vec![vec![Jet::zero(); held.len()]; held.len()], Vec::new());
+            let place = |switch: usize| held.iter().position(|held| *held == switch);
+            let first = self.states + mode.len();
+            for (slope, value) in self.slopes.iter().zip(&values[first + mode.len()..]) {
+                if let (Some(row), Some(column)) = (place(slope.condition), place(slope.switch)) {
+                    if slope.changed_by.iter().any(|switch| held.contains(switch)) {
+                        return None;
+                    }
+                    rows[row][column] = *value;
+                }
+            }
+            right.extend(held.iter().map(|&switch| -values[first + switch]));
+            for (&switch, value) in held.iter().zip(solved(rows, right)?) {
+                switches[switch] = value;
+            }
+            values = self.values(time, state, &switches);
+        }
+        for (place, mirrored) in self.mirrored.iter().enumerate() {
+            if let Some(Mirrored { of, same_side }) = *mirrored {
+                switches[place] = if same_side { switches[of] } else { Jet::one() - switches[of] };
+            }
+        }
+        let events = values.split_off(values.len() - self.events);
+        let conditions = values[self.states..][..mode.len()].to_vec();
+        values.truncate(self.states);
+        Some(Expansion { rates: values, conditions, switches, events })
+    }
+
+    fn values<const N: usize>(&self, time: Jet<N>, state: &[Jet<N>], switches: &[Jet<N>]) -> Vec<Jet<N>> {
+        let constants: Vec<Jet<N>> = self
+            .tape
+            .rounded()
+            .iter()
+            .map(|value| Jet::constant(*value, if value.fract() == 0.0 { 0.0 } else { ROUNDING * value.abs() }))
+            .collect();
+        let mut values = vec![Jet::zero(); self.tape.outputs()];
+        let inputs = state.iter().chain([&time]).chain(switches).copied();
+        self.tape.evaluate_long(&constants, inputs, &mut values);
+        values
+    }
+}
+
+/// Rates of the state; conditions, their rates with switches as they are, the slopes of these; events.
+fn written(model: &Model) -> Result<Expansions, NotCompiled> {
+    let trace = Trace::of(model);
+    let mirrored = mirrored(&trace);
+    let (accelerations, _) = Equations::of(&trace).solved().map_err(|singular| match singular {
+        Singular::Massless { coordinate } => NotCompiled::Massless { coordinate: trace.direction(coordinate) },
+        Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
+    })?;
+    let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
+    let own = letters(&trace, &mirrored);
+    let all_in_own = |all: &[Sym]| substitute_all(all, &own);
+    let conditions: Vec<Sym> = model.switches.iter().map(|condition| trace.scalar(*condition)).collect();
+    let rates: Vec<Sym> = conditions.iter().map(|&condition| trace.rate_of(condition).substitute(&motion)).collect();
+    let (conditions, rates) = (all_in_own(&conditions), all_in_own(&rates));
+    let (mut slopes, mut values_of_slopes) = (Vec::new(), Vec::new());
+    for (condition, rate) in rates.iter().enumerate().filter(|(condition, _)| mirrored[*condition].is_none()) {
+        for (switch, letter) in trace.switches.iter().enumerate().filter(|(switch, _)| mirrored[*switch].is_none()) {
+            let slope = Derivation::new([(*letter, Sym::ONE)]).of(*rate);
+            if slope != Sym::ZERO {
+                let used = slope.symbols_of();
+                let changed_by = (0..trace.switches.len()).filter(|&other| used.contains(&trace.switches[other]));
+                slopes.push(Slope { condition, switch, changed_by: changed_by.collect() });
+                values_of_slopes.push(slope);
+            }
+        }
+    }
+    let moved: Vec<Sym> = trace.position_rates.iter().copied().chain(accelerations).collect();
+    let events: Vec<Sym> = model.events.iter().map(|event| trace.scalar(event.when)).collect();
+    let all = [all_in_own(&moved), conditions, rates, values_of_slopes, all_in_own(&events)].concat();
+    let states = model.positions() + model.speeds();
+    let named = |letter: &str, count: usize| -> Vec<Sym> {
+        (0..count).map(|place| Sym::symbol(&format!("{letter}{place}"))).collect()
+    };
+    let (state, time, switches) = (named("y", states), Sym::symbol("t"), named("s", trace.switches.len()));
+    let own_switches = trace.switches.iter().copied().zip(switches.iter().copied()).zip(&mirrored);
+    let own_switches = own_switches.filter_map(|(known, mirrored)| mirrored.is_none().then_some(known));
+    let known: Vec<(Sym, Sym)> = values(&trace, time, &state).into_iter().chain(own_switches).collect();
+    let inputs = [&state[..], &[time], &switches].concat();
+    let tape = Tape::record(&inputs, &substitute_all(&all, &known))
+        .map_err(|reason| NotCompiled::Undefined { reason: reason.to_string() })?;
+    Ok(Expansions { tape: tape.arranged(), states, slopes, mirrored, events: model.events.len() })
+}
+
+/// Gauss's elimination with the largest pivots; none where one is zero but for rounding.
+fn solved<const N: usize>(mut rows: Vec<Vec<Jet<N>>>, mut right: Vec<Jet<N>>) -> Option<Vec<Jet<N>>> {
+    let n = right.len();
+    for pivot in 0..n {
+        let size = |row: usize| rows[row][pivot].terms[0].abs();
+        let row = (pivot..n).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
+        let largest = rows[row][pivot];
+        if !(largest.terms[0].abs() > PIVOT * largest.doubts[0]) {
+            return None;
+        }
+        rows.swap(pivot, row);
+        right.swap(pivot, row);
+        for below in pivot + 1..n {
+            let factor = rows[below][pivot] / rows[pivot][pivot];
+            for column in pivot + 1..n {
+                let above = rows[pivot][column];
+                rows[below][column] -= factor * above;
+            }
+            let part = factor * right[pivot];
+            right[below] -= part;
+        }
+    }
+    for row in (0..n).rev() {
+        let known = (row + 1..n).fold(right[row], |rest, column| rest - rows[row][column] * right[column]);
+        right[row] = known / rows[row][row];
+    }
+    Some(right)
+}

@@ -1,0 +1,287 @@
+//! Taylor coefficients of a quantity along a motion, each with the rounding error that it may carry.
+//!
+//! At an event some values are zero but for rounding, and the next coefficient decides what follows. A coefficient counts as zero
+//! where it is not larger than its doubt: a running bound of the errors of the state, of the time and of every operation. A value
+//! that begins at zero has the sign with which it leaves the band of its own doubt: -e s + s^2 with a small e falls, but not by more
+//! than e^2/4, which may be less than a rounding.
+
+use field::{Analytic, Circle, Elementary, Scalar};
+use num_traits::{One, Zero};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
+
+/// The relative rounding error of an operation.
+pub(super) const ROUNDING: f64 = f64::EPSILON;
+
+/// The factor between times at which a change is looked at, and how many there are: no more than forty powers of ten.
+const LONGER: f64 = 1.1;
+const MOST_TIMES: usize = 1000;
+
+/// c_0 + c_1 s + c_2 s^2 + ... + c_(N-1) s^(N-1) with the time s from an instant on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Jet<const N: usize> {
+    pub terms: [f64; N],
+    /// The error that each term may have.
+    pub doubts: [f64; N],
+}
+
+impl<const N: usize> Jet<N> {
+    pub fn constant(value: f64, doubt: f64) -> Self {
+        let (mut terms, mut doubts) = ([0.0; N], [0.0; N]);
+        (terms[0], doubts[0]) = (value, doubt);
+        Jet { terms, doubts }
+    }
+
+    /// Sets the coefficients after one of a quantity whose rate has that one.
+    pub fn follow(&mut self, rate: &Self, order: usize) {
+        let per = 1.0 / (order + 1) as f64;
+        self.terms[order + 1] = rate.terms[order] * per;
+        self.doubts[order + 1] = rate.doubts[order] * per + ROUNDING * self.terms[order + 1].abs();
+    }
+
+    fn rate(&self) -> Self {
+        let mut rate = Jet::zero();
+        for order in 1..N {
+            rate.terms[order - 1] = order as f64 * self.terms[order];
+            rate.doubts[order - 1] = order as f64 * self.doubts[order];
+        }
+        rate
+    }
+
+    /// The sign of a term: zero where it does not exceed its doubt so many times, no number where it is none.
+    pub fn sign_of(&self, order: usize, slack: f64) -> f64 {
+        let term = self.terms[order];
+        if term.is_nan() || term.abs() > slack * self.doubts[order] { term.signum() } else { 0.0 }
+    }
+
+    /// The sign next after the instant.
+    pub fn sign(&self, slack: f64) -> f64 {
+        let value = self.sign_of(0, slack);
+        if value == 0.0 { self.way(slack * self.doubts[0], slack) } else { value }
+    }
+
+    /// The sign of the change by which the value first leaves a band, on either side of what it is at the instant; zero where it
+    /// does not change.
+    pub fn way(&self, band: f64, slack: f64) -> f64 {
+        let signs: [f64; N] = std::array::from_fn(|order| if order == 0 { 0.0 } else { self.sign_of(order, slack) });
+        if signs.iter().any(|sign| sign.is_nan()) {
+            return f64::NAN;
+        }
+        let known = || (1..N).filter(|&order| signs[order] != 0.0);
+        let Some(first) = known().next() else { return 0.0 };
+        if band == 0.0 {
+            return signs[first];
+        }
+        // within this time no term reaches its part of the band
+        let reach = |order: usize| (band / (N as f64 * self.terms[order].abs())).powf(1.0 / order as f64);
+        let mut time = known().map(reach).fold(f64::INFINITY, f64::min);
+        for _ in 0..MOST_TIMES {
+            let change: f64 = known().map(|order| self.terms[order] * time.powi(order as i32)).sum();
+            if change.abs() > band {
+                return change.signum();
+            }
+            time *= LONGER;
+        }
+        signs[first]
+    }
+
+    fn by_terms(self, operation: impl Fn(f64) -> f64) -> Self {
+        Jet { terms: self.terms.map(operation), doubts: self.doubts }
+    }
+
+    fn plus(self, terms: [f64; N], doubts: [f64; N]) -> Self {
+        let mut sum = self;
+        for order in 0..N {
+            sum.terms[order] += terms[order];
+            sum.doubts[order] += doubts[order] + ROUNDING * sum.terms[order].abs();
+        }
+        sum
+    }
+}
+
+impl<const N: usize> Add for Jet<N> {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        self.plus(b.terms, b.doubts)
+    }
+}
+
+impl<const N: usize> Sub for Jet<N> {
+    type Output = Self;
+    fn sub(self, b: Self) -> Self {
+        self.plus(b.terms.map(|term| -term), b.doubts)
+    }
+}
+
+impl<const N: usize> Neg for Jet<N> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.by_terms(|term| -term)
+    }
+}
+
+impl<const N: usize> Mul for Jet<N> {
+    type Output = Self;
+    fn mul(self, b: Self) -> Self {
+        let mut product = Jet::zero();
+        for order in 0..N {
+            for (own, other) in (0..=order).map(|own| (own, order - own)) {
+                let part = self.terms[own] * b.terms[other];
+                product.terms[order] += part;
+                product.doubts[order] += self.terms[own].abs() * b.doubts[other]
+                    + self.doubts[own] * (b.terms[other].abs() + b.doubts[other])
+                    + ROUNDING * part.abs();
+            }
+        }
+        product
+    }
+}
+
+impl<const N: usize> Div for Jet<N> {
+    type Output = Self;
+    fn div(self, b: Self) -> Self {
+        let (mut quotient, divisor) = (Jet::<N>::zero(), b.terms[0]);
+        for order in 0..N {
+            let (mut rest, mut doubt) = (self.terms[order], self.doubts[order]);
+            for (later, earlier) in (1..=order).map(|later| (later, order - later)) {
+                let part = b.terms[later] * quotient.terms[earlier];
+                rest -= part;
+                doubt += b.terms[later].abs() * quotient.doubts[earlier]
+                    + b.doubts[later] * quotient.terms[earlier].abs()
+                    + ROUNDING * part.abs();
+            }
+            let term = rest / divisor;
+            quotient.terms[order] = term;
+            quotient.doubts[order] = (doubt + term.abs() * b.doubts[0]) / divisor.abs() + ROUNDING * term.abs();
+        }
+        quotient
+    }
+}
+
+/// In a field every remainder is zero (num-traits asks for the operator).
+impl<const N: usize> Rem for Jet<N> {
+    type Output = Self;
+    fn rem(self, _: Self) -> Self {
+        Jet::zero()
+    }
+}
+
+macro_rules! assign {
+    ($($op:ident $method:ident $sign:tt),*) => {$(
+        impl<const N: usize> $op for Jet<N> {
+            fn $method(&mut self, b: Self) {
+                *self = *self $sign b;
+            }
+        }
+    )*};
+}
+assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /, RemAssign rem_assign %);
+
+impl<const N: usize> Zero for Jet<N> {
+    fn zero() -> Self {
+        Jet { terms: [0.0; N], doubts: [0.0; N] }
+    }
+
+    fn is_zero(&self) -> bool {
+        *self == Jet::zero()
+    }
+}
+
+impl<const N: usize> One for Jet<N> {
+    fn one() -> Self {
+        Jet::constant(1.0, 0.0)
+    }
+}
+
+impl<const N: usize> Scalar for Jet<N> {
+    fn ratio(numerator: i64, denominator: i64) -> Self {
+        let value = f64::ratio(numerator, denominator);
+        Jet::constant(value, ROUNDING * value.abs())
+    }
+}
+
+impl<const N: usize> Analytic for Jet<N> {
+    fn circle(self) -> Circle<Self> {
+        let Circle { cos, sin } = self.terms[0].circle();
+        let doubt = |slope: f64, value: f64| slope.abs() * self.doubts[0] + 2.0 * ROUNDING * value.abs();
+        let mut point = Circle { cos: Jet::constant(cos, doubt(sin, cos)), sin: Jet::constant(sin, doubt(cos, sin)) };
+        for order in 0..N - 1 {
+            let rates = [-point.sin * self.rate(), point.cos * self.rate()];
+            point.cos.follow(&rates[0], order);
+            point.sin.follow(&rates[1], order);
+        }
+        point
+    }
+
+    fn sqrt(self) -> Self {
+        let root = self.terms[0].sqrt();
+        let mut jet = Jet::constant(root, self.doubts[0] / (2.0 * root) + ROUNDING * root);
+        for order in 0..N - 1 {
+            jet.follow(&(self.rate() / (jet + jet)), order);
+        }
+        jet
+    }
+
+    fn elementary(self, function: Elementary, other: Self) -> Self {
+        let value = function.of(self.terms[0], other.terms[0]);
+        let [by_first, by_second] = function.slopes(self.terms[0], other.terms[0], value);
+        let doubt = by_first.abs() * self.doubts[0] + by_second.abs() * other.doubts[0];
+        let mut jet = Jet::constant(value, doubt + 2.0 * ROUNDING * value.abs());
+        for order in 0..N - 1 {
+            let [by_first, by_second] = function.slopes(self, other, jet);
+            jet.follow(&(by_first * self.rate() + by_second * other.rate()), order);
+        }
+        jet
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Jet;
+    use field::{Analytic, Elementary};
+
+    fn time(at: f64) -> Jet<5> {
+        let mut time = Jet::constant(at, 0.0);
+        time.terms[1] = 1.0;
+        time
+    }
+
+    /// Coefficients of known series about 0.7.
+    #[test]
+    fn functions_have_their_taylor_coefficients() {
+        let at = 0.7_f64;
+        let known = [
+            (time(at).elementary(Elementary::Exp, time(at)), [1.0, 1.0, 0.5, 1.0 / 6.0, 1.0 / 24.0].map(|c| c * at.exp())),
+            (time(at).elementary(Elementary::Ln, time(at)), [at.ln(), 1.0 / at, -0.5 / at.powi(2), 1.0 / (3.0 * at.powi(3)), -0.25 / at.powi(4)]),
+            (time(at).circle().sin, [at.sin(), at.cos(), -at.sin() / 2.0, -at.cos() / 6.0, at.sin() / 24.0]),
+            ((time(at) * time(at)).sqrt(), [at, 1.0, 0.0, 0.0, 0.0]),
+            (time(at) * time(at) / time(at), [at, 1.0, 0.0, 0.0, 0.0]),
+        ];
+        for (jet, terms) in known {
+            for ((found, known), doubt) in jet.terms.iter().zip(terms).zip(jet.doubts) {
+                assert!((found - known).abs() <= 4.0 * doubt.max(f64::EPSILON), "{jet:?} and {terms:?}");
+                assert!(doubt < 1e-13, "{jet:?}");
+            }
+        }
+    }
+
+    /// What is zero but for rounding does not decide; the next term does.
+    #[test]
+    fn a_sign_is_that_of_the_first_term_beyond_its_doubt() {
+        let tenth = Jet::constant(0.1, 1e-17) * Jet::constant(3.0, 0.0) - Jet::constant(0.3, 5e-17);
+        let mut falling = tenth - time(0.0) * time(0.0);
+        assert_eq!(falling.sign(1.0), -1.0);
+        assert_eq!(tenth.sign(1.0), 0.0);
+        falling.terms[0] = f64::NAN;
+        assert!(falling.sign(1.0).is_nan());
+    }
+
+    /// -e s + s^2 falls by e^2/4: a fall of less than a rounding is none.
+    #[test]
+    fn a_fall_that_rounding_hides_is_none() {
+        let valley = |e: f64| Jet::<5>::constant(0.0, 1e-16) + time(0.0) * (time(0.0) - Jet::constant(e, 1e-17));
+        assert_eq!(valley(1e-9).sign(16.0), 1.0);
+        assert_eq!(valley(1e-6).sign(16.0), -1.0);
+        // without doubt the first term decides
+        assert_eq!(Jet { doubts: [0.0; 5], ..valley(1e-9) }.sign(16.0), -1.0);
+    }
+}

@@ -1,0 +1,43 @@
+//! The sides of a model's own events: an event counts when its expression passes zero after the start.
+//!
+//! An expression that is zero at the start is on the side to which the motion leaves, by the first rate that is not zero.
+
+use super::decision::TERMS;
+use super::expansion::Expansion;
+
+/// The side of an event's expression on which a run is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Side {
+    /// 1 above zero, -1 below.
+    pub sign: f64,
+    /// Whether no rate says it: then the side on which the expression is found first.
+    pub is_open: bool,
+}
+
+/// The past of an event's side.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Past {
+    /// None: the state was given, or set to where the expression is zero.
+    None,
+    /// The run goes on from a side; the expression may be about to pass zero.
+    Side(f64),
+    /// The event has just set the state, coming from a side.
+    Set(f64),
+    /// The expression has just passed zero, coming from a side.
+    Passed(f64),
+}
+
+/// The side next after an instant.
+pub(super) fn side(expansion: &Expansion<TERMS>, event: usize, past: Past, slack: f64) -> Side {
+    let jet = &expansion.events[event];
+    let (value, way) = (jet.sign_of(0, slack), jet.way(slack * jet.doubts[0], slack));
+    let known = match past {
+        Past::None => [value, way, 0.0],
+        Past::Side(from) => [value, from, 0.0],
+        // a body that is set to rest on a floor is still above it
+        Past::Set(from) => [value, jet.sign_of(1, slack), from],
+        Past::Passed(from) => [way, -from, 0.0],
+    };
+    let sign = known.into_iter().find(|sign| sign.abs() == 1.0);
+    Side { sign: sign.unwrap_or(1.0), is_open: sign.is_none() }
+}
