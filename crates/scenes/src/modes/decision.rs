@@ -33,9 +33,15 @@ enum Standing {
 /// The cases that go on from an instant.
 #[derive(Debug)]
 pub(super) enum Decided {
-    One { mode: Vec<Case>, expansion: Expansion<TERMS>, slack: f64 },
+    One {
+        mode: Vec<Case>,
+        expansion: Expansion<TERMS>,
+        slack: f64,
+    },
     /// None agrees; whether one cannot be held.
-    None { not_held: bool },
+    None {
+        not_held: bool,
+    },
     Several,
     TooMany,
 }
@@ -102,7 +108,8 @@ fn standing(expansion: &Expansion<TERMS>, mode: &[Case], open: &[usize], slack: 
     for &switch in open {
         let condition = &expansion.conditions[switch];
         // one that has moved off zero while it was held must come back through it
-        let way = condition.way((slack * condition.doubts[0]).max(4.0 * condition.terms[0].abs()), slack);
+        let beyond = beyond(condition.terms[0], mode[switch]);
+        let way = condition.way((slack * condition.doubts[0]).max(4.0 * beyond), slack);
         let (signs, at_zero) = match mode[switch] {
             Case::On => ([way; 2], Standing::Rests),
             Case::Off => ([-way; 2], Standing::Rests),
@@ -118,6 +125,15 @@ fn standing(expansion: &Expansion<TERMS>, mode: &[Case], open: &[usize], slack: 
         }
     }
     Some(all)
+}
+
+/// How far a condition is on the other side than its case says.
+pub(super) fn beyond(value: f64, case: Case) -> f64 {
+    match case {
+        Case::On => (-value).max(0.0),
+        Case::Off => value.max(0.0),
+        Case::Held => 0.0,
+    }
 }
 
 /// Whether two motions differ beyond rounding.

@@ -250,8 +250,14 @@ mod tests {
     fn functions_have_their_taylor_coefficients() {
         let at = 0.7_f64;
         let known = [
-            (time(at).elementary(Elementary::Exp, time(at)), [1.0, 1.0, 0.5, 1.0 / 6.0, 1.0 / 24.0].map(|c| c * at.exp())),
-            (time(at).elementary(Elementary::Ln, time(at)), [at.ln(), 1.0 / at, -0.5 / at.powi(2), 1.0 / (3.0 * at.powi(3)), -0.25 / at.powi(4)]),
+            (
+                time(at).elementary(Elementary::Exp, time(at)),
+                [1.0, 1.0, 0.5, 1.0 / 6.0, 1.0 / 24.0].map(|c| c * at.exp()),
+            ),
+            (
+                time(at).elementary(Elementary::Ln, time(at)),
+                [at.ln(), 1.0 / at, -0.5 / at.powi(2), 1.0 / (3.0 * at.powi(3)), -0.25 / at.powi(4)],
+            ),
             (time(at).circle().sin, [at.sin(), at.cos(), -at.sin() / 2.0, -at.cos() / 6.0, at.sin() / 24.0]),
             ((time(at) * time(at)).sqrt(), [at, 1.0, 0.0, 0.0, 0.0]),
             (time(at) * time(at) / time(at), [at, 1.0, 0.0, 0.0, 0.0]),

@@ -43,7 +43,8 @@ pub(super) fn mirrored(trace: &Trace<'_>) -> Vec<Option<Mirrored>> {
     let points: Vec<Vec<DoubleDouble>> = (0..POINTS)
         .map(|point| {
             let mut found = vec![DoubleDouble::from(f64::NAN); conditions.len()];
-            let place = |input: usize| ((input + 1) as f64 * 0.754_877_666 + (point + 1) as f64 * 0.569_840_291).fract();
+            let place =
+                |input: usize| ((input + 1) as f64 * 0.754_877_666 + (point + 1) as f64 * 0.569_840_291).fract();
             let inputs = (0..inputs.len()).map(|input| DoubleDouble::from(0.2 + place(input)));
             tape.evaluate_long(&constants, inputs, &mut found);
             found

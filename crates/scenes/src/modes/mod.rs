@@ -64,10 +64,12 @@ struct Current {
     moded: Arc<Moded>,
     /// Of each event.
     sides: Vec<Side>,
-    /// How far from zero each condition may be and yet counts as zero: errors of rounding, and of the motion while it was held.
+    /// How far beyond zero each condition may be before it counts as passed, where it began at zero: errors of rounding, and of the
+    /// motion while it was held. The law to which it has been decided to move holds so far.
     near: Vec<f64>,
-    /// The same for the distances of each switch from 0 and from 1.
-    margins: Vec<[f64; 2]>,
+    /// The same for the distances of each switch from 0 and from 1, and for the expression of each event.
+    near_bounds: Vec<[f64; 2]>,
+    near_events: Vec<f64>,
 }
 
 /// Why a motion does not start.

@@ -1,7 +1,8 @@
 //! The mode in which a run begins, and the one that follows an event.
 
-use super::decision::{Decided, MOST_OPEN, SLACKS, TERMS, decided};
+use super::decision::{Decided, MOST_OPEN, SLACKS, TERMS, beyond, decided};
 use super::expansion::{Expansion, Expansions, Instant};
+use super::jet::Jet;
 use super::sides::{Past, Side, side};
 use super::signals::Fall;
 use super::{Case, Current, Modes};
@@ -39,12 +40,7 @@ impl Modes {
     }
 
     /// The mode at a state; conditions that were held, and may be so still, are open.
-    fn at(
-        &self,
-        instant: &Instant<'_>,
-        held: &[usize],
-        past: impl Fn(usize) -> Past,
-    ) -> Result<Current, &'static str> {
+    fn at(&self, instant: &Instant<'_>, held: &[usize], past: impl Fn(usize) -> Past) -> Result<Current, &'static str> {
         let expansions = self.expansions().map_err(refused)?;
         let mut mode = vec![Case::Off; self.model.switches.len()];
         let mut open = Vec::new();
@@ -71,9 +67,10 @@ impl Modes {
         let expansions = self.expansions().map_err(refused)?;
         let mut mode = before.moded.system.mode.clone();
         let fall = before.moded.signals.falls[event.signal];
+        expansions.return_to_zero(event.time, state, &mode, SLACK);
         let exact = Instant { time: event.time, state, late: 0.0 };
         let Some(known) = expansions.at::<TERMS>(&exact, &mode) else { return Err(NO_LAW) };
-        let late = late(&known, fall, event);
+        let late = late(before, &known, event);
         let is_near = |found: &Expansion<TERMS>, switch: usize| {
             let condition = &found.conditions[switch];
             condition.terms[0].abs() <= before.near[switch].max(SLACK * condition.doubts[0])
@@ -101,7 +98,10 @@ impl Modes {
         let open: Vec<usize> = (0..mode.len()).filter(own).filter(is_open).collect();
         expansions.mirror(&mut mode);
         let instant = Instant { late, ..exact };
-        self.settled(&instant, &mode, &open, keeps).map(Some)
+        let current = self.settled(&instant, &mode, &open, keeps)?;
+        // what sticks now does so at zero
+        expansions.return_to_zero(event.time, state, &current.moded.system.mode, 0.0);
+        Ok(Some(current))
     }
 
     /// The same after an event of the model.
@@ -116,7 +116,7 @@ impl Modes {
         let Side { sign: from, is_open } = before.sides[number];
         let with_side = |side: Side| {
             let mut current = before.clone();
-            current.sides[number] = side;
+            (current.sides[number], current.near_events[number]) = (side, 0.0);
             Ok(Some(current))
         };
         if is_open && event.what == Happening::StartsBelow {
@@ -133,7 +133,7 @@ impl Modes {
             Direction::Both => true,
         };
         if !counts {
-            return with_side(side(known, number, Past::Passed(from), SLACK));
+            return with_side(side(&known.events[number], Past::Passed(from), SLACK));
         }
         state.copy_from_slice(&before.moded.signals.set_by(number, event.time, state));
         if self.model.events[number].ends {
@@ -177,40 +177,44 @@ impl Modes {
             Decided::Several => return Err(SEVERAL),
             Decided::TooMany => return Err(TOO_MANY),
         };
+        let rounding = |jet: &Jet<TERMS>| if jet.sign_of(0, slack) == 0.0 { slack * jet.doubts[0] } else { 0.0 };
         let near = |switch: usize| {
             let condition = &expansion.conditions[switch];
-            // what has moved off zero while it was held begins from there
-            let moved = 2.0 * condition.terms[0].abs();
-            if open.contains(&switch) { moved.max(slack * condition.doubts[0]) } else { 0.0 }
+            let beyond = beyond(condition.terms[0], mode[switch]);
+            if open.contains(&switch) { (2.0 * beyond).max(slack * condition.doubts[0]) } else { 0.0 }
         };
-        let margins = |switch: usize| {
-            expansion.margins(switch).map(|margin| match margin.sign_of(0, slack) {
-                0.0 => slack * margin.doubts[0],
-                _ => 0.0,
-            })
+        let begun = |event: usize| {
+            let (past, jet) = (past(event), &expansion.events[event]);
+            let side = side(jet, past, slack);
+            let near = if matches!(past, Past::None) && !side.is_open { rounding(jet) } else { 0.0 };
+            (side, near)
         };
+        let (sides, near_events) = (0..self.model.events.len()).map(begun).unzip();
         Ok(Current {
             moded: self.moded(&mode).map_err(refused)?,
-            sides: (0..self.model.events.len())
-                .map(|event| side(&expansion, event, past(event), slack))
-                .collect(),
+            sides,
             near: (0..mode.len()).map(near).collect(),
-            margins: (0..mode.len()).map(margins).collect(),
+            near_bounds: (0..mode.len()).map(|switch| expansion.margins(switch).each_ref().map(rounding)).collect(),
+            near_events,
         })
     }
 }
 
 /// The error of the time of a fall, by what is left of its signal.
-fn late(known: &Expansion<TERMS>, fall: Fall, event: &Event) -> f64 {
-    if event.what != Happening::Falls {
-        return 0.0;
-    }
-    let signal = match fall {
-        Fall::Passes { switch } => known.conditions[switch],
-        Fall::Leaves { switch, to } => known.margins(switch)[usize::from(to == Case::On)],
-        Fall::Event { event } => known.events[event],
+fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
+    let (signal, near) = match before.moded.signals.falls[event.signal] {
+        Fall::Passes { switch } => {
+            let side = if before.moded.system.mode[switch] == Case::On { 1.0 } else { -1.0 };
+            (known.conditions[switch], side * before.near[switch])
+        }
+        Fall::Leaves { switch, to } => {
+            let bound = usize::from(to == Case::On);
+            (known.margins(switch)[bound], before.near_bounds[switch][bound])
+        }
+        Fall::Event { event } => (known.events[event], before.sides[event].sign * before.near_events[event]),
     };
-    if signal.sign_of(1, SLACK).abs() == 1.0 { 2.0 * (signal.terms[0] / signal.terms[1]).abs() } else { 0.0 }
+    let is_passed = event.what == Happening::Falls && signal.sign_of(1, SLACK).abs() == 1.0;
+    if is_passed { 2.0 * ((signal.terms[0] + near) / signal.terms[1]).abs() } else { 0.0 }
 }
 
 fn refused(reason: NotCompiled) -> &'static str {

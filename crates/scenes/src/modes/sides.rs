@@ -3,7 +3,7 @@
 //! An expression that is zero at the start is on the side to which the motion leaves, by the first rate that is not zero.
 
 use super::decision::TERMS;
-use super::expansion::Expansion;
+use super::jet::Jet;
 
 /// The side of an event's expression on which a run is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,9 +27,8 @@ pub(super) enum Past {
     Passed(f64),
 }
 
-/// The side next after an instant.
-pub(super) fn side(expansion: &Expansion<TERMS>, event: usize, past: Past, slack: f64) -> Side {
-    let jet = &expansion.events[event];
+/// The side of an expression next after an instant.
+pub(super) fn side(jet: &Jet<TERMS>, past: Past, slack: f64) -> Side {
     let (value, way) = (jet.sign_of(0, slack), jet.way(slack * jet.doubts[0], slack));
     let known = match past {
         Past::None => [value, way, 0.0],

@@ -129,17 +129,12 @@ impl Switches for Current {
     fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]) {
         let signals = &self.moded.signals;
         for ((signal, fall), [value, rate]) in out.iter_mut().zip(&signals.falls).zip(signals.at(time, state)) {
-            *signal = match *fall {
-                Fall::Passes { switch } => Signal { value, rate, noise: self.near[switch] },
-                Fall::Leaves { switch, to } => {
-                    let [low, high] = self.margins[switch];
-                    Signal { value, rate, noise: if to == Case::On { high } else { low } }
-                }
-                Fall::Event { event } => {
-                    let side = self.sides[event].sign;
-                    Signal { value: side * value, rate: side * rate, noise: 0.0 }
-                }
+            let (side, near) = match *fall {
+                Fall::Passes { switch } => (1.0, self.near[switch]),
+                Fall::Leaves { switch, to } => (1.0, self.near_bounds[switch][usize::from(to == Case::On)]),
+                Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };
+            *signal = Signal { value: side * value + near, rate: side * rate, noise: 0.0 };
         }
     }
 }
