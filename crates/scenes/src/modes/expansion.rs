@@ -21,6 +21,9 @@ const PIVOT: f64 = 64.0;
 /// Newton's method from what an integration has left.
 const IMPULSES: usize = 3;
 
+/// Newton's method from laws that are linear but for rounding.
+const ROUNDS: usize = 3;
+
 /// A model as a function of the time, the state and the switches.
 #[derive(Debug)]
 pub(super) struct Expansions {
@@ -141,6 +144,15 @@ impl Expansions {
         }
     }
 
+    /// Steps of Newton's method for the switches of held conditions: one where the rates are linear in them. A law of g that has
+    /// |g| in it is linear where g is zero; rounding leaves powers of g.
+    fn rounds(&self, held: &[usize]) -> usize {
+        let changes = |slope: &Slope| {
+            held.contains(&slope.condition) && slope.changed_by.iter().any(|switch| held.contains(switch))
+        };
+        if self.slopes.iter().any(changes) { ROUNDS } else { 1 }
+    }
+
     /// Conditions of their own that a mode holds.
     fn held(&self, mode: &[Case]) -> Vec<usize> {
         (0..mode.len()).filter(|&place| mode[place] == Case::Held && self.mirrored[place].is_none()).collect()
@@ -152,22 +164,21 @@ impl Expansions {
         let held = self.held(mode);
         let mut values = self.values(time, state, &switches);
         if !held.is_empty() {
-            let (mut rows, mut right) = (vec![vec![Jet::zero(); held.len()]; held.len()], Vec::new());
-            let place = |switch: usize| held.iter().position(|held| *held == switch);
             let first = self.states + mode.len();
-            for (slope, value) in self.slopes.iter().zip(&values[first + mode.len()..]) {
-                if let (Some(row), Some(column)) = (place(slope.condition), place(slope.switch)) {
-                    if slope.changed_by.iter().any(|switch| held.contains(switch)) {
-                        return None;
+            for _ in 0..self.rounds(&held) {
+                let (mut rows, mut right) = (vec![vec![Jet::zero(); held.len()]; held.len()], Vec::new());
+                let place = |switch: usize| held.iter().position(|held| *held == switch);
+                for (slope, value) in self.slopes.iter().zip(&values[first + mode.len()..]) {
+                    if let (Some(row), Some(column)) = (place(slope.condition), place(slope.switch)) {
+                        rows[row][column] = *value;
                     }
-                    rows[row][column] = *value;
                 }
+                right.extend(held.iter().map(|&switch| -values[first + switch]));
+                for (&switch, change) in held.iter().zip(solved(rows, right)?) {
+                    switches[switch] += change;
+                }
+                values = self.values(time, state, &switches);
             }
-            right.extend(held.iter().map(|&switch| -values[first + switch]));
-            for (&switch, value) in held.iter().zip(solved(rows, right)?) {
-                switches[switch] = value;
-            }
-            values = self.values(time, state, &switches);
         }
         for (place, mirrored) in self.mirrored.iter().enumerate() {
             if let Some(Mirrored { of, same_side }) = *mirrored {

@@ -32,17 +32,27 @@ pub(crate) fn held(
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
     let unknown: Vec<usize> = own().filter(|&switch| mode[switch] == Case::Held).collect();
     let symbols: Vec<Sym> = unknown.iter().map(|&k| trace.switches[k]).collect();
+    let conditions: Vec<Sym> =
+        unknown.iter().map(|&switch| in_mode(&[trace.scalar(trace.model.switches[switch])])[0]).collect();
+    let rates: Vec<Sym> = conditions.iter().map(|&condition| trace.rate_of(condition).substitute(&motion)).collect();
+    // an |g| in the law of g brings powers of the switch, which go where g is zero
+    let at_zero = match is_linear(&rates, &symbols) {
+        true => Vec::new(),
+        false => zeros(trace, &conditions),
+    };
+    let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &at_zero));
+    let rates = substitute_all(&rates, &at_zero);
+    if !is_linear(&rates, &symbols) {
+        return Err(NotCompiled::NotHeld { switch: unknown[0] });
+    }
     // rows of b, and -a
     let (mut rows, mut right): (Vec<Vec<Sym>>, Vec<Sym>) = (Vec::new(), Vec::new());
-    for &switch in &unknown {
-        let condition = in_mode(&[trace.scalar(trace.model.switches[switch])])[0];
-        let rate = trace.rate_of(condition).substitute(&motion);
-        let slopes: Vec<Sym> = symbols.iter().map(|&letter| Derivation::new([(letter, Sym::ONE)]).of(rate)).collect();
-        let is_linear = slopes.iter().all(|slope| symbols.iter().all(|letter| !slope.symbols_of().contains(letter)));
-        if !is_linear || slopes.iter().all(|slope| *slope == Sym::ZERO) {
+    let none: Vec<(Sym, Sym)> = symbols.iter().map(|&letter| (letter, Sym::ZERO)).collect();
+    for (rate, &switch) in rates.iter().zip(&unknown) {
+        let slopes: Vec<Sym> = symbols.iter().map(|&letter| by(*rate, letter)).collect();
+        if slopes.iter().all(|slope| *slope == Sym::ZERO) {
             return Err(NotCompiled::NotHeld { switch });
         }
-        let none: Vec<(Sym, Sym)> = symbols.iter().map(|&letter| (letter, Sym::ZERO)).collect();
         right.push(-rate.substitute(&none));
         rows.push(slopes);
     }
@@ -60,6 +70,36 @@ pub(crate) fn held(
     });
     let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &found));
     Ok(Motion { switches: switches.collect(), accelerations, multipliers })
+}
+
+/// A partial derivative.
+fn by(expression: Sym, letter: Sym) -> Sym {
+    Derivation::new([(letter, Sym::ONE)]).of(expression)
+}
+
+/// Whether expressions are linear in letters together.
+fn is_linear(expressions: &[Sym], letters: &[Sym]) -> bool {
+    let mut slopes =
+        expressions.iter().flat_map(|&expression| letters.iter().map(move |&letter| by(expression, letter)));
+    slopes.all(|slope| letters.iter().all(|letter| !slope.symbols_of().contains(letter)))
+}
+
+/// For each condition g, where it has the form c u + d of a speed u with a number c, that u is -d/c where g is zero.
+fn zeros(trace: &Trace<'_>, conditions: &[Sym]) -> Vec<(Sym, Sym)> {
+    let mut known: Vec<(Sym, Sym)> = Vec::new();
+    for condition in conditions {
+        let condition = condition.substitute(&known);
+        let solved = trace.speeds.iter().find_map(|&speed| {
+            let slope = by(condition, speed);
+            let is_number = slope != Sym::ZERO && slope.symbols_of().is_empty();
+            is_number.then(|| (speed, -condition.substitute(&[(speed, Sym::ZERO)]) / slope))
+        });
+        if let Some((speed, value)) = solved {
+            known.iter_mut().for_each(|(_, earlier)| *earlier = earlier.substitute(&[(speed, value)]));
+            known.push((speed, value));
+        }
+    }
+    known
 }
 
 /// Gauss's elimination in order; the first row without a pivot where there is one.
