@@ -8,7 +8,11 @@ use std::sync::Arc;
 
 /// A law that holds until one of its switches falls.
 pub struct Segment {
+    /// It may carry more behind the state of the system: see `followed`.
     pub law: Arc<dyn Law>,
+    /// How many integrals of rates of signals the law carries, each zero when it begins. A method resolves them like the state: else
+    /// the steps of a body at rest grow beyond the period of the force that will move it.
+    pub followed: usize,
     pub switches: Box<dyn Switches>,
 }
 
@@ -56,17 +60,20 @@ pub(super) fn integrate(
         let here = at.time;
         let later = |time: &&f64| **time > here || passed == 0 && **time == here;
         let outputs: Vec<f64> = span.outputs.iter().filter(later).copied().collect();
+        let states = at.state.len();
+        at.state.resize(states + segment.followed, 0.0);
         let mut rest = Span::new(here, span.end, &at.state).with_outputs(&outputs);
         rest.budget = span.budget;
         rest.budget.evaluations = span.budget.evaluations.saturating_sub(at.work.rates);
         for monitor in &span.monitors {
-            rest = rest.with_monitor(&monitor.name, |time, state| (monitor.value)(time, state));
+            rest = rest.with_monitor(&monitor.name, move |time, state| (monitor.value)(time, &state[..states]));
         }
         let whole = span.end - span.start;
         let done = (here - span.start) / whole;
-        let mut part = Part { observer, done, share: (span.end - here) / whole };
-        let (outcome, event) =
+        let mut part = Part { observer, states, done, share: (span.end - here) / whole };
+        let (mut outcome, event) =
             integrate_to_event(&*segment.law, method, tolerance, &rest, &*segment.switches, &mut part);
+        outcome.state.truncate(states);
         at = joined(at, outcome);
         let Some(event) = event else { return (at, None) };
         together = if at.time - here <= 8.0 * f64::EPSILON * at.time.abs() { together + 1 } else { 0 };
@@ -96,20 +103,21 @@ fn joined(before: Outcome<f64>, after: Outcome<f64>) -> Outcome<f64> {
     Outcome { work: before.work + after.work, deviations, ..after }
 }
 
-/// Tells the fraction of the whole run.
+/// Shows the state of the system, and the fraction of the whole run.
 struct Part<'a> {
     observer: &'a mut dyn Observer<f64>,
+    states: usize,
     done: f64,
     share: f64,
 }
 
 impl Observer<f64> for Part<'_> {
     fn sample(&mut self, time: f64, state: &[f64]) {
-        self.observer.sample(time, state);
+        self.observer.sample(time, &state[..self.states]);
     }
 
     fn step(&mut self, time: f64, state: &[f64]) {
-        self.observer.step(time, state);
+        self.observer.step(time, &state[..self.states]);
     }
 
     fn progress(&mut self, fraction: f64) {

@@ -8,12 +8,16 @@
 use super::Case;
 use super::expansion::{Expansion, Expansions, Instant};
 
-/// Conditions that may be at zero together: every combination of their cases is tried.
-pub(super) const MOST_OPEN: usize = 7;
+/// So many conditions at zero together have every combination of their cases tried; of more one that agrees is sought.
+const MOST_OPEN: usize = 6;
 
 /// Terms by which combinations are sifted, and by which those that are left are decided.
 const FEW: usize = 2;
 pub(super) const TERMS: usize = 6;
+
+/// Changes of all contradicted cases together that may leave as many, and changes for each open condition.
+const PATIENCE: usize = 3;
+const PIVOTS: usize = 40;
 
 /// How many times its doubt a term must be, to count. A larger one serves where a smaller leaves no case, or several: a force that
 /// rises beyond friction so little, or so shortly, that the speed stays within its rounding.
@@ -43,13 +47,15 @@ pub(super) enum Decided {
         not_held: bool,
     },
     Several,
-    TooMany,
 }
 
 /// Decides the cases of open conditions, beginning with those of a mode; other conditions keep theirs.
 pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Case], open: &[usize]) -> Decided {
     if open.len() > MOST_OPEN {
-        return Decided::TooMany;
+        return SLACKS
+            .into_iter()
+            .find_map(|slack| pivoted(expansions, instant, mode, open, slack))
+            .unwrap_or(Decided::None { not_held: true });
     }
     // of cases that rest the one that the event led to comes first
     let cases = |switch: usize| match mode[switch] {
@@ -93,6 +99,43 @@ pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Ca
     if several { Decided::Several } else { Decided::None { not_held } }
 }
 
+/// Cases that agree, from those of a mode: what contradicts its case gets the one to which it points, all together while that
+/// leaves fewer contradictions, then one after the other (block principal pivoting, Judice and Pires 1994).
+fn pivoted(
+    expansions: &Expansions,
+    instant: &Instant<'_>,
+    mode: &[Case],
+    open: &[usize],
+    slack: f64,
+) -> Option<Decided> {
+    let (mut mode, mut fewest, mut patience) = (mode.to_vec(), usize::MAX, PATIENCE);
+    for _ in 0..PIVOTS * open.len() {
+        expansions.mirror(&mut mode);
+        let expansion = expansions.at::<TERMS>(instant, &mode)?;
+        let turned: Vec<(usize, Case)> = open
+            .iter()
+            .filter_map(|&switch| Some((switch, contradicted(&expansion, mode[switch], switch, slack)?)))
+            .collect();
+        let Some(last) = turned.last() else { return Some(Decided::One { mode, expansion, slack }) };
+        patience = if turned.len() < fewest { PATIENCE } else { patience.saturating_sub(1) };
+        fewest = fewest.min(turned.len());
+        let changes = if patience > 0 { &turned[..] } else { std::slice::from_ref(last) };
+        changes.iter().for_each(|&(switch, case)| mode[switch] = case);
+    }
+    None
+}
+
+/// The case to which a condition points that contradicts its own.
+fn contradicted(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Case> {
+    let [low, high] = expansion.margins(switch).map(|margin| margin.sign(slack) < 0.0);
+    match case {
+        Case::Held if low => Some(Case::Off),
+        Case::Held if high => Some(Case::On),
+        Case::Held => None,
+        Case::On | Case::Off => alone(expansion, case, switch, slack).is_none().then_some(Case::Held),
+    }
+}
+
 /// Whether no open condition contradicts its case by its rate, or its switch by its value.
 fn is_possible(sifted: &Expansion<FEW>, mode: &[Case], open: &[usize], slack: f64) -> bool {
     open.iter().all(|&switch| match mode[switch] {
@@ -104,27 +147,26 @@ fn is_possible(sifted: &Expansion<FEW>, mode: &[Case], open: &[usize], slack: f6
 
 /// Whether open conditions move as their cases say; none where one contradicts its case.
 fn standing(expansion: &Expansion<TERMS>, mode: &[Case], open: &[usize], slack: f64) -> Option<Standing> {
-    let mut all = Standing::Moves;
-    for &switch in open {
-        let condition = &expansion.conditions[switch];
-        // one that has moved off zero while it was held must come back through it
-        let beyond = beyond(condition.terms[0], mode[switch]);
-        let way = condition.way((slack * condition.doubts[0]).max(4.0 * beyond), slack);
-        let (signs, at_zero) = match mode[switch] {
-            Case::On => ([way; 2], Standing::Rests),
-            Case::Off => ([-way; 2], Standing::Rests),
-            Case::Held => (expansion.margins(switch).map(|margin| margin.sign(slack)), Standing::AtBound),
-        };
-        for sign in signs {
-            if sign.is_nan() || sign < 0.0 {
-                return None;
-            }
-            if sign == 0.0 {
-                all = all.min(at_zero);
-            }
-        }
+    let each = open.iter().map(|&switch| alone(expansion, mode[switch], switch, slack));
+    each.min().unwrap_or(Some(Standing::Moves))
+}
+
+/// The same of one condition.
+fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Standing> {
+    let condition = &expansion.conditions[switch];
+    // one that has moved off zero while it was held must come back through it
+    let band = || (slack * condition.doubts[0]).max(4.0 * beyond(condition.terms[0], case));
+    let (signs, at_zero) = match case {
+        Case::On => ([condition.way(band(), slack); 2], Standing::Rests),
+        Case::Off => ([-condition.way(band(), slack); 2], Standing::Rests),
+        Case::Held => (expansion.margins(switch).map(|margin| margin.sign(slack)), Standing::AtBound),
+    };
+    let contradicts = |sign: &f64| sign.is_nan() || *sign < 0.0;
+    match signs {
+        _ if signs.iter().any(contradicts) => None,
+        _ if signs.contains(&0.0) => Some(at_zero),
+        _ => Some(Standing::Moves),
     }
-    Some(all)
 }
 
 /// How far a condition is on the other side than its case says.

@@ -2,6 +2,7 @@
 
 mod decision;
 mod expansion;
+mod followed;
 mod held;
 mod jet;
 mod mirrored;
@@ -18,7 +19,7 @@ use expansion::Expansions;
 use integrators::Event;
 use model::Model;
 use sides::Side;
-use signals::Signals;
+use signals::{Fall, Signals};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -89,6 +90,8 @@ struct Moded {
     system: Arc<CompiledSystem>,
     /// Made once: series and Jacobian serve every segment.
     law: Arc<dyn Law>,
+    /// How many signals the law follows beside the state.
+    followed: usize,
     signals: Signals,
 }
 
@@ -118,7 +121,8 @@ impl Modes {
         let made = known.entry(mode.to_vec()).or_insert_with(|| {
             let system = Arc::new(CompiledSystem::of(&self.model, mode)?);
             let signals = Signals::of(&self.model, mode)?;
-            Ok(Arc::new(Moded { law: system.law(), system, signals }))
+            let (law, followed) = followed::followed(&self.model, &system);
+            Ok(Arc::new(Moded { law, followed, system, signals }))
         });
         made.clone()
     }
@@ -143,7 +147,8 @@ impl Modes {
 
     fn enter(&self, current: Current) -> Segment {
         *self.current.lock().unwrap_or_else(PoisonError::into_inner) = Some(current.clone());
-        Segment { law: Arc::clone(&current.moded.law), switches: Box::new(current) }
+        let Moded { law, followed, .. } = &*current.moded;
+        Segment { law: Arc::clone(law), followed: *followed, switches: Box::new(current) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The mode in which a run begins, and the one that follows an event.
 
-use super::decision::{Decided, MOST_OPEN, SLACKS, TERMS, beyond, decided};
+use super::decision::{Decided, SLACKS, TERMS, beyond, decided};
 use super::expansion::{Expansion, Expansions, Instant};
 use super::jet::Jet;
 use super::sides::{Past, Side, side};
@@ -15,9 +15,7 @@ const NO_LAW: &str =
     "no law holds after a condition changes: it would have to be kept at zero, and nothing keeps it there";
 const NONE: &str = "no case of its conditions agrees with the motion that it gives";
 const SEVERAL: &str = "several motions go on from here, each by another case of its conditions";
-const TOO_MANY: &str = "more than seven conditions are at zero together";
 const BROKEN: &str = "an event leaves a state that breaks a constraint";
-const _: () = assert!(MOST_OPEN == 7);
 
 /// The least multiple of a doubt that counts.
 const SLACK: f64 = SLACKS[0];
@@ -175,7 +173,6 @@ impl Modes {
             Decided::One { mode, expansion, slack } => (mode, expansion, slack),
             Decided::None { not_held } => return Err(if not_held { NO_LAW } else { NONE }),
             Decided::Several => return Err(SEVERAL),
-            Decided::TooMany => return Err(TOO_MANY),
         };
         let rounding = |jet: &Jet<TERMS>| if jet.sign_of(0, slack) == 0.0 { slack * jet.doubts[0] } else { 0.0 };
         let near = |switch: usize| {

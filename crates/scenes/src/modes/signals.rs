@@ -70,7 +70,12 @@ impl Signals {
 }
 
 /// The signals of a mode and, over symbols, all that [`Signals::all`] gives.
-fn written(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Result<(Vec<Fall>, Vec<Sym>), NotCompiled> {
+pub(super) fn written(
+    model: &Model,
+    mode: &[Case],
+    time: Sym,
+    state: &[Sym],
+) -> Result<(Vec<Fall>, Vec<Sym>), NotCompiled> {
     if mode.is_empty() && model.events.is_empty() {
         return Ok((Vec::new(), Vec::new()));
     }
@@ -128,6 +133,7 @@ impl Switches for Current {
 
     fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]) {
         let signals = &self.moded.signals;
+        let state = &state[..state.len() - self.moded.followed];
         for ((signal, fall), [value, rate]) in out.iter_mut().zip(&signals.falls).zip(signals.at(time, state)) {
             let (side, near) = match *fall {
                 Fall::Passes { switch } => (1.0, self.near[switch]),

@@ -1,5 +1,10 @@
 //! Systems whose law or state changes at events, beside their closed forms.
 
+mod contacts;
+mod draws;
+mod friction;
+mod starts;
+
 use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;
 use scenes::ModelScene;

@@ -1,0 +1,98 @@
+//! The law of a mode with integrals of the rates of its signals: what bends a signal then bounds the steps of every method.
+//!
+//! A block that sticks has accelerations that are zero, and steps without bound, while the force that will move it goes up and down.
+
+use super::Case;
+use super::signals::{Fall, written};
+use crate::compiled_system::{CompiledSystem, rates};
+use crate::letters::Letters;
+use derivations::differentiated::Differentiated;
+use derivations::recorded::Recorded;
+use derivations::scene::problem::Law;
+use derivations::taped::Program;
+use field::DoubleDouble;
+use integrators::{Directions, Ode};
+use model::Model;
+use std::sync::Arc;
+use symbolic::{Derivation, Sym};
+
+/// Rates of the state, then of the signals that its rates alone do not resolve.
+#[derive(Debug)]
+struct Followed {
+    model: Arc<Model>,
+    mode: Vec<Case>,
+    program: Program,
+    dimension: usize,
+}
+
+/// The law of a mode as it runs, and how many signals it follows.
+pub(super) fn followed(model: &Arc<Model>, system: &Arc<CompiledSystem>) -> (Arc<dyn Law>, usize) {
+    let mode = &system.mode;
+    let states = model.positions() + model.speeds();
+    let mut count = 0;
+    let program = Program::of_any_length(states, |time, state| {
+        count = of_signals(model, mode, time, state).map_or(0, |rates| rates.len());
+        Vec::new()
+    });
+    if program.is_none() || count == 0 {
+        return (system.law(), 0);
+    }
+    let program = Program::of_any_length(states + count, |time, state| all(model, mode, time, state));
+    match program {
+        Some(program) => {
+            let model = Arc::clone(model);
+            let law = Arc::new(Followed { model, mode: mode.clone(), program, dimension: states + count });
+            (Arc::new(Differentiated::new(Recorded::new(Arc::clone(&law)), law)), count)
+        }
+        None => (system.law(), 0),
+    }
+}
+
+fn all(model: &Model, mode: &[Case], time: Sym, extended: &[Sym]) -> Vec<Sym> {
+    let state = &extended[..model.positions() + model.speeds()];
+    let moved = rates(model, mode, Letters::with_data(time, state));
+    let signals = of_signals(model, mode, time, state);
+    match (moved, signals) {
+        (Ok(moved), Some(signals)) => [moved, signals].concat(),
+        _ => vec![Sym::UNDEFINED; extended.len()],
+    }
+}
+
+/// Rates of signals that are not linear in the time and the state.
+fn of_signals(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Option<Vec<Sym>> {
+    let (falls, all) = written(model, mode, time, state).ok()?;
+    let bends = |signal: Sym| {
+        let mut letters = signal.symbols_of().into_iter();
+        letters.any(|letter| !Derivation::new([(letter, Sym::ONE)]).of(signal).symbols_of().is_empty())
+    };
+    // 1 - s bends with s
+    let own = falls.iter().zip(all.as_chunks::<2>().0);
+    let own = own.filter(|(fall, _)| !matches!(fall, Fall::Leaves { to: Case::On, .. }));
+    Some(own.filter_map(|(_, &[signal, rate])| bends(signal).then_some(rate)).collect())
+}
+
+macro_rules! runs {
+    ($($field:ty),*) => {$(
+        impl Ode<$field> for Followed {
+            fn dimension(&self) -> usize {
+                self.dimension
+            }
+
+            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
+                // made for a state of this length
+                self.program.run(t, y, dy).unwrap_or(());
+            }
+        }
+    )*};
+}
+runs!(f64, Directions, DoubleDouble);
+
+impl Ode<Sym> for Followed {
+    fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
+        dy.copy_from_slice(&all(&self.model, &self.mode, t, y));
+    }
+}

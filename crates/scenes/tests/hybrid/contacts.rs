@@ -1,0 +1,112 @@
+//! Several dry contacts together.
+
+use super::draws::{DRAWS, Draw, ends_at, on_a_line};
+
+/// A polynomial motion: place and speed at a time, and the acceleration c + r t from then on.
+#[derive(Clone, Copy)]
+struct Piece {
+    since: f64,
+    x: f64,
+    v: f64,
+}
+
+impl Piece {
+    fn after(self, until: f64, [c, r]: [f64; 2]) -> Piece {
+        let (h, c) = (until - self.since, c + r * self.since);
+        let x = self.x + self.v * h + c * h * h / 2.0 + r * h.powi(3) / 6.0;
+        Piece { since: until, x, v: self.v + c * h + r * h * h / 2.0 }
+    }
+}
+
+/// Three blocks on each other, the lowest pulled with r t: they move together, until friction can no longer take the upper ones along.
+#[test]
+fn a_stack_that_is_pulled_comes_apart_where_its_weakest_contact_says() {
+    for number in 0..DRAWS {
+        let mut draw = Draw::new(11, number);
+        let [ground, middle, top] = [draw.between(2.0, 8.0), draw.between(1.0, 4.0), draw.between(0.3, 3.0)];
+        let [a, b, c] = draw.array(0.5, 3.0);
+        let rate = draw.between(1.0, 6.0);
+        // acceleration of all, and its value where a contact slips
+        let together = |mass: f64, against: f64| [-against / mass, rate / mass];
+        let when = |[c, r]: [f64; 2], acceleration: f64| (acceleration - c) / r;
+        let begin = Piece { since: ground / rate, x: 0.0, v: 0.0 };
+        let all = together(a + b + c, ground);
+        let lower_slips_first = middle / (b + c) < top / c;
+        let (span, [x, y, z]);
+        if lower_slips_first {
+            let slips = when(all, middle / (b + c));
+            span = slips + draw.between(0.5, 2.0);
+            let apart = begin.after(slips, all);
+            let upper = apart.after(span, [middle / (b + c), 0.0]);
+            [x, y, z] = [apart.after(span, together(a, ground + middle)), upper, upper];
+        } else {
+            let slips = when(all, top / c);
+            let apart = begin.after(slips, all);
+            let two = together(a + b, ground + top);
+            let second = when(two, (middle - top) / b);
+            span = second + draw.between(0.5, 2.0);
+            let lower = apart.after(second, two);
+            x = lower.after(span, together(a, ground + middle));
+            y = lower.after(span, [(middle - top) / b, 0.0]);
+            z = apart.after(span, [top / c, 0.0]);
+        }
+        let [low, high] = [format!("({middle} N)*sign(x' - y')"), format!("({top} N)*sign(y' - z')")];
+        let text = on_a_line(
+            &[
+                ("x", a, &format!("-({ground} N)*sign(x') - {low} + ({rate} N/s)*t")),
+                // the same pairs from their other sides, one by a multiple of its speed
+                ("y", b, &format!("-({middle} N)*sign(2*(y' - x')) - {high}")),
+                ("z", c, &format!("-({top} N)*sign((z' - y')/(3 m/s))")),
+            ],
+            &format!("[run]\nspan = \"{span} s\"\n"),
+        );
+        let known = [("x", x.x), ("x'", x.v), ("y", y.x), ("y'", y.v), ("z", z.x), ("z'", z.v)];
+        ends_at(&text, &known, 10.0);
+    }
+}
+
+/// Two equal blocks side by side on a belt, with friction between them: three contacts with two speeds, so that what each carries while
+/// all stick is not determined. The blocks move as one does alone.
+#[test]
+fn equal_blocks_on_a_belt_do_not_feel_the_contact_between_them() {
+    for number in 0..DRAWS {
+        let mut draw = Draw::new(12, number);
+        let [mass, friction] = [draw.between(0.5, 3.0), draw.between(1.0, 6.0)];
+        let [k, belt, between] = [draw.between(20.0, 80.0), draw.between(0.1, 0.6), draw.between(0.5, 3.0)];
+        let (w, leaves) = ((k / mass).sqrt(), friction / (k * belt));
+        let span = leaves + draw.between(0.3, 0.9) * std::f64::consts::TAU / w;
+        let phase = w * (span - leaves);
+        let force = |own: &str, other: &str| {
+            format!(
+                "-({k} N/m)*{own} - ({friction} N)*sign({own}' - ({belt} m/s)) - ({between} N)*sign({own}' - {other}')"
+            )
+        };
+        let start = format!("[start]\n\"x'\" = \"{belt} m/s\"\n\"y'\" = \"{belt} m/s\"\n[run]\nspan = \"{span} s\"\n");
+        let text = on_a_line(&[("x", mass, &force("x", "y")), ("y", mass, &force("y", "x"))], &start);
+        let (x, v) = (friction / k + belt / w * phase.sin(), belt * phase.cos());
+        ends_at(&text, &[("x", x), ("x'", v), ("y", x), ("y'", v)], 1e4);
+    }
+}
+
+/// Blocks with the same data start, stop and turn at the same instants, each as one alone: x'' = -x - sgn x' by half circles.
+#[test]
+fn equal_blocks_stop_together() {
+    for number in 0..DRAWS {
+        let mut draw = Draw::new(13, number);
+        let away = draw.between(1.5, 12.0);
+        // half circles about -1 and 1 until one ends between them
+        let (mut x, mut halves) = (away, 0);
+        while x.abs() > 1.0 {
+            x = if x > 0.0 { 2.0 - x } else { -2.0 - x };
+            halves += 1;
+        }
+        let span = std::f64::consts::PI * f64::from(halves) + 1.0;
+        let force = |name: &str| format!("-(1 N/m)*{name} - (1 N)*sign({name}')");
+        let forces = ["x", "y", "z"].map(force);
+        let text = on_a_line(
+            &[("x", 1.0, &forces[0]), ("y", 1.0, &forces[1]), ("z", 1.0, &forces[2])],
+            &format!("[start]\nx = \"{away} m\"\ny = \"-{away} m\"\nz = \"{away} m\"\n[run]\nspan = \"{span} s\"\n"),
+        );
+        ends_at(&text, &[("x", x), ("x'", 0.0), ("y", -x), ("y'", 0.0), ("z", x), ("z'", 0.0)], 1e3);
+    }
+}
