@@ -28,6 +28,9 @@ struct Followed {
 /// The law of a mode as it runs, and how many signals it follows.
 pub(super) fn followed(model: &Arc<Model>, system: &Arc<CompiledSystem>) -> (Arc<dyn Law>, usize) {
     let mode = &system.mode;
+    if mode.is_empty() && model.events.is_empty() {
+        return (system.law(), 0);
+    }
     let states = model.positions() + model.speeds();
     let mut count = 0;
     let program = Program::of_any_length(states, |time, state| {

@@ -133,10 +133,13 @@ impl Modes {
     /// Why there is none.
     pub fn first(&self, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
         let off = vec![Case::Off; self.model.switches.len()];
-        self.moded(&off).map_err(Refused::Law)?;
+        let moded = self.moded(&off).map_err(Refused::Law)?;
+        if self.model.switches.is_empty() && self.model.events.is_empty() {
+            return Ok(Arc::clone(&moded.system));
+        }
         self.expansions().map_err(Refused::Law)?;
         let begun = self.begun(0.0, state).map_err(|why| Refused::Motion { why, switch: self.at_zero(0.0, state) })?;
-        Ok(begun.moded.system.clone())
+        Ok(Arc::clone(&begun.moded.system))
     }
 
     /// The law in which the run is, or was last.

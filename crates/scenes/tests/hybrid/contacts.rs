@@ -110,3 +110,16 @@ fn equal_blocks_stop_together() {
         ends_at(&text, &[("x", x), ("x'", 0.0), ("y", -x), ("y'", 0.0), ("z", x), ("z'", 0.0)], 1e3);
     }
 }
+
+/// More blocks than have all their cases tried: nine stop at one instant.
+#[test]
+fn many_blocks_stop_together() {
+    let names = ["a", "b", "c", "d", "e", "f", "i", "j", "k"];
+    let forces = names.map(|name| format!("-(1 N/m)*{name} - (1 N)*sign({name}')"));
+    let bodies: Vec<(&str, f64, &str)> =
+        names.iter().zip(&forces).map(|(name, force)| (*name, 1.0, force.as_str())).collect();
+    let starts: String = names.iter().map(|name| format!("{name} = \"3.4 m\"\n")).collect();
+    let text = on_a_line(&bodies, &format!("[start]\n{starts}[run]\nspan = \"8 s\"\n"));
+    // 3.4, -1.4, -0.6
+    ends_at(&text, &names.map(|name| (name, -0.6)), 1e3);
+}

@@ -33,10 +33,11 @@ impl Draw {
 /// tolerances and a rounding.
 pub fn ends_at(text: &str, known: &[(&str, f64)], within: f64) {
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let problem = scene.problem(scene.run().choice().axes);
     for method in METHODS {
         for tolerance in TOLERANCES {
             let choice = Choice { method, tolerance, ..scene.run().choice() };
-            let run = scene.problem(choice.axes).simulate(&choice, |_| {});
+            let run = problem.simulate(&choice, |_| {});
             assert_eq!(run.stopped(), None, "{method:?} {tolerance:e} at {}\n{text}", run.outcome.time);
             for (name, value) in known {
                 let found = run.last[run.column(name).unwrap()];

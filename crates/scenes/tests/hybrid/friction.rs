@@ -119,8 +119,9 @@ fn a_block_on_a_belt_sticks_and_slips() {
     for number in 0..DRAWS {
         let mut draw = Draw::new(6, number);
         let [mass, friction] = [draw.between(0.5, 3.0), draw.between(2.0, 6.0)];
-        let [k, belt] = [draw.between(20.0, 80.0), draw.between(0.1, 0.5)];
+        let k = draw.between(20.0, 80.0);
         let w = (k / mass).sqrt();
+        let belt = draw.between(0.1, 0.4) * friction * w / k;
         // so little that the block does not pass the speed of the belt before it sticks
         let fall = draw.between(0.02, 0.15) * mass * w / friction;
         let grows = 0.5 * friction * fall / mass;
