@@ -28,6 +28,9 @@ struct Unknowns {
     speeds: usize,
 }
 
+/// Series of systems with at least so many unknowns solve for them: one lane after the other, which pays later than in a single run.
+const LEAST_SOLVED: usize = 16;
+
 impl ParametricLaw {
     /// By the trace from which a run is compiled; parameters need no values.
     pub fn of(model: &Model) -> Result<Self, NotCompiled> {
@@ -45,14 +48,19 @@ impl ParametricLaw {
         apart(|| {
             let inputs = Inputs::of(model);
             let rates = rates(model, &[], inputs.letters())?;
-            let moves = rates.iter().any(|rate| rate.symbols_of().contains(&inputs.time));
-            let recurrence = Recurrence::record(&Equations {
-                state: &inputs.state,
-                time: moves.then_some(inputs.time),
-                parameters: &inputs.parameters,
-                rates: &rates,
-                solve: None,
-            });
+            let recurrence = match model.speeds() + model.constraints.len() >= LEAST_SOLVED {
+                true => recurrence_of(&Trace::of(model), &inputs, inputs.letters(), &inputs.parameters),
+                false => {
+                    let moves = rates.iter().any(|rate| rate.symbols_of().contains(&inputs.time));
+                    Recurrence::record(&Equations {
+                        state: &inputs.state,
+                        time: moves.then_some(inputs.time),
+                        parameters: &inputs.parameters,
+                        rates: &rates,
+                        solve: None,
+                    })
+                }
+            };
             let recurrence = recurrence.map_err(undefined)?;
             let outputs = Tape::record(&inputs.all(), &outputs(model, &[], inputs.letters())).map_err(undefined)?;
             Ok(ParametricLaw { recurrence, outputs, unknowns: None, keeps_energy: conserves(model) })

@@ -3,7 +3,8 @@
 use derivations::scene::{Choice, Smooth, Trajectory};
 use field::DoubleDouble;
 use integrators::{Jacobian, Method, Ode, System};
-use scenes::ModelScene;
+use scenes::{ModelScene, parse_ensemble};
+use std::ops::ControlFlow;
 
 fn runs(text: &str, method: Method, tolerance: f64) -> Trajectory {
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
@@ -134,6 +135,43 @@ fn a_coordinate_without_inertia_moves_with_what_holds_it() {
         assert!((3.0 * at("theta").sin() - x).abs() < 1e-8);
         assert!((at("pull") + 8.0 * x).abs() < 1e-6);
     }
+}
+
+#[test]
+fn members_of_an_ensemble_are_solved_for_too() {
+    let vary = "[ensemble]\nmembers = 11\n[ensemble.vary]\nparameters.k = { from = \"4 N/m\", to = \"9 N/m\" }\n";
+    let scene = parse_ensemble("scene.toml", &format!("{MASSLESS}{vary}")).unwrap_or_else(|error| panic!("{error}"));
+    let mut rows = Vec::new();
+    scene.run(1..=11, 2, |row| {
+        rows.push(row);
+        ControlFlow::Continue(())
+    });
+    for row in &rows {
+        let (k, last) = (row.drawn[0], row.last.as_ref().unwrap_or_else(|| panic!("{row:?}")));
+        let x = (3.0 * (k / 2.0).sqrt()).cos();
+        assert!((last.state[1] - x).abs() < 1e-7, "{k}: {:?}", last.state);
+        // the force on the slider is an output that needs the acceleration
+        assert!((last.derived[0].unwrap() + k * x).abs() < 1e-6, "{k}: {:?}", last.derived);
+    }
+    assert_eq!(rows.len(), 11);
+}
+
+#[test]
+fn a_long_chain_has_members_of_its_own() {
+    let vary = "[ensemble]\nmembers = 3\n[ensemble.vary]\nparameters.m = { from = \"0.5 kg\", to = \"2 kg\" }\n";
+    let scene =
+        parse_ensemble("scene.toml", &format!("{}{vary}", chain(41).replace("span = \"1 s\"", "span = \"0.1 s\"")));
+    let scene = scene.unwrap_or_else(|error| panic!("{error}"));
+    let mut ends = Vec::new();
+    scene.run(1..=3, 1, |row| {
+        ends.push(row.last.unwrap_or_else(|| panic!("it arrives")).state);
+        ControlFlow::Continue(())
+    });
+    // equal masses fall alike, whatever they are
+    for end in &ends[1..] {
+        assert!(end.iter().zip(&ends[0]).all(|(own, first)| (own - first).abs() < 1e-9));
+    }
+    assert!((ends[0][0] - 0.5).abs() > 1e-3);
 }
 
 #[test]

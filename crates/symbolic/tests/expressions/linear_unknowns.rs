@@ -1,8 +1,8 @@
 //! Series of laws whose rates hold the unknowns of linear equations, beside the same laws written out.
 
-use field::{Analytic, DoubleDouble, Lanes, Scalar};
+use field::{Analytic, DoubleDouble, Lanes, Rational, Scalar};
 use num_dual::DualSVec64;
-use symbolic::solve::Solve;
+use symbolic::solve::{Factors, NotSolved, Pattern, Solve};
 use symbolic::{Equations, Fused, Recurrence, Sym, Untapeable, symbols};
 
 /// Two links with their accelerations as unknowns, or written out by Cramer's rule; and what of them acts on a third state.
@@ -132,4 +132,81 @@ fn functions_of_unknowns_have_no_series() {
     let rates = [z.circle().sin];
     let equations = Equations { state: &[x], time: None, parameters: &[], rates: &rates, solve: Some(&solve) };
     assert!(matches!(Recurrence::record(&equations), Err(Untapeable::Function(_))));
+}
+
+/// Whole numbers from a fixed seed.
+struct Draws(u64);
+
+impl Draws {
+    fn below(&mut self, bound: u64) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % bound
+    }
+}
+
+/// A mass matrix of a few bodies, some coordinates without inertia, and constraints between them; what is repeated or massless is
+/// drawn, so that systems with and without a solution come up.
+fn drawn(draws: &mut Draws) -> (Pattern, Vec<i64>, Vec<i64>) {
+    let (n, m) = (1 + draws.below(6) as usize, draws.below(4) as usize);
+    let mut dense = vec![vec![0_i64; n + m]; n + m];
+    for _ in 0..1 + draws.below(8) {
+        // one body more along a direction of its own
+        let along: Vec<i64> = (0..n).map(|_| draws.below(3) as i64 - 1).collect();
+        for (row, &a) in dense.iter_mut().zip(&along) {
+            row.iter_mut().zip(&along).for_each(|(entry, &b)| *entry += a * b);
+        }
+    }
+    for k in n..n + m {
+        for j in 0..n {
+            let slope = if k > n && draws.below(4) == 0 { dense[n][j] } else { draws.below(5) as i64 - 2 };
+            (dense[k][j], dense[j][k]) = (slope, slope);
+        }
+    }
+    let places: Vec<(usize, usize)> = (0..n + m)
+        .flat_map(|row| (0..n + m).map(move |column| (row, column)))
+        .filter(|&(row, column)| dense[row][column] != 0)
+        .collect();
+    let entries = places.iter().map(|&(row, column)| dense[row][column]).collect();
+    // a right side that a solution has
+    let solution: Vec<i64> = (0..n + m).map(|_| draws.below(7) as i64 - 3).collect();
+    let right = dense.iter().map(|row| row.iter().zip(&solution).map(|(a, z)| a * z).sum()).collect();
+    (Pattern::new(n + m, n, places), entries, right)
+}
+
+fn solved<S: symbolic::solve::Magnitude>(
+    pattern: &Pattern,
+    entries: &[i64],
+    right: &[i64],
+) -> Result<Vec<S>, NotSolved> {
+    let in_field = |numbers: &[i64]| numbers.iter().map(|&number| S::int(number)).collect::<Vec<S>>();
+    let (mut factors, mut z) = (Factors::new(pattern), in_field(right));
+    factors.factor(&in_field(entries))?;
+    factors.solve(&mut z);
+    Ok(z)
+}
+
+#[test]
+fn two_thousand_systems_are_solved_or_refused_alike_in_rationals_and_in_f64() {
+    let mut draws = Draws(20_261_126);
+    let (mut found, mut refused) = (0, 0);
+    for _ in 0..2_000 {
+        let (pattern, entries, right) = drawn(&mut draws);
+        match (solved::<Rational>(&pattern, &entries, &right), solved::<f64>(&pattern, &entries, &right)) {
+            (Ok(exact), Ok(rounded)) => {
+                found += 1;
+                let mut rest: Vec<Rational> = right.iter().map(|&b| -Rational::int(b)).collect();
+                for (&(row, column), &entry) in pattern.places().iter().zip(&entries) {
+                    rest[row] += Rational::int(entry) * exact[column];
+                }
+                assert!(rest.iter().all(|rest| *rest == Rational::int(0)), "{rest:?}");
+                // multipliers may differ where constraints repeat each other, accelerations may not
+                for (exact, rounded) in exact.iter().zip(&rounded).take(pattern.determined()) {
+                    assert!((exact.to_f64() - rounded).abs() < 1e-9, "{exact:?} is not {rounded}");
+                }
+            }
+            (Err(NotSolved::Undetermined(_)), Err(NotSolved::Undetermined(_))) => refused += 1,
+            (exact, rounded) => panic!("{exact:?} beside {rounded:?} of {pattern:?} {entries:?}"),
+        }
+    }
+    assert!(found > 500 && refused > 100, "{found} {refused}");
 }
