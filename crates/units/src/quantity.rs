@@ -142,3 +142,15 @@ impl fmt::Display for NoQuantity {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::example;
+    use crate::Dimension;
+
+    #[test]
+    fn an_example_of_many_numbers_is_short() {
+        assert_eq!(example(1, 3, Dimension::of("kg")), "\"0 0 1 kg\"");
+        assert_eq!(example(1, 10_000, Dimension::of("kg")), "\"10000 numbers: 0 ... 0 0 0 0 0 0 0 0 1 kg\"");
+    }
+}

@@ -81,8 +81,9 @@ pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
     if !equations.feedback.is_empty() {
         let inputs: Vec<String> = equations.feedback.iter().map(|name| format!("`{name}`")).collect();
         warn(&format!(
-            "A does not hold the feedback by {}: an input is held at its value at the point; a value that stands in the force itself is \
+            "warning: {}: A does not hold the feedback by {}: an input is held at its value at the point; a value that stands in the force itself is \
              part of A",
+            asked.scene.display(),
             inputs.join(", ")
         ));
     }
