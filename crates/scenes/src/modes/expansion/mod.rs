@@ -3,6 +3,8 @@
 //! Accelerations are written down once with every switch as an input. Switches that are held follow order by order from g' = 0,
 //! which is linear in them.
 
+mod impulses;
+
 use super::Case;
 use super::jet::{Jet, ROUNDING};
 use super::mirrored::{Mirrored, letters, mirrored};
@@ -17,9 +19,6 @@ const ROUNDINGS: f64 = 4.0;
 
 /// A pivot is zero where it is not so many times its doubt.
 const PIVOT: f64 = 64.0;
-
-/// Newton's method from what an integration has left.
-const IMPULSES: usize = 3;
 
 /// Newton's method from laws that are linear but for rounding.
 const ROUNDS: usize = 3;
@@ -104,42 +103,6 @@ impl Expansions {
                     (Case::Off, false) => Case::On,
                     (case, _) => case,
                 };
-            }
-        }
-    }
-
-    /// Takes from the speeds what conditions have moved off zero while they were held: impulses of the forces that hold them, so that
-    /// constraints stay as they are.
-    pub fn return_to_zero(&self, time: f64, state: &mut [f64], mode: &[Case], slack: f64) {
-        let held = self.held(mode);
-        for _ in 0..IMPULSES {
-            let clock = Jet::<1>::constant(time, 0.0);
-            let part = |value: &f64| Jet::constant(*value, ROUNDINGS * ROUNDING * value.abs());
-            let parts: Vec<Jet<1>> = state.iter().map(part).collect();
-            let Some(Expansion { conditions, switches, .. }) = self.run(clock, &parts, mode) else { return };
-            if held.iter().all(|&switch| conditions[switch].sign_of(0, slack) == 0.0) {
-                return;
-            }
-            // what one switch adds, from 0 to 1
-            let added: Vec<Vec<Jet<1>>> = held
-                .iter()
-                .map(|&switch| {
-                    let [off, on] = [Jet::zero(), Jet::one()].map(|value| {
-                        let mut switches = switches.clone();
-                        switches[switch] = value;
-                        self.values(clock, &parts, &switches)
-                    });
-                    on.iter().zip(off).map(|(on, off)| *on - off).collect()
-                })
-                .collect();
-            let first = self.states + mode.len();
-            let rows = held.iter().map(|condition| added.iter().map(|added| added[first + condition]).collect());
-            let right = held.iter().map(|&condition| -conditions[condition]).collect();
-            let Some(impulses) = solved(rows.collect(), right) else { return };
-            for (impulse, added) in impulses.iter().zip(&added) {
-                for (part, rate) in state.iter_mut().zip(added) {
-                    *part += impulse.terms[0] * rate.terms[0];
-                }
             }
         }
     }
@@ -255,16 +218,17 @@ fn solved<const N: usize>(mut rows: Vec<Vec<Jet<N>>>, mut right: Vec<Jet<N>>) ->
         let size = |row: usize| rows[row][pivot].terms[0].abs();
         let row = (pivot..n).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
         let largest = rows[row][pivot];
-        if !(largest.terms[0].abs() > PIVOT * largest.doubts[0]) {
+        // zero, or no number
+        if largest.sign_of(0, PIVOT).abs() != 1.0 {
             return None;
         }
         rows.swap(pivot, row);
         right.swap(pivot, row);
         for below in pivot + 1..n {
             let factor = rows[below][pivot] / rows[pivot][pivot];
-            for column in pivot + 1..n {
-                let above = rows[pivot][column];
-                rows[below][column] -= factor * above;
+            let (upper, lower) = rows.split_at_mut(below);
+            for (entry, &above) in lower[0].iter_mut().zip(&upper[pivot]).skip(pivot + 1) {
+                *entry -= factor * above;
             }
             let part = factor * right[pivot];
             right[below] -= part;
