@@ -157,8 +157,9 @@ fn drawn(draws: &mut Draws) -> (Pattern, Vec<i64>, Vec<i64>) {
         }
     }
     for k in n..n + m {
-        for j in 0..n {
-            let slope = if k > n && draws.below(4) == 0 { dense[n][j] } else { draws.below(5) as i64 - 2 };
+        let (first, repeats) = (dense[n][..n].to_vec(), k > n && draws.below(4) == 0);
+        for (j, &before) in first.iter().enumerate() {
+            let slope = if repeats { before } else { draws.below(5) as i64 - 2 };
             (dense[k][j], dense[j][k]) = (slope, slope);
         }
     }
