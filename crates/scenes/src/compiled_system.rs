@@ -3,6 +3,7 @@
 use crate::implicit::{Implicit, ImplicitLaw, recurrence, unknown_letters};
 use crate::letters::Letters;
 use crate::modes::{Case, held};
+use crate::recording::recorded;
 use derivations::differentiated::Differentiated;
 use derivations::recorded::Recorded;
 use derivations::scene::problem::Law;
@@ -141,7 +142,7 @@ impl CompiledSystem {
     fn solved(model: &Arc<Model>) -> Result<Self, NotCompiled> {
         let implicit = Implicit::of(model)?;
         let mut keeps_energy = false;
-        let outputs = Program::of_any_length(implicit.extended(), |time, extended| {
+        let outputs = recorded(implicit.extended(), |time, extended| {
             keeps_energy = conserves(model);
             let (state, unknowns) = extended.split_at(model.positions() + model.speeds());
             outputs_of_solved(model, Letters::with_data(time, state), unknowns)
@@ -150,7 +151,7 @@ impl CompiledSystem {
             model: Arc::clone(model),
             mode: Vec::new(),
             rates: Rates::Solved(Arc::new(ImplicitLaw::new(implicit))),
-            outputs: outputs.ok_or(NotCompiled::TooLong)?,
+            outputs: outputs?,
             keeps_energy,
         })
     }
@@ -158,7 +159,7 @@ impl CompiledSystem {
     fn written(model: &Arc<Model>, mode: &[Case]) -> Result<Self, NotCompiled> {
         let states = model.positions() + model.speeds();
         let (mut wrong, mut keeps_energy) = (None, false);
-        let rates = Program::of_any_length(states, |time, state| {
+        let rates = recorded(states, |time, state| {
             keeps_energy = conserves(model);
             rates(model, mode, Letters::with_data(time, state)).unwrap_or_else(|reason| {
                 wrong = Some(reason);
@@ -168,13 +169,11 @@ impl CompiledSystem {
         if let Some(reason) = wrong {
             return Err(reason);
         }
-        let outputs =
-            Program::of_any_length(states, |time, state| outputs(model, mode, Letters::with_data(time, state)))
-                .ok_or(NotCompiled::TooLong)?;
+        let outputs = recorded(states, |time, state| outputs(model, mode, Letters::with_data(time, state)))?;
         Ok(CompiledSystem {
             model: Arc::clone(model),
             mode: mode.to_vec(),
-            rates: Rates::Written(rates.ok_or(NotCompiled::TooLong)?),
+            rates: Rates::Written(rates?),
             outputs,
             keeps_energy,
         })

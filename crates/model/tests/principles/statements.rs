@@ -172,8 +172,8 @@ fn a_programmed_constraint_is_led_by_its_gains() {
     assert_eq!(
         told[1..],
         [
-            "constraint 1 `led`: J u' + c is f'' + g1 f' + g2 f; its reaction may do work",
-            "constraint 2 `led`: J u' + c is f' + g1 f; its reaction may do work",
+            "constraint 1 `led`: J u' + c is f'' + g1 f' + g2 f; the power of its reaction is lambda1*(a'*cos(a) - b')",
+            "constraint 2 `led`: J u' + c is f' + g1 f; the power of its reaction is lambda2*a'",
             "constraint 3 `kept`: J u' + c is its second rate; its reaction does no work",
             "constraint 4 `kept`: J u' + c is its second rate; its reaction does no work",
         ]

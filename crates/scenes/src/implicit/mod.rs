@@ -17,6 +17,7 @@ pub(crate) use series::{recurrence, recurrence_of};
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;
+use crate::recording::recorded;
 use derivations::taped::{Program, Running};
 use field::DoubleDouble;
 use integrators::{Directions, Ode, System};
@@ -63,13 +64,13 @@ impl Implicit {
     /// The equations of a model without conditions whose parameters have values.
     pub fn of(model: &Arc<Model>) -> Result<Self, NotCompiled> {
         let mut pattern = None;
-        let terms = Program::of_any_length(model.positions() + model.speeds(), |time, state| {
+        let terms = recorded(model.positions() + model.speeds(), |time, state| {
             let Solve { pattern: own, entries, right, .. } =
                 linear_equations(&Trace::of(model), Letters::with_data(time, state));
             pattern = Some(own);
             [entries, right].concat()
-        });
-        let (Some(terms), Some(pattern)) = (terms, pattern) else { return Err(NotCompiled::TooLong) };
+        })?;
+        let pattern = pattern.ok_or(NotCompiled::TooLong)?;
         let (plain, directed, exact) = (Pool::default(), Pool::default(), Pool::default());
         Ok(Implicit { model: Arc::clone(model), terms, pattern, plain, directed, exact })
     }

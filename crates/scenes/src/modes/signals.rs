@@ -3,6 +3,7 @@
 use super::mirrored::mirrored;
 use super::{Case, Current};
 use crate::compiled_system::{Motion, NotCompiled, values};
+use crate::recording::recorded;
 use derivations::taped::Program;
 use integrators::{Signal, Switches};
 use model::{Model, Trace};
@@ -30,7 +31,7 @@ pub(crate) struct Signals {
 impl Signals {
     pub fn of(model: &Model, mode: &[Case]) -> Result<Self, NotCompiled> {
         let (mut falls, mut wrong) = (Vec::new(), None);
-        let program = Program::of_any_length(model.positions() + model.speeds(), |time, state| {
+        let program = recorded(model.positions() + model.speeds(), |time, state| {
             let (found, all) = written(model, mode, time, state).unwrap_or_else(|reason| {
                 wrong = Some(reason);
                 (Vec::new(), Vec::new())
@@ -38,10 +39,9 @@ impl Signals {
             falls = found;
             all
         });
-        match (wrong, program) {
-            (Some(reason), _) => Err(reason),
-            (None, None) => Err(NotCompiled::TooLong),
-            (None, Some(program)) => Ok(Signals { falls, program, events: model.events.len() }),
+        match wrong {
+            Some(reason) => Err(reason),
+            None => Ok(Signals { program: program?, falls, events: model.events.len() }),
         }
     }
 
