@@ -12,8 +12,9 @@ mod generic_point;
 mod integrability;
 
 pub use characteristics::{Characteristics, Motion};
+pub(crate) use constraints::held_of;
+pub use constraints::vanishes;
 pub use constraints::{Equation, Level, equations as constraints_of};
-pub(crate) use constraints::{held_of, vanishes};
 pub use elimination::Singular;
 pub(crate) use generic_point::generic_rank;
 pub use integrability::Integrability;

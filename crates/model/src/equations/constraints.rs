@@ -102,7 +102,7 @@ impl Trace<'_> {
 const MOST_EXPANDED: usize = 2_000;
 
 /// Whether a component is zero for all values: by random points of prime fields, or by its normal form where it has functions.
-pub(crate) fn vanishes(component: Sym) -> bool {
+pub fn vanishes(component: Sym) -> bool {
     match identified(&[component]) {
         Identity::Identified { .. } => true,
         Identity::NotZero => false,

@@ -6,8 +6,9 @@ use crate::compiled_system::{Motion, NotCompiled, values};
 use crate::recording::recorded;
 use derivations::taped::Program;
 use integrators::{Signal, Switches};
+use model::equations::vanishes;
 use model::{Model, Trace};
-use symbolic::{Hypotheses, Sym, decide, substitute_all};
+use symbolic::{Sym, substitute_all};
 
 /// The meaning of the fall of a signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,7 +90,7 @@ pub(super) fn written(
         [value, trace.rate_of(value).substitute(&motion)]
     };
     let may_depend = mode.iter().filter(|case| **case == Case::Held).count() > 1;
-    let rests = |rate: Sym| rate == Sym::ZERO || may_depend && decide(rate, &Hypotheses::none()).is_zero();
+    let rests = |rate: Sym| rate == Sym::ZERO || may_depend && vanishes(rate);
     let (mut falls, mut all): (Vec<Fall>, Vec<Sym>) = (Vec::new(), Vec::new());
     for (switch, case) in mode.iter().enumerate().filter(|(switch, _)| mirrored[*switch].is_none()) {
         let condition = trace.scalar(model.switches[switch]);
