@@ -162,7 +162,7 @@ pub struct Energies {
 pub struct Constraint {
     pub name: Option<String>,
     pub zero: Zero,
-    /// Of that expression.
+    /// The dimension of that expression.
     pub dimension: Dimension,
     /// Gains of a constraint that is led to zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
     pub gains: Option<Vec<ScalarId>>,

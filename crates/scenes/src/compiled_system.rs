@@ -3,7 +3,7 @@
 use crate::implicit::{Implicit, ImplicitLaw, recurrence, unknown_letters};
 use crate::letters::Letters;
 use crate::modes::{Case, held};
-use crate::recording::recorded;
+use crate::program::recorded;
 use derivations::differentiated::Differentiated;
 use derivations::recorded::Recorded;
 use derivations::scene::problem::Law;
@@ -92,7 +92,7 @@ enum Rates {
     Solved(Arc<ImplicitLaw>),
 }
 
-/// How accelerations are found.
+/// The way in which accelerations are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Way {
     /// By an elimination that is written down.

@@ -8,7 +8,7 @@ use model::{Entry, Fault, Model, ScalarId, Text};
 use std::ops::Range;
 use std::path::Path;
 
-/// What is prescribed, by an expression of the time each.
+/// Prescribed motions, each an expression of the time.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
     /// A coordinate, by its place.
@@ -145,7 +145,7 @@ fn written<'a>(own: &Model, name: &str, is: &'a str) -> Result<Written<'a>, (&'s
     turns.map(|turns| Written::Turns { frame, turns }).ok_or(("a free frame turns", TURNS.to_owned()))
 }
 
-/// What may be prescribed.
+/// The quantities that may be prescribed.
 fn known(own: &Model) -> String {
     let frames = own.free.iter().map(|frame| own.frames[frame.0].name.as_str());
     let names: Vec<&str> = own.coordinates.iter().map(|coordinate| coordinate.name.as_str()).chain(frames).collect();

@@ -30,7 +30,7 @@ pub struct Asked {
     /// A parameter that is an input; may be repeated
     #[arg(long = "input", value_name = "NAME")]
     pub inputs: Vec<String>,
-    /// How to print the matrices; CSV has a row for each entry, in the unit of its row, per second in A and B, over that of its
+    /// Format of the matrices; CSV has a row for each entry, in the unit of its row, per second in A and B, over that of its
     /// column
     #[arg(long, value_enum, default_value_t)]
     pub format: Form,

@@ -31,7 +31,7 @@ pub(super) struct Constant {
     of: Data,
 }
 
-/// What a constant is made of, beside decimals.
+/// The ingredients of a constant beside decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Data {
     Decimals,

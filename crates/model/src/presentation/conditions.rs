@@ -38,7 +38,7 @@ pub(super) fn conditions(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Condition>
     .collect()
 }
 
-/// What the equations of a model leave out, a sentence each: none where nothing is left out.
+/// Sentences on the parts of a model that its equations leave out.
 pub fn left_out(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
     let mut sentences = Vec::new();
     if !conditions(trace, form).is_empty() {

@@ -17,7 +17,7 @@ pub(crate) use series::{recurrence, recurrence_of};
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;
-use crate::recording::recorded;
+use crate::program::recorded;
 use derivations::taped::{Program, Running};
 use field::DoubleDouble;
 use integrators::{Directions, Ode, System};

@@ -17,7 +17,7 @@ pub(crate) fn recurrence(model: &Model) -> Option<Recurrence> {
 /// The equations of a trace over letters; `parameters` are inputs of them.
 ///
 /// # Errors
-/// What has no series.
+/// [`Untapeable`] where an expression has no series.
 pub(crate) fn recurrence_of(
     trace: &Trace<'_>,
     inputs: &Inputs,

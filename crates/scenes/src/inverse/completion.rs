@@ -1,6 +1,6 @@
 //! A prescribed motion at an instant: coordinates that are not prescribed follow from the constraints.
 
-use super::prescribed::Prescribed;
+use super::prescription::Prescribed;
 use super::{NoForces, RANK};
 use crate::linearisation::{Point, VariedEquations};
 use model::Model;

@@ -5,7 +5,7 @@
 //! Coordinates that are not prescribed follow from the constraints of positions. The unknown parameters p stand in the forces linearly.
 
 mod completion;
-mod prescribed;
+mod prescription;
 
 use crate::compiled_system::NotCompiled;
 use crate::linearisation::{At, Known, Point, VariedEquations};
@@ -13,7 +13,7 @@ use crate::motions::Motion;
 use completion::Completion;
 use model::Model;
 use nalgebra::{DMatrix, DVector};
-use prescribed::Prescribed;
+use prescription::Prescribed;
 use std::fmt;
 
 /// The forces at an instant.

@@ -2,7 +2,7 @@
 
 use crate::compiled_system::{NotCompiled, has_values_but, values};
 use crate::layout::Layout;
-use crate::recording::recorded;
+use crate::program::recorded;
 use crate::row_units::multiplier_unit;
 use derivations::taped::Program;
 use model::equations::{Equation, Level, constraints_of};
@@ -50,7 +50,7 @@ impl Known {
         format!("constraint {}{name}{}", self.number, self.along())
     }
 
-    /// Of its multiplier: lambda2 loop along F3.x.
+    /// The name of its multiplier: lambda2 loop along F3.x.
     pub fn multiplier(&self) -> String {
         let name = if self.name.is_empty() { String::new() } else { format!(" {}", self.name) };
         format!("lambda{}{name}{}", self.number, self.along())

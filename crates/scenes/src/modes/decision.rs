@@ -8,7 +8,7 @@
 use super::Case;
 use super::expansion::{Expansion, Expansions, Instant};
 
-/// So many conditions at zero together have every combination of their cases tried; of more one that agrees is sought.
+/// The largest number of conditions at zero together whose combinations are all tried; among more, one that agrees is sought.
 const MOST_OPEN: usize = 6;
 
 /// Terms by which combinations are sifted, and by which those that are left are decided.
@@ -19,7 +19,7 @@ pub(super) const TERMS: usize = 6;
 const PATIENCE: usize = 3;
 const PIVOTS: usize = 40;
 
-/// How many times its doubt a term must be, to count. A larger one serves where a smaller leaves no case, or several: a force that
+/// Multiples of its doubt that a term must exceed, to count. A larger one serves where a smaller leaves no case, or several: a force that
 /// rises beyond friction so little, or so shortly, that the speed stays within its rounding.
 pub(super) const SLACKS: [f64; 7] = [16.0, 256.0, 4096.0, 65_536.0, 1_048_576.0, 16_777_216.0, 268_435_456.0];
 
@@ -169,7 +169,7 @@ fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) ->
     }
 }
 
-/// How far a condition is on the other side than its case says.
+/// The distance of a condition on the other side than its case says.
 pub(super) fn beyond(value: f64, case: Case) -> f64 {
     match case {
         Case::On => (-value).max(0.0),

@@ -4,7 +4,7 @@
 //! sticks, s takes the value of the force that is needed.
 
 use super::Case;
-use super::mirrored::{Mirrored, letters as letters_of, mirrored as mirrored_in};
+use super::multiples::{Mirrored, letters as letters_of, mirrored as mirrored_in};
 use crate::compiled_system::{Motion, NotCompiled};
 use model::Trace;
 use symbolic::{Derivation, Sym, substitute_all};

@@ -2,12 +2,12 @@
 
 mod decision;
 mod expansion;
-mod followed;
 mod held;
 mod jet;
-mod mirrored;
+mod multiples;
 mod passage;
 mod sides;
+mod signal_integrals;
 mod signals;
 
 pub(crate) use held::held;
@@ -63,9 +63,9 @@ impl Ended {
 #[derive(Clone)]
 struct Current {
     moded: Arc<Moded>,
-    /// Of each event.
+    /// The side of each event.
     sides: Vec<Side>,
-    /// How far beyond zero each condition may be before it counts as passed, where it began at zero: errors of rounding, and of the
+    /// The distance beyond zero at which each condition counts as passed, where it began at zero: errors of rounding, and of the
     /// motion while it was held. The law to which it has been decided to move holds so far.
     near: Vec<f64>,
     /// The same for the distances of each switch from 0 and from 1, and for the expression of each event.
@@ -90,7 +90,7 @@ struct Moded {
     system: Arc<CompiledSystem>,
     /// Made once: series and Jacobian serve every segment.
     law: Arc<dyn Law>,
-    /// How many signals the law follows beside the state.
+    /// The number of signals that the law follows beside the state.
     followed: usize,
     signals: Signals,
 }
@@ -121,7 +121,7 @@ impl Modes {
         let made = known.entry(mode.to_vec()).or_insert_with(|| {
             let system = Arc::new(CompiledSystem::of(&self.model, mode)?);
             let signals = Signals::of(&self.model, mode)?;
-            let (law, followed) = followed::followed(&self.model, &system);
+            let (law, followed) = signal_integrals::followed(&self.model, &system);
             Ok(Arc::new(Moded { law, followed, system, signals }))
         });
         made.clone()

@@ -1,9 +1,9 @@
 //! The signals of a mode: positive while its law holds, and those of the model's own events.
 
-use super::mirrored::mirrored;
+use super::multiples::mirrored;
 use super::{Case, Current};
 use crate::compiled_system::{Motion, NotCompiled, values};
-use crate::recording::recorded;
+use crate::program::recorded;
 use derivations::taped::Program;
 use integrators::{Signal, Switches};
 use model::equations::vanishes;

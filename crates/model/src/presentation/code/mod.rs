@@ -31,7 +31,7 @@ struct Program {
     turns: bool,
     /// Each by its name and its axis.
     constraints: Vec<(String, Option<String>)>,
-    /// What the code leaves out.
+    /// Sentences on the parts of the model that the code leaves out.
     left_out: Vec<String>,
     /// Conditions, each of which makes a component of s one where it is positive, else zero.
     conditions: Vec<Statements>,

@@ -2,10 +2,10 @@
 //! by differences along motions, at random consistent states.
 
 mod claims;
-mod composed;
 mod mechanics;
 mod mistakes;
 mod numbers;
+mod random_model;
 mod system;
 mod text;
 
@@ -236,7 +236,7 @@ fn every_sentence_of_composed_models_holds_along_their_motions() {
     let mut drawn = Drawn(std::env::var("SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(3));
     let (mut faults, mut checks) = (Vec::new(), 0);
     for _ in 0..count {
-        let text = composed::text(&mut drawn);
+        let text = random_model::text(&mut drawn);
         let examined = examined(&text::model(&text));
         checks += examined.checks;
         // constraints that contradict each other leave no motion

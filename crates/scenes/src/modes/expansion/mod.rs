@@ -7,14 +7,14 @@ mod impulses;
 
 use super::Case;
 use super::jet::{Jet, ROUNDING};
-use super::mirrored::{Mirrored, letters, mirrored};
+use super::multiples::{Mirrored, letters, mirrored};
 use crate::compiled_system::{NotCompiled, values};
 use model::equations::{Equations, Singular};
 use model::{Model, Trace};
 use num_traits::{One, Zero};
 use symbolic::{Derivation, Sym, Tape, apart, substitute_all};
 
-/// How many roundings of each number of a state, and of the time, may have gone wrong.
+/// The number of roundings by which each number of a state, and the time, may be off.
 const ROUNDINGS: f64 = 4.0;
 
 /// A pivot is zero where it is not so many times its doubt.

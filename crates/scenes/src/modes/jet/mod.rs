@@ -170,7 +170,7 @@ mod tests {
         }
     }
 
-    /// What is zero but for rounding does not decide; the next term does.
+    /// A term that is zero but for rounding does not decide; the next one does.
     #[test]
     fn a_sign_is_that_of_the_first_term_beyond_its_doubt() {
         let tenth = Jet::constant(0.1, 1e-17) * Jet::constant(3.0, 0.0) - Jet::constant(0.3, 5e-17);

@@ -19,7 +19,7 @@ const POINTS: usize = 5;
 /// Ratios that differ by less are one.
 const EQUAL: f64 = 1e-24;
 
-/// Of each condition the first one of which it is a multiple, where there is one before it.
+/// For each condition the first one of which it is a multiple, where there is one before it.
 pub(super) fn mirrored(trace: &Trace<'_>) -> Vec<Option<Mirrored>> {
     let conditions: Vec<Sym> = trace.model.switches.iter().map(|condition| trace.scalar(*condition)).collect();
     let alone = vec![None; conditions.len()];

@@ -5,7 +5,7 @@ use crate::compiled_system::values;
 use crate::layout::Layout;
 use crate::linearisation::Point;
 use crate::motions::Motion;
-use crate::recording::recorded;
+use crate::program::recorded;
 use derivations::taped::Program;
 use model::{Model, ScalarId, Trace, turned_further};
 use symbolic::substitute_all;
