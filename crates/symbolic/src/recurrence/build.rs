@@ -36,7 +36,7 @@ pub(super) struct Reduction<'a> {
 /// A number of linear equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Part {
-    /// What does not move, as an expression.
+    /// A constant, as an expression.
     Fixed(Sym),
     Moving(Atom),
 }

@@ -50,7 +50,7 @@ pub(super) fn whole_sums(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
     order.iter().copied().filter(|&each| is_sum(each) && (outputs.contains(&each) || !partial(each))).collect()
 }
 
-/// What is part of one larger expression, and no output.
+/// Expressions that are part of one larger expression alone, and no outputs.
 pub(super) fn parts_of_one(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
     let mut parents: FxHashMap<Sym, u32> = FxHashMap::default();
     // an output is needed beside what it is part of

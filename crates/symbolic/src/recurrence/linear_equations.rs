@@ -95,9 +95,9 @@ pub(super) struct LinearSeries<S, F> {
     /// Entries that move, column after column of the matrix.
     moving: Vec<usize>,
     runs: Vec<Run>,
-    /// Of the entries that move, order after order.
+    /// Coefficients of the entries that move, order after order.
     series: Vec<S>,
-    /// Of the unknowns, order after order.
+    /// Coefficients of the unknowns, order after order.
     found: Vec<S>,
     /// The entries of order zero.
     first: Vec<S>,

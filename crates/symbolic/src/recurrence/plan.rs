@@ -48,7 +48,7 @@ pub(super) struct LinearEquations {
 /// A number of linear equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Quantity {
-    /// What does not move: a coefficient, by its number.
+    /// A constant: a coefficient, by its number.
     Fixed(u32),
     Moving(Place),
 }

@@ -50,11 +50,11 @@ pub struct Factors<S> {
     moved: Vec<S>,
 }
 
-/// How pivots were chosen.
+/// The choice of pivots.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Way {
     InOrder,
-    /// So many of them are not zero.
+    /// With the number of pivots that are not zero.
     BySize {
         rank: usize,
     },

@@ -7,7 +7,7 @@
 //! [`Pattern`] gives, and where the pivots of this order are too small, by the largest entry of the rest. The order is a function
 //! of the pattern and the choice between both ways one of the entries, so that equal entries give equal bits.
 //!
-//! Of a series the same factors serve every order: with A_0 factored once,
+//! The same factors serve every order of a series: with A_0 factored once,
 //!
 //!   A_0 z_k = b_k - sum_(l = 1 ... k) A_l z_(k-l) .
 
@@ -36,7 +36,7 @@ pub struct Solve {
 }
 
 impl Solve {
-    /// Of equations whose first unknowns must be determined; the others, such as multipliers of constraints that follow from
+    /// Equations whose first unknowns must be determined; the others, such as multipliers of constraints that follow from
     /// others, are zero where the equations leave them free.
     ///
     /// `entry` gives the entry in a row and a column; those that are the constant zero are left out.

@@ -17,7 +17,7 @@ pub(super) struct Order {
     pub steps: Vec<Step>,
 }
 
-/// What the pivot at a place eliminates, all by places.
+/// The rows and columns that the pivot at a place changes, by places.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub(super) struct Step {
     /// Rows with an entry below the pivot.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pattern {
     size: usize,
-    /// So many unknowns, the first ones, must be determined.
+    /// The number of the first unknowns that must be determined.
     determined: usize,
     places: Vec<(usize, usize)>,
     order: Arc<Order>,
@@ -20,12 +20,12 @@ impl Pattern {
         Pattern { size, determined, places, order }
     }
 
-    /// How many unknowns there are.
+    /// The number of unknowns.
     pub fn size(&self) -> usize {
         self.size
     }
 
-    /// How many of the first unknowns must be determined.
+    /// The number of the first unknowns that must be determined: see [`super::Solve::new`].
     pub fn determined(&self) -> usize {
         self.determined
     }
