@@ -1,6 +1,7 @@
 //! A law as the straight-line program that it comes to: what every field but that of expressions evaluates.
 
 mod held;
+mod table;
 
 use crate::written::{Written, symbols, written};
 use field::{Analytic, DoubleDouble};
@@ -9,6 +10,7 @@ use integrators::{Directions, Ode, System};
 use native::Code;
 use std::sync::Arc;
 use symbolic::{Sym, Tape, apart};
+use table::Table;
 
 /// A law and its program. Laws made of masses and a chart build matrices and solve them at each evaluation; their program
 /// has each common part once and the data folded into constants.
@@ -25,9 +27,9 @@ pub struct Program {
     tape: Tape,
     /// In `f64`, where this machine can be written for.
     code: Option<Arc<Code>>,
-    plain: Vec<f64>,
-    slopes: Vec<Directions>,
-    exact: Vec<DoubleDouble>,
+    plain: Table<f64>,
+    slopes: Table<Directions>,
+    exact: Table<DoubleDouble>,
 }
 
 /// Registers: of small laws, of usual ones and of the largest. Clearing them costs, most of all over numbers with slopes, so that
@@ -77,9 +79,14 @@ impl Program {
     }
 
     fn recorded(tape: Tape) -> Option<Self> {
-        let (plain, slopes, exact) = (tape.constants(), tape.constants(), tape.constants());
+        let (plain, slopes, exact) = (Table::of(&tape), Table::of(&tape), Table::of(&tape));
         let code = Code::of(&tape).map(Arc::new);
         Some(Program { code, plain, slopes, exact, tape })
+    }
+
+    /// Whether it runs as machine code; else its table of operations is followed, which takes some five times as long.
+    pub fn is_code(&self) -> bool {
+        self.code.is_some()
     }
 
     /// The values at a time and a state; none where the state is not as long as what was recorded, or where there is no room for
@@ -96,11 +103,12 @@ impl Program {
     }
 
     #[inline]
-    fn follow<S: Analytic>(&self, constants: &[S], t: S, y: &[S], values: &mut [S]) -> Option<()> {
+    fn follow<S: Analytic>(&self, table: &Table<S>, t: S, y: &[S], values: &mut [S]) -> Option<()> {
         if y.len() + 1 != self.tape.inputs() {
             return None;
         }
         let inputs = y.iter().copied().chain([t]);
+        let constants = &table.constants;
         match self.tape.registers() {
             least if least <= LEAST => self.tape.evaluate::<S, LEAST>(constants, inputs, values),
             less if less <= LESS => self.tape.evaluate::<S, LESS>(constants, inputs, values),
@@ -109,7 +117,7 @@ impl Program {
             more if more <= MORE => self.tape.evaluate::<S, MORE>(constants, inputs, values),
             many if many <= MANY => self.tape.evaluate::<S, MANY>(constants, inputs, values),
             _ => {
-                self.tape.evaluate_long(constants, inputs, values);
+                table.evaluate(&self.tape, inputs, values);
                 Some(())
             }
         }

@@ -178,13 +178,10 @@ impl fmt::Display for Refusal {
                 write!(f, "{given} stages are asked for; from {least} to {most} are accepted")
             }
             Refusal::NoSeries => {
-                write!(f, "the system offers no Taylor coefficients; give it `System::taylor`, or take another method")
+                write!(f, "the system has no Taylor series, or one of too many products; another method runs it, such as dormand_prince_8")
             }
             Refusal::NoPieces => {
-                write!(
-                    f,
-                    "the system offers no pieces with known flows; give it `System::composed`, or take another method"
-                )
+                write!(f, "the system is not known in pieces whose flows are known; another method runs it")
             }
             Refusal::TooLarge { dimension, most } => {
                 write!(f, "the state has {dimension} components; this method takes at most {most}")

@@ -9,54 +9,76 @@
 //! [`Code`] does, its frame on the stack is bounded and touched page by page, and [`Code::run`] checks every length that it relies on.
 
 mod live;
+mod pieces;
 mod write;
 
 use cranelift_codegen::isa::OwnedTargetIsa;
 use cranelift_codegen::settings::{self, Configurable};
 use memmap2::{Mmap, MmapMut};
+use pieces::Pieces;
+use std::cell::RefCell;
 use std::fmt;
 use std::sync::OnceLock;
 use symbolic::Tape;
 
-/// A program of numbers: all inputs but the last, the last, room for the outputs, the constants.
-type Entry = unsafe extern "C" fn(*const f64, f64, *mut f64, *const f64);
+/// A piece of a program of numbers: all inputs but the last, the last, room for the outputs, the constants, what pieces hand on.
+type Entry = unsafe extern "C" fn(*const f64, f64, *mut f64, *const f64, *mut f64);
+
+thread_local! {
+    /// Where the pieces of a long program hand their numbers on; taken once for the largest that a thread runs.
+    static ROOM: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
+}
 
 /// A tape over `f64` as machine code. It may be run by many threads at a time.
 pub struct Code {
-    entry: Entry,
+    entries: Box<[Entry]>,
     inputs: usize,
     outputs: usize,
     constants: Box<[f64]>,
+    /// Numbers that pieces hand on.
+    room: usize,
     /// Where the code stands, as long as this lives.
     pages: Mmap,
 }
 
 impl Code {
-    /// The code of a tape whose last input is the time.
+    /// The code of a tape whose last input is the time. A long one becomes several functions, which hand on what later ones read.
     ///
     /// None where the tape has no input, where this processor or system is not known, where the tape has fused operations and the
-    /// processor none, where the tape is longer than [`MOST_STEPS`] or its numbers would need more of the stack than [`MOST_STACK`], or
-    /// where the system gives no executable pages: then the tape itself is followed.
+    /// processor none, where the tape is longer than [`MOST_STEPS`], or where the system gives no executable pages: then the tape
+    /// itself is followed.
     pub fn of(tape: &Tape) -> Option<Self> {
         let (isa, inputs) = (processor()?, tape.inputs().checked_sub(1)?);
-        // where many numbers wait on the stack the generator's time grows as their square: asked before it begins
-        if tape.steps().len() > MOST_STEPS || live::most_live(tape) * WAITING > MOST_STACK as usize {
+        if tape.steps().len() > MOST_STEPS {
             return None;
         }
-        let write::Written { instructions, frame } = write::instructions(tape, isa)?;
-        if frame > MOST_STACK {
-            return None;
+        let pieces = Pieces::of(tape, MOST_STACK as usize / WAITING);
+        let (mut instructions, mut begins) = (Vec::new(), Vec::new());
+        for piece in 0..pieces.ranges.len() {
+            let written = write::instructions(tape, &pieces, piece, isa)?;
+            if written.frame > MOST_STACK {
+                return None;
+            }
+            instructions.resize(instructions.len().next_multiple_of(ALIGNED), 0);
+            begins.push(instructions.len());
+            instructions.extend(written.instructions);
         }
         let mut pages = MmapMut::map_anon(instructions.len()).ok()?;
         pages.copy_from_slice(&instructions);
         let pages = pages.make_exec().ok()?;
         fetch_anew(&pages)?;
-        // SAFETY: `pages` begins with the first instruction of one whole function. Cranelift wrote it for this processor, in the
-        // calling convention that `extern "C"` has on this system, with the four parameters of `Entry` and no result. The pages are
-        // executable, no longer writable, and known to the instruction cache. The function refers to nothing outside of them but
-        // `write::circle` and its like, which live as long as the program. `Code` owns the pages, and lends `entry` to nobody.
-        let entry = unsafe { std::mem::transmute::<*const u8, Entry>(pages.as_ptr()) };
-        Some(Code { entry, inputs, outputs: tape.outputs(), constants: tape.rounded().into(), pages })
+        let entry = |begin: usize| {
+            let first: *const u8 = &pages[begin];
+            // SAFETY: at `begin` stands the first instruction of one whole function. Cranelift wrote it for this processor, in the
+            // calling convention that `extern "C"` has on this system, with the five parameters of `Entry` and no result. The pages
+            // are executable, no longer writable, and known to the instruction cache. The function refers to nothing outside of them
+            // but `write::circle` and its like, which live as long as the program. `Code` owns the pages, and lends the entries to
+            // nobody.
+            unsafe { std::mem::transmute::<*const u8, Entry>(first) }
+        };
+        let entries = begins.into_iter().map(entry).collect();
+        let constants = tape.rounded().into();
+        Some(Code { entries, inputs, outputs: tape.outputs(), constants, room: pieces.room, pages })
     }
 
     /// The values at a state and a time; none, and nothing written, where their numbers are not those of the tape.
@@ -65,27 +87,55 @@ impl Code {
         if state.len() != self.inputs || values.len() < self.outputs {
             return None;
         }
-        // SAFETY: the code reads `inputs` numbers at the first pointer and the tape's constants at the last, and writes `outputs`
-        // numbers at the third: the lengths of `state` and `values` were checked above, `constants` holds what `tape.rounded()` gave when
-        // the code was written. All are aligned as slices of `f64` are, and what is written overlaps nothing that is read, since
-        // `values` is borrowed mutably. The code keeps none of the pointers, changes no state of its own, and its frame of at most
-        // `MOST_STACK` bytes is touched page by page, so that a stack that is too short ends in its guard page.
-        unsafe { (self.entry)(state.as_ptr(), time, values.as_mut_ptr(), self.constants.as_ptr()) };
+        match *self.entries {
+            [whole] => {
+                let none = std::ptr::dangling_mut();
+                // SAFETY: as in `run_pieces`; one piece hands nothing on, so that it does not use the last pointer.
+                unsafe { whole(state.as_ptr(), time, values.as_mut_ptr(), self.constants.as_ptr(), none) };
+            }
+            _ => self.run_pieces(state, time, values),
+        }
         Some(())
+    }
+
+    #[inline(never)]
+    fn run_pieces(&self, state: &[f64], time: f64, values: &mut [f64]) {
+        ROOM.with_borrow_mut(|room| {
+            if room.len() < self.room {
+                room.resize(self.room, 0.0);
+            }
+            for piece in &self.entries {
+                // SAFETY: the code reads `inputs` numbers at the first pointer and the tape's constants at the fourth, and writes
+                // numbers at the third below `outputs`: `run` checked the lengths of `state` and `values`, `constants` holds what
+                // `tape.rounded()` gave when the code was written. At the last it writes and reads below `room`, for which there is
+                // room, and reads nothing that an earlier piece of this run has not written. All are aligned as slices of `f64` are,
+                // and what is written overlaps nothing else, since `values` and `room` are borrowed mutably. The code keeps none of
+                // the pointers, changes no state of its own, and its frame of at most `MOST_STACK` bytes is touched page by page, so
+                // that a stack that is too short ends in its guard page.
+                unsafe {
+                    piece(state.as_ptr(), time, values.as_mut_ptr(), self.constants.as_ptr(), room.as_mut_ptr());
+                }
+            }
+        });
     }
 }
 
 impl fmt::Debug for Code {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Code of {} inputs, {} outputs, {} bytes", self.inputs + 1, self.outputs, self.pages.len())
+        let [inputs, outputs, pieces] = [self.inputs + 1, self.outputs, self.entries.len()];
+        write!(f, "Code of {inputs} inputs, {outputs} outputs, {pieces} pieces, {} bytes", self.pages.len())
     }
 }
 
 /// Where `extern "C"` gives two numbers back in two registers, as the code expects of [`write::circle`].
 const KNOWN: bool = cfg!(all(unix, any(target_arch = "x86_64", target_arch = "aarch64")));
 
-/// Steps of the longest tape that becomes code: the generator takes some microseconds for each, and following the tape a tenth of one.
-pub const MOST_STEPS: usize = 1 << 17;
+/// Steps of the longest tape that becomes code: the generator takes some microseconds for each, and following the tape a hundredth
+/// of one.
+pub const MOST_STEPS: usize = 1 << 20;
+
+/// Bytes at whose multiples functions begin.
+const ALIGNED: usize = 32;
 
 /// Bytes of the largest frame on the stack, of the two megabytes that a thread has by default.
 pub const MOST_STACK: u32 = 1 << 15;
@@ -128,7 +178,7 @@ mod tests {
     /// A tape of which so many numbers are in use at once: each is needed by a first product, and by a second one at the end.
     fn crowded(numbers: i64) -> Tape {
         let [x, t] = ["x", "t"].map(Sym::symbol);
-        let roots: Vec<Sym> = (1..=numbers).map(|k| (x * x + Sym::int(k)).sqrt()).collect();
+        let roots: Vec<Sym> = (1..=numbers).map(|k| (x * x + Sym::ONE + Sym::ratio(1, k)).sqrt()).collect();
         let product = |by: Sym| roots.iter().fold(Sym::ONE, |product, root| product * (*root + by));
         Tape::record(&[x, t], &[product(x), product(t)]).expect("it has values")
     }
@@ -137,24 +187,37 @@ mod tests {
     #[cfg(target_arch = "x86_64")]
     fn a_frame_of_several_pages_is_touched_page_by_page_before_it_is_used() {
         let Some(isa) = processor() else { return };
-        let Some(written) = write::instructions(&crowded(1500), isa) else { panic!("it can be written") };
-        assert!((8192..=MOST_STACK).contains(&written.frame), "{} bytes", written.frame);
+        let written = |numbers: i64| {
+            let tape = crowded(numbers);
+            let pieces = Pieces::cut(&tape, tape.steps().len());
+            write::instructions(&tape, &pieces, 0, isa).expect("it can be written")
+        };
+        let large = written(1300);
+        assert!((8192..=MOST_STACK).contains(&large.frame), "{} bytes", large.frame);
         // mov dword ptr [rsp], 0: in the prologue, for each page or in a loop
         let touch = [0xC7, 0x04, 0x24, 0, 0, 0, 0];
-        let prologue = &written.instructions[..256];
+        let prologue = &large.instructions[..256];
         assert!(prologue.windows(touch.len()).any(|bytes| bytes == touch), "{prologue:02X?}");
-        let small = write::instructions(&crowded(3), isa).expect("it can be written");
+        let small = written(3);
         assert!(small.frame < 4096 && !small.instructions.windows(touch.len()).any(|bytes| bytes == touch));
     }
 
     #[test]
-    fn a_frame_that_is_larger_than_allowed_is_not_run() {
-        let Some(isa) = processor() else { return };
-        let large = crowded(i64::from(MOST_STACK) / 16 + 100);
-        assert!(write::instructions(&large, isa).is_some_and(|written| written.frame > MOST_STACK));
-        assert!(Code::of(&large).is_none());
-        // of one that would take the generator minutes nothing is written
-        assert!(Code::of(&crowded(20_000)).is_none());
+    fn a_tape_that_is_long_or_has_many_numbers_in_use_has_its_values_in_pieces() {
+        let mut pieces_of = Vec::new();
+        for numbers in [5, i64::from(MOST_STACK) / 16 + 100, 20_000] {
+            let tape = crowded(numbers);
+            let Some(code) = Code::of(&tape) else { return };
+            pieces_of.push(code.entries.len());
+            let [mut own, mut all] = [[0.0; 2]; 2];
+            tape.over::<f64>().evaluate(&[1e-3, 1e-4], &mut all);
+            code.run(&[1e-3], 1e-4, &mut own);
+            assert_eq!(own.map(f64::to_bits), all.map(f64::to_bits), "{code:?}");
+            // the room is that of the thread: another run, of another length, has its own values
+            code.run(&[2e-3], 1e-4, &mut own);
+            assert_ne!(own.map(f64::to_bits), all.map(f64::to_bits), "{code:?}");
+        }
+        assert!(pieces_of[0] == 1 && pieces_of[1] > 1 && pieces_of[2] > 100, "{pieces_of:?}");
     }
 
     #[test]
@@ -171,7 +234,7 @@ mod tests {
 
     #[test]
     fn code_with_a_large_frame_has_the_values_of_its_tape() {
-        let tape = crowded(1500);
+        let tape = crowded(300);
         let Some(code) = Code::of(&tape) else { return };
         let (mut own, mut all) = ([0.0; 2], [0.0; 2]);
         tape.over::<f64>().evaluate(&[1e-3, 0.5], &mut all);

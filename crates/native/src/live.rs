@@ -1,5 +1,6 @@
 //! Computed numbers that are in use at once: what does not stand in registers of the processor waits on the stack.
 
+use super::pieces::place;
 use symbolic::Tape;
 
 /// The most computed numbers of a tape that are still to be read, or to be written as outputs, at any of its steps.
@@ -7,9 +8,8 @@ pub fn most_live(tape: &Tape) -> usize {
     let given = tape.inputs() + tape.rounded().len();
     let computed = tape.registers().saturating_sub(given);
     let mut needed = vec![false; computed];
-    let place = |register: u32| (register as usize).checked_sub(given);
     let mut live = 0;
-    for at in tape.results().iter().filter_map(|result| place(*result)) {
+    for at in tape.results().iter().filter_map(|result| place(*result, given)) {
         live += usize::from(!std::mem::replace(&mut needed[at], true));
     }
     let (mut most, mut next) = (live, computed);
@@ -17,7 +17,7 @@ pub fn most_live(tape: &Tape) -> usize {
         let first = next - step.results();
         live -= needed[first..next].iter().filter(|needed| **needed).count();
         next = first;
-        for at in step.operands().into_iter().filter_map(place) {
+        for at in step.operands().into_iter().filter_map(|register| place(register, given)) {
             live += usize::from(!std::mem::replace(&mut needed[at], true));
         }
         most = most.max(live);

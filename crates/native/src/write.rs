@@ -1,5 +1,6 @@
-//! The instructions of a tape.
+//! The instructions of a piece of a tape.
 
+use crate::pieces::{Pieces, place};
 use cranelift_codegen::control::ControlPlane;
 use cranelift_codegen::ir::{
     AbiParam, ConstantData, Function, InstBuilder, MemFlags, SigRef, Signature, UserFuncName, Value, types,
@@ -17,15 +18,18 @@ const MEMORY: MemFlags = MemFlags::trusted().with_readonly().with_can_move();
 /// Two numbers at once are aligned as one.
 const TOGETHER: MemFlags = MemFlags::new().with_notrap();
 
-/// A whole function.
+/// What a piece keeps for later ones is written once, and not read by itself.
+const KEPT: MemFlags = MemFlags::trusted();
+
+/// The function of one piece.
 pub struct Written {
     pub instructions: Vec<u8>,
     /// Bytes that it takes on the stack below the caller's frame pointer.
     pub frame: u32,
 }
 
-/// A function `(all inputs but the last, the last, outputs, constants)` that refers to nothing but itself and circle points.
-pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Written> {
+/// A function `(all inputs but the last, the last, outputs, constants, room)` that refers to nothing but itself and the functions below.
+pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTargetIsa) -> Option<Written> {
     let (pointer, convention) = (isa.pointer_type(), isa.default_call_conv());
     let signature = |takes: &[ir::Type], gives: &[ir::Type]| {
         let mut signature = Signature::new(convention);
@@ -33,18 +37,18 @@ pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Written> {
         signature.returns.extend(gives.iter().map(|each| AbiParam::new(*each)));
         signature
     };
-    let (entry, circle) =
-        (signature(&[pointer, types::F64, pointer, pointer], &[]), signature(&[types::F64], &[types::F64, types::F64]));
+    let entry = signature(&[pointer, types::F64, pointer, pointer, pointer], &[]);
+    let circle = signature(&[types::F64], &[types::F64, types::F64]);
     let mut context = Context::for_function(Function::with_name_signature(UserFuncName::default(), entry));
-    let mut room = FunctionBuilderContext::new();
-    let mut code = FunctionBuilder::new(&mut context.func, &mut room);
+    let mut builder = FunctionBuilderContext::new();
+    let mut code = FunctionBuilder::new(&mut context.func, &mut builder);
     let angle_to_point = code.import_signature(circle);
     let pair_to_number = code.import_signature(signature(&[types::F64, types::F64], &[types::F64]));
     let block = code.create_block();
     code.append_block_params_for_function_params(block);
     code.switch_to_block(block);
     code.seal_block(block);
-    let &[state, time, values, table] = code.block_params(block) else { return None };
+    let &[state, time, values, table, room] = code.block_params(block) else { return None };
 
     let mut writer = Writer {
         code,
@@ -52,6 +56,7 @@ pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Written> {
         state,
         values,
         table,
+        room,
         angle_to_point,
         pair_to_number,
         registers: Vec::with_capacity(tape.registers()),
@@ -64,8 +69,21 @@ pub fn instructions(tape: &Tape, isa: &OwnedTargetIsa) -> Option<Written> {
     for (place, constant) in tape.rounded().iter().enumerate() {
         writer.registers.push(Place::Constant(*constant, offset(place)?));
     }
-    tape.steps().iter().for_each(|step| writer.step(*step));
-    writer.results(tape.results())?;
+    let given = writer.registers.len();
+    for kept in pieces.kept.iter().zip(&pieces.made_in).take_while(|(_, made_in)| **made_in < piece).map(|(kept, _)| *kept) {
+        writer.registers.push(kept.map_or(Some(Place::Gone), |place| offset(place).map(Place::Kept))?);
+    }
+    for step in &tape.steps()[pieces.ranges[piece].clone()] {
+        let first = writer.registers.len();
+        writer.step(*step);
+        for made in first..writer.registers.len() {
+            writer.keep(made, pieces.kept[made - given])?;
+        }
+    }
+    let is_last = piece + 1 == pieces.ranges.len();
+    let is_mine = |register: Register| place(register, given).map_or(is_last, |computed| pieces.made_in[computed] == piece);
+    let mine = tape.results().iter().copied().enumerate().filter(|(_, register)| is_mine(*register));
+    writer.results(&mine.collect::<Vec<_>>())?;
     let Writer { mut code, .. } = writer;
     code.ins().return_(&[]);
     code.finalize();
@@ -86,6 +104,10 @@ enum Place {
     /// Its value, and so many bytes behind the first of the table.
     Constant(f64, i32),
     Computed(Value),
+    /// Computed by an earlier piece, so many bytes behind the first of the room.
+    Kept(i32),
+    /// Computed by an earlier piece, and read by no later one.
+    Gone,
 }
 
 struct Writer<'a> {
@@ -94,6 +116,7 @@ struct Writer<'a> {
     state: Value,
     values: Value,
     table: Value,
+    room: Value,
     angle_to_point: SigRef,
     pair_to_number: SigRef,
     registers: Vec<Place>,
@@ -109,7 +132,17 @@ impl Writer<'_> {
             Place::Input(offset) => code.load(types::F64, MEMORY, self.state, offset),
             Place::Constant(constant, _) => code.f64const(constant),
             Place::Computed(value) => value,
+            Place::Kept(offset) => code.load(types::F64, MEMORY, self.room, offset),
+            Place::Gone => unreachable!("a register that a later piece reads is kept"),
         }
+    }
+
+    /// Writes a number that later pieces read.
+    fn keep(&mut self, made: usize, kept: Option<usize>) -> Option<()> {
+        if let (Some(kept), Place::Computed(value)) = (kept, self.registers[made]) {
+            self.code.ins().store(KEPT, value, self.room, offset(kept)?);
+        }
+        Some(())
     }
 
     /// Two operands that may be exchanged. The second one may come from memory, and a constant that comes first is made by two
@@ -117,7 +150,7 @@ impl Writer<'_> {
     fn either_way(&mut self, a: Register, b: Register) -> [Value; 2] {
         let rank = |register: Register| match self.registers[register as usize] {
             Place::Computed(_) => 0,
-            Place::Input(_) => 1,
+            Place::Input(_) | Place::Kept(_) | Place::Gone => 1,
             Place::Constant(..) => 2,
         };
         let (a, b) = if rank(b) < rank(a) { (b, a) } else { (a, b) };
@@ -128,7 +161,7 @@ impl Writer<'_> {
     fn factors(&mut self, [a, b]: [Register; 2]) -> [Value; 2] {
         let known = [a, b].map(|register| match self.registers[register as usize] {
             Place::Constant(_, offset) => Some(offset),
-            Place::Input(_) | Place::Computed(_) => None,
+            _ => None,
         });
         match known {
             [Some(offset), None] => [self.read(b), self.code.ins().load(types::F64, MEMORY, self.table, offset)],
@@ -206,27 +239,28 @@ impl Writer<'_> {
         self.registers.extend(self.code.inst_results(call).iter().copied().map(Place::Computed));
     }
 
-    /// Writes the outputs. Of a Jacobian most are constants: two that stand side by side are written at once, one alone as the
-    /// integer that has its bits.
-    fn results(&mut self, results: &[Register]) -> Option<()> {
-        let constant = |register: &Register| match self.registers[*register as usize] {
+    /// Writes outputs, each to its place. Of a Jacobian most are constants: two that stand side by side are written at once, one
+    /// alone as the integer that has its bits.
+    fn results(&mut self, mut results: &[(usize, Register)]) -> Option<()> {
+        let constant = |registers: &[Place], register: Register| match registers[register as usize] {
             Place::Constant(constant, _) => Some(constant.to_bits()),
-            Place::Input(_) | Place::Computed(_) => None,
+            _ => None,
         };
-        let constants: Vec<Option<u64>> = results.iter().map(constant).collect();
-        let mut place = 0;
-        while place < results.len() {
-            let (value, numbers) = match constants[place..] {
-                [Some(one), Some(other), ..] => {
+        while let [(place, register), rest @ ..] = results {
+            let one = constant(&self.registers, *register);
+            let beside = rest.first().filter(|(next, _)| *next == place + 1);
+            let other = beside.and_then(|(_, register)| constant(&self.registers, *register));
+            let (value, numbers) = match (one, other) {
+                (Some(one), Some(other)) => {
                     let both = [one.to_le_bytes(), other.to_le_bytes()].concat();
                     let both = self.code.func.dfg.constants.insert(ConstantData::from(both));
                     (self.code.ins().vconst(types::I64X2, both), 2)
                 }
-                [Some(one), ..] => (self.code.ins().iconst(types::I64, one.cast_signed()), 1),
-                _ => (self.read(results[place]), 1),
+                (Some(one), None) => (self.code.ins().iconst(types::I64, one.cast_signed()), 1),
+                _ => (self.read(*register), 1),
             };
-            self.code.ins().store(TOGETHER, value, self.values, offset(place)?);
-            place += numbers;
+            self.code.ins().store(TOGETHER, value, self.values, offset(*place)?);
+            results = &results[numbers..];
         }
         Some(())
     }

@@ -193,6 +193,14 @@ impl CompiledSystem {
         }
     }
 
+    /// Whether its rates run as machine code; else their operations are followed one by one.
+    pub fn is_code(&self) -> bool {
+        match &self.rates {
+            Rates::Written(program) => program.is_code(),
+            Rates::Solved(law) => law.equations.is_code(),
+        }
+    }
+
     /// Whether a series solves for its accelerations, where rates have them written down: it has fewer products from there on.
     fn has_solved_series(&self) -> bool {
         !changes(&self.model) && self.model.speeds() + self.model.constraints.len() >= LEAST_SOLVED

@@ -171,7 +171,10 @@ impl Smooth for ModelScene {
     }
 
     fn model(&self) -> &'static str {
-        "as written in its file"
+        match self.system.is_code() {
+            true => "as written in its file",
+            false => "as written in its file; too long for machine code, or for an unknown processor: several times as slow",
+        }
     }
 
     fn run(&self) -> &Run {

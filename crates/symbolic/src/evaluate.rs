@@ -2,7 +2,6 @@
 
 use crate::Sym;
 use crate::graph::Node;
-use dashu_int::UBig;
 use dashu_int::ops::UnsignedAbs;
 use field::{Analytic, Rational, Scalar};
 use rustc_hash::FxHashMap;
@@ -96,13 +95,24 @@ pub(crate) fn constant<S: Scalar>(value: Rational) -> S {
     match (i64::try_from(numerator), i64::try_from(denominator)) {
         (Ok(n), Ok(d)) => S::ratio(n, d),
         _ => {
-            let size = integer::<S>(&numerator.clone().unsigned_abs()) / integer::<S>(denominator);
+            let [n, d] = [numerator.clone().unsigned_abs(), denominator.clone()].map(|n| n.to_le_bytes());
+            let aside = n.len().max(d.len()).saturating_sub(MOST_BYTES);
+            let size = scaled::<S>(&n, aside) / scaled::<S>(&d, aside);
             if value.sign() == Some(-1) { -size } else { size }
         }
     }
 }
 
-fn integer<S: Scalar>(n: &UBig) -> S {
+/// Bytes of an integer that every field holds.
+const MOST_BYTES: usize = 100;
+
+/// An integer, its digits from the lowest one, over 256^aside: in a field that rounds, what is below its range is nothing beside
+/// the rest.
+fn scaled<S: Scalar>(digits: &[u8], aside: usize) -> S {
     let base = S::int(256);
-    n.to_le_bytes().iter().rev().fold(S::zero(), |sum, &byte| sum * base + S::int(byte.into()))
+    let (low, high) = digits.split_at(aside.min(digits.len()));
+    let fraction = low.iter().fold(S::zero(), |sum, &byte| (sum + S::int(byte.into())) / base);
+    // of fewer digits than are set aside
+    let fraction = (digits.len()..aside).fold(fraction, |fraction, _| fraction / base);
+    high.iter().rev().fold(S::zero(), |sum, &byte| sum * base + S::int(byte.into())) + fraction
 }

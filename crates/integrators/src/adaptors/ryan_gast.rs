@@ -1,8 +1,7 @@
 //! Verner's pairs, Radau5 and Kvaerno's pair from Ryan Gast's crate `differential-equations`, taken step by step.
 //!
-//! Tolerances are given by component: with a scalar its Radau5 transforms the one number once for every component. The
-//! crate's Radau5 needs arrays of static size, so a state is padded with components at rest to the next size; its Jacobian
-//! is ours.
+//! Tolerances are given by component: with a scalar its Radau5 transforms the one number once for every component. Its Jacobian is
+//! ours.
 //!
 //! The crate's Radau5 once keeps the factors of its matrices where a step is as long as the last, and from then on keeps them
 //! at steps of other lengths too: Newton's iteration converges to the right stages, but slowly, and at tight tolerances not
@@ -21,11 +20,12 @@ use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::stats::Evals;
 use differential_equations::status::Status;
 
+use super::components::{Components, Vector};
 use crate::drive::first_step;
 use crate::jacobian::Jacobian;
 use crate::meter::Meter;
 use crate::watch::Watch;
-use crate::{Failure, Outcome, Refusal, System, Tolerance};
+use crate::{Failure, Outcome, System, Tolerance};
 
 /// Which of the crate's methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,8 +36,10 @@ pub(crate) enum Choice {
     Kvaerno5,
 }
 
-/// The largest state that is padded.
-const MOST: usize = 64;
+/// States of at most so many components are padded to arrays, which the explicit pairs combine twice as fast as a state on the heap.
+/// The implicit methods spend their time on matrices, which padding makes larger.
+const SMALL: usize = 8;
+const SMALLEST: usize = 4;
 
 /// Rejections in a row after which no shorter step is tried.
 const MOST_REJECTIONS: u32 = 60;
@@ -63,45 +65,41 @@ pub(crate) fn run(
     meter: &Meter<f64>,
     watch: Watch<'_, '_, f64>,
 ) -> Outcome<f64> {
-    macro_rules! dispatch {
-        ($($n:literal)*) => {
-            match meter.dimension() {
-                $(0..=$n => in_size::<$n>(choice, system, tolerance, meter, watch),)*
-                dimension => watch.fail(Failure::Refused(Refusal::TooLarge { dimension, most: MOST }), meter),
-            }
-        };
+    let is_explicit = matches!(choice, Choice::Verner6 | Choice::Verner9);
+    match meter.dimension() {
+        ..=SMALLEST if is_explicit => in_form::<[f64; SMALLEST]>(choice, system, tolerance, meter, watch),
+        ..=SMALL if is_explicit => in_form::<[f64; SMALL]>(choice, system, tolerance, meter, watch),
+        _ => in_form::<Vector>(choice, system, tolerance, meter, watch),
     }
-    // every size is compiled by itself, for four methods
-    dispatch!(2 4 8 10 16 32 64)
 }
 
-/// The law in the crate's form, padded to N components.
-struct Law<'l, const N: usize> {
+/// The law in the crate's form.
+struct Law<'l> {
     meter: &'l Meter<'l, f64>,
     jacobian: RefCell<(Jacobian<'l>, Vec<f64>)>,
 }
 
-impl<const N: usize> ODE<f64, [f64; N]> for Law<'_, N> {
-    fn diff(&self, tau: f64, y: &[f64; N], dy: &mut [f64; N]) {
-        let n = self.meter.dimension();
-        self.meter.rates(tau, &y[..n], &mut dy[..n]);
-        dy[n..].fill(0.0);
+impl<Y: Components> ODE<f64, Y> for Law<'_> {
+    fn diff(&self, tau: f64, y: &Y, dy: &mut Y) {
+        let (rates, at_rest) = dy.values_mut().split_at_mut(self.meter.dimension());
+        self.meter.rates(tau, &y.values()[..rates.len()], rates);
+        at_rest.fill(0.0);
     }
 
-    fn jacobian(&self, tau: f64, y: &[f64; N], matrix: &mut Matrix<f64>) {
+    fn jacobian(&self, tau: f64, y: &Y, matrix: &mut Matrix<f64>) {
         let n = self.meter.dimension();
         let (jacobian, buffer) = &mut *self.jacobian.borrow_mut();
-        jacobian.matrix(self.meter.time(tau), &y[..n], buffer);
+        jacobian.matrix(self.meter.time(tau), &y.values()[..n], buffer);
         self.meter.count_jacobian();
-        for i in 0..N {
-            for j in 0..N {
-                matrix[(i, j)] = if i < n && j < n { self.meter.direction * buffer[i * n + j] } else { 0.0 };
+        for (i, row) in buffer.chunks_exact(n).enumerate() {
+            for (j, slope) in row.iter().enumerate() {
+                matrix[(i, j)] = self.meter.direction * slope;
             }
         }
     }
 }
 
-fn in_size<const N: usize>(
+fn in_form<Y: Components>(
     choice: Choice,
     system: &dyn System,
     tolerance: &Tolerance,
@@ -109,9 +107,11 @@ fn in_size<const N: usize>(
     mut watch: Watch<'_, '_, f64>,
 ) -> Outcome<f64> {
     let n = meter.dimension();
-    let law = Law::<N> { meter, jacobian: RefCell::new((Jacobian::of(system), vec![0.0; n * n])) };
-    let relative = [tolerance.relative; N];
-    let absolute: [f64; N] = std::array::from_fn(|i| if i < n { tolerance.absolute(i) } else { 1.0 });
+    let law = Law { meter, jacobian: RefCell::new((Jacobian::of(system), vec![0.0; n * n])) };
+    Vector::set_length(n);
+    let padded = Y::of(watch.state()).len();
+    let relative = vec![tolerance.relative; padded];
+    let absolute: Vec<f64> = (0..padded).map(|i| if i < n { tolerance.absolute(i) } else { 1.0 }).collect();
     let order = if choice == Choice::Verner9 { 9 } else { 5 };
     let mut step = first_step(meter, watch.state(), tolerance, order, watch.length());
     let mut looser = 1.0;
@@ -122,25 +122,26 @@ fn in_size<const N: usize>(
             return watch.fail(Failure::LeftTheNumbers { at }, meter);
         }
         let left = Left::by_newton(choice, tolerance, watch.state(), looser);
+        let (relative, absolute) = (relative.clone(), absolute.clone());
         let result = match choice {
             Choice::Verner6 => {
                 let method = ExplicitRungeKutta::rkv655e().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
-                stretch(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
             }
             Choice::Verner9 => {
                 let method = ExplicitRungeKutta::rkv988e().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
-                stretch(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
             }
             Choice::Radau5 => {
                 let method = ImplicitRungeKutta::radau5().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
                 let method = method.newton_tol(left.size);
-                stretch(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
             }
             Choice::Kvaerno5 => {
                 let method =
                     DiagonallyImplicitRungeKutta::kvaerno745().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
                 let method = method.newton_tol(left.size);
-                stretch(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
             }
         };
         match result {
@@ -207,15 +208,14 @@ struct Next {
 
 /// Steps up to the end, to where a step must be cut to land on it, to a step that left the numbers, or to where the method must
 /// begin anew.
-fn stretch<const N: usize, M: OrdinaryNumericalMethod<f64, [f64; N]>>(
+fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
     mut method: M,
-    law: &Law<'_, N>,
+    law: &Law<'_>,
     left: Left,
     watch: &mut Watch<'_, '_, f64>,
 ) -> Result<Next, Failure> {
     let (meter, n, stop) = (law.meter, law.meter.dimension(), watch.landing());
-    let mut y = [0.0; N];
-    y[..n].copy_from_slice(watch.state());
+    let y = Y::of(watch.state());
     let started = method.init(law, watch.tau(), stop, &y);
     started.map_err(|error| name(&error, meter, watch.time(), method.h()))?;
     method.set_status(Status::Solving);
@@ -242,6 +242,7 @@ fn stretch<const N: usize, M: OrdinaryNumericalMethod<f64, [f64; N]>>(
                 true => (),
             }
         }
+        Vector::set_length(n);
         let result: Result<Evals, _> = method.step(law);
         fresh = false;
         if let Some(failure) = meter.exhausted(at) {
@@ -263,14 +264,14 @@ fn stretch<const N: usize, M: OrdinaryNumericalMethod<f64, [f64; N]>>(
             continue;
         }
         // the crate's explicit pairs take an undefined error for none: back to the last good state
-        if !method.y().iter().all(|y| y.is_finite()) {
+        if !method.y().values().iter().all(|y| y.is_finite()) {
             watch.reject();
             return Ok(Next { step: 0.25 * step, clean: false, stalled: false });
         }
         meter.was_undefined();
         rejections = 0;
-        watch.accept(if lands { stop } else { method.t() }, &method.y()[..n]);
-        if is_stale(method.h()) || left.outgrown(&method.y()[..n]) {
+        watch.accept(if lands { stop } else { method.t() }, &method.y().values()[..n]);
+        if is_stale(method.h()) || left.outgrown(&method.y().values()[..n]) {
             break;
         }
     }
@@ -278,7 +279,7 @@ fn stretch<const N: usize, M: OrdinaryNumericalMethod<f64, [f64; N]>>(
 }
 
 /// The crate's errors by our names.
-fn name<const N: usize>(error: &Error<f64, [f64; N]>, meter: &Meter<f64>, at: f64, step: f64) -> Failure {
+fn name<Y: Components>(error: &Error<f64, Y>, meter: &Meter<f64>, at: f64, step: f64) -> Failure {
     match error {
         _ if meter.was_undefined() => Failure::LeftTheNumbers { at },
         Error::LinearAlgebra { .. } => Failure::Singular { at },

@@ -1,6 +1,6 @@
 //! Every method converges as its theory says, on nonlinear problems.
 
-use crate::problems::{Drive, Kaps, Kepler, ProtheroRobinson, distance};
+use crate::problems::{Drive, Kaps, Kepler, Pendula, ProtheroRobinson, distance};
 use field::DoubleDouble;
 use integrators::{Method, Span, Tolerance, Work, Working, integrate, integrate_in};
 
@@ -124,6 +124,27 @@ fn a_law_that_depends_on_time_is_followed_as_well() {
             let outcome = integrate(&Drive, method, &Tolerance::both(tolerance), &span, &mut ());
             let error = (outcome.state[0] - Drive::state(5.0)).abs();
             assert!(outcome.reached() && error < 100.0 * tolerance, "{method} at {tolerance:e}: {error:.1e}");
+        }
+    }
+}
+
+/// Of 2 to 160 components, whatever a method makes of their number.
+#[test]
+fn a_state_of_any_length_is_followed_as_a_short_one_is() {
+    for method in ADAPTIVE {
+        let end = |pendula: usize| {
+            let start = [vec![0.7; pendula], vec![0.0; pendula]].concat();
+            let span = Span::new(0.0, 3.0, &start);
+            let outcome = integrate(&Pendula(pendula), method, &Tolerance::both(1e-7), &span, &mut ());
+            assert!(outcome.reached(), "{method}: {:?}", outcome.failure());
+            outcome.state
+        };
+        let alone = end(1);
+        for pendula in [2, 3, 4, 5, 17, 40, 80] {
+            let all = end(pendula);
+            for (angle, speed) in all[..pendula].iter().zip(&all[pendula..]) {
+                assert!((angle - alone[0]).abs() + (speed - alone[1]).abs() < 1e-5, "{method}, {pendula} pendula");
+            }
         }
     }
 }

@@ -40,6 +40,23 @@ impl Kepler {
     }
 }
 
+/// As many pendula as there are, each on its own: theta'' = -sin theta.
+pub struct Pendula(pub usize);
+
+impl<S: Analytic> Ode<S> for Pendula {
+    fn dimension(&self) -> usize {
+        2 * self.0
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        let (angles, speeds) = y.split_at(self.0);
+        dy[..self.0].copy_from_slice(speeds);
+        dy[self.0..].iter_mut().zip(angles).for_each(|(rate, angle)| *rate = -angle.circle().sin);
+    }
+}
+
+impl System for Pendula {}
+
 /// The pendulum theta'' = -omega^2 sin theta.
 pub struct Pendulum {
     pub frequency: f64,

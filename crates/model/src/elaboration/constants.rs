@@ -18,8 +18,8 @@ use symbolic::Dimension;
 /// Bits of the numerator or the denominator of a constant that is made of decimals: 38 digits.
 const MOST_BITS: usize = 128;
 
-/// The same of one that holds parameters or pi: a run divides numerator and denominator in double precision.
-const MOST_BITS_OF_DATA: usize = 1_000;
+/// The same of one that holds parameters or pi, which stays exact.
+const MOST_BITS_OF_DATA: usize = 10_000;
 
 /// Pi to 48 digits, as the sum of three floats.
 pub const HALF_TURN: [f64; 3] = [PI, 1.224_646_799_147_353_2e-16, -2.994_769_809_718_339_7e-33];
@@ -114,7 +114,7 @@ impl Elaborator<'_> {
         if of == Data::Parameters {
             let accepted = "a parameter of its own for its value, or parameters with fewer digits";
             let title = "this constant of parameters has more digits than a run can hold";
-            return Err(Box::new(Fault::at(span.clone(), title, "more than 300 digits", accepted)));
+            return Err(Box::new(Fault::at(span.clone(), title, "more than 3,000 digits", accepted)));
         }
         let nearest = value.to_f64().value();
         let nearest = if is_root { nearest.sqrt() } else { nearest };

@@ -75,6 +75,11 @@ impl Implicit {
         Ok(Implicit { model: Arc::clone(model), terms, pattern, plain, directed, exact })
     }
 
+    /// Whether its terms run as machine code.
+    pub fn is_code(&self) -> bool {
+        self.terms.is_code()
+    }
+
     /// The length of [`Self::extend`].
     pub fn extended(&self) -> usize {
         self.model.positions() + self.model.speeds() + self.pattern.size()

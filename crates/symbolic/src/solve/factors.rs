@@ -1,6 +1,6 @@
 //! A matrix as the product of a lower and an upper one, its rank found.
 
-use super::magnitude::Magnitude;
+use super::magnitude::{Kind, Magnitude};
 use super::order::{Order, Step};
 use super::pattern::Pattern;
 use std::fmt;
@@ -114,7 +114,8 @@ impl<S: Magnitude> Factors<S> {
     #[inline(always)]
     fn in_order(&mut self) -> bool {
         let size = self.moved.len();
-        let least = if S::EXACT { 0.0 } else { RANK };
+        let is_exact = S::KIND == Kind::Exact;
+        let least = if is_exact { 0.0 } else { RANK };
         let Factors { matrix, order, scales: [of_rows, of_columns], .. } = self;
         for (k, Step { below, across }) in order.steps.iter().enumerate() {
             let (above, rest) = matrix.split_at_mut((k + 1) * size);
@@ -124,7 +125,7 @@ impl<S: Magnitude> Factors<S> {
             if !is_enough {
                 return false;
             }
-            let most = if S::EXACT { f64::INFINITY } else { MOST_TIMES * of_rows[k] };
+            let most = if is_exact { f64::INFINITY } else { MOST_TIMES * of_rows[k] };
             for &row in below {
                 let scale = of_rows[row];
                 let row = &mut rest[(row - k - 1) * size..][..size];
@@ -169,8 +170,12 @@ impl<S: Magnitude> Factors<S> {
             if k == 0 {
                 first = largest;
             }
-            let least = if S::EXACT { 0.0 } else { RANK * first };
+            let least = if S::KIND == Kind::Rounded { RANK * first } else { 0.0 };
             if largest <= least {
+                // which unknowns are left free, and whether the equations agree, would differ among those that are enclosed
+                if S::KIND == Kind::Enclosed {
+                    return Err(NotSolved::Undetermined(columns[k]));
+                }
                 rank = k;
                 break;
             }

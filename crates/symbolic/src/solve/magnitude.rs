@@ -1,13 +1,25 @@
 //! The size of a number, by which pivots are chosen.
 
+use crate::real::{Model, Rounded};
 use field::{DoubleDouble, Rational, Scalar};
+
+/// What the numbers of a field say.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A value up to rounding: what is small beside the largest pivot is zero.
+    Rounded,
+    /// The value: what is not zero is a pivot.
+    Exact,
+    /// All values between two ends: what does not hold zero is a pivot, and every unknown needs one.
+    Enclosed,
+}
 
 /// A field whose numbers have a size.
 pub trait Magnitude: Scalar {
-    /// Whether the field does not round: then what is not zero is a pivot.
-    const EXACT: bool = false;
+    const KIND: Kind = Kind::Rounded;
 
-    /// |x| to a few digits, of a number with derivatives that of the number; zero for zero alone, NaN where there is no value.
+    /// |x| to a few digits, of a number with derivatives that of the number; zero for zero alone, NaN where there is no value. Of
+    /// an enclosure the least that its values have, zero where zero is among them.
     fn magnitude(self) -> f64;
 }
 
@@ -33,7 +45,7 @@ impl Magnitude for DoubleDouble {
 }
 
 impl Magnitude for Rational {
-    const EXACT: bool = true;
+    const KIND: Kind = Kind::Exact;
 
     fn magnitude(self) -> f64 {
         match self.sign() {
@@ -42,5 +54,13 @@ impl Magnitude for Rational {
             Some(_) => self.to_f64().abs().clamp(f64::MIN_POSITIVE, f64::MAX),
             None => f64::NAN,
         }
+    }
+}
+
+impl<C: Rounded, const N: usize> Magnitude for Model<C, N> {
+    const KIND: Kind = Kind::Enclosed;
+
+    fn magnitude(self) -> f64 {
+        self.least()
     }
 }

@@ -7,6 +7,9 @@
 //! [`Pattern`] gives, and where the pivots of this order are too small, by the largest entry of the rest. The order is a function
 //! of the pattern and the choice between both ways one of the entries, so that equal entries give equal bits.
 //!
+//! Over enclosures ([`Kind::Enclosed`]) the unknowns enclose those of every matrix and right side that the entries enclose, or there is
+//! no solution where a pivot may be zero.
+//!
 //! The same factors serve every order of a series: with A_0 factored once,
 //!
 //!   A_0 z_k = b_k - sum_(l = 1 ... k) A_l z_(k-l) .
@@ -17,7 +20,7 @@ mod order;
 mod pattern;
 
 pub use factors::{Factors, NotSolved};
-pub use magnitude::Magnitude;
+pub use magnitude::{Kind, Magnitude};
 pub use pattern::Pattern;
 
 use crate::Sym;

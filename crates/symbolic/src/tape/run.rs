@@ -51,12 +51,27 @@ impl Tape {
 
     /// The same with registers on the heap, for a tape of any length: each evaluation takes and gives back their room.
     pub fn evaluate_long<S: Analytic>(&self, constants: &[S], inputs: impl Iterator<Item = S>, outputs: &mut [S]) {
-        let mut registers: Vec<S> = Vec::with_capacity(self.registers);
-        registers.extend(inputs.take(self.inputs));
-        registers.resize(self.inputs, S::zero());
-        registers.extend_from_slice(constants);
-        registers.resize(self.registers, S::zero());
-        self.follow(&mut registers, outputs);
+        self.evaluate_in(&mut Vec::new(), constants, inputs, outputs);
+    }
+
+    /// The same with registers that are kept from evaluation to evaluation of this tape with these constants; the first one makes
+    /// them.
+    pub fn evaluate_in<S: Analytic>(
+        &self,
+        registers: &mut Vec<S>,
+        constants: &[S],
+        inputs: impl Iterator<Item = S>,
+        outputs: &mut [S],
+    ) {
+        if registers.len() != self.registers {
+            registers.clear();
+            registers.reserve_exact(self.registers);
+            registers.resize(self.inputs, S::zero());
+            registers.extend_from_slice(constants);
+            registers.resize(self.registers, S::zero());
+        }
+        registers[..self.inputs].iter_mut().zip(inputs).for_each(|(register, input)| *register = input);
+        self.follow(registers, outputs);
     }
 
     /// The outputs by registers that hold the inputs.

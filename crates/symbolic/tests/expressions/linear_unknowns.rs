@@ -2,6 +2,7 @@
 
 use field::{Analytic, DoubleDouble, Lanes, Rational, Scalar};
 use num_dual::DualSVec64;
+use symbolic::real::Ball;
 use symbolic::solve::{Factors, NotSolved, Pattern, Solve};
 use symbolic::{Equations, Fused, Recurrence, Sym, Untapeable, symbols};
 
@@ -210,4 +211,52 @@ fn two_thousand_systems_are_solved_or_refused_alike_in_rationals_and_in_f64() {
         }
     }
     assert!(found > 500 && refused > 100, "{found} {refused}");
+}
+
+#[test]
+fn unknowns_of_enclosed_equations_enclose_those_of_each_of_them() {
+    let width = |number: i64| Ball::over_range(number as f64 - WIDTH, number as f64 + WIDTH);
+    const WIDTH: f64 = 1.0 / 1_048_576.0;
+    let mut draws = Draws(20_261_127);
+    let (mut found, mut refused) = (0, 0);
+    for _ in 0..1_000 {
+        let (pattern, entries, right) = drawn(&mut draws);
+        let mut factors = Factors::<Ball>::new(&pattern);
+        let mut z: Vec<Ball> = right.iter().copied().map(width).collect();
+        // an entry that may be zero is a pivot of none
+        if factors.factor(&entries.iter().copied().map(width).collect::<Vec<_>>()).is_err() {
+            refused += 1;
+            continue;
+        }
+        factors.solve(&mut z);
+        // of some equations within, whose entries need not be symmetric, the solution lies within
+        for _ in 0..3 {
+            let off = Rational::exactly(WIDTH);
+            let mut within = |number: i64| {
+                let part = Rational::new(draws.below(201) as i64 - 100, 100);
+                Rational::int(number) + part * off
+            };
+            let entries: Vec<Rational> = entries.iter().map(|&entry| within(entry)).collect();
+            let mut exact: Vec<Rational> = right.iter().map(|&b| within(b)).collect();
+            let mut factors = Factors::<Rational>::new(&pattern);
+            factors.factor(&entries).expect("what is enclosed is regular");
+            factors.solve(&mut exact);
+            for (z, exact) in z.iter().zip(&exact) {
+                let off = (z.at(0.0) - exact.to_f64()).abs();
+                assert!(off <= z.left() * (1.0 + 1e-9), "{exact:?} is not in {z:?}");
+            }
+        }
+        found += z.iter().filter(|z| z.left() < 1e-3).count();
+    }
+    assert!(found > 500 && refused > 100, "{found} {refused}");
+}
+
+/// Rows that repeat each other are equal up to rounding: which unknown is then free is not known.
+#[test]
+fn of_enclosed_equations_no_unknown_is_left_free() {
+    let pattern = Pattern::new(2, 1, (0..4).map(|k| (k / 2, k % 2)).collect());
+    let rounded = Factors::<f64>::new(&pattern).factor(&[3.0; 4]);
+    let enclosed = Factors::<Ball>::new(&pattern).factor(&[Ball::constant(3.0); 4]);
+    assert_eq!(rounded, Ok(()));
+    assert!(matches!(enclosed, Err(NotSolved::Undetermined(_))));
 }

@@ -99,6 +99,12 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         up(self.coefficients.iter().map(|c| c.size()).sum::<f64>() + self.off)
     }
 
+    /// |x| is nowhere less; zero where x may be zero, NaN where it has no bound.
+    pub fn least(&self) -> f64 {
+        let least = (self.coefficients[0].size() - self.spread()) * (1.0 - 8.0 * f64::EPSILON);
+        if least < 0.0 { 0.0 } else { least }
+    }
+
     /// How far values may be from the polynomial.
     pub fn left(&self) -> f64 {
         self.off

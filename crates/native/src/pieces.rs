@@ -1,0 +1,62 @@
+//! A long tape in pieces, each a function of its own: the generator's time and the stack grow with the piece.
+
+use std::ops::Range;
+use symbolic::{Register, Tape};
+
+/// Operations of one piece where a tape is cut.
+const LENGTH: usize = 256;
+
+/// Operations of the longest tape that is one piece.
+const WHOLE: usize = 1 << 11;
+
+/// A tape that is cut, and what its pieces hand on.
+pub struct Pieces {
+    pub ranges: Vec<Range<usize>>,
+    /// Of each computed register where it stands in the room that all pieces share, if a later piece reads it.
+    pub kept: Vec<Option<usize>>,
+    /// Of each computed register the piece that computes it.
+    pub made_in: Vec<usize>,
+    /// Numbers in that room.
+    pub room: usize,
+}
+
+impl Pieces {
+    /// One piece, where a tape is short and of its numbers at most `most_live` are in use at once; else many.
+    pub fn of(tape: &Tape, most_live: usize) -> Self {
+        let steps = tape.steps().len();
+        let whole = steps <= WHOLE && super::live::most_live(tape) <= most_live;
+        Self::cut(tape, if whole { steps.max(1) } else { LENGTH })
+    }
+
+    /// Pieces of so many operations.
+    pub fn cut(tape: &Tape, length: usize) -> Self {
+        let steps = tape.steps();
+        let ranges: Vec<_> = (0..steps.len().max(1))
+            .step_by(length)
+            .map(|first| first..(first + length).min(steps.len()))
+            .collect();
+        let made_in: Vec<usize> = (steps.iter().enumerate())
+            .flat_map(|(at, step)| std::iter::repeat_n(at / length, step.results()))
+            .collect();
+        let given = tape.inputs() + tape.rounded().len();
+        let mut is_read_later = vec![false; made_in.len()];
+        for (at, step) in steps.iter().enumerate() {
+            for computed in step.operands().into_iter().filter_map(|register| place(register, given)) {
+                is_read_later[computed] |= made_in[computed] < at / length;
+            }
+        }
+        let mut room = 0;
+        let kept = is_read_later.into_iter().map(|is| {
+            is.then(|| {
+                room += 1;
+                room - 1
+            })
+        });
+        Pieces { ranges, kept: kept.collect(), made_in, room }
+    }
+}
+
+/// Which of the computed registers it is, where inputs and constants are the first.
+pub fn place(register: Register, given: usize) -> Option<usize> {
+    (register as usize).checked_sub(given)
+}
