@@ -113,10 +113,20 @@ fn all(trace: &Trace<'_>) -> Vec<Row> {
     rows.chain(mistake.agreement.is_ok().then_some(mistake)).collect()
 }
 
+/// Characters of the longest term that is written out.
+const MOST_READ: usize = 400;
+
 fn of_mistake(trace: &Trace<'_>, mistake: Mistake) -> Row {
     let (says, agreement, behind) = match mistaken(trace, mistake) {
         Ok(Mistaken { says, agreement, lost }) => {
-            let lost = lost.into_iter().map(|(name, term)| format!("lost in the equation of {name}: {term}"));
+            let lost = lost.into_iter().map(|(name, term)| {
+                let written = term.to_string();
+                let term = match written.len() <= MOST_READ {
+                    true => written,
+                    false => format!("a term of {} operations", symbolic::Sym::operations_of(&[term])),
+                };
+                format!("lost in the equation of {name}: {term}")
+            });
             (says, Ok(agreement), lost.collect())
         }
         Err(why) => (mistake.says().to_owned(), Err(why.to_string()), Vec::new()),

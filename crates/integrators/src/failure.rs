@@ -178,7 +178,10 @@ impl fmt::Display for Refusal {
                 write!(f, "{given} stages are asked for; from {least} to {most} are accepted")
             }
             Refusal::NoSeries => {
-                write!(f, "the system has no Taylor series, or one of too many products; another method runs it, such as dormand_prince_8")
+                write!(
+                    f,
+                    "the system has no Taylor series, or one of too many products; another method runs it, such as dormand_prince_8"
+                )
             }
             Refusal::NoPieces => {
                 write!(f, "the system is not known in pieces whose flows are known; another method runs it")

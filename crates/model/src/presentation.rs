@@ -3,6 +3,7 @@
 mod axes;
 mod code;
 mod conditions;
+mod cosines;
 mod identifiers;
 mod latex;
 mod matrix_form;
@@ -13,13 +14,14 @@ mod text;
 pub use axes::{axes, titles};
 pub use code::code;
 pub use conditions::left_out;
+pub use cosines::Cosine;
 pub use latex::{Typeset, equations as typeset, latex};
 pub use matrix_form::{Held, Lines, MatrixForm};
 pub use sympy::sympy;
 pub use text::text;
 
 use crate::equations::{Equation, Integrability, Level, constraints_of as equations_of};
-use crate::{FrameId, PointId, Trace, Vector};
+use crate::{FrameId, PointId, Trace, Turn, Vector};
 use num_traits::Zero;
 use reading::Reading;
 use symbolic::{Hypotheses, Sym, normal};
@@ -55,6 +57,10 @@ pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     for (at, frame) in model.frames.iter().enumerate().skip(1) {
         lines.push(format!("angular_velocity({}) = {}", frame.name, written(trace.turning(FrameId(at)))));
+        if let Some((parent, Turn::Free { .. })) = frame.parent {
+            let (parent, name) = (&model.frames[parent.0].name, &frame.name);
+            lines.push(format!("{name}.Rxy = {parent}.x . {name}.y, and so on: direction cosines"));
+        }
     }
     for (at, point) in model.points.iter().enumerate() {
         if !point.name.is_empty() && point.base.is_some() {
@@ -86,7 +92,8 @@ pub(crate) fn reading_of(trace: &Trace<'_>) -> Reading {
     let parameters = trace.parameters.iter().zip(&trace.model.parameters);
     let parameters = parameters.map(|(&letter, parameter)| (letter, is_positive(parameter))).chain([(trace.pi, true)]);
     let letters = [&trace.coordinates, &trace.speeds, &trace.accelerations].into_iter().flatten().copied();
-    Reading::new(parameters, letters.chain([trace.time]))
+    let named = cosines::cosines(trace).into_iter().map(|cosine| (cosine.value, cosine.letter));
+    Reading::new(parameters, letters.chain([trace.time])).with_letters(named)
 }
 
 /// The kind of every constraint, each on a line: of positions or of speeds; in the speeds linear, affine or nonlinear; with the time or

@@ -486,12 +486,15 @@ fn angles_stay_together_and_constants_are_as_written() {
     }
 }
 
-/// Three bodies, each of which turns freely on the one before: written out, their equations have more operations than anybody reads.
+/// Four bodies, each of which turns freely on the one before: written out, their equations have more operations than anybody reads.
 #[test]
 fn a_module_that_would_be_too_long_is_refused_by_name() {
     let mut tower = free_top();
-    for (frame, parent, point, place) in [("H", "F", "Q", "O + 2*l*F.z + l*H.x"), ("I", "H", "R", "Q + l*H.x + l*I.y")]
-    {
+    for (frame, parent, point, place) in [
+        ("H", "F", "Q", "O + 2*l*F.z + l*H.x"),
+        ("I", "H", "R", "Q + l*H.x + l*I.y"),
+        ("K", "I", "S", "R + l*I.x + l*K.y"),
+    ] {
         tower.frames.push((frame, format!("{parent} free").as_str()).into());
         tower.points.push((point, place).into());
         let (name, frame, centre) = (point.to_lowercase(), Some(frame.into()), Some(point.into()));

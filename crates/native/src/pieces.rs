@@ -31,10 +31,8 @@ impl Pieces {
     /// Pieces of so many operations.
     pub fn cut(tape: &Tape, length: usize) -> Self {
         let steps = tape.steps();
-        let ranges: Vec<_> = (0..steps.len().max(1))
-            .step_by(length)
-            .map(|first| first..(first + length).min(steps.len()))
-            .collect();
+        let ranges: Vec<_> =
+            (0..steps.len().max(1)).step_by(length).map(|first| first..(first + length).min(steps.len())).collect();
         let made_in: Vec<usize> = (steps.iter().enumerate())
             .flat_map(|(at, step)| std::iter::repeat_n(at / length, step.results()))
             .collect();

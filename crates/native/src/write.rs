@@ -70,7 +70,9 @@ pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTarge
         writer.registers.push(Place::Constant(*constant, offset(place)?));
     }
     let given = writer.registers.len();
-    for kept in pieces.kept.iter().zip(&pieces.made_in).take_while(|(_, made_in)| **made_in < piece).map(|(kept, _)| *kept) {
+    for kept in
+        pieces.kept.iter().zip(&pieces.made_in).take_while(|(_, made_in)| **made_in < piece).map(|(kept, _)| *kept)
+    {
         writer.registers.push(kept.map_or(Some(Place::Gone), |place| offset(place).map(Place::Kept))?);
     }
     for step in &tape.steps()[pieces.ranges[piece].clone()] {
@@ -81,7 +83,8 @@ pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTarge
         }
     }
     let is_last = piece + 1 == pieces.ranges.len();
-    let is_mine = |register: Register| place(register, given).map_or(is_last, |computed| pieces.made_in[computed] == piece);
+    let is_mine =
+        |register: Register| place(register, given).map_or(is_last, |computed| pieces.made_in[computed] == piece);
     let mine = tape.results().iter().copied().enumerate().filter(|(_, register)| is_mine(*register));
     writer.results(&mine.collect::<Vec<_>>())?;
     let Writer { mut code, .. } = writer;

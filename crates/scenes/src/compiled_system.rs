@@ -22,8 +22,6 @@ use symbolic::{Sym, apart, substitute_all};
 pub enum NotCompiled {
     /// A parameter or an input without a value.
     Open { what: &'static str, name: String },
-    /// An axial inertia on a body that tilts.
-    Tilted { body: String },
     /// No inertia resists a coordinate.
     Massless { coordinate: String },
     /// A constraint that others imply.
@@ -56,9 +54,6 @@ impl fmt::Display for NotCompiled {
             }
             Self::OfAccelerations { .. } => {
                 write!(f, "a condition that depends on accelerations or reactions is not there yet")
-            }
-            Self::Tilted { body } => {
-                write!(f, "`{body}` turns about another axis than z: one moment of inertia does not say how it resists")
             }
             Self::Massless { coordinate } => write!(f, "nothing with a mass or an inertia moves with `{coordinate}`"),
             Self::Redundant { constraint } => {
@@ -293,9 +288,6 @@ pub(crate) struct Motion {
 impl Motion {
     pub(crate) fn of(trace: &Trace<'_>, mode: &[Case]) -> Result<Self, NotCompiled> {
         let model = trace.model;
-        if let Some(body) = trace.tilted().first() {
-            return Err(NotCompiled::Tilted { body: (*body).to_owned() });
-        }
         let (accelerations, multipliers) = Equations::of(trace).solved().map_err(|singular| match singular {
             Singular::Massless { coordinate } => NotCompiled::Massless { coordinate: speed_name(model, coordinate) },
             Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },

@@ -180,10 +180,6 @@ fn place_of(model: &Model, reason: &NotCompiled) -> (Range<usize>, &'static str,
                 "u = { unit = \"N\", value = \"(2 N)*sin(t*(3 rad/s))\" }; `derive` and `prove` need none",
             )
         }
-        NotCompiled::Tilted { body } => {
-            let place = model.bodies.iter().find(|one| one.name == *body).map(|one| one.at.clone());
-            (place, "this body", "inertia = { axes = \"C\", principal = [\"A\", \"B\", \"C\"] }")
-        }
         NotCompiled::Massless { coordinate: name } => {
             (coordinate(name), "this coordinate", "a body that moves with it, or a constraint that determines it")
         }

@@ -173,7 +173,9 @@ impl Smooth for ModelScene {
     fn model(&self) -> &'static str {
         match self.system.is_code() {
             true => "as written in its file",
-            false => "as written in its file; too long for machine code, or for an unknown processor: several times as slow",
+            false => {
+                "as written in its file; too long for machine code, or for an unknown processor: several times as slow"
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! From a system as it was written to a model: names resolved in the order in which they need each other, dimensions checked.
 
 mod angles;
+mod axial;
 mod choices;
 mod constants;
 mod elementary;
@@ -65,6 +66,9 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     }
     faults.sort_by_key(|fault| fault.span.start);
     once_for_each_name(&mut faults);
+    if faults.is_empty() {
+        faults = axial::tilted(&model);
+    }
     if faults.is_empty() { Ok(model) } else { Err(faults) }
 }
 

@@ -12,7 +12,7 @@ pub struct Typeset {
     pub right: String,
 }
 
-/// Groups of equations that belong together: the form, rates of the quaternions of free frames, parameters, M, h, Q, constraints,
+/// Groups of equations that belong together: the form, rates of the quaternions of free frames and their direction cosines, parameters, M, h, Q, constraints,
 /// conditions.
 pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let equation = |left: String, right: String| Typeset { left, right };
@@ -35,6 +35,8 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let turned = trace.coordinates[turned.clone()].iter().zip(&trace.position_rates[turned]);
     let turned =
         turned.map(|(part, rate)| equation(format!(r"\dot{{{}}}", part.latex()), rate.decimal_latex())).collect();
+    let cosines = form.cosines.iter().map(|cosine| equation(cosine.letter.latex(), cosine.value.decimal_latex()));
+    let cosines = cosines.collect();
     let known = trace.model.parameters.iter().zip(&form.parameters).filter(|(parameter, _)| parameter.value.is_some());
     let parameters = known.map(|(parameter, letter)| equation(letter.latex(), quantity(&parameter.written))).collect();
     // c_1 may be a parameter of the system
@@ -76,7 +78,7 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     });
     let chosen: Vec<Typeset> = chosen.flatten().collect();
     let (inertia, forces) = (vector("h", &form.inertia), vector("Q", &form.forces));
-    let groups = vec![first, turned, parameters, mass, inertia, forces, held_to, chosen];
+    let groups = vec![first, turned, cosines, parameters, mass, inertia, forces, held_to, chosen];
     groups.into_iter().filter(|group| !group.is_empty()).collect()
 }
 

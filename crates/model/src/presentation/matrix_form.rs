@@ -1,10 +1,12 @@
 //! The whole system in matrix form: M q'' + h = Q + J^T lambda, with every constraint.
 
 use super::axes::axes;
+use super::cosines::{Cosine, cosines};
 use super::reading::Reading;
 use crate::equations::{Equations, Level};
 use crate::principles::{NotApplicable, Principle};
 use crate::{Energies, Model, Trace};
+use rustc_hash::FxHashSet;
 use std::ops::Range;
 use symbolic::{Sym, substitute_all};
 
@@ -33,6 +35,8 @@ pub struct MatrixForm {
     pub inputs: Vec<Sym>,
     /// Letters that are 1 where a condition is positive, else 0; and the conditions.
     pub switches: Vec<(Sym, Sym)>,
+    /// Direction cosines of free frames; for reading those that occur, as letters.
+    pub cosines: Vec<Cosine>,
     /// Where conditions and events stand.
     pub lines: Lines,
     /// Parameters whose values are positive.
@@ -115,6 +119,7 @@ impl MatrixForm {
                 .filter(|input| input.value.is_none())
                 .map(|input| Sym::symbol(&input.name))
                 .collect(),
+            cosines: cosines(trace),
             lines: Lines::default(),
             positive: trace.model.parameters.iter().map(|each| each.value.is_some_and(|value| value > 0.0)).collect(),
         })
@@ -151,8 +156,20 @@ impl MatrixForm {
         let parameters = self.parameters.iter().copied().zip(self.positive.iter().copied());
         let parameters = parameters.chain([(Sym::symbol("pi"), true)]);
         let letters = [&self.coordinates, &self.speeds, &self.accelerations].into_iter().flatten().copied();
-        let mut reading = Reading::new(parameters, letters.chain([self.time]));
-        self.mapped(&mut |expressions| expressions.iter().map(|each| reading.of(*each)).collect())
+        let named = self.cosines.iter().map(|cosine| (cosine.value, cosine.letter));
+        let mut reading = Reading::new(parameters, letters.chain([self.time])).with_letters(named);
+        let mut form = self.mapped(&mut |expressions| expressions.iter().map(|each| reading.of(*each)).collect());
+        let used: FxHashSet<Sym> = form.expressions().flat_map(|each| each.symbols_of()).collect();
+        form.cosines = self.cosines.iter().filter(|cosine| used.contains(&cosine.letter)).cloned().collect();
+        form
+    }
+
+    /// Every expression of the equations.
+    pub(super) fn expressions(&self) -> impl Iterator<Item = Sym> {
+        let held = self.constraints.iter().flat_map(|held| held.row.iter().chain([&held.zero, &held.bias]));
+        let conditions = self.switches.iter().map(|(_, condition)| condition);
+        let vectors = [&self.inertia, &self.forces].into_iter().flatten();
+        self.mass.iter().flatten().chain(vectors).chain(held).chain(conditions).copied()
     }
 
     fn mapped(&self, map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>) -> Self {
@@ -183,6 +200,15 @@ impl MatrixForm {
                 .map(|&(letter, condition)| (single(map, letter), single(map, condition)))
                 .collect(),
             inputs: map(&self.inputs),
+            cosines: self
+                .cosines
+                .iter()
+                .map(|cosine| Cosine {
+                    letter: single(map, cosine.letter),
+                    value: single(map, cosine.value),
+                    ..cosine.clone()
+                })
+                .collect(),
             lines: self.lines.clone(),
             positive: self.positive.clone(),
         }

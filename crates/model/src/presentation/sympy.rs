@@ -2,6 +2,7 @@
 
 use super::axes::axes;
 use super::conditions::left_out;
+use super::cosines::Cosine;
 use super::identifiers::identifiers;
 use super::matrix_form::MatrixForm;
 use crate::Trace;
@@ -27,8 +28,10 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     let turns = own < trace.speeds.len();
     let free = &trace.speeds[own..];
     let conditions: Vec<Sym> = form.switches.iter().map(|(letter, _)| *letter).collect();
+    let cosines: Vec<Sym> = form.cosines.iter().map(|cosine| cosine.letter).collect();
     let letters: Vec<Sym> =
-        [&form.parameters[..], &trace.coordinates, free, &form.multipliers, &form.inputs, &conditions].concat();
+        [&form.parameters[..], &trace.coordinates, free, &form.multipliers, &form.inputs, &cosines, &conditions]
+            .concat();
     let words = if turns { format!("{WORDS} {WORDS_OF_TURNS}") } else { WORDS.to_owned() };
     let names = identifiers(&letters, &words);
     let (parameters, rest) = names.split_at(form.parameters.len());
@@ -69,7 +72,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     };
     text.extend(axes(trace).into_iter().enumerate().filter_map(titled));
     text.extend(left_out(trace, &form).into_iter().map(|line| format!("# {line}\n")));
-    for (letter, name) in letters.iter().zip(&names).take(names.len() - switches.len()) {
+    for (letter, name) in letters.iter().zip(&names).take(names.len() - switches.len() - cosines.len()) {
         let _ = match coordinates.contains(name) || turning.contains(name) {
             true => writeln!(text, "{name} = Function({:?})(t)", letter.to_string()),
             false => writeln!(text, "{name} = Symbol({:?})", letter.to_string()),
@@ -80,6 +83,9 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     }
     for (name, rate) in turning.iter().zip(&accelerations[own..]) {
         let _ = writeln!(text, "{rate} = {name}.diff(t)");
+    }
+    for Cosine { letter, meaning, value } in &form.cosines {
+        let _ = writeln!(text, "{letter} = {}  # {meaning}", value.sympy());
     }
     for (name, (_, condition)) in switches.iter().zip(&form.switches) {
         let _ = writeln!(text, "{name} = Piecewise((1, {} > 0), (0, True))", condition.sympy());
@@ -129,12 +135,10 @@ impl MatrixForm {
     /// # Errors
     /// Where an expression of the form is longer than what is written out.
     fn is_written_out(&self) -> Result<(), String> {
-        let held = self.constraints.iter().flat_map(|held| held.row.iter().chain([&held.zero, &held.bias]));
-        let conditions = self.switches.iter().map(|(_, condition)| condition);
-        let vectors = [&self.inertia, &self.forces].into_iter().flatten();
-        let all = self.mass.iter().flatten().chain(vectors).chain(held).chain(conditions);
-        let long =
-            all.map(|one| one.sympy()).find_map(|text| text.strip_prefix("# ").map(|text| text.trim_end().to_owned()));
+        let long = self
+            .expressions()
+            .map(|one| one.sympy())
+            .find_map(|text| text.strip_prefix("# ").map(|text| text.trim_end().to_owned()));
         match long {
             None => Ok(()),
             Some(text) => {

@@ -2,6 +2,7 @@
 
 use super::conditions::{Condition, conditions, left_out};
 use super::constraints;
+use super::cosines::Cosine;
 use super::matrix_form::MatrixForm;
 use crate::Trace;
 use std::fmt::Write;
@@ -43,6 +44,11 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let units = trace.model.coordinates.iter().map(|each| format!("{} in {}", each.name, each.unit)).collect();
     section(&mut text, "Coordinates q", units);
     section(&mut text, "Orientation of free frames, quaternions q0 + q1 i + q2 j + q3 k", quaternions(trace));
+    let cosines = form
+        .cosines
+        .iter()
+        .map(|Cosine { letter, meaning, value }| format!("{letter} = {meaning} = {}", value.decimal_text()));
+    section(&mut text, "Direction cosines of free frames", cosines.collect());
     let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
     section(&mut text, "Inputs", open.map(|input| format!("{} in {}", input.name, input.unit)).collect());
     let rows: Vec<String> = (0..form.speeds.len()).map(|speed| trace.direction(speed)).collect();

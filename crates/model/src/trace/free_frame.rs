@@ -1,8 +1,7 @@
 //! The symbols of a frame that turns freely.
 
-use super::rotation::quaternion_rates;
+use super::rotation::{Rotation, quaternion_rates};
 use crate::parts::{QUATERNION, TURNING};
-use field::Scalar;
 use symbolic::Sym;
 
 /// Quaternion, angular velocity in the frame's own axes, and its rate.
@@ -10,6 +9,8 @@ pub(super) struct FreeFrame {
     pub quaternion: [Sym; 4],
     pub speeds: [Sym; 3],
     pub accelerations: [Sym; 3],
+    /// Direction cosines: row i, column j holds the axis i of the parent times the axis j of the frame.
+    pub cosines: [[Sym; 3]; 3],
 }
 
 impl FreeFrame {
@@ -23,7 +24,22 @@ impl FreeFrame {
         };
         let quaternion =
             QUATERNION.map(|part| Sym::named(&format!("{name}.{part}"), &format!("q_{{{letter},{}}}", &part[1..])));
-        FreeFrame { quaternion, speeds: turning("", ""), accelerations: turning(r"\dot", "'") }
+        let cosines = Rotation::direction_cosines(quaternion);
+        FreeFrame { quaternion, speeds: turning("", ""), accelerations: turning(r"\dot", "'"), cosines }
+    }
+
+    /// The direction cosines, each with its rate where the frame turns at this angular velocity, w in its own axes:
+    ///
+    ///   R' = R [w x] .
+    ///
+    /// By the quaternion's rates the same comes out, of any length, and much longer.
+    pub fn turned(&self, w: [Sym; 3]) -> impl Iterator<Item = (Sym, Sym)> {
+        self.cosines.into_iter().flat_map(move |row| {
+            (0..3).map(move |column| {
+                let (next, last) = ((column + 1) % 3, (column + 2) % 3);
+                (row[column], row[next] * w[last] - row[last] * w[next])
+            })
+        })
     }
 
     /// The rates of the quaternion.
@@ -31,12 +47,12 @@ impl FreeFrame {
         quaternion_rates(self.quaternion, self.speeds)
     }
 
-    /// The rates of the quaternion's parts for a turn about each axis of the frame alone.
-    pub fn displacements(&self) -> [[(Sym, Sym); 4]; 3] {
+    /// The rates of the quaternion's parts and of the direction cosines for a turn about each axis of the frame alone.
+    pub fn displacements(&self) -> [Vec<(Sym, Sym)>; 3] {
         std::array::from_fn(|axis| {
-            let about = std::array::from_fn(|other| if other == axis { Sym::ONE } else { Sym::int(0) });
+            let about = std::array::from_fn(|other| if other == axis { Sym::ONE } else { Sym::ZERO });
             let rates = quaternion_rates(self.quaternion, about);
-            std::array::from_fn(|part| (self.quaternion[part], rates[part]))
+            self.quaternion.into_iter().zip(rates).chain(self.turned(about)).collect()
         })
     }
 }

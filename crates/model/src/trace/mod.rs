@@ -39,6 +39,8 @@ pub struct Trace<'m> {
     pub coordinates: Vec<Sym>,
     /// q'.
     pub position_rates: Vec<Sym>,
+    /// Of each free frame its direction cosines in the parent: row i, column j holds the parent's axis i times the frame's axis j.
+    pub cosines: Vec<[[Sym; 3]; 3]>,
     /// The speeds u: rates of coordinates, then angular velocities of free frames in their own axes.
     pub speeds: Vec<Sym>,
     /// A letter for each switch, 1 or 0, which no motion changes.
@@ -80,16 +82,19 @@ impl<'m> Trace<'m> {
         let mut by_coordinate = alone(&ordinary);
         let mut coordinates = ordinary;
         let mut position_rates = speeds.clone();
+        let (mut cosines, mut turned) = (Vec::new(), Vec::new());
         for frame in &model.free {
             let free = FreeFrame::named(&model.frames[frame.0].name);
             by_coordinate.extend(free.displacements().map(|alone| RefCell::new(Derivation::new(alone))));
+            turned.extend(free.turned(free.speeds));
+            cosines.push(free.cosines);
             position_rates.extend(free.rates());
             coordinates.extend(free.quaternion);
             speeds.extend(free.speeds);
             accelerations.extend(free.accelerations);
         }
         let along = coordinates.iter().zip(&position_rates).chain(speeds.iter().zip(&accelerations));
-        let rates = along.map(|(&symbol, &rate)| (symbol, rate)).chain([(time, Sym::ONE)]);
+        let rates = along.map(|(&symbol, &rate)| (symbol, rate)).chain([(time, Sym::ONE)]).chain(turned);
         let mut trace = Trace {
             model,
             time,
@@ -101,6 +106,7 @@ impl<'m> Trace<'m> {
             by_coordinate,
             coordinates,
             position_rates,
+            cosines,
             speeds,
             switches: Vec::new(),
             accelerations,
@@ -149,10 +155,9 @@ impl<'m> Trace<'m> {
                     Some((parent, Rotation::About { axis, angle: angle::circle(angle) }, rate))
                 }
                 Some((parent, Turn::Free { number })) => {
-                    let (first, position) = (self.model.free_speed(number), self.model.free_position(number));
-                    let quaternion = std::array::from_fn(|k| self.coordinates[position + k]);
+                    let first = self.model.free_speed(number);
                     let rate = std::array::from_fn(|k| self.speeds[first + k]);
-                    Some((parent, Rotation::of_quaternion(quaternion), rate))
+                    Some((parent, Rotation::Matrix(self.cosines[number]), rate))
                 }
                 Some(_) => return,
             };

@@ -13,18 +13,18 @@ pub(crate) enum Rotation {
 }
 
 impl Rotation {
-    /// Rotation by the quaternion e0 + e1 i + e2 j + e3 k, of any length other than zero: rounding does not bend the axes.
-    pub fn of_quaternion([a, b, c, d]: [Sym; 4]) -> Self {
+    /// The matrix of the quaternion e0 + e1 i + e2 j + e3 k, of any length other than zero: rounding does not bend the axes.
+    pub fn direction_cosines([a, b, c, d]: [Sym; 4]) -> [[Sym; 3]; 3] {
         let two = Sym::int(2);
         let square = a * a + b * b + c * c + d * d;
         let diagonal =
             |plus: Sym, minus: [Sym; 2]| (a * a + plus * plus - minus[0] * minus[0] - minus[1] * minus[1]) / square;
         let beside = |product: Sym, turn: Sym| two * (product + turn) / square;
-        Rotation::Matrix([
+        [
             [diagonal(b, [c, d]), beside(b * c, -(a * d)), beside(b * d, a * c)],
             [beside(b * c, a * d), diagonal(c, [b, d]), beside(c * d, -(a * b))],
             [beside(b * d, -(a * c)), beside(c * d, a * b), diagonal(d, [b, c])],
-        ])
+        ]
     }
 
     /// Components along the axes of the frame as those along the axes of the parent.

@@ -115,14 +115,15 @@ impl Frames {
         a
     }
 
-    /// The frame in whose axes two vectors are put together: the lower of the two where one turns in the other, else the last
-    /// that both turn in.
+    /// The frame in whose axes two vectors are put together: the lower of the two where one turns in the other by angles, else the
+    /// last that both turn in. Into a free frame and back a vector would be multiplied by R R^T, which nothing reduces.
     fn together(&self, a: FrameId, b: FrameId) -> FrameId {
-        match self.common(a, b) {
-            common if common == a => b,
-            common if common == b => a,
-            common => common,
-        }
+        let common = self.common(a, b);
+        let lower = if common == a { b } else { a };
+        let way = std::iter::successors(Some(lower), |frame| Some(self.links[frame.0].parent));
+        let is_free = |frame: FrameId| matches!(self.links[frame.0].rotation, Rotation::Matrix(_));
+        let is_above = common == a || common == b;
+        if is_above && !way.take_while(|frame| *frame != common).any(is_free) { lower } else { common }
     }
 
     fn both(&self, a: Vector, b: Vector) -> (FrameId, [Sym; 3], [Sym; 3]) {

@@ -116,9 +116,6 @@ impl VariedEquations {
         let (n, layout) = (model.speeds(), Layout::of(model));
         let known: Vec<Known> = symbolic::apart(|| {
             let trace = Trace::of(open);
-            if let Some(body) = trace.tilted().first() {
-                return Err(NotCompiled::Tilted { body: (*body).to_owned() });
-            }
             let known = |(place, (each, axis)): (usize, (Equation, Option<String>))| Known {
                 level: each.level,
                 number: place + 1,
@@ -128,8 +125,8 @@ impl VariedEquations {
                 name: each.name,
                 at: each.at,
             };
-            Ok(constraints_of(&trace).into_iter().zip(axes(&trace)).enumerate().map(known).collect())
-        })?;
+            constraints_of(&trace).into_iter().zip(axes(&trace)).enumerate().map(known).collect()
+        });
         let (m, switches) = (known.len(), model.switches.len());
         let mut order: Vec<usize> = (0..m).collect();
         order.sort_by_key(|&k| (known[k].is_programmed, known[k].level != Level::Position));

@@ -58,6 +58,16 @@ impl Reading {
         reading
     }
 
+    /// The same with letters for these expressions wherever they occur.
+    #[must_use]
+    pub fn with_letters(mut self, letters: impl IntoIterator<Item = (Sym, Sym)>) -> Self {
+        for (expression, letter) in letters {
+            let place = self.leaf(letter, None);
+            self.known.insert(expression, Some(Rc::new(Sum::letter(place))));
+        }
+        self
+    }
+
     /// An expression for reading; as it came where it is too long.
     pub fn of(&mut self, expression: Sym) -> Sym {
         match self.sum(expression) {
