@@ -5,7 +5,9 @@ use crate::ending::{Ending, print};
 use ::scenes::read_model;
 use clap::{Args, ValueEnum};
 use model::principles::{Principle, Projection};
-use model::{Agreement, Mistake, Mistaken, Trace, agreement, mistaken, projected_agreement, statements, titles};
+use model::{
+    Agreement, Mistake, Mistaken, Trace, agreement, mistaken, projected_agreement, shorter, statements, titles,
+};
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -120,6 +122,7 @@ fn of_mistake(trace: &Trace<'_>, mistake: Mistake) -> Row {
     let (says, agreement, behind) = match mistaken(trace, mistake) {
         Ok(Mistaken { says, agreement, lost }) => {
             let lost = lost.into_iter().map(|(name, term)| {
+                let term = shorter(trace, term);
                 let written = term.to_string();
                 let term = match written.len() <= MOST_READ {
                     true => written,

@@ -48,8 +48,8 @@ pub use parts::{
     Zero,
 };
 pub use presentation::{
-    Cosine, Held, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out, sympy, text, titles, typeset,
-    vectors,
+    Cosine, Held, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out, shorter, sympy, text, titles,
+    typeset, vectors,
 };
 pub use source::{
     BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source, Text,

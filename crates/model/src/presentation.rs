@@ -126,6 +126,12 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
     lines.chain(whole).collect()
 }
 
+/// An expression for reading, the shorter of two forms: a fraction of polynomials, or with angles and direction cosines together.
+pub fn shorter(trace: &Trace<'_>, expression: Sym) -> Sym {
+    let forms = [simplified(expression), reading_of(trace).of(expression)];
+    forms.into_iter().min_by_key(|form| Sym::operations_of(&[*form])).unwrap_or(expression)
+}
+
 /// Expressions with more operations are left as they are.
 const MOST_SIMPLIFIED: usize = 2_000;
 

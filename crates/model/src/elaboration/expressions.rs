@@ -173,6 +173,9 @@ impl Elaborator<'_> {
     }
 
     fn member(&mut self, span: &Range<usize>, of: &str, name: &str) -> Sound<Value> {
+        if let Some(fault) = self.component_of_no_frame(span, of, name) {
+            return Err(Box::new(fault));
+        }
         let frame = self.frame(&Text::at(of, span.start))?;
         let per_second = Some(Dimension::none() / Dimension::time());
         if name == "w" {
@@ -190,6 +193,21 @@ impl Elaborator<'_> {
             return Err(Box::new(Fault::at(span.clone(), title, "not known", accepted)));
         };
         Ok(Value::Vector(self.vector(Vector::Axis { frame, axis }, Some(Dimension::none()))))
+    }
+
+    /// What is meant by `P.z`, where P is no frame.
+    fn component_of_no_frame(&self, span: &Range<usize>, of: &str, name: &str) -> Option<Fault> {
+        let axis = if matches!(name, "x" | "y" | "z") { name } else { "x" };
+        let (kind, accepted) = match self.names.get(of)? {
+            Named::Value(Value::Point { .. }) => {
+                ("a point", format!("({of} - O) . N.{axis} is its coordinate along an axis"))
+            }
+            Named::Value(Value::Vector(_)) => ("a vector", format!("{of} . N.{axis} is its component along an axis")),
+            Named::Value(Value::Scalar(_)) => ("a scalar", format!("`{of}` alone")),
+            // a body stands for the frame that it turns with
+            Named::Value(Value::Frame(_)) | Named::Body(_) => return None,
+        };
+        Some(Fault::at(span.clone(), format!("`{of}` is {kind}, and only frames have axes"), "no axis", accepted))
     }
 
     pub(super) fn number_of_free(&self, frame: FrameId) -> Option<usize> {

@@ -7,7 +7,6 @@
 use crate::Trace;
 use crate::agreement::{Agreement, decided};
 use crate::equations::{Characteristics, Level, constraints_of, vanishes};
-use crate::presentation::{reading_of, simplified};
 use crate::principles::hamilton::momenta;
 use crate::principles::lagrange::inertia;
 use crate::principles::{NotApplicable, linear, operator};
@@ -90,7 +89,7 @@ fn constraints_in_energy(trace: &Trace<'_>) -> Result<(Mistaken, &'static str), 
     // the operator holds what is lost beside the inertia: right = energy - lost
     let lost: Vec<Sym> = trace.with_masses(&sums.map(|lost| -lost).collect::<Vec<_>>());
     let says = Mistake::ConstraintsInEnergy.says().to_owned();
-    Ok((Mistaken { says, agreement, lost: named(trace, names, lost.into_iter()) }, reason))
+    Ok((Mistaken { says, agreement, lost: named(names, lost.into_iter()) }, reason))
 }
 
 fn accelerations_in_energy(trace: &Trace<'_>) -> Mistaken {
@@ -102,19 +101,10 @@ fn accelerations_in_energy(trace: &Trace<'_>) -> Mistaken {
     let names = (0..n).map(|i| trace.direction(i));
     let lost: Vec<Sym> = right.into_iter().zip(naive).map(|(right, naive)| right - naive).collect();
     let says = Mistake::AccelerationsInEnergy.says().to_owned();
-    Mistaken { says, agreement, lost: named(trace, names, trace.with_masses(&lost).into_iter()) }
+    Mistaken { says, agreement, lost: named(names, trace.with_masses(&lost).into_iter()) }
 }
 
-/// The terms that are not zero, in the shorter of two forms: as a fraction of polynomials, or with angles and direction cosines together.
-fn named(
-    trace: &Trace<'_>,
-    names: impl Iterator<Item = String>,
-    terms: impl Iterator<Item = Sym>,
-) -> Vec<(String, Sym)> {
-    let mut reading = reading_of(trace);
-    let mut short = |term: Sym| {
-        let forms = [simplified(term), reading.of(term)];
-        forms.into_iter().min_by_key(|form| Sym::operations_of(&[*form])).unwrap_or(term)
-    };
-    names.zip(terms).filter(|(_, term)| !vanishes(*term)).map(|(name, term)| (name, short(term))).collect()
+/// The terms that are not zero.
+fn named(names: impl Iterator<Item = String>, terms: impl Iterator<Item = Sym>) -> Vec<(String, Sym)> {
+    names.zip(terms).filter(|(_, term)| !vanishes(*term)).collect()
 }

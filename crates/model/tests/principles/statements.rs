@@ -235,9 +235,11 @@ fn accelerations_in_the_kinetic_energy_lose_what_speeds_bring() {
     };
     let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
     apart(|| {
-        let found = mistaken(&Trace::of(&model), Mistake::AccelerationsInEnergy).expect("it can be made");
+        let trace = Trace::of(&model);
+        let found = mistaken(&trace, Mistake::AccelerationsInEnergy).expect("it can be made");
         assert!(matches!(found.agreement, Agreement::Refuted { .. }), "{}", found.agreement);
-        let lost: Vec<String> = found.lost.iter().map(|(name, term)| format!("{name}: {term}")).collect();
+        let lost = found.lost.iter().map(|(name, term)| format!("{name}: {}", model::shorter(&trace, *term)));
+        let lost: Vec<String> = lost.collect();
         assert_eq!(lost, ["r: -m*q'^2*r", "q: 2*m*q'*r*r'"]);
     });
 }
