@@ -54,6 +54,9 @@ const MOST_STEPS: usize = 50;
 /// Residuals below this, in SI units, are rounding of data with fifteen digits.
 const MET: f64 = 1e-10;
 
+/// Residuals below this are what rounding leaves.
+const ROUNDED: f64 = 1e-14;
+
 /// Residuals beyond this part of the state are no drift of a run.
 const LOOSE: f64 = 1e-6;
 
@@ -132,11 +135,15 @@ impl StartSolver {
         for (order, level) in [(0, Some(Level::Position)), (1, None)] {
             let is_given = |speed: &usize| layout.places(*speed, order).any(|at| given[at]);
             let free: Vec<usize> = (0..layout.speeds()).filter(|speed| !is_given(speed)).collect();
+            let written = state.clone();
+            let mut is_met = false;
             for _ in 0..MOST_STEPS {
                 let (residuals, jacobian) = constraints.at(&state, parameters, level);
-                if residuals.amax() <= MET || free.is_empty() {
+                // met, one more step leaves rounding alone
+                if is_met || residuals.amax() <= ROUNDED || free.is_empty() {
                     break;
                 }
+                is_met = residuals.amax() <= MET;
                 let columns = DMatrix::from_fn(residuals.len(), free.len(), |row, at| jacobian[(row, free[at])]);
                 if !residuals.iter().chain(columns.iter()).all(|number| number.is_finite()) {
                     break;
@@ -149,6 +156,14 @@ impl StartSolver {
                 }
                 for (&at, part) in free.iter().zip(step.iter()) {
                     layout.displace(&mut state, (at, order), -part);
+                }
+            }
+            // what rounding alone has moved stays as it was written
+            let largest = state.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
+            for (now, &written) in state.iter_mut().zip(&written) {
+                let size = if written == 0.0 { largest } else { written.abs() };
+                if (*now - written).abs() <= f64::EPSILON * size {
+                    *now = written;
                 }
             }
             if let Some(open) = constraints.open(&state, parameters, level, &free) {
