@@ -8,7 +8,7 @@ use derivations::derive::{Equation, Principle, derive as equations_of, motor_of}
 use derivations::scene::any::holds_model;
 use derivations::scene::file::read_text;
 use derivations::scene::{Axes, Family, Scene};
-use model::{MatrixForm, Trace, constraints, vectors};
+use model::{MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Trace, constraints, vectors};
 use std::path::Path;
 use symbolic::{Language, Sym, Tape};
 
@@ -53,6 +53,8 @@ pub enum PrincipleName {
     NewtonEuler,
     /// Hamilton's canonical equations, back along the speeds
     Hamilton,
+    /// Maggi: Lagrange's equations along the quasi-velocities of [speeds]
+    Maggi,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -100,6 +102,9 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
     refuse_form(asked, "a system that is written in its file has one form")?;
     let model = read_model(path)?;
     let file = read_text(path)?;
+    if let Some(principle) = quasi_principle(asked, &model) {
+        return in_quasi_velocities(asked, &model, &file, principle);
+    }
     let principle = match asked.principle {
         None if model.energies.kinetic.is_some() => model::principles::Principle::Lagrange,
         None | Some(PrincipleName::VirtualPower) => model::principles::Principle::VirtualPower,
@@ -109,6 +114,12 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
         Some(PrincipleName::NewtonEuler) => model::principles::Principle::NewtonEuler,
         Some(PrincipleName::Hamel) => model::principles::Principle::Hamel,
         Some(PrincipleName::Hamilton) => model::principles::Principle::Hamilton,
+        Some(PrincipleName::Maggi) => {
+            return Err(Ending::refused(
+                "maggi's equations stand along quasi-velocities: the table [speeds] gives these, v = \"velocity(G) . A.x\"; `prove` \
+                 compares them without it",
+            ));
+        }
         Some(PrincipleName::Momentum | PrincipleName::Maxwell) => {
             return Err(Ending::refused(
                 "for a system that is written in its file the principle may be: virtual-power, lagrange, appell, gauss, newton-euler, \
@@ -119,14 +130,42 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
     // what is written there means nothing outside of its graph
     symbolic::apart(|| {
         let trace = Trace::of(&model);
-        let mut text = String::new();
-        if asked.echo {
-            let lines = [vectors(&trace), constraints(&trace)].concat();
-            text += &(lines.join("\n") + "\n\n");
-        }
         let form = MatrixForm::of(&trace, principle).map_err(Ending::refused)?.in_file(&model, &file);
-        Ok(text + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
+        Ok(echoed(asked, &trace) + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
+}
+
+/// The principle of a system with quasi-velocities, where that uses them; the others keep the rates of coordinates.
+fn quasi_principle(asked: &Asked, model: &Model) -> Option<QuasiPrinciple> {
+    if model.quasi_velocities.is_empty() {
+        return None;
+    }
+    match asked.principle {
+        None if model.energies.kinetic.is_some() => Some(QuasiPrinciple::Hamel),
+        None | Some(PrincipleName::VirtualPower) => Some(QuasiPrinciple::VirtualPower),
+        Some(PrincipleName::Appell) => Some(QuasiPrinciple::Appell),
+        Some(PrincipleName::Hamel) => Some(QuasiPrinciple::Hamel),
+        Some(PrincipleName::Maggi) => Some(QuasiPrinciple::Maggi),
+        Some(_) => None,
+    }
+}
+
+/// The equations of motion in the quasi-velocities of a file.
+fn in_quasi_velocities(asked: &Asked, model: &Model, file: &str, principle: QuasiPrinciple) -> Result<String, Ending> {
+    symbolic::apart(|| {
+        let trace = Trace::of(model);
+        // judged when the file was read
+        let quasi =
+            QuasiVelocities::of(&trace).map_err(|_| Ending::refused("its quasi-velocities are not independent"))?;
+        let form = MatrixForm::in_quasi_velocities(&trace, &quasi, principle).map_err(Ending::refused)?;
+        let form = form.in_file(model, file);
+        Ok(echoed(asked, &trace) + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
+    })
+}
+
+/// Vectors and kinds of constraints, where they are asked for.
+fn echoed(asked: &Asked, trace: &Trace<'_>) -> String {
+    if asked.echo { [vectors(trace), constraints(trace)].concat().join("\n") + "\n\n" } else { String::new() }
 }
 
 /// A system in matrix form in a notation.
@@ -297,9 +336,9 @@ fn built_in(name: PrincipleName) -> Result<Principle, Ending> {
         PrincipleName::Maxwell => Principle::Maxwell,
         PrincipleName::VirtualPower => Principle::VirtualPower,
         PrincipleName::Gauss => Principle::Gauss,
-        PrincipleName::NewtonEuler | PrincipleName::Hamilton => {
+        PrincipleName::NewtonEuler | PrincipleName::Hamilton | PrincipleName::Maggi => {
             return Err(Ending::refused(
-                "newton-euler and hamilton are for a system that is written in its file; a gyrostat follows momentum, appell, hamel \
+                "newton-euler, hamilton and maggi are for a system that is written in its file; a gyrostat follows momentum, appell, hamel \
                  or lagrange, a motor maxwell",
             ));
         }

@@ -6,7 +6,8 @@ use ::scenes::read_model;
 use clap::{Args, ValueEnum};
 use model::principles::{Principle, Projection};
 use model::{
-    Agreement, Mistake, Mistaken, Trace, agreement, mistaken, projected_agreement, shorter, statements, titles,
+    Agreement, Mistake, Mistaken, QuasiPrinciple, QuasiVelocities, Trace, agreement, mistaken, projected_agreement,
+    quasi_agreement, shorter, statements, titles,
 };
 use serde_json::json;
 use std::path::PathBuf;
@@ -55,8 +56,19 @@ struct Row {
 
 enum Subject {
     Principles([&'static str; 2]),
-    Statement { about: String, says: String },
-    Mistake { mistake: Mistake, says: String },
+    /// In quasi-velocities, by their names.
+    InQuasiVelocities {
+        principles: [&'static str; 2],
+        speeds: Vec<String>,
+    },
+    Statement {
+        about: String,
+        says: String,
+    },
+    Mistake {
+        mistake: Mistake,
+        says: String,
+    },
 }
 
 /// Compares the residuals of every principle with those of the first, parameters as letters, states what the equations keep, and
@@ -110,9 +122,31 @@ fn all(trace: &Trace<'_>) -> Vec<Row> {
         must_hold: true,
     });
     let mistake = of_mistake(trace, Mistake::ConstraintsInEnergy);
-    let rows = others.into_iter().map(plain).chain(Projection::ALL.into_iter().map(projected)).chain(stated);
+    let rows = others.into_iter().map(plain).chain(Projection::ALL.into_iter().map(projected));
+    let rows = rows.chain(in_quasi_velocities(trace)).chain(stated);
     // nothing is said of a mistake that cannot be made
     rows.chain(mistake.agreement.is_ok().then_some(mistake)).collect()
+}
+
+/// Whether the principles that use quasi-velocities agree in those of the file.
+fn in_quasi_velocities(trace: &Trace<'_>) -> Vec<Row> {
+    if trace.model.quasi_velocities.is_empty() {
+        return Vec::new();
+    }
+    let speeds: Vec<String> = trace.model.quasi_velocities.iter().map(|speed| speed.name.clone()).collect();
+    let quasi = QuasiVelocities::of(trace);
+    let [first, others @ ..] = QuasiPrinciple::ALL;
+    let compared = |other: QuasiPrinciple| Row {
+        subject: Subject::InQuasiVelocities { principles: [first.name(), other.name()], speeds: speeds.clone() },
+        agreement: match &quasi {
+            Ok(quasi) => quasi_agreement(quasi, first, other).map_err(|why| why.to_string()),
+            // judged when the file was read
+            Err(faults) => Err(faults.iter().map(|fault| fault.title.clone()).collect::<Vec<_>>().join("; ")),
+        },
+        behind: Vec::new(),
+        must_hold: true,
+    };
+    others.into_iter().map(compared).collect()
 }
 
 /// Characters of the longest term that is written out.
@@ -141,6 +175,9 @@ impl Row {
     fn title(&self) -> String {
         match &self.subject {
             Subject::Principles([one, other]) => format!("{one} = {other}"),
+            Subject::InQuasiVelocities { principles: [one, other], speeds } => {
+                format!("{one} = {other} in {}", speeds.join(", "))
+            }
             Subject::Statement { about, says } => format!("{about}: {says}"),
             Subject::Mistake { says, .. } => format!("mistake: {says}"),
         }
@@ -168,6 +205,10 @@ fn object(row: &Row) -> serde_json::Value {
     let mut object = json!({ "verdict": verdict, "log2_error": error, "said": row.said(), "behind": row.behind });
     match &row.subject {
         Subject::Principles(names) => object["principles"] = json!(names),
+        Subject::InQuasiVelocities { principles, speeds } => {
+            object["principles"] = json!(principles);
+            object["quasi_velocities"] = json!(speeds);
+        }
         Subject::Statement { about, says } => {
             object["about"] = json!(about);
             object["says"] = json!(says);

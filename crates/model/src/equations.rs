@@ -11,12 +11,13 @@ mod elimination;
 mod generic_point;
 mod integrability;
 
+pub(crate) use characteristics::solved_in_short;
 pub use characteristics::{Characteristics, Motion};
 pub(crate) use constraints::held_of;
 pub use constraints::vanishes;
 pub use constraints::{Equation, Level, equations as constraints_of};
 pub use elimination::Singular;
-pub(crate) use generic_point::generic_rank;
+pub(crate) use generic_point::{generic_rank, pivots as generic_pivots};
 pub use integrability::Integrability;
 
 use crate::Trace;

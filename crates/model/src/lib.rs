@@ -32,6 +32,7 @@ mod joints;
 mod parts;
 mod presentation;
 pub mod principles;
+mod quasi_velocities;
 mod real_points;
 mod source;
 mod statements;
@@ -44,13 +45,14 @@ pub use elaboration::{HALF_TURN, bare_angle, is_reserved, misplaced};
 pub use fault::Fault;
 pub use parts::{
     Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId,
-    GeneralisedForce, Inertia, Input, Material, Model, Output, Parameter, Point, PointId, StartValue, Torque, Turn,
-    Zero,
+    GeneralisedForce, Inertia, Input, Material, Model, Output, Parameter, Point, PointId, QuasiVelocity, StartSpeed,
+    StartValue, Torque, Turn, Zero,
 };
 pub use presentation::{
     Cosine, Held, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out, shorter, sympy, text, titles,
     typeset, vectors,
 };
+pub use quasi_velocities::{QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{
     BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source, Text,
 };

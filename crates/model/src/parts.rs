@@ -56,6 +56,35 @@ pub struct Coordinate {
     pub at: Range<usize>,
 }
 
+/// A quasi-velocity: a name for an expression that is linear in the speeds u.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuasiVelocity {
+    pub name: String,
+    pub is: ScalarId,
+    pub dimension: Dimension,
+    /// Where its name stands.
+    pub at: Range<usize>,
+}
+
+impl QuasiVelocity {
+    /// The coherent unit.
+    pub fn unit(&self) -> String {
+        let written = self.dimension.to_string();
+        units::Unit::parse(&written).map_or(written, |unit| unit.dimension().coherent())
+    }
+}
+
+/// The value of a quasi-velocity at time zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StartSpeed {
+    /// Its place among the quasi-velocities.
+    pub of: usize,
+    /// In SI units.
+    pub value: f64,
+    /// Where it stands.
+    pub at: Range<usize>,
+}
+
 /// A frame of axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
@@ -245,6 +274,8 @@ pub struct StartValue {
 pub struct Model {
     pub parameters: Vec<Parameter>,
     pub coordinates: Vec<Coordinate>,
+    /// None where the file asks for none.
+    pub quasi_velocities: Vec<QuasiVelocity>,
     /// The ground first.
     pub frames: Vec<Frame>,
     /// Those that turn freely.
@@ -269,6 +300,8 @@ pub struct Model {
     pub switch_units: Vec<String>,
     pub events: Vec<Event>,
     pub start: Vec<StartValue>,
+    /// Quasi-velocities at the start: speeds are completed so that they hold.
+    pub start_speeds: Vec<StartSpeed>,
     /// Where it is said that the start is an equilibrium near these values.
     pub equilibrium: Option<Range<usize>>,
     /// Texts that are accepted, and perhaps mean something else.

@@ -57,6 +57,8 @@ pub struct Source {
     pub parameters: Vec<Entry>,
     /// `theta = "rad"`: the unit of each.
     pub coordinates: Vec<Entry>,
+    /// `v = "velocity(G) . A.x"`: quasi-velocities, linear in the rates of coordinates.
+    pub speeds: Vec<Entry>,
     /// Scalars, vectors, points or frames by names.
     pub definitions: Vec<Entry>,
     /// `A = "N turned theta about z"`.

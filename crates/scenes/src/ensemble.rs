@@ -5,7 +5,7 @@ use crate::compiled_system::{ENERGIES, NotCompiled};
 use crate::parametric_law::ParametricLaw;
 use crate::readiness::{changes, one_law, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
-use crate::start::{StartSolver, Unmet, given};
+use crate::start::{StartSolver, Unmet, given, start_speeds};
 use crate::warnings::warn_of;
 use derivations::ensemble::{
     Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, Shape, Sizes, Stopped, Variable, lane_series,
@@ -35,6 +35,8 @@ enum Target {
     Parameter(usize),
     /// Coordinates, then speeds.
     Start(usize),
+    /// A quasi-velocity at the start, by its place among those that the file gives there.
+    StartSpeed(usize),
     /// The orientation of a free frame, by its number: a turn about its own axes, beside that of the file.
     Turn(usize),
 }
@@ -89,7 +91,12 @@ fn variables(scene: &ModelScene) -> (Vec<Variable>, Vec<Target>) {
         let meaning = format!("turn of `{name}` about its own axes x, y, z, beside its start");
         (variable("start", name, meaning, "rad".to_owned(), 3), Target::Turn(number))
     });
-    parameters.chain(start).chain(turns).unzip()
+    let speeds = model.start_speeds.iter().enumerate().map(|(place, given)| {
+        let name = &model.quasi_velocities[given.of].name;
+        let unit = scene.unit(name).into_owned();
+        (variable("start", name, format!("start of `{name}`"), unit, 1), Target::StartSpeed(place))
+    });
+    parameters.chain(start).chain(turns).chain(speeds).unzip()
 }
 
 /// Warnings of starts that vary: angles without a unit that are more than a turn.
@@ -186,7 +193,7 @@ impl ParametricSystem for ModelEnsemble {
     fn member(&self, drawn: &[Drawn]) -> Result<Member<'_>, Stopped> {
         let model = &self.scene.model;
         let mut parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
-        let (mut state, mut given) = (model.start_state(), given(model));
+        let (mut state, mut given, mut speeds) = (model.start_state(), given(model), start_speeds(model));
         let n = model.positions();
         let is_guess = |place: usize| {
             model.start.iter().any(|value| value.is_guess && value.order * n + value.coordinate == place)
@@ -195,6 +202,10 @@ impl ParametricSystem for ModelEnsemble {
             let first = match self.targets[*variable] {
                 Target::Parameter(place) => {
                     numbers.iter().take(1).for_each(|number| parameters[place] = *number);
+                    continue;
+                }
+                Target::StartSpeed(place) => {
+                    numbers.iter().take(1).for_each(|number| speeds[place] = *number);
                     continue;
                 }
                 Target::Start(place) => {
@@ -215,7 +226,8 @@ impl ParametricSystem for ModelEnsemble {
         if let Some(issue) = self.bodies.impossible(model, &parameters).into_iter().next() {
             return Err(Stopped::Impossible(format!("{}: {}", issue.title, issue.label)));
         }
-        let start = self.start.complete(&parameters, state, &given).map_err(|unmet| Stopped::Start(told(&unmet)))?;
+        let start = self.start.complete(&parameters, &speeds, state, &given);
+        let start = start.map_err(|unmet| Stopped::Start(told(&unmet)))?;
         let (own, before) = (parameters.clone(), start.clone());
         let end = Box::new(move |time: f64, state: &[f64]| self.end(&own, &before, time, state));
         Ok(Member { parameters, state: start, end })
@@ -230,7 +242,7 @@ impl ParametricSystem for ModelEnsemble {
     fn write_law(&self, out: &mut dyn Write) -> fmt::Result {
         let ModelEnsemble { scene: ModelScene { model, .. }, law, .. } = self;
         let values: Vec<Option<f64>> = model.parameters.iter().map(|parameter| parameter.value).collect();
-        write!(out, "{law:?} {values:?} {:?} ", model.start)?;
+        write!(out, "{law:?} {values:?} {:?} {:?} ", model.start, model.start_speeds)?;
         self.start.write(out)
     }
 

@@ -137,6 +137,11 @@ pub fn equilibrium_of(model: &Model) -> Result<Vec<f64>, Issue> {
 
 /// The model with an equilibrium as its start.
 fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
+    if let Some(start) = model.start_speeds.iter().find(|start| start.value != 0.0) {
+        let name = &model.quasi_velocities[start.of].name;
+        let issue = Issue::at(start.at.clone(), "an equilibrium has no speeds", format!("{name} is not zero"));
+        return Err(issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted"));
+    }
     let found = equilibrium(model, all).map_err(|why| {
         let at = model.equilibrium.clone().unwrap_or_default();
         match why {
@@ -159,6 +164,7 @@ fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
     let value =
         |(place, &value): (usize, &f64)| StartValue { coordinate: place % n, order: place / n, value, is_guess: false };
     let mut rested = model.clone();
+    rested.start_speeds.clear();
     rested.start = found.state.iter().enumerate().map(value).collect();
     Ok(rested)
 }

@@ -72,12 +72,15 @@ pub(crate) struct StartSolver {
 /// The constraints of a model with their derivatives.
 #[derive(Debug)]
 struct Constraints {
-    /// From state, time and parameters to the residuals, their rates, and the rates' derivatives by the speeds.
+    /// From state, time, parameters and quasi-velocities of the start to the residuals, their rates, and the rates' derivatives by
+    /// the speeds.
     tape: Tape,
-    /// Constraints of positions stand first.
+    /// Constraints of positions stand first, as sentences call each.
     known: Vec<(Level, String, Range<usize>)>,
-    /// Number of those that are kept, which stand first; the others are led to zero, and may start elsewhere.
+    /// Number of those that are kept, which stand first.
     kept: usize,
+    /// Number of quasi-velocities that the start gives, which stand behind these; the others are led to zero, and may start elsewhere.
+    started: usize,
     layout: Layout,
     /// Names of coordinates and speeds, in the order of a state.
     names: Vec<String>,
@@ -93,7 +96,12 @@ pub fn consistent(model: &Model) -> Result<Vec<f64>, Unmet> {
         has_values(model).map_err(Unmet::NotCompiled)?;
     }
     let parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
-    solver.complete(&parameters, model.start_state(), &given(model))
+    solver.complete(&parameters, &start_speeds(model), model.start_state(), &given(model))
+}
+
+/// Quasi-velocities at the start, as the file gives them.
+pub(crate) fn start_speeds(model: &Model) -> Vec<f64> {
+    model.start_speeds.iter().map(|start| start.value).collect()
 }
 
 /// Which coordinates and speeds, in the order of a state, the file gives, so that they are not moved.
@@ -109,7 +117,7 @@ pub(crate) fn given(model: &Model) -> Vec<bool> {
 pub(crate) fn breaks(model: &Model, time: f64, state: &[f64]) -> bool {
     let Ok(Some(constraints)) = Constraints::of(model) else { return false };
     let parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
-    let values = constraints.values(time, state, &parameters);
+    let values = constraints.values(time, state, &[parameters, start_speeds(model)].concat());
     let m = constraints.known.len();
     let size = state.iter().fold(1.0, |size: f64, part| size.max(part.abs()));
     let broken = |value: &f64| value.is_nan() || value.abs() > LOOSE * size;
@@ -125,12 +133,19 @@ impl StartSolver {
         Ok(StartSolver { constraints: Constraints::of(model)? })
     }
 
-    /// A state with these parameters, where what is not given is moved until the constraints hold.
+    /// A state with these parameters and quasi-velocities, where what is not given is moved until the constraints hold.
     ///
     /// # Errors
     /// The first constraint that cannot be met.
-    pub fn complete(&self, parameters: &[f64], mut state: Vec<f64>, given: &[bool]) -> Result<Vec<f64>, Unmet> {
+    pub fn complete(
+        &self,
+        parameters: &[f64],
+        speeds: &[f64],
+        mut state: Vec<f64>,
+        given: &[bool],
+    ) -> Result<Vec<f64>, Unmet> {
         let Some(constraints) = &self.constraints else { return Ok(state) };
+        let parameters = &[parameters, speeds].concat();
         let layout = constraints.layout;
         for (order, level) in [(0, Some(Level::Position)), (1, None)] {
             let is_given = |speed: &usize| layout.places(*speed, order).any(|at| given[at]);
@@ -178,9 +193,9 @@ impl StartSolver {
     pub fn write(&self, out: &mut dyn fmt::Write) -> fmt::Result {
         match &self.constraints {
             None => Ok(()),
-            Some(Constraints { tape, known, kept, .. }) => {
+            Some(Constraints { tape, known, kept, started, .. }) => {
                 let levels: Vec<Level> = known.iter().map(|(level, ..)| *level).collect();
-                write!(out, "{tape:?} {levels:?} {kept}")
+                write!(out, "{tape:?} {levels:?} {kept} {started}")
             }
         }
     }
@@ -188,7 +203,7 @@ impl StartSolver {
 
 impl Constraints {
     fn of(model: &Model) -> Result<Option<Self>, Unmet> {
-        if model.constraints.is_empty() {
+        if model.constraints.is_empty() && model.start_speeds.is_empty() {
             return Ok(None);
         }
         apart(|| {
@@ -214,19 +229,31 @@ impl Constraints {
             if let Some(Equation { at, level, .. }) = all.iter().find(wrong) {
                 return Err(Unmet::Gains { at: at.clone(), level: *level });
             }
-            let zeros = all.iter().map(|constraint| constraint.zero);
-            let rates = all.iter().map(|constraint| constraint.rate);
-            let rows = all.iter().flat_map(|constraint| constraint.row.iter().copied());
-            let wanted: Vec<Sym> = zeros.chain(rates).chain(rows).collect();
+            let speeds: Vec<Sym> =
+                (0..model.start_speeds.len()).map(|i| Sym::symbol(&format!("quasi-velocity {i}"))).collect();
+            let started = model.start_speeds.iter().zip(&speeds).map(|(start, &given)| {
+                let of = &model.quasi_velocities[start.of];
+                let zero = trace.scalar(of.is) - given;
+                let row = (0..trace.speeds.len()).map(|i| trace.by_speed(zero, i)).collect();
+                let title = format!("the value of `{}` in [start]", of.name);
+                Row { level: Level::Speed, title, at: start.at.clone(), zero, rate: zero, row }
+            });
+            let mut rows: Vec<Row> = all.into_iter().map(Row::of).collect();
+            rows.splice(kept..kept, started);
+            let zeros = rows.iter().map(|row| row.zero);
+            let rates = rows.iter().map(|row| row.rate);
+            let slopes = rows.iter().flat_map(|row| row.row.iter().copied());
+            let wanted: Vec<Sym> = zeros.chain(rates).chain(slopes).collect();
             let inputs = Inputs::of(model);
             let wanted = inputs.letters().put_into(&trace, &wanted);
-            let tape = Tape::record(&inputs.all(), &wanted)
+            let tape = Tape::record(&[inputs.all(), speeds.clone()].concat(), &wanted)
                 .map_err(|reason| Unmet::NotCompiled(NotCompiled::Undefined { reason: reason.to_string() }))?
                 .arranged();
-            let known: Vec<_> = all.into_iter().map(|Equation { level, name, at, .. }| (level, name, at)).collect();
+            let known: Vec<_> = rows.into_iter().map(|Row { level, title, at, .. }| (level, title, at)).collect();
+            let started = speeds.len();
             let names = model.state_names().into_iter().map(|(name, _)| name).collect();
             let layout = Layout::of(model);
-            Ok((!known.is_empty()).then_some(Constraints { tape, known, kept, layout, names }))
+            Ok((!known.is_empty()).then_some(Constraints { tape, known, kept, started, layout, names }))
         })
     }
 
@@ -235,7 +262,7 @@ impl Constraints {
         let values = self.values(0.0, state, parameters);
         let count = match level {
             Some(level) => self.known[..self.kept].iter().filter(|(own, ..)| *own == level).count(),
-            None => self.kept,
+            None => self.kept + self.started,
         };
         let first = if level.is_some() { 0 } else { self.known.len() };
         (DVector::from_fn(count, |i, _| values[first + i]), self.rows(&values, count))
@@ -259,13 +286,14 @@ impl Constraints {
         let jacobian = self.rows(&self.values(0.0, state, parameters), self.known.len());
         let largest = jacobian.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
         let mut kept: Vec<DVector<f64>> = Vec::new();
-        for (row, (_, name, at)) in self.known.iter().enumerate() {
+        let started = self.kept..self.kept + self.started;
+        for (row, (_, title, at)) in self.known.iter().enumerate().filter(|(row, _)| !started.contains(row)) {
             let whole: DVector<f64> = jacobian.row(row).transpose();
             // twice, so that rounding leaves nothing along the others
             let rest =
                 (0..2).fold(whole.clone(), |rest, _| kept.iter().fold(rest, |rest, one| &rest - one * one.dot(&rest)));
             let length = rest.norm();
-            let (name, at) = (called(name), at.clone());
+            let (name, at) = (title.clone(), at.clone());
             if whole.norm() <= RANK * largest || whole.norm() == 0.0 {
                 return Some(Unmet::Idle { at, name });
             }
@@ -313,13 +341,30 @@ impl Constraints {
         let (residuals, jacobian) = self.at(state, parameters, level);
         let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
         let worst = residuals.iter().position(unmet)?;
-        let (_, name, at) = &self.known[worst];
+        let (_, title, at) = &self.known[worst];
         let level = if level.is_some() { Level::Position } else { Level::Speed };
         let residual = residuals[worst].is_finite().then_some(residuals[worst]);
         let order = usize::from(level == Level::Speed);
         let moves = free.iter().filter(|speed| jacobian[(worst, **speed)] != 0.0);
         let moved = moves.map(|speed| self.names[self.layout.places(*speed, order).start].clone()).collect();
-        Some(Open { at: at.clone(), name: called(name), residual, moved, level })
+        Some(Open { at: at.clone(), name: title.clone(), residual, moved, level })
+    }
+}
+
+/// A constraint, or a quasi-velocity that the start gives.
+struct Row {
+    level: Level,
+    /// As sentences call it.
+    title: String,
+    at: Range<usize>,
+    zero: Sym,
+    rate: Sym,
+    row: Vec<Sym>,
+}
+
+impl Row {
+    fn of(Equation { name, level, at, zero, rate, row, .. }: Equation) -> Self {
+        Row { level, title: called(&name), at, zero, rate, row }
     }
 }
 

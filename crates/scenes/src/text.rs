@@ -19,13 +19,14 @@ pub fn source(top: &mut Table<'_>) -> Source {
         if let Some(span) = top.place_of(key) {
             top.known(&[key]);
             let issue = Issue::at(span, format!("{what} are not there yet"), "not there yet");
-            top.report(issue.accepted("parameters, coordinates, definitions, frames, points, bodies, energies, forces, torques, constraints, inputs, events, outputs, start"));
+            top.report(issue.accepted("parameters, coordinates, speeds, definitions, frames, points, bodies, energies, forces, torques, constraints, inputs, events, outputs, start"));
         }
     }
     let (start, equilibrium) = start(top);
     Source {
         parameters: entries(top, "parameters"),
         coordinates: entries(top, "coordinates"),
+        speeds: entries(top, "speeds"),
         definitions: entries(top, "definitions"),
         frames: entries(top, "frames"),
         points: entries(top, "points"),
@@ -55,13 +56,14 @@ fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
 }
 
 /// Tables and keys at the top of a file.
-const TOP: [&str; 18] = [
+const TOP: [&str; 19] = [
     "title",
     "description",
     "language",
     "gravity",
     "parameters",
     "coordinates",
+    "speeds",
     "definitions",
     "frames",
     "points",

@@ -22,6 +22,10 @@ g = "9.81 m/s^2"
 x = "m"
 theta = "rad"
 
+[speeds]
+v = "velocity(rod) . A.x"
+w = "theta' + v/l"
+
 [definitions]
 reach = "l*sin(theta) + l*tanh(theta)*exp(-theta^2)"
 
@@ -78,6 +82,7 @@ end = true
 [outputs]
 width = "max(reach, ln(1 + (x/l)^2)*l)"
 led = "reaction(led)"
+slip = "v' - l*w'"
 height = "(P - O) . N.y"
 
 [start]
@@ -101,7 +106,11 @@ const TEXTS: [&str; 8] = [
 ];
 
 /// Pieces that take the place of a part of a text.
-const PIECES: [&str; 78] = [
+const PIECES: [&str; 82] = [
+    "v",
+    "w'",
+    "velocity(P) . A.x",
+    "[speeds]\nu = \"x'\"\n",
     "0",
     "-1",
     "1e300",
@@ -281,6 +290,12 @@ g = "9.81 m/s^2"
 z = "m"
 y = "m"
 
+[speeds]
+p = "F.wx"
+q = "F.w . A.y"
+r = "F.wz - F.wy"
+n = "velocity(stone) . A.z"
+
 [frames]
 F = "N free"
 A = "F turned (30 deg) about x"
@@ -309,6 +324,7 @@ slip = "reaction(slide) + (1 N/rad)*F.wx*(1 s)"
 [start]
 F = "20 deg about z, then 5 deg about y"
 "F.wz" = "2 rad/s"
+q = "0.3 rad/s"
 y = "guess 0.1 m"
 
 [run]
@@ -320,13 +336,14 @@ members = 2
 [ensemble.vary]
 start.F = { mean = "0 0 0 deg", deviation = "5 5 5 deg" }
 start."F.wx" = { from = "-1 rad/s", to = "1 rad/s" }
+start.q = { from = "-1 rad/s", to = "1 rad/s" }
 parameters.l = { from = "0.4 m", to = "0.6 m" }
 "#;
 
 /// Linear equations, rest, code and members of files with a free frame, whatever stands in them.
 #[test]
 fn free_frames_are_taken_by_every_command_or_refused() {
-    use model::{MatrixForm, Trace, principles::Principle};
+    use model::{MatrixForm, QuasiPrinciple, QuasiVelocities, Trace, principles::Principle};
     use scenes::linearisation::VariedEquations;
     let sound = ModelScene::parse("scene.toml", FREE).unwrap_or_else(|error| panic!("{error}"));
     assert!(sound.model.warnings.is_empty());
@@ -351,6 +368,11 @@ fn free_frames_are_taken_by_every_command_or_refused() {
         written += symbolic::apart(|| {
             let trace = Trace::of(&scene.model);
             let form = MatrixForm::of(&trace, Principle::VirtualPower).ok();
+            if !scene.model.quasi_velocities.is_empty() {
+                let quasi = QuasiVelocities::of(&trace).unwrap_or_else(|faults| panic!("{faults:?}\n{text}"));
+                let form = MatrixForm::in_quasi_velocities(&trace, &quasi, QuasiPrinciple::Hamel).ok();
+                form.and_then(|form| model::code(&trace, &form, symbolic::Language::C).ok());
+            }
             form.is_some_and(|form| model::code(&trace, &form, symbolic::Language::C).is_ok()) as usize
         });
     }

@@ -148,6 +148,19 @@ impl Elaborator<'_> {
                 "too high",
                 format!("`{base}'` and `{base}''`"),
             ))),
+            (None, 1) if self.quasi_velocity_of(base).is_some() => {
+                let Some(Named::Value(Value::Scalar(is))) = self.names.get(base).cloned() else {
+                    return Err(Box::new(Fault::consequence(span.clone())));
+                };
+                let dimension = self.dimension_of(is.0).map(|dimension| dimension / Dimension::time());
+                Ok(Meaning::Value(Value::Scalar(self.scalar(Scalar::RateOf(is), dimension))))
+            }
+            (None, _) if order > 1 && self.quasi_velocity_of(base).is_some() => Err(Box::new(Fault::at(
+                span.clone(),
+                format!("`{name}` is a rate of order {order} of a quasi-velocity"),
+                "too high",
+                format!("`{base}'`"),
+            ))),
             (None, _) if order > 0 && self.names.contains_key(base) => Err(Box::new(Fault::at(
                 span.clone(),
                 format!("`{base}` is no coordinate, so `{name}` is not known"),

@@ -52,6 +52,7 @@ impl Elaborator<'_> {
             let found = self.constraint(constraint);
             self.kept(found);
         }
+        self.show_quasi_velocities();
         self.shows_loads = true;
         for output in &self.source.outputs {
             let found = self.output(output);
@@ -155,6 +156,10 @@ impl Elaborator<'_> {
     fn output(&mut self, Entry { name, value }: &Entry) -> Sound<()> {
         let is = self.scalar_value(value, &format!("the output `{}`", name.text), None)?;
         let dimension = self.dimension_of(is.0).unwrap_or(Dimension::none());
+        // a quasi-velocity is an output already
+        if self.model.outputs.iter().any(|known| known.name == name.text && known.is == is) {
+            return Ok(());
+        }
         if let Some(taken) = self.column_of(&name.text) {
             let title = format!("the output `{}` has the name of {taken}", name.text);
             let label = "a run has a column of this name";
@@ -170,6 +175,7 @@ impl Elaborator<'_> {
         match name {
             "time" => Some("the column of times"),
             "kinetic_energy" | "potential_energy" => Some("an energy of the run"),
+            _ if self.quasi_velocity_of(name).is_some() => Some("a quasi-velocity"),
             _ if self.model.outputs.iter().any(|output| output.name == name) => Some("another output"),
             _ if is_state() => Some("a coordinate or a speed"),
             _ => None,
@@ -178,6 +184,12 @@ impl Elaborator<'_> {
 
     pub(super) fn start(&mut self) {
         for entry in &self.source.start {
+            if let Some(of) = self.quasi_velocity_of(&entry.name.text) {
+                let found = self.start_speed(of, entry);
+                let found = self.kept(found);
+                self.model.start_speeds.extend(found);
+                continue;
+            }
             let found = match self.free_frame(&entry.name.text) {
                 Some(number) => self.orientation(number, entry),
                 None => self.start_value(entry).map(|start| vec![start]),
@@ -202,6 +214,11 @@ impl Elaborator<'_> {
         });
         if let Some(speed) = of_free {
             return Ok((speed, 1));
+        }
+        if let Some(of) = self.quasi_velocity_of(&name.text) {
+            let title = format!("`{}` is a quasi-velocity", self.model.quasi_velocities[of].name);
+            let accepted = "a coordinate, its rate such as x', or F.wx of a free frame";
+            return Err(Box::new(Fault::at(name.span(), title, "no part of the state", accepted)));
         }
         let known: Vec<String> = self.model.state_names().into_iter().map(|(name, _)| name).collect();
         let known = known.iter().map(String::as_str).filter(|name| !name.contains(".q"));

@@ -14,6 +14,7 @@ mod loads;
 mod operations;
 mod order;
 mod orientation;
+mod quasi_velocities;
 mod rates;
 mod reactions;
 mod system;
@@ -57,6 +58,7 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     elaborator.rates();
     elaborator.events();
     elaborator.start();
+    elaborator.quasi_velocities();
     elaborator.model.equilibrium.clone_from(&source.equilibrium);
     let Elaborator { mut model, mut faults, headless, .. } = elaborator;
     model.warnings.sort_by_key(|warning| warning.span.start);

@@ -12,6 +12,7 @@ pub(super) enum Definition {
     Point(usize),
     Body(usize),
     Input(usize),
+    Speed(usize),
 }
 
 /// All definitions, each after those that it needs; those of a circle are left out and told.
@@ -22,12 +23,14 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
         (entries(&source.definitions), Definition::Value as fn(usize) -> Definition),
         (entries(&source.frames), Definition::Frame),
         (entries(&source.points), Definition::Point),
+        (entries(&source.speeds), Definition::Speed),
     ] {
         for at in 0..count {
             let definition = kind(at);
             let entry = match definition {
                 Definition::Value(at) => &source.definitions[at],
                 Definition::Frame(at) => &source.frames[at],
+                Definition::Speed(at) => &source.speeds[at],
                 Definition::Point(at) | Definition::Body(at) | Definition::Input(at) => &source.points[at],
             };
             all.push((definition, &entry.name, vec![&entry.value]));
@@ -42,11 +45,17 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
     }
     let places: FxHashMap<&str, usize> =
         all.iter().enumerate().map(|(place, (_, name, _))| (name.text.as_str(), place)).collect();
+    // x' is a rate of a coordinate, v' that of a quasi-velocity
+    let place = |name: &String| {
+        let base = name.trim_end_matches(['\'', '′', '″']);
+        let is_rate = base.len() < name.len() && source.coordinates.iter().any(|entry| entry.name.text == base);
+        places.get(base).filter(|_| !is_rate).copied()
+    };
     let needs: Vec<Vec<usize>> = all
         .iter()
         .map(|(_, _, texts)| {
             let names = texts.iter().flat_map(|text| names_in(&text.text));
-            let mut needs: Vec<usize> = names.filter_map(|name| places.get(name.as_str()).copied()).collect();
+            let mut needs: Vec<usize> = names.filter_map(|name| place(&name)).collect();
             needs.sort_unstable();
             needs.dedup();
             needs

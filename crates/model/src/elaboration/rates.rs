@@ -195,6 +195,12 @@ impl Elaborator<'_> {
             let order = orders.of_parts[*zero].max(highest(gains.as_deref().unwrap_or_default()));
             Bounded { what: "a constraint".to_owned(), order, most: 1, span: Some(at.clone()) }
         });
+        let speeds = model.quasi_velocities.iter().map(|speed| {
+            let entry = self.source.speeds.iter().find(|entry| entry.name.text == speed.name);
+            let what = format!("the quasi-velocity `{}`", speed.name);
+            let order = orders.of_parts[speed.is.0];
+            Bounded { what, order, most: 1, span: entry.map(|entry| entry.value.span()) }
+        });
         let bodies = model.bodies.iter().map(|body| {
             let moments = match &body.inertia {
                 None => Vec::new(),
@@ -204,6 +210,6 @@ impl Elaborator<'_> {
             let order = highest(&moments).max(body.mass.and_then(|mass| orders.of_parts[mass.0]));
             Bounded { what: format!("the inertia of `{}`", body.name), order, most: 1, span: Some(body.at.clone()) }
         });
-        energies.chain(constraints).chain(bodies).collect()
+        energies.chain(constraints).chain(speeds).chain(bodies).collect()
     }
 }

@@ -38,6 +38,7 @@ impl Elaborator<'_> {
         let counts = [
             ("coordinates", self.source.coordinates.len()),
             ("parameters", self.source.parameters.len()),
+            ("speeds", self.source.speeds.len()),
             ("frames", self.source.frames.len()),
             ("points", self.source.points.len()),
             ("bodies", self.source.bodies.len()),
@@ -71,7 +72,14 @@ impl Elaborator<'_> {
     fn has_names(&self, text: &Text) -> bool {
         let Ok(expression) = crate::expression::read(&text.text) else { return false };
         let source = self.source;
-        let entries = [&source.parameters, &source.coordinates, &source.definitions, &source.frames, &source.points];
+        let entries = [
+            &source.parameters,
+            &source.coordinates,
+            &source.speeds,
+            &source.definitions,
+            &source.frames,
+            &source.points,
+        ];
         let known = |name: &String| {
             super::is_reserved(name) || entries.iter().any(|table| table.iter().any(|entry| entry.name.text == *name))
         };
@@ -162,6 +170,14 @@ impl Elaborator<'_> {
                     self.model.inputs.push(input_read);
                     let letter = self.scalar(Scalar::Input(self.model.inputs.len() - 1), Some(dimension));
                     self.give(&input.name, Named::Value(Value::Scalar(letter)));
+                }
+            }
+            Definition::Speed(at) => {
+                let entry = &self.source.speeds[at];
+                let found = self.quasi_velocity(entry);
+                let found = self.under("speeds", &entry.name, found);
+                if let Some(is) = self.kept_as(&entry.name, found) {
+                    self.give(&entry.name, Named::Value(Value::Scalar(is)));
                 }
             }
             Definition::Point(at) => {

@@ -139,19 +139,27 @@ fn square(rows: &[Vec<Sym>], dependent: &[(usize, usize)]) -> Vec<Vec<Sym>> {
 }
 
 /// The solution of matrix * x = right, for every column of it, by elimination: pivots in order, none of which vanishes.
-fn solved(matrix: &[Vec<Sym>], mut right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
-    let k = matrix.len();
-    let mut rows = matrix.to_vec();
+fn solved(matrix: &[Vec<Sym>], right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
+    eliminated(matrix.to_vec(), right, |entry| entry)
+}
+
+/// The same, short entries in normal form at every step: no denominator stays that cancels.
+pub(crate) fn solved_in_short(matrix: Vec<Vec<Sym>>, right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
+    eliminated(matrix, right, in_short)
+}
+
+fn eliminated(mut rows: Vec<Vec<Sym>>, mut right: Vec<Vec<Sym>>, read: impl Fn(Sym) -> Sym) -> Vec<Vec<Sym>> {
+    let k = rows.len();
     for above in 0..k {
         for below in above + 1..k {
-            let factor = rows[below][above] / rows[above][above];
+            let factor = read(rows[below][above] / rows[above][above]);
             if factor == Sym::ZERO {
                 continue;
             }
             for table in [&mut rows, &mut right] {
                 let (upper, lower) = table.split_at_mut(below);
                 for (entry, &pivot) in lower[0].iter_mut().zip(&upper[above]) {
-                    *entry -= factor * pivot;
+                    *entry = read(*entry - factor * pivot);
                 }
             }
         }
@@ -159,7 +167,7 @@ fn solved(matrix: &[Vec<Sym>], mut right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
     for row in (0..k).rev() {
         for place in 0..right[row].len() {
             let known = (row + 1..k).fold(right[row][place], |rest, j| rest - rows[row][j] * right[j][place]);
-            right[row][place] = known / rows[row][row];
+            right[row][place] = read(known / rows[row][row]);
         }
     }
     right

@@ -12,16 +12,16 @@ pub struct Typeset {
     pub right: String,
 }
 
-/// Groups of equations that belong together: the form, rates of the quaternions of free frames and their direction cosines, parameters, M, h, Q, constraints,
-/// conditions.
+/// Groups of equations that belong together: the form, quasi-velocities, rates of coordinates that are no speeds, direction cosines of
+/// free frames, parameters, M, h, Q, constraints with multipliers, those that hold for all quasi-velocities, conditions.
 pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let equation = |left: String, right: String| Typeset { left, right };
     let held = !form.constraints.is_empty();
     let reactions = if held { r" + \mathbf{J}^{T} \boldsymbol{\lambda}" } else { "" };
     // speeds of free frames are no rates of coordinates
-    let (rate, vector_name, shown) = match trace.model.free.is_empty() {
-        true => (r"\ddot{\mathbf{q}}", r"\mathbf{q}", &form.coordinates),
-        false => (r"\dot{\mathbf{u}}", r"\mathbf{u}", &form.speeds),
+    let (rate, vector_name, shown) = match form.has_own_speeds() {
+        false => (r"\ddot{\mathbf{q}}", r"\mathbf{q}", &form.coordinates),
+        true => (r"\dot{\mathbf{u}}", r"\mathbf{u}", &form.speeds),
     };
     let letters: Vec<String> = shown.iter().map(|letter| letter.latex()).collect();
     let mut first = vec![
@@ -31,8 +31,9 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     if held {
         first.insert(1, equation(format!(r"\mathbf{{J}} {rate} + \mathbf{{c}}"), r"\mathbf{0}".to_owned()));
     }
-    let turned = trace.model.coordinates.len()..;
-    let turned = trace.coordinates[turned.clone()].iter().zip(&trace.position_rates[turned]);
+    let meanings = form.quasi.iter().flat_map(|quasi| form.speeds.iter().zip(&quasi.definitions));
+    let meanings = meanings.map(|(speed, is)| equation(speed.latex(), is.decimal_latex())).collect();
+    let turned = form.positions.iter().zip(&form.position_rates).skip(form.plain());
     let turned =
         turned.map(|(part, rate)| equation(format!(r"\dot{{{}}}", part.latex()), rate.decimal_latex())).collect();
     let cosines = form.cosines.iter().map(|cosine| equation(cosine.letter.latex(), cosine.value.decimal_latex()));
@@ -68,6 +69,8 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
         held_to.extend(matrix("J", held.row.iter().enumerate().map(|(i, value)| (pair(k, i), *value)).collect()));
         held_to.extend(matrix("c", vec![((k + 1).to_string(), held.bias)]));
     }
+    let met = form.quasi.iter().flat_map(|quasi| &quasi.met);
+    let met = met.map(|held| equation("0".to_owned(), held.zero.decimal_latex())).collect();
     let chosen = conditions(trace, form).into_iter().map(|Condition { number, letter, is, told }| {
         let bracket = letter.latex();
         let is = format!(r"{} \quad \text{{{}}}", is.decimal_latex(), told.replace('^', r"\^{}"));
@@ -78,7 +81,7 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     });
     let chosen: Vec<Typeset> = chosen.flatten().collect();
     let (inertia, forces) = (vector("h", &form.inertia), vector("Q", &form.forces));
-    let groups = vec![first, turned, cosines, parameters, mass, inertia, forces, held_to, chosen];
+    let groups = vec![first, meanings, turned, cosines, parameters, mass, inertia, forces, held_to, met, chosen];
     groups.into_iter().filter(|group| !group.is_empty()).collect()
 }
 

@@ -3,9 +3,11 @@
 use super::axes::axes;
 use super::cosines::{Cosine, cosines};
 use super::reading::Reading;
-use crate::equations::{Equations, Level};
+use super::simplified;
+use crate::equations::{Equation, Equations, Level, constraints_of};
 use crate::principles::{NotApplicable, Principle};
-use crate::{Energies, Model, Trace};
+use crate::{Energies, Model, QuasiPrinciple, QuasiVelocities, Trace};
+use field::Rational;
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 use symbolic::{Sym, substitute_all};
@@ -18,8 +20,13 @@ use symbolic::{Sym, substitute_all};
 pub struct MatrixForm {
     pub time: Sym,
     pub parameters: Vec<Sym>,
+    /// All of them, q: those of free frames, quaternions, stand last.
+    pub positions: Vec<Sym>,
+    /// q', by the speeds.
+    pub position_rates: Vec<Sym>,
+    /// What each speed moves: its coordinate, or the speed itself.
     pub coordinates: Vec<Sym>,
-    /// Rates of coordinates, then angular velocities of free frames.
+    /// Rates of coordinates, then angular velocities of free frames; or quasi-velocities.
     pub speeds: Vec<Sym>,
     pub accelerations: Vec<Sym>,
     /// M, row after row; symmetric.
@@ -39,8 +46,21 @@ pub struct MatrixForm {
     pub cosines: Vec<Cosine>,
     /// Where conditions and events stand.
     pub lines: Lines,
+    /// Where the speeds are quasi-velocities.
+    pub quasi: Option<InQuasiVelocities>,
     /// Parameters whose values are positive.
     positive: Vec<bool>,
+}
+
+/// The meaning of quasi-velocities, and the constraints that hold for all of their values.
+#[derive(Clone, Debug)]
+pub struct InQuasiVelocities {
+    /// Each by coordinates, their rates and the time.
+    pub definitions: Vec<Sym>,
+    /// Constraints that hold, over coordinates, their rates and the time.
+    pub met: Vec<Held>,
+    /// Rates of coordinates, and angular velocities of free frames.
+    rates: Vec<Sym>,
 }
 
 /// Lines of a file, counted from one; empty where the file is not known.
@@ -77,35 +97,85 @@ impl MatrixForm {
         let free = without_forces(trace.model);
         let inertia = Equations::by(principle, &Trace::of(&free))?.bias;
         let forces = inertia.iter().zip(&bias).map(|(&inertia, &bias)| inertia - bias).collect();
-        let constraints: Vec<Held> = constraints
-            .into_iter()
-            .zip(axes(trace))
-            .map(|(each, axis)| Held {
-                name: each.name,
-                axis,
-                level: each.level,
-                zero: each.zero,
-                row: each.row,
-                bias: each.bias,
-            })
-            .collect();
-        let letters = [&trace.parameters, &trace.coordinates];
+        let constraints = constraints.into_iter().zip(axes(trace)).map(|(each, axis)| Held::of(each, axis)).collect();
+        let dynamics = Dynamics { mass, inertia, forces, constraints };
+        let shown = (0..trace.speeds.len()).map(|speed| displaced(trace, speed)).collect();
+        let (speeds, accelerations) = (trace.speeds.clone(), trace.accelerations.clone());
+        Ok(MatrixForm::with(trace, dynamics, shown, speeds, accelerations, trace.position_rates.clone()))
+    }
+
+    /// By a principle in quasi-velocities; reactions of constraints that hold have no power along these, and are no part of it.
+    ///
+    /// # Errors
+    /// Where the principle does not apply to the model.
+    pub fn in_quasi_velocities(
+        trace: &Trace<'_>,
+        quasi: &QuasiVelocities<'_, '_>,
+        principle: QuasiPrinciple,
+    ) -> Result<Self, NotApplicable> {
+        let free = without_forces(trace.model);
+        let free = Trace::of(&free);
+        let of_inertia =
+            QuasiVelocities::of(&free).map_err(|_| NotApplicable("they are not independent".to_owned()))?;
+        let residual = principle.residual(quasi)?;
+        let at_rest: Vec<(Sym, Sym)> = quasi.accelerations.iter().map(|&letter| (letter, Sym::ZERO)).collect();
+        let derivatives = |row: &Sym| quasi.accelerations.iter().map(|&letter| row.diff(letter)).collect();
+        let bias = substitute_all(&residual, &at_rest);
+        let inertia = substitute_all(&principle.residual(&of_inertia)?, &at_rest);
+        let forces = inertia.iter().zip(&bias).map(|(&inertia, &bias)| inertia - bias).collect();
+        let constraints = constraints_of(trace).into_iter().zip(axes(trace));
+        let (met, programmed): (Vec<_>, Vec<_>) = constraints.partition(|(one, _)| one.gains.is_none());
+        let programmed = programmed.into_iter().map(|(one, axis)| {
+            let held = Held::of(one, axis);
+            // J u' + c over w and w'
+            let terms = held.row.iter().zip(&trace.accelerations);
+            let rate = terms.fold(held.bias, |sum, (&slope, &acceleration)| sum + slope * acceleration);
+            let [zero, rate] = [held.zero, rate].map(|each| quasi.by_quasi_velocities(&[each])[0]);
+            Held { zero, row: derivatives(&rate), bias: rate.substitute(&at_rest), ..held }
+        });
+        let mass = residual.iter().map(derivatives).collect();
+        let dynamics = Dynamics { mass, inertia, forces, constraints: programmed.collect() };
+        let (speeds, accelerations) = (quasi.symbols.clone(), quasi.accelerations.clone());
+        let rates = quasi.position_rates.clone();
+        let form = MatrixForm::with(trace, dynamics, speeds.clone(), speeds, accelerations, rates);
+        let quasi_velocities = InQuasiVelocities {
+            definitions: quasi.definitions.clone(),
+            met: met.into_iter().map(|(one, axis)| Held::of(one, axis)).collect(),
+            rates: trace.speeds.clone(),
+        };
+        let switches =
+            form.switches.iter().map(|&(letter, is)| (letter, quasi.by_quasi_velocities(&[is])[0])).collect();
+        Ok(MatrixForm { quasi: Some(quasi_velocities), switches, ..form })
+    }
+
+    fn with(
+        trace: &Trace<'_>,
+        Dynamics { mass, inertia, forces, constraints }: Dynamics,
+        coordinates: Vec<Sym>,
+        speeds: Vec<Sym>,
+        accelerations: Vec<Sym>,
+        position_rates: Vec<Sym>,
+    ) -> Self {
+        let letters = [&trace.parameters, &trace.coordinates, &speeds];
         let taken: Vec<Sym> = letters.into_iter().flatten().copied().collect();
         let multiplier = |k: usize| {
             let named = |gap: usize| Sym::symbol(&format!("lambda{}{k}", "_".repeat(gap)));
             (0..=taken.len()).map(named).find(|letter| !taken.contains(letter)).unwrap_or(Sym::ZERO)
         };
-        Ok(MatrixForm {
+        MatrixForm {
             time: trace.time,
             parameters: trace.parameters.clone(),
-            coordinates: (0..trace.speeds.len()).map(|speed| displaced(trace, speed)).collect(),
-            speeds: trace.speeds.clone(),
-            accelerations: trace.accelerations.clone(),
+            positions: trace.coordinates.clone(),
+            position_rates,
+            coordinates,
+            speeds,
+            accelerations,
             mass,
             inertia,
             forces,
             multipliers: (1..=constraints.len()).map(multiplier).collect(),
             constraints,
+            quasi: None,
             switches: trace
                 .switches
                 .iter()
@@ -122,7 +192,18 @@ impl MatrixForm {
             cosines: cosines(trace),
             lines: Lines::default(),
             positive: trace.model.parameters.iter().map(|each| each.value.is_some_and(|value| value > 0.0)).collect(),
-        })
+        }
+    }
+
+    /// The number of leading coordinates whose rates are the leading speeds.
+    pub(super) fn plain(&self) -> usize {
+        let pairs = self.position_rates.iter().zip(&self.speeds);
+        pairs.take_while(|(rate, speed)| rate == speed && self.quasi.is_none()).count()
+    }
+
+    /// Whether some speed is no rate of a coordinate.
+    pub(super) fn has_own_speeds(&self) -> bool {
+        self.plain() < self.speeds.len()
     }
 
     /// The same with the lines of conditions and events in the file of a model.
@@ -155,10 +236,26 @@ impl MatrixForm {
     pub fn for_reading(&self) -> Self {
         let parameters = self.parameters.iter().copied().zip(self.positive.iter().copied());
         let parameters = parameters.chain([(Sym::symbol("pi"), true)]);
-        let letters = [&self.coordinates, &self.speeds, &self.accelerations].into_iter().flatten().copied();
+        let rates = self.quasi.iter().flat_map(|quasi| &quasi.rates);
+        let letters = [&self.positions, &self.speeds, &self.accelerations].into_iter().flatten().chain(rates).copied();
         let named = self.cosines.iter().map(|cosine| (cosine.value, cosine.letter));
         let mut reading = Reading::new(parameters, letters.chain([self.time])).with_letters(named);
-        let mut form = self.mapped(&mut |expressions| expressions.iter().map(|each| reading.of(*each)).collect());
+        let mut form = match self.quasi {
+            Some(_) => {
+                // quotients of the kinematic equations cancel in normal form
+                let mut read = |each: &Sym| {
+                    let forms = [collected(*each, &self.speeds), Some(simplified(*each)), Some(*each)];
+                    let forms = forms.into_iter().flatten().map(|form| reading.of(form));
+                    forms.min_by_key(|form| Sym::operations_of(&[*form])).unwrap_or(*each)
+                };
+                self.mapped(&mut |expressions| expressions.iter().map(&mut read).collect())
+            }
+            None => {
+                let read = self.mapped(&mut |expressions| expressions.iter().map(|each| reading.of(*each)).collect());
+                // quaternions as they are known
+                MatrixForm { position_rates: self.position_rates.clone(), ..read }
+            }
+        };
         let used: FxHashSet<Sym> = form.expressions().flat_map(|each| each.symbols_of()).collect();
         form.cosines = self.cosines.iter().filter(|cosine| used.contains(&cosine.letter)).cloned().collect();
         form
@@ -168,7 +265,7 @@ impl MatrixForm {
     pub(super) fn expressions(&self) -> impl Iterator<Item = Sym> {
         let held = self.constraints.iter().flat_map(|held| held.row.iter().chain([&held.zero, &held.bias]));
         let conditions = self.switches.iter().map(|(_, condition)| condition);
-        let vectors = [&self.inertia, &self.forces].into_iter().flatten();
+        let vectors = [&self.inertia, &self.forces, &self.position_rates].into_iter().flatten();
         self.mass.iter().flatten().chain(vectors).chain(held).chain(conditions).copied()
     }
 
@@ -177,22 +274,20 @@ impl MatrixForm {
         MatrixForm {
             time: single(map, self.time),
             parameters: map(&self.parameters),
+            positions: map(&self.positions),
+            position_rates: map(&self.position_rates),
             coordinates: map(&self.coordinates),
             speeds: map(&self.speeds),
             accelerations: map(&self.accelerations),
             mass: self.mass.iter().map(|row| map(row)).collect(),
             inertia: map(&self.inertia),
             forces: map(&self.forces),
-            constraints: self
-                .constraints
-                .iter()
-                .map(|held| Held {
-                    zero: single(map, held.zero),
-                    row: map(&held.row),
-                    bias: single(map, held.bias),
-                    ..held.clone()
-                })
-                .collect(),
+            constraints: self.constraints.iter().map(|held| held.mapped(map)).collect(),
+            quasi: self.quasi.as_ref().map(|quasi| InQuasiVelocities {
+                definitions: map(&quasi.definitions),
+                met: quasi.met.iter().map(|held| held.mapped(map)).collect(),
+                rates: map(&quasi.rates),
+            }),
             multipliers: map(&self.multipliers),
             switches: self
                 .switches
@@ -213,6 +308,51 @@ impl MatrixForm {
             positive: self.positive.clone(),
         }
     }
+}
+
+/// M, h, Q and the constraints with multipliers.
+struct Dynamics {
+    mass: Vec<Vec<Sym>>,
+    inertia: Vec<Sym>,
+    forces: Vec<Sym>,
+    constraints: Vec<Held>,
+}
+
+impl Held {
+    fn of(Equation { name, level, zero, row, bias, .. }: Equation, axis: Option<String>) -> Self {
+        Held { name, axis, level, zero, row, bias }
+    }
+
+    fn mapped(&self, map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>) -> Self {
+        let [zero, bias] = [self.zero, self.bias].map(|each| map(&[each])[0]);
+        Held { zero, row: map(&self.row), bias, ..self.clone() }
+    }
+}
+
+/// More letters, or more operations, are not collected.
+const MOST_COLLECTED: [usize; 2] = [12, 2_000];
+
+/// A polynomial of second degree in some letters by its coefficients in normal form; none of another expression.
+fn collected(expression: Sym, letters: &[Sym]) -> Option<Sym> {
+    let [most_letters, most_operations] = MOST_COLLECTED;
+    if letters.len() > most_letters || Sym::operations_of(&[expression]) > most_operations {
+        return None;
+    }
+    let at_zero: Vec<(Sym, Sym)> = letters.iter().map(|&letter| (letter, Sym::ZERO)).collect();
+    let mut sum = simplified(expression.substitute(&at_zero));
+    for (place, &one) in letters.iter().enumerate() {
+        let slope = expression.diff(one);
+        sum += simplified(slope.substitute(&at_zero)) * one;
+        for &other in &letters[place..] {
+            let half = if one == other { Rational::new(1, 2) } else { Rational::new(1, 1) };
+            let coefficient = simplified(slope.diff(other) * Sym::constant(half));
+            if coefficient.symbols_of().iter().any(|symbol| letters.contains(symbol)) {
+                return None;
+            }
+            sum += coefficient * one * other;
+        }
+    }
+    Some(sum)
 }
 
 /// The coordinate that a speed moves; of a free frame the speed itself.

@@ -24,18 +24,17 @@ const WORDS_OF_TURNS: &str = "u kinematics";
 /// # Errors
 /// Where an expression is too long to be written out.
 pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
-    let own = trace.model.coordinates.len();
-    let turns = own < trace.speeds.len();
-    let free = &trace.speeds[own..];
+    let own = form.plain();
+    let turns = form.has_own_speeds();
+    let free = &form.speeds[own..];
     let conditions: Vec<Sym> = form.switches.iter().map(|(letter, _)| *letter).collect();
     let cosines: Vec<Sym> = form.cosines.iter().map(|cosine| cosine.letter).collect();
     let letters: Vec<Sym> =
-        [&form.parameters[..], &trace.coordinates, free, &form.multipliers, &form.inputs, &cosines, &conditions]
-            .concat();
+        [&form.parameters[..], &form.positions, free, &form.multipliers, &form.inputs, &cosines, &conditions].concat();
     let words = if turns { format!("{WORDS} {WORDS_OF_TURNS}") } else { WORDS.to_owned() };
     let names = identifiers(&letters, &words);
     let (parameters, rest) = names.split_at(form.parameters.len());
-    let (coordinates, rest) = rest.split_at(trace.coordinates.len());
+    let (coordinates, rest) = rest.split_at(form.positions.len());
     let (turning, rest) = rest.split_at(free.len());
     let multipliers = &rest[..form.multipliers.len()];
     let switches = &names[names.len() - conditions.len()..];
@@ -53,10 +52,10 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     };
     let speeds = [rate(1, &coordinates[..own]), turning.to_vec()].concat();
     let accelerations = [rate(2, &coordinates[..own]), rate(1, turning)].concat();
-    let olds = letters.iter().chain(&trace.speeds[..own]).chain(&form.accelerations);
+    let olds = letters.iter().chain(&form.speeds[..own]).chain(&form.accelerations);
     let news = names.iter().chain(&speeds[..own]).chain(&accelerations).map(|name| Sym::symbol(name));
     let renamed: Vec<(Sym, Sym)> = olds.copied().zip(news).collect();
-    let moved = substitute_all(&trace.position_rates[own..], &renamed);
+    let moved = substitute_all(&form.position_rates[own..], &renamed);
     let form = form.renamed(&renamed).for_reading();
     form.is_written_out()?;
 
@@ -102,10 +101,21 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     if turns {
         let rates = coordinates[own..].iter().zip(&moved);
         let rates: String = rates.map(|(name, rate)| format!("    {name}.diff(t) - ({}),\n", rate.sympy())).collect();
+        let (of_speeds, of_rates) = match form.quasi {
+            None => (
+                "speeds; of a free frame its angular velocity along its own axes",
+                "the rates of each free frame's quaternion by its angular velocity",
+            ),
+            Some(_) => ("quasi-velocities", "kinematic equations, the rates of all coordinates by quasi-velocities"),
+        };
+        for (name, is) in
+            trace.model.quasi_velocities.iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.definitions))
+        {
+            let _ = writeln!(text, "# {} = {}", name.name, is.decimal_text());
+        }
         let _ = writeln!(
             text,
-            "# speeds; of a free frame its angular velocity along its own axes\nu = Matrix([{}])\n\
-             # zero: the rates of each free frame's quaternion by its angular velocity\nkinematics = Matrix([\n{rates}])",
+            "# {of_speeds}\nu = Matrix([{}])\n# zero: {of_rates}\nkinematics = Matrix([\n{rates}])",
             speeds.join(", "),
         );
     }
@@ -117,7 +127,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     let _ = writeln!(text, "mass_matrix = Matrix([\n{}])", rows(&mut form.mass.iter()));
     let _ = writeln!(text, "inertia = Matrix([\n{}])", column(&form.inertia));
     let _ = writeln!(text, "forces = Matrix([\n{}])", column(&form.forces));
-    if form.constraints.is_empty() {
+    if form.multipliers.is_empty() {
         let _ = writeln!(text, "\nequations = mass_matrix*{accelerations} + inertia - forces");
         return Ok(text);
     }

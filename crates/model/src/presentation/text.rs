@@ -5,6 +5,7 @@ use super::constraints;
 use super::cosines::Cosine;
 use super::matrix_form::MatrixForm;
 use crate::Trace;
+use crate::equations::constraints_of;
 use std::fmt::Write;
 use symbolic::Sym;
 
@@ -14,7 +15,7 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let names = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>().join(", ");
     let held = !form.constraints.is_empty();
     let reactions = if held { " + J^T lambda" } else { "" };
-    let turns = !trace.model.free.is_empty();
+    let turns = form.has_own_speeds();
     let f = form.free_letter(&["f", "F", "phi", "zero"], form.constraints.len());
     match turns {
         false => writeln!(text, "M q'' + h = Q{reactions}, with q = ({})", names(&form.coordinates)),
@@ -41,9 +42,18 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
         }
     };
     section(&mut text, "Parameters", parameters(trace));
+    let speeds = trace.model.quasi_velocities.iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.definitions));
+    let speeds = speeds.map(|(speed, is)| format!("{} = {}, in {}", speed.name, is.decimal_text(), speed.unit()));
+    let speeds: Vec<String> = speeds.collect();
     let units = trace.model.coordinates.iter().map(|each| format!("{} in {}", each.name, each.unit)).collect();
     section(&mut text, "Coordinates q", units);
-    section(&mut text, "Orientation of free frames, quaternions q0 + q1 i + q2 j + q3 k", quaternions(trace));
+    section(&mut text, "Quasi-velocities u", speeds);
+    let kinematics = match form.quasi {
+        Some(_) if trace.model.free.is_empty() => "Kinematic equations",
+        Some(_) => "Kinematic equations; free frames have quaternions q0 + q1 i + q2 j + q3 k",
+        None => "Orientation of free frames, quaternions q0 + q1 i + q2 j + q3 k",
+    };
+    section(&mut text, kinematics, position_rates(form));
     let cosines = form
         .cosines
         .iter()
@@ -51,7 +61,7 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     section(&mut text, "Direction cosines of free frames", cosines.collect());
     let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
     section(&mut text, "Inputs", open.map(|input| format!("{} in {}", input.name, input.unit)).collect());
-    let rows: Vec<String> = (0..form.speeds.len()).map(|speed| trace.direction(speed)).collect();
+    let rows: Vec<String> = form.coordinates.iter().map(Sym::to_string).collect();
     let entry = |name: &str, place: String, value: Sym| format!("{name}[{place}] = {}", value.decimal_text());
     let mut mass = Vec::new();
     for (i, row) in form.mass.iter().enumerate() {
@@ -67,7 +77,11 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     section(&mut text, "Inertia h without accelerations", vector("h", &form.inertia));
     section(&mut text, "Applied forces Q", vector("Q", &form.forces));
     let mut lines = Vec::new();
-    for (k, (held, kind)) in form.constraints.iter().zip(constraints(trace)).enumerate() {
+    let kinds = constraints(trace).into_iter();
+    let kept: Vec<bool> = constraints_of(trace).iter().map(|one| form.quasi.is_some() && one.gains.is_none()).collect();
+    let kinds = kinds.take(kept.len()).enumerate();
+    let (met, kinds): (Vec<_>, Vec<_>) = kinds.partition(|(k, _)| kept[*k]);
+    for (held, (k, kind)) in form.constraints.iter().zip(kinds) {
         lines.push(kind);
         lines.push(format!("{f}{} = {}", k + 1, held.zero.decimal_text()));
         for (row, value) in rows.iter().zip(&held.row).filter(|(_, value)| **value != Sym::ZERO) {
@@ -76,6 +90,9 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
         lines.push(entry("c", (k + 1).to_string(), held.bias));
     }
     section(&mut text, "Constraints", lines);
+    let met = met.into_iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.met));
+    let met = met.map(|((_, kind), held)| format!("{kind}\n    0 = {}", held.zero.decimal_text())).collect();
+    section(&mut text, "Constraints that hold for every u; those of positions where they hold at the start", met);
     let conditions = conditions(trace, form).into_iter().map(|Condition { number, letter, is, told }| {
         format!("{letter}: condition {number} = {}, {told}", is.decimal_text())
     });
@@ -87,10 +104,9 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     text
 }
 
-/// The rate of each part of each quaternion, by the angular velocity along the axes of its frame.
-fn quaternions(trace: &Trace<'_>) -> Vec<String> {
-    let turned = trace.model.coordinates.len()..;
-    let parts = trace.coordinates[turned.clone()].iter().zip(&trace.position_rates[turned]);
+/// The rate of each coordinate that is no speed.
+fn position_rates(form: &MatrixForm) -> Vec<String> {
+    let parts = form.positions.iter().zip(&form.position_rates).skip(form.plain());
     parts.map(|(part, rate)| format!("{part}' = {}", rate.decimal_text())).collect()
 }
 

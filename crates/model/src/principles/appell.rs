@@ -10,7 +10,7 @@ use field::Rational;
 use symbolic::Sym;
 
 /// S, as far as it depends on accelerations.
-pub(super) fn energy_of_accelerations(trace: &Trace<'_>) -> Sym {
+pub(crate) fn energy_of_accelerations(trace: &Trace<'_>) -> Sym {
     let half = Sym::constant(Rational::new(1, 2));
     let mut sum = Sym::ZERO;
     for body in &trace.model.bodies {

@@ -7,7 +7,7 @@
 //!
 //! They share the kinematics of the trace and nothing else: that they agree is a statement that is decided for every model.
 
-mod appell;
+pub(crate) mod appell;
 mod gauss;
 mod hamel;
 pub(crate) mod hamilton;

@@ -5,6 +5,7 @@ mod free_frames;
 mod loads;
 mod motions;
 mod projected;
+mod quasi_velocities;
 mod rates;
 mod reactions;
 mod statements;

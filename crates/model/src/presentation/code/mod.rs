@@ -27,8 +27,10 @@ struct Program {
     /// Letters in their order, for a reader.
     coordinates: Vec<String>,
     speeds: Vec<String>,
-    /// Whether a frame is free: then q' is not u.
+    /// Whether a frame is free.
     turns: bool,
+    /// The meaning of each quasi-velocity; empty where speeds are none.
+    meanings: Vec<String>,
     /// Each by its name and its axis.
     constraints: Vec<(String, Option<String>)>,
     /// Sentences on the parts of the model that the code leaves out.
@@ -73,14 +75,14 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
     };
     let component = |name: &'static str, count: usize| (0..count).map(move |i| format!("{name}[{i}]"));
     let inputs: Vec<String> = std::iter::once("t".to_owned())
-        .chain(component("q", trace.coordinates.len()))
-        .chain(component("u", trace.speeds.len()))
+        .chain(component("q", form.positions.len()))
+        .chain(component("u", form.speeds.len()))
         .chain((0..names.len()).map(access))
         .chain((0..form.switches.len()).map(|k| format!("s[{k}]")))
         .chain([format!("{PI:?}")])
         .collect();
     let letters: Vec<Sym> = std::iter::once(form.time)
-        .chain([&trace.coordinates, &trace.speeds, &given].into_iter().flatten().copied())
+        .chain([&form.positions, &form.speeds, &given].into_iter().flatten().copied())
         .chain(form.switches.iter().map(|(letter, _)| *letter))
         .chain([trace.pi])
         .collect();
@@ -100,18 +102,21 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
     let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
     let units = units.chain(open.map(|input| (input.unit.clone(), None)));
     let parameters = names.into_iter().zip(quoted).zip(units);
+    let meanings = trace.model.quasi_velocities.iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.definitions));
+    let meanings = meanings.map(|(speed, is)| format!("{} = {}", speed.name, is.decimal_text()));
     let program = Program {
-        positions: trace.coordinates.len(),
-        n: trace.speeds.len(),
+        positions: form.positions.len(),
+        n: form.speeds.len(),
         m: form.constraints.len(),
-        coordinates: texts(&trace.coordinates),
-        speeds: texts(&trace.speeds),
+        coordinates: texts(&form.positions),
+        speeds: texts(&form.speeds),
         turns: !trace.model.free.is_empty(),
+        meanings: meanings.collect(),
         constraints: form.constraints.iter().map(|held| (held.name.clone(), held.axis.clone())).collect(),
         left_out: left_out(trace, form),
         terms: statements(&mass.chain(loads).chain(rows).chain(biases).collect::<Vec<_>>())?,
         zeros: statements(&zeros)?,
-        position_rates: statements(&trace.position_rates)?,
+        position_rates: statements(&form.position_rates)?,
         conditions: form.switches.iter().map(|(_, condition)| statements(&[*condition])).collect::<Result<_, _>>()?,
         parameters: parameters.map(|((name, letter), (unit, value))| Named { name, letter, unit, value }).collect(),
     };
@@ -131,20 +136,35 @@ impl Program {
     /// The first lines of a file, each behind a sign of comments.
     fn heading(&self, comment: &str) -> String {
         let q = format!("q = ({})", self.coordinates.join(", "));
-        let mut lines = match self.turns {
-            false => vec![
+        let turned = match self.turns {
+            false => q,
+            true => format!(
+                "{q}: of a free frame the quaternion q0 + q1 i + q2 j + q3 k, q0 = 1 where it stands as its parent"
+            ),
+        };
+        let speeds = self.speeds.join(", ");
+        let mut lines = match (self.turns, self.meanings.is_empty()) {
+            (false, true) => vec![
                 "M q'' + h = Q + J^T lambda, J q'' + c = 0; u = q'. A positive lambda acts along its row of J."
                     .to_owned(),
-                q,
+                turned,
             ],
-            true => vec![
+            (true, true) => vec![
                 "M u' + h = Q + J^T lambda, J u' + c = 0. A positive lambda acts along its row of J.".to_owned(),
-                format!(
-                    "{q}: of a free frame the quaternion q0 + q1 i + q2 j + q3 k, q0 = 1 where it stands as its parent"
-                ),
-                format!("u = ({}): of a free frame the angular velocity along its own axes", self.speeds.join(", ")),
+                turned,
+                format!("u = ({speeds}): of a free frame the angular velocity along its own axes"),
+            ],
+            (_, false) if self.m == 0 => {
+                vec!["M u' + h = Q, q' by u.".to_owned(), turned, format!("u = ({speeds}): quasi-velocities")]
+            }
+            (_, false) => vec![
+                "M u' + h = Q + J^T lambda, J u' + c = 0, q' by u. A positive lambda acts along its row of J."
+                    .to_owned(),
+                turned,
+                format!("u = ({speeds}): quasi-velocities"),
             ],
         };
+        lines.extend_from_slice(&self.meanings);
         let name = |(k, name): (usize, &String)| match name.as_str() {
             "" => format!("{}", k + 1),
             name => format!("{} ({name})", k + 1),

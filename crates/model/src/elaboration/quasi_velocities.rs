@@ -1,0 +1,66 @@
+//! Quasi-velocities: names, dimensions and starts. Their independence is judged once the system is whole.
+
+use super::{Elaborator, Sound};
+use crate::quasi_velocities::QuasiVelocities;
+use crate::{Entry, Fault, Output, QuasiVelocity, ScalarId, StartSpeed, Trace};
+use symbolic::{Dimension, apart};
+
+impl Elaborator<'_> {
+    /// `v = "velocity(G) . A.x"`
+    pub(super) fn quasi_velocity(&mut self, Entry { name, value }: &Entry) -> Sound<ScalarId> {
+        let is = self.scalar_value(value, &format!("the quasi-velocity `{}`", name.text), None)?;
+        let dimension = self.dimension_of(is.0).unwrap_or_else(Dimension::none);
+        self.model.quasi_velocities.push(QuasiVelocity { name: name.text.clone(), is, dimension, at: name.span() });
+        Ok(is)
+    }
+
+    /// The place of a quasi-velocity by its name.
+    pub(super) fn quasi_velocity_of(&self, name: &str) -> Option<usize> {
+        self.model.quasi_velocities.iter().position(|speed| speed.name == name)
+    }
+
+    /// Every quasi-velocity is an output.
+    pub(super) fn show_quasi_velocities(&mut self) {
+        let shown =
+            |speed: &QuasiVelocity| Output { name: speed.name.clone(), is: speed.is, dimension: speed.dimension };
+        let shown: Vec<Output> = self.model.quasi_velocities.iter().map(shown).collect();
+        self.model.outputs.extend(shown);
+    }
+
+    /// `v = "1 m/s"` under `[start]`.
+    pub(super) fn start_speed(&mut self, of: usize, Entry { name, value }: &Entry) -> Sound<StartSpeed> {
+        if self.model.start_speeds.iter().any(|known| known.of == of) {
+            let title = format!("`{}` starts twice", name.text);
+            return Err(Box::new(Fault::at(name.span(), title, "again", "one value")));
+        }
+        let needed = self.model.quasi_velocities[of].dimension;
+        let unit = self.model.quasi_velocities[of].unit();
+        let fault = |label: String| {
+            let title = format!("the start of the quasi-velocity `{}` cannot be read", name.text);
+            let accepted = format!(
+                "a number with a unit of the dimension {needed}, such as \"0.3{}\"; guesses are of coordinates and their rates",
+                if unit == "1" { String::new() } else { format!(" {unit}") }
+            );
+            Box::new(Fault::at(value.span(), title, label, accepted))
+        };
+        if value.text.trim_start().starts_with("guess ") {
+            return Err(fault("a guess".to_owned()));
+        }
+        let (si, found) = units::quantity::parse_any(&value.text).map_err(|wrong| fault(wrong.to_string()))?;
+        let found = found.of_expressions();
+        if found != needed {
+            return Err(fault(format!("this has the dimension {found}")));
+        }
+        Ok(StartSpeed { of, value: si, at: value.span() })
+    }
+
+    /// Whether quasi-velocities determine all speeds; judged where nothing else is wrong.
+    pub(super) fn quasi_velocities(&mut self) {
+        if !self.faults.is_empty() || !self.headless.is_empty() || self.model.quasi_velocities.is_empty() {
+            return;
+        }
+        let model = &self.model;
+        let faults = apart(|| QuasiVelocities::of(&Trace::of(model)).err());
+        self.faults.extend(faults.into_iter().flatten());
+    }
+}

@@ -1,0 +1,155 @@
+//! Quasi-velocities w, and the speeds u by them.
+//!
+//! Each w is affine in the speeds, w = B u + b. With the rates s = J u + c of the constraints that hold they determine the speeds,
+//!
+//!   u = C w + D s + d,    J C = 0,    B C = 1 ,
+//!
+//! and s = 0 along every motion. The columns of C are directions of admissible displacements. Programmed constraints are no part of s:
+//! they need not hold, and stay equations with multipliers.
+
+mod appell;
+mod hamel;
+mod independence;
+mod maggi;
+mod reduced_equations;
+mod virtual_power;
+
+pub use reduced_equations::{QuasiPrinciple, quasi_agreement};
+
+use crate::equations::{Equation, constraints_of, solved_in_short};
+use crate::{Fault, Trace, Vector};
+use std::cell::RefCell;
+use symbolic::{Derivation, Sym, substitute_all};
+
+/// Quasi-velocities over the symbols of a trace.
+pub struct QuasiVelocities<'t, 'm> {
+    trace: &'t Trace<'m>,
+    /// w.
+    pub symbols: Vec<Sym>,
+    /// w'.
+    pub accelerations: Vec<Sym>,
+    /// w by coordinates, speeds and the time.
+    pub definitions: Vec<Sym>,
+    /// u by coordinates, w and the time.
+    pub speeds: Vec<Sym>,
+    /// q' by coordinates, w and the time: kinematic equations.
+    pub position_rates: Vec<Sym>,
+    /// C: of each speed by each w.
+    directions: Vec<Vec<Sym>>,
+    /// D: of each speed by the rate of each independent constraint that holds.
+    across: Vec<Vec<Sym>>,
+    /// Constraints that hold.
+    pub met: Vec<Equation>,
+    /// Constraints that are led to zero.
+    pub programmed: Vec<Equation>,
+    /// Those of the first that are independent, by their places.
+    independent: Vec<usize>,
+    /// Along the motion, over coordinates, w and w'.
+    rate: RefCell<Derivation>,
+    /// u and u' by w and w'.
+    known: [Vec<(Sym, Sym)>; 2],
+}
+
+impl<'t, 'm> QuasiVelocities<'t, 'm> {
+    /// The quasi-velocities of a model.
+    ///
+    /// # Errors
+    /// Each of them that is not affine in the speeds or depends on others; or how many are missing.
+    pub fn of(trace: &'t Trace<'m>) -> Result<Self, Vec<Fault>> {
+        let model = trace.model;
+        let (met, programmed): (Vec<Equation>, Vec<Equation>) =
+            constraints_of(trace).into_iter().partition(|constraint| constraint.gains.is_none());
+        let definitions: Vec<Sym> = model.quasi_velocities.iter().map(|speed| trace.scalar(speed.is)).collect();
+        let pivots = independence::pivots(trace, &met, &definitions)?;
+        let letters = |primes: &str, dot: &str| -> Vec<Sym> {
+            let named = |speed: &crate::QuasiVelocity| {
+                let latex = Sym::symbol(&speed.name).latex();
+                let latex = if dot.is_empty() { latex } else { format!("{dot}{{{latex}}}") };
+                Sym::named(&format!("{}{primes}", speed.name), &latex)
+            };
+            model.quasi_velocities.iter().map(named).collect()
+        };
+        let (symbols, accelerations) = (letters("", ""), letters("'", r"\dot"));
+        let n = trace.speeds.len();
+        let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
+        // constraints first, then quasi-velocities; each row with its unit column and what is left of it at rest
+        let k = pivots.constraints.len();
+        let rates = pivots.constraints.iter().map(|&place| met[place].rate);
+        let rows: Vec<Sym> = rates.chain(definitions.iter().copied()).collect();
+        let right = |(place, &row): (usize, &Sym)| {
+            let mut right: Vec<Sym> = (0..n).map(|each| if each == place { Sym::ONE } else { Sym::ZERO }).collect();
+            right.push(-row.substitute(&at_rest));
+            right
+        };
+        let right = rows.iter().enumerate().map(right).collect();
+        let slopes = |row: &Sym| pivots.columns.iter().map(|&column| trace.by_speed(*row, column)).collect();
+        let found = solved_in_short(rows.iter().map(slopes).collect(), right);
+        let mut of_speeds = vec![Vec::new(); n];
+        for (&column, found) in pivots.columns.iter().zip(found) {
+            of_speeds[column] = found;
+        }
+        let across = of_speeds.iter().map(|row| row[..k].to_vec()).collect();
+        let directions: Vec<Vec<Sym>> = of_speeds.iter().map(|row| row[k..n].to_vec()).collect();
+        let sum = |row: &Vec<Sym>| row[k..n].iter().zip(&symbols).fold(row[n], |sum, (&slope, &w)| sum + slope * w);
+        let speeds: Vec<Sym> = of_speeds.iter().map(sum).collect();
+        let by_speeds: Vec<(Sym, Sym)> = trace.speeds.iter().copied().zip(speeds.iter().copied()).collect();
+        let position_rates = substitute_all(&trace.position_rates, &by_speeds);
+        let along = trace.coordinates.iter().zip(&position_rates).chain(symbols.iter().zip(&accelerations));
+        let mut rate = Derivation::new(along.map(|(&of, &rate)| (of, rate)).chain([(trace.time, Sym::ONE)]));
+        let by_accelerations =
+            trace.accelerations.iter().zip(&speeds).map(|(&of, &speed)| (of, rate.of(speed))).collect();
+        Ok(QuasiVelocities {
+            trace,
+            symbols,
+            accelerations,
+            definitions,
+            speeds,
+            position_rates,
+            directions,
+            across,
+            met,
+            programmed,
+            independent: pivots.constraints,
+            rate: RefCell::new(rate),
+            known: [by_speeds, by_accelerations],
+        })
+    }
+
+    /// Expressions over speeds and accelerations by w and w'; masses that vary by their values.
+    pub fn by_quasi_velocities(&self, expressions: &[Sym]) -> Vec<Sym> {
+        let [speeds, accelerations] = &self.known;
+        let with_masses = self.trace.with_masses(expressions);
+        substitute_all(&substitute_all(&with_masses, accelerations), speeds)
+    }
+
+    /// The same of one expression, in which letters of masses that vary stay.
+    fn moved(&self, expression: Sym) -> Sym {
+        let [speeds, accelerations] = &self.known;
+        expression.substitute(accelerations).substitute(speeds)
+    }
+
+    fn moved_vector(&self, vector: Vector) -> Vector {
+        vector.map(|component| self.moved(component))
+    }
+
+    /// The rate along the motion of an expression over coordinates and w.
+    fn rate_of(&self, expression: Sym) -> Sym {
+        self.rate.borrow_mut().of(expression)
+    }
+
+    /// The rate of a vector over coordinates and w, as the ground sees it.
+    fn vector_rate(&self, vector: Vector) -> Vector {
+        let own = vector.map(|component| self.rate_of(component));
+        let turning = self.moved_vector(self.trace.turning(vector.frame));
+        self.trace.sum(own, self.trace.cross(turning, vector))
+    }
+
+    /// C^T v: values for each speed along each w.
+    fn along(&self, values: &[Sym]) -> Vec<Sym> {
+        let along = |r: usize| {
+            let terms = values.iter().zip(&self.directions);
+            terms.fold(Sym::ZERO, |sum, (&value, row)| sum + value * row[r])
+        };
+        (0..self.symbols.len()).map(along).collect()
+    }
+}

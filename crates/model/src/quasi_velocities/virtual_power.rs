@@ -1,0 +1,59 @@
+//! Kane's equations: Newton's and Euler's of every body along the partial velocities dv/dw and dW/dw.
+//!
+//! Velocities are expressions of q and w; accelerations are their rates with q' = q'(q, w, t).
+
+use super::QuasiVelocities;
+use crate::principles::loads::{forces, torques};
+use crate::{Trace, Vector};
+use symbolic::Sym;
+
+/// The powers of forces and torques per unit of w_r, and what a potential, Rayleigh's function and generalised forces add.
+pub(super) fn active(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<Sym> {
+    let mut sums = by_energies(quasi, trace);
+    for force in forces(trace, true) {
+        let velocity = quasi.moved_vector(trace.material_velocity(force.at));
+        add(quasi, trace, &mut sums, quasi.moved_vector(force.is), velocity);
+    }
+    for torque in torques(trace) {
+        let turning = quasi.moved_vector(trace.turning(torque.on));
+        add(quasi, trace, &mut sums, quasi.moved_vector(torque.is), turning);
+    }
+    sums
+}
+
+/// Adds load . dv/dw_r to each sum.
+fn add(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>, sums: &mut [Sym], load: Vector, velocity: Vector) {
+    for (sum, &w) in sums.iter_mut().zip(&quasi.symbols) {
+        *sum += trace.dot(load, velocity.map(|component| component.diff(w)));
+    }
+}
+
+/// Minus dV/dq along the directions of w, minus dD/dw, and generalised forces.
+fn by_energies(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<Sym> {
+    let energies = &trace.model.energies;
+    let potential = energies.potential.map_or(Sym::ZERO, |id| quasi.rate_of(trace.scalar(id)));
+    let dissipation = energies.dissipation.map_or(Sym::ZERO, |id| quasi.moved(trace.scalar(id)));
+    let along = |w: Sym| {
+        let terms = trace.model.generalised.iter();
+        terms
+            .fold(Sym::ZERO, |sum, force| sum + quasi.moved(trace.scalar(force.is)) * quasi.speeds[force.speed].diff(w))
+    };
+    quasi.symbols.iter().map(|&w| along(w) - potential.diff(w) - dissipation.diff(w)).collect()
+}
+
+pub(super) fn residual(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<Sym> {
+    let mut inertia = vec![Sym::ZERO; quasi.symbols.len()];
+    for body in &trace.model.bodies {
+        if let Some((mass, velocity, _)) = trace.carried(body) {
+            let velocity = quasi.moved_vector(velocity);
+            let acceleration = quasi.vector_rate(velocity);
+            add(quasi, trace, &mut inertia, acceleration.map(|component| mass * component), velocity);
+        }
+        if let Some((tensor, turning)) = trace.turned(body) {
+            let turning = quasi.moved_vector(turning);
+            let momentum = trace.inertia_times(tensor, turning);
+            add(quasi, trace, &mut inertia, quasi.vector_rate(momentum), turning);
+        }
+    }
+    inertia.into_iter().zip(active(quasi, trace)).map(|(inertia, active)| inertia - active).collect()
+}

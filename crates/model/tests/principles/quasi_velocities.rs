@@ -1,0 +1,268 @@
+//! Equations in quasi-velocities: beside textbooks, beside multipliers, and by every principle that uses them.
+
+use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
+use model::equations::Equations;
+use model::{
+    Agreement, BodySource, Fault, InertiaSource, LoadSource, MatrixForm, Model, QuasiPrinciple, QuasiVelocities,
+    Source, Trace, quasi_agreement,
+};
+use std::collections::HashMap;
+use symbolic::{Hypotheses, Sym, apart};
+
+fn model(source: &Source) -> Model {
+    Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+fn with(source: Source, speeds: &[(&str, &str)]) -> Source {
+    Source { speeds: entries(speeds), ..source }
+}
+
+fn sleigh_along() -> Source {
+    with(sleigh(), &[("v", "velocity(P) . B.x"), ("w", "psi'")])
+}
+
+/// Components along axes that follow the disc and do not spin with it.
+fn rolling() -> Source {
+    with(
+        rolling_disc(),
+        &[
+            ("w1", "angular_velocity(C) . C.x"),
+            ("w2", "angular_velocity(D) . C.y"),
+            ("w3", "angular_velocity(C) . C.z"),
+        ],
+    )
+}
+
+/// A body that turns about its centre and is resisted about one axis.
+fn tumbling() -> Source {
+    let entry = |text: &str| Some(text.into());
+    let moments = [entry("A"), entry("B"), entry("C"), None, None, None];
+    Source {
+        parameters: entries(&[("A", "1 kg m^2"), ("B", "2 kg m^2"), ("C", "2.5 kg m^2"), ("k", "1 N m s")]),
+        speeds: entries(&[("p", "F.wx"), ("q", "F.w . F.y"), ("s", "F.wz")]),
+        frames: entries(&[("F", "N free")]),
+        bodies: vec![BodySource {
+            name: "stone".into(),
+            frame: entry("F"),
+            inertia: Some(InertiaSource::Tensor { axes: None, entries: Box::new(moments) }),
+            ..BodySource::default()
+        }],
+        torques: vec![LoadSource { on: entry("stone"), is: "-k*p*F.x".into(), ..LoadSource::default() }],
+        ..Source::default()
+    }
+}
+
+/// A ball on a turntable whose speed grows: affine constraints with the time, a free frame, speeds along axes that turn.
+fn ball_on_a_turntable() -> Source {
+    let entry = |text: &str| Some(text.into());
+    let moments = [entry("J"), entry("J"), entry("1.5*J"), None, None, None];
+    let slip = "velocity(ball at K) - cross((t*w/(1 s))*N.z, K - O)";
+    Source {
+        parameters: entries(&[
+            ("m", "2 kg"),
+            ("r", "0.1 m"),
+            ("J", "0.01 kg m^2"),
+            ("w", "3 rad/s"),
+            ("c", "0.2 N s/m"),
+        ]),
+        coordinates: entries(&[("x", "m"), ("y", "m")]),
+        speeds: entries(&[("a", "F.wx"), ("b", "F.w . S.x - t*w*x/(1 m*s)"), ("n", "2*F.wz + F.wx")]),
+        frames: entries(&[("F", "N free"), ("S", "N turned x/r about z")]),
+        points: entries(&[("P", "O + x*N.x + y*N.y"), ("K", "P - r*N.z")]),
+        bodies: vec![BodySource {
+            name: "ball".into(),
+            frame: entry("F"),
+            centre: entry("P"),
+            mass: entry("m"),
+            inertia: Some(InertiaSource::Tensor { axes: None, entries: Box::new(moments) }),
+            ..BodySource::default()
+        }],
+        forces: vec![LoadSource { on: entry("ball at K"), is: "-c*velocity(ball)".into(), ..LoadSource::default() }],
+        constraints: vec![held("rolling", &[&format!("({slip}) . N.x"), &format!("({slip}) . N.y")])],
+        ..Source::default()
+    }
+}
+
+/// Every kind of load, a constraint that is affine with the time, and one that is programmed.
+fn led() -> Source {
+    let mut source = sleigh_along();
+    source.parameters.extend(entries(&[("k", "3 N/m"), ("c", "0.4 N s/m"), ("n", "0.2 N m s")]));
+    source.speeds = entries(&[("v", "velocity(P) . B.x - (1 m/s^2)*t"), ("w", "psi' + (0.2 rad/s)*sin(t*(1 rad/s))")]);
+    source.energies = entries(&[("potential", "k/2*(x^2 + x*y)"), ("dissipation", "c/2*x'^2")]);
+    source.forces.push(LoadSource { along: Some("psi".into()), is: "-n*w".into(), ..LoadSource::default() });
+    source.constraints[0].zero = vec!["velocity(sleigh at P) . B.y - (0.1 m/s)*cos(t*(1 rad/s))".into()];
+    let mut path = held("path", &["x - (1 m/s)*t"]);
+    path.gains = Some(vec!["(8 1/s)".into(), "(16 1/s^2)".into()]);
+    source.constraints.push(path);
+    source
+}
+
+fn all() -> [Source; 7] {
+    let pendulum = with(double_pendulum(true), &[("u", "a' + b'"), ("v", "velocity(Q) . B.x")]);
+    let crank = with(slider_crank(), &[("w", "theta'")]);
+    [sleigh_along(), rolling(), tumbling(), ball_on_a_turntable(), led(), pendulum, crank]
+}
+
+#[test]
+fn principles_agree_in_quasi_velocities() {
+    for source in all() {
+        let model = model(&source);
+        apart(|| {
+            let trace = Trace::of(&model);
+            let quasi = QuasiVelocities::of(&trace).expect("they are independent");
+            for other in QuasiPrinciple::ALL {
+                let found = quasi_agreement(&quasi, QuasiPrinciple::Maggi, other).expect("it applies");
+                let known = matches!(found, Agreement::Proved { .. } | Agreement::Identified { .. });
+                assert!(known, "{:?}, {}: {found}", source.speeds, other.name());
+            }
+        });
+    }
+}
+
+/// The letters of a point, by their names.
+type Values = HashMap<String, f64>;
+
+fn value(expression: Sym, values: &Values) -> f64 {
+    expression.evaluate_analytic(&|name| values.get(name).copied()).expect("every letter has a value")
+}
+
+/// Accelerations by multipliers and pivots, in the rates of coordinates, give the rates of the quasi-velocities: another way, which
+/// knows no directions.
+#[test]
+fn the_equations_have_the_accelerations_of_those_with_multipliers() {
+    for source in all() {
+        let model = model(&source);
+        apart(|| {
+            let trace = Trace::of(&model);
+            let quasi = QuasiVelocities::of(&trace).expect("they are independent");
+            let mut values: Values = [("t".to_owned(), 0.4), ("pi".to_owned(), std::f64::consts::PI)].into();
+            values.extend(model.parameters.iter().map(|one| (one.name.clone(), one.value.unwrap_or(1.3))));
+            let letters = trace.coordinates.iter().chain(&quasi.symbols).enumerate();
+            values.extend(letters.map(|(k, letter)| (letter.to_string(), 0.3 + 0.37 * (1.0 + k as f64).sin())));
+            let speeds: Vec<(String, f64)> = (trace.speeds.iter().zip(&quasi.speeds))
+                .map(|(speed, is)| (speed.to_string(), value(*is, &values)))
+                .collect();
+            values.extend(speeds);
+            let (accelerations, multipliers) = Equations::of(&trace).solved().expect("it is regular");
+            let accelerations: Vec<f64> = accelerations.iter().map(|each| value(*each, &values)).collect();
+            values.extend(trace.accelerations.iter().map(Sym::to_string).zip(accelerations));
+            for multiplier in multipliers.iter().zip(Equations::of(&trace).constraints) {
+                let (is, equation) = multiplier;
+                values.insert(equation.multiplier.to_string(), value(*is, &values));
+            }
+            let rates = quasi.definitions.iter().map(|is| value(trace.rate_of(*is), &values)).collect::<Vec<f64>>();
+            values.extend(quasi.accelerations.iter().map(Sym::to_string).zip(rates));
+            for principle in QuasiPrinciple::ALL {
+                let residual = principle.residual(&quasi).expect("it applies");
+                for (r, (&w, residual)) in quasi.symbols.iter().zip(residual).enumerate() {
+                    // programmed constraints keep their reactions
+                    let reaction: f64 = (quasi.programmed.iter())
+                        .map(|one| {
+                            let power = quasi.by_quasi_velocities(&[one.rate])[0].diff(w);
+                            values[&one.multiplier.to_string()] * value(power, &values)
+                        })
+                        .sum();
+                    let left = value(residual, &values) - reaction;
+                    assert!(left.abs() < 1e-10, "{:?}, {}, equation {r}: {left}", source.speeds, principle.name());
+                }
+            }
+        });
+    }
+}
+
+/// The printed equations of textbooks, as residuals over the letters of a model.
+fn beside(source: &Source, printed: &[&str]) {
+    let model = model(source);
+    apart(|| {
+        let trace = Trace::of(&model);
+        let quasi = QuasiVelocities::of(&trace).expect("they are independent");
+        let letter = |name: &str| Some(Sym::symbol(name));
+        let printed = printed.iter().map(|text| symbolic::parse(text, &letter).expect("it is an expression"));
+        let printed: Vec<Sym> = printed.collect();
+        for principle in QuasiPrinciple::ALL {
+            let residual = principle.residual(&quasi).expect("it applies");
+            assert_eq!(residual.len(), printed.len());
+            for (own, printed) in residual.iter().zip(&printed) {
+                let decided = Hypotheses::none().equal(*own, *printed);
+                assert!(decided.is_zero(), "{}: {printed}: {decided}", principle.name());
+            }
+        }
+    });
+}
+
+/// Neimark and Fufaev; Bloch, Nonholonomic Mechanics and Control, 1.7.
+#[test]
+fn the_sleigh_has_the_equations_of_textbooks() {
+    beside(&sleigh_along(), &["m*v' - m*a*w^2 - F", "(J + m*a^2)*w' + m*a*v*w"]);
+}
+
+/// Euler's equations, with a torque.
+#[test]
+fn a_body_has_the_equations_of_euler() {
+    beside(&tumbling(), &["A*p' + (C - B)*q*s + k*p", "B*q' + (A - C)*p*s", "C*s' + (B - A)*p*q"]);
+}
+
+/// The rolling disc of textbooks (Kane and Levinson, Dynamics, 5.6), turned to the axes of the model: moments A across and B about the
+/// axis of the disc, lean as the file has it.
+#[test]
+fn the_rolling_disc_has_the_equations_of_textbooks() {
+    beside(
+        &rolling(),
+        &[
+            "5*m*r^2/4*w1' - 3*m*r^2/2*w2*w3 - m*r^2/4*w3^2*sin(lean)/cos(lean) + m*g*r*sin(lean)",
+            "3*m*r^2/2*w2' + m*r^2*w1*w3",
+            "m*r^2/4*w3' + m*r^2/2*w1*w2 + m*r^2/4*w1*w3*sin(lean)/cos(lean)",
+        ],
+    );
+}
+
+#[test]
+fn the_matrix_form_has_kinematic_equations_and_no_reactions() {
+    let model = model(&sleigh_along());
+    let text = apart(|| {
+        let trace = Trace::of(&model);
+        let quasi = QuasiVelocities::of(&trace).expect("they are independent");
+        let form = MatrixForm::in_quasi_velocities(&trace, &quasi, QuasiPrinciple::Hamel).expect("it applies");
+        model::text(&trace, &form.for_reading())
+    });
+    for line in [
+        "M u' + h = Q, with u = (v, w)",
+        "  v = x'*cos(psi) + y'*sin(psi), in m/s",
+        "  x' = v*cos(psi)",
+        "  psi' = w",
+        "  M[w, w] = m*a^2 + J",
+        "  h[v] = -m*a*w^2",
+        "  Q[v] = F",
+        "    0 = -x'*sin(psi) + y'*cos(psi)",
+    ] {
+        assert!(text.lines().any(|known| known == line), "{line}\n{text}");
+    }
+    assert!(!text.contains("lambda"), "{text}");
+}
+
+fn faults(source: Source, speeds: &[(&str, &str)]) -> Vec<Fault> {
+    Model::of(&with(source, speeds)).expect_err("it is refused")
+}
+
+#[test]
+fn what_determines_no_speeds_is_refused_by_name() {
+    let one = |source: Source, speeds: &[(&str, &str)], title: &str, accepted: &str| {
+        let found = faults(source, speeds);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(found[0].title.contains(title) && found[0].accepted.contains(accepted), "{found:?}");
+    };
+    let two = "the speeds have 2 degrees of freedom";
+    let v = ("v", "velocity(P) . B.x");
+    one(sleigh(), &[v], &format!("{two}, and [speeds] has 1: 1 missing"), "one more that holds `psi'`");
+    one(sleigh(), &[v, ("w", "psi'"), ("n", "x'")], &format!("{two}, and [speeds] has 3: 1 too many"), "without `n`");
+    one(sleigh(), &[v, ("w", "velocity(P) . B.y")], "`w` depends on the constraints and", "`psi'`");
+    one(sleigh(), &[v, ("w", "velocity(P) . B.x*psi/2")], "`w` depends on the constraints and", "`psi'`");
+    one(sleigh(), &[("v", "norm(velocity(P))"), ("w", "psi'")], "`v` is not linear in the speeds", "sums of speeds");
+    one(sleigh(), &[("v", "x"), ("w", "psi'")], "`v` holds no speed", "linear in rates");
+    one(sleigh(), &[("v", "if(x > y, x', y')"), ("w", "psi'")], "`v` changes at a condition", "without `if`");
+    one(sleigh(), &[v, ("w", "psi''*(1 s)")], "`w` holds accelerations", "");
+    one(double_pendulum(false), &[("u", "a'"), ("v", "2*a'")], "`v` depends on the quasi-velocities before it", "`b'`");
+    let mut fast = sleigh();
+    fast.constraints.push(held("fast", &["x'^2 + y'^2 - (1 m/s)^2"]));
+    one(fast, &[("w", "psi'")], "constraint 2 `fast` is not linear in the speeds", "without [speeds]");
+}
