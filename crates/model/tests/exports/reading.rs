@@ -1,0 +1,90 @@
+//! Equations for reading: angles, constants, lengths.
+
+use crate::systems::{double_pendulum, free_top, oscillator, slider_crank};
+use model::principles::Principle;
+use model::{BodySource, MatrixForm, Model, Source, Trace};
+use symbolic::{Language, apart};
+
+#[test]
+fn angles_stay_together_and_constants_are_as_written() {
+    let text = |source: Source, principle| {
+        let model = Model::of(&source).expect("it is a system");
+        apart(|| {
+            let trace = Trace::of(&model);
+            let form = MatrixForm::of(&trace, principle).ok()?.for_reading();
+            Some([model::text(&trace, &form), model::latex(&trace, &form), model::vectors(&trace).join("\n")])
+        })
+    };
+    let mut applied = 0;
+    for principle in Principle::ALL {
+        let Some([pendulum, latex, vectors]) = text(double_pendulum(), principle) else { continue };
+        applied += 1;
+        for line in [
+            "m1 = 1 kg",
+            "M[a, a] = (m1 + m2)*l1^2",
+            "M[a, b] = m2*l1*l2*cos(a - b)",
+            "M[b, b] = m2*l2^2",
+            "h[a] = m2*l1*l2*b'^2*sin(a - b)",
+            "h[b] = -m2*l1*l2*a'^2*sin(a - b)",
+            "Q[b] = -m2*l2*g*sin(b)",
+        ] {
+            assert!(pendulum.lines().any(|known| known.trim() == line), "{}: {line}\n{pendulum}", principle.name());
+        }
+        assert!(latex.contains(r"h_{1} &= m_2l_1l_2\dot{b}^2\sin(a - b)"), "{latex}");
+        assert!(latex.contains(r"\begin{align}") && latex.contains(r"m_1 &= 1\,\mathrm{kg}"), "{latex}");
+        assert!(
+            vectors.contains("P - O = -l1*A.y") && !vectors.contains("+ -") && !vectors.contains("0*"),
+            "{vectors}"
+        );
+    }
+    assert!(applied >= 4, "{applied} principles");
+    let [oscillator, ..] = text(oscillator(), Principle::Lagrange).expect("it applies");
+    // thirty degrees are pi/6, whose cosine is a root; decimals stay decimals
+    assert!(
+        oscillator.contains("Q[u] = -lambda*u + lambda*M*u/sqrt(q^2 + u^2) - 0.35*fn*u' - 4.905*double*sqrt(3)"),
+        "{oscillator}"
+    );
+    assert!(
+        !oscillator.chars().collect::<Vec<_>>().windows(12).any(|window| window.iter().all(char::is_ascii_digit)),
+        "{oscillator}"
+    );
+    let [top, latex, _] = text(free_top(), Principle::VirtualPower).expect("it applies");
+    let line = "F.q0' = -1/2*(F.q1*F.wx + F.q2*F.wy + F.q3*F.wz)";
+    assert!(top.lines().any(|known| known.trim() == line), "{top}");
+    assert!(latex.contains(r"\dot{q_{F,3}} &= "), "{latex}");
+    let [crank, ..] = text(slider_crank(), Principle::VirtualPower).expect("it applies");
+    for line in [
+        "M q'' + h = Q + J^T lambda, with q = (theta, phi, s)",
+        "M[phi, phi] = l^2*mrod/4 + Jrod",
+        "Q[theta] = T - r*mrod*g*cos(theta)",
+        "constraint 1 `pin` along R.x: of positions",
+        "f1 = l + r*cos(theta + phi) - s*cos(phi)",
+    ] {
+        assert!(crank.lines().any(|known| known.trim() == line), "{line}\n{crank}");
+    }
+}
+
+/// Four bodies, each of which turns freely on the one before: written out, their equations have more operations than anybody reads.
+#[test]
+fn a_module_that_would_be_too_long_is_refused_by_name() {
+    let mut tower = free_top();
+    for (frame, parent, point, place) in [
+        ("H", "F", "Q", "O + 2*l*F.z + l*H.x"),
+        ("I", "H", "R", "Q + l*H.x + l*I.y"),
+        ("K", "I", "S", "R + l*I.x + l*K.y"),
+    ] {
+        tower.frames.push((frame, format!("{parent} free").as_str()).into());
+        tower.points.push((point, place).into());
+        let (name, frame, centre) = (point.to_lowercase(), Some(frame.into()), Some(point.into()));
+        tower.bodies.push(BodySource { name: name.as_str().into(), frame, centre, ..tower.bodies[0].clone() });
+    }
+    let model = Model::of(&tower).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let refused = apart(|| {
+        let trace = Trace::of(&model);
+        let form = MatrixForm::of(&trace, Principle::VirtualPower).expect("it applies");
+        assert!(model::code(&trace, &form, Language::C).is_ok());
+        model::sympy(&trace, &form).map(|module| module.len())
+    });
+    let refused = refused.expect_err("it is long");
+    assert!(refused.contains("operations is too long for SymPy; c, python and rust"), "{refused}");
+}
