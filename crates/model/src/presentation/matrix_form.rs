@@ -122,7 +122,7 @@ impl MatrixForm {
         let derivatives = |row: &Sym| quasi.accelerations.iter().map(|&letter| row.diff(letter)).collect();
         let bias = substitute_all(&residual, &at_rest);
         let inertia = substitute_all(&principle.residual(&of_inertia)?, &at_rest);
-        let forces = inertia.iter().zip(&bias).map(|(&inertia, &bias)| inertia - bias).collect();
+        let forces = inertia.iter().zip(&bias).map(|(&free, &moved)| free - moved).collect();
         let constraints = constraints_of(trace).into_iter().zip(axes(trace));
         let (met, programmed): (Vec<_>, Vec<_>) = constraints.partition(|(one, _)| one.gains.is_none());
         let programmed = programmed.into_iter().map(|(one, axis)| {
