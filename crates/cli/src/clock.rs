@@ -47,6 +47,8 @@ static CLOCK: OnceLock<Clock> = OnceLock::new();
 static OUTPUT: RwLock<()> = RwLock::new(());
 /// Whether the user pressed Ctrl-C.
 static PRESSED: AtomicBool = AtomicBool::new(false);
+/// Whether a command that broke off by itself found nothing to keep.
+static NOTHING: AtomicBool = AtomicBool::new(false);
 /// The phase that was at work when the end came.
 static PHASE: OnceLock<Option<String>> = OnceLock::new();
 /// Results that are printed if the program is ended before it prints them.
@@ -94,10 +96,15 @@ pub fn note_phase() {
     PHASE.get_or_init(progress::phase);
 }
 
+/// Says that a command that broke off by itself keeps nothing.
+pub fn keeps_nothing() {
+    NOTHING.store(true, Relaxed);
+}
+
 /// The exit code of a command that broke off by itself, after the reason was told; `None` where it did not.
 pub fn broke_off() -> Option<u8> {
     let clock = CLOCK.get().filter(|_| PRESSED.load(Relaxed) || was_obeyed())?;
-    clock.tell("what there is, is kept");
+    clock.tell(if NOTHING.load(Relaxed) { "nothing is kept" } else { "what there is, is kept" });
     Some(clock.code())
 }
 

@@ -1,8 +1,8 @@
 //! `dalembert derive`: equations of motion by a chosen principle, or a scene's right-hand side, in many notations.
 
-use crate::ending::{Ending, print};
+use crate::ending::{Ending, print, warn};
 use crate::run::one_form;
-use ::scenes::read_model;
+use ::scenes::{independent_start, read_model};
 use clap::{Args, ValueEnum};
 use derivations::derive::{Equation, Principle, derive as equations_of, motor_of};
 use derivations::scene::any::holds_model;
@@ -100,7 +100,11 @@ fn is_model(path: &Path) -> bool {
 /// The equations of motion of a system that is written in its file.
 fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
     refuse_form(asked, "a system that is written in its file has one form")?;
-    let model = read_model(path)?;
+    let mut model = read_model(path)?;
+    if !matches!(asked.format, None | Some(Equations::Text | Equations::Latex | Equations::Mathml)) {
+        // code solves its equations: constraints that follow from others at the start are no part of it
+        leave_out_implied(&mut model);
+    }
     let file = read_text(path)?;
     if let Some(principle) = quasi_principle(asked, &model) {
         return in_quasi_velocities(asked, &model, &file, principle);
@@ -133,6 +137,17 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
         let form = MatrixForm::of(&trace, principle).map_err(Ending::refused)?.in_file(&model, &file);
         Ok(echoed(asked, &trace) + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
+}
+
+/// Leaves out what follows from others, where the model has a start at which that is decided.
+fn leave_out_implied(model: &mut Model) {
+    let known = model.warnings.len();
+    if independent_start(model).is_ok() {
+        model
+            .warnings
+            .drain(known..)
+            .for_each(|warning| warn(&format!("warning: {}: {}", warning.title, warning.label)));
+    }
 }
 
 /// The principle of a system with quasi-velocities, where that uses them; the others keep the rates of coordinates.

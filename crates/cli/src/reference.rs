@@ -72,6 +72,7 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
             keep(output, &problem, &Stored::of(&problem, found, Vec::new()), asked)
         }
         Err(failure) => {
+            clock::keeps_nothing();
             print(&format!("{}\nno reference: {failure}\n", smooth.title()))?;
             Ok(Ending::Stopped)
         }
@@ -101,6 +102,7 @@ fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     let found = match scene.exact(clock::left()) {
         Ok(found) => found,
         Err(unknown) => {
+            clock::keeps_nothing();
             print(&format!("{}\nno reference: {unknown}\n", scene.title))?;
             return Ok(Ending::Stopped);
         }

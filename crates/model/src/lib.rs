@@ -45,8 +45,8 @@ pub use elaboration::{HALF_TURN, bare_angle, is_reserved, misplaced};
 pub use fault::Fault;
 pub use parts::{
     Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId,
-    GeneralisedForce, Inertia, Input, Material, Model, Output, Parameter, Point, PointId, QuasiVelocity, StartSpeed,
-    StartValue, Torque, Turn, Zero,
+    GeneralisedForce, Implied, Inertia, Input, Material, Model, Output, Parameter, Point, PointId, QuasiVelocity,
+    StartSpeed, StartValue, Torque, Turn, Zero,
 };
 pub use presentation::{
     Cosine, Held, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out, shorter, sympy, text, titles,

@@ -206,6 +206,15 @@ pub enum Zero {
     Vector(VectorId),
 }
 
+/// An equation of a constraint that follows from others.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Implied {
+    /// Its constraint, and its component of a vector.
+    pub of: [usize; 2],
+    /// As sentences call it.
+    pub title: String,
+}
+
 /// A scalar that a run shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
@@ -290,6 +299,8 @@ pub struct Model {
     pub torques: Vec<Torque>,
     pub generalised: Vec<GeneralisedForce>,
     pub constraints: Vec<Constraint>,
+    /// Equations of constraints that follow from the others along every motion from the start: they have no reaction of their own.
+    pub implied: Vec<Implied>,
     pub outputs: Vec<Output>,
     pub inputs: Vec<Input>,
     /// Expressions at whose zeros something is chosen anew.
@@ -326,6 +337,19 @@ impl Model {
             let zero = self.arena.scalar(zero, Some(self.inputs[place].dimension));
             self.inputs[place].value = Some(zero);
         }
+    }
+
+    /// The name of the coordinate that alone decides a switch.
+    pub fn coordinate_of_switch(&self, switch: usize) -> Option<&str> {
+        match self.arena.scalar_at(*self.switches.get(switch)?)? {
+            Scalar::Coordinate(place) => Some(&self.coordinates[*place].name),
+            _ => None,
+        }
+    }
+
+    /// Whether an equation of a constraint, by its constraint and its component, follows from others.
+    pub fn is_implied(&self, of: [usize; 2]) -> bool {
+        self.implied.iter().any(|implied| implied.of == of)
     }
 
     /// The number of coordinates, those of free frames among them: four each.

@@ -83,7 +83,7 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
             report(
                 &body.mass_at,
                 format!("the mass of `{}` must be positive", body.name),
-                format!("it is {mass} kg"),
+                format!("it is {} kg", shown(mass)),
                 "a positive mass",
             );
         }
@@ -92,7 +92,7 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
             report(
                 &body.inertia_at,
                 title,
-                format!("it is {moment} kg m^2"),
+                format!("it is {} kg m^2", shown(*moment)),
                 "moments of inertia that are zero or positive",
             );
         }
@@ -106,12 +106,17 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
             report(
                 &body.inertia_at,
                 title,
-                format!("they are {a}, {b} and {c} kg m^2"),
+                format!("they are {}, {} and {} kg m^2", shown(a), shown(b), shown(c)),
                 "none is larger than the two others together",
             );
         }
     }
     issues
+}
+
+/// A number without the rounding of its last digits.
+fn shown(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
 }
 
 /// About axes, products of inertia left out.

@@ -5,7 +5,7 @@ use crate::compiled_system::{ENERGIES, NotCompiled};
 use crate::parametric_law::ParametricLaw;
 use crate::readiness::{changes, one_law, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
-use crate::start::{StartSolver, Unmet, given, start_speeds};
+use crate::start::{Completed, StartSolver, Unmet, given, start_speeds};
 use crate::warnings::warn_of;
 use derivations::ensemble::{
     Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, Shape, Sizes, Stopped, Variable, lane_series,
@@ -153,7 +153,10 @@ impl ModelEnsemble {
             return Err(Unmet::NotCompiled(NotCompiled::Changes));
         }
         let law = ParametricLaw::of(model).map_err(Unmet::NotCompiled)?;
-        let start = StartSolver::of(model)?;
+        // members may start where other constraints follow from others
+        let mut whole = Model::clone(model);
+        whole.implied.clear();
+        let start = StartSolver::of(&whole)?;
         let bodies = BodyNumbers::of(model).map_err(Unmet::NotCompiled)?;
         Ok(ModelEnsemble { scene, law, start, bodies, targets })
     }
@@ -227,7 +230,12 @@ impl ParametricSystem for ModelEnsemble {
             return Err(Stopped::Impossible(format!("{}: {}", issue.title, issue.label)));
         }
         let start = self.start.complete(&parameters, &speeds, state, &given);
-        let start = start.map_err(|unmet| Stopped::Start(told(&unmet)))?;
+        let Completed { state: start, implied } = start.map_err(|unmet| Stopped::Start(told(&unmet)))?;
+        if !implied.iter().copied().eq(model.implied.iter().map(|implied| implied.of)) {
+            return Err(Stopped::Start(
+                "other constraints follow from others than at the start of the file".to_owned(),
+            ));
+        }
         let (own, before) = (parameters.clone(), start.clone());
         let end = Box::new(move |time: f64, state: &[f64]| self.end(&own, &before, time, state));
         Ok(Member { parameters, state: start, end })
@@ -255,7 +263,7 @@ impl ParametricSystem for ModelEnsemble {
 fn told(unmet: &Unmet) -> String {
     match unmet {
         Unmet::Open(open) => open.to_string(),
-        Unmet::Redundant { name, .. } => format!("{name} follows from those before it"),
+        Unmet::Redundant { name, .. } => format!("{name} depends on those before it there"),
         Unmet::Idle { name, .. } => format!("{name} holds nothing there"),
         Unmet::Contradiction { .. } => "two constraints contradict each other".to_owned(),
         Unmet::Gains { .. } | Unmet::Piecewise(_) | Unmet::Fixed { .. } => {

@@ -4,7 +4,7 @@ use crate::scene::model;
 use crate::warnings::warn_of;
 use derivations::scene::file::{read_text, tables};
 use derivations::scene::{Issue, SceneError};
-use model::{Entry, Fault, Model, ScalarId, Text};
+use model::{Entry, Fault, Model, ScalarId, Text, bare_angle};
 use std::ops::Range;
 use std::path::Path;
 
@@ -75,6 +75,18 @@ pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Mod
         };
         warn_of(&file, &text, &own.warnings);
         let model = Model::of(&source).map_err(|faults| wrong.extend(faults.into_iter().map(told))).ok()?;
+        let place = |at: Range<usize>| at.start.saturating_sub(behind)..at.end.saturating_sub(behind);
+        let of_motions = model.warnings.iter().filter(|warning| warning.span.start >= behind);
+        let mut bare: Vec<Fault> =
+            of_motions.map(|warning| Fault { span: place(warning.span.clone()), ..warning.clone() }).collect();
+        for (place, motion) in all.iter().enumerate() {
+            let Written::Turns { turns, .. } = motion else { continue };
+            bare.extend(turns.iter().filter_map(|(_, is)| {
+                let start = options.expressions[place] + options.within(place, is);
+                bare_angle(start..start + is.len(), is, "({} deg)")
+            }));
+        }
+        warn_of("--motion", &options.text, &bare);
         let mut expressions = model.outputs[own.outputs.len()..].iter().map(|output| output.is);
         let mut prescribed = Vec::with_capacity(all.len());
         for motion in all {

@@ -4,10 +4,10 @@ use crate::compiled_system::{CompiledSystem, NotCompiled, plain};
 use crate::equilibrium::{NoEquilibrium, equilibrium};
 use crate::first_motion::missing;
 use crate::modes::{Modes, Refused};
-use crate::start::{Open, Unmet, consistent};
+use crate::start::{Completed, Open, Unmet, consistent};
 use derivations::scene::Issue;
-use model::equations::Level;
-use model::{Model, StartValue};
+use model::equations::{Level, constraints_of};
+use model::{Fault, Implied, Model, StartValue, Trace, titles};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -25,17 +25,23 @@ pub(crate) fn refused(model: &Model, reason: &NotCompiled) -> Issue {
 }
 
 /// The start, completed, and the law that runs from it.
-pub(crate) fn ready(model: &Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
+pub(crate) fn ready(model: &mut Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
     // before the law: what depends on others makes it singular
-    let start = start_of(model)?;
+    let start = independent_start(Arc::make_mut(model))?;
+    let model = &*model;
     let system = Modes::of(model).first(&start).map_err(|why| match why {
         Refused::Law(reason) => refused(model, &reason),
         Refused::Motion { why, switch } => {
             let place = switch.map_or(0..0, |switch| model.switch_places[switch].clone());
             let issue = Issue::at(place, format!("this system cannot start: {why}"), "this is at zero at the start");
-            issue.accepted(
-                "another start: the conditions of `if`, `sign`, `abs`, `min`, `max` and `table` choose its law",
-            )
+            let accepted =
+                "another start: the conditions of `if`, `sign`, `abs`, `min`, `max` and `table` choose its law";
+            match switch.and_then(|switch| model.coordinate_of_switch(switch)) {
+                Some(name) => issue.accepted(format!(
+                    "`{name}'`, if the sign of a speed is meant, as in dry friction -F*sign({name}'); or {accepted}"
+                )),
+                None => issue.accepted(accepted),
+            }
         }
     })?;
     match missing(model, &system, &start) {
@@ -59,6 +65,10 @@ pub(crate) fn one_law(model: &Model) -> Result<(), NotCompiled> {
 /// # Errors
 /// Why there is none, at its place.
 pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
+    completed(model).map(|completed| completed.state)
+}
+
+fn completed(model: &Model) -> Result<Completed, Issue> {
     let completed = match &model.equilibrium {
         None => consistent(model),
         Some(_) => consistent(&at_rest(model, false)?),
@@ -66,14 +76,53 @@ pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
     completed.map_err(|unmet| unmet_at(model, unmet))
 }
 
+/// The start, and the model without the equations of constraints that follow from others: they have no reaction of their own, and the
+/// model warns of them.
+///
+/// # Errors
+/// Why there is none, at its place.
+pub fn independent_start(model: &mut Model) -> Result<Vec<f64>, Issue> {
+    let completed = completed(model)?;
+    leave_out(model, &completed.implied);
+    Ok(completed.state)
+}
+
+/// The model without the equations of constraints that follow from others at a state at which it may start.
+///
+/// # Errors
+/// Why it may not.
+pub fn independent_at(model: &mut Model, state: &[f64]) -> Result<(), Issue> {
+    let found = consistent(&starting(model, state)).map_err(|unmet| unmet_at(model, unmet))?;
+    leave_out(model, &found.implied);
+    Ok(())
+}
+
+fn leave_out(model: &mut Model, implied: &[[usize; 2]]) {
+    if implied.is_empty() {
+        return;
+    }
+    let titles = symbolic::apart(|| {
+        let trace = Trace::of(model);
+        let titles = titles(&trace).into_iter().map(|(_, title)| title);
+        constraints_of(&trace).into_iter().map(|one| (one.of, one.at)).zip(titles).collect::<Vec<_>>()
+    });
+    for ((of, at), title) in titles.into_iter().filter(|((of, _), _)| implied.contains(of)) {
+        model.implied.push(Implied { of, title: title.clone() });
+        let title = format!("{title} follows from other constraints");
+        let label = "it has no reaction here: nothing determines the shares of the others and of this one";
+        let accepted = "without it the motion is the same";
+        model.warnings.push(Fault { span: at, title, label: label.to_owned(), accepted: accepted.to_owned() });
+    }
+}
+
 /// The condition that a start does not meet, at its place.
 pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     match unmet {
         Unmet::Open(open) => inconsistent(&open),
         Unmet::Redundant { at, .. } => {
-            let title = "this constraint follows from those before it";
-            let issue = Issue::at(at, title, "at the start it holds no direction of its own");
-            issue.accepted("constraints that are independent: leave this one out")
+            let title = "this constraint depends on those before it at the start";
+            let issue = Issue::at(at, title, "it holds no direction of its own there, and does elsewhere");
+            issue.accepted("another start; or constraints that are independent")
         }
         Unmet::Idle { at, .. } => {
             let title = "this constraint holds nothing at the start";
@@ -154,19 +203,26 @@ fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
                 issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted")
             }
             NoEquilibrium::NotFound { equation, residual } => {
-                let label = format!("{equation} leave {residual:.6e} in SI units at the best point that was found");
+                let label = format!(
+                    "the residual of {equation} is {residual:.6e} in SI units at the best point that was found"
+                );
                 let issue = Issue::at(at, "no equilibrium is found near this start", label);
                 issue.accepted("coordinates nearer to one, written as guesses so that they may move: \"guess 0.3 rad\"")
             }
         }
     })?;
+    Ok(starting(model, &found.state))
+}
+
+/// The model with a state as its start.
+fn starting(model: &Model, state: &[f64]) -> Model {
     let n = model.positions();
     let value =
         |(place, &value): (usize, &f64)| StartValue { coordinate: place % n, order: place / n, value, is_guess: false };
-    let mut rested = model.clone();
-    rested.start_speeds.clear();
-    rested.start = found.state.iter().enumerate().map(value).collect();
-    Ok(rested)
+    let mut starting = model.clone();
+    starting.start_speeds.clear();
+    starting.start = state.iter().enumerate().map(value).collect();
+    starting
 }
 
 /// Where a system says why it cannot run, what stands there, and what would be accepted.

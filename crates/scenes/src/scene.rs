@@ -7,6 +7,7 @@ use crate::modes::{Ended, Modes};
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{ready, start_of, without_run};
 use crate::row_units::unit_of;
+use crate::start::Followed;
 use crate::text;
 use crate::warnings::{Warn, warn_by, warn_of};
 use derivations::scene::any::holds_model;
@@ -72,7 +73,8 @@ pub fn read_model(path: &Path) -> Result<Model, SceneError> {
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
     let source = text::source(top);
     let faults = match Model::of(&source) {
-        Ok(model) => return Some((model, source)),
+        // what could not be read is missing in it
+        Ok(model) => return (!top.has_issues()).then_some((model, source)),
         Err(faults) => faults,
     };
     // what could not be read explains what is missing
@@ -101,7 +103,7 @@ impl ModelScene {
         let title = top.text("title", "one line that says what happens").value;
         let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
         let description = top.optional_text("description", "what happens and why it is hard");
-        let model = model(top, issues).map(|(model, _)| Arc::new(model));
+        let mut model = model(top, issues).map(|(model, _)| Arc::new(model));
         let names = model.as_deref().map(columns);
         let run = match top.has("run") {
             true => run::read(top, issues, names.as_deref()),
@@ -114,11 +116,11 @@ impl ModelScene {
                 None
             }
         };
-        let model = model?;
+        let mut model = model.take()?;
         let bodies = impossible(&model);
         let exist = bodies.is_empty();
         issues.extend(bodies);
-        let ready = exist.then(|| ready(&model))?;
+        let ready = exist.then(|| ready(&mut model))?;
         let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
         let events = model.events.iter().map(|event| called(event, text)).collect();
@@ -207,7 +209,10 @@ impl Smooth for ModelScene {
             invariants,
             columns: columns(&self.model),
             row: Box::new(row),
-            margins: Box::new(|_, _| Vec::new()),
+            margins: match Followed::of(&self.model).filter(|_| !changes) {
+                Some(followed) => Box::new(move |state, _| followed.margins(state)),
+                None => Box::new(|_, _| Vec::new()),
+            },
             switching: modes.map(|modes| modes as Arc<dyn Switching>),
         }
     }

@@ -7,7 +7,7 @@ use crate::clock;
 use crate::ending::{Ending, warn};
 use crate::progress::Progress;
 use ::scenes::linearisation::{Linearisation, NotLinear, Stability, Standing, VariedEquations, eigenvalues, points};
-use ::scenes::{ModelScene, equilibrium_of, read_model, start_of};
+use ::scenes::{ModelScene, equilibrium_of, independent_at, independent_start, read_model};
 use clap::{Args, ValueEnum};
 use derivations::scene::file::read_text;
 use derivations::scene::{Issue, SceneError};
@@ -76,7 +76,7 @@ pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
     model.close_inputs();
     let inputs = inputs(&mut model, &asked.inputs).map_err(refused)?;
     let _progress = Progress::new("the linear equations");
-    let instances = instances(&model, asked)?;
+    let instances = instances(&mut model, asked)?;
     let equations = VariedEquations::of(&model, &inputs).map_err(|why| refused(why.to_string()))?;
     if !equations.feedback.is_empty() {
         let inputs: Vec<String> = equations.feedback.iter().map(|name| format!("`{name}`")).collect();
@@ -142,16 +142,17 @@ fn inputs(model: &mut Model, names: &[String]) -> Result<Vec<usize>, String> {
 }
 
 /// Times with the states then.
-fn instances(model: &Model, asked: &Asked) -> Result<Vec<points::Instance>, Ending> {
+fn instances(model: &mut Model, asked: &Asked) -> Result<Vec<points::Instance>, Ending> {
     let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
     if !asked.times.is_empty() {
         let scene = ModelScene::parse(&asked.scene.display().to_string(), &read_text(&asked.scene)?)?;
+        model.implied.clone_from(&scene.model.implied);
         let along = points::along(&scene, &asked.times, clock::left());
         return along.map_err(|failure| refused(format!("the run does not reach these times: {failure}")));
     }
     let state = match asked.about {
-        About::Start => start_of(model),
-        About::Equilibrium => equilibrium_of(model),
+        About::Start => independent_start(model),
+        About::Equilibrium => equilibrium_of(model).and_then(|state| independent_at(model, &state).map(|()| state)),
     };
     match state {
         Ok(state) => Ok(vec![(0.0, state)]),

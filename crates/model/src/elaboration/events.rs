@@ -15,6 +15,19 @@ pub(super) fn compared(text: &Text) -> Option<[&str; 2]> {
     }
 }
 
+/// Whether a text is a name, a number, or stands in parentheses of its own.
+fn is_whole(text: &str) -> bool {
+    let is_word = text.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '\''));
+    let closes = |inner: &str| {
+        let mut depth = 0_i32;
+        inner.chars().all(|c| {
+            depth += i32::from(c == '(') - i32::from(c == ')');
+            depth >= 0
+        })
+    };
+    is_word || text.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')).is_some_and(closes)
+}
+
 impl Elaborator<'_> {
     pub(super) fn events(&mut self) {
         for event in &self.source.events {
@@ -27,7 +40,8 @@ impl Elaborator<'_> {
 
     fn event(&mut self, source: &EventSource) -> Sound<Event> {
         if let Some([left, right]) = compared(&source.when) {
-            let accepted = format!("when = \"{left} - ({right})\", with direction = \"up\" or \"down\"");
+            let right = if is_whole(right) { right.to_owned() } else { format!("({right})") };
+            let accepted = format!("when = \"{left} - {right}\", with direction = \"up\" or \"down\"");
             let title = "an event is an instant at which an expression passes zero";
             return Err(Box::new(Fault::at(source.when.span(), title, "a condition", accepted)));
         }

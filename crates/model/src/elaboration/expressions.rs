@@ -126,6 +126,9 @@ impl Elaborator<'_> {
     }
 
     fn named(&mut self, span: &Range<usize>, name: &str) -> Sound<Meaning> {
+        if self.broken.contains(name) {
+            return Err(Box::new(Fault::consequence(span.clone())));
+        }
         match self.names.get(name) {
             Some(Named::Value(value)) => return Ok(Meaning::Value(*value)),
             Some(Named::Body(body)) => return Ok(Meaning::Body(*body)),

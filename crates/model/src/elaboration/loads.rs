@@ -221,6 +221,12 @@ impl Elaborator<'_> {
             return Err(Box::new(Fault::at(name.span(), title, "no part of the state", accepted)));
         }
         let known: Vec<String> = self.model.state_names().into_iter().map(|(name, _)| name).collect();
+        // the orientation of a frame is no single coordinate; a name without a part means the frame
+        let frames = self.model.free.iter().map(|frame| self.model.frames[frame.0].name.clone());
+        let known: Vec<String> = match name.text.contains('.') {
+            true => known,
+            false => known.into_iter().filter(|known| !known.contains('.')).chain(frames).collect(),
+        };
         let known = known.iter().map(String::as_str).filter(|name| !name.contains(".q"));
         Err(Box::new(super::unknown(&self.broken, name.span(), &name.text, "coordinate", known)))
     }

@@ -201,7 +201,13 @@ impl<'s> Elaborator<'s> {
             None
         };
         match fault {
-            Some(fault) => self.faults.push(fault),
+            Some(fault) => {
+                // what stands for it elsewhere has another meaning there
+                if is_reserved(text) {
+                    self.broken.insert(text.to_owned());
+                }
+                self.faults.push(fault);
+            }
             None => {
                 self.names.insert(text.to_owned(), named);
             }
@@ -302,7 +308,7 @@ impl<'s> Elaborator<'s> {
 
     /// A frame by its name; of a body the frame that it turns with.
     fn frame(&self, name: &Text) -> Sound<FrameId> {
-        match self.names.get(name.text.trim()) {
+        match self.names.get(name.text.trim()).filter(|_| !self.broken.contains(name.text.trim())) {
             Some(Named::Value(Value::Frame(frame))) => Ok(*frame),
             Some(Named::Body(body)) => self.model.bodies[body.0].frame.ok_or_else(|| {
                 let title = format!("the body `{}` does not turn", name.text);

@@ -113,6 +113,20 @@ impl Bounded {
     }
 }
 
+/// The highest rate in some parts.
+fn highest(orders: &Orders<'_>, ids: &[ScalarId]) -> Option<usize> {
+    ids.iter().filter_map(|id| orders.of_parts[id.0]).max()
+}
+
+/// Moments and products of inertia.
+fn moments(body: &crate::Body) -> Vec<ScalarId> {
+    match &body.inertia {
+        None => Vec::new(),
+        Some(Inertia::Axial(moment)) => vec![*moment],
+        Some(Inertia::Tensor { entries, .. }) => entries.iter().flatten().copied().collect(),
+    }
+}
+
 impl Elaborator<'_> {
     /// Refuses rates where no law has a place for them; those of frames, then of points, explain others, and other faults these.
     pub(super) fn rates(&mut self) {
@@ -123,7 +137,9 @@ impl Elaborator<'_> {
         let groups = [self.angles(&orders), self.ways(&orders), self.laws(&orders), self.acting(&orders)];
         let faults = groups.map(|group| group.into_iter().filter_map(Bounded::fault).collect::<Vec<Fault>>());
         let first = faults.into_iter().find(|group| !group.is_empty());
+        let solidified = self.solidified(&orders);
         self.faults.extend(first.unwrap_or_default());
+        self.model.warnings.extend(solidified);
     }
 
     /// The text that gives a name its meaning.
@@ -132,6 +148,27 @@ impl Elaborator<'_> {
         let entry = entries.into_iter().flatten().find(|entry| entry.name.text == name).map(|entry| &entry.value);
         let turns = self.source.bodies.iter().find(|body| body.name.text == name).and_then(|body| body.turns.as_ref());
         entry.or(turns).map(Text::span)
+    }
+
+    /// Warnings of masses and moments of inertia that depend on coordinates or speeds.
+    fn solidified(&self, orders: &Orders<'_>) -> Vec<Fault> {
+        let varies = |body: &&crate::Body| {
+            let mass = body.mass.and_then(|mass| orders.of_parts[mass.0]);
+            let inertia = highest(orders, &moments(body));
+            mass.or(inertia).is_some()
+        };
+        let warning = |body: &crate::Body| {
+            let title = format!(
+                "the inertia of `{}` depends on the motion: its law is m a = F, as if it were solid at each instant",
+                body.name
+            );
+            let mass = body.mass.and_then(|mass| orders.of_parts[mass.0]);
+            let at = if mass.is_some() { body.mass_at.clone() } else { body.inertia_at.clone() };
+            let accepted =
+                "a force of its own for what arrives or leaves; or [energies] kinetic, for the law of Lagrange";
+            Fault::at(at, title, "no term in the rate of the mass", accepted)
+        };
+        self.model.bodies.iter().filter(varies).map(warning).collect()
     }
 
     fn angles(&self, orders: &Orders<'_>) -> Vec<Bounded> {
@@ -179,7 +216,7 @@ impl Elaborator<'_> {
     /// Energies, constraints, masses and moments of inertia.
     fn laws(&self, orders: &Orders<'_>) -> Vec<Bounded> {
         let model = &self.model;
-        let highest = |ids: &[ScalarId]| ids.iter().filter_map(|id| orders.of_parts[id.0]).max();
+        let highest = |ids: &[ScalarId]| highest(orders, ids);
         let energies = [
             ("potential", model.energies.potential, 0),
             ("kinetic", model.energies.kinetic, 1),
@@ -202,12 +239,7 @@ impl Elaborator<'_> {
             Bounded { what, order, most: 1, span: entry.map(|entry| entry.value.span()) }
         });
         let bodies = model.bodies.iter().map(|body| {
-            let moments = match &body.inertia {
-                None => Vec::new(),
-                Some(Inertia::Axial(moment)) => vec![*moment],
-                Some(Inertia::Tensor { entries, .. }) => entries.iter().flatten().copied().collect(),
-            };
-            let order = highest(&moments).max(body.mass.and_then(|mass| orders.of_parts[mass.0]));
+            let order = highest(&moments(body)).max(body.mass.and_then(|mass| orders.of_parts[mass.0]));
             Bounded { what: format!("the inertia of `{}`", body.name), order, most: 1, span: Some(body.at.clone()) }
         });
         energies.chain(constraints).chain(speeds).chain(bodies).collect()

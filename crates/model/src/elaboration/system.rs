@@ -30,6 +30,7 @@ impl Elaborator<'_> {
             let found = found.map_err(|fault| self.elsewhere(&entry.value, fault));
             let found = self.under("coordinates", &entry.name, found);
             let Some((dimension, unit)) = self.kept_as(&entry.name, found) else { continue };
+            self.judge_unit(&entry.name.text, &entry.value, &unit);
             let (name, at) = (entry.name.text.clone(), entry.name.span());
             self.model.coordinates.push(Coordinate { name, dimension, unit, at });
             let letter = self.scalar(Scalar::Coordinate(self.model.coordinates.len() - 1), Some(dimension));
@@ -106,6 +107,17 @@ impl Elaborator<'_> {
             Ok(_) => Err(fault("nothing stands here".to_owned())),
             Err(wrong) => Err(fault(wrong.to_string())),
         }
+    }
+
+    /// Warns of a unit in which no column of a run is: units of coordinates and inputs name dimensions.
+    fn judge_unit(&mut self, name: &str, written: &Text, coherent: &str) {
+        let unit = written.text.trim();
+        if unit == coherent {
+            return;
+        }
+        let title = format!("`{name}` is computed and shown in {coherent}, not in {unit}");
+        let accepted = format!("\"{coherent}\" here; numbers may have any unit: (20 {unit})");
+        self.model.warnings.push(Fault::at(written.span(), title, "a unit names the dimension", accepted));
     }
 
     /// `"2 kg"` with a value, `"N/m"` without.
@@ -199,9 +211,10 @@ impl Elaborator<'_> {
     }
 
     /// `u = { unit = "N", value = "if(t < (2 s), Fmax, 0)" }`
-    fn input(&mut self, InputSource { name, unit, value }: &InputSource) -> Sound<Input> {
+    fn input(&mut self, InputSource { name, unit: written, value }: &InputSource) -> Sound<Input> {
         let (dimension, unit) =
-            self.unit(unit, "an input has a unit", "u = { unit = \"N\", value = \"F*sin(w*t)\" }")?;
+            self.unit(written, "an input has a unit", "u = { unit = \"N\", value = \"F*sin(w*t)\" }")?;
+        self.judge_unit(&name.text, written, &unit);
         let what = format!("the input `{}`", name.text);
         let value = match value {
             Some(value) => Some(self.scalar_value(value, &what, Some(dimension))?),

@@ -16,6 +16,8 @@ pub enum Level {
 pub struct Equation {
     /// As the model names it; empty where it does not.
     pub name: String,
+    /// Its constraint in the model, and its component of a vector.
+    pub of: [usize; 2],
     /// lambda, the symbol of its multiplier.
     pub multiplier: Sym,
     pub level: Level,
@@ -47,23 +49,27 @@ pub(crate) struct Held {
     pub zero: Sym,
     /// The axis along which it is a component, of a vector.
     pub axis: Option<Vector>,
+    /// Its place among the components of a vector that do not vanish.
+    pub component: usize,
 }
 
-/// The equations of a constraint by its place: itself, or each component of a vector that does not vanish identically.
+/// The equations of a constraint by its place: itself, or each component of a vector that does not vanish identically; none that
+/// follows from others.
 pub(crate) fn held_of(trace: &Trace<'_>, place: usize) -> Vec<Held> {
-    match trace.model.constraints[place].zero {
-        Zero::Scalar(zero) => vec![Held { zero: trace.scalar(zero), axis: None }],
+    let mut held = match trace.model.constraints[place].zero {
+        Zero::Scalar(zero) => vec![Held { zero: trace.scalar(zero), axis: None, component: 0 }],
         Zero::Vector(zero) => independent(trace, trace.vector(zero)),
-    }
+    };
+    held.retain(|held| !trace.model.is_implied([place, held.component]));
+    held
 }
 
 /// One for each scalar, and for each component of a vector that does not vanish identically.
 pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
     let mut all = Vec::new();
     for (place, constraint) in trace.model.constraints.iter().enumerate() {
-        for (component, held) in held_of(trace, place).into_iter().enumerate() {
-            let multiplier = Trace::multiplier(place, component);
-            all.push(equation(trace, constraint, multiplier, held.zero));
+        for held in held_of(trace, place) {
+            all.push(equation(trace, constraint, [place, held.component], held.zero));
         }
     }
     all
@@ -76,15 +82,17 @@ fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<Held> {
     let frames = std::iter::successors(Some(vector.frame), above);
     let held = frames.map(|frame| {
         let components = trace.express(vector, frame).into_iter().enumerate();
-        let held = components.map(|(axis, zero)| Held { zero, axis: Some(Vector::axis(frame, axis)) });
-        held.filter(|held| !vanishes(held.zero)).collect::<Vec<_>>()
+        let held = components.filter(|(_, zero)| !vanishes(*zero)).enumerate();
+        let held =
+            held.map(|(component, (axis, zero))| Held { zero, axis: Some(Vector::axis(frame, axis)), component });
+        held.collect::<Vec<_>>()
     });
     held.min_by_key(Vec::len).unwrap_or_default()
 }
 
 impl Trace<'_> {
     /// The multiplier of a constraint's equation: no name of a system can be this one.
-    pub(crate) fn multiplier(constraint: usize, component: usize) -> Sym {
+    pub(crate) fn multiplier([constraint, component]: [usize; 2]) -> Sym {
         Sym::symbol(&format!("multiplier {constraint}.{component}"))
     }
 
@@ -111,7 +119,7 @@ pub fn vanishes(component: Sym) -> bool {
     }
 }
 
-fn equation(trace: &Trace<'_>, constraint: &Constraint, multiplier: Sym, zero: Sym) -> Equation {
+fn equation(trace: &Trace<'_>, constraint: &Constraint, of: [usize; 2], zero: Sym) -> Equation {
     let Constraint { name, gains, at, .. } = constraint;
     let level = trace.level_of(zero);
     let rate = if level == Level::Position { trace.rate_of(zero) } else { zero };
@@ -124,5 +132,6 @@ fn equation(trace: &Trace<'_>, constraint: &Constraint, multiplier: Sym, zero: S
         bias += gain * lower;
     }
     let name = name.clone().unwrap_or_default();
-    Equation { name, multiplier, level, zero, rate, row, bias, gains, at: at.clone() }
+    let multiplier = Trace::multiplier(of);
+    Equation { name, of, multiplier, level, zero, rate, row, bias, gains, at: at.clone() }
 }

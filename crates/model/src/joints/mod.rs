@@ -177,14 +177,14 @@ fn inertia(trace: &Trace<'_>, link: &Link) -> Load {
 fn reactions(trace: &Trace<'_>) -> Vec<(Sym, Wrench)> {
     let mut all = Vec::new();
     for (place, constraint) in trace.model.constraints.iter().enumerate() {
-        for (component, held) in held_of(trace, place).into_iter().enumerate() {
+        for held in held_of(trace, place) {
             let level = trace.level_of(held.zero);
             let wrench = match (constraint.zero, held.axis) {
                 (Zero::Scalar(zero), _) => wrenches::of_scalar(trace, zero, level),
                 (Zero::Vector(zero), Some(axis)) => wrenches::along_axis(trace, zero, axis, level),
                 (Zero::Vector(_), None) => Wrench::default(),
             };
-            all.push((Trace::multiplier(place, component), wrench));
+            all.push((Trace::multiplier([place, held.component]), wrench));
         }
     }
     all

@@ -40,7 +40,8 @@ pub(super) fn conditions(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Condition>
 
 /// Sentences on the parts of a model that its equations leave out.
 pub fn left_out(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
-    let mut sentences = Vec::new();
+    let implied = |implied: &crate::Implied| format!("{} follows from the others and is left out.", implied.title);
+    let mut sentences: Vec<String> = trace.model.implied.iter().map(implied).collect();
     if !conditions(trace, form).is_empty() {
         sentences.push(
             "A condition that stays at zero, such as the speed of dry friction that sticks, is not part of these equations: \

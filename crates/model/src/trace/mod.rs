@@ -266,7 +266,11 @@ impl<'m> Trace<'m> {
                 self.dot(a, a).sqrt()
             }
             Scalar::RateOf(a) => self.rate_of(of(a)),
-            Scalar::Reaction { constraint } => Trace::multiplier(*constraint, 0),
+            // one that follows from others has none
+            Scalar::Reaction { constraint } => match self.model.is_implied([*constraint, 0]) {
+                true => Sym::ZERO,
+                false => Trace::multiplier([*constraint, 0]),
+            },
         }
     }
 
@@ -297,9 +301,9 @@ impl<'m> Trace<'m> {
             Form::AngularVelocity { of, seen } => self.turning_beside(*of, *seen),
             Form::RateOf { of: vector, seen } => self.rate_seen(of(vector), *seen),
             Form::Reaction { constraint } => {
-                let held = held_of(self, *constraint).into_iter().enumerate();
-                held.filter_map(|(component, held)| {
-                    let multiplier = Trace::multiplier(*constraint, component);
+                let held = held_of(self, *constraint).into_iter();
+                held.filter_map(|held| {
+                    let multiplier = Trace::multiplier([*constraint, held.component]);
                     held.axis.map(|axis| axis.map(|component| multiplier * component))
                 })
                 .fold(Vector::ZERO, |sum, each| self.sum(sum, each))

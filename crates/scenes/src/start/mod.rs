@@ -3,6 +3,11 @@
 //! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the constraints
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
+mod followed;
+mod implied;
+
+pub(crate) use followed::Followed;
+
 use crate::compiled_system::{NotCompiled, has_values};
 use crate::layout::Layout;
 use crate::letters::Inputs;
@@ -75,22 +80,43 @@ struct Constraints {
     /// From state, time, parameters and quasi-velocities of the start to the residuals, their rates, and the rates' derivatives by
     /// the speeds.
     tape: Tape,
-    /// Constraints of positions stand first, as sentences call each.
-    known: Vec<(Level, String, Range<usize>)>,
+    /// Constraints of positions stand first.
+    known: Vec<Known>,
     /// Number of those that are kept, which stand first.
     kept: usize,
     /// Number of quasi-velocities that the start gives, which stand behind these; the others are led to zero, and may start elsewhere.
     started: usize,
+    /// Whether a constraint holds the time.
+    knows_time: bool,
     layout: Layout,
     /// Names of coordinates and speeds, in the order of a state.
     names: Vec<String>,
+}
+
+/// A constraint, or a quasi-velocity that the start gives.
+#[derive(Debug)]
+struct Known {
+    level: Level,
+    /// As sentences call it.
+    title: String,
+    at: Range<usize>,
+    /// The equation of a constraint: its constraint in the model, and its component.
+    of: Option<[usize; 2]>,
+}
+
+/// A start that meets all constraints.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Completed {
+    pub state: Vec<f64>,
+    /// Equations of constraints that follow from others along every motion from there.
+    pub implied: Vec<[usize; 2]>,
 }
 
 /// The start of a model whose parameters have values.
 ///
 /// # Errors
 /// The first constraint that cannot be met.
-pub fn consistent(model: &Model) -> Result<Vec<f64>, Unmet> {
+pub fn consistent(model: &Model) -> Result<Completed, Unmet> {
     let solver = StartSolver::of(model)?;
     if solver.constraints.is_some() {
         has_values(model).map_err(Unmet::NotCompiled)?;
@@ -143,8 +169,8 @@ impl StartSolver {
         speeds: &[f64],
         mut state: Vec<f64>,
         given: &[bool],
-    ) -> Result<Vec<f64>, Unmet> {
-        let Some(constraints) = &self.constraints else { return Ok(state) };
+    ) -> Result<Completed, Unmet> {
+        let Some(constraints) = &self.constraints else { return Ok(Completed { state, ..Completed::default() }) };
         let parameters = &[parameters, speeds].concat();
         let layout = constraints.layout;
         for (order, level) in [(0, Some(Level::Position)), (1, None)] {
@@ -186,7 +212,9 @@ impl StartSolver {
                 return Err(contradiction.unwrap_or(Unmet::Open(open)));
             }
         }
-        constraints.redundant(&state, parameters).map_or(Ok(state), Err)
+        let implied = constraints.implied(&state, parameters)?;
+        let implied = implied.into_iter().filter_map(|row| constraints.known[row].of).collect();
+        Ok(Completed { state, implied })
     }
 
     /// Writes all that decides a completed start beside the given numbers.
@@ -194,7 +222,7 @@ impl StartSolver {
         match &self.constraints {
             None => Ok(()),
             Some(Constraints { tape, known, kept, started, .. }) => {
-                let levels: Vec<Level> = known.iter().map(|(level, ..)| *level).collect();
+                let levels: Vec<Level> = known.iter().map(|known| known.level).collect();
                 write!(out, "{tape:?} {levels:?} {kept} {started}")
             }
         }
@@ -236,10 +264,12 @@ impl Constraints {
                 let zero = trace.scalar(of.is) - given;
                 let row = (0..trace.speeds.len()).map(|i| trace.by_speed(zero, i)).collect();
                 let title = format!("the value of `{}` in [start]", of.name);
-                Row { level: Level::Speed, title, at: start.at.clone(), zero, rate: zero, row }
+                let known = Known { level: Level::Speed, title, at: start.at.clone(), of: None };
+                Row { known, zero, rate: zero, row }
             });
             let mut rows: Vec<Row> = all.into_iter().map(Row::of).collect();
             rows.splice(kept..kept, started);
+            let knows_time = rows.iter().any(|row| row.zero.symbols_of().contains(&trace.time));
             let zeros = rows.iter().map(|row| row.zero);
             let rates = rows.iter().map(|row| row.rate);
             let slopes = rows.iter().flat_map(|row| row.row.iter().copied());
@@ -249,11 +279,11 @@ impl Constraints {
             let tape = Tape::record(&[inputs.all(), speeds.clone()].concat(), &wanted)
                 .map_err(|reason| Unmet::NotCompiled(NotCompiled::Undefined { reason: reason.to_string() }))?
                 .arranged();
-            let known: Vec<_> = rows.into_iter().map(|Row { level, title, at, .. }| (level, title, at)).collect();
+            let known: Vec<Known> = rows.into_iter().map(|row| row.known).collect();
             let started = speeds.len();
             let names = model.state_names().into_iter().map(|(name, _)| name).collect();
             let layout = Layout::of(model);
-            Ok((!known.is_empty()).then_some(Constraints { tape, known, kept, started, layout, names }))
+            Ok((!known.is_empty()).then_some(Constraints { tape, known, kept, started, knows_time, layout, names }))
         })
     }
 
@@ -261,7 +291,7 @@ impl Constraints {
     fn at(&self, state: &[f64], parameters: &[f64], level: Option<Level>) -> (DVector<f64>, DMatrix<f64>) {
         let values = self.values(0.0, state, parameters);
         let count = match level {
-            Some(level) => self.known[..self.kept].iter().filter(|(own, ..)| *own == level).count(),
+            Some(level) => self.known[..self.kept].iter().filter(|own| own.level == level).count(),
             None => self.kept + self.started,
         };
         let first = if level.is_some() { 0 } else { self.known.len() };
@@ -279,30 +309,6 @@ impl Constraints {
     fn rows(&self, values: &[f64], count: usize) -> DMatrix<f64> {
         let (m, n) = (self.known.len(), self.layout.speeds());
         DMatrix::from_fn(count, n, |i, j| values[2 * m + i * n + j])
-    }
-
-    /// The first constraint whose direction depends on those of the others before it.
-    fn redundant(&self, state: &[f64], parameters: &[f64]) -> Option<Unmet> {
-        let jacobian = self.rows(&self.values(0.0, state, parameters), self.known.len());
-        let largest = jacobian.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
-        let mut kept: Vec<DVector<f64>> = Vec::new();
-        let started = self.kept..self.kept + self.started;
-        for (row, (_, title, at)) in self.known.iter().enumerate().filter(|(row, _)| !started.contains(row)) {
-            let whole: DVector<f64> = jacobian.row(row).transpose();
-            // twice, so that rounding leaves nothing along the others
-            let rest =
-                (0..2).fold(whole.clone(), |rest, _| kept.iter().fold(rest, |rest, one| &rest - one * one.dot(&rest)));
-            let length = rest.norm();
-            let (name, at) = (title.clone(), at.clone());
-            if whole.norm() <= RANK * largest || whole.norm() == 0.0 {
-                return Some(Unmet::Idle { at, name });
-            }
-            if length <= RANK * whole.norm() {
-                return Some(Unmet::Redundant { at, name });
-            }
-            kept.push(rest / length);
-        }
-        None
     }
 
     /// The first two constraints of which one is a multiple of the other and a constant, at every state: f = k g + d with d other than
@@ -333,7 +339,7 @@ impl Constraints {
             (ties.len() == all.len() && stays && residual.abs() > MET).then_some((one, other, *residual))
         };
         let (one, other, residual) = pairs.into_iter().find_map(apart)?;
-        Some(Unmet::Contradiction { at: [one, other].map(|place| self.known[place].2.clone()), residual })
+        Some(Unmet::Contradiction { at: [one, other].map(|place| self.known[place].at.clone()), residual })
     }
 
     /// The first constraint that does not hold, with those of the free coordinates, or speeds, that move it.
@@ -341,7 +347,7 @@ impl Constraints {
         let (residuals, jacobian) = self.at(state, parameters, level);
         let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
         let worst = residuals.iter().position(unmet)?;
-        let (_, title, at) = &self.known[worst];
+        let Known { title, at, .. } = &self.known[worst];
         let level = if level.is_some() { Level::Position } else { Level::Speed };
         let residual = residuals[worst].is_finite().then_some(residuals[worst]);
         let order = usize::from(level == Level::Speed);
@@ -351,20 +357,17 @@ impl Constraints {
     }
 }
 
-/// A constraint, or a quasi-velocity that the start gives.
+/// A row of the equations of a start.
 struct Row {
-    level: Level,
-    /// As sentences call it.
-    title: String,
-    at: Range<usize>,
+    known: Known,
     zero: Sym,
     rate: Sym,
     row: Vec<Sym>,
 }
 
 impl Row {
-    fn of(Equation { name, level, at, zero, rate, row, .. }: Equation) -> Self {
-        Row { level, title: called(&name), at, zero, rate, row }
+    fn of(Equation { name, of, level, at, zero, rate, row, .. }: Equation) -> Self {
+        Row { known: Known { level, title: called(&name), at, of: Some(of) }, zero, rate, row }
     }
 }
 

@@ -1,0 +1,160 @@
+//! Constraints that follow from others: named, without a reaction, and no obstacle to a run, a member or linear equations.
+
+use derivations::scene::{Axes, Choice, Smooth};
+use integrators::Method;
+use scenes::linearisation::{VariedEquations, eigenvalues};
+use scenes::{ModelScene, independent_start, parse_ensemble};
+use std::time::Duration;
+
+/// A rod on three parallel cranks: the third holds along the rod what the second holds.
+const CRANKS: &str = r#"
+title = "A coupler on three parallel cranks"
+gravity = "-g*N.y"
+[parameters]
+m = "1 kg"
+g = "9.81 m/s^2"
+r = "0.3 m"
+w = "1 m"
+[coordinates]
+a = "rad"
+b = "rad"
+c = "rad"
+d = "rad"
+[frames]
+A = "N turned a about z"
+B = "N turned b about z"
+C = "N turned c about z"
+D = "N turned d about z"
+[points]
+P = "O + r*A.x"
+Q = "O + (1 m)*N.x + r*B.x"
+R = "O + (2 m)*N.x + r*C.x"
+[bodies.coupler]
+frame = "D"
+centre = "P + (1.2 m)*D.x"
+mass = "m"
+inertia = "(0.3 kg m^2)"
+[[constraint]]
+name = "second"
+zero = "P + w*D.x - Q"
+[[constraint]]
+name = "third"
+zero = "P + (2 m)*D.x - R"
+[outputs]
+along = "reaction(third) . C.x"
+second = "reaction(second) . B.x"
+[start]
+a = "80 deg"
+b = "80 deg"
+c = "80 deg"
+[run]
+span = "0.4 s"
+tolerance = 1e-10
+"#;
+
+fn scene(text: &str) -> ModelScene {
+    ModelScene::parse("cranks.toml", text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn with(from: &str, to: &str) -> String {
+    assert_eq!(CRANKS.matches(from).count(), 1, "`{from}` must stand once");
+    CRANKS.replace(from, to)
+}
+
+/// The cranks turn as a pendulum of their length, upside down.
+#[test]
+fn a_constraint_that_follows_from_others_is_named_and_runs_without_a_reaction() {
+    let scene = scene(CRANKS);
+    let [warning] = &scene.model.warnings[..] else { panic!("{:?}", scene.model.warnings) };
+    assert_eq!(warning.title, "constraint 3 `third` along C.x follows from other constraints");
+    assert_eq!(&CRANKS[warning.span.clone()], "P + (2 m)*D.x - R");
+    for method in [Method::DormandPrince8, Method::Taylor, Method::RadauIIA { stages: 5 }] {
+        let (last, kept) = super::end(&scene, method, 1e-10);
+        assert!(kept.iter().all(|moved| moved.abs() < 1e-8), "{method}: {kept:?}");
+        let [a, b, c, d] = last[..4] else { panic!("four angles") };
+        assert!((a - b).abs() < 1e-8 && (a - c).abs() < 1e-8 && d.abs() < 1e-8, "{method}: {last:?}");
+        let speed = (2.0 * 9.81 / 0.3 * (80_f64.to_radians().sin() - a.sin())).sqrt();
+        assert!((last[4] + speed).abs() < 1e-7, "{method}: {last:?}");
+        assert_eq!(last[8], 0.0);
+        assert!(last[9].abs() > 1e-3, "{last:?}");
+    }
+}
+
+#[test]
+fn a_run_ends_where_the_motion_branches() {
+    let scene = scene(&with("span = \"0.4 s\"", "span = \"2 s\""));
+    let problem = scene.problem(Axes::First);
+    let choice = Choice {
+        method: Method::DormandPrince8,
+        tolerance: 1e-8,
+        axes: Axes::First,
+        samples: 10,
+        allowed: Duration::from_secs(60),
+    };
+    let run = problem.simulate(&choice, |_| ());
+    let why = run.stopped().expect("it does not reach its end");
+    assert!(why.to_string().contains("the motion came to a place where it branches"), "{why}");
+    // all rods along one line: a is 0 or half a turn
+    assert!(run.outcome.state[0].sin().abs() < 0.05, "{:?}", run.outcome.state);
+}
+
+#[test]
+fn what_depends_on_others_at_the_start_alone_is_refused() {
+    let text = "title = \"t\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x + y*N.y\"\nmass = \"(1 kg)\"\n\
+                [[constraint]]\nzero = \"x^2 + y^2 - (1 m^2)\"\n[[constraint]]\nzero = \"x - (1 m)\"\n[start]\nx = \"1 m\"\n[run]\nspan = \"1 s\"\n";
+    let error = ModelScene::parse("t.toml", text).expect_err("it is singular").to_string();
+    assert!(error.contains("this constraint depends on those before it at the start"), "{error}");
+    // one that is led, and need not hold, has nothing to lead
+    let led = "[[constraint]]\nzero = \"2*a - 2*b\"\nprogrammed = { gains = [\"(8 1/s)\", \"(16 1/s^2)\"] }\n[outputs]";
+    let error = ModelScene::parse("t.toml", &with("[outputs]", led)).expect_err("it is singular").to_string();
+    assert!(error.contains("this constraint depends on those before it at the start"), "{error}");
+}
+
+#[test]
+fn time_speeds_and_free_frames_do_not_hide_what_follows() {
+    let body = "title = \"t\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[frames]\nF = \"N free\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n\
+                [bodies.b]\nframe = \"F\"\ncentre = \"P\"\nmass = \"(1 kg)\"\ninertia = { xx = \"(1 kg m^2)\", yy = \"(2 kg m^2)\", zz = \"(2.5 kg m^2)\" }\n\
+                [start]\nx = \"guess 0.1 m\"\n\"F.wx\" = \"guess 0.2 rad/s\"\n\"F.wy\" = \"guess 0.3 rad/s\"\n[run]\nspan = \"1 s\"\n";
+    let titles = |zeros: &[&str]| -> Vec<String> {
+        let constraints: String = zeros.iter().map(|zero| format!("[[constraint]]\nzero = \"{zero}\"\n")).collect();
+        let scene = scene(&format!("{body}{constraints}"));
+        let warnings = scene.model.warnings.iter().map(|warning| warning.title.clone());
+        warnings.map(|title| title.split(" follows").next().unwrap_or_default().to_owned()).collect()
+    };
+    let moved = "x - (0.5 m)*sin(t*(1 rad/s))";
+    assert_eq!(titles(&[moved, "x' - (0.5 m/s)*cos(t*(1 rad/s))"]), ["constraint 2"]);
+    assert_eq!(
+        titles(&[moved, "2*y*(x - (0.5 m)*sin(t*(1 rad/s))) + x*(1 m) - (0.5 m^2)*sin(t*(1 rad/s))"]),
+        ["constraint 2"]
+    );
+    assert_eq!(titles(&["F.z . N.x", "cross(F.z, N.y) . N.z", "F.wx*(F.x . N.x)"]), ["constraint 2"]);
+    assert_eq!(titles(&["F.z . N.x", "F.wx"]), Vec::<String>::new());
+}
+
+#[test]
+fn members_need_the_same_constraints_to_follow() {
+    let vary = |what: &str| format!("{CRANKS}[ensemble]\nmembers = 2\n[ensemble.vary]\n{what}\n");
+    let members = |text: &str| parse_ensemble("cranks.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    let sound = members(&vary("parameters.r = { values = \"0.3 0.4 m\" }"));
+    assert!((1..=2).all(|number| sound.member(number).is_ok()));
+    let guessed = vary("parameters.w = { values = \"1 1.01 m\" }").replace(" = \"80 deg\"", " = \"guess 80 deg\"");
+    let other = members(&guessed);
+    assert!(other.member(1).is_ok());
+    let why = other.member(2).err().map(|why| format!("{why:?}")).unwrap_or_default();
+    assert!(why.contains("other constraints follow from others"), "{why}");
+}
+
+/// About 80 degrees: a'' = -g/r cos(a).
+#[test]
+fn linear_equations_know_the_independent_constraints() {
+    let mut model = scenes::ModelScene::parse("cranks.toml", CRANKS).unwrap_or_else(|error| panic!("{error}")).model;
+    let model = std::sync::Arc::make_mut(&mut model);
+    model.implied.clear();
+    let start = independent_start(model).unwrap_or_else(|issue| panic!("{issue:?}"));
+    let equations = VariedEquations::of(model, &[]).expect("it has them");
+    let found = equations.linearised(equations.point(0.0, &start)).expect("it is regular");
+    assert_eq!(found.a.shape(), (2, 2));
+    let values = eigenvalues(&found.a).values;
+    let rate = (9.81 / 0.3 * 80_f64.to_radians().sin()).sqrt();
+    assert!(values.iter().all(|value| (value.re.abs() - rate).abs() < 1e-9), "{values:?}");
+}
