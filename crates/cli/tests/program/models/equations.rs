@@ -1,0 +1,81 @@
+//! Equations of motion as they are printed.
+
+use super::{MODEL, printed, refused};
+use crate::{run, temporary};
+
+#[test]
+fn every_principle_and_notation_gives_the_equations() {
+    let body = "scenes/models/tumbling_body.toml";
+    for format in ["text", "latex", "mathml", "sympy", "c", "python", "rust"] {
+        assert!(
+            printed(&["derive", body, "--format", format]).contains("q0") || format == "latex" || format == "mathml"
+        );
+    }
+    for principle in ["lagrange", "virtual-power", "appell", "gauss", "newton-euler", "hamel", "hamilton"] {
+        for format in ["text", "latex", "mathml", "sympy", "c", "python", "rust"] {
+            let output = run(&["derive", MODEL, "--principle", principle, "--format", format]);
+            assert_eq!(
+                output.status.code(),
+                Some(0),
+                "{principle} {format}: {}",
+                String::from_utf8_lossy(&output.stderr)
+            );
+            assert!(output.stdout.len() > 100, "{principle} {format}");
+        }
+    }
+    let text = printed(&["derive", MODEL, "--echo"]);
+    for line in ["acceleration(P) = l1*a''*A.x + l1*a'^2*A.y", "m1 = 1 kg", "M[a, b] = m2*l1*l2*cos(a - b)"] {
+        assert!(text.lines().any(|known| known.trim() == line), "{line}\n{text}");
+    }
+    let latex = printed(&["derive", MODEL, "--format", "latex"]);
+    assert!(latex.contains(r"\begin{align}") && latex.contains(r"\dot{a}^2\sin(a - b)"), "{latex}");
+    let refused = run(&["derive", MODEL, "--principle", "momentum"]);
+    let message = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(
+        refused.status.code() == Some(2)
+            && message.contains("virtual-power, lagrange, appell, gauss, newton-euler, hamel, hamilton"),
+        "{message}"
+    );
+}
+
+/// A block that a limited drive pulls, with dry friction, a damping called c1 and a coordinate called f1.
+const BLOCK: &str = "title = \"A block\"\n[parameters]\nm = \"2 kg\"\nc1 = \"3 N s/m\"\nF = \"4 N\"\n[coordinates]\nf1 = \"m\"\ny = \"m\"\n\
+    [bodies.b]\ncentre = \"O + f1*N.x + y*N.y\"\nmass = \"m\"\n[[force]]\non = \"b\"\nis = \"(-c1*f1' - F*sign(f1'))*N.x\"\n\
+    [[force]]\non = \"b\"\nis = \"min(F, F*sin(t*(2 rad/s)) + F*cos(t*(3 rad/s))*sin(t*(5 rad/s)))*N.x\"\n\
+    [[constraint]]\nname = \"rail\"\nzero = \"y*N.y\"\n\
+    [[event]]\nname = \"wall\"\nwhen = \"f1 - (1 m)\"\ndirection = \"up\"\nset = { \"f1'\" = \"-0.5*f1'\" }\nend = true\n\
+    [start]\n\"f1'\" = \"1 m/s\"\n[run]\nspan = \"1 s\"\n";
+
+#[test]
+fn equations_say_what_their_conditions_are_and_what_they_leave_out() {
+    let path = temporary("block.toml");
+    std::fs::write(&path, BLOCK).expect("it is written");
+    let file = path.display().to_string();
+    let text = printed(&["derive", &file]);
+    for line in [
+        "Conditions; a bracket is 1 where its condition is positive, else 0",
+        "  [f1' > 0]: condition 1 = f1', in m/s, line 14",
+        "in N, line 17",
+        "  constraint 1 `rail` along N.y: of positions",
+        "  F1 = y",
+        "A positive lambda acts along the gradient of F",
+        "A condition that stays at zero, such as the speed of dry friction that sticks, is not part of these equations",
+        "  event `wall` (line 21): where f1 - 1 passes zero upwards, f1' becomes -1/2*f1', the run ends",
+    ] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+    let bracket = text.lines().find(|line| line.starts_with("  [condition 2 > 0]: condition 2 = "));
+    assert!(bracket.is_some_and(|line| line.contains("sin(2*t)")), "{text}");
+    let latex = printed(&["derive", &file, "--format", "latex"]);
+    for part in [r"\text{condition 2} &= ", r"0 = \mathbf{f}_{1} &= y \quad \text{along N.y}", "% Events are not part"]
+    {
+        assert!(latex.contains(part), "{part}\n{latex}");
+    }
+    printed(&["derive", &file, "--format", "mathml"]);
+    for (format, sign) in [("python", "#"), ("sympy", "#"), ("c", "//"), ("rust", "//")] {
+        let code = printed(&["derive", &file, "--format", format]);
+        let event = format!("\n{sign}   event `wall` (line 21): where ");
+        assert!(code.contains(&event) && code.contains("along N.y"), "{format}\n{code}");
+    }
+    std::fs::remove_file(&path).expect("it is there");
+}

@@ -1,0 +1,115 @@
+//! Linear equations, forces for a motion, equilibria.
+
+use super::{MODEL, printed, refused};
+use crate::{json, run, temporary};
+
+/// A mass on a spring, pushed by a force: every entry of its linear equations is known.
+const SPRING: &str = "title = \"A mass on a spring\"\n[parameters]\nm = \"2 kg\"\nk = \"18 N/m\"\nF = \"N\"\n[coordinates]\nx = \"mm\"\n\
+    [points]\nP = \"O + x*N.x\"\n[bodies.bob]\ncentre = \"P\"\nmass = \"m\"\n[[force]]\non = \"bob\"\nis = \"(F - k*x)*N.x\"\n\
+    [outputs]\npull = \"k*x\"\n[run]\nspan = \"1 s\"\n";
+
+#[test]
+fn linear_equations_are_printed_in_every_format() {
+    let path = temporary("spring.toml");
+    std::fs::write(&path, SPRING).expect("it is written");
+    let path = path.display().to_string();
+    let point = &json(&run(&["linearise", &path, "--input", "F", "--format", "json"]))["points"][0];
+    assert_eq!(point["states"], serde_json::json!(["x", "x'"]));
+    assert_eq!(point["A"], serde_json::json!([[0.0, 1.0], [-9.0, 0.0]]));
+    assert_eq!(point["B"], serde_json::json!([[0.0], [0.5]]));
+    assert_eq!((&point["C"], &point["D"]), (&serde_json::json!([[18.0, 0.0]]), &serde_json::json!([[0.0]])));
+    assert_eq!(point["point"], "equilibrium");
+    let text = printed(&["linearise", &path, "--input", "F"]);
+    assert!(text.contains("+ 3 i") && text.contains("do not decide stability"), "{text}");
+    let table = printed(&["linearize", &path, "--input", "F", "--format", "csv"]);
+    assert!(table.contains("0.0,A,x' [m/s],x [m],-9.0") && table.contains("0.0,B,x' [m/s],F [N],0.5"), "{table}");
+    refused(&["linearise", &path], "the parameter `F` has no value");
+    refused(&["linearise", &path, "--input", "G"], "no parameter is called `G`");
+    refused(&["linearise", &path, "--times", "-1"], "a time that is not negative");
+    std::fs::remove_file(&path).expect("it is there");
+}
+
+#[test]
+fn a_run_is_linearised_at_its_instants() {
+    let along = json(&run(&["linearise", MODEL, "--times", "0.5,0,0.25", "--format", "json"]));
+    let points = along["points"].as_array().expect("a list");
+    let times: Vec<f64> = points.iter().filter_map(|point| point["time"].as_f64()).collect();
+    assert_eq!(times, [0.5, 0.0, 0.25]);
+    let start = json(&run(&["linearise", MODEL, "--format", "json"]));
+    assert_eq!(points[1]["A"], start["points"][0]["A"]);
+    assert_eq!(points[0]["point"], "moving point");
+}
+
+/// About its middle axis a body turns over: a free frame has three turns and three speeds in its linear equations.
+#[test]
+fn a_free_frame_is_linearised_by_its_turns() {
+    let body = "scenes/models/tumbling_body.toml";
+    let point = &json(&run(&["linearise", body, "--format", "json"]))["points"][0];
+    let turns = ["turn about F.x", "turn about F.y", "turn about F.z"];
+    let states = ["x", turns[0], turns[1], turns[2], "x'", "F.wx", "F.wy", "F.wz"];
+    assert_eq!(point["states"], serde_json::json!(states));
+    assert_eq!(
+        (point["A"].as_array().map(Vec::len), point["coordinates"].as_array().map(Vec::len)),
+        (Some(8), Some(5))
+    );
+    let text = printed(&["linearise", body]);
+    assert!(text.contains("  F.wx = 0.01, F.wx' = 0") && text.contains("F.q0 = "), "{text}");
+    let table = printed(&["linearise", body, "--times", "0,1", "--format", "csv"]);
+    assert!(table.contains("1.0,A,turn about F.x [rad],F.wx [rad/s],1.0"), "{table}");
+}
+
+#[test]
+fn forces_for_a_motion_are_printed_or_refused_with_the_rank() {
+    let crank = "scenes/models/slider_crank.toml";
+    let motion = ["inverse", crank, "--motion", "theta = 0.3*sin(t*(5 rad/s))", "--samples", "4"];
+    let table = printed(&[&motion[..], &["--unknown", "T"]].concat());
+    assert_eq!(table.lines().count(), 6);
+    assert!(
+        table.starts_with("time [s],theta [rad],phi [rad],s [m],theta' [rad/s],")
+            && table.contains(",theta'' [rad/s^2],")
+            && table.contains(",T [N m],lambda1 pin along R.x [N],lambda2 pin along R.y [N]"),
+        "{table}"
+    );
+    refused(&motion, "2 of 3 equations (the rank): underactuated");
+    refused(&["inverse", crank, "--motion", "theta"], "a coordinate and an expression of t");
+    refused(&["inverse", crank, "--motion", "omega = t/(1 s)"], "no coordinate has this name");
+    refused(&["inverse", crank, "--motion", "theta = 2*q"], "a prescribed motion");
+    let body = "scenes/models/tumbling_body.toml";
+    let free = ["inverse", body, "--motion", "x = (0 m)", "--motion"];
+    refused(&[&free[..], &["F = t*(1 rad/s) about z"]].concat(), "0 of 4 equations (the rank): underactuated");
+    refused(&[&free[..], &["F = t*(1 rad/s)"]].concat(), "turns one after the other");
+}
+
+#[test]
+fn redundant_coordinates_are_called_so() {
+    let said = |scene: &str| printed(&["chart", scene, "--seconds", "2"]);
+    let (crank, pendulum) = (said("scenes/models/slider_crank.toml"), said("scenes/models/double_pendulum.toml"));
+    assert!(crank.contains("redundant coordinates") && !crank.contains("minimal coordinates"), "{crank}");
+    assert!(pendulum.contains("minimal coordinates"), "{pendulum}");
+}
+
+#[test]
+fn a_completed_start_and_a_feedback_that_is_no_part_of_a_are_told() {
+    let path = temporary("told.toml");
+    let file = path.display().to_string();
+    let tied = SPRING.replace("F = \"N\"", "F = \"1 N\"").replace("[coordinates]\n", "[coordinates]\ny = \"m\"\n");
+    let tied = tied.replace(
+        "[outputs]",
+        "[[constraint]]\nzero = \"y - 2*x - (1 m)\"\n[start]\nx = \"0.25 m\"\ny = \"guess 1 m\"\n[outputs]",
+    );
+    std::fs::write(&path, &tied).expect("it is written");
+    let text = printed(&["run", &file]);
+    assert!(text.contains("start                completed: y = 1.500000000 m\n"), "{text}");
+    let object = json(&run(&["run", &file, "--format", "json"]));
+    assert_eq!(object["completed_start"], serde_json::json!({ "y": 1.5 }));
+    let pushed = SPRING
+        .replace("F = \"N\"\n", "")
+        .replace("[[force]]", "[inputs]\nF = { unit = \"N\", value = \"-k*x\" }\n[[force]]");
+    std::fs::write(&path, &pushed).expect("it is written");
+    let said = String::from_utf8_lossy(&run(&["linearise", &file]).stderr).into_owned();
+    assert!(said.contains("A does not hold the feedback by `F`"), "{said}");
+    let timed = pushed.replace("-k*x\" }", "(1 N)*sin(t*(1 rad/s))\" }");
+    std::fs::write(&path, &timed).expect("it is written");
+    assert!(run(&["linearise", &file]).stderr.is_empty());
+    std::fs::remove_file(&path).expect("it is there");
+}

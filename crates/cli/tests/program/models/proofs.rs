@@ -1,0 +1,50 @@
+//! Verdicts of a proof.
+
+use super::MODEL;
+use crate::{json, run};
+
+#[test]
+fn verdicts_of_a_proof_are_read_by_programs() {
+    let proved = json(&run(&["prove", MODEL, "--format", "json"]));
+    let rows = proved.as_array().expect("a list");
+    let principles: Vec<_> = rows.iter().filter(|row| row["principles"][0] == "lagrange").collect();
+    assert_eq!(principles.len(), 8);
+    let without_constraints =
+        |row: &serde_json::Value| row["principles"][1] == "maggi" || row["principles"][1] == "shulgin";
+    for row in rows {
+        let verdict = if without_constraints(row) { "does not apply" } else { "proved" };
+        assert_eq!(row["verdict"], verdict, "{row}");
+    }
+    let energy = rows.iter().find(|row| row["about"] == "energy").expect("it has an energy");
+    assert_eq!(energy["says"], "(T + V)' is zero");
+}
+
+/// A rolling disc: every line has a verdict, and the mistake that is usual with the disc is refuted.
+#[test]
+fn a_proof_says_what_it_rests_on_and_what_a_mistake_loses() {
+    let output = run(&["prove", "scenes/models/rolling_disc.toml"]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    for line in [
+        "lagrange = maggi: proved by normal form",
+        "for any inertia and any forces: multipliers drop out along du/dw, with x', y' by heading', lean', spin'",
+        "lagrange = shulgin: proved by normal form",
+        "energy: (T + V)' is zero: proved",
+        "constraint 2 `rolling`: J u' + c is its rate; its reaction does no work: proved",
+        "mistake: Lagrange's equations with the constraints put into T: refuted",
+        "lost in the equation of heading: ",
+        "lost in the equation of spin: ",
+    ] {
+        assert!(text.contains(line), "{line}: {text}");
+    }
+    let mistake =
+        ["prove", "scenes/models/rolling_disc.toml", "--mistake", "constraints-in-energy", "--format", "json"];
+    let refuted = json(&run(&mistake));
+    assert!(refuted[0]["verdict"] == "refuted" && refuted[0]["behind"].as_array().is_some_and(|lost| lost.len() == 2));
+    let none = run(&["prove", MODEL, "--mistake", "constraints-in-energy"]);
+    let message = String::from_utf8_lossy(&none.stdout).into_owned();
+    assert!(
+        none.status.code() != Some(0) && message.contains("no constraint of the system speaks of speeds"),
+        "{message}"
+    );
+}

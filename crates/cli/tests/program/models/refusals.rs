@@ -1,0 +1,60 @@
+//! Files and commands that do not go together.
+
+use super::{MODEL, refused};
+use crate::{run, temporary};
+
+#[test]
+fn what_does_not_read_such_a_file_says_so() {
+    for command in ["bodies", "stationary", "regimes", "motor"] {
+        let output = run(&[command, MODEL]);
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{command}: {message}");
+        assert!(message.contains("does not read a system that is written in its file"), "{command}: {message}");
+    }
+}
+
+#[test]
+fn a_file_that_names_no_system_is_led_to_one() {
+    let scene = temporary("nameless.toml");
+    let file = scene.to_string_lossy().into_owned();
+    let told = |text: &str, command: &str, parts: &[&str]| {
+        std::fs::write(&scene, text).expect("it can be written");
+        let output = run(&[command, &file]);
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert_eq!(message.matches("error:").count(), 1, "{message}");
+        parts.iter().for_each(|part| assert!(message.contains(part), "{part}\n{message}"));
+    };
+    let ways = ["this file names no system", "[coordinates] names what moves", "`system = "];
+    let without = PENDULUM.replace("[coordinates]\ntheta = \"rad\"\n", "");
+    for command in ["run", "derive", "prove", "chart", "linearise", "reference"] {
+        told(&without, command, &[&ways[..], &["nameless.toml:2:1"]].concat());
+    }
+    told(&PENDULUM.replace("[coordinates]", "[coordinate]"), "run", &["nameless.toml:3:2", "is `coordinates` meant?"]);
+    told("title = \"Empty\"\n", "run", &["this file names no system", "`dalembert scenes` lists them"]);
+    std::fs::remove_file(&scene).expect("it is there");
+}
+
+#[test]
+fn the_place_of_what_a_command_cannot_take_is_shown() {
+    let path = temporary("taken.toml");
+    let file = path.display().to_string();
+    std::fs::write(&path, BLOCK.replace("\"f1'\" = \"1 m/s\"\n", "")).expect("it is written");
+    refused(&["linearise", &file], "taken.toml:14:20");
+    std::fs::write(
+        &path,
+        BLOCK.to_owned()
+            + "[ensemble]\nmembers = 2\n[ensemble.vary]\nparameters.m = { from = \"1 kg\", to = \"2 kg\" }\n",
+    )
+    .expect("it is written");
+    refused(
+        &["ensemble", &file, "--out", "none.csv"],
+        "`ensemble` cannot run this system: its law or its start changes",
+    );
+    refused(&["ensemble", &file, "--out", "none.csv"], "taken.toml:21:1");
+    refused(&["run", &file, "--method", "strang:1000"], "strang:1000 does not apply to");
+    refused(&["inverse", &file, "--motion", "f1 = (1 m)*sin(tt)"], "--motion:1:16");
+    refused(&["inverse", &file, "--motion", "f1 = 30 mm"], "30 mm");
+    refused(&["inverse", &file, "--motion", "f1 = (1 s)"], "--motion:1:6");
+    std::fs::remove_file(&path).expect("it is there");
+}

@@ -1,0 +1,56 @@
+//! Points of rest.
+
+use super::{CART, scene, stored};
+use scenes::linearisation::VariedEquations;
+use scenes::{ModelScene, equilibrium_of, start_of};
+
+const SPRING: &str = "title = \"A mass on a spring\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"2 kg\"\nk = \"50 N/m\"\nl = \"1 m\"\ng = \"9.81 m/s^2\"\n\
+    [coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n[bodies.bob]\ncentre = \"P\"\nmass = \"m\"\n\
+    [[force]]\nbetween = [\"O\", \"bob\"]\nis = \"-k*(distance(O, P) - l)\"\n[start]\nequilibrium = true\nx = \"guess 0.1 m\"\ny = \"guess -1 m\"\n\
+    [run]\nspan = \"1 s\"\n";
+
+#[test]
+fn an_equilibrium_is_found_from_a_guess_at_which_a_force_is_stationary() {
+    let text = std::fs::read_to_string(stored("double_pendulum")).expect("it is there");
+    let level = text.replace("a = \"120 deg\"", "a = \"90 deg\"");
+    let state = equilibrium_of(&scene(&level).model).unwrap_or_else(|why| panic!("{}", why.title));
+    assert!(state.iter().all(|value| value.sin().abs() < 1e-12), "{state:?}");
+}
+
+#[test]
+fn an_equilibrium_is_found_near_a_guess_or_refused_with_what_is_left() {
+    let found = scene(SPRING).start;
+    assert!(found[0].abs() < 1e-12 && (found[1] + 1.0 + 2.0 * 9.81 / 50.0).abs() < 1e-12, "{found:?}");
+    let falling = SPRING.replace("-k*(distance(O, P) - l)", "0*k*(distance(O, P) - l)");
+    let refused = ModelScene::parse("scene.toml", &falling).expect_err("nothing holds it").to_string();
+    assert!(refused.contains("no equilibrium is found near this start") && refused.contains("1.962000e1"), "{refused}");
+    let moving = SPRING.replace("[run]", "\"x'\" = \"1 m/s\"\n[run]");
+    let refused = ModelScene::parse("scene.toml", &moving).expect_err("it moves").to_string();
+    assert!(refused.contains("an equilibrium has no speeds"), "{refused}");
+    let odd = SPRING.replace("equilibrium = true", "equilibrium = \"yes\"");
+    let refused = ModelScene::parse("scene.toml", &odd).expect_err("it is no flag").to_string();
+    assert!(refused.contains("`equilibrium` has the wrong type"), "{refused}");
+}
+
+/// A crank on a slider that rests on its guide under its own weight: the reaction and the torque of the spring balance.
+#[test]
+fn an_equilibrium_keeps_constraints_and_given_coordinates() {
+    let text = std::fs::read_to_string(stored("slider_crank")).expect("it is there");
+    let text = text
+        .replace("is = \"T*N.z\"", "is = \"(T - K*theta)*N.z\"")
+        .replace("g = \"9.81 m/s^2\"", "g = \"9.81 m/s^2\"\nK = \"1 N m\"");
+    let scene = scene(&text.replace("s = \"0.4 m\"", "equilibrium = true\ns = \"guess 0.38 m\""));
+    let equations = VariedEquations::of(&scene.model, &[]).unwrap_or_else(|why| panic!("{why}"));
+    let point = equations.with_accelerations(equations.point(0.0, &scene.start)).expect("it is determined");
+    assert!(point.accelerations.amax() < 1e-8 && point.speeds.amax() == 0.0, "{point:?}");
+    // virtual work: T - K theta = mrod g/2 d(height of the rod's middle)/d theta, by the crank's angle
+    let [theta, phi] = [scene.start[0], scene.start[1]];
+    let torque = 0.4 * 9.81 * 0.1 / 2.0 * theta.cos();
+    assert!((0.2 - theta - torque).abs() < 1e-9, "{theta} {phi}");
+}
+
+#[test]
+fn a_start_of_a_scene_is_that_of_its_linear_equations() {
+    let scene = scene(CART);
+    assert_eq!(start_of(&scene.model).unwrap_or_else(|why| panic!("{}", why.title)), scene.start);
+}

@@ -1,0 +1,112 @@
+//! Expressions and definitions.
+
+use super::{messages, one};
+
+#[test]
+fn unknown_letters_are_named_with_what_was_probably_meant() {
+    one(&[("\"-g*N.y\"", "\"-gg*N.y\"")], &["`gg`", "^^", "is `g` meant?"]);
+    one(&[("on = \"bob\"", "on = \"bobb\"")], &["`bobb`"]);
+    one(&[("\"l*sin(theta)\"", "\"l*sinn(theta)\"")], &["no function is called `sinn`", "is `sin` meant?"]);
+    one(&[("\"l*sin(theta)\"", "\"l*angular_acceleration(A)\"")], &["`angular_acceleration` is not there yet"]);
+}
+
+#[test]
+fn dimensions_are_checked_where_they_meet() {
+    one(&[("\"l*sin(theta)\"", "\"l + m\"")], &["different dimensions", "m and kg"]);
+    one(&[("\"l*sin(theta)\"", "\"l*sin(l)\"")], &["an angle has the dimension 1", "this has the dimension m"]);
+    one(&[("\"(0.1 N)*N.x\"", "\"(0.1 kg)*N.x\"")], &["the force on a point has the dimension kg m s^-2"]);
+    one(&[("mass = \"m\"", "mass = \"l\"")], &["the mass has the dimension kg"]);
+    one(&[("theta = \"0.3 rad\"", "theta = \"0.3 m\"")], &["the start of `theta`", "this has the dimension m"]);
+}
+
+#[test]
+fn kinds_are_checked_where_they_meet() {
+    one(&[("\"-g*N.y\"", "\"-g\"")], &["is a vector", "this is a scalar"]);
+    one(&[("\"(0.1 N)*N.x\"", "\"(0.1 N)*N.x*N.y\"")], &["two vectors are multiplied by *", "a . b"]);
+    one(&[("centre = \"P\"", "centre = \"l*N.x\"")], &["this is a point", "this is a vector"]);
+    one(&[("\"reach\"", "\"P\"")], &["the output `width` is a scalar", "this is a point"]);
+}
+
+#[test]
+fn a_circle_of_definitions_is_told_once() {
+    let circle = [("reach = \"l*sin(theta)\"", "reach = \"2*other\"\nother = \"reach/2\"")];
+    one(&circle, &["`reach` is defined by itself", "reach needs other needs reach"]);
+    one(&[("P = \"O - l*A.y\"", "P = \"P - l*A.y\"")], &["`P` is defined by itself"]);
+}
+
+#[test]
+fn slips_of_the_pen_in_expressions_are_told_with_the_way_out() {
+    let told = |text: &str, parts: &[&str]| one(&[("\"l*sin(theta)\"", &format!("\"{text}\""))], parts);
+    told("P . N.y", &["a point is no vector", "`(P - O) . N.y`"]);
+    told("2l*theta", &["`2*l` is a product", "`(2 l)` a number with a unit"]);
+    told("l*sin(30 deg)", &["`(30 deg)` a number with a unit, in parentheses of its own"]);
+    told("l*sin theta", &["functions too: sin(a)"]);
+    told("l**2", &["powers are written with ^"]);
+    told("theta = 1", &["an expression has no equals sign"]);
+    told("if(theta > 0 and theta < 1, l, 0)", &["two are nested: if("]);
+    told("l*A", &["a scalar and a frame cannot be multiplied", "A.x, A.y, A.z"]);
+    told("P + P", &["a point and a point cannot be added", "point + vector"]);
+    told("velocity(bob)/velocity(bob)", &["cannot be divided", "scalar/scalar, vector/scalar"]);
+    told("theta^(1/3)", &["no multiple of 1/2 is not there yet", "exp(ln(x)/3)"]);
+    one(&[("\"reach\"", "\"velocity(bob)\"")], &["the output `width` is a scalar", "v . N.x, or norm(v)"]);
+    one(&[("theta = \"0.3 rad\"", "theta' = \"0.3 rad/s\"")], &["a key with a prime stands in quotes: \"theta'\""]);
+    let event = "[[event]]\nwhen = \"theta < 1\"\nend = true\n\n[outputs]";
+    one(&[("[outputs]", event)], &["an expression passes zero", "when = \"theta - 1\", with direction"]);
+    one(&[("[outputs]", "[[constraint]]\nzero = \"theta > 0\"\n\n[outputs]")], &["a constraint is an equation"]);
+    let set = "[[event]]\nwhen = \"theta\"\nset = \"theta' = 0\"\n\n[outputs]";
+    one(&[("[outputs]", set)], &["`set` gives coordinates and speeds their values", "set = { \"x'\""]);
+}
+
+#[test]
+fn one_slip_is_told_once_and_with_what_was_meant() {
+    // a name that is reserved, and what stands for it elsewhere
+    one(
+        &[("theta = \"rad\"", "theta = \"rad\"\nt = \"m\""), ("\"O - l*A.y\"", "\"O - l*A.y + t*N.x\"")],
+        &["`t` has a meaning of its own"],
+    );
+    let gains = "[[constraint]]\nzero = \"theta - (0.3 rad)\"\nprogrammed = { gains = 8 }\n[outputs]";
+    one(&[("[outputs]", gains)], &["`gains` has the wrong type"]);
+    let free = ("[frames]", "[frames]\nF1 = \"N free\"");
+    let start = |start: &str| format!("[start]\n{start}");
+    one(&[free, ("[start]", &start("F = \"30 deg about x\""))], &["is `F1` meant?"]);
+    one(&[free, ("[start]", &start("\"F1.w\" = \"1 rad/s\""))], &["is `F1.w"]);
+    let event = |when: &str| format!("[[event]]\nwhen = \"{when}\"\nend = true\n[outputs]");
+    for (when, meant) in [
+        ("theta > (1 rad)", "theta - (1 rad)"),
+        ("theta > 1", "theta - 1"),
+        ("theta > theta' + (1 rad/s)", "theta - (theta' + (1 rad/s))"),
+        ("theta > (1 rad)*(2 rad)", "theta - ((1 rad)*(2 rad))"),
+    ] {
+        one(&[("[outputs]", &event(when))], &[&format!("when = \"{meant}\", with direction")]);
+    }
+    let friction =
+        [("(0.1 N)*N.x", "-(0.1 N)*sign(theta)*N.x - (3 N)*theta*N.x"), ("theta = \"0.3 rad\"", "theta = \"0 rad\"")];
+    one(&friction, &["`theta'`, if the sign of a speed is meant, as in dry friction -F*sign(theta')"]);
+    one(&[("mass = \"m\"", "mass = \"m - (3.2 kg)\"")], &["it is -1.2 kg"]);
+}
+
+#[test]
+fn numbers_that_fill_the_memory_are_refused() {
+    one(&[("\"l*sin(theta)\"", "\"l*((((2^64)^64)^64)^64)^64\"")], &["this number is too large"]);
+    one(&[("\"l*sin(theta)\"", "\"l*(1e-9)^40\"")], &["this number is too small"]);
+    one(
+        &[("\"l*sin(theta)\"", "\"l*((g/(1.234567891 m/s^2))^40)^10\"")],
+        &["more digits than a run can hold", "a parameter of its own"],
+    );
+    one(&[("\"l*sin(theta)\"", "\"l*1/(2 - 2)\"")], &[]);
+    one(&[("\"l*sin(theta)\"", &format!("\"{}l\"", "(".repeat(101)))], &["parentheses deeper than 100"]);
+}
+
+#[test]
+fn units_of_engineers_and_spaces_about_a_slash_are_read() {
+    for spring in ["72 km/h", "20 m / s", "1200 m /min", "1728000 m/day"] {
+        let edits =
+            [("l = \"0.5 m\"", &*format!("l = \"0.5 m\"\nv = \"{spring}\"")), ("(0.1 N)*N.x", "(0.1 N s/m)*v*N.x")];
+        assert_eq!(messages(&edits), Vec::<String>::new(), "{spring}");
+    }
+}
+
+#[test]
+fn what_the_language_will_have_is_refused_by_name() {
+    one(&[("[outputs]", "[[contact]]\nof = \"bob at P\"\n\n[outputs]")], &["contacts with friction are not there yet"]);
+}

@@ -1,0 +1,83 @@
+//! Starts, constraints, laws that cannot run.
+
+use super::one;
+
+#[test]
+fn a_free_frame_starts_by_turns() {
+    let free = |start: &str, parts: &[&str]| {
+        let start = format!("theta = \"0.3 rad\"\n{start}");
+        one(&[("[points]", "B = \"N free\"\n[points]"), ("theta = \"0.3 rad\"", &start)], parts);
+    };
+    free("B = \"30 deg\"", &["the start of `B` is a turn", "this is none"]);
+    free("B = \"30 deg about w\"", &["about another axis"]);
+    free("B = \"3 m about x\"", &["this has the dimension m"]);
+    free("\"B.wq\" = \"3 rad/s\"", &["no coordinate is called `B.wq`", "is `B.wz` meant?"]);
+    free("\"B.wx\" = \"3 rad\"", &["the start of `B.wx`", "this has the dimension 1"]);
+}
+
+#[test]
+fn what_cannot_run_says_why() {
+    one(&[("m = \"2 kg\"", "m = \"kg\"")], &["the parameter `m` has no value"]);
+    one(
+        &[("theta = \"rad\"", "theta = \"rad\"\nidle = \"m\"")],
+        &["nothing with a mass or an inertia moves with `idle`"],
+    );
+    one(
+        &[("[outputs]", "[[constraint]]\nzero = \"theta - 0.4\"\n\n[outputs]")],
+        &["does not hold at the start", "-1.000000e-1"],
+    );
+}
+
+#[test]
+fn a_start_without_a_motion_names_what_stops_it() {
+    one(&[("[run]\nspan = \"1 s\"\n", "")], &["the table [run] is missing", "the file ends here"]);
+    one(&[("m = \"2 kg\"", "m = \"kg\"")], &["the parameter `m` has no value", ":5:1"]);
+    let high = "[[constraint]]\nname = \"high\"\nzero = \"(P - O) . N.y - 2*l\"\n\n[outputs]";
+    let guessed = [("[outputs]", high), ("theta = \"0.3 rad\"", "theta = \"guess 0.3 rad\"")];
+    one(
+        &guessed,
+        &["the constraint `high` was not met from this start", "moving `theta` left", "theta = \"guess ...\""],
+    );
+    let same = "[[constraint]]\nzero = \"l - l\"\n\n[outputs]";
+    one(&[("[outputs]", same)], &["this constraint holds no coordinate and no speed"]);
+    let pole = [
+        ("theta = \"rad\"", "phi = \"rad\"\ntheta = \"rad\""),
+        ("N turned theta about z", "B turned theta about x\"\nB = \"N turned phi about y"),
+        ("theta = \"0.3 rad\"", "theta = \"0 rad\""),
+    ];
+    one(&pole, &["the acceleration of `phi` is not determined at the start", "no azimuth at the pole"]);
+    one(&[("\"(0.1 N)*N.x\"", "\"(0.1 N)*ln(theta - 1)*N.x\"")], &["the forces on `theta` have no value at the start"]);
+    one(&[("\"(0.1 N)*N.x\"", "\"(100 N)*sign(theta')*N.x\"")], &["this is at zero at the start"]);
+}
+
+#[test]
+fn a_start_without_its_unit_is_shown_one_of_its_own() {
+    let metres = ("[coordinates]\ntheta = \"rad\"", "[coordinates]\ntheta = \"rad\"\nx = \"mm\"");
+    let start = "theta = \"0.3 rad\"";
+    one(&[metres, (start, "x = 100")], &["the start of `x` cannot be read", "such as \"0.3 m\""]);
+    one(&[metres, (start, "\"x'\" = 100")], &["such as \"0.3 m/s\" or \"guess 0.3 m/s\""]);
+}
+
+#[test]
+fn constraints_that_contradict_each_other_are_both_named() {
+    let two = |one: &str, other: &str| {
+        format!("[[constraint]]\nname = \"low\"\nzero = \"{one}\"\n[[constraint]]\nzero = \"{other}\"\n[outputs]")
+    };
+    let found = |one_zero: &str, other: &str, parts: &[&str]| {
+        one(&[("[outputs]", &two(one_zero, other)), ("theta = \"0.3 rad\"", "theta = \"guess 0.3 rad\"")], parts)
+    };
+    let both = ["constraint 2 contradicts constraint 1 `low`", "-1.000000e-1", "zero = \"2*theta - 0.1\""];
+    found("theta", "2*theta - 0.1", &both);
+    found("sin(theta)", "3*sin(theta) + 1", &["constraint 2 contradicts constraint 1 `low`"]);
+    // out of reach of each other, by no identity
+    found("sin(theta)", "cos(theta)", &["was not met from this start"]);
+}
+
+#[test]
+fn what_is_wrong_with_a_constraint_is_told_once() {
+    let load = "[[constraint]]\nname = \"low\"\nzero = \"thata\"\n[outputs]\nload = \"reaction(low)\"";
+    one(&[("[outputs]", load)], &["is called `thata`"]);
+    one(&[("theta = \"rad\"", "theta = \"radd\""), ("[outputs]", &load.replace("thata", "theta"))], &["`radd`"]);
+    let none = load.replace("zero = \"thata\"", "zero = \"theta\"").replace("reaction(low)", "reaction(high)");
+    one(&[("[outputs]", &none)], &["no constraint is called `high`"]);
+}

@@ -1,0 +1,117 @@
+//! Keys and tables.
+
+use super::{messages, one};
+
+#[test]
+fn a_heading_that_is_missing_is_told_once() {
+    one(&[("[bodies.bob]\n", "")], &["`mass` stands under [points]", "`mass` is a key of [bodies.NAME]"]);
+    one(&[("[[force]]\n", "")], &["`on` stands under [bodies.bob]", "[[force]] or [[torque]]"]);
+    one(&[("[run]\n", "")], &["`span` stands under [start]", "a key of [run]"]);
+    one(&[("[bodies.bob]", "[bodies]")], &["`centre` stands under [bodies]", "each body has a name of its own"]);
+    one(&[("[bodies.bob]", "[body.bob]")], &["unknown key `body`", "is `bodies` meant?"]);
+    let between = "[outputs]\nbetween = [\"O\", \"bob\"]\nis = \"(1 N)\"";
+    one(&[("[outputs]", between)], &["`between` stands under [outputs]"]);
+}
+
+#[test]
+fn what_stands_in_the_wrong_table_is_sent_to_its_own() {
+    let parameter = |text: &str| format!("g = \"9.81 m/s^2\"\nI = \"{text}\"");
+    one(&[("g = \"9.81 m/s^2\"", &parameter("m*l^2/3"))], &["an expression stands under [definitions]"]);
+    one(&[("g = \"9.81 m/s^2\"", &parameter("N turned theta about z"))], &["a frame stands under [frames]"]);
+    one(&[("theta = \"rad\"", "theta = \"0.3 rad\"")], &["the value at time zero stands under [start]"]);
+    one(&[("theta = \"rad\"", "thetta = \"rad\"")], &["`theta`", "is `thetta` meant?"]);
+}
+
+#[test]
+fn columns_of_one_name_are_refused_at_the_second() {
+    let again = |name: &str, parts: &[&str]| {
+        one(&[("width = \"reach\"", &format!("width = \"reach\"\n{name} = \"l\""))], parts)
+    };
+    again("theta", &["`theta` has the name of a coordinate", "scene.toml:31:1"]);
+    again("\"theta'\"", &["has the name of a coordinate or a speed"]);
+    again("kinetic_energy", &["has the name of an energy of the run"]);
+    again("time", &["has the name of the column of times"]);
+}
+
+#[test]
+fn conditions_events_and_inputs_are_checked_where_they_stand() {
+    let reach = |text: &str| [("\"l*sin(theta)\"", format!("\"{text}\""))];
+    let told = |text: &str, parts: &[&str]| {
+        let [(from, to)] = reach(text);
+        one(&[(from, &to)], parts);
+    };
+    told("if(theta > 0, l)", &["`if` has 3 arguments", "2 stand here"]);
+    told("if(theta, l, 2*l)", &["`if` begins with a condition"]);
+    told("l*cos(theta > 0)", &["`cos` has no such argument"]);
+    told("if(theta > l, l, 2*l)", &["different dimensions", "1 and m"]);
+    told("if(theta > 0, l, m)", &["different dimensions", "m and kg"]);
+    told("l*exp(l)", &["the argument of `exp` has the dimension 1"]);
+    told("l*atan2(l, m)", &["different dimensions"]);
+    told("l*table(theta, 0, 1, 0, 2)", &["the places of a table ascend"]);
+    told("l*table(theta, 0, 1, 2)", &["a table has pairs of numbers"]);
+    let event = |keys: &str| format!("[[event]]\n{keys}\n\n[outputs]");
+    let of = |keys: &str, parts: &[&str]| one(&[("[outputs]", &event(keys))], parts);
+    of("when = \"theta\"", &["this event changes nothing"]);
+    of("when = \"theta\"\ndirection = \"left\"\nend = true", &["no direction"]);
+    of("when = \"theta\"\nset = { \"theta''\" = \"0\" }", &["no coordinate is called `theta''`"]);
+    of("when = \"theta\"\nset = { \"theta'\" = \"l\" }", &["has the dimension s^-1"]);
+    of("when = \"theta\"\nend = \"yes\"", &["`end` has the wrong type", "true or false"]);
+    let input = |keys: &str, parts: &[&str]| one(&[("[outputs]", &format!("[inputs]\n{keys}\n\n[outputs]"))], parts);
+    input("u = \"N\"", &["the input `u` has no value"]);
+    input("u = { unit = \"N\", value = \"l\" }", &["the input `u` has the dimension kg m s^-2"]);
+    input("u = { value = \"l\" }", &["`unit` is missing"]);
+    let led = "[[constraint]]\nzero = \"theta - 0.4\"\nprogrammed = { gains = [\"(1 1/s)\"] }\n\n[outputs]";
+    one(&[("[outputs]", led)], &["a programmed constraint of positions has two gains"]);
+}
+
+#[test]
+fn a_place_of_the_ground_takes_forces_and_the_ground_itself_none() {
+    let force = |keys: &str| format!("[[force]]\n{keys}\n\n[outputs]");
+    let spring = force("between = [\"ground at O + (1 m)*N.x\", \"bob\"]\nis = \"(3 N)\"");
+    assert_eq!(messages(&[("[outputs]", &spring)]), Vec::<String>::new());
+    let of = |keys: &str, parts: &[&str]| one(&[("[outputs]", &force(keys))], parts);
+    of("between = [\"ground\", \"bob\"]\nis = \"(3 N)\"", &["the ground is everywhere", "\"ground at O\""]);
+    of("on = \"ground at O\"\nis = \"(3 N)*N.x\"", &["a force on the ground moves nothing"]);
+    of("between = [\"P\", \"bob\"]\nis = \"(3 N)\"", &["a force acts between two points, and these are one"]);
+    of("on = \"bob\"", &["`is` is missing"]);
+    let torque = |keys: &str, parts: &[&str]| one(&[("[outputs]", &format!("[[torque]]\n{keys}\n\n[outputs]"))], parts);
+    torque("on = \"bob at P\"\nis = \"(3 N m)*N.z\"", &["a torque acts on a body as a whole", "\"bob\""]);
+    torque("on = \"ground\"\nis = \"(3 N m)*N.z\"", &["a torque on the ground moves nothing"]);
+    torque("between = [\"A\", \"A\"]\nis = \"(3 N m)*N.z\"", &["these turn together"]);
+    torque("on = \"A\"\nis = \"(3 N m)\"", &["a torque is a vector", "about the axis of a planar system a*N.z"]);
+    one(&[("[[force]]", "[force]")], &["`force` has the wrong type", "[[force]] in double brackets"]);
+}
+
+#[test]
+fn reactions_and_conditions_are_refused_where_they_cannot_be() {
+    let rod = |rest: &str| format!("[[constraint]]\nname = \"rod\"\nzero = \"theta - 0.3\"\n\n{rest}");
+    let output = |text: &str| rod(&format!("[outputs]\nload = \"{text}\""));
+    let told = |text: &str, parts: &[&str]| one(&[("[outputs]", &output(text))], parts);
+    told("reaction(pod)", &["no constraint is called `pod`", "is `rod` meant?"]);
+    told("abs(reaction(rod))", &["depends on accelerations or reactions is not there yet", "sqrt(r^2)"]);
+    told("joint_force(bob)", &["the output `load` is a scalar", "this is a vector"]);
+    told("joint_force(P) . N.x", &["a body has a joint"]);
+    let force = rod("[[force]]\non = \"bob\"\nis = \"reaction(rod)*N.x/l\"\n\n[outputs]");
+    one(&[("[outputs]", &force)], &["`reaction` stands in [outputs] only"]);
+    let event = "[[event]]\nwhen = \"theta'' - (1 rad/s^2)\"\nend = true\n\n[outputs]";
+    one(&[("[outputs]", event)], &["depends on accelerations or reactions is not there yet", "^^^"]);
+    let piecewise = "[[constraint]]\nzero = \"if(t < (1 s), theta - 0.3, theta)\"\n\n[outputs]";
+    one(&[("[outputs]", piecewise)], &["a constraint that changes at a condition is not there yet"]);
+}
+
+#[test]
+fn bodies_that_cannot_exist_are_refused() {
+    one(&[("m = \"2 kg\"", "m = \"-2 kg\"")], &["the mass of `bob` must be positive", "it is -2 kg"]);
+    one(&[("centre = \"P\"\n", "")], &["`bob` has a mass and no centre"]);
+    one(&[("centre = \"P\"\nmass = \"m\"\n", "centre = \"P\"\n")], &["`bob` has no mass and no inertia"]);
+    let solid = "frame = \"A\"\ninertia = { principal = [\"1 kg m^2\", \"1 kg m^2\", \"3 kg m^2\"] }\nmass = \"m\"";
+    one(
+        &[("mass = \"m\"", &solid.replace("1 kg m^2", "(1 kg m^2)").replace("\"3 kg m^2\"", "\"(3 kg m^2)\""))],
+        &["no body has the moments of inertia of `bob`"],
+    );
+}
+
+#[test]
+fn a_mass_that_is_not_positive_is_told_at_its_own_text() {
+    one(&[("mass = \"m\"", "mass = \"m - (3 kg)\"")], &["scene.toml:23:9", "it is -1 kg"]);
+}

@@ -1,0 +1,87 @@
+//! Texts that are accepted and perhaps mean something else.
+
+use super::SOUND;
+use scenes::ModelScene;
+
+/// The warnings of the sound text with each of some parts replaced: the marked text, and the message.
+fn warnings(edits: &[(&str, &str)]) -> Vec<(String, String)> {
+    let text = edits.iter().fold(SOUND.to_owned(), |text, (from, to)| text.replace(from, to));
+    let scene = ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"));
+    let told =
+        |fault: &model::Fault| (text[fault.span.clone()].to_owned(), format!("{}; {}", fault.title, fault.accepted));
+    scene.model.warnings.iter().map(told).collect()
+}
+
+#[test]
+fn a_number_alone_that_is_an_angle_of_more_than_a_turn_is_accepted_with_a_warning() {
+    let one = |edits: &[(&str, &str)], marked: &str, parts: &[&str]| {
+        let found = warnings(edits);
+        assert_eq!(found.len(), 1, "{found:#?}");
+        assert_eq!(found[0].0, marked, "{found:#?}");
+        parts.iter().for_each(|part| assert!(found[0].1.contains(part), "{part}\n{found:#?}"));
+    };
+    let start = "theta = \"0.3 rad\"";
+    one(&[(start, "theta = 30")], "30", &["30 rad are 4.8 turns", "degrees are written \"30 deg\""]);
+    one(&[(start, "theta = \"-90\"")], "-90", &["-90 rad are 14.3 turns", "\"-90 deg\""]);
+    one(&[(start, "theta = \"guess 30\"")], "guess 30", &["4.8 turns"]);
+    one(&[("turned theta", "turned theta + 45")], "45", &["7.2 turns", "(45 deg)"]);
+    one(&[("sin(theta)", "sin(theta - 45)")], "45", &["7.2 turns"]);
+    one(
+        &[("sin(theta)", "cos(inclination)"), ("m = \"2 kg\"", "m = \"2 kg\"\ninclination = \"45\"")],
+        "45",
+        &["\"45 deg\""],
+    );
+    one(&[("\"reach\"", "\"if(theta < 90, reach, 0*reach)\"")], "90", &["(90 deg)"]);
+    let event = "[[event]]\nwhen = \"theta - (90 deg)\"\nset = { theta = \"180\" }\n[run]";
+    one(&[("[run]", event)], "180", &["28.6 turns"]);
+    let body = "[bodies.top]\nframe = \"F\"\ninertia = { xx = \"J\", yy = \"J\", zz = \"J\" }\n[bodies.bob]";
+    let free = [
+        ("m = \"2 kg\"", "m = \"2 kg\"\nJ = \"1 kg m^2\""),
+        ("[frames]", "[frames]\nF = \"N free\""),
+        ("[bodies.bob]", body),
+        (start, "F = \"30 about x\""),
+    ];
+    one(&free, "30 about x", &["30 deg about x"]);
+}
+
+#[test]
+fn angles_with_units_small_ones_and_numbers_that_are_no_angles_are_no_warning() {
+    for edits in [
+        &[("theta = \"0.3 rad\"", "theta = \"30 rad\"")][..],
+        &[("theta = \"0.3 rad\"", "theta = 6.28")],
+        &[("theta = \"rad\"", "theta = \"1\""), ("theta = \"0.3 rad\"", "theta = 30")],
+        &[("sin(theta)", "sin(10*theta + (45 deg))")],
+        &[("\"reach\"", "\"30 + theta/(1 rad)*30\"")],
+        &[("theta = \"0.3 rad\"", "\"theta'\" = \"30 rad/s\"")],
+    ] {
+        assert_eq!(warnings(edits), Vec::new(), "{edits:?}");
+    }
+}
+
+#[test]
+fn units_in_which_nothing_is_shown_are_a_warning() {
+    let metres = |unit: &str| format!("[coordinates]\nx = \"{unit}\"");
+    let body = ("centre = \"P\"", "centre = \"P + x*N.x\"");
+    for (unit, shown) in [("mm", "m"), ("km", "m"), ("m", ""), ("in", "m")] {
+        let found = warnings(&[("[coordinates]", &metres(unit)), body]);
+        let told = format!("`x` is computed and shown in {shown}, not in {unit}");
+        assert_eq!(found.len(), usize::from(!shown.is_empty()), "{found:?}");
+        assert!(found.iter().all(|(at, text)| at == unit && text.starts_with(&told)), "{found:?}");
+    }
+    let found = warnings(&[("theta = \"rad\"", "theta = \"deg\"")]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].1.contains("in rad, not in deg") && found[0].1.contains("(20 deg)"), "{found:?}");
+    let found = warnings(&[("[outputs]", "[inputs]\nu = { unit = \"kN\", value = \"(2 kN)\" }\n[outputs]")]);
+    assert_eq!(found.len(), 1, "{found:?}");
+}
+
+#[test]
+fn an_inertia_by_the_motion_has_the_law_of_a_solid_body_and_a_warning() {
+    let mass = |mass: &str| warnings(&[("mass = \"m\"", &format!("mass = \"{mass}\""))]);
+    let found = mass("m + (0.1 kg)*theta");
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].1.contains("the inertia of `bob` depends on the motion: its law is m a = F"), "{found:?}");
+    assert!(found[0].1.contains("[energies] kinetic"), "{found:?}");
+    assert_eq!(mass("m + (0.1 kg s)*theta'").len(), 1);
+    assert_eq!(mass("m + (0.1 kg/s)*t"), Vec::new());
+}
