@@ -5,6 +5,7 @@ use super::read::{At, Table};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
+use std::string::FromUtf8Error;
 use units::nearest;
 
 /// Bytes of a scene file: the largest that the project holds has a hundredth of them.
@@ -64,9 +65,21 @@ pub fn read_text(path: &Path) -> Result<String, SceneError> {
     if bytes.len() as u64 > MOST_BYTES {
         return Err(SceneError::whole(&name, format!("this file has more than {MOST_BYTES} bytes"), needed));
     }
-    let text = String::from_utf8(bytes)
-        .map_err(|error| SceneError::whole(&name, format!("this is no text: {}", error.utf8_error()), needed))?;
-    Ok(text)
+    String::from_utf8(bytes).map_err(|error| no_text(name, &error, needed))
+}
+
+/// The first byte that is no text, at its line; of a file with zeros, which no editor writes, the file.
+fn no_text(path: String, error: &FromUtf8Error, needed: &str) -> SceneError {
+    let (bytes, start) = (error.as_bytes(), error.utf8_error().valid_up_to());
+    if bytes.contains(&0) {
+        return SceneError::whole(&path, format!("this is no text: {}", error.utf8_error()), needed);
+    }
+    // what is no text becomes one letter, so that places before it stay
+    let text = String::from_utf8_lossy(bytes).into_owned();
+    let byte = bytes.get(start).copied().unwrap_or_default();
+    let label = format!("the byte {byte:#04x}, in Latin-1 the letter {}", char::from(byte));
+    let issue = Issue::at(start..start + char::REPLACEMENT_CHARACTER.len_utf8(), "this file is no UTF-8", label);
+    SceneError { path, text, issues: vec![issue.accepted("a file that an editor saves as UTF-8")] }
 }
 
 /// Reads a text that opens with the name of a system.

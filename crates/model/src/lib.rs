@@ -44,7 +44,7 @@ pub use arena::{Function, Number, ScalarId, VectorId};
 pub use elaboration::{HALF_TURN, bare_angle, is_reserved, misplaced};
 pub use fault::Fault;
 pub use parts::{
-    Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId,
+    Along, Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId,
     GeneralisedForce, Implied, Inertia, Input, Material, Model, Output, Parameter, Point, PointId, QuasiVelocity,
     StartSpeed, StartValue, Torque, Turn, Zero,
 };

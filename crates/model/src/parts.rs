@@ -156,11 +156,18 @@ pub enum Force {
     },
 }
 
-/// A generalised force: its power is `is` times the speed.
+/// A generalised force: its power is `is` times the speed, or times the part of a quasi-velocity that is linear in the speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeneralisedForce {
-    pub speed: usize,
+    pub along: Along,
     pub is: ScalarId,
+}
+
+/// The speed that a generalised force has power on, by its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    Speed(usize),
+    QuasiVelocity(usize),
 }
 
 /// A torque.

@@ -73,10 +73,16 @@ impl Table<'_> {
             return Vec::new();
         };
         let mut texts = Vec::new();
+        let mut sound = true;
         for item in items.iter() {
             match item.get_ref() {
                 DeValue::String(text) => texts.push(At { value: text.to_string(), span: item.span() }),
-                other => self.wrong_kind(item.span(), key, other, &help),
+                // once: the others are of the same kind
+                other if sound => {
+                    self.wrong_kind(item.span(), key, other, &help);
+                    sound = false;
+                }
+                _ => {}
             }
         }
         texts

@@ -4,7 +4,8 @@ use super::value::Value;
 use super::{Elaborator, Sound, mismatch};
 use crate::parts::TURNING;
 use crate::{
-    Constraint, ConstraintSource, Entry, Fault, GeneralisedForce, LoadSource, Output, ScalarId, StartValue, Text, Zero,
+    Along, Constraint, ConstraintSource, Entry, Fault, GeneralisedForce, LoadSource, Output, ScalarId, StartValue,
+    Text, Zero,
 };
 use field::Rational;
 use symbolic::Dimension;
@@ -98,6 +99,12 @@ impl Elaborator<'_> {
                 accepted,
             )));
         }
+        let what = format!("the generalised force along `{}`", along.text);
+        if let Some(of) = self.quasi_velocity_of(&along.text) {
+            let needed = joule() / Dimension::time() / self.model.quasi_velocities[of].dimension;
+            let is = self.scalar_value(&load.is, &what, Some(needed))?;
+            return Ok(GeneralisedForce { along: Along::QuasiVelocity(of), is });
+        }
         let (speed, order) = self.of_state(along)?;
         if order == 1 && speed < self.model.coordinates.len() {
             let accepted = format!("along = \"{}\"", self.model.coordinates[speed].name);
@@ -109,8 +116,7 @@ impl Elaborator<'_> {
             )));
         }
         let needed = joule() / self.dimension_of_state(speed, 0);
-        let what = format!("the generalised force along `{}`", along.text);
-        Ok(GeneralisedForce { speed, is: self.scalar_value(&load.is, &what, Some(needed))? })
+        Ok(GeneralisedForce { along: Along::Speed(speed), is: self.scalar_value(&load.is, &what, Some(needed))? })
     }
 
     fn constraint(&mut self, constraint: &ConstraintSource) -> Sound<()> {

@@ -1,7 +1,7 @@
 //! Applied loads: forces at points, torques on frames, for every principle.
 
 use crate::trace::{Trace, Vector};
-use crate::{Force, FrameId, Material, Torque};
+use crate::{Along, Force, FrameId, Material, Torque};
 use field::Analytic;
 use symbolic::Sym;
 
@@ -63,8 +63,14 @@ pub(crate) fn torques(trace: &Trace<'_>) -> Vec<FrameTorque> {
 
 /// The generalised forces along a speed.
 pub(crate) fn along(trace: &Trace<'_>, speed: usize) -> Sym {
-    let own = trace.model.generalised.iter().filter(|force| force.speed == speed);
-    own.fold(Sym::ZERO, |sum, force| sum + trace.scalar(force.is))
+    trace.model.generalised.iter().fold(Sym::ZERO, |sum, force| match force.along {
+        Along::Speed(own) if own == speed => sum + trace.scalar(force.is),
+        Along::Speed(_) => sum,
+        Along::QuasiVelocity(place) => {
+            let velocity = trace.scalar(trace.model.quasi_velocities[place].is);
+            sum + trace.scalar(force.is) * trace.by_speed(velocity, speed)
+        }
+    })
 }
 
 /// The terms of the given potential, of Rayleigh's function and of generalised forces in the residual: dV/dq + dD/du - Q.

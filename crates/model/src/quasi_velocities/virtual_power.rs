@@ -4,7 +4,7 @@
 
 use super::QuasiVelocities;
 use crate::principles::loads::{forces, torques};
-use crate::{Trace, Vector};
+use crate::{Along, Trace, Vector};
 use symbolic::Sym;
 
 /// The powers of forces and torques per unit of w_r, and what a potential, Rayleigh's function and generalised forces add.
@@ -33,12 +33,15 @@ fn by_energies(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<Sym> {
     let energies = &trace.model.energies;
     let potential = energies.potential.map_or(Sym::ZERO, |id| quasi.rate_of(trace.scalar(id)));
     let dissipation = energies.dissipation.map_or(Sym::ZERO, |id| quasi.moved(trace.scalar(id)));
-    let along = |w: Sym| {
-        let terms = trace.model.generalised.iter();
-        terms
-            .fold(Sym::ZERO, |sum, force| sum + quasi.moved(trace.scalar(force.is)) * quasi.speeds[force.speed].diff(w))
+    let along = |place: usize, w: Sym| {
+        trace.model.generalised.iter().fold(Sym::ZERO, |sum, force| match force.along {
+            Along::Speed(speed) => sum + quasi.moved(trace.scalar(force.is)) * quasi.speeds[speed].diff(w),
+            Along::QuasiVelocity(own) if own == place => sum + quasi.moved(trace.scalar(force.is)),
+            Along::QuasiVelocity(_) => sum,
+        })
     };
-    quasi.symbols.iter().map(|&w| along(w) - potential.diff(w) - dissipation.diff(w)).collect()
+    let all = quasi.symbols.iter().enumerate();
+    all.map(|(place, &w)| along(place, w) - potential.diff(w) - dissipation.diff(w)).collect()
 }
 
 pub(super) fn residual(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<Sym> {

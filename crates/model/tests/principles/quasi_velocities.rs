@@ -90,6 +90,7 @@ fn led() -> Source {
     source.speeds = entries(&[("v", "velocity(P) . B.x - (1 m/s^2)*t"), ("w", "psi' + (0.2 rad/s)*sin(t*(1 rad/s))")]);
     source.energies = entries(&[("potential", "k/2*(x^2 + x*y)"), ("dissipation", "c/2*x'^2")]);
     source.forces.push(LoadSource { along: Some("psi".into()), is: "-n*w".into(), ..LoadSource::default() });
+    source.forces.push(LoadSource { along: Some("v".into()), is: "-c*v".into(), ..LoadSource::default() });
     source.constraints[0].zero = vec!["velocity(sleigh at P) . B.y - (0.1 m/s)*cos(t*(1 rad/s))".into()];
     let mut path = held("path", &["x - (1 m/s)*t"]);
     path.gains = Some(vec!["(8 1/s)".into(), "(16 1/s^2)".into()]);

@@ -64,7 +64,7 @@ fn one_slip_is_told_once_and_with_what_was_meant() {
         &[("theta = \"rad\"", "theta = \"rad\"\nt = \"m\""), ("\"O - l*A.y\"", "\"O - l*A.y + t*N.x\"")],
         &["`t` has a meaning of its own"],
     );
-    let gains = "[[constraint]]\nzero = \"theta - (0.3 rad)\"\nprogrammed = { gains = 8 }\n[outputs]";
+    let gains = "[[constraint]]\nzero = \"theta - (0.3 rad)\"\nprogrammed = { gains = [8, 16] }\n[outputs]";
     one(&[("[outputs]", gains)], &["`gains` has the wrong type"]);
     let free = ("[frames]", "[frames]\nF1 = \"N free\"");
     let start = |start: &str| format!("[start]\n{start}");

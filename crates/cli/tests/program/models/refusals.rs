@@ -58,3 +58,13 @@ fn the_place_of_what_a_command_cannot_take_is_shown() {
     refused(&["inverse", &file, "--motion", "f1 = (1 s)"], "--motion:1:6");
     std::fs::remove_file(&path).expect("it is there");
 }
+
+#[test]
+fn a_byte_that_is_no_text_is_told_at_its_line() {
+    let path = temporary("latin.toml");
+    std::fs::write(&path, b"title = \"x\"\n[coordinates]\nx = \"m\"   # gr\xf6\xdfe\n").expect("it is written");
+    let file = path.to_str().expect("a path in UTF-8");
+    refused(&["run", file], "latin.toml:3:14");
+    refused(&["derive", file], "the byte 0xf6, in Latin-1 the letter ö");
+    std::fs::remove_file(path).expect("it is there");
+}

@@ -207,7 +207,8 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         }
         let first = first + 3 * model.torques.len() + 3;
         for (force, load) in model.generalised.iter().zip(&loads[first..]) {
-            power += load * u[force.speed];
+            let model::Along::Speed(speed) = force.along else { panic!("these systems have no quasi-velocities") };
+            power += load * u[speed];
         }
         let resisted = |length: f64| {
             let speeds = state.u.iter().zip(u).map(|(own, u)| own + length * u).collect();
