@@ -283,6 +283,8 @@ pub(crate) struct Motion {
     pub multipliers: Vec<Sym>,
     /// 1, 0, or what keeps the condition at zero.
     pub switches: Vec<Sym>,
+    /// Each switch, or its part of what keeps conditions at zero where that is beyond its bound.
+    pub parts: Vec<Sym>,
 }
 
 impl Motion {
@@ -341,7 +343,7 @@ pub(crate) fn outputs(model: &Model, mode: &[Case], letters: Letters<'_>) -> Vec
     let solved: Vec<Sym> = trace.accelerations.iter().copied().chain(multipliers).collect();
     let mut moved = solved.iter().chain(&trace.switches);
     if moved.any(|symbol| used.contains(symbol))
-        && let Ok(Motion { accelerations, multipliers, switches }) = Motion::of(&trace, mode)
+        && let Ok(Motion { accelerations, multipliers, switches, .. }) = Motion::of(&trace, mode)
     {
         let known: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches).collect();
         all = substitute_all(&all, &known);

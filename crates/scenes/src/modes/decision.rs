@@ -7,6 +7,8 @@
 
 use super::Case;
 use super::expansion::{Expansion, Expansions, Instant};
+use super::pivots::pivoted;
+use super::shares::shares;
 
 /// The largest number of conditions at zero together whose combinations are all tried; among more, one that agrees is sought.
 const MOST_OPEN: usize = 6;
@@ -14,10 +16,6 @@ const MOST_OPEN: usize = 6;
 /// Terms by which combinations are sifted, and by which those that are left are decided.
 const FEW: usize = 2;
 pub(super) const TERMS: usize = 6;
-
-/// Changes of all contradicted cases together that may leave as many, and changes for each open condition.
-const PATIENCE: usize = 3;
-const PIVOTS: usize = 40;
 
 /// Multiples of its doubt that a term must exceed, to count. A larger one serves where a smaller leaves no case, or several: a force that
 /// rises beyond friction so little, or so shortly, that the speed stays within its rounding.
@@ -51,17 +49,40 @@ pub(super) enum Decided {
 
 /// Decides the cases of open conditions, beginning with those of a mode; other conditions keep theirs.
 pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Case], open: &[usize]) -> Decided {
-    if open.len() > MOST_OPEN {
-        return SLACKS
-            .into_iter()
-            .find_map(|slack| pivoted(expansions, instant, mode, open, slack))
-            .unwrap_or(Decided::None { not_held: true });
+    // cases without shares
+    let mut alone = mode.to_vec();
+    for &switch in open {
+        alone[switch] = match mode[switch] {
+            Case::Shared => Case::Off,
+            Case::Spent { on } => if on { Case::On } else { Case::Off },
+            case => case,
+        };
     }
+    let found = if open.len() > MOST_OPEN {
+        let pivoted = |slack| {
+            let (mode, expansion) = pivoted(expansions, instant, &alone, open, slack)?;
+            Some(Decided::One { mode, expansion, slack })
+        };
+        SLACKS.into_iter().find_map(pivoted).unwrap_or(Decided::None { not_held: true })
+    } else {
+        tried(expansions, instant, &alone, open)
+    };
+    match found {
+        Decided::One { mode, expansion, slack } => {
+            let (mode, expansion) = shares(expansions, instant, (&mode, &expansion), open, slack).unwrap_or((mode, expansion));
+            Decided::One { mode, expansion, slack }
+        }
+        none => none,
+    }
+}
+
+/// The same among all combinations of cases.
+fn tried(expansions: &Expansions, instant: &Instant<'_>, mode: &[Case], open: &[usize]) -> Decided {
     // of cases that rest the one that the event led to comes first
     let cases = |switch: usize| match mode[switch] {
         Case::On => [Case::On, Case::Off, Case::Held],
         Case::Off => [Case::Off, Case::On, Case::Held],
-        Case::Held => [Case::Held, Case::On, Case::Off],
+        _ => [Case::Held, Case::On, Case::Off],
     };
     let (mut candidates, mut not_held) = (Vec::new(), false);
     let widest = SLACKS[SLACKS.len() - 1];
@@ -99,41 +120,20 @@ pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Ca
     if several { Decided::Several } else { Decided::None { not_held } }
 }
 
-/// Cases that agree, from those of a mode: what contradicts its case gets the one to which it points, all together while that
-/// leaves fewer contradictions, then one after the other (block principal pivoting, Judice and Pires 1994).
-fn pivoted(
-    expansions: &Expansions,
-    instant: &Instant<'_>,
-    mode: &[Case],
-    open: &[usize],
-    slack: f64,
-) -> Option<Decided> {
-    let (mut mode, mut fewest, mut patience) = (mode.to_vec(), usize::MAX, PATIENCE);
-    for _ in 0..PIVOTS * open.len() {
-        expansions.mirror(&mut mode);
-        let expansion = expansions.at::<TERMS>(instant, &mode)?;
-        let turned: Vec<(usize, Case)> = open
-            .iter()
-            .filter_map(|&switch| Some((switch, contradicted(&expansion, mode[switch], switch, slack)?)))
-            .collect();
-        let Some(last) = turned.last() else { return Some(Decided::One { mode, expansion, slack }) };
-        patience = if turned.len() < fewest { PATIENCE } else { patience.saturating_sub(1) };
-        fewest = fewest.min(turned.len());
-        let changes = if patience > 0 { &turned[..] } else { std::slice::from_ref(last) };
-        changes.iter().for_each(|&(switch, case)| mode[switch] = case);
-    }
-    None
-}
-
 /// The case to which a condition points that contradicts its own.
-fn contradicted(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Case> {
+pub(super) fn contradicted(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Case> {
     let [low, high] = expansion.margins(switch).map(|margin| margin.sign(slack) < 0.0);
     match case {
         Case::Held if low => Some(Case::Off),
         Case::Held if high => Some(Case::On),
-        Case::Held => None,
         Case::On | Case::Off => alone(expansion, case, switch, slack).is_none().then_some(Case::Held),
+        _ => None,
     }
+}
+
+/// Whether a condition that should leave zero stays there.
+pub(super) fn rests(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> bool {
+    alone(expansion, case, switch, slack) == Some(Standing::Rests)
 }
 
 /// Whether no open condition contradicts its case by its rate, or its switch by its value.
@@ -141,7 +141,7 @@ fn is_possible(sifted: &Expansion<FEW>, mode: &[Case], open: &[usize], slack: f6
     open.iter().all(|&switch| match mode[switch] {
         Case::On => sifted.conditions[switch].sign_of(1, slack) >= 0.0,
         Case::Off => sifted.conditions[switch].sign_of(1, slack) <= 0.0,
-        Case::Held => sifted.margins(switch).iter().all(|margin| margin.sign_of(0, slack) >= 0.0),
+        _ => sifted.margins(switch).iter().all(|margin| margin.sign_of(0, slack) >= 0.0),
     })
 }
 
@@ -159,7 +159,7 @@ fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) ->
     let (signs, at_zero) = match case {
         Case::On => ([condition.way(band(), slack); 2], Standing::Rests),
         Case::Off => ([-condition.way(band(), slack); 2], Standing::Rests),
-        Case::Held => (expansion.margins(switch).map(|margin| margin.sign(slack)), Standing::AtBound),
+        _ => (expansion.margins(switch).map(|margin| margin.sign(slack)), Standing::AtBound),
     };
     let contradicts = |sign: &f64| sign.is_nan() || *sign < 0.0;
     match signs {
@@ -174,7 +174,7 @@ pub(super) fn beyond(value: f64, case: Case) -> f64 {
     match case {
         Case::On => (-value).max(0.0),
         Case::Off => value.max(0.0),
-        Case::Held => 0.0,
+        _ => 0.0,
     }
 }
 

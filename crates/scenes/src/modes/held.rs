@@ -16,60 +16,76 @@ pub(crate) fn held(
     accelerations: Vec<Sym>,
     multipliers: Vec<Sym>,
 ) -> Result<Motion, NotCompiled> {
-    let fixed = |case: &Case| match case {
-        Case::On => Some(Sym::ONE),
-        Case::Off => Some(Sym::ZERO),
-        Case::Held => None,
-    };
     let mirrored = mirrored_in(trace);
     let others = letters_of(trace, &mirrored);
-    let is_own = |switch: &usize| mirrored[*switch].is_none();
-    let own = || (0..mode.len()).filter(is_own);
+    let own = || (0..mode.len()).filter(|switch| mirrored[*switch].is_none());
+    let of = |wanted: fn(Case) -> bool| -> Vec<usize> { own().filter(|&switch| wanted(mode[switch])).collect() };
+    let letter = |switch: &usize| trace.switches[*switch];
+    let fixed = |switch: usize| mode[switch].fixed().map(|on| if on { Sym::ONE } else { Sym::ZERO });
     let known: Vec<(Sym, Sym)> =
-        own().filter_map(|switch| Some((trace.switches[switch], fixed(&mode[switch])?))).collect();
+        own().filter(|&switch| !mode[switch].rests()).filter_map(|k| Some((letter(&k), fixed(k)?))).collect();
     let in_mode = |all: &[Sym]| substitute_all(&substitute_all(all, &others), &known);
     let [accelerations, multipliers] = [accelerations, multipliers].map(|all| in_mode(&all));
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
-    let unknown: Vec<usize> = own().filter(|&switch| mode[switch] == Case::Held).collect();
-    let symbols: Vec<Sym> = unknown.iter().map(|&k| trace.switches[k]).collect();
-    let conditions: Vec<Sym> =
-        unknown.iter().map(|&switch| in_mode(&[trace.scalar(trace.model.switches[switch])])[0]).collect();
-    let rates: Vec<Sym> = conditions.iter().map(|&condition| trace.rate_of(condition).substitute(&motion)).collect();
+    let resting = of(Case::rests);
+    let held = of(|case| case == Case::Held);
+    let shared = of(|case| case == Case::Shared);
+    let free = of(|case| case.fixed().is_none());
+    let symbols: Vec<Sym> = resting.iter().map(letter).collect();
+    let condition = |switch: &usize| in_mode(&[trace.scalar(trace.model.switches[*switch])])[0];
+    let rates: Vec<Sym> = held.iter().map(|k| trace.rate_of(condition(k)).substitute(&motion)).collect();
     // an |g| in the law of g brings powers of the switch, which go where g is zero
     let at_zero = match is_linear(&rates, &symbols) {
         true => Vec::new(),
-        false => zeros(trace, &conditions),
+        false => zeros(trace, &resting.iter().map(condition).collect::<Vec<Sym>>()),
     };
     let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &at_zero));
     let rates = substitute_all(&rates, &at_zero);
     if !is_linear(&rates, &symbols) {
-        return Err(NotCompiled::NotHeld { switch: unknown[0] });
+        return Err(NotCompiled::NotHeld { switch: held[0] });
     }
-    // rows of b, and -a
+    let slopes = |row: usize, of: &[usize]| of.iter().map(|k| by(rates[row], letter(k))).collect::<Vec<Sym>>();
+    // rows of b, and -a with 1/2 for each shared switch
     let (mut rows, mut right): (Vec<Vec<Sym>>, Vec<Sym>) = (Vec::new(), Vec::new());
-    let none: Vec<(Sym, Sym)> = symbols.iter().map(|&letter| (letter, Sym::ZERO)).collect();
-    for (rate, &switch) in rates.iter().zip(&unknown) {
-        let slopes: Vec<Sym> = symbols.iter().map(|&letter| by(*rate, letter)).collect();
+    let half = Sym::ONE / (Sym::ONE + Sym::ONE);
+    let bounds = own().filter_map(|switch| Some((letter(&switch), fixed(switch)?)));
+    let given: Vec<(Sym, Sym)> = bounds.chain(shared.iter().map(|k| (letter(k), half))).collect();
+    let none: Vec<(Sym, Sym)> = held.iter().map(|k| (letter(k), Sym::ZERO)).collect();
+    for (row, &switch) in held.iter().enumerate() {
+        let slopes = slopes(row, &held);
         if slopes.iter().all(|slope| *slope == Sym::ZERO) {
             return Err(NotCompiled::NotHeld { switch });
         }
-        right.push(-rate.substitute(&none));
+        right.push(-rates[row].substitute(&given).substitute(&none));
         rows.push(slopes);
     }
-    let values = solved(rows, right).map_err(|row| NotCompiled::NotHeld { switch: unknown[row] })?;
-    let found: Vec<(Sym, Sym)> = symbols.iter().copied().zip(values).collect();
-    let value = |switch: usize| {
-        let letter = trace.switches[switch];
-        let solved = found.iter().find(|(symbol, _)| *symbol == letter).map_or(Sym::UNDEFINED, |(_, value)| *value);
-        fixed(&mode[switch]).unwrap_or(solved)
-    };
-    let switches = mirrored.iter().enumerate().map(|(switch, mirrored)| match *mirrored {
-        None => value(switch),
-        Some(Mirrored { of, same_side: true }) => value(of),
-        Some(Mirrored { of, same_side: false }) => Sym::ONE - value(of),
-    });
-    let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &found));
-    Ok(Motion { switches: switches.collect(), accelerations, multipliers })
+    let values = solved(rows, right).map_err(|row| NotCompiled::NotHeld { switch: held[row] })?;
+    let found: Vec<(Sym, Sym)> = held.iter().map(letter).zip(values.iter().copied()).chain(given).collect();
+    let in_found = |all: &[Sym]| substitute_all(all, &found);
+    let mut parts: Vec<Sym> = in_found(&trace.switches);
+    if free.len() < resting.len() || !shared.is_empty() {
+        // s = 1/2 + B^T l: of all that keep the conditions at zero the nearest to 1/2
+        let columns: Vec<Vec<Sym>> = (0..held.len()).map(|row| slopes(row, &free)).collect();
+        let product = |a: &[Sym], b: &[Sym]| a.iter().zip(b).fold(Sym::ZERO, |sum, (a, b)| sum + *a * *b);
+        let gram = columns.iter().map(|a| columns.iter().map(|b| product(a, b)).collect()).collect();
+        let away: Vec<Sym> = free.iter().map(|&k| parts[k] - half).collect();
+        let needed = columns.iter().map(|row| product(row, &away)).collect();
+        let factors = solved(gram, needed).map_err(|row| NotCompiled::NotHeld { switch: held[row] })?;
+        for &switch in &resting {
+            let column: Vec<Sym> = (0..held.len()).map(|row| by(rates[row], letter(&switch))).collect();
+            parts[switch] = half + product(&column, &factors);
+        }
+    }
+    let mut switches: Vec<Sym> = (0..mode.len()).map(|k| fixed(k).unwrap_or(parts[k])).collect();
+    for (own, mirrored) in mirrored.iter().enumerate() {
+        if let Some(Mirrored { of, same_side }) = *mirrored {
+            let own_of = |all: &[Sym]| if same_side { all[of] } else { Sym::ONE - all[of] };
+            (switches[own], parts[own]) = (own_of(&switches), own_of(&parts));
+        }
+    }
+    let shares: Vec<(Sym, Sym)> = own().map(|switch| (letter(&switch), switches[switch])).collect();
+    let (accelerations, multipliers) = (in_found(&accelerations), substitute_all(&multipliers, &shares));
+    Ok(Motion { switches, parts, accelerations, multipliers })
 }
 
 /// A partial derivative.

@@ -6,6 +6,8 @@ mod held;
 mod jet;
 mod multiples;
 mod passage;
+mod pivots;
+mod shares;
 mod sides;
 mod signal_integrals;
 mod signals;
@@ -32,6 +34,26 @@ pub enum Case {
     Off,
     /// It stays at zero, since either case drives it back: dry friction that sticks.
     Held,
+    /// It stays at zero since conditions that are held imply it; its switch takes a part of what keeps them there.
+    Shared,
+    /// The same, and its switch stays at 1 (on) or at 0, since its part would be larger.
+    Spent { on: bool },
+}
+
+impl Case {
+    /// Whether the condition stays at zero.
+    fn rests(self) -> bool {
+        !matches!(self, Case::On | Case::Off)
+    }
+
+    /// Whether the switch is 1, where the case says it, or 0.
+    fn fixed(self) -> Option<bool> {
+        match self {
+            Case::On | Case::Spent { on: true } => Some(true),
+            Case::Off | Case::Spent { on: false } => Some(false),
+            Case::Held | Case::Shared => None,
+        }
+    }
 }
 
 /// The laws of a model by their modes, and the mode of a run.

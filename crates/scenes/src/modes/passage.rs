@@ -74,7 +74,7 @@ impl Modes {
             condition.terms[0].abs() <= before.near[switch].max(SLACK * condition.doubts[0])
         };
         let own = |switch: &usize| expansions.mirrored[*switch].is_none();
-        let held: Vec<usize> = (0..mode.len()).filter(own).filter(|&switch| mode[switch] == Case::Held).collect();
+        let held: Vec<usize> = (0..mode.len()).filter(own).filter(|&switch| mode[switch].rests()).collect();
         let keeps = |other: usize| match before.sides[other] {
             Side { is_open: true, .. } => Past::None,
             Side { sign, .. } => Past::Side(sign),
@@ -91,6 +91,7 @@ impl Modes {
                 mode[switch] = to;
                 switch
             }
+            Fall::Frees { switch } => switch,
         };
         let is_open = |switch: &usize| held.contains(switch) || *switch == last || is_near(&known, *switch);
         let open: Vec<usize> = (0..mode.len()).filter(own).filter(is_open).collect();
@@ -183,7 +184,12 @@ impl Modes {
         let begun = |event: usize| {
             let (past, jet) = (past(event), &expansion.events[event]);
             let side = side(jet, past, slack);
-            let near = if matches!(past, Past::None) && !side.is_open { rounding(jet) } else { 0.0 };
+            // a state that an event has set lies where the expression is zero but for rounding, and may stay there
+            let near = match past {
+                Past::None if !side.is_open => rounding(jet),
+                Past::Set(_) => (2.0 * (-side.sign * jet.terms[0]).max(0.0)).max(rounding(jet)),
+                _ => 0.0,
+            };
             (side, near)
         };
         let (sides, near_events) = (0..self.model.events.len()).map(begun).unzip();
@@ -207,6 +213,10 @@ fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
         Fall::Leaves { switch, to } => {
             let bound = usize::from(to == Case::On);
             (known.margins(switch)[bound], before.near_bounds[switch][bound])
+        }
+        Fall::Frees { switch } => {
+            let bound = usize::from(before.moded.system.mode[switch].fixed() == Some(true));
+            (-known.margins(switch)[bound], before.near_bounds[switch][bound])
         }
         Fall::Event { event } => (known.events[event], before.sides[event].sign * before.near_events[event]),
     };

@@ -17,6 +17,8 @@ pub(super) enum Fall {
     Passes { switch: usize },
     /// A condition that was held would have to leave its cases: to the one that is not there, or to the other.
     Leaves { switch: usize, to: Case },
+    /// A switch that is spent would come back from its bound.
+    Frees { switch: usize },
     /// An event of the model, on either side of which the run may be.
     Event { event: usize },
 }
@@ -82,14 +84,14 @@ pub(super) fn written(
     }
     let trace = Trace::of(model);
     let mirrored = mirrored(&trace);
-    let Motion { accelerations, switches, .. } = Motion::of(&trace, mode)?;
+    let Motion { accelerations, switches, parts, .. } = Motion::of(&trace, mode)?;
     let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches.iter().copied()).collect();
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations).collect();
     let with_rate = |value: Sym| -> [Sym; 2] {
         let value = value.substitute(&cases);
         [value, trace.rate_of(value).substitute(&motion)]
     };
-    let may_depend = mode.iter().filter(|case| **case == Case::Held).count() > 1;
+    let may_depend = mode.iter().filter(|case| case.rests()).count() > 1;
     let rests = |rate: Sym| rate == Sym::ZERO || may_depend && vanishes(rate);
     let (mut falls, mut all): (Vec<Fall>, Vec<Sym>) = (Vec::new(), Vec::new());
     for (switch, case) in mode.iter().enumerate().filter(|(switch, _)| mirrored[*switch].is_none()) {
@@ -97,7 +99,9 @@ pub(super) fn written(
         let watched = match case {
             Case::On => vec![(Fall::Passes { switch }, condition)],
             Case::Off => vec![(Fall::Passes { switch }, -condition)],
-            Case::Held => vec![
+            Case::Spent { on: true } => vec![(Fall::Frees { switch }, parts[switch] - Sym::ONE)],
+            Case::Spent { on: false } => vec![(Fall::Frees { switch }, -parts[switch])],
+            Case::Held | Case::Shared => vec![
                 (Fall::Leaves { switch, to: Case::Off }, switches[switch]),
                 (Fall::Leaves { switch, to: Case::On }, Sym::ONE - switches[switch]),
             ],
@@ -139,6 +143,10 @@ impl Switches for Current {
             let (side, near) = match *fall {
                 Fall::Passes { switch } => (1.0, self.near[switch]),
                 Fall::Leaves { switch, to } => (1.0, self.near_bounds[switch][usize::from(to == Case::On)]),
+                Fall::Frees { switch } => {
+                    let is_on = self.moded.system.mode[switch].fixed() == Some(true);
+                    (1.0, self.near_bounds[switch][usize::from(is_on)])
+                }
                 Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };
             *signal = Signal { value: side * value + near, rate: side * rate, noise: 0.0 };

@@ -4,6 +4,9 @@
 //! which is linear in them.
 
 mod impulses;
+mod parts;
+
+pub(super) use parts::Slopes;
 
 use super::Case;
 use super::jet::{Jet, ROUNDING};
@@ -57,13 +60,15 @@ pub(super) struct Expansion<const N: usize> {
     pub rates: Vec<Jet<N>>,
     pub conditions: Vec<Jet<N>>,
     pub switches: Vec<Jet<N>>,
+    /// Each switch, or its part of what keeps conditions at zero where that is beyond its bound.
+    pub parts: Vec<Jet<N>>,
     pub events: Vec<Jet<N>>,
 }
 
 impl<const N: usize> Expansion<N> {
-    /// The distances of a switch from 0 and from 1.
+    /// The distances of a switch, or of its part, from 0 and from 1.
     pub fn margins(&self, switch: usize) -> [Jet<N>; 2] {
-        [self.switches[switch], Jet::one() - self.switches[switch]]
+        [self.parts[switch], Jet::one() - self.parts[switch]]
     }
 }
 
@@ -94,6 +99,15 @@ impl Expansions {
         self.run(clock, &moved, mode)
     }
 
+    /// Slopes of the rates of conditions by switches at an instant in a mode.
+    pub fn slopes(&self, instant: &Instant<'_>, mode: &[Case]) -> Option<Slopes<1>> {
+        let Expansion { switches, .. } = self.at::<1>(instant, mode)?;
+        let uncertain = |value: f64| Jet::constant(value, ROUNDINGS * ROUNDING * value.abs());
+        let state: Vec<Jet<1>> = instant.state.iter().map(|value| uncertain(*value)).collect();
+        let values = self.values(uncertain(instant.time), &state, &switches);
+        Some(self.slopes_of(mode, &values[self.states + 2 * mode.len()..]))
+    }
+
     /// Gives mirrored conditions the cases that follow from those of others.
     pub fn mirror(&self, mode: &mut [Case]) {
         for (place, mirrored) in self.mirrored.iter().enumerate() {
@@ -101,6 +115,7 @@ impl Expansions {
                 mode[place] = match (mode[of], same_side) {
                     (Case::On, false) => Case::Off,
                     (Case::Off, false) => Case::On,
+                    (Case::Spent { on }, false) => Case::Spent { on: !on },
                     (case, _) => case,
                 };
             }
@@ -117,13 +132,17 @@ impl Expansions {
     }
 
     /// Conditions of their own that a mode holds.
-    fn held(&self, mode: &[Case]) -> Vec<usize> {
+    pub fn held(&self, mode: &[Case]) -> Vec<usize> {
         (0..mode.len()).filter(|&place| mode[place] == Case::Held && self.mirrored[place].is_none()).collect()
     }
 
     fn run<const N: usize>(&self, time: Jet<N>, state: &[Jet<N>], mode: &[Case]) -> Option<Expansion<N>> {
-        let mut switches: Vec<Jet<N>> =
-            mode.iter().map(|case| if *case == Case::On { Jet::one() } else { Jet::zero() }).collect();
+        let value = |case: &Case| match case {
+            Case::Shared => Jet::constant(0.5, 0.0),
+            case if case.fixed() == Some(true) => Jet::one(),
+            _ => Jet::zero(),
+        };
+        let mut switches: Vec<Jet<N>> = mode.iter().map(value).collect();
         let held = self.held(mode);
         let mut values = self.values(time, state, &switches);
         if !held.is_empty() {
@@ -143,15 +162,20 @@ impl Expansions {
                 values = self.values(time, state, &switches);
             }
         }
+        let mut parts = self.shared(mode, &values[self.states + 2 * mode.len()..], &switches)?;
+        for switch in (0..mode.len()).filter(|&switch| mode[switch].fixed().is_none()) {
+            switches[switch] = parts[switch];
+        }
         for (place, mirrored) in self.mirrored.iter().enumerate() {
             if let Some(Mirrored { of, same_side }) = *mirrored {
-                switches[place] = if same_side { switches[of] } else { Jet::one() - switches[of] };
+                let own = |all: &[Jet<N>]| if same_side { all[of] } else { Jet::one() - all[of] };
+                (switches[place], parts[place]) = (own(&switches), own(&parts));
             }
         }
         let events = values.split_off(values.len() - self.events);
         let conditions = values[self.states..][..mode.len()].to_vec();
         values.truncate(self.states);
-        Some(Expansion { rates: values, conditions, switches, events })
+        Some(Expansion { rates: values, conditions, switches, parts, events })
     }
 
     fn values<const N: usize>(&self, time: Jet<N>, state: &[Jet<N>], switches: &[Jet<N>]) -> Vec<Jet<N>> {
@@ -212,7 +236,7 @@ fn written(model: &Model) -> Result<Expansions, NotCompiled> {
 }
 
 /// Gauss's elimination with the largest pivots; none where one is zero but for rounding.
-fn solved<const N: usize>(mut rows: Vec<Vec<Jet<N>>>, mut right: Vec<Jet<N>>) -> Option<Vec<Jet<N>>> {
+pub(super) fn solved<const N: usize>(mut rows: Vec<Vec<Jet<N>>>, mut right: Vec<Jet<N>>) -> Option<Vec<Jet<N>>> {
     let n = right.len();
     for pivot in 0..n {
         let size = |row: usize| rows[row][pivot].terms[0].abs();

@@ -1,0 +1,55 @@
+//! The part that each switch takes of what keeps conditions at zero, where these depend on each other.
+//!
+//! A block between two walls that stick does not say what each wall carries: with more contacts than speeds g' = a + B s = 0 has many
+//! solutions s. The motion is the same for all of them. Taken is the one with the least sum of (s - 1/2)^2, that of least squares of
+//! sign: s = 1/2 + B^T l, cut at 0 and at 1. It is unique, and continuous in a.
+
+use super::super::Case;
+use super::super::jet::Jet;
+use super::{Expansions, solved};
+use num_traits::Zero;
+
+/// Slopes of the rates of conditions by switches, of conditions of their own.
+pub(in super::super) type Slopes<const N: usize> = Vec<Vec<Jet<N>>>;
+
+impl Expansions {
+    /// The slopes, from their values in the order of the list.
+    pub(super) fn slopes_of<const N: usize>(&self, mode: &[Case], values: &[Jet<N>]) -> Slopes<N> {
+        let mut slopes = vec![vec![Jet::zero(); mode.len()]; mode.len()];
+        for (slope, value) in self.slopes.iter().zip(values) {
+            slopes[slope.condition][slope.switch] = *value;
+        }
+        slopes
+    }
+
+    /// Switches by their parts, from values that keep the held conditions at zero with 1/2 for each shared one.
+    pub(super) fn shared<const N: usize>(
+        &self,
+        mode: &[Case],
+        values: &[Jet<N>],
+        switches: &[Jet<N>],
+    ) -> Option<Vec<Jet<N>>> {
+        let mut parts = switches.to_vec();
+        let own = |switch: &usize| self.mirrored[*switch].is_none();
+        let of = |wanted: fn(Case) -> bool| (0..mode.len()).filter(own).filter(move |&switch| wanted(mode[switch]));
+        let implied: Vec<usize> = of(|case| matches!(case, Case::Shared | Case::Spent { .. })).collect();
+        if implied.is_empty() {
+            return Some(parts);
+        }
+        let slopes = self.slopes_of(mode, values);
+        let held = self.held(mode);
+        let free: Vec<usize> = of(|case| matches!(case, Case::Held | Case::Shared)).collect();
+        let half = Jet::constant(0.5, 0.0);
+        let sum = |terms: &mut dyn Iterator<Item = Jet<N>>| terms.fold(Jet::zero(), |sum, term| sum + term);
+        let gram = |a: usize, b: usize| sum(&mut free.iter().map(|&switch| slopes[a][switch] * slopes[b][switch]));
+        let rows = held.iter().map(|&a| held.iter().map(|&b| gram(a, b)).collect()).collect();
+        let needed = |a: usize| sum(&mut free.iter().map(|&switch| slopes[a][switch] * (switches[switch] - half)));
+        let right = held.iter().map(|&a| needed(a)).collect();
+        let factors = solved(rows, right)?;
+        for &switch in free.iter().chain(&implied) {
+            let pull = |(&row, factor): (&usize, &Jet<N>)| slopes[row][switch] * *factor;
+            parts[switch] = half + sum(&mut held.iter().zip(&factors).map(pull));
+        }
+        Some(parts)
+    }
+}

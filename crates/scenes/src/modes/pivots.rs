@@ -1,0 +1,100 @@
+//! The cases of many conditions at zero together, by pivots; their number grows like a polynomial of that of conditions.
+//!
+//! The rates g' = a + B s with 0 <= s <= 1, s = 1 where g' > 0 and s = 0 where g' < 0, are a linear complementarity problem. Of
+//! dry friction B = -G R with a semidefinite G and the bounds R of the forces, and criss-cross pivots by one fixed order end (Klafszky
+//! and Terlaky 1992). Signs are those of series in the time, which are ordered as numbers are.
+
+use super::Case;
+use super::decision::{TERMS, contradicted};
+use super::expansion::{Expansion, Expansions, Instant, Slopes, solved};
+use super::jet::Jet;
+use num_traits::Zero;
+
+/// Changes of all contradicted cases together that may leave as many (block pivots, Judice and Pires 1994).
+const PATIENCE: usize = 3;
+
+/// Pivots for each open condition.
+const PIVOTS: usize = 40;
+
+/// A number is zero where it is not so many times its doubt.
+const PIVOT: f64 = 64.0;
+
+/// Cases that agree, from those of a mode.
+pub(super) fn pivoted(
+    expansions: &Expansions,
+    instant: &Instant<'_>,
+    mode: &[Case],
+    open: &[usize],
+    slack: f64,
+) -> Option<(Vec<Case>, Expansion<TERMS>)> {
+    let (mut mode, mut fewest, mut patience) = (mode.to_vec(), usize::MAX, PATIENCE);
+    for _ in 0..PIVOTS * open.len() {
+        expansions.mirror(&mut mode);
+        let expansion = expansions.at::<TERMS>(instant, &mode)?;
+        let turned: Vec<(usize, Case)> = open
+            .iter()
+            .filter_map(|&switch| Some((switch, contradicted(&expansion, mode[switch], switch, slack)?)))
+            .collect();
+        let Some(&(last, case)) = turned.last() else { return Some((mode, expansion)) };
+        patience = if turned.len() < fewest { PATIENCE } else { patience.saturating_sub(1) };
+        fewest = fewest.min(turned.len());
+        let slopes = expansions.slopes(instant, &mode)?;
+        let before = mode.clone();
+        if patience > 0 {
+            let (held, leaving): (Vec<_>, Vec<_>) = turned.into_iter().partition(|(_, case)| *case == Case::Held);
+            leaving.into_iter().for_each(|(switch, case)| mode[switch] = case);
+            for (switch, _) in held {
+                if Implied::of(&slopes, &expansions.held(&mode), switch).is_none() {
+                    mode[switch] = Case::Held;
+                }
+            }
+        }
+        if mode != before {
+            continue;
+        }
+        let implied = if case == Case::Held { Implied::of(&slopes, &expansions.held(&mode), last) } else { None };
+        if let Some(implied) = implied {
+            // its rate falls with that of a held condition, which leaves in its place
+            let (other, factor) = implied.terms().last()?;
+            let rises = (mode[last] == Case::On) == (factor > 0.0);
+            mode[other] = if rises { Case::On } else { Case::Off };
+        }
+        mode[last] = case;
+    }
+    None
+}
+
+/// A condition whose rate is a combination of those of held ones.
+#[derive(Debug)]
+pub(super) struct Implied {
+    held: Vec<usize>,
+    factors: Vec<Jet<1>>,
+}
+
+impl Implied {
+    /// None where its switch changes its rate while the others are held.
+    pub fn of(slopes: &Slopes<1>, held: &[usize], switch: usize) -> Option<Self> {
+        let rows = held.iter().map(|&column| held.iter().map(|&row| slopes[row][column]).collect()).collect();
+        let right = held.iter().map(|&column| slopes[switch][column]).collect();
+        let factors = solved(rows, right)?;
+        let through = held.iter().zip(&factors).map(|(&row, factor)| slopes[row][switch] * *factor);
+        let left = slopes[switch][switch] - through.fold(Jet::zero(), |sum, term| sum + term);
+        (left.sign_of(0, PIVOT) == 0.0).then(|| Implied { held: held.to_vec(), factors })
+    }
+
+    /// The conditions and their factors, where these are not zero.
+    pub fn terms(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.held.iter().zip(&self.factors).filter(|(_, factor)| factor.sign_of(0, PIVOT) != 0.0).map(
+            |(&condition, factor)| (condition, factor.terms[0]),
+        )
+    }
+}
+
+/// For each held condition the change of its switch by that of another, which is at rest too, with its sign where it is not zero.
+pub(super) fn replaced(slopes: &Slopes<1>, held: &[usize], switch: usize) -> Option<Vec<(usize, f64)>> {
+    let rows = held.iter().map(|&row| held.iter().map(|&column| slopes[row][column]).collect()).collect();
+    let right = held.iter().map(|&row| -slopes[row][switch]).collect();
+    let changes = solved(rows, right)?;
+    let signs = changes.iter().map(|change| change.sign_of(0, PIVOT));
+    Some(held.iter().copied().zip(signs).collect())
+}

@@ -1,0 +1,84 @@
+//! The part of each contact where more of them stick than are needed.
+//!
+//! One set of cases that agrees gives the motion. Conditions at rest that held ones imply then share with these: switches
+//! s = 1/2 + B^T l, cut at 0 and at 1, which is a convex problem with one solution (see the parts of an expansion). Criss-cross pivots
+//! find those that are cut.
+
+use super::Case;
+use super::decision::{TERMS, rests};
+use super::expansion::{Expansion, Expansions, Instant, Slopes};
+use super::pivots::{Implied, replaced};
+
+/// Pivots for each condition at rest.
+const PIVOTS: usize = 40;
+
+/// The mode with its shares, where contacts share; none where no shares are found.
+pub(super) fn shares(
+    expansions: &Expansions,
+    instant: &Instant<'_>,
+    (mode, expansion): (&[Case], &Expansion<TERMS>),
+    open: &[usize],
+    slack: f64,
+) -> Option<(Vec<Case>, Expansion<TERMS>)> {
+    let (slopes, held) = (expansions.slopes(instant, mode)?, expansions.held(mode));
+    let implied = |switch: &usize| {
+        mode[*switch] != Case::Held
+            && rests(expansion, mode[*switch], *switch, slack)
+            && Implied::of(&slopes, &held, *switch).is_some()
+    };
+    let shared: Vec<usize> = open.iter().copied().filter(implied).collect();
+    if shared.is_empty() {
+        return None;
+    }
+    let resting: Vec<usize> =
+        open.iter().copied().filter(|switch| mode[*switch] == Case::Held || shared.contains(switch)).collect();
+    let mut mode = mode.to_vec();
+    shared.into_iter().for_each(|switch| mode[switch] = Case::Shared);
+    for _ in 0..PIVOTS * resting.len() {
+        expansions.mirror(&mut mode);
+        let expansion = expansions.at::<TERMS>(instant, &mode)?;
+        let turned = resting.iter().find_map(|&switch| {
+            let [low, high] = expansion.margins(switch).map(|margin| margin.sign(slack));
+            let to = match mode[switch] {
+                Case::Held | Case::Shared if low < 0.0 => Case::Spent { on: false },
+                Case::Held | Case::Shared if high < 0.0 => Case::Spent { on: true },
+                Case::Spent { on: true } if high > 0.0 => Case::Shared,
+                Case::Spent { on: false } if low > 0.0 => Case::Shared,
+                _ => return None,
+            };
+            Some((switch, to))
+        });
+        let Some((switch, to)) = turned else { return Some((mode, expansion)) };
+        if mode[switch] == Case::Held {
+            let successor = successor((&slopes, &expansions.held(&mode)), &mode, &resting, switch, to)?;
+            mode[successor] = Case::Held;
+        }
+        mode[switch] = to;
+    }
+    None
+}
+
+/// The condition that is held in the place of another whose switch stays at a bound: a shared one, or one whose switch leaves its own
+/// bound such that the other returns.
+fn successor(
+    (slopes, held): (&Slopes<1>, &[usize]),
+    mode: &[Case],
+    resting: &[usize],
+    switch: usize,
+    to: Case,
+) -> Option<usize> {
+    let needed = if to == (Case::Spent { on: true }) { -1.0 } else { 1.0 };
+    let change = |other: usize| {
+        let all = replaced(slopes, held, other)?;
+        all.into_iter().find(|(held, _)| *held == switch).map(|(_, sign)| sign).filter(|sign| *sign != 0.0)
+    };
+    let shared = resting.iter().copied().filter(|&other| mode[other] == Case::Shared);
+    let mut spent = resting.iter().copied().filter_map(|other| match mode[other] {
+        Case::Spent { on } => Some((other, if on { -1.0 } else { 1.0 })),
+        _ => None,
+    });
+    shared
+        .into_iter()
+        .find(|&other| change(other).is_some())
+        .or_else(|| spent.find_map(|(other, way)| change(other).filter(|sign| sign * way == needed).map(|_| other)))
+}
