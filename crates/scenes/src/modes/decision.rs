@@ -54,7 +54,13 @@ pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Ca
     for &switch in open {
         alone[switch] = match mode[switch] {
             Case::Shared => Case::Off,
-            Case::Spent { on } => if on { Case::On } else { Case::Off },
+            Case::Spent { on } => {
+                if on {
+                    Case::On
+                } else {
+                    Case::Off
+                }
+            }
             case => case,
         };
     }
@@ -69,7 +75,8 @@ pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Ca
     };
     match found {
         Decided::One { mode, expansion, slack } => {
-            let (mode, expansion) = shares(expansions, instant, (&mode, &expansion), open, slack).unwrap_or((mode, expansion));
+            let (mode, expansion) =
+                shares(expansions, instant, (&mode, &expansion), open, slack).unwrap_or((mode, expansion));
             Decided::One { mode, expansion, slack }
         }
         none => none,

@@ -77,7 +77,7 @@ impl Modes {
         let held: Vec<usize> = (0..mode.len()).filter(own).filter(|&switch| mode[switch].rests()).collect();
         let keeps = |other: usize| match before.sides[other] {
             Side { is_open: true, .. } => Past::None,
-            Side { sign, .. } => Past::Side(sign),
+            Side { sign: from, .. } => Past::Side { from, near: before.near_events[other] },
         };
         let last = match fall {
             Fall::Event { event: number } => {
@@ -154,8 +154,10 @@ impl Modes {
         };
         let held: Vec<usize> = held.iter().copied().filter(stays).collect();
         let past = |other: usize| match before.sides[other] {
-            Side { sign, .. } if other == number => Past::Set(sign),
-            Side { sign, is_open: false } if known.events[other].sign_of(0, SLACK) == 0.0 => Past::Side(sign),
+            Side { sign: from, .. } if other == number => Past::Set { from, near: before.near_events[other] },
+            Side { sign: from, is_open: false } if known.events[other].sign_of(0, SLACK) == 0.0 => {
+                Past::Side { from, near: before.near_events[other] }
+            }
             _ => Past::None,
         };
         self.at(&instant, &held, past).map(Some)
@@ -179,15 +181,20 @@ impl Modes {
         let near = |switch: usize| {
             let condition = &expansion.conditions[switch];
             let beyond = beyond(condition.terms[0], mode[switch]);
-            if open.contains(&switch) { (2.0 * beyond).max(slack * condition.doubts[0]) } else { 0.0 }
+            let rounding = (slack * condition.doubts[0]).max(condition.hidden(slack));
+            if open.contains(&switch) { (2.0 * beyond).max(rounding) } else { 0.0 }
         };
         let begun = |event: usize| {
             let (past, jet) = (past(event), &expansion.events[event]);
             let side = side(jet, past, slack);
-            // a state that an event has set lies where the expression is zero but for rounding, and may stay there
+            let is_zero = jet.sign_of(0, slack) == 0.0;
+            let beyond = (-2.0 * side.sign * jet.terms[0]).max(0.0);
             let near = match past {
                 Past::None if !side.is_open => rounding(jet),
-                Past::Set(_) => (2.0 * (-side.sign * jet.terms[0]).max(0.0)).max(rounding(jet)),
+                // a body that is set to rest on a wall stays there, where the expression is zero but for rounding
+                Past::Set { near, .. } if jet.way(0.0, slack) == 0.0 => near.max(beyond).max(rounding(jet)),
+                Past::Set { near, .. } if is_zero => near,
+                Past::Side { near, .. } if is_zero => near.max(beyond),
                 _ => 0.0,
             };
             (side, near)

@@ -38,13 +38,13 @@ pub(super) fn pivoted(
         let Some(&(last, case)) = turned.last() else { return Some((mode, expansion)) };
         patience = if turned.len() < fewest { PATIENCE } else { patience.saturating_sub(1) };
         fewest = fewest.min(turned.len());
-        let slopes = expansions.slopes(instant, &mode)?;
+        let slopes = &expansion.slopes;
         let before = mode.clone();
         if patience > 0 {
             let (held, leaving): (Vec<_>, Vec<_>) = turned.into_iter().partition(|(_, case)| *case == Case::Held);
             leaving.into_iter().for_each(|(switch, case)| mode[switch] = case);
             for (switch, _) in held {
-                if Implied::of(&slopes, &expansions.held(&mode), switch).is_none() {
+                if Implied::of(slopes, &expansions.held(&mode), switch).is_none() {
                     mode[switch] = Case::Held;
                 }
             }
@@ -52,10 +52,12 @@ pub(super) fn pivoted(
         if mode != before {
             continue;
         }
-        let implied = if case == Case::Held { Implied::of(&slopes, &expansions.held(&mode), last) } else { None };
+        let implied = if case == Case::Held { Implied::of(slopes, &expansions.held(&mode), last) } else { None };
         if let Some(implied) = implied {
             // its rate falls with that of a held condition, which leaves in its place
-            let (other, factor) = implied.terms().last()?;
+            let changes = replaced(slopes, &expansions.held(&mode), last)?;
+            let moves = |other: usize| changes.iter().any(|(held, sign)| *held == other && *sign != 0.0);
+            let (other, factor) = implied.terms().filter(|(other, _)| moves(*other)).last()?;
             let rises = (mode[last] == Case::On) == (factor > 0.0);
             mode[other] = if rises { Case::On } else { Case::Off };
         }
@@ -68,30 +70,33 @@ pub(super) fn pivoted(
 #[derive(Debug)]
 pub(super) struct Implied {
     held: Vec<usize>,
-    factors: Vec<Jet<1>>,
+    factors: Vec<Jet<TERMS>>,
 }
 
 impl Implied {
     /// None where its switch changes its rate while the others are held.
-    pub fn of(slopes: &Slopes<1>, held: &[usize], switch: usize) -> Option<Self> {
+    pub fn of(slopes: &Slopes<TERMS>, held: &[usize], switch: usize) -> Option<Self> {
         let rows = held.iter().map(|&column| held.iter().map(|&row| slopes[row][column]).collect()).collect();
         let right = held.iter().map(|&column| slopes[switch][column]).collect();
         let factors = solved(rows, right)?;
         let through = held.iter().zip(&factors).map(|(&row, factor)| slopes[row][switch] * *factor);
         let left = slopes[switch][switch] - through.fold(Jet::zero(), |sum, term| sum + term);
-        (left.sign_of(0, PIVOT) == 0.0).then(|| Implied { held: held.to_vec(), factors })
+        // a slope that is zero at this instant only is none that is implied
+        (0..TERMS).all(|order| left.sign_of(order, PIVOT) == 0.0).then(|| Implied { held: held.to_vec(), factors })
     }
 
     /// The conditions and their factors, where these are not zero.
     pub fn terms(&self) -> impl Iterator<Item = (usize, f64)> {
-        self.held.iter().zip(&self.factors).filter(|(_, factor)| factor.sign_of(0, PIVOT) != 0.0).map(
-            |(&condition, factor)| (condition, factor.terms[0]),
-        )
+        self.held
+            .iter()
+            .zip(&self.factors)
+            .filter(|(_, factor)| factor.sign_of(0, PIVOT) != 0.0)
+            .map(|(&condition, factor)| (condition, factor.terms[0]))
     }
 }
 
 /// For each held condition the change of its switch by that of another, which is at rest too, with its sign where it is not zero.
-pub(super) fn replaced(slopes: &Slopes<1>, held: &[usize], switch: usize) -> Option<Vec<(usize, f64)>> {
+pub(super) fn replaced(slopes: &Slopes<TERMS>, held: &[usize], switch: usize) -> Option<Vec<(usize, f64)>> {
     let rows = held.iter().map(|&row| held.iter().map(|&column| slopes[row][column]).collect()).collect();
     let right = held.iter().map(|&row| -slopes[row][switch]).collect();
     let changes = solved(rows, right)?;

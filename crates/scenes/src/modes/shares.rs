@@ -20,19 +20,23 @@ pub(super) fn shares(
     open: &[usize],
     slack: f64,
 ) -> Option<(Vec<Case>, Expansion<TERMS>)> {
-    let (slopes, held) = (expansions.slopes(instant, mode)?, expansions.held(mode));
-    let implied = |switch: &usize| {
-        mode[*switch] != Case::Held
-            && rests(expansion, mode[*switch], *switch, slack)
-            && Implied::of(&slopes, &held, *switch).is_some()
-    };
-    let shared: Vec<usize> = open.iter().copied().filter(implied).collect();
+    let slopes = &expansion.slopes;
+    let mut mode = mode.to_vec();
+    let mut shared = Vec::new();
+    for &switch in open {
+        if mode[switch] != Case::Held && rests(expansion, mode[switch], switch, slack) {
+            // what rests by its own bound, and not by others, is held there
+            match Implied::of(slopes, &expansions.held(&mode), switch) {
+                Some(_) => shared.push(switch),
+                None => mode[switch] = Case::Held,
+            }
+        }
+    }
     if shared.is_empty() {
         return None;
     }
     let resting: Vec<usize> =
         open.iter().copied().filter(|switch| mode[*switch] == Case::Held || shared.contains(switch)).collect();
-    let mut mode = mode.to_vec();
     shared.into_iter().for_each(|switch| mode[switch] = Case::Shared);
     for _ in 0..PIVOTS * resting.len() {
         expansions.mirror(&mut mode);
@@ -50,7 +54,7 @@ pub(super) fn shares(
         });
         let Some((switch, to)) = turned else { return Some((mode, expansion)) };
         if mode[switch] == Case::Held {
-            let successor = successor((&slopes, &expansions.held(&mode)), &mode, &resting, switch, to)?;
+            let successor = successor((&expansion.slopes, &expansions.held(&mode)), &mode, &resting, switch, to)?;
             mode[successor] = Case::Held;
         }
         mode[switch] = to;
@@ -61,7 +65,7 @@ pub(super) fn shares(
 /// The condition that is held in the place of another whose switch stays at a bound: a shared one, or one whose switch leaves its own
 /// bound such that the other returns.
 fn successor(
-    (slopes, held): (&Slopes<1>, &[usize]),
+    (slopes, held): (&Slopes<TERMS>, &[usize]),
     mode: &[Case],
     resting: &[usize],
     switch: usize,

@@ -20,9 +20,13 @@ pub(super) enum Past {
     /// None: the state was given, or set to where the expression is zero.
     None,
     /// The run goes on from a side; the expression may be about to pass zero.
-    Side(f64),
+    Side {
+        from: f64,
+        /// The distance beyond zero at which it counts as passed.
+        near: f64,
+    },
     /// The event has just set the state, coming from a side.
-    Set(f64),
+    Set { from: f64, near: f64 },
     /// The expression has just passed zero, coming from a side.
     Passed(f64),
 }
@@ -32,9 +36,9 @@ pub(super) fn side(jet: &Jet<TERMS>, past: Past, slack: f64) -> Side {
     let (value, way) = (jet.sign_of(0, slack), jet.way(slack * jet.doubts[0], slack));
     let known = match past {
         Past::None => [value, way, 0.0],
-        Past::Side(from) => [value, from, 0.0],
+        Past::Side { from, .. } => [value, from, 0.0],
         // a body that is set to rest on a floor is still above it
-        Past::Set(from) => [value, jet.sign_of(1, slack), from],
+        Past::Set { from, .. } => [value, jet.sign_of(1, slack), from],
         Past::Passed(from) => [way, -from, 0.0],
     };
     let sign = known.into_iter().find(|sign| sign.abs() == 1.0);

@@ -63,6 +63,8 @@ pub(super) struct Expansion<const N: usize> {
     /// Each switch, or its part of what keeps conditions at zero where that is beyond its bound.
     pub parts: Vec<Jet<N>>,
     pub events: Vec<Jet<N>>,
+    /// Slopes of the rates of conditions by switches.
+    pub slopes: Slopes<N>,
 }
 
 impl<const N: usize> Expansion<N> {
@@ -97,15 +99,6 @@ impl Expansions {
             moved.iter_mut().zip(&found.rates).for_each(|(part, rate)| part.follow(rate, order));
         }
         self.run(clock, &moved, mode)
-    }
-
-    /// Slopes of the rates of conditions by switches at an instant in a mode.
-    pub fn slopes(&self, instant: &Instant<'_>, mode: &[Case]) -> Option<Slopes<1>> {
-        let Expansion { switches, .. } = self.at::<1>(instant, mode)?;
-        let uncertain = |value: f64| Jet::constant(value, ROUNDINGS * ROUNDING * value.abs());
-        let state: Vec<Jet<1>> = instant.state.iter().map(|value| uncertain(*value)).collect();
-        let values = self.values(uncertain(instant.time), &state, &switches);
-        Some(self.slopes_of(mode, &values[self.states + 2 * mode.len()..]))
     }
 
     /// Gives mirrored conditions the cases that follow from those of others.
@@ -162,7 +155,8 @@ impl Expansions {
                 values = self.values(time, state, &switches);
             }
         }
-        let mut parts = self.shared(mode, &values[self.states + 2 * mode.len()..], &switches)?;
+        let slopes = self.slopes_of(mode, &values[self.states + 2 * mode.len()..]);
+        let mut parts = self.shared(mode, &slopes, &switches)?;
         for switch in (0..mode.len()).filter(|&switch| mode[switch].fixed().is_none()) {
             switches[switch] = parts[switch];
         }
@@ -175,7 +169,7 @@ impl Expansions {
         let events = values.split_off(values.len() - self.events);
         let conditions = values[self.states..][..mode.len()].to_vec();
         values.truncate(self.states);
-        Some(Expansion { rates: values, conditions, switches, parts, events })
+        Some(Expansion { rates: values, conditions, switches, parts, events, slopes })
     }
 
     fn values<const N: usize>(&self, time: Jet<N>, state: &[Jet<N>], switches: &[Jet<N>]) -> Vec<Jet<N>> {

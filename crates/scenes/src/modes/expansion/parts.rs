@@ -22,11 +22,11 @@ impl Expansions {
         slopes
     }
 
-    /// Switches by their parts, from values that keep the held conditions at zero with 1/2 for each shared one.
+    /// Switches by their parts, from those that keep the held conditions at zero with 1/2 for each shared one.
     pub(super) fn shared<const N: usize>(
         &self,
         mode: &[Case],
-        values: &[Jet<N>],
+        slopes: &Slopes<N>,
         switches: &[Jet<N>],
     ) -> Option<Vec<Jet<N>>> {
         let mut parts = switches.to_vec();
@@ -36,7 +36,6 @@ impl Expansions {
         if implied.is_empty() {
             return Some(parts);
         }
-        let slopes = self.slopes_of(mode, values);
         let held = self.held(mode);
         let free: Vec<usize> = of(|case| matches!(case, Case::Held | Case::Shared)).collect();
         let half = Jet::constant(0.5, 0.0);

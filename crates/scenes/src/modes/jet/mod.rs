@@ -85,6 +85,18 @@ impl<const N: usize> Jet<N> {
         signs[first]
     }
 
+    /// The largest value that doubts hide of a quantity which leaves zero slowly, as t^4 beside a doubt of t.
+    pub fn hidden(&self, slack: f64) -> f64 {
+        let Some(leading) = (0..N).find(|&order| self.sign_of(order, slack) != 0.0) else { return 0.0 };
+        // up to the time from which the leading term exceeds each doubt before it
+        let doubted = (0..leading).filter(|&order| self.doubts[order] > 0.0);
+        let hidden = doubted.map(|order| {
+            let time = (slack * self.doubts[order] / self.terms[leading].abs()).powf(1.0 / (leading - order) as f64);
+            slack * self.doubts[order] * time.powi(order as i32)
+        });
+        hidden.fold(0.0, f64::max)
+    }
+
     fn by_terms(self, operation: impl Fn(f64) -> f64) -> Self {
         Jet { terms: self.terms.map(operation), doubts: self.doubts }
     }
