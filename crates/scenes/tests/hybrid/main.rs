@@ -3,6 +3,7 @@
 mod contacts;
 mod draws;
 mod friction;
+mod shares;
 mod starts;
 
 use derivations::scene::{Choice, Smooth, Trajectory};
