@@ -7,6 +7,7 @@ mod cosines;
 mod identifiers;
 mod latex;
 mod matrix_form;
+mod quasi_velocities;
 mod reading;
 mod sympy;
 mod text;
@@ -17,6 +18,7 @@ pub use conditions::left_out;
 pub use cosines::Cosine;
 pub use latex::{Typeset, equations as typeset, latex};
 pub use matrix_form::{Held, Lines, MatrixForm};
+pub use quasi_velocities::InQuasiVelocities;
 pub use sympy::sympy;
 pub use text::text;
 

@@ -219,7 +219,11 @@ impl Smooth for ModelScene {
 
     fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
         let ended = trajectory.stopped().is_none().then(|| self.ended.at(trajectory.outcome.time)).flatten();
-        Told { diagnosis: ended.map(|event| format!("{} ends the run", self.events[event])), ..Told::default() }
+        let ended = ended.map(|event| format!("{} ends the run", self.events[event]));
+        let (time, state) = (trajectory.outcome.time, &trajectory.outcome.state);
+        let branched = || Followed::of(&self.model)?.broken(time, state).map(str::to_owned);
+        let branched = trajectory.stopped().is_none().then(branched).flatten();
+        Told { diagnosis: ended.or(branched), ..Told::default() }
     }
 
     fn parameters(&self) -> Vec<Parameter> {

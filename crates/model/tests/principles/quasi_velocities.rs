@@ -241,6 +241,29 @@ fn the_matrix_form_has_kinematic_equations_and_no_reactions() {
     assert!(!text.contains("lambda"), "{text}");
 }
 
+/// Drag that no polynomial of the speeds is, and a force by a condition, whose bracket is over the quasi-velocities too.
+#[test]
+fn forces_that_are_no_polynomials_are_written_as_they_are() {
+    let mut source = sleigh_along();
+    source.parameters.push(("c", "0.3 N s^2/m^2").into());
+    let drag = "-c*norm(velocity(P))*velocity(P) - if(v > (1 m/s), c*v^2, 0)*B.x";
+    source.forces.push(LoadSource { on: Some("sleigh at P".into()), is: drag.into(), ..LoadSource::default() });
+    let model = model(&source);
+    apart(|| {
+        let trace = Trace::of(&model);
+        let quasi = QuasiVelocities::of(&trace).expect("they are independent");
+        let form = MatrixForm::in_quasi_velocities(&trace, &quasi, QuasiPrinciple::VirtualPower).expect("it applies");
+        let text = model::text(&trace, &form.for_reading());
+        let force = text.lines().find(|line| line.contains("Q[v]")).expect("there is one").to_owned();
+        assert!(force.contains("sqrt(v^2)") && !force.contains("undefined"), "{force}");
+        assert!(text.lines().any(|line| line.contains("condition 1 = -1 + v, in m/s")), "{text}");
+        for language in [symbolic::Language::C, symbolic::Language::Python, symbolic::Language::Rust] {
+            model::code(&trace, &form, language).expect("it can be written");
+        }
+        model::sympy(&trace, &form).expect("it can be written");
+    });
+}
+
 fn faults(source: Source, speeds: &[(&str, &str)]) -> Vec<Fault> {
     Model::of(&with(source, speeds)).expect_err("it is refused")
 }

@@ -98,6 +98,37 @@ fn a_run_ends_where_the_motion_branches() {
     assert!(run.outcome.state[0].sin().abs() < 0.05, "{:?}", run.outcome.state);
 }
 
+fn diagnosis(text: &str) -> String {
+    let scene = scene(text);
+    let choice = scene.run().choice();
+    let run = scene.problem(Axes::First).simulate(&choice, |_| ());
+    assert_eq!(run.stopped(), None, "{:?}", run.outcome.state);
+    scene.told(&choice, &run).diagnosis.unwrap_or_default()
+}
+
+#[test]
+fn a_law_with_events_leaves_out_what_follows() {
+    let event = "[[event]]\nname = \"low\"\nwhen = \"a - (60 deg)\"\nend = true\n[outputs]";
+    // with events every coordinate has an inertia of its own
+    let pins = "[bodies.pin2]\ncentre = \"Q\"\nmass = \"(0.1 kg)\"\n[bodies.pin3]\ncentre = \"R\"\nmass = \"(0.1 kg)\"\n[bodies.coupler]";
+    let text = with("[outputs]", event).replace("[bodies.coupler]", pins);
+    assert_eq!(diagnosis(&text), "the event `low` ends the run");
+}
+
+/// Where a constraint knows the time the end of the run is judged, and not its way.
+#[test]
+fn a_law_with_the_time_says_where_it_ended_that_a_constraint_no_longer_follows() {
+    let timed = with("[coordinates]", "[coordinates]\nz = \"m\"")
+        .replace("[outputs]", "[[constraint]]\nzero = \"z - (1 m/s)*t\"\n[outputs]");
+    assert_eq!(diagnosis(&timed), "");
+    // rods along one line may turn on as they were
+    let told = ["1e-6", "1e-7", "1e-8"].map(|tolerance| {
+        let long = timed.replace("span = \"0.4 s\"", "span = \"1 s\"").replace("80 deg", "30 deg");
+        diagnosis(&long.replace("1e-10", tolerance))
+    });
+    assert!(told.iter().any(|told| told.contains("the motion came to a place where it branches")), "{told:?}");
+}
+
 #[test]
 fn what_depends_on_others_at_the_start_alone_is_refused() {
     let text = "title = \"t\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x + y*N.y\"\nmass = \"(1 kg)\"\n\

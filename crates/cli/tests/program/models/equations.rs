@@ -1,6 +1,6 @@
 //! Equations of motion as they are printed.
 
-use super::{MODEL, printed, refused};
+use super::{BLOCK, MODEL, printed, refused};
 use crate::{run, temporary};
 
 #[test]
@@ -37,14 +37,6 @@ fn every_principle_and_notation_gives_the_equations() {
         "{message}"
     );
 }
-
-/// A block that a limited drive pulls, with dry friction, a damping called c1 and a coordinate called f1.
-const BLOCK: &str = "title = \"A block\"\n[parameters]\nm = \"2 kg\"\nc1 = \"3 N s/m\"\nF = \"4 N\"\n[coordinates]\nf1 = \"m\"\ny = \"m\"\n\
-    [bodies.b]\ncentre = \"O + f1*N.x + y*N.y\"\nmass = \"m\"\n[[force]]\non = \"b\"\nis = \"(-c1*f1' - F*sign(f1'))*N.x\"\n\
-    [[force]]\non = \"b\"\nis = \"min(F, F*sin(t*(2 rad/s)) + F*cos(t*(3 rad/s))*sin(t*(5 rad/s)))*N.x\"\n\
-    [[constraint]]\nname = \"rail\"\nzero = \"y*N.y\"\n\
-    [[event]]\nname = \"wall\"\nwhen = \"f1 - (1 m)\"\ndirection = \"up\"\nset = { \"f1'\" = \"-0.5*f1'\" }\nend = true\n\
-    [start]\n\"f1'\" = \"1 m/s\"\n[run]\nspan = \"1 s\"\n";
 
 #[test]
 fn equations_say_what_their_conditions_are_and_what_they_leave_out() {

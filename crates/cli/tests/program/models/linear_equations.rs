@@ -1,12 +1,7 @@
 //! Linear equations, forces for a motion, equilibria.
 
-use super::{MODEL, printed, refused};
+use super::{MODEL, SPRING, printed, refused};
 use crate::{json, run, temporary};
-
-/// A mass on a spring, pushed by a force: every entry of its linear equations is known.
-const SPRING: &str = "title = \"A mass on a spring\"\n[parameters]\nm = \"2 kg\"\nk = \"18 N/m\"\nF = \"N\"\n[coordinates]\nx = \"mm\"\n\
-    [points]\nP = \"O + x*N.x\"\n[bodies.bob]\ncentre = \"P\"\nmass = \"m\"\n[[force]]\non = \"bob\"\nis = \"(F - k*x)*N.x\"\n\
-    [outputs]\npull = \"k*x\"\n[run]\nspan = \"1 s\"\n";
 
 #[test]
 fn linear_equations_are_printed_in_every_format() {
@@ -113,4 +108,22 @@ fn a_completed_start_and_a_feedback_that_is_no_part_of_a_are_told() {
     let told = run(&["linearise", &file]).stderr;
     assert!(!String::from_utf8_lossy(&told).contains("feedback"));
     std::fs::remove_file(&path).expect("it is there");
+}
+
+#[test]
+fn angles_of_a_motion_without_a_unit_are_warned_of() {
+    let crank = "scenes/models/slider_crank.toml";
+    let warned = |motion: &str| {
+        let output = run(&["inverse", crank, "--motion", motion, "--unknown", "T"]);
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    for motion in ["theta=30", "theta = 30 + 0.1*sin(t*(1 rad/s))"] {
+        let told = warned(motion);
+        assert!(told.contains("--motion:1:") && told.contains("30 rad are 4.8 turns"), "{motion}: {told}");
+        assert!(told.contains("(30 deg)"), "{motion}: {told}");
+    }
+    assert!(!warned("theta=(30 deg)").contains("turns"));
+    let body = run(&["inverse", "scenes/models/tumbling_body.toml", "--motion", "F=90 about x"]);
+    let told = String::from_utf8_lossy(&body.stderr).into_owned();
+    assert!(told.contains("90 rad are 14.3 turns"), "{told}");
 }

@@ -1,6 +1,6 @@
 //! Files and commands that do not go together.
 
-use super::{MODEL, refused};
+use super::{BLOCK, MODEL, PENDULUM, refused};
 use crate::{run, temporary};
 
 #[test]
@@ -64,7 +64,7 @@ fn a_byte_that_is_no_text_is_told_at_its_line() {
     let path = temporary("latin.toml");
     std::fs::write(&path, b"title = \"x\"\n[coordinates]\nx = \"m\"   # gr\xf6\xdfe\n").expect("it is written");
     let file = path.to_str().expect("a path in UTF-8");
-    refused(&["run", file], "latin.toml:3:14");
+    refused(&["run", file], "latin.toml:3:15");
     refused(&["derive", file], "the byte 0xf6, in Latin-1 the letter ö");
     std::fs::remove_file(path).expect("it is there");
 }

@@ -1,6 +1,6 @@
 //! Runs and members of a system that is text.
 
-use super::{MODEL, printed};
+use super::{MODEL, PENDULUM, SPRING, printed};
 use crate::{json, program, root, run, temporary};
 use std::path::Path;
 
@@ -48,11 +48,6 @@ fn an_ensemble_of_a_file_goes_on_where_it_was_killed() {
     assert!(other.status.code() == Some(2) && said.contains("line 2: another ensemble"), "{said}");
     [scene, path, whole].iter().for_each(|path| std::fs::remove_file(path).expect("it is there"));
 }
-
-const PENDULUM: &str = "title = \"A pendulum\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\ntheta = \"rad\"\n\
-    [frames]\nA = \"N turned theta about z\"\n[bodies.bob]\ncentre = \"O - (1 m)*A.y\"\nmass = \"(1 kg)\"\n\
-    [[event]]\nname = \"low\"\nwhen = \"theta - (32 rad)\"\nend = true\n\
-    [start]\ntheta = 30\n[run]\nspan = \"9 s\"\n";
 
 #[test]
 fn an_angle_of_several_turns_is_told_by_its_place_and_the_event_that_ends_a_run_by_its_name() {

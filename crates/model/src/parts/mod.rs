@@ -1,5 +1,13 @@
 //! A model: the parts of a system, every name resolved.
 
+mod constraints;
+mod events;
+mod loads;
+
+pub use constraints::{Constraint, Implied, Zero};
+pub use events::{Assignment, Direction, Event, StartSpeed, StartValue};
+pub use loads::{Along, Energies, Force, GeneralisedForce, Torque};
+
 use crate::arena::{Arena, Number, Scalar};
 use crate::{Fault, ScalarId, Source, VectorId};
 use std::ops::Range;
@@ -74,17 +82,6 @@ impl QuasiVelocity {
     }
 }
 
-/// The value of a quasi-velocity at time zero.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StartSpeed {
-    /// Its place among the quasi-velocities.
-    pub of: usize,
-    /// In SI units.
-    pub value: f64,
-    /// Where it stands.
-    pub at: Range<usize>,
-}
-
 /// A frame of axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
@@ -142,86 +139,6 @@ pub enum Inertia {
     Tensor { axes: FrameId, entries: [Option<ScalarId>; 6] },
 }
 
-/// A force.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Force {
-    On {
-        at: Material,
-        is: VectorId,
-    },
-    /// Equal and opposite along the line of two points, positive apart.
-    Between {
-        points: [Material; 2],
-        is: ScalarId,
-    },
-}
-
-/// A generalised force: its power is `is` times the speed, or times the part of a quasi-velocity that is linear in the speeds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GeneralisedForce {
-    pub along: Along,
-    pub is: ScalarId,
-}
-
-/// The speed that a generalised force has power on, by its place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Along {
-    Speed(usize),
-    QuasiVelocity(usize),
-}
-
-/// A torque.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Torque {
-    On {
-        frame: FrameId,
-        is: VectorId,
-    },
-    /// On the second, its opposite on the first.
-    Between {
-        frames: [FrameId; 2],
-        is: VectorId,
-    },
-}
-
-/// Energies beside those of the bodies.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Energies {
-    pub kinetic: Option<ScalarId>,
-    pub potential: Option<ScalarId>,
-    /// Rayleigh's function: forces are minus its derivatives by the speeds.
-    pub dissipation: Option<ScalarId>,
-}
-
-/// An expression f that is zero along every motion, or is led to zero.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Constraint {
-    pub name: Option<String>,
-    pub zero: Zero,
-    /// The dimension of that expression.
-    pub dimension: Dimension,
-    /// Gains of a constraint that is led to zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
-    pub gains: Option<Vec<ScalarId>>,
-    pub at: Range<usize>,
-}
-
-/// The expression of a constraint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Zero {
-    Scalar(ScalarId),
-    /// Every component that does not vanish by itself.
-    Vector(VectorId),
-}
-
-/// An equation of a constraint that follows from others.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Implied {
-    /// Its constraint, and its component of a vector.
-    pub of: [usize; 2],
-    /// As sentences call it.
-    pub title: String,
-}
-
 /// A scalar that a run shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
@@ -240,49 +157,6 @@ pub struct Input {
     pub value: Option<ScalarId>,
     /// Where its name stands.
     pub at: Range<usize>,
-}
-
-/// The direction in which an expression passes zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    Up,
-    Down,
-    Both,
-}
-
-/// An instant at which an expression passes zero.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Event {
-    /// Empty where it has none.
-    pub name: String,
-    pub when: ScalarId,
-    pub direction: Direction,
-    /// The state after it.
-    pub set: Vec<Assignment>,
-    /// Whether the motion ends.
-    pub ends: bool,
-    pub at: Range<usize>,
-}
-
-/// A coordinate, or its speed, after an event: an expression of the state before it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Assignment {
-    pub coordinate: usize,
-    /// Zero for the coordinate, one for its speed.
-    pub order: usize,
-    pub is: ScalarId,
-}
-
-/// A coordinate, or its speed, at time zero.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StartValue {
-    pub coordinate: usize,
-    /// Zero for the coordinate, one for its speed.
-    pub order: usize,
-    /// In SI units.
-    pub value: f64,
-    /// Whether it may be moved to meet the constraints.
-    pub is_guess: bool,
 }
 
 /// A system as data.

@@ -1,0 +1,103 @@
+//! The matrix form in quasi-velocities: kinematic equations, dynamic ones without reactions.
+
+use super::axes::axes;
+use super::matrix_form::{Dynamics, Held, MatrixForm, without_forces};
+use super::simplified;
+use crate::equations::constraints_of;
+use crate::principles::NotApplicable;
+use crate::{QuasiPrinciple, QuasiVelocities, Trace};
+use field::Rational;
+use symbolic::{Sym, substitute_all};
+
+/// The meaning of quasi-velocities, and the constraints that hold for all of their values.
+#[derive(Clone, Debug)]
+pub struct InQuasiVelocities {
+    /// Each by coordinates, their rates and the time.
+    pub definitions: Vec<Sym>,
+    /// Constraints that hold, over coordinates, their rates and the time.
+    pub met: Vec<Held>,
+    /// Rates of coordinates, and angular velocities of free frames.
+    pub(super) rates: Vec<Sym>,
+}
+
+impl InQuasiVelocities {
+    pub(super) fn mapped(&self, map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>) -> Self {
+        InQuasiVelocities {
+            definitions: map(&self.definitions),
+            met: self.met.iter().map(|held| held.mapped(map)).collect(),
+            rates: map(&self.rates),
+        }
+    }
+}
+
+impl MatrixForm {
+    /// By a principle in quasi-velocities; reactions of constraints that hold have no power along these, and are no part of it.
+    ///
+    /// # Errors
+    /// Where the principle does not apply to the model.
+    pub fn in_quasi_velocities(
+        trace: &Trace<'_>,
+        quasi: &QuasiVelocities<'_, '_>,
+        principle: QuasiPrinciple,
+    ) -> Result<Self, NotApplicable> {
+        let free = without_forces(trace.model);
+        let free = Trace::of(&free);
+        let of_inertia =
+            QuasiVelocities::of(&free).map_err(|_| NotApplicable("they are not independent".to_owned()))?;
+        let residual = principle.residual(quasi)?;
+        let at_rest: Vec<(Sym, Sym)> = quasi.accelerations.iter().map(|&letter| (letter, Sym::ZERO)).collect();
+        let derivatives = |row: &Sym| quasi.accelerations.iter().map(|&letter| row.diff(letter)).collect();
+        let bias = substitute_all(&residual, &at_rest);
+        let inertia = substitute_all(&principle.residual(&of_inertia)?, &at_rest);
+        let forces = inertia.iter().zip(&bias).map(|(&free, &moved)| free - moved).collect();
+        let constraints = constraints_of(trace).into_iter().zip(axes(trace));
+        let (met, programmed): (Vec<_>, Vec<_>) = constraints.partition(|(one, _)| one.gains.is_none());
+        let programmed = programmed.into_iter().map(|(one, axis)| {
+            let held = Held::of(one, axis);
+            // J u' + c over w and w'
+            let terms = held.row.iter().zip(&trace.accelerations);
+            let rate = terms.fold(held.bias, |sum, (&slope, &acceleration)| sum + slope * acceleration);
+            let [zero, rate] = [held.zero, rate].map(|each| quasi.by_quasi_velocities(&[each])[0]);
+            Held { zero, row: derivatives(&rate), bias: rate.substitute(&at_rest), ..held }
+        });
+        let mass = residual.iter().map(derivatives).collect();
+        let dynamics = Dynamics { mass, inertia, forces, constraints: programmed.collect() };
+        let (speeds, accelerations) = (quasi.symbols.clone(), quasi.accelerations.clone());
+        let rates = quasi.position_rates.clone();
+        let form = MatrixForm::with(trace, dynamics, speeds.clone(), speeds, accelerations, rates);
+        let quasi_velocities = InQuasiVelocities {
+            definitions: quasi.definitions.clone(),
+            met: met.into_iter().map(|(one, axis)| Held::of(one, axis)).collect(),
+            rates: trace.speeds.clone(),
+        };
+        let switches =
+            form.switches.iter().map(|&(letter, is)| (letter, quasi.by_quasi_velocities(&[is])[0])).collect();
+        Ok(MatrixForm { quasi: Some(quasi_velocities), switches, ..form })
+    }
+}
+
+/// More letters, or more operations, are not collected.
+const MOST_COLLECTED: [usize; 2] = [12, 2_000];
+
+/// A polynomial of second degree in some letters by its coefficients in normal form; none of another expression.
+pub(super) fn collected(expression: Sym, letters: &[Sym]) -> Option<Sym> {
+    let [most_letters, most_operations] = MOST_COLLECTED;
+    if letters.len() > most_letters || Sym::operations_of(&[expression]) > most_operations {
+        return None;
+    }
+    let at_zero: Vec<(Sym, Sym)> = letters.iter().map(|&letter| (letter, Sym::ZERO)).collect();
+    let mut sum = simplified(expression.substitute(&at_zero));
+    for (place, &one) in letters.iter().enumerate() {
+        let slope = expression.diff(one);
+        sum += simplified(slope.substitute(&at_zero)) * one;
+        for &other in &letters[place..] {
+            let half = if one == other { Rational::new(1, 2) } else { Rational::new(1, 1) };
+            let coefficient = simplified(slope.diff(other) * Sym::constant(half));
+            if coefficient.symbols_of().iter().any(|symbol| letters.contains(symbol)) {
+                return None;
+            }
+            sum += coefficient * one * other;
+        }
+    }
+    Some(sum)
+}
