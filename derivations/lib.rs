@@ -8,6 +8,7 @@
 //! * [`conformance`]: what every motor must do, whoever wrote it;
 //! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
 //! * [`ensemble`]: many systems of one kind with data of their own, run side by side;
+//! * [`exponents`]: steps of series that do not pass over an exponential;
 //! * [`ladder`]: smaller models under the one of a scene, what each step loses, the cheapest that suffices;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
 //! * [`mechanisms`]: governors, drives, bodies that roll, by the names that scene files use;
@@ -34,6 +35,7 @@ pub mod derive;
 pub mod differentiated;
 pub mod ensemble;
 mod exact_turns;
+pub mod exponents;
 pub mod failures;
 pub mod friction;
 pub mod governors;

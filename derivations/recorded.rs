@@ -1,19 +1,20 @@
 //! A system with its laws recorded as straight-line code, for the Taylor method.
 
+use crate::exponents::{Expandable, Exponents};
 use crate::written::{Written, written};
 use field::{DoubleDouble, Scalar};
 use integrators::{Directions, Ode, System, TaylorSeries};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-use symbolic::{Equations, Expansion, Fused, Recurrence, Sym};
+use symbolic::{Equations, Expansion, Fused, Sym};
 
 /// A system and the recurrence of its right-hand side: the same laws, evaluated once over expressions. The data of the
 /// system are in it as exact constants.
 #[derive(Clone, Debug)]
 pub struct Recorded<L> {
     law: Arc<L>,
-    record: fn(&L) -> Option<Recurrence>,
+    record: fn(&L) -> Option<Expandable>,
     /// Made when it is first asked for; `None` where a law cannot be recorded: then there is no Taylor method.
-    recurrence: OnceLock<Option<Recurrence>>,
+    recurrence: OnceLock<Option<Expandable>>,
     spare: Spare<f64>,
     finer: Spare<DoubleDouble>,
 }
@@ -28,7 +29,7 @@ impl<L: Ode<Sym> + Sync> Recorded<L> {
             written(law, |Written { state, time, rates }| {
                 let moves = rates.iter().any(|rate| rate.symbols_of().contains(time));
                 let equations = Equations { state, time: moves.then_some(*time), parameters: &[], rates, solve: None };
-                Recurrence::record(&equations).ok()
+                Expandable::record(&equations).ok()
             })
         })
     }
@@ -36,29 +37,29 @@ impl<L: Ode<Sym> + Sync> Recorded<L> {
 
 impl<L> Recorded<L> {
     /// A system whose recurrence is made in this way.
-    pub fn by(law: Arc<L>, record: fn(&L) -> Option<Recurrence>) -> Self {
+    pub fn by(law: Arc<L>, record: fn(&L) -> Option<Expandable>) -> Self {
         Recorded { law, record, recurrence: OnceLock::new(), spare: Spare::default(), finer: Spare::default() }
     }
 
-    fn recurrence(&self) -> Option<&Recurrence> {
+    fn recurrence(&self) -> Option<&Expandable> {
         self.recurrence.get_or_init(|| (self.record)(&self.law)).as_ref()
     }
 
     /// One that goes from run to run, where it is of usual size.
     fn kept<'a, S: Fused>(&'a self, spare: &'a Spare<S>) -> Option<Box<dyn TaylorSeries<S> + 'a>> {
         match self.recurrence() {
-            Some(recurrence) if recurrence.columns::<WIDTH>() <= FEW => {
-                Some(Box::new(Kept { series: Series { recurrence, expansion: None }, spare }))
+            Some(law) if law.recurrence.columns::<WIDTH>() <= FEW => {
+                Some(Box::new(Kept { series: Series::of(law), spare }))
             }
             _ => self.series(),
         }
     }
 
     fn series<S: Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
-        let recurrence = self.recurrence()?;
-        match recurrence.columns::<WIDTH>() {
-            columns if columns <= FEW => Some(Box::new(Series::<S, FEW> { recurrence, expansion: None })),
-            columns if columns <= MANY => Some(Box::new(Series::<S, MANY> { recurrence, expansion: None })),
+        let law = self.recurrence()?;
+        match law.recurrence.columns::<WIDTH>() {
+            columns if columns <= FEW => Some(Box::new(Series::<S, FEW>::of(law))),
+            columns if columns <= MANY => Some(Box::new(Series::<S, MANY>::of(law))),
             _ => None,
         }
     }
@@ -97,8 +98,22 @@ impl<L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync> System for Record
 
 /// The series of a recurrence, with room made for the order that is asked for.
 struct Series<'a, S: Fused, const N: usize> {
-    recurrence: &'a Recurrence,
+    law: &'a Expandable,
     expansion: Option<Expansion<S, WIDTH, N>>,
+    /// Of exponentials the arguments, and the state with room for their series behind it.
+    exponents: Vec<f64>,
+    extended: Vec<S>,
+}
+
+impl<'a, S: Fused, const N: usize> Series<'a, S, N> {
+    fn of(law: &'a Expandable) -> Self {
+        Series { law, expansion: None, exponents: Vec::new(), extended: Vec::new() }
+    }
+
+    /// The number of states.
+    fn states(&self) -> usize {
+        self.law.recurrence.states() - self.law.exponents.as_ref().map_or(0, Exponents::count)
+    }
 }
 
 impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
@@ -108,19 +123,32 @@ impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
 
     fn expand_rounding(&mut self, t: S, y: &[S], order: usize, fine: usize) -> usize {
         if self.expansion.as_ref().is_none_or(|expansion| expansion.order() != order) {
-            self.expansion = self.recurrence.expansion(&[], order);
+            self.expansion = self.law.recurrence.expansion(&[], order);
         }
-        self.expansion.as_mut().map_or(order, |expansion| expansion.expand_rounding(y, t, fine))
+        let Some(expansion) = &mut self.expansion else { return order };
+        let Some(exponents) = &self.law.exponents else { return expansion.expand_rounding(y, t, fine) };
+        self.exponents = exponents.values(y.iter().map(|value| value.rounded()), t.rounded());
+        self.extended.clear();
+        self.extended.extend_from_slice(y);
+        self.extended.resize(y.len() + exponents.count(), S::zero());
+        expansion.expand_rounding(&self.extended, t, fine)
     }
 
     fn coefficients(&self, k: usize) -> &[S] {
-        self.expansion.as_ref().map_or(&[], |expansion| expansion.coefficients(k))
+        self.expansion.as_ref().map_or(&[], |expansion| &expansion.coefficients(k)[..self.states()])
     }
 
     fn sum(&self, h: S, out: &mut [S]) {
         if let Some(expansion) = &self.expansion {
             expansion.sum(h, out);
         }
+    }
+
+    fn shown(&self) -> f64 {
+        let (Some(expansion), Some(exponents)) = (&self.expansion, &self.law.exponents) else { return f64::INFINITY };
+        let first = self.states();
+        let term = |place: usize, k: usize| expansion.coefficients(k)[first + place].rounded();
+        exponents.longest(&self.exponents, expansion.order(), S::FINER, term)
     }
 }
 
@@ -150,6 +178,10 @@ impl<S: Fused> TaylorSeries<S> for Kept<'_, S> {
 
     fn sum(&self, h: S, out: &mut [S]) {
         self.series.sum(h, out);
+    }
+
+    fn shown(&self) -> f64 {
+        self.series.shown()
     }
 }
 

@@ -32,6 +32,12 @@ pub trait TaylorSeries<S: Scalar> {
 
     /// The sum of the last expansion at h.
     fn sum(&self, h: S, out: &mut [S]);
+
+    /// The longest step over which the terms of the last expansion show the law: far from zero exp(-x) has no terms, and a step to
+    /// zero would not see it.
+    fn shown(&self) -> f64 {
+        f64::INFINITY
+    }
 }
 
 impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
@@ -49,6 +55,10 @@ impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
 
     fn sum(&self, h: S, out: &mut [S]) {
         (**self).sum(h, out);
+    }
+
+    fn shown(&self) -> f64 {
+        (**self).shown()
     }
 }
 
@@ -88,11 +98,15 @@ impl<T> Taylor<T> {
     where
         T: TaylorSeries<S>,
     {
-        if S::EPSILON < f64::EPSILON {
-            return self.reach_rounding(time, y);
-        }
-        self.source.expand(time, y, self.order);
-        self.allowed(y)
+        let reach = if S::EPSILON < f64::EPSILON {
+            self.reach_rounding(time, y)
+        } else {
+            self.source.expand(time, y, self.order);
+            self.allowed(y)
+        };
+        let shown = self.source.shown();
+        // what is not a number stays so
+        if shown < reach { shown } else { reach }
     }
 
     /// How far the series goes: with s_k the largest coefficient of order k in units of what is allowed, the smaller one of

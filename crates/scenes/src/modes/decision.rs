@@ -7,7 +7,7 @@
 
 use super::Case;
 use super::expansion::{Expansion, Expansions, Instant};
-use super::pivots::pivoted;
+use super::pivots::{NotFound, pivoted};
 use super::shares::shares;
 
 /// The largest number of conditions at zero together whose combinations are all tried; among more, one that agrees is sought.
@@ -65,11 +65,7 @@ pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Ca
         };
     }
     let found = if open.len() > MOST_OPEN {
-        let pivoted = |slack| {
-            let (mode, expansion) = pivoted(expansions, instant, &alone, open, slack)?;
-            Some(Decided::One { mode, expansion, slack })
-        };
-        SLACKS.into_iter().find_map(pivoted).unwrap_or(Decided::None { not_held: true })
+        many(expansions, instant, &alone, open)
     } else {
         tried(expansions, instant, &alone, open)
     };
@@ -81,6 +77,18 @@ pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Ca
         }
         none => none,
     }
+}
+
+/// The same by pivots.
+fn many(expansions: &Expansions, instant: &Instant<'_>, mode: &[Case], open: &[usize]) -> Decided {
+    let mut not_held = false;
+    for slack in SLACKS {
+        match pivoted(expansions, instant, mode, open, slack) {
+            Ok((mode, expansion)) => return Decided::One { mode, expansion, slack },
+            Err(NotFound { is_held }) => not_held |= !is_held,
+        }
+    }
+    Decided::None { not_held }
 }
 
 /// The same among all combinations of cases.

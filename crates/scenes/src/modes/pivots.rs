@@ -19,6 +19,13 @@ const PIVOTS: usize = 40;
 /// A number is zero where it is not so many times its doubt.
 const PIVOT: f64 = 64.0;
 
+/// No cases were found that agree.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NotFound {
+    /// Whether every condition that should be held could be.
+    pub is_held: bool,
+}
+
 /// Cases that agree, from those of a mode.
 pub(super) fn pivoted(
     expansions: &Expansions,
@@ -26,16 +33,16 @@ pub(super) fn pivoted(
     mode: &[Case],
     open: &[usize],
     slack: f64,
-) -> Option<(Vec<Case>, Expansion<TERMS>)> {
+) -> Result<(Vec<Case>, Expansion<TERMS>), NotFound> {
     let (mut mode, mut fewest, mut patience) = (mode.to_vec(), usize::MAX, PATIENCE);
     for _ in 0..PIVOTS * open.len() {
         expansions.mirror(&mut mode);
-        let expansion = expansions.at::<TERMS>(instant, &mode)?;
+        let Some(expansion) = expansions.at::<TERMS>(instant, &mode) else { return Err(NotFound { is_held: false }) };
         let turned: Vec<(usize, Case)> = open
             .iter()
             .filter_map(|&switch| Some((switch, contradicted(&expansion, mode[switch], switch, slack)?)))
             .collect();
-        let Some(&(last, case)) = turned.last() else { return Some((mode, expansion)) };
+        let Some(&(last, case)) = turned.last() else { return Ok((mode, expansion)) };
         patience = if turned.len() < fewest { PATIENCE } else { patience.saturating_sub(1) };
         fewest = fewest.min(turned.len());
         let slopes = &expansion.slopes;
@@ -54,16 +61,28 @@ pub(super) fn pivoted(
         }
         let implied = if case == Case::Held { Implied::of(slopes, &expansions.held(&mode), last) } else { None };
         if let Some(implied) = implied {
-            // its rate falls with that of a held condition, which leaves in its place
-            let changes = replaced(slopes, &expansions.held(&mode), last)?;
-            let moves = |other: usize| changes.iter().any(|(held, sign)| *held == other && *sign != 0.0);
-            let (other, factor) = implied.terms().filter(|(other, _)| moves(*other)).last()?;
-            let rises = (mode[last] == Case::On) == (factor > 0.0);
-            mode[other] = if rises { Case::On } else { Case::Off };
+            let Some((other, case)) = leaving(&implied, slopes, (&expansions.held(&mode), last), mode[last]) else {
+                return Err(NotFound { is_held: true });
+            };
+            mode[other] = case;
         }
         mode[last] = case;
     }
-    None
+    Err(NotFound { is_held: true })
+}
+
+/// The held condition that leaves where one that it implies is held in its place: their rates fall together.
+fn leaving(
+    implied: &Implied,
+    slopes: &Slopes<TERMS>,
+    (held, switch): (&[usize], usize),
+    case: Case,
+) -> Option<(usize, Case)> {
+    let changes = replaced(slopes, held, switch)?;
+    let moves = |other: usize| changes.iter().any(|(held, sign)| *held == other && *sign != 0.0);
+    let (other, factor) = implied.terms().filter(|(other, _)| moves(*other)).last()?;
+    let rises = (case == Case::On) == (factor > 0.0);
+    Some((other, if rises { Case::On } else { Case::Off }))
 }
 
 /// A condition whose rate is a combination of those of held ones.

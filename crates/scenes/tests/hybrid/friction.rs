@@ -150,3 +150,43 @@ fn a_block_on_a_belt_sticks_and_slips() {
         ends_at(&text, &[("x", x), ("x'", v)], 1e4);
     }
 }
+
+/// Friction F (1 + c e^(-v/d)) with v = 20 to 500 d at the start: w = e^(v/d) has w' = -(F/m d)(w + c). A step that does not see the
+/// exponential far from rest would pass over it.
+#[test]
+fn friction_that_rises_next_to_rest_is_seen_from_afar() {
+    for number in 0..DRAWS / 4 {
+        let mut draw = Draw::new(7, number);
+        let [mass, friction, more] = [draw.between(0.5, 3.0), draw.between(1.0, 5.0), draw.between(0.2, 2.0)];
+        let (speed, times) = (draw.between(0.3, 1.5), 10f64.powf(draw.between(1.3, 2.7)));
+        let scale = speed / times;
+        // it slides until w = 1
+        let rest = mass / friction * (speed - scale * (1.0 + more).ln());
+        let span = rest - draw.between(0.1, 2.0) * scale * mass / friction;
+        let left = ((speed - friction / mass * span) / scale).exp() * (1.0 + more * (-times).exp()) - more;
+        let force = format!("-({friction} N)*(1 + {more}*exp(-abs(x')/({scale} m/s)))*sign(x')");
+        let run = |span: f64| {
+            let start = format!("[start]\n\"x'\" = \"{speed} m/s\"\n[run]\nspan = \"{span} s\"\n");
+            on_a_line(&[("x", mass, &force)], &start)
+        };
+        ends_at(&run(span), &[("x'", scale * left.ln())], 1e4);
+        ends_at(&run(rest + 0.1), &[("x'", 0.0)], 1e3);
+    }
+}
+
+/// Smooth friction F tanh(v/d): sinh(v/d) falls as e^(-F t/(m d)).
+#[test]
+fn smooth_friction_brings_a_fast_block_to_rest() {
+    for number in 0..DRAWS / 4 {
+        let mut draw = Draw::new(8, number);
+        let [mass, friction] = [draw.between(0.5, 3.0), draw.between(1.0, 5.0)];
+        let (speed, times) = (draw.between(0.3, 1.5), 10f64.powf(draw.between(1.5, 3.0)));
+        let scale = speed / times;
+        let after = draw.between(-1.0, 2.0);
+        let span = (speed + after * scale) * mass / friction;
+        let force = format!("-({friction} N)*tanh(x'/({scale} m/s))");
+        let start = format!("[start]\n\"x'\" = \"{speed} m/s\"\n[run]\nspan = \"{span} s\"\n");
+        let known = scale * (0.5 * (-after).exp()).asinh();
+        ends_at(&on_a_line(&[("x", mass, &force)], &start), &[("x'", known)], 1e3);
+    }
+}

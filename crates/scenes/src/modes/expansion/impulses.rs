@@ -17,7 +17,7 @@ impl Expansions {
             let clock = Jet::<1>::constant(time, 0.0);
             let part = |value: &f64| Jet::constant(*value, ROUNDINGS * ROUNDING * value.abs());
             let parts: Vec<Jet<1>> = state.iter().map(part).collect();
-            let Some(Expansion { conditions, switches, .. }) = self.run(clock, &parts, mode) else { return };
+            let Some(Expansion { conditions, switches, .. }) = self.run(clock, &parts, mode, &[]) else { return };
             if held.iter().all(|&switch| conditions[switch].sign_of(0, slack) == 0.0) {
                 return;
             }
@@ -28,7 +28,7 @@ impl Expansions {
                     let [off, on] = [Jet::zero(), Jet::one()].map(|value| {
                         let mut switches = switches.clone();
                         switches[switch] = value;
-                        self.values(clock, &parts, &switches)
+                        self.values(clock, &parts, &switches, &[])
                     });
                     on.iter().zip(off).map(|(on, off)| *on - off).collect()
                 })

@@ -5,6 +5,7 @@
 
 mod impulses;
 mod parts;
+mod trials;
 
 pub(super) use parts::Slopes;
 
@@ -88,17 +89,19 @@ impl Expansions {
         }
         let uncertain = |value: &f64| Jet::constant(*value, ROUNDINGS * ROUNDING * value.abs());
         let mut moved: Vec<Jet<N>> = state.iter().map(uncertain).collect();
-        let first = self.run(clock, &moved, mode)?;
+        let value = |case: &Case| case.fixed().map_or(0.5, |on| if on { 1.0 } else { 0.0 });
+        let confirmed = self.confirmed(time, state, &mode.iter().map(value).collect::<Vec<f64>>());
+        let first = self.run(clock, &moved, mode, &confirmed)?;
         // errors of rates add up from the start on
         for (part, rate) in moved.iter_mut().zip(&first.rates) {
             let own = rate.doubts[0] + ROUNDINGS * ROUNDING * rate.terms[0].abs();
             part.doubts[0] += time.abs() * own + late * rate.terms[0].abs();
         }
         for order in 0..N - 1 {
-            let found = self.run(clock, &moved, mode)?;
+            let found = self.run(clock, &moved, mode, &confirmed)?;
             moved.iter_mut().zip(&found.rates).for_each(|(part, rate)| part.follow(rate, order));
         }
-        self.run(clock, &moved, mode)
+        self.run(clock, &moved, mode, &confirmed)
     }
 
     /// Gives mirrored conditions the cases that follow from those of others.
@@ -129,7 +132,14 @@ impl Expansions {
         (0..mode.len()).filter(|&place| mode[place] == Case::Held && self.mirrored[place].is_none()).collect()
     }
 
-    fn run<const N: usize>(&self, time: Jet<N>, state: &[Jet<N>], mode: &[Case]) -> Option<Expansion<N>> {
+    /// The motion from a state; `confirmed` has the parts of the bounds of errors that count.
+    fn run<const N: usize>(
+        &self,
+        time: Jet<N>,
+        state: &[Jet<N>],
+        mode: &[Case],
+        confirmed: &[f64],
+    ) -> Option<Expansion<N>> {
         let value = |case: &Case| match case {
             Case::Shared => Jet::constant(0.5, 0.0),
             case if case.fixed() == Some(true) => Jet::one(),
@@ -137,7 +147,7 @@ impl Expansions {
         };
         let mut switches: Vec<Jet<N>> = mode.iter().map(value).collect();
         let held = self.held(mode);
-        let mut values = self.values(time, state, &switches);
+        let mut values = self.values(time, state, &switches, confirmed);
         if !held.is_empty() {
             let first = self.states + mode.len();
             for _ in 0..self.rounds(&held) {
@@ -152,7 +162,7 @@ impl Expansions {
                 for (&switch, change) in held.iter().zip(solved(rows, right)?) {
                     switches[switch] += change;
                 }
-                values = self.values(time, state, &switches);
+                values = self.values(time, state, &switches, confirmed);
             }
         }
         let slopes = self.slopes_of(mode, &values[self.states + 2 * mode.len()..]);
@@ -172,7 +182,13 @@ impl Expansions {
         Some(Expansion { rates: values, conditions, switches, parts, events, slopes })
     }
 
-    fn values<const N: usize>(&self, time: Jet<N>, state: &[Jet<N>], switches: &[Jet<N>]) -> Vec<Jet<N>> {
+    fn values<const N: usize>(
+        &self,
+        time: Jet<N>,
+        state: &[Jet<N>],
+        switches: &[Jet<N>],
+        confirmed: &[f64],
+    ) -> Vec<Jet<N>> {
         let constants: Vec<Jet<N>> = self
             .tape
             .rounded()
@@ -182,6 +198,9 @@ impl Expansions {
         let mut values = vec![Jet::zero(); self.tape.outputs()];
         let inputs = state.iter().chain([&time]).chain(switches).copied();
         self.tape.evaluate_long(&constants, inputs, &mut values);
+        for (value, part) in values.iter_mut().zip(confirmed) {
+            value.doubts = value.doubts.map(|doubt| doubt * part);
+        }
         values
     }
 }

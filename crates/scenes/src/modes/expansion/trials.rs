@@ -1,0 +1,60 @@
+//! Rounding errors by trial, where their bound says nothing.
+//!
+//! A running bound of errors grows with every operation, whatever cancels. Accelerations of an arm of five links that are written down by
+//! elimination have a bound larger than themselves, and digits enough. There the state is moved by its rounding, some times, and what is
+//! computed is compared with more digits.
+
+use super::super::jet::{Jet, ROUNDING};
+use super::{Expansions, ROUNDINGS};
+use field::DoubleDouble;
+use num_traits::Zero;
+
+/// Bounds of more than this part of the largest number are tried: thousands of roundings.
+const FAR: f64 = 1e-12;
+
+/// States that are tried.
+const TRIALS: usize = 3;
+
+/// An error may be so many times the largest that is found.
+const MORE: f64 = 16.0;
+
+impl Expansions {
+    /// For each number of the tape the part of its bound that trials confirm; empty where all bounds are narrow.
+    pub(super) fn confirmed(&self, time: f64, state: &[f64], switches: &[f64]) -> Vec<f64> {
+        let uncertain = |value: f64| Jet::<1>::constant(value, ROUNDINGS * ROUNDING * value.abs());
+        let moved: Vec<Jet<1>> = state.iter().map(|value| uncertain(*value)).collect();
+        let fixed: Vec<Jet<1>> = switches.iter().map(|value| Jet::constant(*value, 0.0)).collect();
+        let bounded = self.values(uncertain(time), &moved, &fixed, &[]);
+        let largest = bounded.iter().map(|value| value.terms[0].abs()).fold(0.0, f64::max);
+        if bounded.iter().all(|value| value.doubts[0] <= FAR * largest) {
+            return Vec::new();
+        }
+        let constants = self.tape.constants::<DoubleDouble>();
+        let computed = |trial: usize| {
+            let mut found = vec![DoubleDouble::zero(); self.tape.outputs()];
+            let place =
+                |input: usize| ((input + 1) as f64 * 0.754_877_666 + trial as f64 * 0.569_840_291).fract() - 0.5;
+            let by = |input: usize| if trial == 0 { 0.0 } else { (2.0 * ROUNDINGS * ROUNDING) * place(input) };
+            let near =
+                |(input, value): (usize, &f64)| DoubleDouble::from(*value) + DoubleDouble::from(value * by(input));
+            let inputs = state.iter().chain([&time]).enumerate().map(near);
+            let switches = switches.iter().map(|value| DoubleDouble::from(*value));
+            self.tape.evaluate_long(&constants, inputs.chain(switches), &mut found);
+            found
+        };
+        let exact = computed(0);
+        let mut errors: Vec<f64> =
+            bounded.iter().zip(&exact).map(|(value, exact)| (value.terms[0] - exact.hi()).abs()).collect();
+        for trial in 1..=TRIALS {
+            for ((error, near), exact) in errors.iter_mut().zip(computed(trial)).zip(&exact) {
+                *error = error.max((near - *exact).hi().abs());
+            }
+        }
+        let part = |(error, value): (f64, &Jet<1>)| {
+            let part = MORE * error.max(ROUNDING * value.terms[0].abs()) / value.doubts[0];
+            // what is no number confirms the bound
+            if part < 1.0 { part } else { 1.0 }
+        };
+        errors.into_iter().zip(&bounded).map(part).collect()
+    }
+}

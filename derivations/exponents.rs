@@ -1,0 +1,126 @@
+//! The arguments of exponentials in a law, as far as a series may step over them.
+//!
+//! exp(u) with u = -x/d is nothing for x = 100 d, and so are all its terms; a step that takes x to zero goes where it is 1.
+//! The terms of exp(u) over a step h that changes u by D are those of e^u D^k/k!: after the order p they fall where D < p/2. So a step is
+//! short enough where
+//!
+//!   D = sum_k |u_k| h^k <= p/2,  or  u + D is so small that exp(u) is below rounding all the way.
+//!
+//! Of tanh x, which is 1 - 2/(1 + exp 2x), u is -|2x|; next to 1 its slope has few digits, so that D is at most [`DIGITS`].
+
+use field::Elementary;
+use std::collections::HashSet;
+use symbolic::{Derivation, Equations, Node, Recurrence, Sym, Tape, Untapeable};
+
+/// Exponentials of less than this are nothing in `f64`, and in double-double.
+const NOTHING: [f64; 2] = [-40.0, -80.0];
+
+/// Below this argument an exponential has no digits.
+const UNDERFLOWS: f64 = -690.0;
+
+/// The logarithm by which the few digits of a slope of tanh may grow within a step.
+const DIGITS: f64 = 8.0;
+
+/// The part by which a step that is too long is shortened.
+const SHORTER: f64 = 0.7;
+
+/// The recurrence of a law, with the arguments of its exponentials behind the state.
+#[derive(Clone, Debug)]
+pub struct Expandable {
+    pub(crate) recurrence: Recurrence,
+    pub(crate) exponents: Option<Exponents>,
+}
+
+/// The arguments u of exponentials.
+#[derive(Clone, Debug)]
+pub(crate) struct Exponents {
+    /// From the state, and the time where the law depends on it.
+    values: Tape,
+    /// Of tanh.
+    both_sides: Vec<bool>,
+}
+
+impl Expandable {
+    /// The recurrence of equations.
+    ///
+    /// # Errors
+    /// [`Untapeable`] where an expression has no series.
+    pub fn record(equations: &Equations<'_>) -> Result<Self, Untapeable> {
+        let solved = equations.solve.map(|solve| solve.expressions()).unwrap_or_default();
+        let found = exponents_of(&[equations.rates, &solved].concat());
+        if found.is_empty() {
+            return Ok(Expandable { recurrence: Recurrence::record(equations)?, exponents: None });
+        }
+        let (arguments, both_sides): (Vec<Sym>, Vec<bool>) = found.into_iter().unzip();
+        let moved = equations.state.iter().copied().zip(equations.rates.iter().copied());
+        let mut along = Derivation::new(moved.chain(equations.time.map(|time| (time, Sym::ONE))));
+        let names: Vec<Sym> = (0..arguments.len()).map(|place| Sym::symbol(&format!("exponent{place}"))).collect();
+        let state = [equations.state, &names].concat();
+        let rates = equations.rates.iter().copied().chain(arguments.iter().map(|&argument| along.of(argument)));
+        let rates: Vec<Sym> = rates.collect();
+        let recurrence = Recurrence::record(&Equations { state: &state, rates: &rates, ..*equations })?;
+        let inputs: Vec<Sym> = equations.state.iter().chain(&equations.time).copied().collect();
+        Ok(Expandable {
+            recurrence,
+            exponents: Some(Exponents { values: Tape::record(&inputs, &arguments)?, both_sides }),
+        })
+    }
+}
+
+impl Exponents {
+    /// The number of arguments.
+    pub fn count(&self) -> usize {
+        self.both_sides.len()
+    }
+
+    /// Their values, from the state and the time.
+    pub fn values(&self, state: impl Iterator<Item = f64>, time: f64) -> Vec<f64> {
+        let mut values = vec![f64::NAN; self.count()];
+        let inputs = state.chain([time]).take(self.values.inputs());
+        self.values.evaluate_long(self.values.rounded(), inputs, &mut values);
+        values
+    }
+
+    /// The longest step over which the exponentials show in terms up to an order, from the values of their arguments and the terms
+    /// of these by argument and order.
+    pub fn longest(&self, values: &[f64], order: usize, is_finer: bool, term: impl Fn(usize, usize) -> f64) -> f64 {
+        let mut longest = f64::INFINITY;
+        for (place, (&value, &both_sides)) in values.iter().zip(&self.both_sides).enumerate() {
+            let value = if both_sides { -value.abs() } else { value };
+            let shown = 0.5 * order as f64;
+            let shown = if both_sides { shown.min(DIGITS) } else { shown };
+            let shown = if value < UNDERFLOWS { 0.0 } else { shown };
+            let allowed = shown.max(NOTHING[usize::from(is_finer)] - value);
+            let terms: Vec<f64> = (1..=order).map(|k| term(place, k).abs()).collect();
+            // no longer than where one term alone is as large
+            let mut step = longest;
+            for (&term, k) in terms.iter().zip(1..).filter(|(term, _)| **term > 0.0) {
+                step = step.min((allowed / term).powf(1.0 / f64::from(k)));
+            }
+            let change = |step: f64| terms.iter().rev().fold(0.0, |sum, term| (sum + term) * step);
+            while step.is_finite() && step > 0.0 && change(step) > allowed {
+                step *= SHORTER;
+            }
+            longest = step;
+        }
+        longest
+    }
+}
+
+/// The arguments of exponentials, and twice those of tanh with a sign that it has both sides.
+fn exponents_of(roots: &[Sym]) -> Vec<(Sym, bool)> {
+    let (mut open, mut seen, mut found) = (roots.to_vec(), HashSet::new(), Vec::new());
+    while let Some(each) = open.pop() {
+        if !seen.insert(each) {
+            continue;
+        }
+        let exponent = match each.node() {
+            Node::Elementary(Elementary::Exp, argument, _) => Some((argument, false)),
+            Node::Elementary(Elementary::Tanh, argument, _) => Some((argument + argument, true)),
+            _ => None,
+        };
+        found.extend(exponent.filter(|(argument, _)| !argument.symbols_of().is_empty()));
+        open.extend(each.node().children());
+    }
+    found
+}
