@@ -21,6 +21,9 @@ use symbolic::{Derivation, Sym, Tape, apart, substitute_all};
 /// The number of roundings by which each number of a state, and the time, may be off.
 const ROUNDINGS: f64 = 4.0;
 
+/// A switch, which lies between 0 and 1, is known to so much, whatever the bound of its error.
+const KNOWN: f64 = 1e-9;
+
 /// A pivot is zero where it is not so many times its doubt.
 const PIVOT: f64 = 64.0;
 
@@ -71,7 +74,9 @@ pub(super) struct Expansion<const N: usize> {
 impl<const N: usize> Expansion<N> {
     /// The distances of a switch, or of its part, from 0 and from 1.
     pub fn margins(&self, switch: usize) -> [Jet<N>; 2] {
-        [self.parts[switch], Jet::one() - self.parts[switch]]
+        let mut part = self.parts[switch];
+        part.doubts[0] = part.doubts[0].min(KNOWN);
+        [part, Jet::one() - part]
     }
 }
 
@@ -95,7 +100,9 @@ impl Expansions {
         // errors of rates add up from the start on
         for (part, rate) in moved.iter_mut().zip(&first.rates) {
             let own = rate.doubts[0] + ROUNDINGS * ROUNDING * rate.terms[0].abs();
-            part.doubts[0] += time.abs() * own + late * rate.terms[0].abs();
+            let moved = time.abs() * own + late * rate.terms[0].abs();
+            // in a case that does not hold an exponential may be beyond all numbers
+            part.doubts[0] += if moved.is_finite() { moved } else { 0.0 };
         }
         for order in 0..N - 1 {
             let found = self.run(clock, &moved, mode, &confirmed)?;
