@@ -1,6 +1,6 @@
 //! Equations of motion as they are printed.
 
-use super::{BLOCK, MODEL, printed, refused};
+use super::{BLOCK, MODEL, printed};
 use crate::{run, temporary};
 
 #[test]
