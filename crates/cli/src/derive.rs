@@ -186,6 +186,13 @@ fn echoed(asked: &Asked, trace: &Trace<'_>) -> String {
 /// A system in matrix form in a notation.
 fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Result<String, Ending> {
     let code = |language| model::code(trace, form, language).map_err(Ending::refused);
+    let is_code = matches!(format, Equations::C | Equations::Python | Equations::Rust);
+    if let Some(operations) = form.operations_beyond_reading().filter(|_| !is_code) {
+        return Err(Ending::refused(format!(
+            "in these quasi-velocities the equations have {operations} operations, too many to be read; `--format c`, `python` and `rust` \
+             write them as code, and `--principle lagrange` writes them in the rates of coordinates"
+        )));
+    }
     match format {
         Equations::Text => Ok(model::text(trace, &form.for_reading())),
         Equations::Latex => Ok(model::latex(trace, &form.for_reading())),

@@ -189,8 +189,10 @@ impl MatrixForm {
             Some(_) => {
                 // quotients of the kinematic equations cancel in normal form
                 let mut read = |each: &Sym| {
-                    let forms = [collected(*each, &self.speeds), Some(simplified(*each)), Some(*each)];
-                    let forms = forms.into_iter().flatten().map(|form| reading.of(form));
+                    let is_short = Sym::operations_of(&[*each]) <= MOST_CANCELLED;
+                    let short = || [collected(*each, &self.speeds), Some(simplified(*each))];
+                    let forms = is_short.then(short).into_iter().flatten().chain([Some(*each)]);
+                    let forms = forms.flatten().map(|form| reading.of(form));
                     forms.min_by_key(|form| Sym::operations_of(&[*form])).unwrap_or(*each)
                 };
                 self.mapped(&mut |expressions| expressions.iter().map(&mut read).collect())
@@ -250,6 +252,9 @@ impl MatrixForm {
         }
     }
 }
+
+/// Quotients of longer expressions are left as they came: their normal forms may be much longer.
+const MOST_CANCELLED: usize = 300;
 
 /// M, h, Q and the constraints with multipliers.
 pub(super) struct Dynamics {

@@ -31,6 +31,14 @@ impl InQuasiVelocities {
 }
 
 impl MatrixForm {
+    /// The number of operations, where these are too many to be read: nobody reads them, and bringing them into order takes minutes.
+    pub fn operations_beyond_reading(&self) -> Option<usize> {
+        let vectors = [&self.inertia, &self.forces, &self.position_rates];
+        let all: Vec<Sym> = self.mass.iter().chain(vectors).flatten().copied().collect();
+        let operations = Sym::operations_of(&all);
+        (self.quasi.is_some() && operations > MOST_READ).then_some(operations)
+    }
+
     /// By a principle in quasi-velocities; reactions of constraints that hold have no power along these, and are no part of it.
     ///
     /// # Errors
@@ -76,13 +84,15 @@ impl MatrixForm {
     }
 }
 
-/// More letters, or more operations, are not collected.
-const MOST_COLLECTED: [usize; 2] = [12, 2_000];
+/// Longer systems are code alone.
+const MOST_READ: usize = 5_000;
+
+/// Polynomials of more letters are not collected.
+const MOST_COLLECTED: usize = 12;
 
 /// A polynomial of second degree in some letters by its coefficients in normal form; none of another expression.
 pub(super) fn collected(expression: Sym, letters: &[Sym]) -> Option<Sym> {
-    let [most_letters, most_operations] = MOST_COLLECTED;
-    if letters.len() > most_letters || Sym::operations_of(&[expression]) > most_operations {
+    if letters.len() > MOST_COLLECTED {
         return None;
     }
     let at_zero: Vec<(Sym, Sym)> = letters.iter().map(|&letter| (letter, Sym::ZERO)).collect();

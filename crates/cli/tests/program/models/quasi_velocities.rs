@@ -83,3 +83,19 @@ fn code_leaves_out_what_follows_from_other_constraints() {
     );
     std::fs::remove_file(path).expect("it is there");
 }
+
+/// Seven speeds, four constraints: the kinematic equations alone are pages.
+#[test]
+fn equations_that_nobody_reads_are_code_alone() {
+    let speeds = "[speeds]\nu4 = \"lean'\"\nu6 = \"rear'\"\nu7 = \"steer'\"\n\n[frames]";
+    let path = edited("bicycle.toml", "bicycle.toml", "[frames]", speeds);
+    let file = path.to_str().expect("a path in UTF-8");
+    for format in ["text", "latex", "mathml", "sympy"] {
+        refused(
+            &["derive", file, "--format", format],
+            "operations, too many to be read; `--format c`, `python` and `rust`",
+        );
+    }
+    assert!(printed(&["derive", file, "--format", "c"]).contains("SPEEDS = 3, CONSTRAINTS = 0"));
+    std::fs::remove_file(path).expect("it is there");
+}
