@@ -1,7 +1,7 @@
 //! Quasi-velocities: names, dimensions and starts. Their independence is judged once the system is whole.
 
 use super::{Elaborator, Sound};
-use crate::quasi_velocities::QuasiVelocities;
+use crate::quasi_velocities::faults;
 use crate::{Entry, Fault, Output, QuasiVelocity, ScalarId, StartSpeed, Trace};
 use symbolic::{Dimension, apart};
 
@@ -60,7 +60,7 @@ impl Elaborator<'_> {
             return;
         }
         let model = &self.model;
-        let faults = apart(|| QuasiVelocities::of(&Trace::of(model)).err());
-        self.faults.extend(faults.into_iter().flatten());
+        let found = apart(|| faults(&Trace::of(model)));
+        self.faults.extend(found);
     }
 }

@@ -18,6 +18,7 @@ pub use reduced_equations::{QuasiPrinciple, quasi_agreement};
 
 use crate::equations::{Equation, constraints_of, solved_in_short};
 use crate::{Fault, Trace, Vector};
+use independence::Pivots;
 use std::cell::RefCell;
 use symbolic::{Derivation, Sym, substitute_all};
 
@@ -50,6 +51,30 @@ pub struct QuasiVelocities<'t, 'm> {
     known: [Vec<(Sym, Sym)>; 2],
 }
 
+/// Constraints and definitions, before speeds are solved for.
+struct Independent {
+    met: Vec<Equation>,
+    programmed: Vec<Equation>,
+    definitions: Vec<Sym>,
+    pivots: Pivots,
+}
+
+impl Independent {
+    fn of(trace: &Trace<'_>) -> Result<Self, Vec<Fault>> {
+        let (met, programmed): (Vec<Equation>, Vec<Equation>) =
+            constraints_of(trace).into_iter().partition(|constraint| constraint.gains.is_none());
+        let quasi_velocities = trace.model.quasi_velocities.iter();
+        let definitions: Vec<Sym> = quasi_velocities.map(|speed| trace.scalar(speed.is)).collect();
+        let pivots = independence::pivots(trace, &met, &definitions)?;
+        Ok(Independent { met, programmed, definitions, pivots })
+    }
+}
+
+/// Faults of the quasi-velocities of a model.
+pub(crate) fn faults(trace: &Trace<'_>) -> Vec<Fault> {
+    Independent::of(trace).err().unwrap_or_default()
+}
+
 impl<'t, 'm> QuasiVelocities<'t, 'm> {
     /// The quasi-velocities of a model.
     ///
@@ -57,10 +82,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
     /// Each of them that is not affine in the speeds or depends on others; or how many are missing.
     pub fn of(trace: &'t Trace<'m>) -> Result<Self, Vec<Fault>> {
         let model = trace.model;
-        let (met, programmed): (Vec<Equation>, Vec<Equation>) =
-            constraints_of(trace).into_iter().partition(|constraint| constraint.gains.is_none());
-        let definitions: Vec<Sym> = model.quasi_velocities.iter().map(|speed| trace.scalar(speed.is)).collect();
-        let pivots = independence::pivots(trace, &met, &definitions)?;
+        let Independent { met, programmed, definitions, pivots } = Independent::of(trace)?;
         let letters = |primes: &str, dot: &str| -> Vec<Sym> {
             let named = |speed: &crate::QuasiVelocity| {
                 let latex = Sym::symbol(&speed.name).latex();
