@@ -21,6 +21,9 @@ use symbolic::{Derivation, Sym, Tape, apart, substitute_all};
 /// The number of roundings by which each number of a state, and the time, may be off.
 const ROUNDINGS: f64 = 4.0;
 
+/// Rates are known to so much of the largest, whatever the bound of their errors.
+const DIGITS: f64 = 1e-12;
+
 /// A switch, which lies between 0 and 1, is known to so much, whatever the bound of its error.
 const KNOWN: f64 = 1e-9;
 
@@ -97,9 +100,10 @@ impl Expansions {
         let value = |case: &Case| case.fixed().map_or(0.5, |on| if on { 1.0 } else { 0.0 });
         let confirmed = self.confirmed(time, state, &mode.iter().map(value).collect::<Vec<f64>>());
         let first = self.run(clock, &moved, mode, &confirmed)?;
-        // errors of rates add up from the start on
+        // errors of rates add up from the start on; a run whose digits are fewer than these is not decided by its roundings
+        let known = DIGITS * first.rates.iter().map(|rate| rate.terms[0].abs()).fold(0.0, f64::max);
         for (part, rate) in moved.iter_mut().zip(&first.rates) {
-            let own = rate.doubts[0] + ROUNDINGS * ROUNDING * rate.terms[0].abs();
+            let own = (rate.doubts[0] + ROUNDINGS * ROUNDING * rate.terms[0].abs()).min(known);
             let moved = time.abs() * own + late * rate.terms[0].abs();
             // in a case that does not hold an exponential may be beyond all numbers
             part.doubts[0] += if moved.is_finite() { moved } else { 0.0 };
