@@ -3,20 +3,22 @@
 //! Accelerations are written down once with every switch as an input. Switches that are held follow order by order from g' = 0,
 //! which is linear in them.
 
+mod elimination;
 mod impulses;
 mod parts;
 mod trials;
+mod written;
 
+pub(super) use elimination::solved;
 pub(super) use parts::Slopes;
 
 use super::Case;
 use super::jet::{Jet, ROUNDING};
-use super::multiples::{Mirrored, letters, mirrored};
-use crate::compiled_system::{NotCompiled, values};
-use model::equations::{Equations, Singular};
-use model::{Model, Trace};
+use super::multiples::Mirrored;
+use crate::compiled_system::NotCompiled;
+use model::Model;
 use num_traits::{One, Zero};
-use symbolic::{Derivation, Sym, Tape, apart, substitute_all};
+use symbolic::{Tape, apart};
 
 /// The number of roundings by which each number of a state, and the time, may be off.
 const ROUNDINGS: f64 = 4.0;
@@ -26,9 +28,6 @@ const DIGITS: f64 = 1e-12;
 
 /// A switch, which lies between 0 and 1, is known to so much, whatever the bound of its error.
 const KNOWN: f64 = 1e-9;
-
-/// A pivot is zero where it is not so many times its doubt.
-const PIVOT: f64 = 64.0;
 
 /// Newton's method from laws that are linear but for rounding.
 const ROUNDS: usize = 3;
@@ -85,7 +84,7 @@ impl<const N: usize> Expansion<N> {
 
 impl Expansions {
     pub fn of(model: &Model) -> Result<Self, NotCompiled> {
-        apart(|| written(model))
+        apart(|| written::expansions(model))
     }
 
     /// The motion in a mode; none where a condition cannot be held.
@@ -214,77 +213,4 @@ impl Expansions {
         }
         values
     }
-}
-
-/// Rates of the state; conditions, their rates with switches as they are, the slopes of these; events.
-fn written(model: &Model) -> Result<Expansions, NotCompiled> {
-    let trace = Trace::of(model);
-    let mirrored = mirrored(&trace);
-    let (accelerations, _) = Equations::of(&trace).solved().map_err(|singular| match singular {
-        Singular::Massless { coordinate } => NotCompiled::Massless { coordinate: trace.direction(coordinate) },
-        Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
-    })?;
-    let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
-    let own = letters(&trace, &mirrored);
-    let all_in_own = |all: &[Sym]| substitute_all(all, &own);
-    let conditions: Vec<Sym> = model.switches.iter().map(|condition| trace.scalar(*condition)).collect();
-    let rates: Vec<Sym> = conditions.iter().map(|&condition| trace.rate_of(condition).substitute(&motion)).collect();
-    let (conditions, rates) = (all_in_own(&conditions), all_in_own(&rates));
-    let (mut slopes, mut values_of_slopes) = (Vec::new(), Vec::new());
-    for (condition, rate) in rates.iter().enumerate().filter(|(condition, _)| mirrored[*condition].is_none()) {
-        for (switch, letter) in trace.switches.iter().enumerate().filter(|(switch, _)| mirrored[*switch].is_none()) {
-            let slope = Derivation::new([(*letter, Sym::ONE)]).of(*rate);
-            if slope != Sym::ZERO {
-                let used = slope.symbols_of();
-                let changed_by = (0..trace.switches.len()).filter(|&other| used.contains(&trace.switches[other]));
-                slopes.push(Slope { condition, switch, changed_by: changed_by.collect() });
-                values_of_slopes.push(slope);
-            }
-        }
-    }
-    let moved: Vec<Sym> = trace.position_rates.iter().copied().chain(accelerations).collect();
-    let events: Vec<Sym> = model.events.iter().map(|event| trace.scalar(event.when)).collect();
-    let all = [all_in_own(&moved), conditions, rates, values_of_slopes, all_in_own(&events)].concat();
-    let states = model.positions() + model.speeds();
-    let named = |letter: &str, count: usize| -> Vec<Sym> {
-        (0..count).map(|place| Sym::symbol(&format!("{letter}{place}"))).collect()
-    };
-    let (state, time, switches) = (named("y", states), Sym::symbol("t"), named("s", trace.switches.len()));
-    let own_switches = trace.switches.iter().copied().zip(switches.iter().copied()).zip(&mirrored);
-    let own_switches = own_switches.filter_map(|(known, mirrored)| mirrored.is_none().then_some(known));
-    let known: Vec<(Sym, Sym)> = values(&trace, time, &state).into_iter().chain(own_switches).collect();
-    let inputs = [&state[..], &[time], &switches].concat();
-    let tape = Tape::record(&inputs, &substitute_all(&all, &known))
-        .map_err(|reason| NotCompiled::Undefined { reason: reason.to_string() })?;
-    Ok(Expansions { tape: tape.arranged(), states, slopes, mirrored, events: model.events.len() })
-}
-
-/// Gauss's elimination with the largest pivots; none where one is zero but for rounding.
-pub(super) fn solved<const N: usize>(mut rows: Vec<Vec<Jet<N>>>, mut right: Vec<Jet<N>>) -> Option<Vec<Jet<N>>> {
-    let n = right.len();
-    for pivot in 0..n {
-        let size = |row: usize| rows[row][pivot].terms[0].abs();
-        let row = (pivot..n).max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
-        let largest = rows[row][pivot];
-        // zero, or no number
-        if largest.sign_of(0, PIVOT).abs() != 1.0 {
-            return None;
-        }
-        rows.swap(pivot, row);
-        right.swap(pivot, row);
-        for below in pivot + 1..n {
-            let factor = rows[below][pivot] / rows[pivot][pivot];
-            let (upper, lower) = rows.split_at_mut(below);
-            for (entry, &above) in lower[0].iter_mut().zip(&upper[pivot]).skip(pivot + 1) {
-                *entry -= factor * above;
-            }
-            let part = factor * right[pivot];
-            right[below] -= part;
-        }
-    }
-    for row in (0..n).rev() {
-        let known = (row + 1..n).fold(right[row], |rest, column| rest - rows[row][column] * right[column]);
-        right[row] = known / rows[row][row];
-    }
-    Some(right)
 }
