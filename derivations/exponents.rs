@@ -34,8 +34,9 @@ pub struct Expandable {
 /// The arguments u of exponentials.
 #[derive(Clone, Debug)]
 pub(crate) struct Exponents {
-    /// From the state, and the time where the law depends on it.
+    /// From the state, the time where the law depends on it, and the parameters.
     values: Tape,
+    knows_time: bool,
     /// Of tanh.
     both_sides: Vec<bool>,
 }
@@ -59,11 +60,20 @@ impl Expandable {
         let rates = equations.rates.iter().copied().chain(arguments.iter().map(|&argument| along.of(argument)));
         let rates: Vec<Sym> = rates.collect();
         let recurrence = Recurrence::record(&Equations { state: &state, rates: &rates, ..*equations })?;
-        let inputs: Vec<Sym> = equations.state.iter().chain(&equations.time).copied().collect();
-        Ok(Expandable {
-            recurrence,
-            exponents: Some(Exponents { values: Tape::record(&inputs, &arguments)?, both_sides }),
-        })
+        let inputs = equations.state.iter().chain(&equations.time).chain(equations.parameters);
+        let values = Tape::record(&inputs.copied().collect::<Vec<Sym>>(), &arguments)?;
+        let knows_time = equations.time.is_some();
+        Ok(Expandable { recurrence, exponents: Some(Exponents { values, knows_time, both_sides }) })
+    }
+
+    /// The number of states of the law.
+    pub fn states(&self) -> usize {
+        self.recurrence.states() - self.exponents.as_ref().map_or(0, Exponents::count)
+    }
+
+    /// The number of its parameters.
+    pub fn parameters(&self) -> usize {
+        self.recurrence.parameters()
     }
 }
 
@@ -73,10 +83,10 @@ impl Exponents {
         self.both_sides.len()
     }
 
-    /// Their values, from the state and the time.
-    pub fn values(&self, state: impl Iterator<Item = f64>, time: f64) -> Vec<f64> {
+    /// Their values, from the state, the time and the parameters.
+    pub fn values(&self, state: impl Iterator<Item = f64>, time: f64, parameters: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.count()];
-        let inputs = state.chain([time]).take(self.values.inputs());
+        let inputs = state.chain(self.knows_time.then_some(time)).chain(parameters.iter().copied());
         self.values.evaluate_long(self.values.rounded(), inputs, &mut values);
         values
     }

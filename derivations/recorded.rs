@@ -1,6 +1,6 @@
 //! A system with its laws recorded as straight-line code, for the Taylor method.
 
-use crate::exponents::{Expandable, Exponents};
+use crate::exponents::Expandable;
 use crate::written::{Written, written};
 use field::{DoubleDouble, Scalar};
 use integrators::{Directions, Ode, System, TaylorSeries};
@@ -109,11 +109,6 @@ impl<'a, S: Fused, const N: usize> Series<'a, S, N> {
     fn of(law: &'a Expandable) -> Self {
         Series { law, expansion: None, exponents: Vec::new(), extended: Vec::new() }
     }
-
-    /// The number of states.
-    fn states(&self) -> usize {
-        self.law.recurrence.states() - self.law.exponents.as_ref().map_or(0, Exponents::count)
-    }
 }
 
 impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
@@ -127,7 +122,7 @@ impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
         }
         let Some(expansion) = &mut self.expansion else { return order };
         let Some(exponents) = &self.law.exponents else { return expansion.expand_rounding(y, t, fine) };
-        self.exponents = exponents.values(y.iter().map(|value| value.rounded()), t.rounded());
+        self.exponents = exponents.values(y.iter().map(|value| value.rounded()), t.rounded(), &[]);
         self.extended.clear();
         self.extended.extend_from_slice(y);
         self.extended.resize(y.len() + exponents.count(), S::zero());
@@ -135,7 +130,7 @@ impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
     }
 
     fn coefficients(&self, k: usize) -> &[S] {
-        self.expansion.as_ref().map_or(&[], |expansion| &expansion.coefficients(k)[..self.states()])
+        self.expansion.as_ref().map_or(&[], |expansion| &expansion.coefficients(k)[..self.law.states()])
     }
 
     fn sum(&self, h: S, out: &mut [S]) {
@@ -146,7 +141,7 @@ impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
 
     fn shown(&self) -> f64 {
         let (Some(expansion), Some(exponents)) = (&self.expansion, &self.law.exponents) else { return f64::INFINITY };
-        let first = self.states();
+        let first = self.law.states();
         let term = |place: usize, k: usize| expansion.coefficients(k)[first + place].rounded();
         exponents.longest(&self.exponents, expansion.order(), S::FINER, term)
     }

@@ -1,6 +1,7 @@
 //! The law of a scene with a symbol for every datum, written down once: it serves every member of an ensemble.
 
 use super::lane_series::lane_series;
+use crate::exponents::Expandable;
 use crate::machines::text::Laws;
 use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, Quantity, Source};
 use crate::scene::{Axes, MachineData, System};
@@ -10,13 +11,13 @@ use integrators::LaneSeries;
 use nalgebra::{Matrix3, Vector3};
 use std::convert::Infallible;
 use std::sync::Arc;
-use symbolic::{Equations, Recurrence, Sym, Tape, Untapeable, apart};
+use symbolic::{Equations, Sym, Tape, Untapeable, apart};
 
 /// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
 /// axes) or A' of a bench, then the machine's in its own order.
 #[derive(Clone, Debug)]
 pub struct Kind {
-    recurrence: Recurrence,
+    law: Expandable,
     invariants: Tape,
 }
 
@@ -49,17 +50,17 @@ impl Kind {
 
     /// How many parameters a member has.
     pub fn parameters(&self) -> usize {
-        self.recurrence.parameters()
+        self.law.parameters()
     }
 
     /// How many states a member has.
     pub fn states(&self) -> usize {
-        self.recurrence.states()
+        self.law.states()
     }
 
     /// The series of L members, to this order.
     pub fn series<const L: usize>(&self, order: usize) -> Option<Box<dyn LaneSeries<L> + '_>> {
-        lane_series(&self.recurrence, order)
+        lane_series(&self.law, order)
     }
 
     /// The values of [`INVARIANTS`] in a state: a program that takes the states and the parameters.
@@ -136,7 +137,7 @@ fn kind(state: &[Sym], parameters: &[Sym], kept: [Sym; 4], law: impl Fn(&mut [Sy
     law(&mut rates);
     let inputs = [state, parameters].concat();
     Ok(Kind {
-        recurrence: Recurrence::record(&Equations { state, time: None, parameters, rates: &rates, solve: None })?,
+        law: Expandable::record(&Equations { state, time: None, parameters, rates: &rates, solve: None })?,
         invariants: Tape::record(&inputs, &kept)?,
     })
 }

@@ -1,19 +1,24 @@
 //! The series of a recurrence in lanes, as an ensemble asks for it.
 
+use super::one_by_one::one_by_one;
+use crate::exponents::Expandable;
 use field::Lanes;
 use integrators::LaneSeries;
-use symbolic::{Abreast, Recurrence};
+use symbolic::Abreast;
 
 /// Quantities that still lie near the processor, and those of the largest law.
-const FEW: usize = 256;
-const MANY: usize = 1 << 16;
+pub(super) const FEW: usize = 256;
+pub(super) const MANY: usize = 1 << 16;
 
-/// The series of L systems of one recurrence, to this order; `None` where there are more quantities than `MANY`.
-pub fn lane_series<const L: usize>(recurrence: &Recurrence, order: usize) -> Option<Box<dyn LaneSeries<L> + '_>> {
-    if let Some(series) = recurrence.abreast::<L, FEW>(order) {
+/// The series of L systems of one law, to this order; `None` where there are more quantities than `MANY`.
+pub fn lane_series<const L: usize>(law: &Expandable, order: usize) -> Option<Box<dyn LaneSeries<L> + '_>> {
+    if law.exponents.is_some() {
+        return one_by_one(law, order);
+    }
+    if let Some(series) = law.recurrence.abreast::<L, FEW>(order) {
         return Some(Box::new(Series(series)));
     }
-    recurrence.abreast::<L, MANY>(order).map(|series| Box::new(Series(series)) as Box<dyn LaneSeries<L>>)
+    law.recurrence.abreast::<L, MANY>(order).map(|series| Box::new(Series(series)) as Box<dyn LaneSeries<L>>)
 }
 
 struct Series<'a, const L: usize, const N: usize>(Abreast<'a, L, N>);

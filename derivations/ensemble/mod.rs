@@ -14,6 +14,7 @@ pub mod fingerprint;
 pub mod kind;
 pub mod known;
 pub mod lane_series;
+mod one_by_one;
 pub mod parametric_system;
 pub mod run;
 mod stop_reason;

@@ -34,6 +34,11 @@ pub trait LaneSeries<const L: usize> {
 
     /// The sum of the last expansion, each lane at its h.
     fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]);
+
+    /// The longest steps over which the last expansion shows the law, as [`TaylorSeries::shown`](crate::TaylorSeries::shown).
+    fn shown(&self) -> Lanes<L> {
+        Lanes::all(f64::INFINITY)
+    }
 }
 
 impl<T: LaneSeries<L> + ?Sized, const L: usize> LaneSeries<L> for Box<T> {
@@ -55,6 +60,10 @@ impl<T: LaneSeries<L> + ?Sized, const L: usize> LaneSeries<L> for Box<T> {
 
     fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
         (**self).sum(h, out);
+    }
+
+    fn shown(&self) -> Lanes<L> {
+        (**self).shown()
     }
 }
 
@@ -129,10 +138,12 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         self.source.expand(self.times, &self.states);
         let (last, before) = (self.source.coefficients(self.order), self.source.coefficients(self.order - 1));
         let reach = Reach { states: &self.states, last, before, order: self.order, tolerance: self.tolerance };
-        let reach = Arch::new().dispatch(reach);
+        let (reach, shown) = (Arch::new().dispatch(reach), self.source.shown());
         let (mut steps, mut nexts) = (Lanes::all(0.0), [Ok(0.0); L]);
         for lane in (0..L).filter(|lane| self.numbers[*lane].is_some()) {
-            nexts[lane] = self.next_time(lane, reach.0[lane]);
+            // what is not a number stays so
+            let reach = if shown.0[lane] < reach.0[lane] { shown.0[lane] } else { reach.0[lane] };
+            nexts[lane] = self.next_time(lane, reach);
             steps.0[lane] = nexts[lane].map_or(0.0, |next| next - self.times.0[lane]);
         }
         self.source.sum(steps, &mut self.after);

@@ -184,11 +184,11 @@ impl ParametricSystem for ModelEnsemble {
     }
 
     fn sizes(&self) -> Sizes {
-        Sizes { states: self.law.recurrence.states(), parameters: self.law.recurrence.parameters() }
+        Sizes { states: self.law.law.states(), parameters: self.law.law.parameters() }
     }
 
     fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
-        lane_series(&self.law.recurrence, order)
+        lane_series(&self.law.law, order)
     }
 
     /// # Errors

@@ -3,14 +3,15 @@
 use crate::compiled_system::{NotCompiled, Way, conserves, outputs, outputs_of_solved, rates};
 use crate::implicit::{linear_equations, recurrence_of};
 use crate::letters::Inputs;
+use derivations::exponents::Expandable;
 use model::{Model, Trace};
 use symbolic::solve::{Factors, Pattern, Solve};
-use symbolic::{Equations, Recurrence, Sym, Tape, Untapeable, apart};
+use symbolic::{Equations, Sym, Tape, Untapeable, apart};
 
 /// The law of a model and its outputs, over state, time and parameters.
 #[derive(Debug)]
 pub(crate) struct ParametricLaw {
-    pub recurrence: Recurrence,
+    pub law: Expandable,
     /// From state, time and parameters, and from accelerations and multipliers where these are solved for, to the outputs, the
     /// kinetic and the potential energy.
     outputs: Tape,
@@ -48,11 +49,11 @@ impl ParametricLaw {
         apart(|| {
             let inputs = Inputs::of(model);
             let rates = rates(model, &[], inputs.letters())?;
-            let recurrence = match model.speeds() + model.constraints.len() >= LEAST_SOLVED {
+            let law = match model.speeds() + model.constraints.len() >= LEAST_SOLVED {
                 true => recurrence_of(&Trace::of(model), &inputs, inputs.letters(), &inputs.parameters),
                 false => {
                     let moves = rates.iter().any(|rate| rate.symbols_of().contains(&inputs.time));
-                    Recurrence::record(&Equations {
+                    Expandable::record(&Equations {
                         state: &inputs.state,
                         time: moves.then_some(inputs.time),
                         parameters: &inputs.parameters,
@@ -61,16 +62,16 @@ impl ParametricLaw {
                     })
                 }
             };
-            let recurrence = recurrence.map_err(undefined)?;
+            let law = law.map_err(undefined)?;
             let outputs = Tape::record(&inputs.all(), &outputs(model, &[], inputs.letters())).map_err(undefined)?;
-            Ok(ParametricLaw { recurrence, outputs, unknowns: None, keeps_energy: conserves(model) })
+            Ok(ParametricLaw { law, outputs, unknowns: None, keeps_energy: conserves(model) })
         })
     }
 
     fn solved(model: &Model) -> Result<Self, NotCompiled> {
         apart(|| {
             let (inputs, trace) = (Inputs::of(model), Trace::of(model));
-            let recurrence = recurrence_of(&trace, &inputs, inputs.letters(), &inputs.parameters).map_err(undefined)?;
+            let law = recurrence_of(&trace, &inputs, inputs.letters(), &inputs.parameters).map_err(undefined)?;
             let Solve { unknowns, pattern, entries, right } = linear_equations(&trace, inputs.letters());
             let shown = outputs_of_solved(model, inputs.letters(), &unknowns);
             let are_asked = shown.iter().any(|each| each.symbols_of().iter().any(|symbol| unknowns.contains(symbol)));
@@ -79,7 +80,7 @@ impl ParametricLaw {
             let terms = Tape::record(&inputs.all(), &[entries, right].concat()).map_err(undefined)?;
             let unknowns = Unknowns { terms, pattern, speeds: model.speeds() };
             let keeps_energy = conserves(model);
-            Ok(ParametricLaw { recurrence, outputs, unknowns: are_asked.then_some(unknowns), keeps_energy })
+            Ok(ParametricLaw { law, outputs, unknowns: are_asked.then_some(unknowns), keeps_energy })
         })
     }
 

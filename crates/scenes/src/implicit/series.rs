@@ -4,14 +4,14 @@ use super::linear_equations;
 use crate::letters::{Inputs, Letters};
 use derivations::exponents::Expandable;
 use model::{Model, Trace};
-use symbolic::{Equations, Recurrence, Sym, Untapeable, apart};
+use symbolic::{Equations, Sym, Untapeable, apart};
 
 /// The equations of a model with the values of its parameters; none where they have no series.
 pub(crate) fn recurrence(model: &Model) -> Option<Expandable> {
     apart(|| {
         let inputs = Inputs::of(model);
         let letters = Letters::with_data(inputs.time, &inputs.state);
-        with_equations(&Trace::of(model), &inputs, letters, &[], Expandable::record).ok()
+        recurrence_of(&Trace::of(model), &inputs, letters, &[]).ok()
     })
 }
 
@@ -24,23 +24,11 @@ pub(crate) fn recurrence_of(
     inputs: &Inputs,
     letters: Letters<'_>,
     parameters: &[Sym],
-) -> Result<Recurrence, Untapeable> {
-    with_equations(trace, inputs, letters, parameters, Recurrence::record)
-}
-
-/// The series as it is made of equations.
-fn with_equations<R>(
-    trace: &Trace<'_>,
-    inputs: &Inputs,
-    letters: Letters<'_>,
-    parameters: &[Sym],
-    record: impl FnOnce(&Equations<'_>) -> Result<R, Untapeable>,
-) -> Result<R, Untapeable> {
+) -> Result<Expandable, Untapeable> {
     let solve = linear_equations(trace, letters);
     let mut rates = letters.put_into(trace, &trace.position_rates);
     rates.extend(&solve.unknowns[..trace.speeds.len()]);
     let mut all = rates.iter().copied().chain(solve.expressions());
     let time = all.any(|each| each.symbols_of().contains(&inputs.time)).then_some(inputs.time);
-    let equations = Equations { state: &inputs.state, time, parameters, rates: &rates, solve: Some(&solve) };
-    record(&equations)
+    Expandable::record(&Equations { state: &inputs.state, time, parameters, rates: &rates, solve: Some(&solve) })
 }
