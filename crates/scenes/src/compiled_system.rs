@@ -82,7 +82,7 @@ pub struct CompiledSystem {
 #[derive(Debug)]
 enum Rates {
     /// The elimination is written down: any field, series too.
-    Written(Program),
+    Written(Box<Program>),
     /// Accelerations are solved for at each evaluation.
     Solved(Arc<ImplicitLaw>),
 }
@@ -168,7 +168,7 @@ impl CompiledSystem {
         Ok(CompiledSystem {
             model: Arc::clone(model),
             mode: mode.to_vec(),
-            rates: Rates::Written(rates?),
+            rates: Rates::Written(Box::new(rates?)),
             outputs,
             keeps_energy,
         })
