@@ -6,7 +6,7 @@
 //!
 //!   D = sum_k |u_k| h^k <= p/2,  or  u + D is so small that exp(u) is below rounding all the way.
 //!
-//! Of tanh x, which is 1 - 2/(1 + exp 2x), u is -|2x|; next to 1 its slope has few digits, so that D is at most [`DIGITS`].
+//! Of tanh x, which is 1 - 2/(1 + exp 2x), u is -|2x|; next to 1 its slope has few digits, so that D is at most 8.
 
 use field::Elementary;
 use std::collections::HashSet;
