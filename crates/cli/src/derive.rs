@@ -53,7 +53,7 @@ pub enum PrincipleName {
     NewtonEuler,
     /// Hamilton's canonical equations, back along the speeds
     Hamilton,
-    /// Maggi: Lagrange's equations along the quasi-velocities of [speeds]
+    /// Maggi: Lagrange's equations along the quasi-velocities of the file
     Maggi,
 }
 

@@ -68,15 +68,16 @@ impl<'a> Table<'a> {
     /// A table inside this one.
     pub fn table(&mut self, name: &str, holds: &str) -> Table<'a> {
         let found = self.find(name);
+        let heading = if self.name.is_empty() { name.to_owned() } else { format!("{}.{name}", self.name) };
         let (span, entries) = match found.map(|value| (value.span(), value.get_ref())) {
             Some((span, DeValue::Table(entries))) => (span, Some(entries)),
             Some((span, other)) => {
-                self.wrong_kind(span.clone(), name, other, &format!("a table is accepted: [{name}]"));
+                self.wrong_kind(span.clone(), name, other, &format!("a table is accepted: [{heading}]"));
                 (span, None)
             }
             None => {
-                let issue = Issue::at(self.span.clone(), format!("the table [{name}] is missing"), "in this file");
-                self.missing.push((name.to_owned(), issue.accepted(format!("[{name}] gives {holds}"))));
+                let issue = Issue::at(self.span.clone(), format!("the table [{heading}] is missing"), "in this file");
+                self.missing.push((name.to_owned(), issue.accepted(format!("[{heading}] gives {holds}"))));
                 (self.span.clone(), None)
             }
         };

@@ -233,6 +233,8 @@ impl Elaborator<'_> {
             true => known,
             false => known.into_iter().filter(|known| !known.contains('.')).chain(frames).collect(),
         };
+        let quasi = self.model.quasi_velocities.iter().map(|speed| speed.name.clone());
+        let known: Vec<String> = known.into_iter().chain(quasi).collect();
         let known = known.iter().map(String::as_str).filter(|name| !name.contains(".q"));
         Err(Box::new(super::unknown(&self.broken, name.span(), &name.text, "coordinate", known)))
     }
