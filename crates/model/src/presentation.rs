@@ -129,7 +129,12 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
 }
 
 /// An expression for reading, the shorter of two forms: a fraction of polynomials, or with angles and direction cosines together.
+///
+/// A long expression is left as it is.
 pub fn shorter(trace: &Trace<'_>, expression: Sym) -> Sym {
+    if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED {
+        return expression;
+    }
     let forms = [simplified(expression), reading_of(trace).of(expression)];
     forms.into_iter().min_by_key(|form| Sym::operations_of(&[*form])).unwrap_or(expression)
 }
