@@ -6,7 +6,7 @@
 //!
 //!   D = sum_k |u_k| h^k <= p/2,  or  u + D is so small that exp(u) is below rounding all the way.
 //!
-//! Of tanh x, which is 1 - 2/(1 + exp 2x), u is -|2x|; next to 1 its slope has few digits, so that D is at most 8.
+//! The exponent of tanh x = 1 - 2/(1 + exp 2x) is u = -|2x|; next to 1 its slope has few digits, so that D is at most 8.
 
 use field::Elementary;
 use std::collections::HashSet;
@@ -37,8 +37,15 @@ pub(crate) struct Exponents {
     /// From the state, the time where the law depends on it, and the parameters.
     values: Tape,
     knows_time: bool,
-    /// Of tanh.
+    /// Whether each belongs to tanh.
     both_sides: Vec<bool>,
+}
+
+/// The values of exponents at a state, and registers for them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Room {
+    pub values: Vec<f64>,
+    registers: Vec<f64>,
 }
 
 impl Expandable {
@@ -83,12 +90,11 @@ impl Exponents {
         self.both_sides.len()
     }
 
-    /// Their values, from the state, the time and the parameters.
-    pub fn values(&self, state: impl Iterator<Item = f64>, time: f64, parameters: &[f64]) -> Vec<f64> {
-        let mut values = vec![f64::NAN; self.count()];
+    /// Their values, from the state, the time and the parameters; nothing is allocated where there was room before.
+    pub fn evaluate(&self, room: &mut Room, state: impl Iterator<Item = f64>, time: f64, parameters: &[f64]) {
+        room.values.resize(self.count(), f64::NAN);
         let inputs = state.chain(self.knows_time.then_some(time)).chain(parameters.iter().copied());
-        self.values.evaluate_long(self.values.rounded(), inputs, &mut values);
-        values
+        self.values.evaluate_in(&mut room.registers, self.values.rounded(), inputs, &mut room.values);
     }
 
     /// The longest step over which the exponentials show in terms up to an order, from the values of their arguments and the terms
@@ -101,13 +107,13 @@ impl Exponents {
             let shown = if both_sides { shown.min(DIGITS) } else { shown };
             let shown = if value < UNDERFLOWS { 0.0 } else { shown };
             let allowed = shown.max(NOTHING[usize::from(is_finer)] - value);
-            let terms: Vec<f64> = (1..=order).map(|k| term(place, k).abs()).collect();
+            let size = |k: usize| term(place, k).abs();
             // no longer than where one term alone is as large
             let mut step = longest;
-            for (&term, k) in terms.iter().zip(1..).filter(|(term, _)| **term > 0.0) {
-                step = step.min((allowed / term).powf(1.0 / f64::from(k)));
+            for k in (1..=order).filter(|k| size(*k) > 0.0) {
+                step = step.min((allowed / size(k)).powf(1.0 / k as f64));
             }
-            let change = |step: f64| terms.iter().rev().fold(0.0, |sum, term| (sum + term) * step);
+            let change = |step: f64| (1..=order).rev().fold(0.0, |sum, k| (sum + size(k)) * step);
             while step.is_finite() && step > 0.0 && change(step) > allowed {
                 step *= SHORTER;
             }

@@ -1,6 +1,6 @@
 //! A system with its laws recorded as straight-line code, for the Taylor method.
 
-use crate::exponents::Expandable;
+use crate::exponents::{Expandable, Room};
 use crate::written::{Written, written};
 use field::{DoubleDouble, Scalar};
 use integrators::{Directions, Ode, System, TaylorSeries};
@@ -100,14 +100,14 @@ impl<L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync> System for Record
 struct Series<'a, S: Fused, const N: usize> {
     law: &'a Expandable,
     expansion: Option<Expansion<S, WIDTH, N>>,
-    /// Of exponentials the arguments, and the state with room for their series behind it.
-    exponents: Vec<f64>,
+    /// The arguments of exponentials, and the state with room for their series behind it.
+    exponents: Room,
     extended: Vec<S>,
 }
 
 impl<'a, S: Fused, const N: usize> Series<'a, S, N> {
     fn of(law: &'a Expandable) -> Self {
-        Series { law, expansion: None, exponents: Vec::new(), extended: Vec::new() }
+        Series { law, expansion: None, exponents: Room::default(), extended: Vec::new() }
     }
 }
 
@@ -122,7 +122,7 @@ impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
         }
         let Some(expansion) = &mut self.expansion else { return order };
         let Some(exponents) = &self.law.exponents else { return expansion.expand_rounding(y, t, fine) };
-        self.exponents = exponents.values(y.iter().map(|value| value.rounded()), t.rounded(), &[]);
+        exponents.evaluate(&mut self.exponents, y.iter().map(|value| value.rounded()), t.rounded(), &[]);
         self.extended.clear();
         self.extended.extend_from_slice(y);
         self.extended.resize(y.len() + exponents.count(), S::zero());
@@ -143,7 +143,7 @@ impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
         let (Some(expansion), Some(exponents)) = (&self.expansion, &self.law.exponents) else { return f64::INFINITY };
         let first = self.law.states();
         let term = |place: usize, k: usize| expansion.coefficients(k)[first + place].rounded();
-        exponents.longest(&self.exponents, expansion.order(), S::FINER, term)
+        exponents.longest(&self.exponents.values, expansion.order(), S::FINER, term)
     }
 }
 

@@ -1,9 +1,10 @@
 //! Series of the systems in lanes, one after the other: of laws with exponentials, whose arguments bound each step.
 
 use super::lane_series::{FEW, MANY};
-use crate::exponents::Expandable;
+use crate::exponents::{Expandable, Room};
 use field::Lanes;
 use integrators::LaneSeries;
+use std::cell::Cell;
 use symbolic::Expansion;
 
 /// Quantities side by side in each.
@@ -23,6 +24,8 @@ struct OneByOne<'a, const L: usize, const N: usize> {
     lanes: Vec<Lane<N>>,
     /// The coefficients of the last order, and of the one before it.
     last: [Vec<Lanes<L>>; 2],
+    /// Room for the sum of one lane.
+    sums: Cell<Vec<f64>>,
 }
 
 /// The system in one lane.
@@ -31,7 +34,7 @@ struct Lane<const N: usize> {
     parameters: Vec<f64>,
     /// The state, with room for the series of exponents behind it.
     extended: Vec<f64>,
-    exponents: Vec<f64>,
+    exponents: Room,
 }
 
 impl<'a, const L: usize, const N: usize> OneByOne<'a, L, N> {
@@ -42,12 +45,12 @@ impl<'a, const L: usize, const N: usize> OneByOne<'a, L, N> {
                 expansion: law.recurrence.expansion(&parameters, order)?,
                 parameters: parameters.clone(),
                 extended: vec![0.0; law.recurrence.states()],
-                exponents: Vec::new(),
+                exponents: Room::default(),
             })
         };
         let lanes = (0..L).map(|_| lane()).collect::<Option<Vec<_>>>()?;
         let last = [(); 2].map(|()| vec![Lanes::all(0.0); law.states()]);
-        Some(OneByOne { law, lanes, last })
+        Some(OneByOne { law, lanes, last, sums: Cell::default() })
     }
 }
 
@@ -67,7 +70,8 @@ impl<const L: usize, const N: usize> LaneSeries<L> for OneByOne<'_, L, N> {
         for (place, (lane, time)) in self.lanes.iter_mut().zip(times.0).enumerate() {
             lane.extended.iter_mut().zip(states).for_each(|(own, state)| *own = state.0[place]);
             if let Some(exponents) = &self.law.exponents {
-                lane.exponents = exponents.values(states.iter().map(|state| state.0[place]), time, &lane.parameters);
+                let state = states.iter().map(|state| state.0[place]);
+                exponents.evaluate(&mut lane.exponents, state, time, &lane.parameters);
             }
             lane.expansion.expand(&lane.extended, time);
             for (k, last) in [order, order - 1].into_iter().zip(&mut self.last) {
@@ -81,11 +85,13 @@ impl<const L: usize, const N: usize> LaneSeries<L> for OneByOne<'_, L, N> {
     }
 
     fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
-        let mut sums = vec![0.0; out.len()];
+        let mut sums = self.sums.take();
+        sums.resize(out.len(), 0.0);
         for (place, (lane, h)) in self.lanes.iter().zip(h.0).enumerate() {
             lane.expansion.sum(h, &mut sums);
             out.iter_mut().zip(&sums).for_each(|(out, sum)| out.0[place] = *sum);
         }
+        self.sums.set(sums);
     }
 
     fn shown(&self) -> Lanes<L> {
@@ -93,7 +99,7 @@ impl<const L: usize, const N: usize> LaneSeries<L> for OneByOne<'_, L, N> {
         let longest = |lane: &Lane<N>| {
             let term = |place: usize, k: usize| lane.expansion.coefficients(k)[first + place];
             self.law.exponents.as_ref().map_or(f64::INFINITY, |exponents| {
-                exponents.longest(&lane.exponents, lane.expansion.order(), false, term)
+                exponents.longest(&lane.exponents.values, lane.expansion.order(), false, term)
             })
         };
         let mut shown = Lanes::all(f64::INFINITY);

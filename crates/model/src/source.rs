@@ -120,10 +120,10 @@ pub struct LoadSource {
     pub name: Option<Text>,
     /// `"disc at G"`, or a body: then at its centre of mass.
     pub on: Option<Text>,
-    /// Of a force: a coordinate whose rate it has power on, `"theta"`, an angular velocity of a free frame, `"F.wx"`, or a
+    /// The name along which a force has power: a coordinate, `"theta"`, an angular velocity of a free frame, `"F.wx"`, or a
     /// quasi-velocity.
     pub along: Option<Text>,
-    /// Equal and opposite: of a force along the line of the two points, positive apart; a torque on the second, its opposite on
+    /// Two ends with equal and opposite loads: a force along the line of the points, positive apart; a torque on the second, its opposite on
     /// the first.
     pub between: Option<[Text; 2]>,
     pub is: Text,

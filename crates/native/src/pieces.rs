@@ -12,9 +12,9 @@ const WHOLE: usize = 1 << 11;
 /// A tape that is cut, and what its pieces hand on.
 pub struct Pieces {
     pub ranges: Vec<Range<usize>>,
-    /// Of each computed register where it stands in the room that all pieces share, if a later piece reads it.
+    /// The place of each computed register in the room that all pieces share, if a later piece reads it.
     pub kept: Vec<Option<usize>>,
-    /// Of each computed register the piece that computes it.
+    /// The piece that computes each computed register.
     pub made_in: Vec<usize>,
     /// Numbers in that room.
     pub room: usize,

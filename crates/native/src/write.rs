@@ -18,7 +18,7 @@ const MEMORY: MemFlags = MemFlags::trusted().with_readonly().with_can_move();
 /// Two numbers at once are aligned as one.
 const TOGETHER: MemFlags = MemFlags::new().with_notrap();
 
-/// What a piece keeps for later ones is written once, and not read by itself.
+/// A piece writes once each number that it keeps for later ones, and does not read it.
 const KEPT: MemFlags = MemFlags::trusted();
 
 /// The function of one piece.

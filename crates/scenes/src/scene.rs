@@ -7,7 +7,7 @@ use crate::modes::{Ended, Modes};
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{ready, start_of, without_run};
 use crate::row_units::unit_of;
-use crate::start::Followed;
+use crate::start::Branching;
 use crate::text;
 use crate::warnings::{Warn, warn_by, warn_of};
 use derivations::scene::any::holds_model;
@@ -209,8 +209,8 @@ impl Smooth for ModelScene {
             invariants,
             columns: columns(&self.model),
             row: Box::new(row),
-            margins: match Followed::of(&self.model).filter(|_| !changes) {
-                Some(followed) => Box::new(move |state, _| followed.margins(state)),
+            margins: match Branching::of(&self.model).filter(|_| !changes) {
+                Some(branching) => Box::new(move |state, _| branching.margins(state)),
                 None => Box::new(|_, _| Vec::new()),
             },
             switching: modes.map(|modes| modes as Arc<dyn Switching>),
@@ -221,7 +221,7 @@ impl Smooth for ModelScene {
         let ended = trajectory.stopped().is_none().then(|| self.ended.at(trajectory.outcome.time)).flatten();
         let ended = ended.map(|event| format!("{} ends the run", self.events[event]));
         let (time, state) = (trajectory.outcome.time, &trajectory.outcome.state);
-        let branched = || Followed::of(&self.model)?.broken(time, state).map(str::to_owned);
+        let branched = || Branching::of(&self.model)?.broken(time, state).map(str::to_owned);
         let branched = trajectory.stopped().is_none().then(branched).flatten();
         Told { diagnosis: ended.or(branched), ..Told::default() }
     }

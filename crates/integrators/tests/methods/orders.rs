@@ -128,7 +128,7 @@ fn a_law_that_depends_on_time_is_followed_as_well() {
     }
 }
 
-/// Of 2 to 160 components, whatever a method makes of their number.
+/// States have 2 to 160 components; methods keep short ones in arrays.
 #[test]
 fn a_state_of_any_length_is_followed_as_a_short_one_is() {
     for method in ADAPTIVE {

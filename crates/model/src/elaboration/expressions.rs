@@ -211,7 +211,7 @@ impl Elaborator<'_> {
         Ok(Value::Vector(self.vector(Vector::Axis { frame, axis }, Some(Dimension::none()))))
     }
 
-    /// What is meant by `P.z`, where P is no frame.
+    /// The fault of `P.z` where P is no frame, with the expression that is meant.
     fn component_of_no_frame(&self, span: &Range<usize>, of: &str, name: &str) -> Option<Fault> {
         let axis = if matches!(name, "x" | "y" | "z") { name } else { "x" };
         let (kind, accepted) = match self.names.get(of)? {

@@ -10,7 +10,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub struct Cosine {
     /// `F.Rxy`
     pub letter: Sym,
-    /// What it is, in the words of a model: `N.x . F.y`.
+    /// The scalar product in the words of a model: `N.x . F.y`.
     pub meaning: String,
     /// By the quaternion.
     pub value: Sym,

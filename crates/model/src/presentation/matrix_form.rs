@@ -24,7 +24,7 @@ pub struct MatrixForm {
     pub positions: Vec<Sym>,
     /// q', by the speeds.
     pub position_rates: Vec<Sym>,
-    /// What each speed moves: its coordinate, or the speed itself.
+    /// The coordinate that each speed moves, or the speed itself.
     pub coordinates: Vec<Sym>,
     /// Rates of coordinates, then angular velocities of free frames; or quasi-velocities.
     pub speeds: Vec<Sym>,

@@ -39,7 +39,7 @@ pub struct Trace<'m> {
     pub coordinates: Vec<Sym>,
     /// q'.
     pub position_rates: Vec<Sym>,
-    /// Of each free frame its direction cosines in the parent: row i, column j holds the parent's axis i times the frame's axis j.
+    /// Direction cosines of each free frame in its parent: row i, column j holds the parent's axis i times the frame's axis j.
     pub cosines: Vec<[[Sym; 3]; 3]>,
     /// The speeds u: rates of coordinates, then angular velocities of free frames in their own axes.
     pub speeds: Vec<Sym>,

@@ -1,7 +1,7 @@
 //! Systems as code of other languages, compiled and run, have the accelerations and multipliers of our own equations.
 
 mod languages;
-mod reading;
+mod notation;
 mod systems;
 mod tops;
 

@@ -3,10 +3,10 @@
 //! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the constraints
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
-mod followed;
-mod implied;
+mod branching;
+mod redundancy;
 
-pub(crate) use followed::Followed;
+pub(crate) use branching::Branching;
 
 use crate::compiled_system::{NotCompiled, has_values};
 use crate::layout::Layout;

@@ -3,7 +3,7 @@
 use crate::real::{Model, Rounded};
 use field::{DoubleDouble, Rational, Scalar};
 
-/// What the numbers of a field say.
+/// The meaning of the numbers of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A value up to rounding: what is small beside the largest pivot is zero.

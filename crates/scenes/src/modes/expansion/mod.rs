@@ -4,10 +4,10 @@
 //! which is linear in them.
 
 mod elimination;
+mod equations;
 mod impulses;
 mod parts;
 mod trials;
-mod written;
 
 pub(super) use elimination::solved;
 pub(super) use parts::Slopes;
@@ -84,7 +84,7 @@ impl<const N: usize> Expansion<N> {
 
 impl Expansions {
     pub fn of(model: &Model) -> Result<Self, NotCompiled> {
-        apart(|| written::expansions(model))
+        apart(|| equations::expansions(model))
     }
 
     /// The motion in a mode; none where a condition cannot be held.

@@ -8,11 +8,11 @@ use model::equations::Level;
 const BRANCHES: &str =
     "a constraint that followed from others does so no longer: the motion came to a place where it branches";
 
-/// What follows from others leaves no more than so many times what these leave.
+/// A constraint that follows from others leaves at most so many times the residual of these.
 const TIMES: f64 = 100.0;
 
 /// The constraints that follow from others, beside those that hold.
-pub(crate) struct Followed {
+pub(crate) struct Branching {
     constraints: Constraints,
     /// Rows of those that follow.
     implied: Vec<usize>,
@@ -21,7 +21,7 @@ pub(crate) struct Followed {
     parameters: Vec<f64>,
 }
 
-impl Followed {
+impl Branching {
     /// None where no constraint follows from others.
     pub fn of(model: &Model) -> Option<Self> {
         if model.implied.is_empty() {
@@ -34,7 +34,7 @@ impl Followed {
         let (implied, held): (Vec<usize>, Vec<usize>) = (0..constraints.kept).partition(follows);
         let values: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
         let parameters = [values, start_speeds(model)].concat();
-        Some(Followed { implied, held, constraints, parameters })
+        Some(Branching { implied, held, constraints, parameters })
     }
 
     /// Why the law does not hold at an instant, where some constraint does not follow.
@@ -47,7 +47,7 @@ impl Followed {
         self.implied.iter().any(is_broken).then_some(BRANCHES)
     }
 
-    /// How far each of positions is from what errors of the run leave of the others, many times; none where the time decides.
+    /// Margins of the constraints of positions: many times the residual of the others, less their own; none where the time decides.
     pub fn margins(&self, state: &[f64]) -> Vec<Margin> {
         if self.constraints.knows_time {
             return Vec::new();

@@ -15,7 +15,7 @@ const PROBES: usize = 3;
 /// Sizes of a displacement, in SI units, the next where the one before leads out of reach; and of the time beside it, in seconds.
 const SIZES: [f64; 4] = [0.1, 0.03, 0.01, 0.003];
 
-/// What follows from others leaves no more at a displaced state than rounding of its completion.
+/// A constraint that follows from others leaves at most this at a displaced state: rounding of its completion.
 const LEAVES: f64 = 1e-8;
 
 /// Rows of a matrix in order: those that depend on others before them, and the others.
