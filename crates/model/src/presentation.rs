@@ -11,6 +11,7 @@ mod quasi_velocities;
 mod reading;
 mod sympy;
 mod text;
+mod turns;
 
 pub use axes::{axes, titles};
 pub use code::code;
@@ -21,6 +22,7 @@ pub use matrix_form::{Held, Lines, MatrixForm};
 pub use quasi_velocities::InQuasiVelocities;
 pub use sympy::sympy;
 pub use text::text;
+pub(crate) use turns::{FreeTurn, short_form};
 
 use crate::equations::{Equation, Integrability, Level, constraints_of as equations_of};
 use crate::{FrameId, PointId, Trace, Turn, Vector};

@@ -140,15 +140,19 @@ fn square(rows: &[Vec<Sym>], dependent: &[(usize, usize)]) -> Vec<Vec<Sym>> {
 
 /// The solution of matrix * x = right, for every column of it, by elimination: pivots in order, none of which vanishes.
 fn solved(matrix: &[Vec<Sym>], right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
-    eliminated(matrix.to_vec(), right, |entry| entry)
+    eliminated(matrix.to_vec(), right, |entry| entry).0
 }
 
-/// The same, short entries in normal form at every step: no denominator stays that cancels.
-pub(crate) fn solved_in_short(matrix: Vec<Vec<Sym>>, right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
+/// The same with the pivots, short entries in normal form at every step: no denominator stays that cancels.
+pub(crate) fn solved_in_short(matrix: Vec<Vec<Sym>>, right: Vec<Vec<Sym>>) -> (Vec<Vec<Sym>>, Vec<Sym>) {
     eliminated(matrix, right, in_short)
 }
 
-fn eliminated(mut rows: Vec<Vec<Sym>>, mut right: Vec<Vec<Sym>>, read: impl Fn(Sym) -> Sym) -> Vec<Vec<Sym>> {
+fn eliminated(
+    mut rows: Vec<Vec<Sym>>,
+    mut right: Vec<Vec<Sym>>,
+    read: impl Fn(Sym) -> Sym,
+) -> (Vec<Vec<Sym>>, Vec<Sym>) {
     let k = rows.len();
     for above in 0..k {
         for below in above + 1..k {
@@ -170,5 +174,6 @@ fn eliminated(mut rows: Vec<Vec<Sym>>, mut right: Vec<Vec<Sym>>, read: impl Fn(S
             right[row][place] = read(known / rows[row][row]);
         }
     }
-    right
+    let pivots = rows.iter().enumerate().map(|(at, row)| row[at]).collect();
+    (right, pivots)
 }

@@ -100,15 +100,49 @@ impl Point {
         }
     }
 
+    /// A point of the circle that the value of the angle determines: angles of letters that stay do too.
     fn on_circle(&mut self, angle: Sym) -> Option<(u64, u64)> {
-        let drawn = &mut self.drawn;
-        *self.circle.entry(angle).or_insert_with(|| {
-            let t = drawn.next();
+        if let Some(known) = self.circle.get(&angle) {
+            return *known;
+        }
+        let point = self.value(angle).and_then(|value| {
+            let t = Drawn(value).next();
             let square = times(t, t);
             let below = (1 + square) % PRIME;
             Some((quotient(minus(1, square), below)?, quotient((t + t) % PRIME, below)?))
-        })
+        });
+        self.circle.insert(angle, point);
+        point
     }
+}
+
+/// How expressions depend on what moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Course {
+    Zero,
+    /// Equal at two points that differ in all letters but those that stay.
+    Constant,
+    Varying,
+}
+
+/// The courses of expressions, where these letters stay and all others and all angles move.
+pub(crate) fn courses(expressions: &[Sym], stay: &[Sym]) -> Vec<Course> {
+    let [first, second] = [2, 3].map(|seed| {
+        let mut point = Point::new();
+        for &letter in stay {
+            point.value(letter);
+        }
+        point.drawn = Drawn(seed);
+        expressions.iter().map(|&each| point.value(each)).collect::<Vec<_>>()
+    });
+    let pairs = first.into_iter().zip(second);
+    pairs
+        .map(|pair| match pair {
+            (Some(0), Some(0)) => Course::Zero,
+            (Some(one), Some(other)) if one == other => Course::Constant,
+            _ => Course::Varying,
+        })
+        .collect()
 }
 
 /// The rank of a matrix at the point.
@@ -143,7 +177,7 @@ pub(crate) fn pivots(rows: &[Vec<Sym>], order: &[usize]) -> Vec<(usize, usize)> 
 
 #[cfg(test)]
 mod tests {
-    use super::{generic_rank, pivots};
+    use super::{Course, courses, generic_rank, pivots};
     use field::{Analytic, Scalar};
     use symbolic::{Sym, apart, symbols};
 
@@ -165,6 +199,20 @@ mod tests {
                 assert_eq!(generic_rank(&[vec![zero]]), 0, "{zero}");
                 assert_eq!(generic_rank(&[vec![zero + x]]), 1, "{zero} + x");
             }
+        });
+    }
+
+    #[test]
+    fn a_constant_is_one_by_identities_and_of_letters_that_stay() {
+        apart(|| {
+            let [x, r] = symbols(["x", "r"]);
+            let circle = x.circle();
+            let square = circle.cos * circle.cos + circle.sin * circle.sin;
+            let all = [r * square, square - Sym::ONE, r * x, r, circle.cos, (r + r).circle().sin];
+            let found = courses(&all, &[r]).into_iter();
+            let known =
+                [Course::Constant, Course::Zero, Course::Varying, Course::Constant, Course::Varying, Course::Constant];
+            assert!(found.eq(known));
         });
     }
 

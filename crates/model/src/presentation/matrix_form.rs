@@ -5,6 +5,7 @@ use super::cosines::{Cosine, cosines};
 use super::quasi_velocities::{InQuasiVelocities, collected};
 use super::reading::Reading;
 use super::simplified;
+use super::turns::{FreeTurn, short_form};
 use crate::equations::{Equation, Equations, Level};
 use crate::principles::{NotApplicable, Principle};
 use crate::{Energies, Model, Trace};
@@ -44,6 +45,8 @@ pub struct MatrixForm {
     pub switches: Vec<(Sym, Sym)>,
     /// Direction cosines of free frames; for reading those that occur, as letters.
     pub cosines: Vec<Cosine>,
+    /// Quaternions and direction cosines of free frames.
+    pub(super) turns: Vec<FreeTurn>,
     /// Where conditions and events stand.
     pub lines: Lines,
     /// Where the speeds are quasi-velocities.
@@ -135,6 +138,7 @@ impl MatrixForm {
                 .map(|input| Sym::symbol(&input.name))
                 .collect(),
             cosines: cosines(trace),
+            turns: trace.turns().collect(),
             lines: Lines::default(),
             positive: trace.model.parameters.iter().map(|each| each.value.is_some_and(|value| value > 0.0)).collect(),
         }
@@ -188,11 +192,14 @@ impl MatrixForm {
         let mut form = match self.quasi {
             Some(_) => {
                 // quotients of the kinematic equations cancel in normal form
+                let short_form = |each: Sym| short_form(each, &self.turns);
                 let mut read = |each: &Sym| {
-                    let is_short = Sym::operations_of(&[*each]) <= MOST_CANCELLED;
-                    let short = || [collected(*each, &self.speeds), Some(simplified(*each))];
-                    let forms = is_short.then(short).into_iter().flatten().chain([Some(*each)]);
-                    let forms = forms.flatten().map(|form| reading.of(form));
+                    let size = Sym::operations_of(&[*each]);
+                    let by_speeds =
+                        (size <= MOST_COLLECTED).then(|| collected(*each, &self.speeds, short_form)).flatten();
+                    let short = (size <= MOST_CANCELLED).then(|| [short_form(*each), simplified(*each)]);
+                    let forms = by_speeds.into_iter().chain(short.into_iter().flatten()).chain([*each]);
+                    let forms = forms.map(|form| reading.of(form));
                     forms.min_by_key(|form| Sym::operations_of(&[*form])).unwrap_or(*each)
                 };
                 self.mapped(&mut |expressions| expressions.iter().map(&mut read).collect())
@@ -247,6 +254,7 @@ impl MatrixForm {
                     ..cosine.clone()
                 })
                 .collect(),
+            turns: self.turns.clone(),
             lines: self.lines.clone(),
             positive: self.positive.clone(),
         }
@@ -255,6 +263,9 @@ impl MatrixForm {
 
 /// Quotients of longer expressions are left as they came: their normal forms may be much longer.
 const MOST_CANCELLED: usize = 300;
+
+/// Longer expressions are not opened into their coefficients.
+const MOST_COLLECTED: usize = 2_000;
 
 /// M, h, Q and the constraints with multipliers.
 pub(super) struct Dynamics {

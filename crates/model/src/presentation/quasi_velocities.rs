@@ -2,7 +2,6 @@
 
 use super::axes::axes;
 use super::matrix_form::{Dynamics, Held, MatrixForm, without_forces};
-use super::simplified;
 use crate::equations::constraints_of;
 use crate::principles::NotApplicable;
 use crate::{QuasiPrinciple, QuasiVelocities, Trace};
@@ -90,19 +89,19 @@ const MOST_READ: usize = 5_000;
 /// Polynomials of more letters are not collected.
 const MOST_COLLECTED: usize = 12;
 
-/// A polynomial of second degree in some letters by its coefficients in normal form; none of another expression.
-pub(super) fn collected(expression: Sym, letters: &[Sym]) -> Option<Sym> {
+/// A polynomial of second degree in some letters by its coefficients in short forms; none of another expression.
+pub(super) fn collected(expression: Sym, letters: &[Sym], read: impl Fn(Sym) -> Sym) -> Option<Sym> {
     if letters.len() > MOST_COLLECTED {
         return None;
     }
     let at_zero: Vec<(Sym, Sym)> = letters.iter().map(|&letter| (letter, Sym::ZERO)).collect();
-    let mut sum = simplified(expression.substitute(&at_zero));
+    let mut sum = read(expression.substitute(&at_zero));
     for (place, &one) in letters.iter().enumerate() {
         let slope = expression.diff(one);
-        sum += simplified(slope.substitute(&at_zero)) * one;
+        sum += read(slope.substitute(&at_zero)) * one;
         for &other in &letters[place..] {
             let half = if one == other { Rational::new(1, 2) } else { Rational::new(1, 1) };
-            let coefficient = simplified(slope.diff(other) * Sym::constant(half));
+            let coefficient = read(slope.diff(other) * Sym::constant(half));
             if coefficient.symbols_of().iter().any(|symbol| letters.contains(symbol)) {
                 return None;
             }

@@ -4,15 +4,8 @@ use crate::equations::{Equation, generic_pivots};
 use crate::{Fault, QuasiVelocity, Trace};
 use symbolic::Sym;
 
-/// Independent rows, and the speed that each of them determines.
-pub(super) struct Pivots {
-    /// Places of independent constraints.
-    pub constraints: Vec<usize>,
-    /// A column of each row: of these constraints, then of every quasi-velocity.
-    pub columns: Vec<usize>,
-}
-
-pub(super) fn pivots(trace: &Trace<'_>, met: &[Equation], definitions: &[Sym]) -> Result<Pivots, Vec<Fault>> {
+/// The places of the constraints that are independent.
+pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sym]) -> Result<Vec<usize>, Vec<Fault>> {
     let speeds = &trace.model.quasi_velocities;
     let n = trace.speeds.len();
     let slopes = |rate: &Sym| (0..n).map(|i| trace.by_speed(*rate, i)).collect::<Vec<Sym>>();
@@ -33,8 +26,7 @@ pub(super) fn pivots(trace: &Trace<'_>, met: &[Equation], definitions: &[Sym]) -
         return Err(vec![Fault::at(met[place].at.clone(), title, "quasi-velocities cannot meet it", accepted)]);
     }
     let all: Vec<Vec<Sym>> = met.iter().map(|constraint| constraint.row.clone()).chain(rows).collect();
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by_cached_key(|&i| Sym::operations_of(&all.iter().map(|row| row[i]).collect::<Vec<_>>()));
+    let order: Vec<usize> = (0..n).collect();
     let found = generic_pivots(&all, &order);
     let constraints: Vec<usize> = found.iter().map(|&(row, _)| row).filter(|row| *row < met.len()).collect();
     let depends = |place: &usize| found.iter().all(|(row, _)| *row != met.len() + place);
@@ -87,7 +79,7 @@ pub(super) fn pivots(trace: &Trace<'_>, met: &[Equation], definitions: &[Sym]) -
         };
         return Err(vec![Fault::at(at, title, "the last of them", accepted)]);
     }
-    Ok(Pivots { constraints, columns: found.into_iter().map(|(_, column)| column).collect() })
+    Ok(constraints)
 }
 
 /// The fault of an expression that is not affine in the speeds.

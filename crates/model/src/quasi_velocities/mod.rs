@@ -6,21 +6,30 @@
 //!
 //! and s = 0 along every motion. The columns of C are directions of admissible displacements. Programmed constraints are no part of s:
 //! they need not hold, and stay equations with multipliers.
+//!
+//! Angular velocities of free frames are solved for along axes in which slopes are short. The speeds have no other divisors than the
+//! determinant of the whole change, up to its factors that are constants.
 
 mod appell;
 mod hamel;
 mod independence;
+mod inverse;
 mod maggi;
 mod reduced_equations;
+mod short_forms;
+mod turning;
 mod virtual_power;
 
 pub use reduced_equations::{QuasiPrinciple, quasi_agreement};
 
-use crate::equations::{Equation, constraints_of, solved_in_short};
-use crate::{Fault, Trace, Vector};
-use independence::Pivots;
+use crate::equations::{Equation, constraints_of};
+use crate::trace::turned_axes;
+use crate::{Fault, FrameId, Trace, Turn, Vector};
+use inverse::{Solution, solved};
+use short_forms::ShortForms;
 use std::cell::RefCell;
 use symbolic::{Derivation, Sym, substitute_all};
+use turning::Axes;
 
 /// Quasi-velocities over the symbols of a trace.
 pub struct QuasiVelocities<'t, 'm> {
@@ -45,6 +54,10 @@ pub struct QuasiVelocities<'t, 'm> {
     pub programmed: Vec<Equation>,
     /// Those of the first that are independent, by their places.
     independent: Vec<usize>,
+    /// Expressions that the speeds are divided by: where one of them vanishes, the quasi-velocities do not determine the speeds.
+    pub divisors: Vec<Sym>,
+    /// Angular velocities of free frames in their parents, by w.
+    turning: Vec<Vector>,
     /// Along the motion, over coordinates, w and w'.
     rate: RefCell<Derivation>,
     /// u and u' by w and w'.
@@ -56,7 +69,8 @@ struct Independent {
     met: Vec<Equation>,
     programmed: Vec<Equation>,
     definitions: Vec<Sym>,
-    pivots: Pivots,
+    /// Places of the constraints that are independent.
+    independent: Vec<usize>,
 }
 
 impl Independent {
@@ -65,8 +79,8 @@ impl Independent {
             constraints_of(trace).into_iter().partition(|constraint| constraint.gains.is_none());
         let quasi_velocities = trace.model.quasi_velocities.iter();
         let definitions: Vec<Sym> = quasi_velocities.map(|speed| trace.scalar(speed.is)).collect();
-        let pivots = independence::pivots(trace, &met, &definitions)?;
-        Ok(Independent { met, programmed, definitions, pivots })
+        let independent = independence::independent(trace, &met, &definitions)?;
+        Ok(Independent { met, programmed, definitions, independent })
     }
 }
 
@@ -82,7 +96,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
     /// Each of them that is not affine in the speeds or depends on others; or how many are missing.
     pub fn of(trace: &'t Trace<'m>) -> Result<Self, Vec<Fault>> {
         let model = trace.model;
-        let Independent { met, programmed, definitions, pivots } = Independent::of(trace)?;
+        let Independent { met, programmed, definitions, independent } = Independent::of(trace)?;
         let letters = |primes: &str, dot: &str| -> Vec<Sym> {
             let named = |speed: &crate::QuasiVelocity| {
                 let latex = Sym::symbol(&speed.name).latex();
@@ -95,8 +109,8 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         let n = trace.speeds.len();
         let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
         // constraints first, then quasi-velocities; each row with its unit column and what is left of it at rest
-        let k = pivots.constraints.len();
-        let rates = pivots.constraints.iter().map(|&place| met[place].rate);
+        let k = independent.len();
+        let rates = independent.iter().map(|&place| met[place].rate);
         let rows: Vec<Sym> = rates.chain(definitions.iter().copied()).collect();
         let right = |(place, &row): (usize, &Sym)| {
             let mut right: Vec<Sym> = (0..n).map(|each| if each == place { Sym::ONE } else { Sym::ZERO }).collect();
@@ -104,22 +118,48 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
             right
         };
         let right = rows.iter().enumerate().map(right).collect();
-        let slopes = |row: &Sym| pivots.columns.iter().map(|&column| trace.by_speed(*row, column)).collect();
-        let found = solved_in_short(rows.iter().map(slopes).collect(), right);
-        let mut of_speeds = vec![Vec::new(); n];
-        for (&column, found) in pivots.columns.iter().zip(found) {
-            of_speeds[column] = found;
-        }
+        let slopes = |row: &Sym| (0..n).map(|i| trace.by_speed(*row, i)).collect();
+        let slopes: Vec<Vec<Sym>> = rows.iter().map(slopes).collect();
+        let (axes, mut forms) = (Axes::of(trace, &slopes), ShortForms::of(trace));
+        let matrix = slopes.iter().map(|row| axes.of_unknowns(trace, row, &mut forms)).collect();
+        let Solution { unknowns, divisors } = solved(matrix, right, &mut forms);
+        let sum = |row: &Vec<Sym>| row[k..n].iter().zip(&symbols).fold(row[n], |sum, (&slope, &w)| sum + slope * w);
+        let values: Vec<Sym> = unknowns.iter().map(sum).collect();
+        let turning: Vec<Vector> = (0..model.free.len()).map(|number| axes.turning(trace, number, &values)).collect();
+        let of_speeds = axes.of_speeds(trace, unknowns);
         let across = of_speeds.iter().map(|row| row[..k].to_vec()).collect();
         let directions: Vec<Vec<Sym>> = of_speeds.iter().map(|row| row[k..n].to_vec()).collect();
-        let sum = |row: &Vec<Sym>| row[k..n].iter().zip(&symbols).fold(row[n], |sum, (&slope, &w)| sum + slope * w);
-        let speeds: Vec<Sym> = of_speeds.iter().map(sum).collect();
-        let by_speeds: Vec<(Sym, Sym)> = trace.speeds.iter().copied().zip(speeds.iter().copied()).collect();
-        let position_rates = substitute_all(&trace.position_rates, &by_speeds);
+        let mut speeds = values;
+        for (number, &turning) in turning.iter().enumerate() {
+            let first = model.free_speed(number);
+            speeds[first..first + 3].copy_from_slice(&trace.express(turning, model.free[number]));
+        }
+        let mut position_rates = speeds[..model.coordinates.len()].to_vec();
+        let mut turned = Vec::new();
+        for (number, &turning) in turning.iter().enumerate() {
+            let (rates, cosines) = turned_axes(trace, number, turning);
+            position_rates.extend(rates);
+            turned.extend(cosines);
+        }
         let along = trace.coordinates.iter().zip(&position_rates).chain(symbols.iter().zip(&accelerations));
-        let mut rate = Derivation::new(along.map(|(&of, &rate)| (of, rate)).chain([(trace.time, Sym::ONE)]));
-        let by_accelerations =
-            trace.accelerations.iter().zip(&speeds).map(|(&of, &speed)| (of, rate.of(speed))).collect();
+        let along = along.map(|(&of, &rate)| (of, rate)).chain([(trace.time, Sym::ONE)]).chain(turned);
+        let mut rate = Derivation::new(along);
+        let mut rates: Vec<Sym> = speeds[..model.coordinates.len()].iter().map(|&speed| rate.of(speed)).collect();
+        let mut by_speeds: Vec<(Sym, Sym)> = trace.speeds.iter().copied().zip(speeds.iter().copied()).collect();
+        for (number, &turning) in turning.iter().enumerate() {
+            let own = model.free[number];
+            let parent = trace.parent(own);
+            // the frame and its parent see the same rate of an angular velocity that one has in the other
+            let along = Vector { frame: parent, components: trace.express(turning, parent) };
+            rates.extend(trace.express(along.map(|component| rate.of(component)), own));
+            // R R^T = 1 is known here, and to no sum of products
+            let first = model.free_speed(number);
+            let own = Vector { frame: own, components: std::array::from_fn(|k| trace.speeds[first + k]) };
+            if turning.frame != own.frame {
+                by_speeds.extend(trace.express(own, parent).into_iter().zip(along.components));
+            }
+        }
+        let by_accelerations = trace.accelerations.iter().copied().zip(rates).collect();
         Ok(QuasiVelocities {
             trace,
             symbols,
@@ -131,7 +171,9 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
             across,
             met,
             programmed,
-            independent: pivots.constraints,
+            independent,
+            divisors,
+            turning,
             rate: RefCell::new(rate),
             known: [by_speeds, by_accelerations],
         })
@@ -154,6 +196,14 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         vector.map(|component| self.moved(component))
     }
 
+    /// The angular velocity of a frame, of a free one along the axes in which it is short.
+    fn turning(&self, frame: FrameId) -> Vector {
+        match self.trace.model.frames[frame.0].parent {
+            Some((parent, Turn::Free { number })) => self.trace.sum(self.turning(parent), self.turning[number]),
+            _ => self.moved_vector(self.trace.turning(frame)),
+        }
+    }
+
     /// The rate along the motion of an expression over coordinates and w.
     fn rate_of(&self, expression: Sym) -> Sym {
         self.rate.borrow_mut().of(expression)
@@ -162,7 +212,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
     /// The rate of a vector over coordinates and w, as the ground sees it.
     fn vector_rate(&self, vector: Vector) -> Vector {
         let own = vector.map(|component| self.rate_of(component));
-        let turning = self.moved_vector(self.trace.turning(vector.frame));
+        let turning = self.turning(vector.frame);
         self.trace.sum(own, self.trace.cross(turning, vector))
     }
 

@@ -15,7 +15,7 @@ pub(super) fn active(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<
         add(quasi, trace, &mut sums, quasi.moved_vector(force.is), velocity);
     }
     for torque in torques(trace) {
-        let turning = quasi.moved_vector(trace.turning(torque.on));
+        let turning = quasi.turning(torque.on);
         add(quasi, trace, &mut sums, quasi.moved_vector(torque.is), turning);
     }
     sums
@@ -52,8 +52,8 @@ pub(super) fn residual(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Ve
             let acceleration = quasi.vector_rate(velocity);
             add(quasi, trace, &mut inertia, acceleration.map(|component| mass * component), velocity);
         }
-        if let Some((tensor, turning)) = trace.turned(body) {
-            let turning = quasi.moved_vector(turning);
+        if let (Some(tensor), Some(frame)) = (&body.inertia, body.frame) {
+            let turning = quasi.turning(frame);
             let momentum = trace.inertia_times(tensor, turning);
             add(quasi, trace, &mut inertia, quasi.vector_rate(momentum), turning);
         }

@@ -65,6 +65,13 @@ impl Trace<'_> {
                 let [_, _, z] = vector.components;
                 Vector { frame: vector.frame, components: [Sym::ZERO, Sym::ZERO, axial * z] }
             }
+            // of a ball in any axes
+            Inertia::Tensor { entries: [Some(xx), Some(yy), Some(zz), None, None, None], .. }
+                if self.scalar(*xx) == self.scalar(*yy) && self.scalar(*yy) == self.scalar(*zz) =>
+            {
+                let moment = self.solidified(*xx);
+                vector.map(|component| moment * component)
+            }
             Inertia::Tensor { axes, entries } => {
                 let [x, y, z] = self.express(vector, *axes);
                 let [xx, yy, zz, xy, xz, yz] =

@@ -12,6 +12,7 @@ mod rotation;
 mod vector;
 
 use free_frame::FreeFrame;
+pub(crate) use free_frame::turned_axes;
 use rotation::Rotation;
 pub(crate) use rotation::quaternion_product;
 pub use rotation::{quaternion_rates, turned_further};
@@ -21,6 +22,7 @@ use crate::arena::{Function, Number, Part, Scalar};
 use crate::equations::held_of;
 use crate::expression::Exponent;
 use crate::joints::Joints;
+use crate::presentation::FreeTurn;
 use crate::{FrameId, Input, Model, ScalarId, Turn, VectorId};
 use field::{Analytic, Over, Rational, Scalar as _};
 use std::cell::RefCell;
@@ -230,6 +232,17 @@ impl<'m> Trace<'m> {
     /// A vector in the axes of a frame.
     pub fn express(&self, vector: Vector, frame: FrameId) -> [Sym; 3] {
         self.frames.express(vector, frame).components
+    }
+
+    /// The quaternion and the direction cosines of each free frame.
+    pub(crate) fn turns(&self) -> impl Iterator<Item = FreeTurn> {
+        let quaternions = self.coordinates[self.model.coordinates.len()..].chunks_exact(4);
+        quaternions.map(|parts| std::array::from_fn(|k| parts[k])).zip(self.cosines.iter().copied())
+    }
+
+    /// The frame that a frame turns in; of the ground itself.
+    pub(crate) fn parent(&self, frame: FrameId) -> FrameId {
+        self.model.frames[frame.0].parent.map_or(frame, |(parent, _)| parent)
     }
 
     /// The rate of a vector as the ground sees it.

@@ -1,0 +1,60 @@
+//! Short forms of the slopes of speeds: direction cosines stay together as letters, and drop out where R R^T = 1 is behind them.
+
+use super::inverse::Reading;
+use crate::Trace;
+use crate::presentation::{FreeTurn, short_form};
+use rustc_hash::FxHashMap;
+use symbolic::{Node, Sym};
+
+/// The forms of expressions over coordinates, parameters and the time.
+pub(super) struct ShortForms<'t, 'm> {
+    trace: &'t Trace<'m>,
+    turns: Vec<FreeTurn>,
+    known: FxHashMap<Sym, Sym>,
+}
+
+impl<'t, 'm> ShortForms<'t, 'm> {
+    pub fn of(trace: &'t Trace<'m>) -> Self {
+        ShortForms { trace, turns: trace.turns().collect(), known: FxHashMap::default() }
+    }
+
+    /// Whether a factor is a number, or a parameter whose value is not zero.
+    fn is_constant_factor(&self, expression: Sym) -> bool {
+        let mut open = vec![expression];
+        while let Some(each) = open.pop() {
+            match each.node() {
+                Node::Constant(_) => {}
+                Node::Product(a, b) | Node::Quotient(a, b) => open.extend([a, b]),
+                Node::Negation(a) | Node::Power(a, _) => open.push(a),
+                Node::Symbol(_) => {
+                    let parameters = self.trace.parameters.iter().zip(&self.trace.model.parameters);
+                    let mut values =
+                        parameters.filter(|(letter, _)| **letter == each).map(|(_, parameter)| parameter.value);
+                    if !matches!(values.next(), Some(Some(value)) if value != 0.0) && each != self.trace.pi {
+                        return false;
+                    }
+                }
+                _ => return false,
+            }
+        }
+        expression != Sym::ZERO && expression != Sym::UNDEFINED
+    }
+}
+
+impl Reading for ShortForms<'_, '_> {
+    fn read(&mut self, expression: Sym) -> Sym {
+        if expression.node().is_leaf() {
+            return expression;
+        }
+        if let Some(&known) = self.known.get(&expression) {
+            return known;
+        }
+        let form = short_form(expression, &self.turns);
+        self.known.extend([(expression, form), (form, form)]);
+        form
+    }
+
+    fn is_constant(&self, expression: Sym) -> bool {
+        self.is_constant_factor(expression)
+    }
+}
