@@ -2,7 +2,7 @@
 
 use crate::ending::{Ending, print, warn};
 use crate::run::one_form;
-use ::scenes::{independent_start, read_model};
+use ::scenes::{independent_start, read_model, start_of};
 use clap::{Args, ValueEnum};
 use derivations::derive::{Equation, Principle, derive as equations_of, motor_of};
 use derivations::scene::any::holds_model;
@@ -173,7 +173,11 @@ fn in_quasi_velocities(asked: &Asked, model: &Model, file: &str, principle: Quas
         let quasi =
             QuasiVelocities::of(&trace).map_err(|_| Ending::refused("its quasi-velocities are not independent"))?;
         let form = MatrixForm::in_quasi_velocities(&trace, &quasi, principle).map_err(Ending::refused)?;
-        let form = form.in_file(model, file);
+        let form = match start_of(model) {
+            Ok(start) => form.with_start(&trace, &start),
+            Err(_) => form,
+        }
+        .in_file(model, file);
         Ok(echoed(asked, &trace) + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
 }

@@ -2,12 +2,12 @@
 
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
-use ::scenes::read_model;
+use ::scenes::{on_branch, read_model};
 use clap::{Args, ValueEnum};
 use model::principles::{Principle, Projection};
 use model::{
-    Agreement, Mistake, Mistaken, QuasiPrinciple, QuasiVelocities, Trace, agreement, mistaken, projected_agreement,
-    quasi_agreement, shorter, statements, titles,
+    Agreement, Implied, Mistake, Mistaken, QuasiPrinciple, QuasiVelocities, Trace, agreement, mistaken,
+    projected_agreement, quasi_agreement, shorter, statements, titles,
 };
 use serde_json::json;
 use std::path::PathBuf;
@@ -74,7 +74,9 @@ enum Subject {
 /// Compares the residuals of every principle with those of the first, parameters as letters, states what the equations keep, and
 /// prints a verdict for each.
 pub fn prove(asked: &Asked) -> Result<Ending, Ending> {
-    let model = read_model(&asked.scene)?;
+    let mut model = read_model(&asked.scene)?;
+    // off the branch the constraints leave other motions
+    on_branch(&mut model);
     let mistake = asked.mistake.map(Mistake::from);
     let rows: Vec<Row> = symbolic::apart(|| {
         let trace = Trace::of(&model);
@@ -108,6 +110,8 @@ fn all(trace: &Trace<'_>) -> Vec<Row> {
             Err(why) => (Err(why.to_string()), Vec::new()),
         };
         let subject = Subject::Principles([first.name(), projection.name()]);
+        let branches = trace.model.implied.iter().filter_map(on_its_branch);
+        let behind = behind.into_iter().chain(branches).collect();
         Row { subject, agreement, behind, must_hold: true }
     };
     let axes = titles(trace);
@@ -126,6 +130,12 @@ fn all(trace: &Trace<'_>) -> Vec<Row> {
     let rows = rows.chain(in_quasi_velocities(trace)).chain(stated);
     // nothing is said of a mistake that cannot be made
     rows.chain(mistake.agreement.is_ok().then_some(mistake)).collect()
+}
+
+/// An equation that is left out on the branch of the start.
+fn on_its_branch(implied: &Implied) -> Option<String> {
+    let start = implied.branch.as_ref()?;
+    Some(format!("{} follows from the others on the branch of the start, {start}, and is left out", implied.title))
 }
 
 /// Whether the principles that use quasi-velocities agree in those of the file.

@@ -17,12 +17,20 @@ pub(crate) use constraints::held_of;
 pub use constraints::vanishes;
 pub use constraints::{Equation, Level, equations as constraints_of};
 pub use elimination::Singular;
-pub(crate) use generic_point::{Course, courses, generic_rank, pivots as generic_pivots};
+pub(crate) use generic_point::{Course, courses, depends, generic_rank, pivots as generic_pivots};
 pub use integrability::Integrability;
 
 use crate::Trace;
 use crate::principles::{NotApplicable, Principle};
 use symbolic::{Sym, substitute_all};
+
+/// Those of some equations of constraints that depend on the others at a general point too, and not on a branch of their positions alone.
+pub fn dependent_everywhere(trace: &Trace<'_>, among: &[[usize; 2]]) -> Vec<[usize; 2]> {
+    let (these, others): (Vec<Equation>, Vec<Equation>) =
+        constraints_of(trace).into_iter().partition(|one| among.contains(&one.of));
+    let others: Vec<Vec<Sym>> = others.into_iter().map(|one| one.row).collect();
+    these.into_iter().filter(|one| depends(&one.row, &others)).map(|one| one.of).collect()
+}
 
 /// The equations of motion of a model, over the symbols of a trace.
 #[derive(Clone, Debug)]

@@ -49,8 +49,8 @@ pub use parts::{
     StartSpeed, StartValue, Torque, Turn, Zero,
 };
 pub use presentation::{
-    Cosine, Held, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out, shorter,
-    sympy, text, titles, typeset, vectors,
+    Cosine, Divisor, Held, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out,
+    shorter, sympy, text, titles, typeset, vectors,
 };
 pub use quasi_velocities::{QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{

@@ -19,7 +19,7 @@ pub use conditions::left_out;
 pub use cosines::Cosine;
 pub use latex::{Typeset, equations as typeset, latex};
 pub use matrix_form::{Held, Lines, MatrixForm};
-pub use quasi_velocities::InQuasiVelocities;
+pub use quasi_velocities::{Divisor, InQuasiVelocities};
 pub use sympy::sympy;
 pub use text::text;
 pub(crate) use turns::{FreeTurn, short_form};
@@ -28,7 +28,7 @@ use crate::equations::{Equation, Integrability, Level, constraints_of as equatio
 use crate::{FrameId, PointId, Trace, Turn, Vector};
 use num_traits::Zero;
 use reading::Reading;
-use symbolic::{Hypotheses, Sym, normal};
+use symbolic::{Hypotheses, Node, Sym, normal};
 
 /// The vectors that the model is made of, each on a line: of every frame its angular velocity, of every named point its position,
 /// velocity and acceleration, in the axes in which they were formed.
@@ -143,6 +143,47 @@ pub fn shorter(trace: &Trace<'_>, expression: Sym) -> Sym {
 
 /// Expressions with more operations are left as they are.
 const MOST_SIMPLIFIED: usize = 2_000;
+
+/// The normal form, but where its denominator was multiplied with conjugates: these vanish where the expression has a value, as
+/// sin(a - q) sin(a + q) = cos(q)^2 - cos(a)^2 does beside sin(a - q). Then numerator and denominator are each in normal form.
+pub(crate) fn simplified_as_defined(expression: Sym) -> Sym {
+    if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED {
+        return expression;
+    }
+    match normal(expression, &Hypotheses::none()) {
+        Ok(form) if !has_conjugates(form.denominator()) => form.to_sym(),
+        Ok(_) => {
+            let quotient = |expression: Sym| {
+                let leaves = expression.leaves_of().into_iter().filter(|leaf| !matches!(leaf.node(), Node::Symbol(_)));
+                // names that no system has
+                let named = |(k, leaf): (usize, Sym)| (leaf, Sym::symbol(&format!("leaf {k}")));
+                let letters: Vec<(Sym, Sym)> = leaves.enumerate().map(named).collect();
+                let back: Vec<(Sym, Sym)> = letters.iter().map(|&(leaf, letter)| (letter, leaf)).collect();
+                let form = normal(expression.substitute(&letters), &Hypotheses::none()).ok()?;
+                Some([form.numerator(), form.denominator()].map(|part| part.substitute(&back)))
+            };
+            let parts = |[above, below]: [Sym; 2]| quotient(simplified(above) / simplified(below));
+            quotient(expression).and_then(parts).map_or(expression, |[above, below]| above / below)
+        }
+        Err(_) => expression,
+    }
+}
+
+/// Whether a denominator in normal form has a sum of angles or roots as a factor.
+fn has_conjugates(denominator: Sym) -> bool {
+    let mut open = vec![denominator];
+    while let Some(each) = open.pop() {
+        match each.node() {
+            Node::Product(a, b) => open.extend([a, b]),
+            Node::Power(a, _) | Node::Negation(a) => open.push(a),
+            _ if each.node().is_leaf() => {}
+            _ => {
+                return each.leaves_of().iter().any(|leaf| !matches!(leaf.node(), Node::Symbol(_) | Node::Constant(_)));
+            }
+        }
+    }
+    false
+}
 
 pub(crate) fn simplified(expression: Sym) -> Sym {
     if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED {

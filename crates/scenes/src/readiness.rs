@@ -6,7 +6,7 @@ use crate::first_motion::missing;
 use crate::modes::{Modes, Refused};
 use crate::start::{Completed, Open, Unmet, consistent};
 use derivations::scene::Issue;
-use model::equations::{Level, constraints_of};
+use model::equations::{Level, constraints_of, dependent_everywhere};
 use model::{Fault, Implied, Model, StartValue, Trace, titles};
 use std::ops::Range;
 use std::sync::Arc;
@@ -83,8 +83,25 @@ fn completed(model: &Model) -> Result<Completed, Issue> {
 /// Why there is none, at its place.
 pub fn independent_start(model: &mut Model) -> Result<Vec<f64>, Issue> {
     let completed = completed(model)?;
-    leave_out(model, &completed.implied);
+    leave_out(model, &completed);
     Ok(completed.state)
+}
+
+/// The model without the equations of constraints that follow from others on the branch of its start alone, where it has a start.
+pub fn on_branch(model: &mut Model) {
+    let Ok(mut completed) = completed(model) else { return };
+    let everywhere = symbolic::apart(|| dependent_everywhere(&Trace::of(model), &completed.implied));
+    completed.implied.retain(|of| !everywhere.contains(of));
+    leave_out(model, &completed);
+}
+
+/// Judges quasi-velocities on the branch of the start, where they do not determine the speeds at a general point.
+pub(crate) fn settled(mut model: Model) -> Result<Model, Vec<Fault>> {
+    if !model.unsettled.is_empty() {
+        on_branch(&mut model);
+        model.settle();
+    }
+    if model.unsettled.is_empty() { Ok(model) } else { Err(model.unsettled) }
 }
 
 /// The model without the equations of constraints that follow from others at a state at which it may start.
@@ -93,26 +110,51 @@ pub fn independent_start(model: &mut Model) -> Result<Vec<f64>, Issue> {
 /// Why it may not.
 pub fn independent_at(model: &mut Model, state: &[f64]) -> Result<(), Issue> {
     let found = consistent(&starting(model, state)).map_err(|unmet| unmet_at(model, unmet))?;
-    leave_out(model, &found.implied);
+    leave_out(model, &found);
     Ok(())
 }
 
-fn leave_out(model: &mut Model, implied: &[[usize; 2]]) {
+fn leave_out(model: &mut Model, Completed { state, implied }: &Completed) {
     if implied.is_empty() {
         return;
     }
-    let titles = symbolic::apart(|| {
+    let (titles, everywhere) = symbolic::apart(|| {
         let trace = Trace::of(model);
         let titles = titles(&trace).into_iter().map(|(_, title)| title);
-        constraints_of(&trace).into_iter().map(|one| (one.of, one.at)).zip(titles).collect::<Vec<_>>()
+        let titles = constraints_of(&trace).into_iter().map(|one| (one.of, one.at)).zip(titles).collect::<Vec<_>>();
+        (titles, dependent_everywhere(&trace, implied))
     });
     for ((of, at), title) in titles.into_iter().filter(|((of, _), _)| implied.contains(of)) {
-        model.implied.push(Implied { of, title: title.clone() });
-        let title = format!("{title} follows from other constraints");
+        let branch = (!everywhere.contains(&of)).then(|| in_words(model, state));
+        model.implied.push(Implied { of, title: title.clone(), branch: branch.clone() });
+        let title = match branch {
+            None => format!("{title} follows from other constraints"),
+            Some(start) => format!("{title} follows from other constraints on the branch of the start, {start}"),
+        };
         let label = "it has no reaction here: nothing determines the shares of the others and of this one";
         let accepted = "without it the motion is the same";
         model.warnings.push(Fault { span: at, title, label: label.to_owned(), accepted: accepted.to_owned() });
     }
+}
+
+/// The first coordinates of a state with their units.
+fn in_words(model: &Model, state: &[f64]) -> String {
+    let all = model.state_names().into_iter().zip(state).take(model.positions());
+    let mut words: Vec<String> =
+        all.map(|((name, unit), value)| format!("{name} = {} {unit}", short(*value))).take(MOST_TOLD).collect();
+    if model.positions() > MOST_TOLD {
+        words.push("...".to_owned());
+    }
+    words.join(", ")
+}
+
+/// Coordinates that a sentence tells.
+const MOST_TOLD: usize = 6;
+
+/// A number to some digits: it tells branches apart.
+fn short(value: f64) -> String {
+    let rounded = (value * 1e4).round() / 1e4;
+    if rounded == 0.0 { "0".to_owned() } else { format!("{rounded}") }
 }
 
 /// The condition that a start does not meet, at its place.

@@ -5,7 +5,7 @@ use crate::compiled_system::{CompiledSystem, ENERGIES};
 use crate::ensemble::parse_ensemble;
 use crate::modes::{Ended, Modes};
 use crate::quoted_keys::with_quoted_primes;
-use crate::readiness::{ready, start_of, without_run};
+use crate::readiness::{ready, settled, start_of, without_run};
 use crate::row_units::unit_of;
 use crate::start::Branching;
 use crate::text;
@@ -72,7 +72,7 @@ pub fn read_model(path: &Path) -> Result<Model, SceneError> {
 /// The system of a file with its source; what is wrong with it goes into the list.
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
     let source = text::source(top);
-    let faults = match Model::of(&source) {
+    let faults = match Model::of(&source).and_then(settled) {
         // what could not be read is missing in it
         Ok(model) => return (!top.has_issues()).then_some((model, source)),
         Err(faults) => faults,

@@ -2,7 +2,7 @@
 
 use super::{Elaborator, Sound};
 use crate::quasi_velocities::faults;
-use crate::{Entry, Fault, Output, QuasiVelocity, ScalarId, StartSpeed, Trace};
+use crate::{Entry, Fault, Model, Output, QuasiVelocity, ScalarId, StartSpeed, Trace};
 use symbolic::{Dimension, apart};
 
 impl Elaborator<'_> {
@@ -60,7 +60,20 @@ impl Elaborator<'_> {
             return;
         }
         let model = &self.model;
-        let found = apart(|| faults(&Trace::of(model)));
-        self.faults.extend(found);
+        let (found, may_heal) = apart(|| faults(&Trace::of(model)));
+        if may_heal {
+            self.model.unsettled = found;
+        } else {
+            self.faults.extend(found);
+        }
+    }
+}
+
+impl Model {
+    /// Judges the quasi-velocities again, where constraints that follow from others have been left out.
+    pub fn settle(&mut self) {
+        if !self.unsettled.is_empty() {
+            self.unsettled = apart(|| faults(&Trace::of(self)).0);
+        }
     }
 }

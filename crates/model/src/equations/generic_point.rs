@@ -151,6 +151,12 @@ pub(crate) fn generic_rank(rows: &[Vec<Sym>]) -> usize {
     pivots(rows, &(0..columns).collect::<Vec<_>>()).len()
 }
 
+/// Whether a row depends on others at the point.
+pub(crate) fn depends(row: &[Sym], others: &[Vec<Sym>]) -> bool {
+    let all: Vec<Vec<Sym>> = others.iter().cloned().chain([row.to_vec()]).collect();
+    generic_rank(&all) == generic_rank(others)
+}
+
 /// The pivots of a matrix at the point, (row, column) of each: rows from the first, in each the first column of an order that has
 /// one. A row without a pivot depends on those before it.
 pub(crate) fn pivots(rows: &[Vec<Sym>], order: &[usize]) -> Vec<(usize, usize)> {

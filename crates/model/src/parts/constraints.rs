@@ -31,4 +31,6 @@ pub struct Implied {
     pub of: [usize; 2],
     /// As sentences call it.
     pub title: String,
+    /// The start in words, where it follows on the branch of the start and not on others.
+    pub branch: Option<String>,
 }

@@ -182,6 +182,8 @@ pub struct Model {
     pub constraints: Vec<Constraint>,
     /// Equations of constraints that follow from the others along every motion from the start: they have no reaction of their own.
     pub implied: Vec<Implied>,
+    /// Faults of quasi-velocities that are none where constraints of positions depend on each other: on the branch of the start alone.
+    pub unsettled: Vec<Fault>,
     pub outputs: Vec<Output>,
     pub inputs: Vec<Input>,
     /// Expressions at whose zeros something is chosen anew.

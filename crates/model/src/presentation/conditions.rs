@@ -38,10 +38,17 @@ pub(super) fn conditions(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Condition>
     .collect()
 }
 
-/// Sentences on the parts of a model that its equations leave out.
+/// Sentences on the parts of a model that its equations leave out, and on states at which these have no value.
 pub fn left_out(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
-    let implied = |implied: &crate::Implied| format!("{} follows from the others and is left out.", implied.title);
+    let implied = |implied: &crate::Implied| match &implied.branch {
+        None => format!("{} follows from the others and is left out.", implied.title),
+        Some(start) => format!(
+            "{} follows from the others on the branch of the start, {start}; on others it does not. It is left out.",
+            implied.title
+        ),
+    };
     let mut sentences: Vec<String> = trace.model.implied.iter().map(implied).collect();
+    sentences.extend(form.quasi.iter().flat_map(|quasi| &quasi.divisors).map(|divisor| divisor.told(trace)));
     if !conditions(trace, form).is_empty() {
         sentences.push(
             "A condition that stays at zero, such as the speed of dry friction that sticks, is not part of these equations: \

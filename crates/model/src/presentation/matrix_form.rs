@@ -4,7 +4,7 @@ use super::axes::axes;
 use super::cosines::{Cosine, cosines};
 use super::quasi_velocities::{InQuasiVelocities, collected};
 use super::reading::Reading;
-use super::simplified;
+use super::simplified_as_defined;
 use super::turns::{FreeTurn, short_form};
 use crate::equations::{Equation, Equations, Level};
 use crate::principles::{NotApplicable, Principle};
@@ -197,7 +197,7 @@ impl MatrixForm {
                     let size = Sym::operations_of(&[*each]);
                     let by_speeds =
                         (size <= MOST_COLLECTED).then(|| collected(*each, &self.speeds, short_form)).flatten();
-                    let short = (size <= MOST_CANCELLED).then(|| [short_form(*each), simplified(*each)]);
+                    let short = (size <= MOST_CANCELLED).then(|| [short_form(*each), simplified_as_defined(*each)]);
                     let forms = by_speeds.into_iter().chain(short.into_iter().flatten()).chain([*each]);
                     let forms = forms.map(|form| reading.of(form));
                     forms.min_by_key(|form| Sym::operations_of(&[*form])).unwrap_or(*each)

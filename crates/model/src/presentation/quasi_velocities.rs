@@ -2,10 +2,13 @@
 
 use super::axes::axes;
 use super::matrix_form::{Dynamics, Held, MatrixForm, without_forces};
+use super::reading_of;
 use crate::equations::constraints_of;
 use crate::principles::NotApplicable;
 use crate::{QuasiPrinciple, QuasiVelocities, Trace};
 use field::Rational;
+use rustc_hash::FxHashMap;
+use std::f64::consts::PI;
 use symbolic::{Sym, substitute_all};
 
 /// The meaning of quasi-velocities, and the constraints that hold for all of their values.
@@ -17,6 +20,33 @@ pub struct InQuasiVelocities {
     pub met: Vec<Held>,
     /// Rates of coordinates, and angular velocities of free frames.
     pub(super) rates: Vec<Sym>,
+    /// Expressions that the speeds are divided by.
+    pub divisors: Vec<Divisor>,
+}
+
+/// An expression that the speeds are divided by, where they are found from quasi-velocities.
+#[derive(Clone, Copy, Debug)]
+pub struct Divisor {
+    pub is: Sym,
+    /// Whether it vanishes at the start, where this is known.
+    pub vanishes_at_start: Option<bool>,
+}
+
+impl Divisor {
+    /// In a sentence.
+    pub(super) fn told(&self, trace: &Trace<'_>) -> String {
+        let is = reading_of(trace).of(self.is).decimal_text();
+        let sentence = format!("The quasi-velocities determine the speeds where this divisor does not vanish: {is}.");
+        match self.vanishes_at_start {
+            None => sentence,
+            Some(false) => format!("{sentence} It does not vanish at the start."),
+            Some(true) => {
+                format!(
+                    "{sentence} It vanishes at the start, where these equations have no value: other quasi-velocities do."
+                )
+            }
+        }
+    }
 }
 
 impl InQuasiVelocities {
@@ -25,6 +55,7 @@ impl InQuasiVelocities {
             definitions: map(&self.definitions),
             met: self.met.iter().map(|held| held.mapped(map)).collect(),
             rates: map(&self.rates),
+            divisors: self.divisors.clone(),
         }
     }
 }
@@ -36,6 +67,27 @@ impl MatrixForm {
         let all: Vec<Sym> = self.mass.iter().chain(vectors).flatten().copied().collect();
         let operations = Sym::operations_of(&all);
         (self.quasi.is_some() && operations > MOST_READ).then_some(operations)
+    }
+
+    /// The same where it is known which divisors of the speeds vanish at a start, whose parameters have values.
+    #[must_use]
+    pub fn with_start(mut self, trace: &Trace<'_>, start: &[f64]) -> Self {
+        let value = |is: Sym, by: f64| {
+            let moved = start.iter().enumerate().map(|(k, value)| value + by * (1.0 + k as f64).sqrt());
+            let state = trace.coordinates.iter().zip(moved).map(|(letter, value)| (letter.to_string(), value));
+            let parameters = trace.model.parameters.iter();
+            let parameters = parameters.filter_map(|one| one.value.map(|value| (one.name.clone(), value)));
+            let own = [(trace.time.to_string(), 0.0), (trace.pi.to_string(), PI)];
+            let values: FxHashMap<String, f64> = state.chain(parameters).chain(own).collect();
+            is.evaluate_analytic(&|name| values.get(name).copied()).ok()
+        };
+        for divisor in self.quasi.iter_mut().flat_map(|quasi| &mut quasi.divisors) {
+            let beside = [0.1, -0.07].into_iter().filter_map(|by| value(divisor.is, by));
+            let size = beside.fold(0.0, |most: f64, value: f64| most.max(value.abs()));
+            divisor.vanishes_at_start =
+                value(divisor.is, 0.0).map(|value| value.is_nan() || value.abs() <= ROUNDED * size);
+        }
+        self
     }
 
     /// By a principle in quasi-velocities; reactions of constraints that hold have no power along these, and are no part of it.
@@ -76,12 +128,16 @@ impl MatrixForm {
             definitions: quasi.definitions.clone(),
             met: met.into_iter().map(|(one, axis)| Held::of(one, axis)).collect(),
             rates: trace.speeds.clone(),
+            divisors: quasi.divisors.iter().map(|&is| Divisor { is, vanishes_at_start: None }).collect(),
         };
         let switches =
             form.switches.iter().map(|&(letter, is)| (letter, quasi.by_quasi_velocities(&[is])[0])).collect();
         Ok(MatrixForm { quasi: Some(quasi_velocities), switches, ..form })
     }
 }
+
+/// A divisor below this part of its values nearby vanishes but for rounding.
+const ROUNDED: f64 = 1e-10;
 
 /// Longer systems are code alone.
 const MOST_READ: usize = 5_000;

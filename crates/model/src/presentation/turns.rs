@@ -1,6 +1,6 @@
 //! Expressions of direction cosines, which are not independent of each other.
 
-use super::simplified;
+use super::{simplified, simplified_as_defined};
 use crate::equations::vanishes;
 use field::{Rational, Scalar};
 use symbolic::Sym;
@@ -20,7 +20,7 @@ pub(crate) fn short_form(expression: Sym, turns: &[FreeTurn]) -> Sym {
     let of = |pairs: fn(&Lettered) -> Vec<(Sym, Sym)>| lettered.iter().flat_map(pairs).collect::<Vec<_>>();
     let in_letters = expression.substitute(&of(|turn| turn.pairs(|letter, cosine| (cosine, letter))));
     let short = lettered.iter().fold(in_letters, |known, turn| turn.shorter(known));
-    simplified(short).substitute(&of(|turn| turn.pairs(|letter, cosine| (letter, cosine))))
+    simplified_as_defined(short).substitute(&of(|turn| turn.pairs(|letter, cosine| (letter, cosine))))
 }
 
 /// A free frame's turn with letters for its direction cosines.

@@ -4,8 +4,16 @@ use crate::equations::{Equation, generic_pivots};
 use crate::{Fault, QuasiVelocity, Trace};
 use symbolic::Sym;
 
+/// Why quasi-velocities do not determine the speeds.
+pub(super) enum Dependence {
+    /// What they are made of.
+    Forms(Vec<Fault>),
+    /// Their number, or that of directions that they and constraints hold, at a general point.
+    Ranks(Fault),
+}
+
 /// The places of the constraints that are independent.
-pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sym]) -> Result<Vec<usize>, Vec<Fault>> {
+pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sym]) -> Result<Vec<usize>, Dependence> {
     let speeds = &trace.model.quasi_velocities;
     let n = trace.speeds.len();
     let slopes = |rate: &Sym| (0..n).map(|i| trace.by_speed(*rate, i)).collect::<Vec<Sym>>();
@@ -17,13 +25,14 @@ pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sy
         .filter_map(|((speed, is), row)| form(trace, speed, *is, row))
         .collect();
     if !faults.is_empty() {
-        return Err(faults);
+        return Err(Dependence::Forms(faults));
     }
     let moves = |sym: &Sym| sym.symbols_of().iter().any(|symbol| trace.speeds.contains(symbol));
     if let Some(place) = met.iter().position(|constraint| constraint.row.iter().any(moves)) {
         let title = format!("{} is not linear in the speeds", met[place].title(place));
         let accepted = "constraints that are linear in the speeds; without [speeds] this one is accepted";
-        return Err(vec![Fault::at(met[place].at.clone(), title, "quasi-velocities cannot meet it", accepted)]);
+        let fault = Fault::at(met[place].at.clone(), title, "quasi-velocities cannot meet it", accepted);
+        return Err(Dependence::Forms(vec![fault]));
     }
     let all: Vec<Vec<Sym>> = met.iter().map(|constraint| constraint.row.clone()).chain(rows).collect();
     let order: Vec<usize> = (0..n).collect();
@@ -42,12 +51,12 @@ pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sy
         let title = format!("{freedom}, and [speeds] has {}: {} too many", speeds.len(), speeds.len() - needed);
         let at = dependent.first().map_or(0..0, |&place| speeds[place].at.clone());
         let rest = if constraints.is_empty() { "those before" } else { "the constraints and those before" };
-        return Err(vec![Fault::at(
+        return Err(Dependence::Ranks(Fault::at(
             at,
             title,
             format!("determined by {rest}"),
             format!("without {}", named(&dependent)),
-        )]);
+        )));
     }
     // rates that would complete what is independent
     let units = (0..n).map(|i| (0..n).map(|j| if i == j { Sym::ONE } else { Sym::ZERO }).collect());
@@ -63,12 +72,12 @@ pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sy
             "the constraints and the quasi-velocities before it"
         };
         let title = format!("the quasi-velocity `{name}` depends on {others}");
-        return Err(vec![Fault::at(
+        return Err(Dependence::Ranks(Fault::at(
             at.clone(),
             title,
             "it adds no direction",
             format!("an expression that holds {free} too"),
-        )]);
+        )));
     }
     if speeds.len() < needed {
         let title = format!("{freedom}, and [speeds] has {}: {} missing", speeds.len(), needed - speeds.len());
@@ -77,7 +86,7 @@ pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sy
             1 => format!("one more that holds {free}"),
             missing => format!("{missing} more that hold {free}"),
         };
-        return Err(vec![Fault::at(at, title, "the last of them", accepted)]);
+        return Err(Dependence::Ranks(Fault::at(at, title, "the last of them", accepted)));
     }
     Ok(constraints)
 }

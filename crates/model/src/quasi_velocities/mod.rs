@@ -22,9 +22,10 @@ mod virtual_power;
 
 pub use reduced_equations::{QuasiPrinciple, quasi_agreement};
 
-use crate::equations::{Equation, constraints_of};
+use crate::equations::{Equation, Level, constraints_of};
 use crate::trace::turned_axes;
 use crate::{Fault, FrameId, Trace, Turn, Vector};
+use independence::Dependence;
 use inverse::{Solution, solved};
 use short_forms::ShortForms;
 use std::cell::RefCell;
@@ -74,7 +75,7 @@ struct Independent {
 }
 
 impl Independent {
-    fn of(trace: &Trace<'_>) -> Result<Self, Vec<Fault>> {
+    fn of(trace: &Trace<'_>) -> Result<Self, Dependence> {
         let (met, programmed): (Vec<Equation>, Vec<Equation>) =
             constraints_of(trace).into_iter().partition(|constraint| constraint.gains.is_none());
         let quasi_velocities = trace.model.quasi_velocities.iter();
@@ -84,9 +85,17 @@ impl Independent {
     }
 }
 
-/// Faults of the quasi-velocities of a model.
-pub(crate) fn faults(trace: &Trace<'_>) -> Vec<Fault> {
-    Independent::of(trace).err().unwrap_or_default()
+/// Faults of the quasi-velocities of a model, and whether they may be none on the branch of the start: constraints of positions may be
+/// dependent there, and at a general point are not.
+pub(crate) fn faults(trace: &Trace<'_>) -> (Vec<Fault>, bool) {
+    match Independent::of(trace) {
+        Ok(_) => (Vec::new(), false),
+        Err(Dependence::Forms(faults)) => (faults, false),
+        Err(Dependence::Ranks(fault)) => {
+            let is_kept = |one: &Equation| one.gains.is_none() && one.level == Level::Position;
+            (vec![fault], constraints_of(trace).iter().any(is_kept))
+        }
+    }
 }
 
 impl<'t, 'm> QuasiVelocities<'t, 'm> {
@@ -96,7 +105,11 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
     /// Each of them that is not affine in the speeds or depends on others; or how many are missing.
     pub fn of(trace: &'t Trace<'m>) -> Result<Self, Vec<Fault>> {
         let model = trace.model;
-        let Independent { met, programmed, definitions, independent } = Independent::of(trace)?;
+        let Independent { met, programmed, definitions, independent } =
+            Independent::of(trace).map_err(|dependence| match dependence {
+                Dependence::Forms(faults) => faults,
+                Dependence::Ranks(fault) => vec![fault],
+            })?;
         let letters = |primes: &str, dot: &str| -> Vec<Sym> {
             let named = |speed: &crate::QuasiVelocity| {
                 let latex = Sym::symbol(&speed.name).latex();

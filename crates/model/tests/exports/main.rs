@@ -2,12 +2,14 @@
 
 mod languages;
 mod notation;
+mod rolling;
 mod systems;
 mod tops;
 
 use model::equations::{Equations, constraints_of};
 use model::principles::Principle;
 use model::{MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Source, Trace};
+use rolling::{bowl, joined_bodies, sliding_wedge, turning_incline, turntable};
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -41,6 +43,7 @@ fn cases() -> Vec<Case> {
         rates.extend(&expected[..speeds.len()]);
         Case { name, model, time, coordinates, speeds, expected, rates }
     };
+    let joined = [0.0, 0.1, -0.25, 0.0, 0.1, -0.75, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
     vec![
         case("faller", faller(), &[0.2], &[0.1]),
         case("oscillator", oscillator(), &[0.8, -0.3], &[0.4, 1.1]),
@@ -50,6 +53,11 @@ fn cases() -> Vec<Case> {
         case("free_top", free_top(), &[0.8, -0.3, 0.5, 0.2], &[0.4, 3.0, -7.0]),
         case("pinned_plate", pinned_plate(), &[0.1, 0.4, 0.8, -0.3, 0.5, 0.2], &[0.3, -0.2, 0.4, 3.0, -7.0]),
         case("rolling_disc", rolling_disc(), &[0.1, 0.4, 0.8, -0.3, 0.5], &[0.3, 5.0, -0.7]),
+        case("turntable", turntable(), &[0.5, 0.2, 1.0, 0.0, 0.0, 0.0], &[0.1, 0.2, 3.0]),
+        case("turning_incline", turning_incline(), &[0.5, 0.2, 1.0, 0.0, 0.0, 0.0], &[0.1, 0.2, 3.0]),
+        case("sliding_wedge", sliding_wedge(), &[0.5, 0.2, 0.1, 1.0, 0.0, 0.0, 0.0], &[0.1, 0.2, 3.0, -0.3]),
+        case("bowl", bowl(), &[0.3, 0.1, -0.4, 1.0, 0.0, 0.0, 0.0], &[0.3, 0.1, 2.0]),
+        case("joined_bodies", joined_bodies(), &joined, &[0.4, -0.3, 5.0, 0.2, 0.7, -0.6]),
         case("led_plate", led_plate(), &[0.1, 0.4, 0.8, -0.3, 0.5, 0.2], &[0.3, -0.2, 0.4, 3.0]),
     ]
 }
@@ -118,7 +126,8 @@ fn form(trace: &Trace<'_>) -> MatrixForm {
         return MatrixForm::of(trace, Principle::Lagrange).expect("it applies");
     }
     let quasi = QuasiVelocities::of(trace).expect("they are independent");
-    MatrixForm::in_quasi_velocities(trace, &quasi, QuasiPrinciple::Hamel).expect("it applies")
+    let principle = if trace.model.free.is_empty() { QuasiPrinciple::Hamel } else { QuasiPrinciple::VirtualPower };
+    MatrixForm::in_quasi_velocities(trace, &quasi, principle).expect("it applies")
 }
 
 fn code(case: &Case, language: Language) -> String {
