@@ -1,7 +1,7 @@
 //! The start and the law of a model that can run; of another one the reason, at its place in the file.
 
 use crate::compiled_system::{CompiledSystem, NotCompiled, plain};
-use crate::equilibrium::{NoEquilibrium, equilibrium};
+use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::first_motion::missing;
 use crate::modes::{Modes, Refused};
 use crate::start::{Completed, Open, Unmet, consistent};
@@ -71,7 +71,7 @@ pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
 fn completed(model: &Model) -> Result<Completed, Issue> {
     let completed = match &model.equilibrium {
         None => consistent(model),
-        Some(_) => consistent(&at_rest(model, false)?),
+        Some(_) => consistent(&at_rest(model)?),
     };
     completed.map_err(|unmet| unmet_at(model, unmet))
 }
@@ -218,22 +218,26 @@ pub(crate) fn changes(model: &Model, what: &str) -> Issue {
     issue.accepted("a system with one law and a start of numbers; `run` runs this one")
 }
 
-/// The equilibrium near the coordinates at the start, all of which may move.
+/// The equilibrium near the coordinates at the start, all of which may move, whatever speeds the start has.
 ///
 /// # Errors
 /// Why there is none.
-pub fn equilibrium_of(model: &Model) -> Result<Vec<f64>, Issue> {
-    Ok(at_rest(model, true)?.start_state())
+pub fn equilibrium_of(model: &Model) -> Result<Equilibrium, Issue> {
+    sought(model, true)
 }
 
 /// The model with an equilibrium as its start.
-fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
+fn at_rest(model: &Model) -> Result<Model, Issue> {
     if let Some(start) = model.start_speeds.iter().find(|start| start.value != 0.0) {
         let name = &model.quasi_velocities[start.of].name;
         let issue = Issue::at(start.at.clone(), "an equilibrium has no speeds", format!("{name} is not zero"));
         return Err(issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted"));
     }
-    let found = equilibrium(model, all).map_err(|why| {
+    Ok(starting(model, &sought(model, false)?.state))
+}
+
+fn sought(model: &Model, all: bool) -> Result<Equilibrium, Issue> {
+    equilibrium(model, all).map_err(|why| {
         let at = model.equilibrium.clone().unwrap_or_default();
         match why {
             NoEquilibrium::NotCompiled(NotCompiled::Changes) => {
@@ -252,8 +256,7 @@ fn at_rest(model: &Model, all: bool) -> Result<Model, Issue> {
                 issue.accepted("coordinates nearer to one, written as guesses so that they may move: \"guess 0.3 rad\"")
             }
         }
-    })?;
-    Ok(starting(model, &found.state))
+    })
 }
 
 /// The model with a state as its start.

@@ -152,7 +152,12 @@ fn instances(model: &mut Model, asked: &Asked) -> Result<Vec<points::Instance>, 
     }
     let state = match asked.about {
         About::Start => independent_start(model),
-        About::Equilibrium => equilibrium_of(model).and_then(|state| independent_at(model, &state).map(|()| state)),
+        About::Equilibrium => equilibrium_of(model).and_then(|found| {
+            if let Some(choice) = found.choice() {
+                warn(&format!("note: {}: {choice}", asked.scene.display()));
+            }
+            independent_at(model, &found.state).map(|()| found.state)
+        }),
     };
     match state {
         Ok(state) => Ok(vec![(0.0, state)]),

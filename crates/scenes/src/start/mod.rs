@@ -4,9 +4,11 @@
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
 mod branching;
+mod leaf;
 mod redundancy;
 
 pub(crate) use branching::Branching;
+pub(crate) use leaf::Leaf;
 
 use crate::compiled_system::{NotCompiled, has_values};
 use crate::layout::Layout;

@@ -32,7 +32,7 @@ fn a_hanging_double_pendulum_has_its_two_frequencies() {
     let text = std::fs::read_to_string(stored("double_pendulum")).expect("it is there");
     let hanging = text.replace("a = \"120 deg\"", "a = \"0.1 rad\"").replace("b = \"90 deg\"", "b = \"-0.2 rad\"");
     let scene = scene(&hanging);
-    let state = equilibrium_of(&scene.model).unwrap_or_else(|why| panic!("{}", why.title));
+    let state = equilibrium_of(&scene.model).unwrap_or_else(|why| panic!("{}", why.title)).state;
     assert!(state.iter().all(|value| value.abs() < 1e-14), "{state:?}");
     let (_, found) = linear(&scene.model, &state, &[]);
     let all = eigenvalues(&found.a);

@@ -13,7 +13,7 @@ const SPRING: &str = "title = \"A mass on a spring\"\ngravity = \"-g*N.y\"\n[par
 fn an_equilibrium_is_found_from_a_guess_at_which_a_force_is_stationary() {
     let text = std::fs::read_to_string(stored("double_pendulum")).expect("it is there");
     let level = text.replace("a = \"120 deg\"", "a = \"90 deg\"");
-    let state = equilibrium_of(&scene(&level).model).unwrap_or_else(|why| panic!("{}", why.title));
+    let state = equilibrium_of(&scene(&level).model).unwrap_or_else(|why| panic!("{}", why.title)).state;
     assert!(state.iter().all(|value| value.sin().abs() < 1e-12), "{state:?}");
 }
 
@@ -53,4 +53,51 @@ fn an_equilibrium_keeps_constraints_and_given_coordinates() {
 fn a_start_of_a_scene_is_that_of_its_linear_equations() {
     let scene = scene(CART);
     assert_eq!(start_of(&scene.model).unwrap_or_else(|why| panic!("{}", why.title)), scene.start);
+}
+
+const WHEEL: &str = "title = \"A wheel on a spring\"\n[parameters]\nm = \"2 kg\"\nk = \"50 N/m\"\nr = \"0.2 m\"\n[coordinates]\nx = \"m\"\ntheta = \"rad\"\n\
+    [speeds]\nw = \"theta'\"\n[frames]\nA = \"N turned -theta about z\"\n[points]\nP = \"O + x*N.x\"\n\
+    [bodies.wheel]\nframe = \"A\"\ncentre = \"P\"\nmass = \"m\"\ninertia = \"m*r^2/2\"\n\
+    [[force]]\non = \"P\"\nis = \"-k*x*N.x\"\n[[constraint]]\nname = \"roll\"\nzero = \"x' - r*theta'\"\n\
+    [start]\nx = \"0.3 m\"\ntheta = \"0.5 rad\"\nw = \"3 rad/s\"\n[run]\nspan = \"1 s\"\n";
+
+const BOWL: &str = "title = \"A ball in a bowl\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"0.2 kg\"\nr = \"0.05 m\"\ng = \"9.81 m/s^2\"\n\
+    [coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[frames]\nF = \"N free\"\n\
+    [points]\nC = \"O + x*N.x + y*N.y + z*N.z\"\nK = \"C + r*unit(C - O)\"\n\
+    [bodies.ball]\nframe = \"F\"\ncentre = \"C\"\nmass = \"m\"\ninertia = { principal = [\"2/5*m*r^2\", \"2/5*m*r^2\", \"2/5*m*r^2\"] }\n\
+    [[constraint]]\nname = \"roll\"\nzero = \"velocity(ball at K)\"\n\
+    [start]\nx = \"0.3 m\"\nz = \"-0.4 m\"\n\"y'\" = \"0.5 m/s\"\n\"F.wx\" = \"guess 0 rad/s\"\n[run]\nspan = \"1 s\"\n";
+
+/// The wheel turns back by as much as it rolls; the ball stays in its bowl, and has turned by the length of its way over its radius.
+#[test]
+fn an_equilibrium_is_one_that_motions_along_constraints_of_speeds_reach() {
+    let found = equilibrium_of(&scene(WHEEL).model).unwrap_or_else(|why| panic!("{}", why.title));
+    let [x, theta, ..] = found.state[..] else { panic!("{found:?}") };
+    assert!(x.abs() < 1e-12 && (theta - (0.5 - 0.3 / 0.2)).abs() < 1e-10, "{found:?}");
+    assert_eq!((found.family, found.is_reached), (0, true));
+    let found = equilibrium_of(&scene(BOWL).model).unwrap_or_else(|why| panic!("{}", why.title));
+    let [x, y, z, q0, ..] = found.state[..] else { panic!("{found:?}") };
+    assert!(x.abs().max(y.abs()) < 1e-9 && (z + 0.5).abs() < 1e-10, "{found:?}");
+    let half = 0.6_f64.asin() * 0.5 / 0.05 / 2.0;
+    assert!((q0.abs() - half.cos().abs()).abs() < 1e-9, "{found:?}");
+    assert_eq!((found.family, found.is_reached), (1, true));
+    // a guess is where the ball begins, too
+    let resting = BOWL.replace(
+        "x = \"0.3 m\"\nz = \"-0.4 m\"\n\"y'\" = \"0.5 m/s\"",
+        "equilibrium = true\nx = \"guess 0.3 m\"\nz = \"guess -0.4 m\"",
+    );
+    let start = scene(&resting).start;
+    assert!((start[2] + 0.5).abs() < 1e-10, "{start:?}");
+}
+
+/// The angle is given and stays: the wheel stands where none rolls to from its guess.
+#[test]
+fn a_start_at_rest_is_sought_beside_the_ways_that_motions_have() {
+    let text =
+        WHEEL.replace("x = \"0.3 m\"", "equilibrium = true\nx = \"guess 0.3 m\"").replace("w = \"3 rad/s\"\n", "");
+    let start = scene(&text).start;
+    assert!(start[0].abs() < 1e-12 && start[1] == 0.5, "{start:?}");
+    let moving = WHEEL.replace("x = \"0.3 m\"", "equilibrium = true\nx = \"guess 0.3 m\"");
+    let refused = ModelScene::parse("scene.toml", &moving).expect_err("it moves").to_string();
+    assert!(refused.contains("an equilibrium has no speeds") && refused.contains("w is not zero"), "{refused}");
 }

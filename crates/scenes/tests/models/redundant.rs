@@ -2,8 +2,10 @@
 
 use derivations::scene::{Axes, Choice, Smooth};
 use integrators::Method;
+use model::{QuasiPrinciple, QuasiVelocities, Trace};
 use scenes::linearisation::{VariedEquations, eigenvalues};
 use scenes::{ModelScene, independent_start, parse_ensemble};
+use std::collections::HashMap;
 use std::time::Duration;
 
 /// A rod on three parallel cranks: the third holds along the rod what the second holds.
@@ -66,7 +68,9 @@ fn with(from: &str, to: &str) -> String {
 fn a_constraint_that_follows_from_others_is_named_and_runs_without_a_reaction() {
     let scene = scene(CRANKS);
     let [warning] = &scene.model.warnings[..] else { panic!("{:?}", scene.model.warnings) };
-    assert_eq!(warning.title, "constraint 3 `third` along C.x follows from other constraints");
+    let start = "a = 1.3963 rad, b = 1.3963 rad, c = 1.3963 rad, d = 0 rad";
+    let title = "constraint 3 `third` along C.x follows from other constraints on the branch of the start";
+    assert_eq!(warning.title, format!("{title}, {start}"));
     assert_eq!(&CRANKS[warning.span.clone()], "P + (2 m)*D.x - R");
     for method in [Method::DormandPrince8, Method::Taylor, Method::RadauIIA { stages: 5 }] {
         let (last, kept) = super::end(&scene, method, 1e-10);
@@ -78,6 +82,39 @@ fn a_constraint_that_follows_from_others_is_named_and_runs_without_a_reaction() 
         assert_eq!(last[8], 0.0);
         assert!(last[9].abs() > 1e-3, "{last:?}");
     }
+}
+
+/// Four constraints and four angles: at a general point nothing moves, and on the branch of the start one crank leads the others.
+#[test]
+fn quasi_velocities_are_judged_on_the_branch_of_the_start() {
+    let text = with("[frames]", "[speeds]\nw1 = \"b'\"\n[frames]").replace("[run]", "w1 = \"2 rad/s\"\n[run]");
+    let scene = scene(&text);
+    assert_eq!(scene.model.implied.len(), 1);
+    let equations = VariedEquations::of(&scene.model, &[]).expect("it has them");
+    let point = equations.with_accelerations(equations.point(0.0, &scene.start)).expect("it is determined");
+    let acceleration: f64 = symbolic::apart(|| {
+        let trace = Trace::of(&scene.model);
+        let quasi = QuasiVelocities::of(&trace).expect("they are independent");
+        let residual = QuasiPrinciple::VirtualPower.residual(&quasi).expect("it applies")[0];
+        let letters = scene.model.state_names().into_iter().map(|(name, _)| name).zip(scene.start.iter().copied());
+        let parameters = scene.model.parameters.iter().filter_map(|one| Some((one.name.clone(), one.value?)));
+        let mut values: HashMap<String, f64> = letters.chain(parameters).chain([("w1".to_owned(), 2.0)]).collect();
+        let mut at = |acceleration: f64| {
+            values.insert("w1'".to_owned(), acceleration);
+            residual.evaluate_analytic(&|name| values.get(name).copied()).expect("every letter has a value")
+        };
+        let bias: f64 = at(0.0);
+        -bias / (at(1.0) - bias)
+    });
+    assert!((acceleration - point.accelerations[1]).abs() < 1e-10 * acceleration.abs(), "{acceleration}: {point:?}");
+    let refused = |text: &str| ModelScene::parse("cranks.toml", text).expect_err("it is wrong").to_string();
+    let two = text.replace("w1 = \"b'\"", "w1 = \"b'\"\nw2 = \"c'\"");
+    let found = refused(&two);
+    assert!(found.contains("the speeds have one degree of freedom, and [speeds] has 2: 1 too many"), "{found}");
+    // another branch, on which the cranks hold each other
+    let apart = text.replace("c = \"80 deg\"", "c = \"-80 deg\"");
+    let found = refused(&apart);
+    assert!(found.contains("the speeds have 0 degrees of freedom, and [speeds] has 1: 1 too many"), "{found}");
 }
 
 #[test]

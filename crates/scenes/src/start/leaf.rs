@@ -1,0 +1,97 @@
+//! The positions that motions from a place reach where constraints hold speeds.
+//!
+//! Displacements d with J d = 0, one after the other, are all that constraints J u = 0 leave. Where these can be integrated they keep
+//! their constants along any such way, a ball in a bowl its distance from the centre; where they cannot, the way leads everywhere.
+
+use super::{Constraints, RANK, start_speeds};
+use model::Model;
+use model::equations::Level;
+use nalgebra::{DMatrix, DVector};
+
+/// A part of a way, in radians or metres: the classical method of Runge and Kutta leaves 1e-12 of it.
+const PART: f64 = 0.004;
+
+/// Parts of the longest way.
+const MOST_PARTS: f64 = 1_000.0;
+
+/// Ways along constraints of speeds.
+pub(crate) struct Leaf<'m> {
+    model: &'m Model,
+    constraints: Constraints,
+    /// Places of the constraints of speeds that hold.
+    rows: Vec<usize>,
+    parameters: Vec<f64>,
+}
+
+impl<'m> Leaf<'m> {
+    /// None where no constraint holds speeds.
+    pub fn of(model: &'m Model) -> Option<Self> {
+        let constraints = Constraints::of(model).ok()??;
+        let is_of_speeds = |row: &usize| constraints.known[*row].level == Level::Speed;
+        let rows: Vec<usize> = (0..constraints.kept).filter(is_of_speeds).collect();
+        let values: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
+        let parameters = [values, start_speeds(model)].concat();
+        (!rows.is_empty()).then_some(Leaf { model, constraints, rows, parameters })
+    }
+
+    /// Directions of some speeds, the others at rest, that the constraints leave: orthonormal columns over these speeds.
+    pub fn directions(&self, coordinates: &[f64], free: &[usize]) -> DMatrix<f64> {
+        let projector = self.projector(coordinates, free);
+        if !projector.iter().all(|entry| entry.is_finite()) {
+            return DMatrix::zeros(free.len(), 0);
+        }
+        let parts = projector.symmetric_eigen();
+        // eigenvalues are one and zero
+        let left: Vec<usize> = (0..free.len()).filter(|&place| parts.eigenvalues[place] > 0.5).collect();
+        parts.eigenvectors.select_columns(&left)
+    }
+
+    /// I - J^+ J.
+    fn projector(&self, coordinates: &[f64], free: &[usize]) -> DMatrix<f64> {
+        let layout = self.constraints.layout;
+        let state = [coordinates, &vec![0.0; layout.speeds()]].concat();
+        let values = self.constraints.values(0.0, &state, &self.parameters);
+        let all = self.constraints.rows(&values, self.constraints.known.len());
+        let jacobian = DMatrix::from_fn(self.rows.len(), free.len(), |row, place| all[(self.rows[row], free[place])]);
+        let identity = DMatrix::identity(free.len(), free.len());
+        if free.is_empty() || !jacobian.iter().all(|entry| entry.is_finite()) {
+            return identity * f64::NAN;
+        }
+        let decomposed = jacobian.clone().svd(true, true);
+        let least = RANK * decomposed.singular_values.amax();
+        match decomposed.solve(&jacobian, least) {
+            Ok(along) => identity - along,
+            Err(_) => identity * f64::NAN,
+        }
+    }
+
+    /// The coordinates at the end of a way that begins with a displacement and follows it as far as the constraints leave it.
+    pub fn along(&self, coordinates: &[f64], free: &[usize], displacement: &DVector<f64>) -> Vec<f64> {
+        let parts = (displacement.amax() / PART).ceil().clamp(1.0, MOST_PARTS);
+        let step = 1.0 / parts;
+        let rate = |at: &DVector<f64>| -> DVector<f64> {
+            let moving = self.projector(at.as_slice(), free) * displacement;
+            let mut state = at.as_slice().to_vec();
+            state.resize(at.len() + self.constraints.layout.speeds(), 0.0);
+            for (&speed, part) in free.iter().zip(moving.iter()) {
+                state[at.len() + speed] = *part;
+            }
+            let mut rates = vec![0.0; at.len()];
+            self.model.position_rates(&state, &mut rates);
+            DVector::from_vec(rates)
+        };
+        let mut at = DVector::from_column_slice(coordinates);
+        for _ in 0..parts as usize {
+            let first = rate(&at);
+            let second = rate(&(&at + &first * (step / 2.0)));
+            let third = rate(&(&at + &second * (step / 2.0)));
+            let last = rate(&(&at + &third * step));
+            at += (first + (second + third) * 2.0 + last) * (step / 6.0);
+            for (_, own) in self.constraints.layout.turning() {
+                let length = at.rows(own, 4).norm();
+                at.rows_mut(own, 4).unscale_mut(length);
+            }
+        }
+        at.as_slice().to_vec()
+    }
+}
