@@ -8,7 +8,7 @@ use derivations::derive::{Equation, Principle, derive as equations_of, motor_of}
 use derivations::scene::any::holds_model;
 use derivations::scene::file::read_text;
 use derivations::scene::{Axes, Family, Scene};
-use model::{MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Trace, constraints, vectors};
+use model::{Fault, MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Trace, constraints, vectors};
 use std::path::Path;
 use symbolic::{Language, Sym, Tape};
 
@@ -165,19 +165,36 @@ fn quasi_principle(asked: &Asked, model: &Model) -> Option<QuasiPrinciple> {
     }
 }
 
+/// Longer texts have letters for the slopes of speeds, where these make them shorter.
+const LONGEST_WITHOUT_LETTERS: usize = 8_000;
+
 /// The equations of motion in the quasi-velocities of a file.
 fn in_quasi_velocities(asked: &Asked, model: &Model, file: &str, principle: QuasiPrinciple) -> Result<String, Ending> {
     symbolic::apart(|| {
         let trace = Trace::of(model);
-        // judged when the file was read
-        let quasi =
-            QuasiVelocities::of(&trace).map_err(|_| Ending::refused("its quasi-velocities are not independent"))?;
-        let form = MatrixForm::in_quasi_velocities(&trace, &quasi, principle).map_err(Ending::refused)?;
-        let form = match start_of(model) {
-            Ok(start) => form.with_start(&trace, &start),
-            Err(_) => form,
+        let start = start_of(model).ok();
+        let written = |quasi: Result<QuasiVelocities<'_, '_>, Vec<Fault>>| {
+            // judged when the file was read
+            let quasi = quasi.map_err(|_| Ending::refused("its quasi-velocities are not independent"))?;
+            let form = MatrixForm::in_quasi_velocities(&trace, &quasi, principle).map_err(Ending::refused)?;
+            let form = match &start {
+                Some(start) => form.with_start(&trace, start),
+                None => form,
+            };
+            Ok::<MatrixForm, Ending>(form.in_file(model, file))
+        };
+        let mut form = written(QuasiVelocities::of(&trace))?;
+        let is_code = matches!(asked.format, Some(Equations::C | Equations::Python | Equations::Rust));
+        let length = |form: &MatrixForm| match form.operations_beyond_reading() {
+            None => model::text(&trace, &form.for_reading()).len(),
+            Some(_) => usize::MAX,
+        };
+        if principle != QuasiPrinciple::Hamel && !is_code && length(&form) > LONGEST_WITHOUT_LETTERS {
+            let named = written(QuasiVelocities::named(&trace))?;
+            if length(&named) < length(&form) {
+                form = named;
+            }
         }
-        .in_file(model, file);
         Ok(echoed(asked, &trace) + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
 }

@@ -52,7 +52,7 @@ pub use presentation::{
     Cosine, Divisor, Held, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out,
     shorter, sympy, text, titles, typeset, vectors,
 };
-pub use quasi_velocities::{QuasiPrinciple, QuasiVelocities, quasi_agreement};
+pub use quasi_velocities::{Coefficient, QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{
     BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source, Text,
 };

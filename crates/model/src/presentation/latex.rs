@@ -12,8 +12,8 @@ pub struct Typeset {
     pub right: String,
 }
 
-/// Groups of equations that belong together: the form, quasi-velocities, rates of coordinates that are no speeds, direction cosines of
-/// free frames, parameters, M, h, Q, constraints with multipliers, those that hold for all quasi-velocities, conditions.
+/// Groups of equations that belong together: the form, quasi-velocities, rates of coordinates that are no speeds, letters in these,
+/// direction cosines of free frames, parameters, M, h, Q, constraints with multipliers, those that hold for all quasi-velocities, conditions.
 pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let equation = |left: String, right: String| Typeset { left, right };
     let held = !form.constraints.is_empty();
@@ -36,6 +36,11 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let turned = form.positions.iter().zip(&form.position_rates).skip(form.plain());
     let turned =
         turned.map(|(part, rate)| equation(format!(r"\dot{{{}}}", part.latex()), rate.decimal_latex())).collect();
+    let coefficients = form.quasi.iter().flat_map(|quasi| &quasi.coefficients).flat_map(|each| {
+        [(each.letter, each.is), (each.rate, each.rate_is)]
+            .map(|(letter, is)| equation(letter.latex(), is.decimal_latex()))
+    });
+    let coefficients = coefficients.collect();
     let cosines = form.cosines.iter().map(|cosine| equation(cosine.letter.latex(), cosine.value.decimal_latex()));
     let cosines = cosines.collect();
     let known = trace.model.parameters.iter().zip(&form.parameters).filter(|(parameter, _)| parameter.value.is_some());
@@ -81,7 +86,8 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     });
     let chosen: Vec<Typeset> = chosen.flatten().collect();
     let (inertia, forces) = (vector("h", &form.inertia), vector("Q", &form.forces));
-    let groups = vec![first, meanings, turned, cosines, parameters, mass, inertia, forces, held_to, met, chosen];
+    let groups =
+        vec![first, meanings, turned, coefficients, cosines, parameters, mass, inertia, forces, held_to, met, chosen];
     groups.into_iter().filter(|group| !group.is_empty()).collect()
 }
 

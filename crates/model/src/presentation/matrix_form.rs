@@ -186,7 +186,10 @@ impl MatrixForm {
         let parameters = self.parameters.iter().copied().zip(self.positive.iter().copied());
         let parameters = parameters.chain([(Sym::symbol("pi"), true)]);
         let rates = self.quasi.iter().flat_map(|quasi| &quasi.rates);
+        let coefficients = self.quasi.iter().flat_map(|quasi| &quasi.coefficients);
+        let coefficients = coefficients.flat_map(|each| [each.letter, each.rate]);
         let letters = [&self.positions, &self.speeds, &self.accelerations].into_iter().flatten().chain(rates).copied();
+        let letters = letters.chain(coefficients);
         let named = self.cosines.iter().map(|cosine| (cosine.value, cosine.letter));
         let mut reading = Reading::new(parameters, letters.chain([self.time])).with_letters(named);
         let mut form = match self.quasi {
@@ -219,8 +222,10 @@ impl MatrixForm {
     pub(super) fn expressions(&self) -> impl Iterator<Item = Sym> {
         let held = self.constraints.iter().flat_map(|held| held.row.iter().chain([&held.zero, &held.bias]));
         let conditions = self.switches.iter().map(|(_, condition)| condition);
+        let coefficients = self.quasi.iter().flat_map(|quasi| &quasi.coefficients);
+        let coefficients = coefficients.flat_map(|each| [each.is, each.rate_is]);
         let vectors = [&self.inertia, &self.forces, &self.position_rates].into_iter().flatten();
-        self.mass.iter().flatten().chain(vectors).chain(held).chain(conditions).copied()
+        self.mass.iter().flatten().chain(vectors).chain(held).chain(conditions).copied().chain(coefficients)
     }
 
     fn mapped(&self, map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>) -> Self {

@@ -5,7 +5,7 @@ use super::matrix_form::{Dynamics, Held, MatrixForm, without_forces};
 use super::reading_of;
 use crate::equations::constraints_of;
 use crate::principles::NotApplicable;
-use crate::{QuasiPrinciple, QuasiVelocities, Trace};
+use crate::{Coefficient, QuasiPrinciple, QuasiVelocities, Trace};
 use field::Rational;
 use rustc_hash::FxHashMap;
 use std::f64::consts::PI;
@@ -20,8 +20,16 @@ pub struct InQuasiVelocities {
     pub met: Vec<Held>,
     /// Rates of coordinates, and angular velocities of free frames.
     pub(super) rates: Vec<Sym>,
+    /// Letters of long slopes of the speeds, with their meanings.
+    pub coefficients: Vec<Coefficient>,
     /// Expressions that the speeds are divided by.
     pub divisors: Vec<Divisor>,
+}
+
+fn mapped(coefficient: &Coefficient, map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>) -> Coefficient {
+    let Coefficient { letter, is, rate, rate_is } = *coefficient;
+    let [letter, is, rate, rate_is] = [letter, is, rate, rate_is].map(|each| map(&[each])[0]);
+    Coefficient { letter, is, rate, rate_is }
 }
 
 /// An expression that the speeds are divided by, where they are found from quasi-velocities.
@@ -55,6 +63,7 @@ impl InQuasiVelocities {
             definitions: map(&self.definitions),
             met: self.met.iter().map(|held| held.mapped(map)).collect(),
             rates: map(&self.rates),
+            coefficients: self.coefficients.iter().map(|each| mapped(each, map)).collect(),
             divisors: self.divisors.clone(),
         }
     }
@@ -64,7 +73,9 @@ impl MatrixForm {
     /// The number of operations, where these are too many to be read: nobody reads them, and bringing them into order takes minutes.
     pub fn operations_beyond_reading(&self) -> Option<usize> {
         let vectors = [&self.inertia, &self.forces, &self.position_rates];
-        let all: Vec<Sym> = self.mass.iter().chain(vectors).flatten().copied().collect();
+        let coefficients = self.quasi.iter().flat_map(|quasi| &quasi.coefficients);
+        let coefficients = coefficients.flat_map(|each| [each.is, each.rate_is]);
+        let all: Vec<Sym> = self.mass.iter().chain(vectors).flatten().copied().chain(coefficients).collect();
         let operations = Sym::operations_of(&all);
         (self.quasi.is_some() && operations > MOST_READ).then_some(operations)
     }
@@ -101,8 +112,7 @@ impl MatrixForm {
     ) -> Result<Self, NotApplicable> {
         let free = without_forces(trace.model);
         let free = Trace::of(&free);
-        let of_inertia =
-            QuasiVelocities::of(&free).map_err(|_| NotApplicable("they are not independent".to_owned()))?;
+        let of_inertia = quasi.beside(&free).map_err(|_| NotApplicable("they are not independent".to_owned()))?;
         let residual = principle.residual(quasi)?;
         let at_rest: Vec<(Sym, Sym)> = quasi.accelerations.iter().map(|&letter| (letter, Sym::ZERO)).collect();
         let derivatives = |row: &Sym| quasi.accelerations.iter().map(|&letter| row.diff(letter)).collect();
@@ -128,6 +138,7 @@ impl MatrixForm {
             definitions: quasi.definitions.clone(),
             met: met.into_iter().map(|(one, axis)| Held::of(one, axis)).collect(),
             rates: trace.speeds.clone(),
+            coefficients: quasi.coefficients.clone(),
             divisors: quasi.divisors.iter().map(|&is| Divisor { is, vanishes_at_start: None }).collect(),
         };
         let switches =

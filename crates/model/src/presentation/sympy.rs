@@ -29,8 +29,20 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     let free = &form.speeds[own..];
     let conditions: Vec<Sym> = form.switches.iter().map(|(letter, _)| *letter).collect();
     let cosines: Vec<Sym> = form.cosines.iter().map(|cosine| cosine.letter).collect();
-    let letters: Vec<Sym> =
-        [&form.parameters[..], &form.positions, free, &form.multipliers, &form.inputs, &cosines, &conditions].concat();
+    let coefficients = form.quasi.iter().flat_map(|quasi| &quasi.coefficients);
+    let coefficients: Vec<Sym> = coefficients.flat_map(|each| [each.letter, each.rate]).collect();
+    let assigned = coefficients.len() + cosines.len() + conditions.len();
+    let letters: Vec<Sym> = [
+        &form.parameters[..],
+        &form.positions,
+        free,
+        &form.multipliers,
+        &form.inputs,
+        &coefficients,
+        &cosines,
+        &conditions,
+    ]
+    .concat();
     let words = if turns { format!("{WORDS} {WORDS_OF_TURNS}") } else { WORDS.to_owned() };
     let names = identifiers(&letters, &words);
     let (parameters, rest) = names.split_at(form.parameters.len());
@@ -71,7 +83,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     };
     text.extend(axes(trace).into_iter().enumerate().filter_map(titled));
     text.extend(left_out(trace, &form).into_iter().map(|line| format!("# {line}\n")));
-    for (letter, name) in letters.iter().zip(&names).take(names.len() - switches.len() - cosines.len()) {
+    for (letter, name) in letters.iter().zip(&names).take(names.len() - assigned) {
         let _ = match coordinates.contains(name) || turning.contains(name) {
             true => writeln!(text, "{name} = Function({:?})(t)", letter.to_string()),
             false => writeln!(text, "{name} = Symbol({:?})", letter.to_string()),
@@ -85,6 +97,12 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     }
     for Cosine { letter, meaning, value } in &form.cosines {
         let _ = writeln!(text, "{letter} = {}  # {meaning}", value.sympy());
+    }
+    // rates hold all coefficients
+    let coefficients = form.quasi.iter().flat_map(|quasi| &quasi.coefficients);
+    let rates = coefficients.clone().map(|each| (each.rate, each.rate_is));
+    for (letter, is) in coefficients.map(|each| (each.letter, each.is)).chain(rates) {
+        let _ = writeln!(text, "{letter} = {}", is.sympy());
     }
     for (name, (_, condition)) in switches.iter().zip(&form.switches) {
         let _ = writeln!(text, "{name} = Piecewise((1, {} > 0), (0, True))", condition.sympy());

@@ -54,6 +54,11 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
         None => "Orientation of free frames, quaternions q0 + q1 i + q2 j + q3 k",
     };
     section(&mut text, kinematics, position_rates(form));
+    let coefficients = form.quasi.iter().flat_map(|quasi| &quasi.coefficients).flat_map(|each| {
+        [(each.letter, each.is), (each.rate, each.rate_is)]
+            .map(|(letter, is)| format!("{letter} = {}", is.decimal_text()))
+    });
+    section(&mut text, "Coefficients of the kinematic equations, and their rates", coefficients.collect());
     let cosines = form
         .cosines
         .iter()

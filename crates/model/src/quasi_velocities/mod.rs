@@ -11,6 +11,7 @@
 //! determinant of the whole change, up to its factors that are constants.
 
 mod appell;
+mod coefficients;
 mod hamel;
 mod independence;
 mod inverse;
@@ -20,6 +21,7 @@ mod short_forms;
 mod turning;
 mod virtual_power;
 
+pub use coefficients::Coefficient;
 pub use reduced_equations::{QuasiPrinciple, quasi_agreement};
 
 use crate::equations::{Equation, Level, constraints_of};
@@ -57,6 +59,9 @@ pub struct QuasiVelocities<'t, 'm> {
     independent: Vec<usize>,
     /// Expressions that the speeds are divided by: where one of them vanishes, the quasi-velocities do not determine the speeds.
     pub divisors: Vec<Sym>,
+    /// Letters in the directions, where they are asked for.
+    pub coefficients: Vec<Coefficient>,
+    is_named: bool,
     /// Angular velocities of free frames in their parents, by w.
     turning: Vec<Vector>,
     /// Along the motion, over coordinates, w and w'.
@@ -104,6 +109,24 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
     /// # Errors
     /// Each of them that is not affine in the speeds or depends on others; or how many are missing.
     pub fn of(trace: &'t Trace<'m>) -> Result<Self, Vec<Fault>> {
+        QuasiVelocities::written(trace, false)
+    }
+
+    /// The same with letters for long slopes of speeds: equations hold these and their rates. Hamel's equations cannot be written
+    /// with them.
+    ///
+    /// # Errors
+    /// As [`QuasiVelocities::of`].
+    pub fn named(trace: &'t Trace<'m>) -> Result<Self, Vec<Fault>> {
+        QuasiVelocities::written(trace, true)
+    }
+
+    /// The quasi-velocities of the same model with other loads, written in the same way.
+    pub(crate) fn beside<'o, 'n>(&self, trace: &'o Trace<'n>) -> Result<QuasiVelocities<'o, 'n>, Vec<Fault>> {
+        QuasiVelocities::written(trace, self.is_named)
+    }
+
+    fn written(trace: &'t Trace<'m>, is_named: bool) -> Result<Self, Vec<Fault>> {
         let model = trace.model;
         let Independent { met, programmed, definitions, independent } =
             Independent::of(trace).map_err(|dependence| match dependence {
@@ -135,7 +158,12 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         let slopes: Vec<Vec<Sym>> = rows.iter().map(slopes).collect();
         let (axes, mut forms) = (Axes::of(trace, &slopes), ShortForms::of(trace));
         let matrix = slopes.iter().map(|row| axes.of_unknowns(trace, row, &mut forms)).collect();
-        let Solution { unknowns, divisors } = solved(matrix, right, &mut forms);
+        let Solution { mut unknowns, divisors } = solved(matrix, right, &mut forms);
+        let (mut axes, mut coefficients) = (axes, Vec::new());
+        if is_named {
+            (axes, unknowns) = axes.with_own_of_bodies(trace, unknowns);
+            coefficients = coefficients::named(&mut unknowns, k, &mut forms);
+        }
         let sum = |row: &Vec<Sym>| row[k..n].iter().zip(&symbols).fold(row[n], |sum, (&slope, &w)| sum + slope * w);
         let values: Vec<Sym> = unknowns.iter().map(sum).collect();
         let turning: Vec<Vector> = (0..model.free.len()).map(|number| axes.turning(trace, number, &values)).collect();
@@ -156,7 +184,10 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         }
         let along = trace.coordinates.iter().zip(&position_rates).chain(symbols.iter().zip(&accelerations));
         let along = along.map(|(&of, &rate)| (of, rate)).chain([(trace.time, Sym::ONE)]).chain(turned);
-        let mut rate = Derivation::new(along);
+        let mut rate = Derivation::new(along.chain(coefficients.iter().map(|each| (each.letter, each.rate))));
+        for coefficient in &mut coefficients {
+            coefficient.rate_is = rate.of(coefficient.is);
+        }
         let mut rates: Vec<Sym> = speeds[..model.coordinates.len()].iter().map(|&speed| rate.of(speed)).collect();
         let mut by_speeds: Vec<(Sym, Sym)> = trace.speeds.iter().copied().zip(speeds.iter().copied()).collect();
         for (number, &turning) in turning.iter().enumerate() {
@@ -186,6 +217,8 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
             programmed,
             independent,
             divisors,
+            coefficients,
+            is_named,
             turning,
             rate: RefCell::new(rate),
             known: [by_speeds, by_accelerations],

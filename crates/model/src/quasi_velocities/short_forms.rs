@@ -18,6 +18,29 @@ impl<'t, 'm> ShortForms<'t, 'm> {
         ShortForms { trace, turns: trace.turns().collect(), known: FxHashMap::default() }
     }
 
+    /// The number of parts of an expression, direction cosines as one.
+    pub fn size(&self, expression: Sym) -> usize {
+        let cosines = self.turns.iter().flat_map(|(_, cosines)| cosines.iter().flatten());
+        let letter = |(k, &cosine): (usize, &Sym)| (cosine, Sym::symbol(&format!("cosine {k}")));
+        let letters: Vec<(Sym, Sym)> = cosines.enumerate().map(letter).collect();
+        let parts = expression.substitute(&letters);
+        Sym::operations_of(&[parts])
+    }
+
+    /// A letter with which numbers make no letter of the system: the first of a list; its last where all do.
+    pub fn free_name<'a>(&self, letters: &[&'a str]) -> &'a str {
+        let model = self.trace.model;
+        let speeds = model.quasi_velocities.iter().map(|speed| speed.name.clone());
+        let own = [&self.trace.parameters, &self.trace.coordinates].into_iter().flatten().map(Sym::to_string);
+        let inputs = model.inputs.iter().map(|input| input.name.clone());
+        let own: Vec<String> = own.chain(speeds).chain(inputs).collect();
+        let numbered = |letter: &str, name: &String| {
+            name.strip_prefix(letter).is_some_and(|rest| rest.chars().all(|sign| sign.is_ascii_digit()))
+        };
+        let is_free = |letter: &&&str| !own.iter().any(|name| numbered(letter, name));
+        letters.iter().find(is_free).or(letters.last()).copied().unwrap_or_default()
+    }
+
     /// Whether a factor is a number, or a parameter whose value is not zero.
     fn is_constant_factor(&self, expression: Sym) -> bool {
         let mut open = vec![expression];

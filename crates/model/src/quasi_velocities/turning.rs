@@ -7,7 +7,7 @@
 use super::ShortForms;
 use super::inverse::Reading as _;
 use crate::equations::{Course, courses};
-use crate::{FrameId, Trace, Vector};
+use crate::{Body, FrameId, Trace, Vector};
 use symbolic::Sym;
 
 /// The frame of the axes, for each free frame.
@@ -49,6 +49,26 @@ impl Axes {
     pub fn turning(&self, trace: &Trace<'_>, number: usize, unknowns: &[Sym]) -> Vector {
         let first = trace.model.free_speed(number);
         Vector { frame: self.0[number], components: std::array::from_fn(|k| unknowns[first + k]) }
+    }
+
+    /// The unknowns with the own axes of every frame in whose body's inertia these stand: a ball's is the same in all.
+    pub fn with_own_of_bodies(mut self, trace: &Trace<'_>, mut rows: Vec<Vec<Sym>>) -> (Self, Vec<Vec<Sym>>) {
+        for (number, &own) in trace.model.free.iter().enumerate() {
+            let is_on = |body: &&Body| body.frame == Some(own) && body.inertia.is_some();
+            let mut bodies = trace.model.bodies.iter().filter(is_on);
+            if bodies.any(|body| body.inertia.as_ref().is_some_and(|inertia| !trace.is_of_ball(inertia))) {
+                let others = Axes(
+                    self.0
+                        .iter()
+                        .enumerate()
+                        .map(|(at, &axes)| if at == number { axes } else { trace.model.free[at] })
+                        .collect(),
+                );
+                rows = others.of_speeds(trace, rows);
+                self.0[number] = own;
+            }
+        }
+        (self, rows)
     }
 
     /// Rows of the speeds by rows of the unknowns.

@@ -57,7 +57,16 @@ impl Trace<'_> {
         body.inertia.as_ref().zip(body.frame).map(|(inertia, frame)| (inertia, self.turning(frame)))
     }
 
-    /// I v, in the axes of the inertia.
+    /// Whether an inertia has one moment about all axes.
+    pub(crate) fn is_of_ball(&self, inertia: &Inertia) -> bool {
+        let Inertia::Tensor { entries: [Some(xx), Some(yy), Some(zz), None, None, None], .. } = inertia else {
+            return false;
+        };
+        let [xx, yy, zz] = [xx, yy, zz].map(|moment| self.scalar(*moment));
+        xx == yy && yy == zz
+    }
+
+    /// I v, in the axes of the inertia, of a ball in those of v.
     pub fn inertia_times(&self, inertia: &Inertia, vector: Vector) -> Vector {
         match inertia {
             Inertia::Axial(axial) => {
@@ -65,11 +74,8 @@ impl Trace<'_> {
                 let [_, _, z] = vector.components;
                 Vector { frame: vector.frame, components: [Sym::ZERO, Sym::ZERO, axial * z] }
             }
-            // of a ball in any axes
-            Inertia::Tensor { entries: [Some(xx), Some(yy), Some(zz), None, None, None], .. }
-                if self.scalar(*xx) == self.scalar(*yy) && self.scalar(*yy) == self.scalar(*zz) =>
-            {
-                let moment = self.solidified(*xx);
+            Inertia::Tensor { entries: [Some(moment), ..], .. } if self.is_of_ball(inertia) => {
+                let moment = self.solidified(*moment);
                 vector.map(|component| moment * component)
             }
             Inertia::Tensor { axes, entries } => {

@@ -130,6 +130,15 @@ fn form(trace: &Trace<'_>) -> MatrixForm {
     MatrixForm::in_quasi_velocities(trace, &quasi, principle).expect("it applies")
 }
 
+/// The same with letters for long slopes of speeds, of which the code of programs has no need.
+fn named_form(trace: &Trace<'_>) -> MatrixForm {
+    if trace.model.quasi_velocities.is_empty() {
+        return form(trace);
+    }
+    let quasi = QuasiVelocities::named(trace).expect("they are independent");
+    MatrixForm::in_quasi_velocities(trace, &quasi, QuasiPrinciple::VirtualPower).expect("it applies")
+}
+
 fn code(case: &Case, language: Language) -> String {
     apart(|| {
         let trace = Trace::of(&case.model);

@@ -7,7 +7,7 @@ use model::{
     Source, Trace, quasi_agreement,
 };
 use std::collections::HashMap;
-use symbolic::{Hypotheses, Sym, apart};
+use symbolic::{Hypotheses, Identity, Sym, apart, identified};
 
 fn model(source: &Source) -> Model {
     Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"))
@@ -118,6 +118,37 @@ fn principles_agree_in_quasi_velocities() {
             }
         });
     }
+}
+
+#[test]
+fn equations_with_letters_for_slopes_are_those_without() {
+    let mut letters = 0;
+    for source in all() {
+        let model = model(&source);
+        letters += apart(|| {
+            let trace = Trace::of(&model);
+            let plain = QuasiVelocities::of(&trace).expect("they are independent");
+            let named = QuasiVelocities::named(&trace).expect("they are independent");
+            let rates: Vec<(Sym, Sym)> = named.coefficients.iter().map(|each| (each.rate, each.rate_is)).collect();
+            let slopes: Vec<(Sym, Sym)> = named.coefficients.iter().map(|each| (each.letter, each.is)).collect();
+            for principle in [QuasiPrinciple::Maggi, QuasiPrinciple::VirtualPower, QuasiPrinciple::Appell] {
+                let [plain, named] = [&plain, &named].map(|quasi| principle.residual(quasi).expect("it applies"));
+                let differences = plain.into_iter().zip(named);
+                let differences = differences
+                    .map(|(one, other)| one - other.substitute(&rates).substitute(&slopes))
+                    .collect::<Vec<_>>();
+                let found = identified(&differences);
+                assert!(
+                    matches!(found, Identity::Identified { .. }),
+                    "{:?}, {}: {found:?}",
+                    source.speeds,
+                    principle.name()
+                );
+            }
+            slopes.len()
+        });
+    }
+    assert!(letters > 10, "{letters}");
 }
 
 /// The letters of a point, by their names.
