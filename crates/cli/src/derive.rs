@@ -165,8 +165,8 @@ fn quasi_principle(asked: &Asked, model: &Model) -> Option<QuasiPrinciple> {
     }
 }
 
-/// Longer texts have letters for the slopes of speeds, where these make them shorter.
-const LONGEST_WITHOUT_LETTERS: usize = 8_000;
+/// Equations of more operations have letters for the slopes of speeds, where these make their text shorter.
+const MOST_WITHOUT_LETTERS: f64 = 12_000.0;
 
 /// The equations of motion in the quasi-velocities of a file.
 fn in_quasi_velocities(asked: &Asked, model: &Model, file: &str, principle: QuasiPrinciple) -> Result<String, Ending> {
@@ -185,11 +185,11 @@ fn in_quasi_velocities(asked: &Asked, model: &Model, file: &str, principle: Quas
         };
         let mut form = written(QuasiVelocities::of(&trace))?;
         let is_code = matches!(asked.format, Some(Equations::C | Equations::Python | Equations::Rust));
-        let length = |form: &MatrixForm| match form.operations_beyond_reading() {
-            None => model::text(&trace, &form.for_reading()).len(),
-            Some(_) => usize::MAX,
+        let length = |form: &MatrixForm| match form.is_read() {
+            true => model::text(&trace, &form.for_reading()).len(),
+            false => usize::MAX,
         };
-        if principle != QuasiPrinciple::Hamel && !is_code && length(&form) > LONGEST_WITHOUT_LETTERS {
+        if principle != QuasiPrinciple::Hamel && !is_code && form.written_operations() > MOST_WITHOUT_LETTERS {
             let named = written(QuasiVelocities::named(&trace))?;
             if length(&named) < length(&form) {
                 form = named;
@@ -208,10 +208,11 @@ fn echoed(asked: &Asked, trace: &Trace<'_>) -> String {
 fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Result<String, Ending> {
     let code = |language| model::code(trace, form, language).map_err(Ending::refused);
     let is_code = matches!(format, Equations::C | Equations::Python | Equations::Rust);
-    if let Some(operations) = form.operations_beyond_reading().filter(|_| !is_code) {
+    if !is_code && !form.is_read() {
         return Err(Ending::refused(format!(
-            "in these quasi-velocities the equations have {operations} operations, too many to be read; `--format c`, `python` and `rust` \
-             write them as code, and `--principle lagrange` writes them in the rates of coordinates"
+            "in these quasi-velocities the equations have {:.0e} operations, too many to be read; `--format c`, `python` and `rust` \
+             write them as code, and `--principle lagrange` writes them in the rates of coordinates",
+            form.written_operations()
         )));
     }
     match format {

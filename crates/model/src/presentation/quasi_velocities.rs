@@ -9,7 +9,7 @@ use crate::{Coefficient, QuasiPrinciple, QuasiVelocities, Trace};
 use field::Rational;
 use rustc_hash::FxHashMap;
 use std::f64::consts::PI;
-use symbolic::{Sym, substitute_all};
+use symbolic::{Node, Sym, substitute_all};
 
 /// The meaning of quasi-velocities, and the constraints that hold for all of their values.
 #[derive(Clone, Debug)]
@@ -43,7 +43,11 @@ pub struct Divisor {
 impl Divisor {
     /// In a sentence.
     pub(super) fn told(&self, trace: &Trace<'_>) -> String {
-        let is = reading_of(trace).of(self.is).decimal_text();
+        let operations = written_operations(&[self.is]);
+        let is = match operations <= MOST_TOLD {
+            true => reading_of(trace).of(self.is).decimal_text(),
+            false => format!("a determinant of {operations:.0e} operations"),
+        };
         let sentence = format!("The quasi-velocities determine the speeds where this divisor does not vanish: {is}.");
         match self.vanishes_at_start {
             None => sentence,
@@ -70,14 +74,17 @@ impl InQuasiVelocities {
 }
 
 impl MatrixForm {
-    /// The number of operations, where these are too many to be read: nobody reads them, and bringing them into order takes minutes.
-    pub fn operations_beyond_reading(&self) -> Option<usize> {
-        let vectors = [&self.inertia, &self.forces, &self.position_rates];
-        let coefficients = self.quasi.iter().flat_map(|quasi| &quasi.coefficients);
-        let coefficients = coefficients.flat_map(|each| [each.is, each.rate_is]);
-        let all: Vec<Sym> = self.mass.iter().chain(vectors).flatten().copied().chain(coefficients).collect();
-        let operations = Sym::operations_of(&all);
-        (self.quasi.is_some() && operations > MOST_READ).then_some(operations)
+    /// The number of operations with all that equations share written each time, direction cosines as one.
+    pub fn written_operations(&self) -> f64 {
+        let cosines = self.turns.iter().flat_map(|(_, cosines)| cosines.iter().flatten());
+        let letters: Vec<(Sym, Sym)> = cosines.map(|&cosine| (cosine, self.time)).collect();
+        let all: Vec<Sym> = self.expressions().collect();
+        written_operations(&substitute_all(&all, &letters))
+    }
+
+    /// Whether equations in quasi-velocities are short enough to be read: longer ones take minutes to be brought into order.
+    pub fn is_read(&self) -> bool {
+        self.quasi.is_none() || self.written_operations() <= MOST_READ
     }
 
     /// The same where it is known which divisors of the speeds vanish at a start, whose parameters have values.
@@ -147,11 +154,35 @@ impl MatrixForm {
     }
 }
 
+/// The number of operations of expressions, those of shared parts counted wherever they occur.
+fn written_operations(expressions: &[Sym]) -> f64 {
+    let mut known: FxHashMap<Sym, f64> = FxHashMap::default();
+    let mut open: Vec<Sym> = expressions.to_vec();
+    while let Some(&each) = open.last() {
+        let inside = match each.node() {
+            Node::Sum(a, b) | Node::Difference(a, b) | Node::Product(a, b) | Node::Quotient(a, b) => vec![a, b],
+            Node::Negation(a) | Node::Power(a, _) | Node::Root(a) | Node::Cos(a) | Node::Sin(a) => vec![a],
+            _ => Vec::new(),
+        };
+        let missing: Vec<Sym> = inside.iter().copied().filter(|part| !known.contains_key(part)).collect();
+        if missing.is_empty() {
+            let parts = inside.iter().map(|part| known[part]).sum::<f64>();
+            known.insert(each, 1.0 + parts);
+            open.pop();
+        }
+        open.extend(missing);
+    }
+    expressions.iter().map(|each| known[each]).sum()
+}
+
+/// Divisors of more operations are told by their number.
+const MOST_TOLD: f64 = 150.0;
+
 /// A divisor below this part of its values nearby vanishes but for rounding.
 const ROUNDED: f64 = 1e-10;
 
 /// Longer systems are code alone.
-const MOST_READ: usize = 5_000;
+const MOST_READ: f64 = 100_000.0;
 
 /// Polynomials of more letters are not collected.
 const MOST_COLLECTED: usize = 12;

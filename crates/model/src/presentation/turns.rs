@@ -9,7 +9,7 @@ use symbolic::Sym;
 pub(crate) type FreeTurn = ([Sym; 4], [[Sym; 3]; 3]);
 
 /// Longer expressions stay as they are.
-const MOST_READ: usize = 400;
+const MOST_READ: usize = 150;
 
 /// An expression in normal form in which direction cosines stay together, as short as is found.
 pub(crate) fn short_form(expression: Sym, turns: &[FreeTurn]) -> Sym {

@@ -73,6 +73,8 @@ impl Reading for ShortForms<'_, '_> {
             return known;
         }
         let form = short_form(expression, &self.turns);
+        let operations = |each: Sym| Sym::operations_of(&[each]);
+        let form = if operations(form) <= operations(expression) { form } else { expression };
         self.known.extend([(expression, form), (form, form)]);
         form
     }

@@ -1,5 +1,7 @@
 //! Equations for reading: angles, constants, lengths.
 
+use crate::form;
+use crate::rolling::{bowl, joined_bodies, sliding_wedge, turntable};
 use crate::systems::{double_pendulum, free_top, oscillator, slider_crank};
 use model::principles::Principle;
 use model::{BodySource, MatrixForm, Model, Source, Trace};
@@ -87,4 +89,50 @@ fn a_module_that_would_be_too_long_is_refused_by_name() {
     });
     let refused = refused.expect_err("it is long");
     assert!(refused.contains("operations is too long for SymPy; c, python and rust"), "{refused}");
+}
+
+/// Equations by Newton's and Euler's along quasi-velocities, as they are read at a start.
+fn text_of(source: &Source, start: &[f64]) -> String {
+    let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    apart(|| {
+        let trace = Trace::of(&model);
+        model::text(&trace, &form(&trace).with_start(&trace, start).for_reading())
+    })
+}
+
+/// Seven fifths of the mass, whatever the ball's frame has turned by: no direction cosine is left, and none is a divisor.
+#[test]
+fn balls_that_roll_have_the_equations_of_textbooks() {
+    let text = text_of(&turntable(), &[]);
+    let lines = [
+        "M[ux, ux] = 7*m/5",
+        "M[uy, uy] = 7*m/5",
+        "M[n, n] = 2*m*r^2/5",
+        "h[ux] = -m*W^2*x*cos(W*t) - m*W^2*y*sin(W*t) - 12*m*W*uy/5",
+    ];
+    for line in lines {
+        assert!(text.lines().any(|known| known.trim() == line), "{line}\n{text}");
+    }
+    assert!(!text.contains("divisor"), "{text}");
+    let text = text_of(&sliding_wedge(), &[]);
+    assert!(text.contains("M[V, V] = m + M - 3*m*cos(al)^2/5") && !text.contains("divisor"), "{text}");
+}
+
+#[test]
+fn a_divisor_is_told_with_the_start_at_which_it_vanishes() {
+    let beside = [0.3, 0.1, -0.4, 1.0, 0.0, 0.0, 0.0];
+    let text = text_of(&bowl(), &beside);
+    let divisor = "where this divisor does not vanish: r^2*x^2/(x^2 + y^2 + z^2) + r^2*y^2/(x^2 + y^2 + z^2).";
+    assert!(text.contains(&format!("{divisor} It does not vanish at the start.")), "{text}");
+    let lowest = [0.0, 0.0, -0.5, 1.0, 0.0, 0.0, 0.0];
+    assert!(text_of(&bowl(), &lowest).contains(&format!("{divisor} It vanishes at the start")));
+}
+
+/// B.y x B.z = B.x: of two direction cosines that are multiplied none is left.
+#[test]
+fn products_of_direction_cosines_that_are_cofactors_are_one() {
+    let text = text_of(&joined_bodies(), &[]);
+    let line = "x2' = l*p1*A.Rxy - l*q1*A.Rxx - l*p2*A.Ryx*B.Rzz/2 + l*p2*A.Rzx*B.Ryz/2 - l*q2*A.Ryy*B.Rzz/2 \
+                + l*q2*A.Rzy*B.Ryz/2 - l*r2*A.Ryz*B.Rzz/2 + l*r2*A.Rzz*B.Ryz/2";
+    assert!(text.lines().any(|known| known.trim() == line), "{text}");
 }
