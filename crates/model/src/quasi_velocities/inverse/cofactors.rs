@@ -13,7 +13,7 @@ pub(super) fn of(block: &[Vec<Sym>], reading: &mut impl Reading) -> (Vec<Vec<Sym
         .map(|column| {
             let cofactor = |row: usize| {
                 let minor = minors.of(all & !(1 << row), all & !(1 << column), reading);
-                if (row + column) % 2 == 0 { minor } else { -minor }
+                if (row + column).is_multiple_of(2) { minor } else { -minor }
             };
             (0..k).map(cofactor).collect()
         })
