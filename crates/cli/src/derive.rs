@@ -195,6 +195,13 @@ fn in_quasi_velocities(asked: &Asked, model: &Model, file: &str, principle: Quas
                 form = named;
             }
         }
+        let mut divisors = form.quasi.iter().flat_map(|quasi| &quasi.divisors);
+        if divisors.any(|divisor| divisor.vanishes_at_start == Some(true)) {
+            warn(&format!(
+                "warning: {}: the quasi-velocities do not determine the speeds at the start: these equations have no value there",
+                asked.system
+            ));
+        }
         Ok(echoed(asked, &trace) + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
 }

@@ -8,6 +8,7 @@
 //! * [`CompiledSystem`]: the equations of motion as machine code, as series, and over every field that runs.
 
 mod admissible;
+mod branch;
 mod compiled_system;
 mod ensemble;
 mod equilibrium;
@@ -30,13 +31,14 @@ mod start;
 pub mod text;
 mod warnings;
 
+pub use branch::on_branch;
 pub use compiled_system::{CompiledSystem, NotCompiled};
 pub use ensemble::parse_ensemble;
 pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 pub use modes::Case;
 pub use motions::{Motion, read_prescribed};
 pub use no_system::with_ways_to_a_system;
-pub use readiness::{equilibrium_of, independent_at, independent_start, on_branch, start_of};
+pub use readiness::{equilibrium_of, independent_at, independent_start, start_of};
 pub use row_units::{unit_of, unit_of_rate};
 pub use scene::{ModelScene, completed_start, read_model, register};
 pub use start::{Completed, Open, Unmet, consistent};

@@ -1,5 +1,6 @@
 //! The start and the law of a model that can run; of another one the reason, at its place in the file.
 
+use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled, plain};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::first_motion::missing;
@@ -68,7 +69,7 @@ pub fn start_of(model: &Model) -> Result<Vec<f64>, Issue> {
     completed(model).map(|completed| completed.state)
 }
 
-fn completed(model: &Model) -> Result<Completed, Issue> {
+pub(crate) fn completed(model: &Model) -> Result<Completed, Issue> {
     let completed = match &model.equilibrium {
         None => consistent(model),
         Some(_) => consistent(&at_rest(model)?),
@@ -87,23 +88,6 @@ pub fn independent_start(model: &mut Model) -> Result<Vec<f64>, Issue> {
     Ok(completed.state)
 }
 
-/// The model without the equations of constraints that follow from others on the branch of its start alone, where it has a start.
-pub fn on_branch(model: &mut Model) {
-    let Ok(mut completed) = completed(model) else { return };
-    let everywhere = symbolic::apart(|| dependent_everywhere(&Trace::of(model), &completed.implied));
-    completed.implied.retain(|of| !everywhere.contains(of));
-    leave_out(model, &completed);
-}
-
-/// Judges quasi-velocities on the branch of the start, where they do not determine the speeds at a general point.
-pub(crate) fn settled(mut model: Model) -> Result<Model, Vec<Fault>> {
-    if !model.unsettled.is_empty() {
-        on_branch(&mut model);
-        model.settle();
-    }
-    if model.unsettled.is_empty() { Ok(model) } else { Err(model.unsettled) }
-}
-
 /// The model without the equations of constraints that follow from others at a state at which it may start.
 ///
 /// # Errors
@@ -114,7 +98,8 @@ pub fn independent_at(model: &mut Model, state: &[f64]) -> Result<(), Issue> {
     Ok(())
 }
 
-fn leave_out(model: &mut Model, Completed { state, implied }: &Completed) {
+/// Leaves equations of constraints out, and warns of them.
+pub(crate) fn leave_out(model: &mut Model, Completed { state, implied }: &Completed) {
     if implied.is_empty() {
         return;
     }
@@ -135,26 +120,6 @@ fn leave_out(model: &mut Model, Completed { state, implied }: &Completed) {
         let accepted = "without it the motion is the same";
         model.warnings.push(Fault { span: at, title, label: label.to_owned(), accepted: accepted.to_owned() });
     }
-}
-
-/// The first coordinates of a state with their units.
-fn in_words(model: &Model, state: &[f64]) -> String {
-    let all = model.state_names().into_iter().zip(state).take(model.positions());
-    let mut words: Vec<String> =
-        all.map(|((name, unit), value)| format!("{name} = {} {unit}", short(*value))).take(MOST_TOLD).collect();
-    if model.positions() > MOST_TOLD {
-        words.push("...".to_owned());
-    }
-    words.join(", ")
-}
-
-/// Coordinates that a sentence tells.
-const MOST_TOLD: usize = 6;
-
-/// A number to some digits: it tells branches apart.
-fn short(value: f64) -> String {
-    let rounded = (value * 1e4).round() / 1e4;
-    if rounded == 0.0 { "0".to_owned() } else { format!("{rounded}") }
 }
 
 /// The condition that a start does not meet, at its place.

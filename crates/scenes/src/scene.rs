@@ -1,11 +1,12 @@
 //! A scene whose system is written in its file.
 
 use crate::admissible::impossible;
+use crate::branch::settled;
 use crate::compiled_system::{CompiledSystem, ENERGIES};
 use crate::ensemble::parse_ensemble;
 use crate::modes::{Ended, Modes};
 use crate::quoted_keys::with_quoted_primes;
-use crate::readiness::{ready, settled, start_of, without_run};
+use crate::readiness::{ready, start_of, without_run};
 use crate::row_units::unit_of;
 use crate::start::Branching;
 use crate::text;

@@ -53,9 +53,7 @@ impl Divisor {
             None => sentence,
             Some(false) => format!("{sentence} It does not vanish at the start."),
             Some(true) => {
-                format!(
-                    "{sentence} It vanishes at the start, where these equations have no value: other quasi-velocities do."
-                )
+                format!("{sentence} It vanishes at the start: these equations have no value there.")
             }
         }
     }

@@ -12,6 +12,7 @@
 
 mod appell;
 mod coefficients;
+mod construction;
 mod hamel;
 mod independence;
 mod inverse;
@@ -25,14 +26,11 @@ pub use coefficients::Coefficient;
 pub use reduced_equations::{QuasiPrinciple, quasi_agreement};
 
 use crate::equations::{Equation, Level, constraints_of};
-use crate::trace::turned_axes;
 use crate::{Fault, FrameId, Trace, Turn, Vector};
 use independence::Dependence;
-use inverse::{Solution, solved};
 use short_forms::ShortForms;
 use std::cell::RefCell;
 use symbolic::{Derivation, Sym, substitute_all};
-use turning::Axes;
 
 /// Quasi-velocities over the symbols of a trace.
 pub struct QuasiVelocities<'t, 'm> {
@@ -124,105 +122,6 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
     /// The quasi-velocities of the same model with other loads, written in the same way.
     pub(crate) fn beside<'o, 'n>(&self, trace: &'o Trace<'n>) -> Result<QuasiVelocities<'o, 'n>, Vec<Fault>> {
         QuasiVelocities::written(trace, self.is_named)
-    }
-
-    fn written(trace: &'t Trace<'m>, is_named: bool) -> Result<Self, Vec<Fault>> {
-        let model = trace.model;
-        let Independent { met, programmed, definitions, independent } =
-            Independent::of(trace).map_err(|dependence| match dependence {
-                Dependence::Forms(faults) => faults,
-                Dependence::Ranks(fault) => vec![fault],
-            })?;
-        let letters = |primes: &str, dot: &str| -> Vec<Sym> {
-            let named = |speed: &crate::QuasiVelocity| {
-                let latex = Sym::symbol(&speed.name).latex();
-                let latex = if dot.is_empty() { latex } else { format!("{dot}{{{latex}}}") };
-                Sym::named(&format!("{}{primes}", speed.name), &latex)
-            };
-            model.quasi_velocities.iter().map(named).collect()
-        };
-        let (symbols, accelerations) = (letters("", ""), letters("'", r"\dot"));
-        let n = trace.speeds.len();
-        let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
-        // constraints first, then quasi-velocities; each row with its unit column and what is left of it at rest
-        let k = independent.len();
-        let rates = independent.iter().map(|&place| met[place].rate);
-        let rows: Vec<Sym> = rates.chain(definitions.iter().copied()).collect();
-        let right = |(place, &row): (usize, &Sym)| {
-            let mut right: Vec<Sym> = (0..n).map(|each| if each == place { Sym::ONE } else { Sym::ZERO }).collect();
-            right.push(-row.substitute(&at_rest));
-            right
-        };
-        let right = rows.iter().enumerate().map(right).collect();
-        let slopes = |row: &Sym| (0..n).map(|i| trace.by_speed(*row, i)).collect();
-        let slopes: Vec<Vec<Sym>> = rows.iter().map(slopes).collect();
-        let (axes, mut forms) = (Axes::of(trace, &slopes), ShortForms::of(trace));
-        let matrix = slopes.iter().map(|row| axes.of_unknowns(trace, row, &mut forms)).collect();
-        let Solution { mut unknowns, divisors } = solved(matrix, right, &mut forms);
-        let (mut axes, mut coefficients) = (axes, Vec::new());
-        if is_named {
-            (axes, unknowns) = axes.with_own_of_bodies(trace, unknowns);
-            coefficients = coefficients::named(&mut unknowns, k, &mut forms);
-        }
-        let sum = |row: &Vec<Sym>| row[k..n].iter().zip(&symbols).fold(row[n], |sum, (&slope, &w)| sum + slope * w);
-        let values: Vec<Sym> = unknowns.iter().map(sum).collect();
-        let turning: Vec<Vector> = (0..model.free.len()).map(|number| axes.turning(trace, number, &values)).collect();
-        let of_speeds = axes.of_speeds(trace, unknowns);
-        let across = of_speeds.iter().map(|row| row[..k].to_vec()).collect();
-        let directions: Vec<Vec<Sym>> = of_speeds.iter().map(|row| row[k..n].to_vec()).collect();
-        let mut speeds = values;
-        for (number, &turning) in turning.iter().enumerate() {
-            let first = model.free_speed(number);
-            speeds[first..first + 3].copy_from_slice(&trace.express(turning, model.free[number]));
-        }
-        let mut position_rates = speeds[..model.coordinates.len()].to_vec();
-        let mut turned = Vec::new();
-        for (number, &turning) in turning.iter().enumerate() {
-            let (rates, cosines) = turned_axes(trace, number, turning);
-            position_rates.extend(rates);
-            turned.extend(cosines);
-        }
-        let along = trace.coordinates.iter().zip(&position_rates).chain(symbols.iter().zip(&accelerations));
-        let along = along.map(|(&of, &rate)| (of, rate)).chain([(trace.time, Sym::ONE)]).chain(turned);
-        let mut rate = Derivation::new(along.chain(coefficients.iter().map(|each| (each.letter, each.rate))));
-        for coefficient in &mut coefficients {
-            coefficient.rate_is = rate.of(coefficient.is);
-        }
-        let mut rates: Vec<Sym> = speeds[..model.coordinates.len()].iter().map(|&speed| rate.of(speed)).collect();
-        let mut by_speeds: Vec<(Sym, Sym)> = trace.speeds.iter().copied().zip(speeds.iter().copied()).collect();
-        for (number, &turning) in turning.iter().enumerate() {
-            let own = model.free[number];
-            let parent = trace.parent(own);
-            // the frame and its parent see the same rate of an angular velocity that one has in the other
-            let along = Vector { frame: parent, components: trace.express(turning, parent) };
-            rates.extend(trace.express(along.map(|component| rate.of(component)), own));
-            // R R^T = 1 is known here, and to no sum of products
-            let first = model.free_speed(number);
-            let own = Vector { frame: own, components: std::array::from_fn(|k| trace.speeds[first + k]) };
-            if turning.frame != own.frame {
-                by_speeds.extend(trace.express(own, parent).into_iter().zip(along.components));
-            }
-        }
-        let by_accelerations = trace.accelerations.iter().copied().zip(rates).collect();
-        Ok(QuasiVelocities {
-            trace,
-            symbols,
-            accelerations,
-            definitions,
-            speeds,
-            position_rates,
-            directions,
-            across,
-            met,
-            programmed,
-            independent,
-            divisors,
-            coefficients,
-            is_named,
-            turning,
-            rate: RefCell::new(rate),
-            known: [by_speeds, by_accelerations],
-        })
     }
 
     /// Expressions over speeds and accelerations by w and w'; masses that vary by their values.

@@ -99,3 +99,49 @@ fn equations_that_nobody_reads_are_code_alone() {
     assert!(printed(&["derive", file, "--format", "c"]).contains("SPEEDS = 3, CONSTRAINTS = 0"));
     std::fs::remove_file(path).expect("it is there");
 }
+
+/// Two cranks of a parallelogram turn alike: their difference is zero on the branch of the start.
+#[test]
+fn code_whose_divisor_vanishes_at_the_start_is_warned_of() {
+    let cranks = |speed: &str| {
+        format!(
+            "title = \"Two cranks\"\n[parameters]\nm = \"1 kg\"\nr = \"0.3 m\"\n[coordinates]\na = \"rad\"\nb = \"rad\"\nd = \"rad\"\n\
+             [speeds]\nw = \"{speed}\"\n[frames]\nA = \"N turned a about z\"\nB = \"N turned b about z\"\nD = \"N turned d about z\"\n\
+             [points]\nP = \"O + r*A.x\"\nQ = \"O + (1 m)*N.x + r*B.x\"\n\
+             [bodies.coupler]\nframe = \"D\"\ncentre = \"P + (0.4 m)*D.x\"\nmass = \"m\"\ninertia = \"(0.1 kg m^2)\"\n\
+             [[constraint]]\nzero = \"P + (1 m)*D.x - Q\"\n[start]\na = \"1 rad\"\nb = \"1 rad\"\n"
+        )
+    };
+    let path = temporary("cranks.toml");
+    let file = path.to_str().expect("a path in UTF-8").to_owned();
+    for (speed, warns) in [("a' - b'", true), ("a' + b'", false)] {
+        std::fs::write(&path, cranks(speed)).expect("it is written");
+        let output = run(&["derive", &file, "--format", "c"]);
+        let (code, warned) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+        assert_eq!(warned.contains("do not determine the speeds at the start"), warns, "{speed}: {warned}");
+        assert_eq!(code.contains("It vanishes at the start: these equations have no value there"), warns, "{code}");
+    }
+    std::fs::remove_file(path).expect("it is there");
+}
+
+/// The bowl's ball has turned by the length of its way over its radius: its speeds at the start play no part.
+#[test]
+fn an_equilibrium_that_motions_reach_is_told() {
+    let path = temporary("bowl.toml");
+    let text = "title = \"A ball in a bowl\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"0.2 kg\"\nr = \"0.05 m\"\ng = \"9.81 m/s^2\"\n\
+        [coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[speeds]\nvx = \"x'\"\nvy = \"y'\"\nspin = \"F.wz\"\n[frames]\nF = \"N free\"\n\
+        [points]\nC = \"O + x*N.x + y*N.y + z*N.z\"\nK = \"C + r*unit(C - O)\"\n\
+        [bodies.ball]\nframe = \"F\"\ncentre = \"C\"\nmass = \"m\"\ninertia = { principal = [\"2/5*m*r^2\", \"2/5*m*r^2\", \"2/5*m*r^2\"] }\n\
+        [[constraint]]\nname = \"roll\"\nzero = \"velocity(ball at K)\"\n[start]\nx = \"0.3 m\"\nz = \"-0.4 m\"\nvy = \"0.5 m/s\"\n";
+    std::fs::write(&path, text).expect("it is written");
+    let file = path.to_str().expect("a path in UTF-8");
+    let output = run(&["linearise", file, "--about", "equilibrium"]);
+    let (text, told) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.status.code(), Some(0), "{told}");
+    assert!(text.contains("z = -0.5, z' = 0"), "{text}");
+    assert!(
+        told.contains("this equilibrium is one that motions from the start reach; it stands in a family of equilibria with one direction"),
+        "{told}"
+    );
+    std::fs::remove_file(path).expect("it is there");
+}

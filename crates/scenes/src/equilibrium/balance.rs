@@ -1,0 +1,83 @@
+//! The equations of a point of rest, and what is left of them.
+
+use crate::linearisation::{At, Point, VariedEquations};
+use model::equations::Level;
+use nalgebra::{DMatrix, DVector};
+
+/// Residuals below this part of the forces that balance there are rounding.
+const MET: f64 = 1e-11;
+
+/// An equation is at least this part as large as the largest one.
+const FLOOR: f64 = 1e-3;
+
+impl VariedEquations {
+    /// The places of all constraints of positions.
+    pub(super) fn of_positions(&self) -> Vec<usize> {
+        let positions = self.constraints.iter().enumerate().filter(|(_, known)| known.level == Level::Position);
+        positions.map(|(place, _)| place).collect()
+    }
+}
+
+/// The equations at a point: residuals, their derivatives along directions and by multipliers, and the size of what balances.
+pub(super) struct Balance {
+    /// Directions of free coordinates, columns.
+    pub directions: DMatrix<f64>,
+    pub residuals: DVector<f64>,
+    pub jacobian: DMatrix<f64>,
+    scales: DVector<f64>,
+}
+
+impl Balance {
+    pub fn of(equations: &VariedEquations, point: &Point, free: &[usize], directions: DMatrix<f64>) -> Self {
+        let At { motion, zero, rate, .. } = equations.at(point);
+        let (n, m) = (motion.values.len(), zero.values.len());
+        // constraints of speeds have no f of positions: their row is that of the rate at rest
+        let places = equations.of_positions();
+        let rows = n + places.len() + m;
+        let part = |row: usize| match row.checked_sub(n) {
+            None => (&motion, row),
+            Some(k) => match places.get(k) {
+                Some(&place) => (&zero, place),
+                None => (&rate, k - places.len()),
+            },
+        };
+        let value = |row: usize| part(row).0.values[part(row).1];
+        let along = DMatrix::from_fn(rows, free.len(), |row, column| {
+            let (values, row) = part(row);
+            values.by_coordinates[(row, free[column])]
+        });
+        let along = along * &directions;
+        let jacobian = DMatrix::from_fn(rows, directions.ncols() + m, |row, column| {
+            match column.checked_sub(directions.ncols()) {
+                None => along[(row, column)],
+                Some(multiplier) => part(row).0.by_multipliers[(part(row).1, multiplier)],
+            }
+        });
+        let size = |row: usize| {
+            let (values, at) = part(row);
+            let by_place = (0..n).map(|i| values.by_coordinates[(at, i)].abs() * equations.size(point, i));
+            let by_reaction = (0..m).map(|k| (values.by_multipliers[(at, k)] * point.multipliers[k]).abs());
+            by_place.chain(by_reaction).sum::<f64>()
+        };
+        let scales = DVector::from_fn(rows, |row, _| size(row));
+        Balance { directions, residuals: DVector::from_fn(rows, |row, _| value(row)), jacobian, scales }
+    }
+
+    pub fn is_finite(&self) -> bool {
+        self.residuals.iter().chain(self.jacobian.iter()).all(|value| value.is_finite())
+    }
+
+    pub fn size(&self) -> f64 {
+        let size = self.residuals.norm();
+        if size.is_nan() { f64::INFINITY } else { size }
+    }
+
+    /// The worst equation that does not hold.
+    pub fn unmet(&self) -> Option<usize> {
+        // an equation that nothing changes has no size of its own
+        let least = FLOOR * self.scales.iter().copied().fold(0.0, f64::max);
+        let excess = |row: usize| self.residuals[row].abs() - MET * self.scales[row].max(least);
+        let open = (0..self.residuals.len()).filter(|&row| excess(row).is_nan() || excess(row) > 0.0);
+        open.max_by(|&a, &b| self.residuals[a].abs().total_cmp(&self.residuals[b].abs()))
+    }
+}

@@ -1,0 +1,128 @@
+//! An equilibrium near a guess: coordinates at which nothing accelerates, with every speed zero.
+//!
+//!   h(q, 0) - Q(q, 0) - J^T lambda = 0,    f(q) = 0,    df/dt = 0 at rest
+//!
+//! Newton's method with least changes, by singular values: where equilibria form a family, the nearest one of it is found. Forces are
+//! those of time zero.
+//!
+//! Where constraints hold speeds, every step goes along displacements that they leave: the equilibrium is one that motions from the
+//! start reach. A start that is to be an equilibrium itself may stand elsewhere, where none is reached.
+
+mod balance;
+mod ways;
+
+use crate::compiled_system::NotCompiled;
+use crate::layout::Layout;
+use crate::linearisation::VariedEquations;
+use crate::readiness::one_law;
+use crate::start::{Leaf, consistent, given};
+use model::Model;
+use ways::Ways;
+
+/// An equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibrium {
+    /// Coordinates, then speeds, which are zero.
+    pub state: Vec<f64>,
+    /// Directions of coordinates and reactions in which equilibria stand side by side: of those that motions reach, where they are
+    /// sought among these.
+    pub family: usize,
+    /// Whether it is sought, and found, among positions that motions from the start reach along constraints of speeds.
+    pub is_reached: bool,
+}
+
+/// Why there is none.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoEquilibrium {
+    /// A start gives a speed.
+    Moves {
+        speed: String,
+    },
+    /// Residual at the best point found.
+    NotFound {
+        equation: String,
+        residual: f64,
+    },
+    NotCompiled(NotCompiled),
+}
+
+/// Singular values below this part of the largest one are taken for zero.
+const RANK: f64 = 1e-11;
+
+/// Coordinates that `[start]` gives are kept; those that it leaves out, or gives as a guess, are moved. With `all` every coordinate is.
+///
+/// # Errors
+/// Why there is none.
+pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibrium> {
+    one_law(model).map_err(NoEquilibrium::NotCompiled)?;
+    let layout = Layout::of(model);
+    let (n, names) = (layout.speeds(), model.state_names());
+    if let (Some(start), false) = (model.start.iter().find(|start| start.order == 1 && start.value != 0.0), all) {
+        return Err(NoEquilibrium::Moves { speed: names[layout.positions() + start.coordinate].0.clone() });
+    }
+    let equations = VariedEquations::of(model, &[]).map_err(NoEquilibrium::NotCompiled)?;
+    let given = given(model);
+    let free: Vec<usize> = (0..n).filter(|&speed| all || !layout.places(speed, 0).any(|at| given[at])).collect();
+    let mut state = match consistent(model) {
+        Ok(completed) if all => completed.state,
+        _ => model.start_state(),
+    };
+    state[layout.positions()..].fill(0.0);
+    let guess = equations.point(0.0, &state);
+    let sought = |leaf: Option<Leaf<'_>>| {
+        let ways = Ways { equations: &equations, free: &free, leaf };
+        let (point, system) = ways.near(&guess);
+        (point, system, ways.leaf.is_some())
+    };
+    let leaf = Leaf::of(model);
+    let is_held = leaf.is_some();
+    let mut found = sought(leaf);
+    if is_held && !all && found.1.unmet().is_some() {
+        found = sought(None);
+    }
+    let (point, system, is_reached) = found;
+    match system.unmet() {
+        None => {
+            let unknowns = system.jacobian.ncols();
+            let singular: Vec<f64> = match unknowns {
+                0 => Vec::new(),
+                _ => system.jacobian.singular_values().iter().copied().collect(),
+            };
+            let largest = singular.iter().copied().fold(0.0, f64::max);
+            let rank = singular.iter().filter(|value| **value > RANK * largest).count();
+            let state = point.coordinates.iter().chain(point.speeds.iter()).copied().collect();
+            Ok(Equilibrium { state, family: unknowns - rank, is_reached })
+        }
+        Some(row) => {
+            let equation = match row.checked_sub(n) {
+                None => format!(
+                    "the forces along `{}`",
+                    names[layout.places(row, usize::from(row >= model.coordinates.len())).start].0
+                ),
+                Some(k) => {
+                    // those of positions stand twice: as they are, and as rates
+                    let places = equations.of_positions();
+                    let k = places.get(k).copied().unwrap_or_else(|| k - places.len());
+                    match equations.constraints[k].name.as_str() {
+                        "" => format!("constraint {}", k + 1),
+                        name => format!("the constraint `{name}`"),
+                    }
+                }
+            };
+            Err(NoEquilibrium::NotFound { equation, residual: system.residuals[row] })
+        }
+    }
+}
+
+impl Equilibrium {
+    /// The choice among equilibria, where constraints of speeds decide it.
+    pub fn choice(&self) -> Option<String> {
+        let family = match self.family {
+            0 => String::new(),
+            1 => "; it stands in a family of equilibria with one direction".to_owned(),
+            many => format!("; it stands in a family of equilibria with {many} directions"),
+        };
+        let sentence = "constraints hold speeds: this equilibrium is one that motions from the start reach";
+        self.is_reached.then(|| format!("{sentence}{family}"))
+    }
+}
