@@ -165,7 +165,7 @@ fn quasi_principle(asked: &Asked, model: &Model) -> Option<QuasiPrinciple> {
     }
 }
 
-/// Equations of more operations have letters for the slopes of speeds, where these make their text shorter.
+/// Equations of more operations have letters for the slopes of speeds, where these make them fewer by a quarter.
 const MOST_WITHOUT_LETTERS: f64 = 12_000.0;
 
 /// The equations of motion in the quasi-velocities of a file.
@@ -185,13 +185,10 @@ fn in_quasi_velocities(asked: &Asked, model: &Model, file: &str, principle: Quas
         };
         let mut form = written(QuasiVelocities::of(&trace))?;
         let is_code = matches!(asked.format, Some(Equations::C | Equations::Python | Equations::Rust));
-        let length = |form: &MatrixForm| match form.is_read() {
-            true => model::text(&trace, &form.for_reading()).len(),
-            false => usize::MAX,
-        };
-        if principle != QuasiPrinciple::Hamel && !is_code && form.written_operations() > MOST_WITHOUT_LETTERS {
+        let operations = form.written_operations();
+        if principle != QuasiPrinciple::Hamel && !is_code && operations > MOST_WITHOUT_LETTERS {
             let named = written(QuasiVelocities::named(&trace))?;
-            if length(&named) < length(&form) {
+            if 4.0 * named.written_operations() < 3.0 * operations {
                 form = named;
             }
         }

@@ -180,7 +180,7 @@ const MOST_TOLD: f64 = 150.0;
 const ROUNDED: f64 = 1e-10;
 
 /// Longer systems are code alone.
-const MOST_READ: f64 = 100_000.0;
+const MOST_READ: f64 = 30_000.0;
 
 /// Polynomials of more letters are not collected.
 const MOST_COLLECTED: usize = 12;
