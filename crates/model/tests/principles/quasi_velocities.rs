@@ -120,6 +120,46 @@ fn principles_agree_in_quasi_velocities() {
     }
 }
 
+/// As many angles, each quasi-velocity a sum of all their rates: one block, by cofactors or, where it is large, by elimination.
+fn tied(count: usize) -> Source {
+    let angles: Vec<String> = (0..count).map(|i| format!("a{i}")).collect();
+    let sum = |i: usize| (0..count).map(|j| format!("cos({}*a{i})*a{j}'", j + 1)).collect::<Vec<_>>().join(" + ");
+    let sums: Vec<(String, String)> = (0..count).map(|i| (format!("v{i}"), sum(i))).collect();
+    let place = angles.iter().map(|angle| format!("sin({angle})*(1 m)*N.x")).collect::<Vec<_>>().join(" + ");
+    Source {
+        parameters: entries(&[("m", "2 kg")]),
+        coordinates: entries(&angles.iter().map(|angle| (angle.as_str(), "rad")).collect::<Vec<_>>()),
+        speeds: entries(&sums.iter().map(|(name, is)| (name.as_str(), is.as_str())).collect::<Vec<_>>()),
+        points: entries(&[("P", &format!("O + {place}"))]),
+        bodies: vec![BodySource::particle("bob", "P", "m")],
+        ..Source::default()
+    }
+}
+
+#[test]
+fn speeds_that_all_depend_on_each_other_are_solved_for() {
+    for count in [3, 7, 9] {
+        let model = model(&tied(count));
+        apart(|| {
+            let trace = Trace::of(&model);
+            let quasi = QuasiVelocities::of(&trace).expect("they are independent");
+            assert!(count == 9 || quasi.divisors.len() == 1, "{}", quasi.divisors.len());
+            let mut values: Values = [("pi".to_owned(), std::f64::consts::PI), ("m".to_owned(), 2.0)].into();
+            let letters = trace.coordinates.iter().chain(&quasi.symbols).enumerate();
+            values.extend(letters.map(|(k, letter)| (letter.to_string(), 0.2 + 0.23 * k as f64)));
+            let speeds: Vec<(String, f64)> = (trace.speeds.iter().zip(&quasi.speeds))
+                .map(|(speed, is)| (speed.to_string(), value(*is, &values)))
+                .collect();
+            let size = speeds.iter().fold(1.0, |most: f64, (_, speed)| most.max(speed.abs()));
+            values.extend(speeds);
+            for (definition, symbol) in quasi.definitions.iter().zip(&quasi.symbols) {
+                let (found, given) = (value(*definition, &values), values[&symbol.to_string()]);
+                assert!((found - given).abs() < 1e-9 * size, "{symbol}: {found} for {given}");
+            }
+        });
+    }
+}
+
 #[test]
 fn equations_with_letters_for_slopes_are_those_without() {
     let mut letters = 0;
