@@ -2,7 +2,7 @@
 
 use super::axes::axes;
 use super::cosines::{Cosine, cosines};
-use super::quasi_velocities::{InQuasiVelocities, collected};
+use super::quasi_velocities::{InQuasiVelocities, collected, written_operations};
 use super::reading::Reading;
 use super::simplified_as_defined;
 use super::turns::{FreeTurn, short_form};
@@ -11,7 +11,7 @@ use crate::principles::{NotApplicable, Principle};
 use crate::{Energies, Model, Trace};
 use rustc_hash::FxHashSet;
 use std::ops::Range;
-use symbolic::{Sym, substitute_all};
+use symbolic::{Node, Sym, substitute_all};
 
 /// A system in matrix form, over the symbols of a trace.
 ///
@@ -202,8 +202,17 @@ impl MatrixForm {
                         (size <= MOST_COLLECTED).then(|| collected(*each, &self.speeds, short_form)).flatten();
                     let short = (size <= MOST_CANCELLED).then(|| [short_form(*each), simplified_as_defined(*each)]);
                     let forms = by_speeds.into_iter().chain(short.into_iter().flatten()).chain([*each]);
-                    let forms = forms.map(|form| reading.of(form));
-                    forms.min_by_key(|form| Sym::operations_of(&[*form])).unwrap_or(*each)
+                    // a sum as a denominator stands once
+                    let forms = forms.flat_map(|form| match form.node() {
+                        Node::Quotient(above, below) if below.as_constant().is_none() => {
+                            let is_turned = matches!(reading.of(below).decimal_text().as_bytes(), [b'-', ..]);
+                            let [above, below] = [above, below].map(|part| if is_turned { -part } else { part });
+                            [reading.of(form), reading.of(above) / reading.of(below)]
+                        }
+                        _ => [reading.of(form); 2],
+                    });
+                    let length = |form: &Sym| written_operations(&[*form]);
+                    forms.min_by(|one, other| length(one).total_cmp(&length(other))).unwrap_or(*each)
                 };
                 self.mapped(&mut |expressions| expressions.iter().map(&mut read).collect())
             }

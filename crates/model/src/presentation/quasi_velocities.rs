@@ -153,7 +153,7 @@ impl MatrixForm {
 }
 
 /// The number of operations of expressions, those of shared parts counted wherever they occur.
-fn written_operations(expressions: &[Sym]) -> f64 {
+pub(super) fn written_operations(expressions: &[Sym]) -> f64 {
     let mut known: FxHashMap<Sym, f64> = FxHashMap::default();
     let mut open: Vec<Sym> = expressions.to_vec();
     while let Some(&each) = open.last() {

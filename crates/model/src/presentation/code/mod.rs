@@ -103,7 +103,17 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
     let units = units.chain(open.map(|input| (input.unit.clone(), None)));
     let parameters = names.into_iter().zip(quoted).zip(units);
     let meanings = trace.model.quasi_velocities.iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.definitions));
-    let meanings = meanings.map(|(speed, is)| format!("{} = {}", speed.name, is.decimal_text()));
+    let cosines: Vec<(Sym, Sym)> = form.cosines.iter().map(|cosine| (cosine.value, cosine.letter)).collect();
+    let in_letters = |is: Sym| is.substitute(&cosines).decimal_text();
+    let meanings = meanings.map(|(speed, is)| format!("{} = {}", speed.name, in_letters(*is)));
+    let meanings: Vec<String> = meanings.collect();
+    // the first of them tells the others
+    let used = form.cosines.iter().filter(|cosine| {
+        let letter = cosine.letter.to_string();
+        letter.ends_with(".Rxx") && meanings.iter().any(|line| line.contains(letter.trim_end_matches("xx")))
+    });
+    let told = used.map(|cosine| format!("{} = {}, and so on: direction cosines", cosine.letter, cosine.meaning));
+    let told: Vec<String> = told.collect();
     let program = Program {
         positions: form.positions.len(),
         n: form.speeds.len(),
@@ -111,7 +121,7 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
         coordinates: texts(&form.positions),
         speeds: texts(&form.speeds),
         turns: !trace.model.free.is_empty(),
-        meanings: meanings.collect(),
+        meanings: [meanings, told].concat(),
         constraints: form.constraints.iter().map(|held| (held.name.clone(), held.axis.clone())).collect(),
         left_out: left_out(trace, form),
         terms: statements(&mass.chain(loads).chain(rows).chain(biases).collect::<Vec<_>>())?,
