@@ -17,9 +17,9 @@ use std::str::FromStr;
 /// Without a command: the main job. Every paper's statements are judged, every scene is run and charted, and one page
 /// is written that needs nothing else to be read.
 ///
-/// Exit codes: 0 all is well; 1 a run stopped before its end, or the time was over; 2 the input is not acceptable; 130 Ctrl-C
-/// ended it. Where the time is over, or at Ctrl-C, `run`, `ensemble`, `chart` and `reference` keep what there is; a second Ctrl-C
-/// ends them at once.
+/// Exit codes: 0 all is well; 1 a run, or every member of an ensemble, stopped before its end, or the time was over; 2 the input is
+/// not acceptable; 130 Ctrl-C ended it. Where the time is over, or at Ctrl-C, `run`, `ensemble`, `chart` and `reference` keep what
+/// there is; a second Ctrl-C ends them at once.
 ///
 /// A file is whole under its name or is not there. The end of its name says the form: .csv, .svg, .html or .reference. Folders that
 /// are missing are made. A file that stands there is replaced only if the command wrote it, or with --force; a file that the command

@@ -11,6 +11,7 @@ use crate::{clock, csv};
 use charts::{Table, WorkPrecision};
 use clap::{Args, ValueEnum};
 use derivations::friction::RoughScene;
+use derivations::friction::exact::Unknown;
 use derivations::ladder::Ladder;
 use derivations::scene::atlas::{Formulation, Way};
 use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, System, Trajectory, Trials, judged, stored};
@@ -102,7 +103,7 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
             atlas.take_times(&trials, clock::left() / 2);
             told(smooth.title(), &atlas, asked, output, |work| report::of_scene(smooth, &atlas, work))
         }
-        Err(failure) => no_reference(smooth, &run, &failure.to_string()),
+        Err(failure) => no_reference(smooth, &run, &with_share(&failure)),
     }
 }
 
@@ -118,6 +119,10 @@ fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
             told(&scene.title, &atlas, asked, output, |work| report::of_rough(scene, &atlas, work))
         }
         Err(unknown) => {
+            let unknown = match unknown {
+                Unknown::Failed(failure) => with_share(&failure),
+                other => other.to_string(),
+            };
             print(&format!("{}\n\nno reference: {unknown}\n", scene.title))?;
             Ok(Ending::Stopped)
         }
@@ -141,6 +146,16 @@ fn told(
         output.write_text(&drawn)?.tell(asked.format)?;
     }
     Ok(Ending::Done)
+}
+
+/// Why there is no reference; where its time was over, that it has a part of the command's time.
+fn with_share(failure: &Failure) -> String {
+    match failure {
+        Failure::OutOfTime { .. } => {
+            format!("{failure}; a third of the time is for the reference, and more time is given by --seconds")
+        }
+        _ => failure.to_string(),
+    }
 }
 
 fn no_reference(scene: &dyn Smooth, run: &Trajectory, reason: &str) -> Result<Ending, Ending> {
@@ -309,4 +324,20 @@ fn set(table: &Table) -> String {
         text.push('\n');
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_share;
+    use integrators::Failure;
+
+    #[test]
+    fn a_reference_without_time_is_told_its_share() {
+        let told = with_share(&Failure::OutOfTime { at: 3.0 });
+        assert!(
+            told.ends_with("; a third of the time is for the reference, and more time is given by --seconds"),
+            "{told}"
+        );
+        assert_eq!(with_share(&Failure::Singular { at: 3.0 }), Failure::Singular { at: 3.0 }.to_string());
+    }
 }

@@ -127,7 +127,7 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
         Some(PrincipleName::Momentum | PrincipleName::Maxwell) => {
             return Err(Ending::refused(
                 "for a system that is written in its file the principle may be: virtual-power, lagrange, appell, gauss, newton-euler, \
-                 hamel, hamilton",
+                 hamel, hamilton; maggi too, where it has [speeds]",
             ));
         }
     };

@@ -58,7 +58,13 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
     let _progress = Progress::new("inverse dynamics");
     let times: Vec<f64> = (0..=asked.samples).map(|k| asked.span * f64::from(k) / f64::from(asked.samples)).collect();
-    let found = inverse(&model, &prescribed, &asked.unknowns, &times);
+    let mut unknowns: Vec<String> = Vec::new();
+    for name in &asked.unknowns {
+        if !unknowns.contains(name) {
+            unknowns.push(name.clone());
+        }
+    }
+    let found = inverse(&model, &prescribed, &unknowns, &times);
     let (found, constraints) = found.map_err(|why| refused(why.to_string()))?;
     let with_unit = |name: &String| (name.clone(), unit_of(&model, name));
     let state: Vec<(String, String)> = model.state_names().iter().map(|(name, _)| with_unit(name)).collect();
@@ -66,7 +72,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let columns: Vec<(String, String)> = std::iter::once(("time".to_owned(), "s".to_owned()))
         .chain(state.iter().cloned())
         .chain(speeds.iter().map(|(name, unit)| (format!("{name}'"), unit_of_rate(unit))))
-        .chain(asked.unknowns.iter().map(with_unit))
+        .chain(unknowns.iter().map(with_unit))
         .chain(constraints.iter().map(|known| (known.multiplier(), known.unit.clone())))
         .collect();
     let row = |forces: &Forces| -> Vec<f64> {

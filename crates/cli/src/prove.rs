@@ -2,7 +2,7 @@
 
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
-use ::scenes::{on_branch, read_model};
+use ::scenes::{on_branch, read_model, start_of, starting};
 use clap::{Args, ValueEnum};
 use model::principles::{Principle, Projection};
 use model::{
@@ -77,6 +77,9 @@ pub fn prove(asked: &Asked) -> Result<Ending, Ending> {
     let mut model = read_model(&asked.scene)?;
     // off the branch the constraints leave other motions
     on_branch(&mut model);
+    if let Ok(state) = start_of(&model) {
+        model = starting(&model, &state);
+    }
     let mistake = asked.mistake.map(Mistake::from);
     let rows: Vec<Row> = symbolic::apart(|| {
         let trace = Trace::of(&model);

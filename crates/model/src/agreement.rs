@@ -3,15 +3,16 @@
 use crate::Trace;
 use crate::equations::{Characteristics, constraints_of};
 use crate::principles::{NotApplicable, Principle, Projection, linear};
-use crate::real_points::equal_digits;
+use crate::real_points::{equal_digits, value_at_start};
 use std::fmt;
 use symbolic::{Decision, Hypotheses, Identity, Sym, decide, identified};
 
 /// The degree to which two principles are known to agree.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Agreement {
-    /// The normal form of every difference is zero: for all values of all letters for which no divisor vanishes.
-    Proved { divisors: Vec<String> },
+    /// The normal form of every difference is zero: for all values of all letters for which no divisor vanishes; with those divisors
+    /// that vanish at the start of the model, where it gives one.
+    Proved { divisors: Vec<String>, at_start: Option<Vec<String>> },
     /// Every difference vanishes at random points of prime fields: but for an error of at most 2^`error`.
     Identified { points: usize, error: f64 },
     /// Both sides have equal values at real points, to so many digits.
@@ -38,15 +39,20 @@ impl Agreement {
 impl fmt::Display for Agreement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Proved { divisors } if divisors.is_empty() => {
+            Self::Proved { divisors, .. } if divisors.is_empty() => {
                 write!(f, "proved by normal form: equal for all values of all letters")
             }
-            Self::Proved { divisors } => {
+            Self::Proved { divisors, at_start } => {
                 write!(
                     f,
                     "proved by normal form: equal for all values for which none of these vanishes: {}",
                     divisors.join("; ")
-                )
+                )?;
+                match at_start.as_deref() {
+                    None => Ok(()),
+                    Some([]) => write!(f, " (at the start none of them does)"),
+                    Some(vanishing) => write!(f, " (at the start {} vanishes)", vanishing.join(" and ")),
+                }
             }
             Self::Identified { points, error } => write!(
                 f,
@@ -91,7 +97,7 @@ pub struct Projected {
 pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<Projected, NotApplicable> {
     let constraints = constraints_of(trace);
     if constraints.is_empty() {
-        return Err(NotApplicable("the system has no constraints: the equations are Lagrange's".to_owned()));
+        return Err(NotApplicable("without constraints its equations are those of lagrange".to_owned()));
     }
     let characteristics = Characteristics::of(trace, &constraints);
     let named = |places: &mut dyn Iterator<Item = usize>| {
@@ -136,11 +142,14 @@ fn or_nothing(names: &str) -> &str {
 pub(crate) fn decided(trace: &Trace<'_>, pairs: &[(Sym, Sym)]) -> Agreement {
     let (ones, others): (Vec<Sym>, Vec<Sym>) = pairs.iter().copied().unzip();
     let (ones, others) = (trace.with_masses(&ones), trace.with_masses(&others));
-    compared(&ones.into_iter().zip(others).collect::<Vec<_>>())
+    compared(&ones.into_iter().zip(others).collect::<Vec<_>>(), |divisor| value_at_start(trace, divisor))
 }
 
-/// Whether the two sides of every pair are equal as they stand.
-fn compared(pairs: &[(Sym, Sym)]) -> Agreement {
+/// Divisors below this are taken for zero at a start.
+const VANISHES: f64 = 1e-12;
+
+/// Whether the two sides of every pair are equal as they stand; divisors have values at the start.
+fn compared(pairs: &[(Sym, Sym)], value_at_start: impl Fn(Sym) -> Option<f64>) -> Agreement {
     let differences: Vec<Sym> = pairs.iter().map(|&(one, other)| one - other).collect();
     let identity = identified(&differences);
     if let (Identity::Identified { points, error, .. }, true) =
@@ -157,12 +166,12 @@ fn compared(pairs: &[(Sym, Sym)]) -> Agreement {
             return Agreement::Refuted { equation, point: "not zero at a random point of a prime field".to_owned() };
         }
     }
-    let mut divisors: Vec<String> = Vec::new();
+    let mut divisors: Vec<Sym> = Vec::new();
     for (equation, difference) in differences.into_iter().enumerate() {
         let reason = match (decide(difference, &Hypotheses::none()), &identity) {
             (Decision::Zero(proof), _) => {
-                for divisor in proof.requires.iter().map(Sym::to_string) {
-                    if !divisors.contains(&divisor) {
+                for divisor in proof.requires {
+                    if divisors.iter().all(|known| known.to_string() != divisor.to_string()) {
                         divisors.push(divisor);
                     }
                 }
@@ -182,7 +191,13 @@ fn compared(pairs: &[(Sym, Sym)]) -> Agreement {
             None => Agreement::Undecided { equation, reason },
         };
     }
-    Agreement::Proved { divisors }
+    let values: Option<Vec<f64>> = divisors.iter().map(|divisor| value_at_start(*divisor)).collect();
+    let vanishing = |values: Vec<f64>| {
+        let vanishing = divisors.iter().zip(values).filter(|(_, value)| value.abs() <= VANISHES);
+        vanishing.map(|(divisor, _)| divisor.to_string()).collect()
+    };
+    let at_start = values.map(vanishing);
+    Agreement::Proved { divisors: divisors.iter().map(Sym::to_string).collect(), at_start }
 }
 
 #[cfg(test)]
@@ -196,8 +211,26 @@ mod tests {
         apart(|| {
             let [x, y] = symbols(["x", "y"]);
             let root = (x * x + y * y).sqrt();
+            let compared = |pairs: &[(Sym, Sym)]| compared(pairs, |_| None);
             assert!(matches!(compared(&[(root * root, x * x + y * y)]), Agreement::Proved { .. }));
             assert!(matches!(compared(&[(root, x + y)]), Agreement::Refuted { .. }));
+        });
+    }
+
+    #[test]
+    fn divisors_that_vanish_at_the_start_are_told() {
+        apart(|| {
+            let [x, y] = symbols(["x", "y"]);
+            let pairs = [(x / y, x * x / (x * y))];
+            let at = |x: f64, y: f64| {
+                let value =
+                    |divisor: Sym| divisor.evaluate_analytic(&|name: &str| Some(if name == "x" { x } else { y })).ok();
+                compared(&pairs, value).to_string()
+            };
+            let none = compared(&pairs, |_| None).to_string();
+            assert!(none.starts_with("proved") && !none.contains("at the start"), "{none}");
+            assert!(at(2.0, 3.0).ends_with(" (at the start none of them does)"), "{}", at(2.0, 3.0));
+            assert!(at(0.0, 3.0).ends_with(" (at the start x vanishes)"), "{}", at(0.0, 3.0));
         });
     }
 
@@ -206,7 +239,7 @@ mod tests {
         apart(|| {
             let [x, y] = symbols(["x", "y"]);
             let long = (0..2_500).fold(x, |sum, k| sum * y + Sym::int(k));
-            let found = compared(&[(x, x), (long, long * Sym::int(2))]);
+            let found = compared(&[(x, x), (long, long * Sym::int(2))], |_| None);
             let Agreement::Refuted { equation: 1, point } = found else { panic!("{found}") };
             assert_eq!(point, "not zero at a random point of a prime field");
         });

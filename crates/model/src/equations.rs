@@ -17,7 +17,9 @@ pub(crate) use constraints::held_of;
 pub use constraints::vanishes;
 pub use constraints::{Equation, Level, equations as constraints_of};
 pub use elimination::Singular;
-pub(crate) use generic_point::{Course, courses, depends, generic_rank, pivots as generic_pivots};
+pub(crate) use generic_point::{
+    Course, circuits as generic_circuits, courses, depends, generic_rank, pivots as generic_pivots,
+};
 pub use integrability::Integrability;
 
 use crate::Trace;

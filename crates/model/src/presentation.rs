@@ -25,13 +25,14 @@ pub use text::text;
 pub(crate) use turns::{FreeTurn, short_form};
 
 use crate::equations::{Equation, Integrability, Level, constraints_of as equations_of};
+use crate::joints::joints;
 use crate::{FrameId, PointId, Trace, Turn, Vector};
 use num_traits::Zero;
 use reading::Reading;
 use symbolic::{Hypotheses, Node, Sym, normal};
 
 /// The vectors that the model is made of, each on a line: of every frame its angular velocity, of every named point its position,
-/// velocity and acceleration, in the axes in which they were formed.
+/// velocity and acceleration, in the axes in which they were formed; then the joint of every body, about which its torque is.
 pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
     let model = trace.model;
     let mut reading = reading_of(trace);
@@ -73,6 +74,15 @@ pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
             lines.push(format!("velocity({name}) = {}", written(trace.velocity(at))));
             lines.push(format!("acceleration({name}) = {}", written(trace.acceleration(at))));
         }
+    }
+    for (body, parent, place) in joints(trace) {
+        let parent = parent.map_or("the ground", |parent| model.bodies[parent.0].name.as_str());
+        let place = match (model.points[place.0].name.as_str(), written(trace.position(place))) {
+            ("", way) if way == "0" => "O".to_owned(),
+            ("", way) => format!("O + {way}"),
+            (name, _) => name.to_owned(),
+        };
+        lines.push(format!("joint of {} to {parent}: at {place}", model.bodies[body.0].name));
     }
     lines
 }

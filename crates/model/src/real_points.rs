@@ -1,6 +1,7 @@
 //! Whether two expressions have equal values at real points, to the digits of double-double numbers: where roots or functions keep an
 //! identity from being decided otherwise.
 
+use crate::Trace;
 use field::DoubleDouble;
 use symbolic::Sym;
 
@@ -24,6 +25,28 @@ pub(crate) fn equal_digits(pairs: &[(Sym, Sym)]) -> Option<(usize, f64)> {
         digits = digits.min(least);
     }
     (points >= NEEDED && digits >= DIGITS).then_some((points, digits))
+}
+
+/// The value of an expression at the start of a model; none where it holds more than coordinates, speeds, the time and parameters with
+/// values, and where the start leaves coordinates open.
+pub(crate) fn value_at_start(trace: &Trace<'_>, expression: Sym) -> Option<f64> {
+    let model = trace.model;
+    let is_given = |place: usize| {
+        model.start.iter().any(|start| (start.coordinate, start.order, start.is_guess) == (place, 0, false))
+    };
+    if !(0..model.positions()).all(is_given) {
+        return None;
+    }
+    let state = model.start_state();
+    let names: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
+    let value = |name: &str| {
+        let of_state = names.iter().position(|own| own == name).map(|place| state[place]);
+        let parameter = || model.parameters.iter().find(|own| own.name == name)?.value;
+        let pi = || (Sym::symbol(name) == trace.pi).then_some(std::f64::consts::PI);
+        let time = || (Sym::symbol(name) == trace.time).then_some(0.0);
+        of_state.or_else(parameter).or_else(time).or_else(pi).map(DoubleDouble::from)
+    };
+    expression.evaluate_analytic(&value).ok().map(|value: DoubleDouble| value.hi()).filter(|value| value.is_finite())
 }
 
 /// The digits to which two expressions agree at a point; NaN where one has no value.

@@ -56,7 +56,7 @@ pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneErro
         let model = Arc::clone(&scene.model);
         let system = ModelEnsemble::of(scene, targets).map_err(|unmet| {
             issues.push(match unmet {
-                Unmet::NotCompiled(NotCompiled::Changes) => changes(&model, "`ensemble` cannot run this system"),
+                Unmet::NotCompiled(NotCompiled::Changes) => changes(&model, "`ensemble` does not apply"),
                 other => unmet_at(&model, other),
             });
         });
@@ -264,7 +264,8 @@ fn told(unmet: &Unmet) -> String {
     match unmet {
         Unmet::Open(open) => open.to_string(),
         Unmet::Redundant { name, .. } => format!("{name} depends on those before it there"),
-        Unmet::Idle { name, .. } => format!("{name} holds nothing there"),
+        Unmet::Idle { name, .. } => format!("{name} restrains nothing there"),
+        Unmet::Locked { name, .. } => format!("{name} cannot hold in its position"),
         Unmet::Contradiction { .. } => "two constraints contradict each other".to_owned(),
         Unmet::Gains { .. } | Unmet::Piecewise(_) | Unmet::Fixed { .. } => {
             "a constraint that no start can meet".to_owned()

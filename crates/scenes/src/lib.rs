@@ -38,7 +38,7 @@ pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 pub use modes::Case;
 pub use motions::{Motion, read_prescribed};
 pub use no_system::with_ways_to_a_system;
-pub use readiness::{equilibrium_of, independent_at, independent_start, start_of};
+pub use readiness::{equilibrium_of, independent_at, independent_start, start_of, starting};
 pub use row_units::{unit_of, unit_of_rate};
 pub use scene::{ModelScene, completed_start, read_model, register};
 pub use start::{Completed, Open, Unmet, consistent};

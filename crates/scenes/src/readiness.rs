@@ -5,6 +5,7 @@ use crate::compiled_system::{CompiledSystem, NotCompiled, plain};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::first_motion::missing;
 use crate::modes::{Modes, Refused};
+use crate::row_units::measured;
 use crate::start::{Completed, Open, Unmet, consistent};
 use derivations::scene::Issue;
 use model::equations::{Level, constraints_of, dependent_everywhere};
@@ -116,7 +117,7 @@ pub(crate) fn leave_out(model: &mut Model, Completed { state, implied }: &Comple
             None => format!("{title} follows from other constraints"),
             Some(start) => format!("{title} follows from other constraints on the branch of the start, {start}"),
         };
-        let label = "it has no reaction here: nothing determines the shares of the others and of this one";
+        let label = "its reaction is shown as zero, since nothing determines how it and they share the load";
         let accepted = "without it the motion is the same";
         model.warnings.push(Fault { span: at, title, label: label.to_owned(), accepted: accepted.to_owned() });
     }
@@ -125,23 +126,41 @@ pub(crate) fn leave_out(model: &mut Model, Completed { state, implied }: &Comple
 /// The condition that a start does not meet, at its place.
 pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
     match unmet {
-        Unmet::Open(open) => inconsistent(&open),
-        Unmet::Redundant { at, .. } => {
-            let title = "this constraint depends on those before it at the start";
-            let issue = Issue::at(at, title, "it holds no direction of its own there, and does elsewhere");
+        Unmet::Open(open) => inconsistent(model, &open),
+        Unmet::Redundant { at, name } => {
+            let title = format!("{name} depends on those before it at the start");
+            let issue =
+                Issue::at(at, title, "a singular position: it has a direction of its own elsewhere, and none there");
             issue.accepted("another start; or constraints that are independent")
         }
-        Unmet::Idle { at, .. } => {
-            let title = "this constraint holds nothing at the start";
-            let issue = Issue::at(at, title, "no coordinate and no speed moves it there");
-            issue.accepted("an expression that coordinates move: x - y, and not its square")
+        Unmet::Idle { at, name } => {
+            let title = format!("{name} restrains nothing at the start");
+            let issue = Issue::at(at, title, "every derivative of it by coordinates and speeds is zero there");
+            issue.accepted(
+                "another start, since links in one line and a crank at its dead point are singular positions; \
+                 or an expression that coordinates move: x - y, and not its square",
+            )
         }
-        Unmet::Gains { at, level } => {
+        Unmet::Locked { at, name } => {
+            let title = format!("{name} cannot hold in this position");
+            let issue = Issue::at(at, title, "no rates of coordinates give it here; in neighbouring positions some do");
+            issue.accepted(match model.constraints.iter().any(|constraint| constraint.gains.is_none()) {
+                true => {
+                    "another position, or fewer quasi-velocities in [start]: here the constraints and the others determine it"
+                }
+                false => {
+                    "another position: three turns have one axis less where the first meets the third, spherical angles none at the \
+                     pole; or a frame that turns freely, F = \"N free\""
+                }
+            })
+        }
+        Unmet::Gains { at, level, found } => {
             let (kind, accepted) = match level {
                 Level::Position => ("positions has two gains", "gains = [\"2*a\", \"b^2\"]: f'' + 2 a f' + b^2 f = 0"),
                 Level::Speed => ("speeds has one gain", "gains = [\"a\"]: f' + a f = 0"),
             };
-            Issue::at(at, format!("a programmed constraint of {kind}"), "this one").accepted(accepted)
+            let label = if found == 1 { "one stands here".to_owned() } else { format!("{found} stand here") };
+            Issue::at(at, format!("a programmed constraint of {kind}"), label).accepted(accepted)
         }
         Unmet::Piecewise(at) => {
             let issue = Issue::at(at, "a constraint that changes at a condition is not there yet", "this one");
@@ -154,14 +173,14 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
                 "an expression of coordinates, of speeds, or of both; a relation between parameters is no constraint",
             )
         }
-        Unmet::Contradiction { at, residual } => {
+        Unmet::Contradiction { at, residual, unit } => {
             let [one, other] = at.clone().map(|at| {
                 let place = model.constraints.iter().position(|constraint| constraint.at == at).unwrap_or(0);
                 let name = model.constraints[place].name.as_ref();
                 format!("constraint {}{}", place + 1, name.map_or_else(String::new, |name| format!(" `{name}`")))
             });
             let [_, at] = at;
-            let label = format!("it leaves {residual:.6e}, and not zero, wherever {one} holds");
+            let label = format!("it leaves {}, and not zero, wherever {one} holds", measured(residual, &unit));
             let issue = Issue::at(at, format!("{other} contradicts {one}"), label);
             issue.accepted("constraints that some position meets together: leave one of the two out, or mend it")
         }
@@ -171,15 +190,16 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
 
 /// A system whose law or start changes, where one law is asked for: at the place where it changes.
 pub(crate) fn changes(model: &Model, what: &str) -> Issue {
-    let event = model.events.first().map(|event| (event.at.clone(), "an event"));
-    let condition = || Some((model.switch_places.first()?.clone(), "the law changes here"));
-    let equilibrium = || Some((model.equilibrium.clone()?, "the start is an equilibrium"));
-    let (at, label) = event.or_else(condition).or_else(equilibrium).unwrap_or((0..0, "in this file"));
-    let issue = Issue::at(
-        at,
-        format!("{what}: its law or its start changes at conditions, at events or with an equilibrium"),
-        label,
-    );
+    let event = model.events.first().map(|event| (event.at.clone(), "this system has an event", "an event"));
+    let condition = || {
+        Some((model.switch_places.first()?.clone(), "the law of this system changes at a condition", "this condition"))
+    };
+    let equilibrium = || {
+        Some((model.equilibrium.clone()?, "the start of this system is an equilibrium that is searched for", "here"))
+    };
+    let found = event.or_else(condition).or_else(equilibrium);
+    let (at, why, label) = found.unwrap_or((0..0, "the law of this system changes", "in this file"));
+    let issue = Issue::at(at, format!("{what}: {why}"), label);
     issue.accepted("a system with one law and a start of numbers; `run` runs this one")
 }
 
@@ -205,18 +225,15 @@ fn sought(model: &Model, all: bool) -> Result<Equilibrium, Issue> {
     equilibrium(model, all).map_err(|why| {
         let at = model.equilibrium.clone().unwrap_or_default();
         match why {
-            NoEquilibrium::NotCompiled(NotCompiled::Changes) => {
-                changes(model, "no equilibrium of this system can be sought")
-            }
+            NoEquilibrium::NotCompiled(NotCompiled::Changes) => changes(model, "an equilibrium cannot be computed"),
             NoEquilibrium::NotCompiled(reason) => refused(model, &reason),
             NoEquilibrium::Moves { speed } => {
                 let issue = Issue::at(at, "an equilibrium has no speeds", format!("{speed} is not zero"));
                 issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted")
             }
-            NoEquilibrium::NotFound { equation, residual } => {
-                let label = format!(
-                    "the residual of {equation} is {residual:.6e} in SI units at the best point that was found"
-                );
+            NoEquilibrium::NotFound { equation, residual, unit } => {
+                let residual = measured(residual, &unit);
+                let label = format!("{equation} leaves {residual} at the best point that was found");
                 let issue = Issue::at(at, "no equilibrium is found near this start", label);
                 issue.accepted("coordinates nearer to one, written as guesses so that they may move: \"guess 0.3 rad\"")
             }
@@ -225,7 +242,7 @@ fn sought(model: &Model, all: bool) -> Result<Equilibrium, Issue> {
 }
 
 /// The model with a state as its start.
-fn starting(model: &Model, state: &[f64]) -> Model {
+pub fn starting(model: &Model, state: &[f64]) -> Model {
     let n = model.positions();
     let value =
         |(place, &value): (usize, &f64)| StartValue { coordinate: place % n, order: place / n, value, is_guess: false };
@@ -267,28 +284,52 @@ fn place_of(model: &Model, reason: &NotCompiled) -> (Range<usize>, &'static str,
 }
 
 /// A constraint that the start does not meet.
-fn inconsistent(Open { at, name, residual, moved, level }: &Open) -> Issue {
+fn inconsistent(model: &Model, Open { at, name, residual, unit, is_rate, moved, given, level }: &Open) -> Issue {
+    let list = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    let rate = if *is_rate { "its rate is " } else { "" };
     if let [first, ..] = moved.as_slice() {
-        let list = moved.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
         let title = format!("{name} was not met from this start");
+        let moved = list(moved);
         let label = match residual {
-            Some(residual) => format!("moving {list} left {residual:.6e}, and not zero"),
-            None => format!("moving {list} led to where it has no value"),
+            Some(residual) => format!("moving {moved} left {}, and not zero", measured(*residual, unit)),
+            None => format!("moving {moved} led to where it has no value"),
         };
-        return Issue::at(at.clone(), title, label).accepted(format!(
-            "another guess in [start], such as {} = \"guess ...\" nearer to a position that exists; or other given values",
-            key(first)
-        ));
+        let fixed = given_speeds(model);
+        let accepted = match (level, fixed.as_slice()) {
+            (Level::Speed, [_, ..]) => {
+                format!("fewer or other speeds in [start], which gives {}", list(&fixed))
+            }
+            _ => format!(
+                "another guess in [start], such as {} = \"guess ...\" nearer to a position that exists; or other given values",
+                key(first)
+            ),
+        };
+        return Issue::at(at.clone(), title, label).accepted(accepted);
     }
     let what = if *level == Level::Position { "the coordinates" } else { "the speeds" };
     let title = format!("{name} does not hold at the start");
+    let own = model.start_speeds.iter().find(|start| start.at == *at);
+    if let (Some(own), Some(residual), [_, ..]) = (own, residual, given.as_slice()) {
+        let label = format!("{} by {}, which [start] gives too", measured(residual + own.value, unit), list(given));
+        let accepted = "one of them: rates that [start] leaves out are completed so that its quasi-velocities hold";
+        return Issue::at(at.clone(), title, label).accepted(accepted);
+    }
     let label = match residual {
-        Some(residual) => format!("{residual:.6e} by {what} that [start] gives, and not zero"),
+        Some(residual) => format!("{rate}{} by {what} that [start] gives, and not zero", measured(*residual, unit)),
         None => format!("it has no value by {what} that [start] gives"),
     };
     Issue::at(at.clone(), title, label).accepted(
         "values in [start] that agree; one that is left out, or written as \"guess 0.3 rad\", is completed so that constraints hold",
     )
+}
+
+/// The speeds and quasi-velocities that [start] gives and does not guess.
+fn given_speeds(model: &Model) -> Vec<String> {
+    let names = model.state_names();
+    let given = model.start.iter().filter(|start| start.order == 1 && !start.is_guess);
+    let speeds = given.map(|start| names[model.positions() + start.coordinate].0.clone());
+    let quasi = model.start_speeds.iter().map(|start| model.quasi_velocities[start.of].name.clone());
+    speeds.chain(quasi).collect()
 }
 
 /// A name as a key of TOML.

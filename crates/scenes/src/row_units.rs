@@ -14,6 +14,16 @@ pub(crate) fn coherent(unit: &str) -> String {
     }
 }
 
+/// A number that a sentence tells, to seven digits, with its unit.
+pub(crate) fn measured(value: f64, unit: &str) -> String {
+    let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
+    let number = match rounded.abs() {
+        size if size == 0.0 || (1e-4..1e6).contains(&size) => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    };
+    if unit == "1" { number } else { format!("{number} {unit}") }
+}
+
 /// The unit of a rate: m/s, and m/s^2 of m/s.
 pub(crate) fn rate_unit(unit: &str) -> String {
     if let Some(of) = unit.strip_suffix("/s") {
@@ -44,6 +54,12 @@ pub fn unit_of(model: &Model, name: &str) -> String {
 /// The unit of the rate of a quantity in a coherent unit: of a speed in m/s an acceleration in m/s^2.
 pub fn unit_of_rate(unit: &str) -> String {
     rate_unit(unit)
+}
+
+/// The unit of a generalised force: energy per displacement of its coordinate.
+pub(crate) fn force_unit(along: Dimension) -> String {
+    let (length, time) = (Dimension::length(), Dimension::time());
+    coherent(&(Dimension::mass() * length * length / (time * time) / along).to_string())
 }
 
 /// The unit of a multiplier: power per rate of its constraint.

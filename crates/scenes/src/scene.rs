@@ -4,7 +4,7 @@ use crate::admissible::impossible;
 use crate::branch::settled;
 use crate::compiled_system::{CompiledSystem, ENERGIES};
 use crate::ensemble::parse_ensemble;
-use crate::modes::{Ended, Modes};
+use crate::modes::{End, Ended, Modes};
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{ready, start_of, without_run};
 use crate::row_units::unit_of;
@@ -151,8 +151,17 @@ pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
     let Ok(model) = model else { return Vec::new() };
     let Ok(start) = start_of(&model) else { return Vec::new() };
     let names = model.state_names().into_iter().map(|(name, _)| name);
-    let moved = names.zip(start.into_iter().zip(model.start_state()));
-    moved.filter(|(_, (now, written))| now != written).map(|(name, (now, _))| (name, now)).collect()
+    let positions = model.positions();
+    let largest = |parts: &[f64]| parts.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
+    let rounding = [&start[..positions], &start[positions..]].map(|parts| f64::EPSILON * largest(parts));
+    let moved = names.zip(start.iter().zip(model.start_state())).enumerate();
+    // beside others of its kind a part below their rounding is zero
+    let shown = |(place, (name, (&now, written))): (usize, (String, (&f64, f64)))| {
+        let rounding = rounding[usize::from(place >= positions)];
+        let now = if now.abs() <= rounding { 0.0 } else { now };
+        (now != written).then_some((name, now))
+    };
+    moved.filter_map(shown).collect()
 }
 
 /// Names of a row: coordinates, speeds, outputs, energies.
@@ -219,8 +228,14 @@ impl Smooth for ModelScene {
     }
 
     fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
-        let ended = trajectory.stopped().is_none().then(|| self.ended.at(trajectory.outcome.time)).flatten();
-        let ended = ended.map(|event| format!("{} ends the run", self.events[event]));
+        let ended = self.ended.at(trajectory.outcome.time).filter(|end| {
+            // what stopped elsewhere was no event
+            end.breaks.is_some() == trajectory.stopped().is_some()
+        });
+        let ended = ended.map(|End { event, breaks }| match breaks {
+            None => format!("{} ends the run", self.events[event]),
+            Some(broken) => format!("after {} {broken}, which must be zero", self.events[event]),
+        });
         let (time, state) = (trajectory.outcome.time, &trajectory.outcome.state);
         let branched = || Branching::of(&self.model)?.broken(time, state).map(str::to_owned);
         let branched = trajectory.stopped().is_none().then(branched).flatten();

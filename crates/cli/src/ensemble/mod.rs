@@ -56,7 +56,8 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
     drop(progress);
     print(&told.text(path, done))?;
     if told.members == all {
-        return Ok(Ending::Done);
+        // as of a run that stops, where none came to its end
+        return Ok(if told.reached() > 0 { Ending::Done } else { Ending::Stopped });
     }
     print(&format!("broken off: the same command goes on with member {}\n", told.members + 1))?;
     Ok(Ending::Stopped)

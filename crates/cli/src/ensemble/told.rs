@@ -30,10 +30,18 @@ impl Told {
         }
     }
 
+    fn stopped(&self) -> u64 {
+        self.stopped.values().map(|stopped| stopped.count).sum()
+    }
+
+    /// The number of members that reached the end.
+    pub fn reached(&self) -> u64 {
+        self.members - self.stopped()
+    }
+
     /// For reading.
     pub fn text(&self, path: &Path, before: u64) -> String {
-        let stopped: u64 = self.stopped.values().map(|stopped| stopped.count).sum();
-        let reached = self.members - stopped;
+        let (reached, stopped) = (self.reached(), self.stopped());
         let mut text = format!("{} members: {reached} reached the end, {stopped} did not\n", self.members);
         for Counted { count, member, why } in self.stopped.values() {
             text += &format!("  {count:>8}  such as member {member}: {why}\n");
@@ -59,6 +67,7 @@ mod tests {
         for why in [None, Some(first.as_str()), Some(&second), Some(&late)] {
             told.add(why);
         }
+        assert_eq!(told.reached(), 1);
         let text = told.text(Path::new("t.csv"), 0);
         assert!(text.starts_with("4 members: 1 reached the end, 3 did not\n"), "{text}");
         assert!(text.contains("2  such as member 2: no such bodies exist: A' > 0 is broken: it is -2\n"), "{text}");

@@ -24,10 +24,10 @@ pub struct Asked {
     /// The point: the start of the file, or an equilibrium near it
     #[arg(long, value_enum, default_value_t)]
     pub about: About,
-    /// Instants of the run in seconds, instead of a point: 0,0.5,2
+    /// Instants of the run in seconds, up to its end, instead of a point: 0,0.5,2
     #[arg(long, value_name = "T,T", value_delimiter = ',', value_parser = instant, allow_negative_numbers = true, conflicts_with = "about")]
     pub times: Vec<f64>,
-    /// A parameter that is an input; may be repeated
+    /// A parameter that is an input, beside the inputs of the file; may be repeated
     #[arg(long = "input", value_name = "NAME")]
     pub inputs: Vec<String>,
     /// Format of the matrices; CSV has a row for each entry, in the unit of its row, per second in A and B, over that of its
@@ -42,7 +42,7 @@ pub enum About {
     /// As the file gives it, completed so that constraints hold
     #[default]
     Start,
-    /// A point of rest, found from the coordinates at the start
+    /// A point of rest, found from the coordinates at the start; speeds that the file gives are left aside
     Equilibrium,
 }
 
@@ -126,6 +126,10 @@ fn at_condition(model: &Model, asked: &Asked, switch: usize, why: &str) -> Endin
 fn inputs(model: &mut Model, names: &[String]) -> Result<Vec<usize>, String> {
     let mut places = Vec::new();
     for name in names {
+        // those of the file are inputs in any case
+        if model.inputs.iter().any(|input| input.name == *name) {
+            continue;
+        }
         let Some(place) = model.parameters.iter().position(|parameter| parameter.name == *name) else {
             let known: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
             return Err(match units::nearest(name, known.iter().copied()) {
@@ -146,6 +150,12 @@ fn instances(model: &mut Model, asked: &Asked) -> Result<Vec<points::Instance>, 
     let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
     if !asked.times.is_empty() {
         let scene = ModelScene::parse(&asked.scene.display().to_string(), &read_text(&asked.scene)?)?;
+        if let Some(late) = asked.times.iter().find(|time| **time > scene.run.span) {
+            return Err(refused(format!(
+                "--times {late}: the run ends at t = {} s; times up to it are accepted, or a longer `span` in [run]",
+                scene.run.span
+            )));
+        }
         model.implied.clone_from(&scene.model.implied);
         let along = points::along(&scene, &asked.times, clock::left());
         return along.map_err(|failure| refused(format!("the run does not reach these times: {failure}")));

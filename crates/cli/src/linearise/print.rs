@@ -5,6 +5,7 @@ use crate::csv::{headed as csv_headed, line};
 use ::scenes::linearisation::{Linearisation, Point, Standing, VariedEquations};
 use ::scenes::unit_of;
 use model::Model;
+use nalgebra::DVector;
 use serde_json::json;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -49,8 +50,15 @@ impl<'a> Names<'a> {
         displacements.chain(linear.speeds.iter().map(|&place| self.speeds[place].clone())).collect()
     }
 
-    /// The values of a point, each coordinate with its rates.
-    fn point(&self, point: &Point) -> String {
+    /// The values of a point, each coordinate with its rates; accelerations that are taken for zero are zero.
+    fn point(&self, point: &Point, standing: Standing) -> String {
+        let still = if standing == Standing::Moving { 1.0 } else { 0.0 };
+        let point = Point {
+            coordinates: without_rounding(&point.coordinates),
+            speeds: without_rounding(&point.speeds),
+            accelerations: without_rounding(&point.accelerations) * still,
+            ..point.clone()
+        };
         let written = |name: &str, value: f64| format!("{name} = {}", number(value).trim());
         let rates = |place: usize| {
             let name = &self.speeds[place];
@@ -92,8 +100,12 @@ fn standing(standing: Standing) -> &'static str {
 pub(super) fn text(names: &Names<'_>, found: &Found) -> String {
     let Found { linear, eigenvalues, stability, .. } = found;
     let mut text = format!("t = {} s, {}\n", linear.point.time, standing(found.standing));
-    text += &names.point(&linear.point);
-    let _ = writeln!(text, "x = ({})", names.states(linear).join(", "));
+    text += &names.point(&linear.point, found.standing);
+    let states = names.states(linear);
+    let _ = match states.is_empty() {
+        true => writeln!(text, "x is empty: the constraints determine every coordinate and every speed"),
+        false => writeln!(text, "x = ({})", states.join(", ")),
+    };
     let dependent = |names: &[String], free: &[usize]| -> Vec<String> {
         names.iter().enumerate().filter(|(place, _)| !free.contains(place)).map(|(_, name)| name.clone()).collect()
     };
@@ -116,7 +128,9 @@ pub(super) fn text(names: &Names<'_>, found: &Found) -> String {
             let _ = writeln!(text, "  {name:wide$}{entries}");
         }
     }
-    text += "eigenvalues\n";
+    if !eigenvalues.is_empty() {
+        text += "eigenvalues\n";
+    }
     for [re, im] in eigenvalues {
         let _ = match im {
             0.0 => writeln!(text, "  {}", number(*re)),
@@ -126,6 +140,11 @@ pub(super) fn text(names: &Names<'_>, found: &Found) -> String {
     }
     let _ = writeln!(text, "{stability}");
     text
+}
+
+/// Values of one kind, in which those that rounding alone left are zero.
+fn without_rounding(values: &DVector<f64>) -> DVector<f64> {
+    values.map(|value| shown(value, values.amax()))
 }
 
 /// An entry that rounding alone left reads as zero.

@@ -121,6 +121,8 @@ fn a_table_whose_last_member_never_started_is_told_from_that_of_another_scene() 
     };
     let first = run(&none(5, "span = \"0.5 s\""), &path, &[]);
     assert!(String::from_utf8_lossy(&first.stdout).contains("0 reached the end, 5 did not"), "{first:?}");
+    // as of a run that stops
+    assert_eq!(first.status.code(), Some(1));
     let before = folder.read("table.csv");
     let columns = before.lines().next().map_or(0, |line| line.split(',').count());
     assert!(before.lines().all(|line| line.contains('"') || line.split(',').count() == columns), "{before}");
@@ -128,7 +130,7 @@ fn a_table_whose_last_member_never_started_is_told_from_that_of_another_scene() 
     let said = String::from_utf8_lossy(&other.stderr);
     assert!(other.status.code() == Some(2) && said.contains("line 2: another ensemble"), "{said}");
     assert_eq!(folder.read("table.csv"), before);
-    assert!(run(&none(8, "span = \"0.5 s\""), &path, &["--threads", "3"]).status.success());
+    assert!(run(&none(8, "span = \"0.5 s\""), &path, &["--threads", "3"]).status.code() == Some(1));
     assert!(folder.read("table.csv").starts_with(&before));
 }
 

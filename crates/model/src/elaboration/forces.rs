@@ -1,7 +1,7 @@
 //! Forces and torques: on one thing, or equal and opposite between two.
 
 use super::loads::{joule, newton};
-use super::{Elaborator, Named, Sound, Value, mismatch};
+use super::{Elaborator, Named, Sound, TORQUE, Value, mismatch};
 use crate::arena::{Scalar, Vector};
 use crate::{Fault, Force, LoadSource, Material, PointId, ScalarId, Text, Torque, VectorId};
 use symbolic::Dimension;
@@ -90,7 +90,7 @@ impl Elaborator<'_> {
                     let title = "a torque on the ground moves nothing";
                     return Err(Box::new(Fault::at(on.span(), title, "the ground is at rest", accepted)));
                 }
-                Ok(Torque::On { frame, is: self.vector_value(&load.is, "a torque", Some(joule()))? })
+                Ok(Torque::On { frame, is: self.vector_value(&load.is, TORQUE, Some(joule()))? })
             }
             Err([first, second]) => {
                 let frames = [self.turning_frame(first)?, self.turning_frame(second)?];
@@ -99,7 +99,7 @@ impl Elaborator<'_> {
                     let title = "a torque acts between two bodies, and these turn together";
                     return Err(Box::new(Fault::at(second.span(), title, "the frame before", accepted)));
                 }
-                Ok(Torque::Between { frames, is: self.vector_value(&load.is, "a torque", Some(joule()))? })
+                Ok(Torque::Between { frames, is: self.vector_value(&load.is, TORQUE, Some(joule()))? })
             }
         }
     }

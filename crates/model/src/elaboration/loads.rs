@@ -1,7 +1,7 @@
 //! Gravity, energies, constraints, outputs, and the start; forces and torques stand in `forces`.
 
 use super::value::Value;
-use super::{Elaborator, Sound, mismatch};
+use super::{Elaborator, GRAVITY, Sound, mismatch};
 use crate::parts::TURNING;
 use crate::{
     Along, Constraint, ConstraintSource, Entry, Fault, GeneralisedForce, LoadSource, Output, ScalarId, StartValue,
@@ -22,7 +22,7 @@ impl Elaborator<'_> {
     pub(super) fn loads(&mut self) {
         if let Some(gravity) = &self.source.gravity {
             let needed = Dimension::length() / Dimension::time().power(Rational::new(2, 1));
-            let found = self.vector_value(gravity, "the acceleration of free fall", Some(needed));
+            let found = self.vector_value(gravity, GRAVITY, Some(needed));
             self.model.gravity = self.kept(found);
         }
         for energy in &self.source.energies {
@@ -125,6 +125,8 @@ impl Elaborator<'_> {
             Some(gains) => Some(self.gains(gains)?),
             None => None,
         };
+        let gains_at =
+            constraint.gains.as_deref().and_then(|gains| Some(gains.first()?.span().start..gains.last()?.span().end));
         for text in &constraint.zero {
             if super::events::compared(text).is_some() {
                 let accepted = "an expression that is zero; contacts, which hold one side, are not there yet";
@@ -144,7 +146,8 @@ impl Elaborator<'_> {
             };
             let dimension = self.dimension_of(part).unwrap_or_else(Dimension::none);
             let (name, gains, at) = (name.clone(), gains.clone(), text.span());
-            self.model.constraints.push(Constraint { name, zero, dimension, gains, at });
+            let gains_at = gains_at.clone().unwrap_or_else(|| at.clone());
+            self.model.constraints.push(Constraint { name, zero, dimension, gains, gains_at, at });
         }
         Ok(())
     }
@@ -191,6 +194,10 @@ impl Elaborator<'_> {
     pub(super) fn start(&mut self) {
         for entry in &self.source.start {
             if let Some(of) = self.quasi_velocity_of(&entry.name.text) {
+                // a number that does not fit a wrong definition is no fault of its own
+                if self.is_faulty(&entry.name.text) {
+                    continue;
+                }
                 let found = self.start_speed(of, entry);
                 let found = self.kept(found);
                 self.model.start_speeds.extend(found);

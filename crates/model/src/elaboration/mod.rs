@@ -35,6 +35,10 @@ pub use angles::bare_angle;
 pub use constants::HALF_TURN;
 pub use headings::misplaced;
 
+/// Vectors of a file, as sentences call them.
+const TORQUE: &str = "a torque";
+const GRAVITY: &str = "the acceleration of free fall";
+
 /// Names that have a meaning of their own.
 const RESERVED: [&str; 5] = ["t", "pi", "N", "O", "ground"];
 
@@ -57,8 +61,8 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     elaborator.loads();
     elaborator.rates();
     elaborator.events();
-    elaborator.start();
     elaborator.quasi_velocities();
+    elaborator.start();
     elaborator.model.equilibrium.clone_from(&source.equilibrium);
     let Elaborator { mut model, mut faults, headless, .. } = elaborator;
     model.warnings.sort_by_key(|warning| warning.span.start);
@@ -196,7 +200,7 @@ impl<'s> Elaborator<'s> {
                 "t is the time, pi the number, N the ground's frame, O its origin; another name is accepted",
             ))
         } else if self.names.contains_key(text) {
-            Some(refused("is defined twice", "each name stands for one thing"))
+            Some(defined_twice(self.source, name))
         } else {
             None
         };
@@ -324,18 +328,41 @@ impl<'s> Elaborator<'s> {
     }
 }
 
+/// The fault of a name that has a meaning already, and which.
+fn defined_twice(source: &Source, name: &Text) -> Fault {
+    let Source { parameters, coordinates, definitions, frames, points, speeds, bodies, inputs, .. } = source;
+    let tables = [
+        ("a parameter", parameters),
+        ("a coordinate", coordinates),
+        ("a definition", definitions),
+        ("a frame", frames),
+        ("a point", points),
+        ("a quasi-velocity", speeds),
+    ];
+    let entries = tables.into_iter().flat_map(|(kind, table)| table.iter().map(move |entry| (kind, &entry.name)));
+    let bodies = bodies.iter().map(|body| ("a body", &body.name));
+    let inputs = inputs.iter().map(|input| ("an input", &input.name));
+    let is_other = |(_, other): &(&str, &Text)| other.text == name.text && !std::ptr::eq(*other, name);
+    let other = entries.chain(bodies).chain(inputs).find(is_other);
+    let label = other.map_or_else(|| "again".to_owned(), |(kind, _)| format!("it is the name of {kind} already"));
+    Fault::at(name.span(), format!("`{}` is defined twice", name.text), label, "each name stands for one thing")
+}
+
 const EXAMPLES: &str =
     "for example `k*(x - (20 mm))`, `O + l*(cos(theta)*N.x + sin(theta)*N.y)`, `velocity(disc at P) . N.x`";
 
 fn mismatch(span: &Range<usize>, what: &str, needed: &str, found: &Value) -> Box<Fault> {
     let found = found.describe();
-    Box::new(Fault::at(span.clone(), format!("{what} is {needed}"), format!("this is {found}"), instead(needed, found)))
+    let accepted = instead(what, needed, found);
+    Box::new(Fault::at(span.clone(), format!("{what} is {needed}"), format!("this is {found}"), accepted))
 }
 
 /// An expression that would be accepted in the place of another.
-fn instead(needed: &str, found: &str) -> String {
+fn instead(what: &str, needed: &str, found: &str) -> String {
     let example = match (needed, found) {
-        ("a vector", "a scalar") => ", such as a*N.x; about the axis of a planar system a*N.z",
+        ("a vector", "a scalar") if what == TORQUE => ", such as a*N.x; about the axis of a planar system a*N.z",
+        ("a vector", "a scalar") if what == GRAVITY => ", such as -a*N.y",
+        ("a vector", "a scalar") => ", such as a*N.x",
         ("a vector", "a point") => ", such as P - O",
         ("a scalar", "a vector") => ", such as the component v . N.x, or norm(v)",
         ("a scalar", "a point") => ", such as (P - O) . N.x, or distance(O, P)",

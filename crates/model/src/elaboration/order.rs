@@ -43,6 +43,7 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
     for (at, input) in source.inputs.iter().enumerate() {
         all.push((Definition::Input(at), &input.name, input.value.iter().collect()));
     }
+    without_second(source, &mut all, faults, broken);
     let places: FxHashMap<&str, usize> =
         all.iter().enumerate().map(|(place, (_, name, _))| (name.text.as_str(), place)).collect();
     // x' is a rate of a coordinate, v' that of a quasi-velocity
@@ -95,6 +96,28 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
         }
     }
     order
+}
+
+/// Leaves out each definition whose name has a meaning already, and tells it. A name of two definitions means neither elsewhere; one of a
+/// parameter or a coordinate means that.
+fn without_second<'s>(
+    source: &'s Source,
+    all: &mut Vec<(Definition, &'s Text, Vec<&'s Text>)>,
+    faults: &mut Vec<Fault>,
+    broken: &mut FxHashSet<String>,
+) {
+    let letters = source.parameters.iter().chain(&source.coordinates).map(|entry| entry.name.text.as_str());
+    let letters: FxHashSet<&str> = letters.collect();
+    let mut known = letters.clone();
+    let mut in_file: Vec<&Text> = all.iter().map(|(_, name, _)| *name).collect();
+    in_file.sort_by_key(|name| name.span().start);
+    for name in in_file.into_iter().filter(|name| !known.insert(name.text.as_str())) {
+        faults.push(super::defined_twice(source, name));
+        if !letters.contains(name.text.as_str()) {
+            broken.insert(name.text.clone());
+        }
+    }
+    all.retain(|(_, name, _)| !letters.contains(name.text.as_str()) && !broken.contains(&name.text));
 }
 
 fn circular<'a>(circle: &[usize], name: impl Fn(usize) -> &'a Text) -> Fault {

@@ -19,6 +19,17 @@ impl Elaborator<'_> {
         self.model.quasi_velocities.iter().position(|speed| speed.name == name)
     }
 
+    /// Whether a fault is known of the definition of a quasi-velocity.
+    pub(super) fn is_faulty(&self, name: &str) -> bool {
+        let definition = self.source.speeds.iter().find(|entry| entry.name.text == name);
+        definition.is_some_and(|Entry { name, value }| {
+            let own = [name.span(), value.span()];
+            self.faults
+                .iter()
+                .any(|fault| own.iter().any(|own| fault.span.start < own.end && own.start < fault.span.end))
+        })
+    }
+
     /// Every quasi-velocity is an output.
     pub(super) fn show_quasi_velocities(&mut self) {
         let shown =

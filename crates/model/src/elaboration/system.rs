@@ -95,14 +95,7 @@ impl Elaborator<'_> {
         let fault = |label: String| Box::new(Fault::at(text.span(), what, label, accepted));
         match units::Unit::parse(&text.text) {
             Ok(unit) if !text.text.trim().is_empty() => {
-                let ([times, per], dimension) = (unit.factors(), unit.dimension());
-                // values are in coherent units, whatever unit names the dimension
-                let coherent = match dimension.is_number() {
-                    _ if times == per => text.text.trim().to_owned(),
-                    true => "rad".to_owned(),
-                    false => dimension.coherent(),
-                };
-                Ok((dimension.of_expressions(), coherent))
+                Ok((unit.dimension().of_expressions(), coherent(unit, &text.text)))
             }
             Ok(_) => Err(fault("nothing stands here".to_owned())),
             Err(wrong) => Err(fault(wrong.to_string())),
@@ -146,7 +139,9 @@ impl Elaborator<'_> {
                 (unit.dimension(), None)
             }
         };
-        let unit = dimension.coherent();
+        let number_ends = if value_in_si.is_some() { value.text.trim().find(char::is_whitespace) } else { Some(0) };
+        let unit = number_ends.map_or("", |end| value.text.trim()[end..].trim());
+        let unit = units::Unit::parse(unit).map_or_else(|_| dimension.coherent(), |parsed| coherent(parsed, unit));
         let written = value.text.split_whitespace().collect::<Vec<_>>().join(" ");
         let (dimension, at) = (dimension.of_expressions(), name.span());
         Ok(Parameter { name: name.text.clone(), dimension, unit, written, value: value_in_si, at })
@@ -371,6 +366,28 @@ impl Elaborator<'_> {
             }
         };
         Ok((mass, inertia))
+    }
+}
+
+/// The coherent unit of the dimension that a unit has by its text: values are in it, whatever unit names the dimension.
+fn coherent(unit: units::Unit, text: &str) -> String {
+    let ([times, per], dimension) = (unit.factors(), unit.dimension());
+    match text.split_whitespace().collect::<Vec<_>>().join(" ") {
+        own if times == per && !own.is_empty() => own,
+        own if dimension.is_number() => (if own.is_empty() { "1" } else { "rad" }).to_owned(),
+        _ => with_slash(&dimension.coherent()),
+    }
+}
+
+/// `kg s^-1` as `kg/s`; a unit with several negative powers, or with those alone, as it is.
+fn with_slash(unit: &str) -> String {
+    let (below, above): (Vec<&str>, Vec<&str>) = unit.split(' ').partition(|power| power.contains("^-"));
+    match below.as_slice() {
+        [below] if !above.is_empty() => {
+            let below = below.replace("^-1", "").replace("^-", "^");
+            format!("{}/{below}", above.join(" "))
+        }
+        _ => unit.to_owned(),
     }
 }
 

@@ -160,30 +160,54 @@ pub(crate) fn depends(row: &[Sym], others: &[Vec<Sym>]) -> bool {
 /// The pivots of a matrix at the point, (row, column) of each: rows from the first, in each the first column of an order that has
 /// one. A row without a pivot depends on those before it.
 pub(crate) fn pivots(rows: &[Vec<Sym>], order: &[usize]) -> Vec<(usize, usize)> {
-    let mut point = Point::new();
-    let mut reduced: Vec<Vec<u64>> = Vec::new();
-    let mut found: Vec<(usize, usize)> = Vec::new();
-    for (row, entries) in rows.iter().enumerate() {
-        let mut values: Vec<u64> = entries.iter().map(|&entry| point.value(entry).unwrap_or(0)).collect();
-        for &(above, column) in &found {
-            let Some(factor) = quotient(values[column], reduced[above][column]).filter(|factor| *factor != 0) else {
-                continue;
-            };
-            for (value, above) in values.iter_mut().zip(&reduced[above]) {
-                *value = minus(*value, times(factor, *above));
+    Elimination::of(rows, order).pivots
+}
+
+/// For each row of a matrix without a pivot at the point, itself and the rows before it of which it is a combination.
+pub(crate) fn circuits(rows: &[Vec<Sym>], order: &[usize]) -> Vec<Vec<usize>> {
+    Elimination::of(rows, order).circuits
+}
+
+/// Gauss's elimination at the point.
+struct Elimination {
+    /// (row, column) of each.
+    pivots: Vec<(usize, usize)>,
+    /// Rows whose combination vanishes, for each row without a pivot.
+    circuits: Vec<Vec<usize>>,
+}
+
+impl Elimination {
+    fn of(rows: &[Vec<Sym>], order: &[usize]) -> Self {
+        let mut point = Point::new();
+        let columns = rows.first().map_or(0, Vec::len);
+        // each row with its unit row behind it, which becomes the combination of rows that it is
+        let mut reduced: Vec<Vec<u64>> = Vec::new();
+        let (mut pivots, mut circuits) = (Vec::<(usize, usize)>::new(), Vec::new());
+        for (row, entries) in rows.iter().enumerate() {
+            let own = entries.iter().map(|&entry| point.value(entry).unwrap_or(0));
+            let mut values: Vec<u64> = own.chain((0..rows.len()).map(|other| u64::from(other == row))).collect();
+            for &(above, column) in &pivots {
+                let Some(factor) = quotient(values[column], reduced[above][column]).filter(|factor| *factor != 0)
+                else {
+                    continue;
+                };
+                for (value, above) in values.iter_mut().zip(&reduced[above]) {
+                    *value = minus(*value, times(factor, *above));
+                }
             }
+            match order.iter().find(|&&column| values[column] != 0) {
+                Some(&column) => pivots.push((row, column)),
+                None => circuits.push((0..=row).filter(|other| values[columns + other] != 0).collect()),
+            }
+            reduced.push(values);
         }
-        if let Some(&column) = order.iter().find(|&&column| values[column] != 0) {
-            found.push((row, column));
-        }
-        reduced.push(values);
+        Elimination { pivots, circuits }
     }
-    found
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Course, courses, generic_rank, pivots};
+    use super::{Course, circuits, courses, generic_rank, pivots};
     use field::{Analytic, Scalar};
     use symbolic::{Sym, apart, symbols};
 
@@ -231,6 +255,7 @@ mod tests {
             // the second is y times the first, the last the sum of the first and the third
             assert_eq!(pivots(&rows, &[0, 1, 2]), [(0, 0), (2, 1)]);
             assert_eq!(pivots(&rows, &[2, 1, 0]), [(0, 2), (2, 1)]);
+            assert_eq!(circuits(&rows, &[0, 1, 2]), [vec![0, 1], vec![0, 2, 3]]);
             assert_eq!(generic_rank(&rows), 2);
         });
     }

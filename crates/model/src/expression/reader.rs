@@ -229,6 +229,11 @@ impl<'a> Reader<'a> {
         }
         let rest = &self.tokens[self.at + 2 + sign..];
         let length = rest.iter().position(|(_, token)| *token == Token::Sign(')'))?;
+        // behind another sign the number was meant to have parentheses of its own
+        let is_unit = |(_, token): &Placed<'_>| !matches!(token, Token::Sign('(' | '+' | ',' | '<' | '>' | '≤' | '≥'));
+        if !rest[..length].iter().all(is_unit) {
+            return None;
+        }
         let begin = self.tokens[self.at + 1].0.start;
         let form = Form::Quantity {
             number: self.text[begin..number.end].replace(' ', "").replace('−', "-"),
@@ -352,6 +357,9 @@ mod tests {
         assert_eq!(wrong(""), (0..0, Reason::Operand));
         assert_eq!(wrong("2x"), (1..2, Reason::Beside { number: "2".to_owned(), name: "x".to_owned() }));
         assert_eq!(wrong("a b"), (2..3, Reason::Operator));
+        let metre = || Reason::Beside { number: "1".to_owned(), name: "m".to_owned() };
+        assert_eq!(wrong("(2 m) - (1 m + (1 m/s)*t)"), (11..12, metre()));
+        assert_eq!(wrong("x*(1 m + y)"), (5..6, metre()));
         assert_eq!(wrong("a*(b"), (2..3, Reason::Parenthesis));
         assert_eq!(wrong("a)"), (1..2, Reason::Parenthesis));
         assert_eq!(wrong("x^y"), (2..3, Reason::Exponent));

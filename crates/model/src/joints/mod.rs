@@ -150,6 +150,15 @@ impl<'t, 'm> Joints<'t, 'm> {
     }
 }
 
+/// Every body with a centre, the body that its joint hangs it on, none for the ground, and the place of the joint.
+pub(crate) fn joints(trace: &Trace<'_>) -> Vec<(BodyId, Option<BodyId>, PointId)> {
+    let links = Tree::of(trace).links;
+    let of_link = |link: &Link| Some((link.body?, link.parent.and_then(|parent| links[parent].body), link.joint?));
+    let mut joints: Vec<(BodyId, Option<BodyId>, PointId)> = links.iter().filter_map(of_link).collect();
+    joints.sort_by_key(|(body, ..)| *body);
+    joints
+}
+
 impl Trace<'_> {
     fn sum_loads(&self, a: Load, b: Load) -> Load {
         Load { force: self.sum(a.force, b.force), torque: self.sum(a.torque, b.torque) }

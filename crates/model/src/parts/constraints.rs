@@ -13,6 +13,8 @@ pub struct Constraint {
     pub dimension: Dimension,
     /// Gains of a constraint that is led to zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
     pub gains: Option<Vec<ScalarId>>,
+    /// Where its gains stand; where it has none, itself.
+    pub gains_at: Range<usize>,
     pub at: Range<usize>,
 }
 

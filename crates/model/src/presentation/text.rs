@@ -97,7 +97,11 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     section(&mut text, "Constraints", lines);
     let met = met.into_iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.met));
     let met = met.map(|((_, kind), held)| format!("{kind}\n    0 = {}", held.zero.decimal_text())).collect();
-    section(&mut text, "Constraints that hold for every u; those of positions where they hold at the start", met);
+    section(
+        &mut text,
+        "Constraints, met by the kinematic equations for any u; a constraint of positions must hold at the start",
+        met,
+    );
     let conditions = conditions(trace, form).into_iter().map(|Condition { number, letter, is, told }| {
         format!("{letter}: condition {number} = {}, {told}", is.decimal_text())
     });

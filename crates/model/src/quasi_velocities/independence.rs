@@ -1,7 +1,8 @@
 //! Whether quasi-velocities, with the constraints, determine all speeds.
 
-use crate::equations::{Equation, generic_pivots};
+use crate::equations::{Equation, generic_circuits, generic_pivots};
 use crate::{Fault, QuasiVelocity, Trace};
+use std::ops::Range;
 use symbolic::Sym;
 
 /// Why quasi-velocities do not determine the speeds.
@@ -38,57 +39,131 @@ pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sy
     let order: Vec<usize> = (0..n).collect();
     let found = generic_pivots(&all, &order);
     let constraints: Vec<usize> = found.iter().map(|&(row, _)| row).filter(|row| *row < met.len()).collect();
-    let depends = |place: &usize| found.iter().all(|(row, _)| *row != met.len() + place);
-    let dependent: Vec<usize> = (0..speeds.len()).filter(depends).collect();
     let needed = n - constraints.len();
-    let list = |names: Vec<String>| names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-    let named = |places: &[usize]| list(places.iter().map(|&place| speeds[place].name.clone()).collect());
+    let independent = found.len() - constraints.len();
+    if independent < speeds.len() || speeds.len() < needed {
+        let groups = Group::all(speeds, met.len(), &generic_circuits(&all, &order));
+        let fault = wrong_number(trace, needed, &groups, &open_speeds(trace, &all, &order));
+        return Err(Dependence::Ranks(fault));
+    }
+    Ok(constraints)
+}
+
+/// Quasi-velocities that depend on each other where the constraints hold.
+struct Group {
+    /// Their places, in the order of the file.
+    members: Vec<usize>,
+    /// So many of them can be left out.
+    excess: usize,
+    /// Whether they are independent where the constraints do not hold.
+    by_constraints: bool,
+}
+
+impl Group {
+    /// All groups, by rows that depend on each other: first those of the constraints, then those of the quasi-velocities.
+    fn all(speeds: &[QuasiVelocity], constraints: usize, circuits: &[Vec<usize>]) -> Vec<Group> {
+        let mut groups: Vec<Group> = Vec::new();
+        for circuit in circuits {
+            let (of_constraints, of_speeds) = circuit.split_at(circuit.partition_point(|row| *row < constraints));
+            if of_speeds.is_empty() {
+                continue;
+            }
+            let members = of_speeds.iter().map(|row| row - constraints).collect();
+            let mut group = Group { members, excess: 1, by_constraints: !of_constraints.is_empty() };
+            // circuits that share a member belong together
+            groups.retain(|known| {
+                let is_apart = known.members.iter().all(|member| !group.members.contains(member));
+                if !is_apart {
+                    group.members.extend(&known.members);
+                    group.excess += known.excess;
+                    group.by_constraints |= known.by_constraints;
+                }
+                is_apart
+            });
+            group.members.sort_by_key(|&member| (speeds[member].at.start, member));
+            group.members.dedup();
+            groups.push(group);
+        }
+        groups
+    }
+
+    /// The last of them in the file.
+    fn at(&self, speeds: &[QuasiVelocity]) -> Range<usize> {
+        self.members.last().map_or(0..0, |&last| speeds[last].at.clone())
+    }
+
+    /// `v`, `w` and `z`
+    fn named(&self, speeds: &[QuasiVelocity], last: &str) -> String {
+        let names: Vec<String> = self.members.iter().map(|&member| format!("`{}`", speeds[member].name)).collect();
+        match names.split_last() {
+            Some((name, [])) => name.clone(),
+            Some((name, rest)) => format!("{} {last} {name}", rest.join(", ")),
+            None => String::new(),
+        }
+    }
+
+    /// Their dependence, after the names or a pronoun.
+    fn dependence(&self, speeds: &[QuasiVelocity]) -> String {
+        match (self.members.as_slice(), self.by_constraints) {
+            ([_], _) => format!("the constraints determine {}", self.named(speeds, "and")),
+            (_, true) => format!("{} depend on each other where the constraints hold", self.named(speeds, "and")),
+            (_, false) => format!("{} depend on each other", self.named(speeds, "and")),
+        }
+    }
+
+    /// The quasi-velocities that can be left out.
+    fn without(&self, speeds: &[QuasiVelocity]) -> String {
+        match self.excess {
+            1 => format!("without {}", self.named(speeds, "or")),
+            all if all == self.members.len() => format!("without {}", self.named(speeds, "and")),
+            several => format!("without {several} of {}", self.named(speeds, "and")),
+        }
+    }
+}
+
+/// The fault of quasi-velocities that are too many, too few, or depend on each other.
+fn wrong_number(trace: &Trace<'_>, needed: usize, groups: &[Group], open: &[String]) -> Fault {
+    let speeds = &trace.model.quasi_velocities;
     let freedom = match needed {
         1 => "the speeds have one degree of freedom".to_owned(),
         _ => format!("the speeds have {needed} degrees of freedom"),
     };
-    if speeds.len() > needed {
+    let independent = speeds.len() - groups.iter().map(|group| group.excess).sum::<usize>();
+    let free = open.join(", ");
+    let more = match open.len() {
+        1 => format!("one more that holds {free}"),
+        missing => format!("{missing} more that hold {free}"),
+    };
+    if let (Some(group), true) = (groups.first(), speeds.len() > needed) {
         let title = format!("{freedom}, and [speeds] has {}: {} too many", speeds.len(), speeds.len() - needed);
-        let at = dependent.first().map_or(0..0, |&place| speeds[place].at.clone());
-        let rest = if constraints.is_empty() { "those before" } else { "the constraints and those before" };
-        return Err(Dependence::Ranks(Fault::at(
-            at,
-            title,
-            format!("determined by {rest}"),
-            format!("without {}", named(&dependent)),
-        )));
+        let mut accepted: Vec<String> = groups.iter().map(|group| group.without(speeds)).collect();
+        accepted.extend((independent < needed).then_some(more));
+        return Fault::at(group.at(speeds), title, group.dependence(speeds), accepted.join(", and "));
     }
-    // rates that would complete what is independent
+    if let Some(group) = groups.first() {
+        let title = match group.members.as_slice() {
+            [_] => format!("the quasi-velocity {} is determined by the constraints", group.named(speeds, "and")),
+            _ => format!("the quasi-velocities {}", group.dependence(speeds)),
+        };
+        let accepted = match group.members.len() {
+            1 => format!("an expression that holds {free} too"),
+            _ => format!("in the place of one of them an expression that holds {free} too"),
+        };
+        return Fault::at(group.at(speeds), title, "no direction of its own", accepted);
+    }
+    let title = format!("{freedom}, and [speeds] has {}: {} missing", speeds.len(), needed - speeds.len());
+    let last = speeds.iter().max_by_key(|speed| speed.at.start);
+    Fault::at(last.map_or(0..0, |last| last.at.clone()), title, "the last of them", more)
+}
+
+/// Rates that would complete independent rows.
+fn open_speeds(trace: &Trace<'_>, rows: &[Vec<Sym>], order: &[usize]) -> Vec<String> {
+    let n = trace.speeds.len();
     let units = (0..n).map(|i| (0..n).map(|j| if i == j { Sym::ONE } else { Sym::ZERO }).collect());
-    let completed: Vec<Vec<Sym>> = all.iter().cloned().chain(units).collect();
-    let completed = generic_pivots(&completed, &order);
-    let free = completed.iter().filter_map(|&(row, _)| row.checked_sub(all.len()));
-    let free = list(free.map(|speed| trace.speeds[speed].to_string()).collect());
-    if let Some(&first) = dependent.first() {
-        let QuasiVelocity { name, at, .. } = &speeds[first];
-        let others = if constraints.is_empty() {
-            "the quasi-velocities before it"
-        } else {
-            "the constraints and the quasi-velocities before it"
-        };
-        let title = format!("the quasi-velocity `{name}` depends on {others}");
-        return Err(Dependence::Ranks(Fault::at(
-            at.clone(),
-            title,
-            "it adds no direction",
-            format!("an expression that holds {free} too"),
-        )));
-    }
-    if speeds.len() < needed {
-        let title = format!("{freedom}, and [speeds] has {}: {} missing", speeds.len(), needed - speeds.len());
-        let at = speeds.last().map_or(0..0, |last| last.at.clone());
-        let accepted = match needed - speeds.len() {
-            1 => format!("one more that holds {free}"),
-            missing => format!("{missing} more that hold {free}"),
-        };
-        return Err(Dependence::Ranks(Fault::at(at, title, "the last of them", accepted)));
-    }
-    Ok(constraints)
+    let completed: Vec<Vec<Sym>> = rows.iter().cloned().chain(units).collect();
+    let pivots = generic_pivots(&completed, order);
+    let free = pivots.iter().filter_map(|&(row, _)| row.checked_sub(rows.len()));
+    free.map(|speed| format!("`{}`", trace.speeds[speed])).collect()
 }
 
 /// The fault of an expression that is not affine in the speeds.

@@ -66,6 +66,32 @@ fn angles_stay_together_and_constants_are_as_written() {
     }
 }
 
+/// A parameter is in the unit of its text where that is coherent, an angle in radians, all else in the coherent unit.
+#[test]
+fn parameters_of_code_have_readable_units() {
+    let mut source = double_pendulum();
+    for (name, value) in [
+        ("c", "0.1 kg/s"),
+        ("al", "10 deg"),
+        ("p", "2 kN"),
+        ("mu", "0.3"),
+        ("w", "30 rpm"),
+        ("d", "3 g/s"),
+        ("e", "2 g mm/s^3"),
+    ] {
+        source.parameters.push((name, value).into());
+    }
+    let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let code = apart(|| {
+        let trace = Trace::of(&model);
+        let form = MatrixForm::of(&trace, Principle::VirtualPower).expect("it applies");
+        model::code(&trace, &form, Language::C).expect("it can be written")
+    });
+    for line in ["c; // kg/s", "al; // rad", "p; // N", "mu; // 1", "w; // rad/s", "d; // kg/s", "e; // kg m/s^3"] {
+        assert!(code.contains(&format!("double {line}\n")), "{line}\n{code}");
+    }
+}
+
 /// Four bodies, each of which turns freely on the one before: written out, their equations have more operations than anybody reads.
 #[test]
 fn a_module_that_would_be_too_long_is_refused_by_name() {

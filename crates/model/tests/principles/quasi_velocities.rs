@@ -349,14 +349,26 @@ fn what_determines_no_speeds_is_refused_by_name() {
     let two = "the speeds have 2 degrees of freedom";
     let v = ("v", "velocity(P) . B.x");
     one(sleigh(), &[v], &format!("{two}, and [speeds] has 1: 1 missing"), "one more that holds `psi'`");
-    one(sleigh(), &[v, ("w", "psi'"), ("n", "x'")], &format!("{two}, and [speeds] has 3: 1 too many"), "without `n`");
-    one(sleigh(), &[v, ("w", "velocity(P) . B.y")], "`w` depends on the constraints and", "`psi'`");
-    one(sleigh(), &[v, ("w", "velocity(P) . B.x*psi/2")], "`w` depends on the constraints and", "`psi'`");
+    one(
+        sleigh(),
+        &[v, ("w", "psi'"), ("n", "x'")],
+        &format!("{two}, and [speeds] has 3: 1 too many"),
+        "without `v` or `n`",
+    );
+    let along = [v, ("p", "x'"), ("w", "psi'"), ("q", "2*y'")];
+    one(sleigh(), &along, "4: 2 too many", "without 2 of `v`, `p` and `q`");
+    one(sleigh(), &[("e", "velocity(P) . B.y"), v, ("w", "psi'")], "3: 1 too many", "without `e`");
+    let both = [("w", "psi'"), v, ("n", "2*psi'"), ("q", "y'")];
+    one(sleigh(), &both, "4: 2 too many", "without `w` or `n`, and without `v` or `q`");
+    let idle = [v, ("p", "2*x'"), ("q", "2*y'")];
+    one(sleigh(), &idle, "3: 1 too many", "without 2 of `v`, `p` and `q`, and one more that holds `psi'`");
+    one(sleigh(), &[v, ("w", "velocity(P) . B.y")], "`w` is determined by the constraints", "`psi'`");
+    one(sleigh(), &[v, ("w", "velocity(P) . B.x*psi/2")], "`v` and `w` depend on each other", "`psi'`");
     one(sleigh(), &[("v", "norm(velocity(P))"), ("w", "psi'")], "`v` is not linear in the speeds", "sums of speeds");
     one(sleigh(), &[("v", "x"), ("w", "psi'")], "`v` holds no speed", "linear in rates");
     one(sleigh(), &[("v", "if(x > y, x', y')"), ("w", "psi'")], "`v` changes at a condition", "without `if`");
     one(sleigh(), &[v, ("w", "psi''*(1 s)")], "`w` holds accelerations", "");
-    one(double_pendulum(false), &[("u", "a'"), ("v", "2*a'")], "`v` depends on the quasi-velocities before it", "`b'`");
+    one(double_pendulum(false), &[("u", "a'"), ("v", "2*a'")], "`u` and `v` depend on each other", "`b'`");
     let mut fast = sleigh();
     fast.constraints.push(held("fast", &["x'^2 + y'^2 - (1 m/s)^2"]));
     one(fast, &[("w", "psi'")], "constraint 2 `fast` is not linear in the speeds", "without [speeds]");

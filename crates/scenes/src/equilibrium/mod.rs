@@ -15,8 +15,11 @@ use crate::compiled_system::NotCompiled;
 use crate::layout::Layout;
 use crate::linearisation::VariedEquations;
 use crate::readiness::one_law;
+use crate::row_units::{force_unit, rate_unit};
 use crate::start::{Leaf, consistent, given};
 use model::Model;
+use model::equations::Level;
+use symbolic::Dimension;
 use ways::Ways;
 
 /// An equilibrium.
@@ -42,6 +45,7 @@ pub enum NoEquilibrium {
     NotFound {
         equation: String,
         residual: f64,
+        unit: String,
     },
     NotCompiled(NotCompiled),
 }
@@ -94,22 +98,26 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
             Ok(Equilibrium { state, family: unknowns - rank, is_reached })
         }
         Some(row) => {
-            let equation = match row.checked_sub(n) {
-                None => format!(
-                    "the forces along `{}`",
-                    names[layout.places(row, usize::from(row >= model.coordinates.len())).start].0
-                ),
+            let (equation, unit) = match row.checked_sub(n) {
+                None => {
+                    let name = &names[layout.places(row, usize::from(row >= model.coordinates.len())).start].0;
+                    let along = model.coordinates.get(row).map_or_else(Dimension::none, |own| own.dimension);
+                    (format!("the equation of forces along `{name}`"), force_unit(along))
+                }
                 Some(k) => {
                     // those of positions stand twice: as they are, and as rates
                     let places = equations.of_positions();
-                    let k = places.get(k).copied().unwrap_or_else(|| k - places.len());
-                    match equations.constraints[k].name.as_str() {
-                        "" => format!("constraint {}", k + 1),
-                        name => format!("the constraint `{name}`"),
+                    let known = &equations.constraints[places.get(k).copied().unwrap_or_else(|| k - places.len())];
+                    match k < places.len() {
+                        true => (known.title(), known.of.clone()),
+                        false if known.level == Level::Position => {
+                            (format!("the rate of {}", known.title()), rate_unit(&known.of))
+                        }
+                        false => (known.title(), known.of.clone()),
                     }
                 }
             };
-            Err(NoEquilibrium::NotFound { equation, residual: system.residuals[row] })
+            Err(NoEquilibrium::NotFound { equation, residual: system.residuals[row], unit })
         }
     }
 }

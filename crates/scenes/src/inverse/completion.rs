@@ -3,7 +3,9 @@
 use super::prescription::Prescribed;
 use super::{NoForces, RANK};
 use crate::linearisation::{Point, VariedEquations};
+use crate::row_units::{measured, rate_unit};
 use model::Model;
+use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 
 /// Residuals of constraints below this, in SI units, are rounding.
@@ -51,7 +53,7 @@ impl Completion<'_> {
             }
         }
         let at = self.equations.at(&point);
-        self.met(&at.zero.values, positions, time)?;
+        self.met(&at.zero.values, positions, 0, time)?;
         if rank_of(&columns(&at.zero.by_coordinates, positions)) < open.len() {
             let names = self.model.state_names();
             let layout = self.prescribed.layout;
@@ -71,24 +73,32 @@ impl Completion<'_> {
             open.iter().zip(step.iter()).for_each(|(&place, part)| point.speeds[place] -= part);
         }
         let at = self.equations.at(&point);
-        self.met(&at.rate.values, kept, time)?;
+        self.met(&at.rate.values, kept, 1, time)?;
         let matrix = columns(&at.acceleration.by_accelerations, at.acceleration.values.len());
         if let Some(step) = least(&matrix, &at.acceleration.values) {
             open.iter().zip(step.iter()).for_each(|(&place, part)| point.accelerations[place] -= part);
         }
         let at = self.equations.at(&point);
-        self.met(&at.acceleration.values, at.acceleration.values.len(), time)?;
+        self.met(&at.acceleration.values, at.acceleration.values.len(), 2, time)?;
         self.equations.choose(&mut point);
         Ok(point)
     }
 
-    fn met(&self, residuals: &DVector<f64>, count: usize, time: f64) -> Result<(), NoForces> {
+    /// Whether residuals vanish: of constraints, of their rates, or of the rates of these.
+    fn met(&self, residuals: &DVector<f64>, count: usize, order: usize, time: f64) -> Result<(), NoForces> {
         let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
         match residuals.iter().take(count).position(unmet) {
             None => Ok(()),
             Some(row) => {
-                let constraint = self.equations.constraints[row].title();
-                Err(NoForces::Unmet { constraint, residual: residuals[row], time })
+                let known = &self.equations.constraints[row];
+                let rates = if known.level == Level::Position { order } else { order.saturating_sub(1) };
+                let unit = (0..rates).fold(known.of.clone(), |unit, _| rate_unit(&unit));
+                let equation = if known.level == Level::Position { "f'' + g1 f' + g2 f" } else { "f' + g1 f" };
+                let (constraint, residual) = (known.title(), measured(residuals[row], &unit));
+                Err(match known.is_programmed {
+                    true => NoForces::NotLed { constraint, equation, residual, time },
+                    false => NoForces::Unmet { constraint, residual, time },
+                })
             }
         }
     }

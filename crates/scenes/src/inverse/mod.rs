@@ -50,10 +50,23 @@ pub enum NoForces {
         coordinates: Vec<String>,
         time: f64,
     },
-    /// A constraint does not hold along the motion.
+    /// A constraint does not hold along the motion; the residual has its unit.
     Unmet {
         constraint: String,
-        residual: f64,
+        residual: String,
+        time: f64,
+    },
+    /// A programmed constraint does not go to zero as its gains say.
+    NotLed {
+        constraint: String,
+        /// What its gains lead to zero.
+        equation: &'static str,
+        residual: String,
+        time: f64,
+    },
+    /// No equation holds an unknown at an instant.
+    Idle {
+        unknown: String,
         time: f64,
     },
     /// Unknowns and reactions do not reach every equation.
@@ -90,11 +103,17 @@ impl fmt::Display for NoForces {
                 coordinates.join(", ")
             ),
             Self::Unmet { constraint, residual, time } => {
-                write!(
-                    f,
-                    "at t = {time} s the prescribed motion leaves {residual:.6e} of {constraint}, which must be zero"
-                )
+                write!(f, "at t = {time} s the prescribed motion leaves {residual} of {constraint}, which must be zero")
             }
+            Self::NotLed { constraint, equation, residual, time } => write!(
+                f,
+                "{constraint} is programmed, and the prescribed motion does not follow it: at t = {time} s {equation} is {residual}, and not \
+                 zero; a file without this constraint has forces for any motion"
+            ),
+            Self::Idle { unknown, time } => write!(
+                f,
+                "at t = {time} s no equation of motion holds `{unknown}`: its factor is zero there, and nothing determines it"
+            ),
             Self::Underactuated { rank, equations, time } => write!(
                 f,
                 "at t = {time} s the unknowns and reactions reach {rank} of {equations} equations (the rank): underactuated; \
@@ -175,9 +194,14 @@ fn forces(equations: &VariedEquations, point: Point, unknowns: &[usize]) -> Resu
     if m + k == 0 {
         return Err(NoForces::Underactuated { rank: 0, equations: n, time });
     }
+    let scaled_columns: Vec<f64> = matrix.column_iter().map(|column| column.amax()).collect();
     let decomposed = matrix.svd(true, true);
     let largest = decomposed.singular_values.amax();
     let rank = decomposed.singular_values.iter().filter(|value| **value > RANK * largest).count();
+    let unknown = |column: &usize| *column >= m && scaled_columns[*column] == 0.0;
+    if let (Some(idle), true) = ((0..m + k).find(unknown), rank < n || rank < m + k) {
+        return Err(NoForces::Idle { unknown: equations.inputs[unknowns[idle - m]].clone(), time });
+    }
     if rank < n {
         return Err(NoForces::Underactuated { rank, equations: n, time });
     }

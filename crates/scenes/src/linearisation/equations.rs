@@ -3,7 +3,7 @@
 use crate::compiled_system::{NotCompiled, has_values_but, values};
 use crate::layout::Layout;
 use crate::program::recorded;
-use crate::row_units::multiplier_unit;
+use crate::row_units::{coherent, multiplier_unit};
 use derivations::taped::Program;
 use model::equations::{Equation, Level, constraints_of};
 use model::{Model, Trace, Variations, Varied, axes};
@@ -36,6 +36,8 @@ pub struct Known {
     pub number: usize,
     /// The axis of a vector's component, such as `F3.x`; none of a scalar.
     pub axis: Option<String>,
+    /// The unit of its expression.
+    pub of: String,
     /// The unit of its multiplier: power per rate of the constraint.
     pub unit: String,
     /// Whether it is led to zero, and not kept there.
@@ -120,6 +122,7 @@ impl VariedEquations {
                 level: each.level,
                 number: place + 1,
                 axis,
+                of: coherent(&model.constraints[each.of[0]].dimension.to_string()),
                 unit: multiplier_unit(model, &each),
                 is_programmed: each.gains.is_some(),
                 name: each.name,

@@ -87,7 +87,7 @@ impl fmt::Display for Stability {
                 "no eigenvalue has a positive real part, and {count} of them {} zero: the linear equations do not decide stability",
                 if *count == 1 { "has the real part" } else { "have the real part" }
             ),
-            Stability::Nothing => write!(f, "nothing can move: no eigenvalues"),
+            Stability::Nothing => write!(f, "no eigenvalues: nothing can move beside this point"),
         }
     }
 }

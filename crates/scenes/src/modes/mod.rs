@@ -68,16 +68,24 @@ pub struct Modes {
 
 /// The events that ended runs, by the times of their ends.
 #[derive(Debug, Default)]
-pub(crate) struct Ended(Mutex<HashMap<u64, usize>>);
+pub(crate) struct Ended(Mutex<HashMap<u64, End>>);
+
+/// An event that ended a run, by its place in the model.
+#[derive(Clone, Debug)]
+pub(crate) struct End {
+    pub event: usize,
+    /// The constraint that it breaks, where it does, with the residual.
+    pub breaks: Option<String>,
+}
 
 impl Ended {
-    /// The event that ended a run at a time, by its place in the model.
-    pub fn at(&self, time: f64) -> Option<usize> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(&time.to_bits()).copied()
+    /// The end of a run at a time.
+    pub fn at(&self, time: f64) -> Option<End> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(&time.to_bits()).cloned()
     }
 
-    fn keep(&self, time: f64, event: usize) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(time.to_bits(), event);
+    fn keep(&self, time: f64, end: End) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(time.to_bits(), end);
     }
 }
 
@@ -188,7 +196,7 @@ impl Switching for Modes {
         let fall = before.moded.signals.falls[event.signal];
         let after = self.after(&before, event, state)?;
         if let (Fall::Event { event: number }, None) = (fall, &after) {
-            self.ended.keep(event.time, number);
+            self.ended.keep(event.time, End { event: number, breaks: None });
         }
         Ok(after.map(|current| self.enter(current)))
     }

@@ -5,9 +5,9 @@ use super::expansion::{Expansion, Expansions, Instant};
 use super::jet::Jet;
 use super::sides::{Past, Side, side};
 use super::signals::Fall;
-use super::{Case, Current, Modes};
+use super::{Case, Current, End, Modes};
 use crate::compiled_system::NotCompiled;
-use crate::start::breaks;
+use crate::start::broken;
 use integrators::{Event, Happening};
 use model::Direction;
 
@@ -134,13 +134,17 @@ impl Modes {
         if !counts {
             return with_side(side(&known.events[number], Past::Passed(from), SLACK));
         }
-        state.copy_from_slice(&before.moded.signals.set_by(number, event.time, state));
+        let set = before.moded.signals.set_by(number, event.time, state);
         if self.model.events[number].ends {
+            state.copy_from_slice(&set);
             return Ok(None);
         }
-        if breaks(&self.model, event.time, state) {
+        // the state before the event stays the last good one
+        if let Some(broken) = broken(&self.model, event.time, &set) {
+            self.ended.keep(event.time, End { event: number, breaks: Some(broken) });
             return Err(BROKEN);
         }
+        state.copy_from_slice(&set);
         let expansions = self.expansions().map_err(refused)?;
         let instant = Instant { time: event.time, state, late };
         // what was held, and is where it was, may be held still

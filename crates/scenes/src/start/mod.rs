@@ -4,56 +4,25 @@
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
 mod branching;
+mod gimbal;
 mod leaf;
 mod redundancy;
+mod unmet;
 
 pub(crate) use branching::Branching;
 pub(crate) use leaf::Leaf;
+pub use unmet::{Open, Unmet};
 
 use crate::compiled_system::{NotCompiled, has_values};
 use crate::layout::Layout;
 use crate::letters::Inputs;
+use crate::row_units::{coherent, measured, rate_unit};
 use model::equations::{Equation, Equations, Level};
-use model::{Model, Trace};
+use model::{Model, Trace, titles};
 use nalgebra::{DMatrix, DVector};
 use std::fmt;
 use std::ops::Range;
 use symbolic::{Sym, Tape, apart};
-
-/// Why a start does not do.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Unmet {
-    /// A constraint does not hold, and nothing that may be moved changes that.
-    Open(Open),
-    /// A constraint, where the model has it, that follows from those before it.
-    Redundant { at: Range<usize>, name: String },
-    /// A constraint that no coordinate and no speed moves.
-    Idle { at: Range<usize>, name: String },
-    /// A constraint that holds no coordinate and no speed.
-    Fixed { at: Range<usize> },
-    /// Two constraints that no position meets together, by their places, and what the second leaves where the first holds.
-    Contradiction { at: [Range<usize>; 2], residual: f64 },
-    /// A constraint that is led to zero by more gains, or fewer, than its kind has.
-    Gains { at: Range<usize>, level: Level },
-    /// A constraint that is another one in another case of a condition.
-    Piecewise(Range<usize>),
-    /// The constraints have no values.
-    NotCompiled(NotCompiled),
-}
-
-/// A constraint that the start does not meet.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Open {
-    /// Where the model has the constraint.
-    pub at: Range<usize>,
-    pub name: String,
-    /// The value of what should be zero; none where it has no value.
-    pub residual: Option<f64>,
-    /// Coordinates, or speeds, that were moved to meet it, without success.
-    pub moved: Vec<String>,
-    /// Whether it is the constraint of positions, or that of speeds.
-    pub level: Level,
-}
 
 /// Steps of Newton's method: from a fair guess six are many.
 const MOST_STEPS: usize = 50;
@@ -63,6 +32,10 @@ const MET: f64 = 1e-10;
 
 /// Residuals below this are what rounding leaves.
 const ROUNDED: f64 = 1e-14;
+
+/// A part of a state that is moved by less than this part of its size, or of the largest one where it was zero, has not moved: rounding
+/// of a few steps by singular values.
+const STAYS: f64 = 32.0 * f64::EPSILON;
 
 /// Residuals beyond this part of the state are no drift of a run.
 const LOOSE: f64 = 1e-6;
@@ -101,6 +74,8 @@ struct Known {
     level: Level,
     /// As sentences call it.
     title: String,
+    /// The unit of its expression.
+    unit: String,
     at: Range<usize>,
     /// The equation of a constraint: its constraint in the model, and its component.
     of: Option<[usize; 2]>,
@@ -141,15 +116,22 @@ pub(crate) fn given(model: &Model) -> Vec<bool> {
     given
 }
 
-/// Whether a state breaks a constraint of a model that is kept at zero.
-pub(crate) fn breaks(model: &Model, time: f64, state: &[f64]) -> bool {
-    let Ok(Some(constraints)) = Constraints::of(model) else { return false };
+/// The first constraint of a model that a state breaks, of those that are kept at zero, with its residual.
+pub(crate) fn broken(model: &Model, time: f64, state: &[f64]) -> Option<String> {
+    let constraints = Constraints::of(model).ok()??;
     let parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
     let values = constraints.values(time, state, &[parameters, start_speeds(model)].concat());
     let m = constraints.known.len();
     let size = state.iter().fold(1.0, |size: f64, part| size.max(part.abs()));
-    let broken = |value: &f64| value.is_nan() || value.abs() > LOOSE * size;
-    values[..2 * m].iter().enumerate().any(|(place, value)| place % m < constraints.kept && broken(value))
+    let is_broken = |place: &usize| {
+        let value: f64 = values[*place];
+        place % m < constraints.kept && (value.is_nan() || value.abs() > LOOSE * size)
+    };
+    let place = (0..2 * m).find(is_broken)?;
+    let Known { title, level, .. } = &constraints.known[place % m];
+    let rate = if place >= m && *level == Level::Position { "the rate of " } else { "" };
+    let unit = constraints.unit_of(place % m, if place < m { Some(*level) } else { None });
+    Some(format!("{rate}{title} becomes {}", measured(values[place], &unit)))
 }
 
 impl StartSolver {
@@ -202,16 +184,22 @@ impl StartSolver {
                 }
             }
             // what rounding alone has moved stays as it was written
-            let largest = state.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
-            for (now, &written) in state.iter_mut().zip(&written) {
-                let size = if written == 0.0 { largest } else { written.abs() };
-                if (*now - written).abs() <= f64::EPSILON * size {
-                    *now = written;
+            let (coordinates, speeds) = (0..layout.positions(), layout.positions()..state.len());
+            for parts in [coordinates, speeds] {
+                let largest = state[parts.clone()].iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
+                for (now, &written) in state[parts.clone()].iter_mut().zip(&written[parts]) {
+                    let size = if written == 0.0 { largest } else { written.abs() };
+                    if (*now - written).abs() <= STAYS * size {
+                        *now = written;
+                    }
                 }
             }
             if let Some(open) = constraints.open(&state, parameters, level, &free) {
                 let contradiction = constraints.contradiction(&state, parameters, level);
-                return Err(contradiction.unwrap_or(Unmet::Open(open)));
+                let locked = || constraints.locked(&state, parameters).filter(|_| level.is_none());
+                let named = |row: usize| (constraints.known[row].at.clone(), constraints.known[row].title.clone());
+                let locked = || locked().map(named).map(|(at, name)| Unmet::Locked { at, name });
+                return Err(contradiction.or_else(locked).unwrap_or(Unmet::Open(Box::new(open))));
             }
         }
         let implied = constraints.implied(&state, parameters)?;
@@ -239,6 +227,7 @@ impl Constraints {
         apart(|| {
             let trace = Trace::of(model);
             let mut all = Equations::of(&trace).constraints;
+            let in_file: Vec<[usize; 2]> = all.iter().map(|constraint| constraint.of).collect();
             all.sort_by_key(|constraint| (constraint.gains.is_some(), constraint.level != Level::Position));
             let kept = all.iter().filter(|constraint| constraint.gains.is_none()).count();
             let chooses = |one: &&Equation| one.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
@@ -256,8 +245,9 @@ impl Constraints {
                 (None, _) | (Some(2), Level::Position) | (Some(1), Level::Speed) => false,
                 (Some(_), _) => true,
             };
-            if let Some(Equation { at, level, .. }) = all.iter().find(wrong) {
-                return Err(Unmet::Gains { at: at.clone(), level: *level });
+            if let Some(Equation { of: [place, _], level, gains, .. }) = all.iter().find(wrong) {
+                let found = gains.as_ref().map_or(0, Vec::len);
+                return Err(Unmet::Gains { at: model.constraints[*place].gains_at.clone(), level: *level, found });
             }
             let speeds: Vec<Sym> =
                 (0..model.start_speeds.len()).map(|i| Sym::symbol(&format!("quasi-velocity {i}"))).collect();
@@ -266,10 +256,11 @@ impl Constraints {
                 let zero = trace.scalar(of.is) - given;
                 let row = (0..trace.speeds.len()).map(|i| trace.by_speed(zero, i)).collect();
                 let title = format!("the value of `{}` in [start]", of.name);
-                let known = Known { level: Level::Speed, title, at: start.at.clone(), of: None };
+                let known = Known { level: Level::Speed, title, unit: of.unit(), at: start.at.clone(), of: None };
                 Row { known, zero, rate: zero, row }
             });
-            let mut rows: Vec<Row> = all.into_iter().map(Row::of).collect();
+            let unit = |of: [usize; 2]| coherent(&model.constraints[of[0]].dimension.to_string());
+            let mut rows: Vec<Row> = all.into_iter().map(|equation| Row::of(unit(equation.of), equation)).collect();
             rows.splice(kept..kept, started);
             let knows_time = rows.iter().any(|row| row.zero.symbols_of().contains(&trace.time));
             let zeros = rows.iter().map(|row| row.zero);
@@ -281,7 +272,13 @@ impl Constraints {
             let tape = Tape::record(&[inputs.all(), speeds.clone()].concat(), &wanted)
                 .map_err(|reason| Unmet::NotCompiled(NotCompiled::Undefined { reason: reason.to_string() }))?
                 .arranged();
-            let known: Vec<Known> = rows.into_iter().map(|row| row.known).collect();
+            let mut known: Vec<Known> = rows.into_iter().map(|row| row.known).collect();
+            // behind the tape, whose order of operations is that in which expressions are made
+            let titles: Vec<String> = titles(&trace).into_iter().map(|(_, title)| title).collect();
+            for own in &mut known {
+                let place = own.of.and_then(|of| in_file.iter().position(|known| *known == of));
+                own.title = place.map_or_else(|| std::mem::take(&mut own.title), |place| titles[place].clone());
+            }
             let started = speeds.len();
             let names = model.state_names().into_iter().map(|(name, _)| name).collect();
             let layout = Layout::of(model);
@@ -341,7 +338,8 @@ impl Constraints {
             (ties.len() == all.len() && stays && residual.abs() > MET).then_some((one, other, *residual))
         };
         let (one, other, residual) = pairs.into_iter().find_map(apart)?;
-        Some(Unmet::Contradiction { at: [one, other].map(|place| self.known[place].at.clone()), residual })
+        let unit = self.unit_of(other, level);
+        Some(Unmet::Contradiction { at: [one, other].map(|place| self.known[place].at.clone()), residual, unit })
     }
 
     /// The first constraint that does not hold, with those of the free coordinates, or speeds, that move it.
@@ -349,13 +347,25 @@ impl Constraints {
         let (residuals, jacobian) = self.at(state, parameters, level);
         let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
         let worst = residuals.iter().position(unmet)?;
-        let Known { title, at, .. } = &self.known[worst];
+        let Known { title, at, level: own, .. } = &self.known[worst];
+        let unit = self.unit_of(worst, level);
+        let is_rate = level.is_none() && *own == Level::Position;
         let level = if level.is_some() { Level::Position } else { Level::Speed };
         let residual = residuals[worst].is_finite().then_some(residuals[worst]);
         let order = usize::from(level == Level::Speed);
-        let moves = free.iter().filter(|speed| jacobian[(worst, **speed)] != 0.0);
-        let moved = moves.map(|speed| self.names[self.layout.places(*speed, order).start].clone()).collect();
-        Some(Open { at: at.clone(), name: title.clone(), residual, moved, level })
+        let moves = (0..self.layout.speeds()).filter(|&speed| jacobian[(worst, speed)] != 0.0);
+        let (moved, given): (Vec<usize>, Vec<usize>) = moves.partition(|speed| free.contains(speed));
+        let named = |speeds: Vec<usize>| {
+            speeds.into_iter().map(|speed| self.names[self.layout.places(speed, order).start].clone()).collect()
+        };
+        let (moved, given) = (named(moved), named(given));
+        Some(Open { at: at.clone(), name: title.clone(), residual, unit, is_rate, moved, given, level })
+    }
+
+    /// The unit of a residual: of a constraint of positions, where speeds are judged, that of its rate.
+    fn unit_of(&self, row: usize, level: Option<Level>) -> String {
+        let Known { unit, level: own, .. } = &self.known[row];
+        if level.is_none() && *own == Level::Position { rate_unit(unit) } else { unit.clone() }
     }
 }
 
@@ -368,21 +378,7 @@ struct Row {
 }
 
 impl Row {
-    fn of(Equation { name, of, level, at, zero, rate, row, .. }: Equation) -> Self {
-        Row { known: Known { level, title: called(&name), at, of: Some(of) }, zero, rate, row }
-    }
-}
-
-/// A constraint by its name, where it has one.
-fn called(name: &str) -> String {
-    if name.is_empty() { "this constraint".to_owned() } else { format!("the constraint `{name}`") }
-}
-
-impl fmt::Display for Open {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.residual {
-            Some(residual) => write!(f, "{} is {residual:.6e}, and not zero", self.name),
-            None => write!(f, "{} has no value", self.name),
-        }
+    fn of(unit: String, Equation { name, of, level, at, zero, rate, row, .. }: Equation) -> Self {
+        Row { known: Known { level, title: name, unit, at, of: Some(of) }, zero, rate, row }
     }
 }

@@ -19,13 +19,13 @@ const SIZES: [f64; 4] = [0.1, 0.03, 0.01, 0.003];
 const LEAVES: f64 = 1e-8;
 
 /// Rows of a matrix in order: those that depend on others before them, and the others.
-struct Rows {
+pub(super) struct Rows {
     independent: Vec<usize>,
-    dependent: Vec<usize>,
+    pub dependent: Vec<usize>,
 }
 
 impl Rows {
-    fn of(rows: impl Iterator<Item = usize>, jacobian: &DMatrix<f64>, rank: f64) -> Self {
+    pub fn of(rows: impl Iterator<Item = usize>, jacobian: &DMatrix<f64>, rank: f64) -> Self {
         let (mut independent, mut dependent, mut kept) = (Vec::new(), Vec::new(), Vec::<DVector<f64>>::new());
         for row in rows {
             let whole: DVector<f64> = jacobian.row(row).transpose();

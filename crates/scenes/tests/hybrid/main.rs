@@ -6,7 +6,7 @@ mod friction;
 mod shares;
 mod starts;
 
-use derivations::scene::{Choice, Smooth, Trajectory};
+use derivations::scene::{Axes, Choice, Smooth, Trajectory};
 use integrators::Method;
 use scenes::ModelScene;
 
@@ -123,6 +123,18 @@ fn an_event_ends_a_run_or_stops_a_motion_that_breaks_a_constraint() {
     let held = format!("{}\n[[constraint]]\nzero = \"x - (1 m/s)*t\"\n", event("set = { x = \"0\" }"));
     let broken = runs(&held, Method::Taylor);
     assert!(broken.stopped().unwrap().contains("breaks a constraint"), "{:?}", broken.stopped());
+    // the state before the event is the last good one
+    close(broken.last[0], 4.0, 1e-9);
+    close(broken.last[1], 1.0, 1e-9);
+    let scene = ModelScene::parse("scene.toml", &held).unwrap_or_else(|error| panic!("{error}"));
+    let choice = Choice { method: Method::Taylor, ..scene.run.choice() };
+    let broken = scene.problem(Axes::First).simulate(&choice, |_| ());
+    let told = scene.told(&choice, &broken).diagnosis.expect("it is told");
+    assert!(
+        told.starts_with("after the event in line ")
+            && told.ends_with(" constraint 1 becomes -4 m, which must be zero"),
+        "{told}"
+    );
 }
 
 /// Of two events that could end the run the one that does is named: by its name, else by its line.

@@ -44,6 +44,37 @@ fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
     assert!((resting[0].unknowns[0] - 0.4 * 9.81 * 0.1 / 2.0).abs() < 1e-12, "{resting:?}");
 }
 
+#[test]
+fn an_instant_at_which_no_equation_holds_an_unknown_is_told() {
+    let text = "title = \"A mass on a spring\"\n[parameters]\nm = \"2 kg\"\nk = \"0 N/m\"\n[coordinates]\nx = \"m\"\n\
+        [bodies.bob]\ncentre = \"O + x*N.x\"\nmass = \"m\"\n[[force]]\non = \"bob\"\nis = \"-k*x*N.x\"\n[run]\nspan = \"1 s\"\n";
+    let path = std::env::temp_dir().join(format!("dalembert_{}_idle.toml", std::process::id()));
+    std::fs::write(&path, text).expect("it can be written");
+    let forces = |times: &[f64]| {
+        let motion = [("x".to_owned(), "(0.1 m)*sin(t*(3 rad/s))".to_owned())];
+        let (model, prescribed) = read_prescribed(&path, &motion).unwrap_or_else(|error| panic!("{error}"));
+        inverse(&model, &prescribed, &["k".to_owned()], times)
+    };
+    let refused = forces(&[0.0]).expect_err("nothing determines it").to_string();
+    assert!(refused.starts_with("at t = 0 s no equation of motion holds `k`"), "{refused}");
+    let (found, _) = forces(&[0.1, 0.5]).unwrap_or_else(|why| panic!("{why}"));
+    assert!(found.iter().all(|forces| (forces.unknowns[0] - 18.0).abs() < 1e-10), "{found:?}");
+    let led = text.replace("[run]", "[[constraint]]\nname = \"path\"\nzero = \"x - (0.3 m)\"\nprogrammed = { gains = [\"(2 1/s)\", \"(1 1/s^2)\"] }\n[run]");
+    std::fs::write(&path, led).expect("it can be written");
+    let refused = forces(&[0.0]).expect_err("it goes elsewhere").to_string();
+    std::fs::remove_file(&path).expect("it is there");
+    assert!(
+        refused
+            .starts_with("constraint 1 `path` is programmed, and the prescribed motion does not follow it: at t = 0 s"),
+        "{refused}"
+    );
+    // 2*0.1*3 - 0.3
+    assert!(
+        refused.contains(" s f'' + g1 f' + g2 f is 0.3 m/s^2, and not zero; a file without this constraint"),
+        "{refused}"
+    );
+}
+
 /// A body on a slide, pushed and turned by forces that are sought; its frame is FRAMES.
 const TURNED: &str = "title = \"A body\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"2 kg\"\nA = \"0.3 kg m^2\"\nB = \"0.4 kg m^2\"\nC = \"0.6 kg m^2\"\n\
     g = \"9.81 m/s^2\"\nP = \"0 N\"\nT1 = \"0 N m\"\nT2 = \"0 N m\"\nT3 = \"0 N m\"\n[coordinates]\nx = \"m\"\nCOORDINATES\n[frames]\nFRAMES\n\

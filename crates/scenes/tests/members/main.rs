@@ -112,7 +112,7 @@ fn starts_of_a_rolling_disc_are_completed_for_every_member() {
     for row in rows(&ensemble(&text("rolling_disc", vary)), 1) {
         let why = row.stopped.as_deref().unwrap_or_default();
         assert!(
-            row.last.is_none() && why.starts_with("no start meets the constraints: the constraint `rolling` is "),
+            row.last.is_none() && why.starts_with("no start meets the constraints: constraint 1 `rolling` is "),
             "{row:?}"
         );
     }
@@ -138,7 +138,7 @@ fn loops_of_a_slider_crank_are_closed_for_every_member() {
     let short = short.replace("members = 9", "members = 3");
     for row in rows(&ensemble(&short), 2) {
         let why = row.stopped.as_deref().unwrap_or_default();
-        assert!(row.last.is_none() && why.contains("no start meets the constraints: the constraint `pin`"), "{row:?}");
+        assert!(row.last.is_none() && why.contains("no start meets the constraints: constraint 1 `pin`"), "{row:?}");
         assert!(!why.contains("NaN"), "{why}");
     }
 }

@@ -21,7 +21,9 @@ fn dimensions_are_checked_where_they_meet() {
 
 #[test]
 fn kinds_are_checked_where_they_meet() {
-    one(&[("\"-g*N.y\"", "\"-g\"")], &["is a vector", "this is a scalar"]);
+    one(&[("\"-g*N.y\"", "\"-g\"")], &["is a vector", "this is a scalar", "such as -a*N.y"]);
+    let force = messages(&[("\"(0.1 N)*N.x\"", "\"(0.1 N)\"")]).join("");
+    assert!(force.contains("a vector, such as a*N.x") && !force.contains("N.z"), "{force}");
     one(&[("\"(0.1 N)*N.x\"", "\"(0.1 N)*N.x*N.y\"")], &["two vectors are multiplied by *", "a . b"]);
     one(&[("centre = \"P\"", "centre = \"l*N.x\"")], &["this is a point", "this is a vector"]);
     one(&[("\"reach\"", "\"P\"")], &["the output `width` is a scalar", "this is a point"]);
@@ -41,6 +43,10 @@ fn slips_of_the_pen_in_expressions_are_told_with_the_way_out() {
     told("2l*theta", &["`2*l` is a product", "`(2 l)` a number with a unit"]);
     told("l*sin(30 deg)", &["`(30 deg)` a number with a unit, in parentheses of its own"]);
     told("l*sin theta", &["functions too: sin(a)"]);
+    told(
+        "(1 m) - (1 m + (2 m)*theta)",
+        &["`1*m` is a product", "`(1 m)` a number with a unit, in parentheses of its own"],
+    );
     told("l**2", &["powers are written with ^"]);
     told("theta = 1", &["an expression has no equals sign"]);
     told("if(theta > 0 and theta < 1, l, 0)", &["two are nested: if("]);

@@ -1,6 +1,7 @@
 //! A file whose system is wrong gets one message for each cause, at its place, with what would be accepted.
 
 mod expressions;
+mod speeds;
 mod starts;
 mod tables;
 mod warnings;

@@ -24,7 +24,7 @@ fn what_cannot_run_says_why() {
     );
     one(
         &[("[outputs]", "[[constraint]]\nzero = \"theta - 0.4\"\n\n[outputs]")],
-        &["does not hold at the start", "-1.000000e-1"],
+        &["constraint 1 does not hold at the start", "-0.1 by the coordinates"],
     );
 }
 
@@ -36,7 +36,12 @@ fn a_start_without_a_motion_names_what_stops_it() {
     let guessed = [("[outputs]", high), ("theta = \"0.3 rad\"", "theta = \"guess 0.3 rad\"")];
     one(
         &guessed,
-        &["the constraint `high` was not met from this start", "moving `theta` left", "theta = \"guess ...\""],
+        &[
+            "constraint 1 `high` was not met from this start",
+            "left -0.6386726 m",
+            "moving `theta` left",
+            "theta = \"guess ...\"",
+        ],
     );
     let same = "[[constraint]]\nzero = \"l - l\"\n\n[outputs]";
     one(&[("[outputs]", same)], &["this constraint holds no coordinate and no speed"]);
@@ -58,6 +63,34 @@ fn a_start_without_its_unit_is_shown_one_of_its_own() {
     one(&[metres, (start, "\"x'\" = 100")], &["such as \"0.3 m/s\" or \"guess 0.3 m/s\""]);
 }
 
+/// At a dead point a constraint has no gradient, and it is no square.
+#[test]
+fn a_constraint_without_a_gradient_is_told_with_both_causes() {
+    let level = "[[constraint]]\nname = \"top\"\nzero = \"(P - O) . N.y + l\"\n\n[outputs]";
+    let parts = [
+        "constraint 1 `top` restrains nothing at the start",
+        "every derivative of it by coordinates and speeds is zero there",
+        "a crank at its dead point are singular positions",
+        "x - y, and not its square",
+    ];
+    one(&[("[outputs]", level), ("theta = \"0.3 rad\"", "theta = \"0 rad\"")], &parts);
+}
+
+#[test]
+fn residuals_have_units_and_rates_are_told_as_rates() {
+    let level = "[[constraint]]\nname = \"level\"\nzero = \"(P - O) . N.x\"\n\n[outputs]";
+    let place = "constraint 1 `level` does not hold at the start";
+    one(&[("[outputs]", level)], &[place, "0.1477601 m by the coordinates that [start] gives"]);
+    let turning = "theta = \"0 rad\"\n\"theta'\" = \"2 rad/s\"";
+    one(&[("[outputs]", level), ("theta = \"0.3 rad\"", turning)], &[place, "its rate is 1 m/s by the speeds"]);
+}
+
+#[test]
+fn gains_that_are_too_few_are_told_where_they_stand() {
+    let led = "[[constraint]]\nzero = \"theta - 0.4\"\nprogrammed = { gains = [\"(1 1/s)\"] }\n\n[outputs]";
+    one(&[("[outputs]", led)], &["a programmed constraint of positions has two gains", ":31:26", "one stands here"]);
+}
+
 #[test]
 fn constraints_that_contradict_each_other_are_both_named() {
     let two = |one: &str, other: &str| {
@@ -66,7 +99,7 @@ fn constraints_that_contradict_each_other_are_both_named() {
     let found = |one_zero: &str, other: &str, parts: &[&str]| {
         one(&[("[outputs]", &two(one_zero, other)), ("theta = \"0.3 rad\"", "theta = \"guess 0.3 rad\"")], parts)
     };
-    let both = ["constraint 2 contradicts constraint 1 `low`", "-1.000000e-1", "zero = \"2*theta - 0.1\""];
+    let both = ["constraint 2 contradicts constraint 1 `low`", "leaves -0.1,", "zero = \"2*theta - 0.1\""];
     found("theta", "2*theta - 0.1", &both);
     found("sin(theta)", "3*sin(theta) + 1", &["constraint 2 contradicts constraint 1 `low`"]);
     // out of reach of each other, by no identity

@@ -24,7 +24,12 @@ fn every_principle_and_notation_gives_the_equations() {
         }
     }
     let text = printed(&["derive", MODEL, "--echo"]);
-    for line in ["acceleration(P) = l1*a''*A.x + l1*a'^2*A.y", "m1 = 1 kg", "M[a, b] = m2*l1*l2*cos(a - b)"] {
+    for line in [
+        "acceleration(P) = l1*a''*A.x + l1*a'^2*A.y",
+        "joint of lower to upper: at Q",
+        "m1 = 1 kg",
+        "M[a, b] = m2*l1*l2*cos(a - b)",
+    ] {
         assert!(text.lines().any(|known| known.trim() == line), "{line}\n{text}");
     }
     let latex = printed(&["derive", MODEL, "--format", "latex"]);
@@ -33,7 +38,7 @@ fn every_principle_and_notation_gives_the_equations() {
     let message = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert!(
         refused.status.code() == Some(2)
-            && message.contains("virtual-power, lagrange, appell, gauss, newton-euler, hamel, hamilton"),
+            && message.contains("virtual-power, lagrange, appell, gauss, newton-euler, hamel, hamilton; maggi too"),
         "{message}"
     );
 }

@@ -21,6 +21,32 @@ fn linear_equations_are_printed_in_every_format() {
     refused(&["linearise", &path], "the parameter `F` has no value");
     refused(&["linearise", &path, "--input", "G"], "no parameter is called `G`");
     refused(&["linearise", &path, "--times", "-1"], "a time that is not negative");
+    std::fs::write(&path, SPRING.replace("F = \"N\"\n", "F = \"0 N\"\n")).expect("it is written");
+    refused(&["linearise", &path, "--times", "0,1,1.5"], "--times 1.5: the run ends at t = 1 s");
+    std::fs::remove_file(&path).expect("it is there");
+}
+
+/// An input of the file is one without being asked for; a point that cannot move has an empty state; speeds are left aside about an
+/// equilibrium.
+#[test]
+fn inputs_of_the_file_empty_states_and_equilibria_are_accepted() {
+    let path = temporary("odd_point.toml");
+    let file = path.display().to_string();
+    let input = SPRING.replace("F = \"N\"\n", "").replace("[points]", "[inputs]\nF = \"N\"\n[points]");
+    std::fs::write(&path, &input).expect("it is written");
+    let of =
+        |more: &[&str]| json(&run(&[&["linearise", &file, "--format", "json"], more].concat()))["points"][0].clone();
+    assert_eq!(of(&["--input", "F"]), of(&[]));
+    assert_eq!(of(&["--input", "F"])["inputs"], serde_json::json!(["F"]));
+    let held = input.replace("[run]", "[[constraint]]\nzero = \"x\"\n[run]");
+    std::fs::write(&path, held).expect("it is written");
+    let text = printed(&["linearise", &file]);
+    assert!(text.contains("x is empty: the constraints determine every coordinate and every speed"), "{text}");
+    assert!(text.contains("nothing can move beside this point") && !text.contains("eigenvalues\n"), "{text}");
+    let fast =
+        input.replace("[points]", "[speeds]\nv = \"2*x'\"\n[points]").replace("[run]", "[start]\nv = \"3 m/s\"\n[run]");
+    std::fs::write(&path, fast).expect("it is written");
+    assert_eq!(of(&["--about", "equilibrium"])["speeds"], serde_json::json!([0.0]));
     std::fs::remove_file(&path).expect("it is there");
 }
 
@@ -65,6 +91,8 @@ fn forces_for_a_motion_are_printed_or_refused_with_the_rank() {
             && table.contains(",T [N m],lambda1 pin along R.x [N],lambda2 pin along R.y [N]"),
         "{table}"
     );
+    let twice = printed(&[&motion[..], &["--unknown", "T", "--unknown", "T"]].concat());
+    assert_eq!(twice, table);
     refused(&motion, "2 of 3 equations (the rank): underactuated");
     refused(&["inverse", crank, "--motion", "theta"], "a coordinate and an expression of t");
     refused(&["inverse", crank, "--motion", "omega = t/(1 s)"], "no coordinate has this name");

@@ -1,7 +1,26 @@
 //! Verdicts of a proof.
 
-use super::MODEL;
-use crate::{json, run};
+use super::{MODEL, printed};
+use crate::{json, root, run, temporary};
+
+/// Divisors of a proof: whether they vanish where the file begins.
+#[test]
+fn divisors_that_vanish_at_the_start_are_told() {
+    let path = temporary("divisors.toml");
+    let file = path.display().to_string();
+    let at = |psi: &str| {
+        let text = std::fs::read_to_string(root().join("scenes/models/chaplygin_sleigh.toml")).expect("it is there");
+        let start = text.lines().find(|line| line.starts_with("[start]")).expect("it has a start");
+        std::fs::write(&path, text.replace(start, &format!("[start]\n{psi}")).replace("\"1 m/s\"", "\"guess 1 m/s\""))
+            .expect("it is written");
+        printed(&["prove", &file])
+    };
+    let divisors = "equal for all values for which none of these vanishes: cos(psi)";
+    let (apart, across) = (at("psi = \"0.3 rad\""), at("psi = \"90 deg\""));
+    std::fs::remove_file(&path).expect("it is there");
+    assert!(apart.contains(&format!("{divisors} (at the start none of them does)")), "{apart}");
+    assert!(across.contains(&format!("{divisors} (at the start cos(psi) vanishes)")), "{across}");
+}
 
 #[test]
 fn verdicts_of_a_proof_are_read_by_programs() {

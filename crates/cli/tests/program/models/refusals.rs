@@ -47,10 +47,7 @@ fn the_place_of_what_a_command_cannot_take_is_shown() {
             + "[ensemble]\nmembers = 2\n[ensemble.vary]\nparameters.m = { from = \"1 kg\", to = \"2 kg\" }\n",
     )
     .expect("it is written");
-    refused(
-        &["ensemble", &file, "--out", "none.csv"],
-        "`ensemble` cannot run this system: its law or its start changes",
-    );
+    refused(&["ensemble", &file, "--out", "none.csv"], "`ensemble` does not apply: this system has an event");
     refused(&["ensemble", &file, "--out", "none.csv"], "taken.toml:21:1");
     refused(&["run", &file, "--method", "strang:1000"], "strang:1000 does not apply to");
     refused(&["inverse", &file, "--motion", "f1 = (1 m)*sin(tt)"], "--motion:1:16");

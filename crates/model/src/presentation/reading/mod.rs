@@ -5,12 +5,14 @@
 //! for each monomial the shorter of two forms is taken: multiple angles, or powers of cosines and sines.
 
 mod circles;
+mod divisors;
 mod harmonic;
 mod sum;
 #[cfg(test)]
 mod tests;
 mod writing;
 
+use field::Rational;
 use harmonic::{Harmonic, Multiple};
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
@@ -176,7 +178,7 @@ impl Reading {
         }
         let mut reduced = Sum::default();
         for mut term in product.terms() {
-            let mut factor = Sum::constant(field::Rational::new(1, 1));
+            let mut factor = Sum::constant(Rational::new(1, 1));
             for power in &mut term.monomial {
                 let Some(square) = self.leaves[power.0 as usize].square.clone() else { continue };
                 let squares = power.1 / 2;
@@ -190,21 +192,5 @@ impl Reading {
             reduced = reduced.plus(&factor.times(&Sum::of(term), MOST_TERMS)?, 1);
         }
         Some(reduced)
-    }
-
-    /// One over a sum: a monomial of negative exponents, or a part of its own.
-    fn reciprocal(&mut self, below: &Sum) -> Option<Sum> {
-        if let Some(inverse) = below.inverse() {
-            return Some(inverse);
-        }
-        let negative = below.leads_negative();
-        let below = if negative { Sum::default().plus(below, -1) } else { below.clone() };
-        let divisor = self.written(&below);
-        if divisor == Sym::ZERO {
-            return None;
-        }
-        let place = self.leaf(divisor, None);
-        let inverse = Sum::letter(place).inverse()?;
-        Some(if negative { Sum::default().plus(&inverse, -1) } else { inverse })
     }
 }

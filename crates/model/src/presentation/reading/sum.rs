@@ -67,11 +67,6 @@ impl Sum {
         self.0.keys().map(|(monomial, _)| monomial)
     }
 
-    /// Whether the first term has a minus.
-    pub fn leads_negative(&self) -> bool {
-        self.0.values().next().is_some_and(|first| first.sign() == Some(-1))
-    }
-
     fn add(&mut self, monomial: Monomial, wave: Wave, coefficient: Rational) {
         match self.0.entry((monomial, wave)) {
             Entry::Vacant(_) if coefficient.is_zero() => {}

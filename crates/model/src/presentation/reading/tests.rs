@@ -89,5 +89,12 @@ fn the_shorter_form_is_taken() {
     assert_eq!(read(r * x / (r * r)), "x/r");
     assert_eq!(read(x - x), "0");
     assert_eq!(read(a.sin * a.cos * Sym::int(2)), "sin(2*x)");
+    // factors of a divisor gather
+    let two = Sym::int(2);
+    assert_eq!(read(x / (two * a.cos * b.cos) / two), "x/(4*cos(x)*cos(y))");
+    assert_eq!(read(x / (r * a.cos * b.cos).powi(2)), "x/(r^2*cos(x)^2*cos(y)^2)");
+    assert_eq!(read(x / (two * r * (r - a.cos)) / r), "x/(2*r^2*(r - cos(x)))");
+    assert_eq!(read(-x / (Sym::int(-3) * a.cos * b.cos)), "x/(3*cos(x)*cos(y))");
+    assert_eq!(read(x / Sym::int(32) + y / Sym::int(50)), "x/32 + 0.02*y");
     assert_eq!(read(Sym::ratio(7, 20) * x + Sym::ratio(1, 3) * y), "0.35*x + y/3");
 }

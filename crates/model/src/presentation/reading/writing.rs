@@ -118,7 +118,7 @@ fn parts(number: Rational) -> (Sym, Sym) {
                 rest /= prime;
             }
         }
-        (below <= 16 || rest > 1).then_some(below)
+        (below <= 16 || rest > 1 || below.count_ones() == 1).then_some(below)
     });
     match small {
         Some(below) => (Sym::constant(number * Rational::new(below, 1)), Sym::int(below)),
@@ -127,7 +127,7 @@ fn parts(number: Rational) -> (Sym, Sym) {
 }
 
 /// The largest monomial that divides all.
-fn common(parameters: &[(Monomial, Rational)]) -> Monomial {
+pub(super) fn common(parameters: &[(Monomial, Rational)]) -> Monomial {
     let Some(((first, _), others)) = parameters.split_first() else { return Vec::new() };
     let exponent = |monomial: &Monomial, place: u32| {
         monomial.iter().find(|(known, _)| *known == place).map_or(0, |(_, exponent)| *exponent)
@@ -155,7 +155,7 @@ fn without(monomial: &Monomial, divisor: &Monomial) -> Monomial {
 }
 
 /// The number that all coefficients are whole multiples of, with the sign of the first; one where they are large.
-fn content(parameters: &[(Monomial, Rational)]) -> Rational {
+pub(super) fn content(parameters: &[(Monomial, Rational)]) -> Rational {
     let one = Rational::one();
     let mut content: Option<(i64, i64)> = None;
     for (_, coefficient) in parameters {
