@@ -13,6 +13,7 @@ mod driven_system;
 pub mod fingerprint;
 pub mod kind;
 pub mod known;
+mod lane_end;
 pub mod lane_series;
 mod one_by_one;
 pub mod parametric_system;

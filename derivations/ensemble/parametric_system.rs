@@ -3,6 +3,7 @@
 use super::run::Last;
 use super::stop_reason::Stopped;
 use crate::scene::Run;
+use crate::scene::law_end::Margins;
 use integrators::LaneSeries;
 use std::borrow::Cow;
 use std::fmt;
@@ -67,6 +68,8 @@ pub struct Member<'a> {
     pub state: Vec<f64>,
     /// The end of its run as a row shows it, from the last good time and state.
     pub end: Box<EndOf<'a>>,
+    /// How far a state is from where the law ends; none of a law that holds everywhere.
+    pub margins: Option<Box<Margins>>,
 }
 
 /// The numbers of a variable for one member, in SI units.
@@ -119,7 +122,7 @@ impl Variable {
 
 impl fmt::Debug for Member<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Member { parameters, state, end: _ } = self;
+        let Member { parameters, state, .. } = self;
         f.debug_struct("Member").field("parameters", parameters).field("state", state).finish_non_exhaustive()
     }
 }

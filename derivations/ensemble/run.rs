@@ -1,8 +1,10 @@
 //! An ensemble run: lanes in every thread, results in the order of the members.
 
+use super::lane_end::LaneEnd;
 use super::parametric_system::{Column, LANES, Member};
 use super::{EnsembleScene, Stopped};
-use integrators::{Ensemble, Failure, Members};
+use crate::scene::Margin;
+use integrators::{Ensemble, Failure, LaneStep, Members};
 use std::collections::BTreeMap;
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -96,9 +98,18 @@ struct Worker<'a> {
     next: &'a AtomicU64,
     last: u64,
     stop: &'a AtomicBool,
-    /// The members in the lanes, by their numbers.
-    aboard: Vec<(u64, Member<'a>)>,
+    /// The members in the lanes.
+    aboard: Vec<Aboard<'a>>,
     rows: mpsc::SyncSender<Row>,
+}
+
+/// A member in a lane.
+struct Aboard<'a> {
+    number: u64,
+    member: Member<'a>,
+    margins: Vec<Margin>,
+    /// Why its law does not hold beyond, where it came to there.
+    left: Option<&'static str>,
 }
 
 impl Worker<'_> {
@@ -129,7 +140,9 @@ impl Members for Worker<'_> {
                 Ok(member) => {
                     parameters.copy_from_slice(&member.parameters);
                     state.copy_from_slice(&member.state);
-                    self.aboard.push((number, member));
+                    let margins = member.margins.as_ref();
+                    let margins = margins.map(|margins| margins(0.0, state, &vec![0.0; state.len()]));
+                    self.aboard.push(Aboard { number, member, margins: margins.unwrap_or_default(), left: None });
                     return Some(number);
                 }
                 Err(why) => {
@@ -140,10 +153,26 @@ impl Members for Worker<'_> {
         }
     }
 
+    fn watches(&self) -> bool {
+        self.aboard.iter().any(|aboard| aboard.member.margins.is_some())
+    }
+
+    fn leaves(&mut self, number: u64, step: &LaneStep<'_>) -> Option<f64> {
+        let aboard = self.aboard.iter_mut().find(|aboard| aboard.number == number)?;
+        let margins = aboard.member.margins.as_ref()?;
+        let mut lane_end = LaneEnd::new(&**margins, step, aboard.member.state.len());
+        let end = lane_end.look(step.end);
+        let left = lane_end.first([(step.begin, &aboard.margins), (step.end, &end)]);
+        aboard.margins = end;
+        aboard.left = left.map(|(_, what)| what);
+        left.map(|(time, _)| time)
+    }
+
     fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>) {
-        let Some(place) = self.aboard.iter().position(|(aboard, _)| *aboard == number) else { return };
-        let (_, member) = self.aboard.swap_remove(place);
-        let (drawn, stopped) = (self.scene.drawn(number), failure.map(|failure| Stopped::Run(failure).to_string()));
+        let Some(place) = self.aboard.iter().position(|aboard| aboard.number == number) else { return };
+        let Aboard { member, left, .. } = self.aboard.swap_remove(place);
+        let stopped = failure.map(Stopped::Run).or(left.map(Stopped::Left)).map(|stopped| stopped.to_string());
+        let drawn = self.scene.drawn(number);
         self.hand_on(Row { number, drawn, stopped, steps, last: Some((member.end)(at, state)) });
     }
 }

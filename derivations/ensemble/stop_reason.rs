@@ -20,6 +20,8 @@ pub enum Stopped {
     Start(String),
     /// Data of the machine that are beyond their bounds.
     Machine(NoModel),
+    /// The law does not hold beyond.
+    Left(&'static str),
     /// The run failed.
     Run(Failure),
 }
@@ -35,6 +37,7 @@ impl Stopped {
             Self::Bodies(_) | Self::Axial { .. } | Self::Impossible(_) => "no such bodies exist",
             Self::Start(_) => "no start meets the constraints",
             Self::Machine(_) => "no such machine exists",
+            Self::Left(_) => "left its law",
             Self::Run(failure) => failure.name(),
         }
     }
@@ -57,6 +60,7 @@ impl fmt::Display for Stopped {
             Self::Axial { value } => write!(f, "A' > 0 is broken: it is {value}"),
             Self::Impossible(reason) | Self::Start(reason) => write!(f, "{reason}"),
             Self::Machine(reason) => write!(f, "{reason}"),
+            Self::Left(reason) => write!(f, "{reason}"),
             Self::Run(failure) => {
                 // most failures begin with their name
                 let told = failure.to_string();

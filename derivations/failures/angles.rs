@@ -68,7 +68,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         trials.into_iter().map(move |trial| Trial { by: format!("{name}, {}", trial.by), ..trial })
     };
     let start = law.start(&scene);
-    let in_angles = Tried { law: &running, state: &start, budget: FEW, margins: &|_, _| Vec::new(), ..tried };
+    let in_angles = Tried { law: &running, state: &start, budget: FEW, margins: &|_, _, _| Vec::new(), ..tried };
     let mut trials: Vec<Trial> =
         named("first form", tried.all(|record| near(&seen(record, &by_vector), &right, 1e-3))).collect();
     trials.extend(named("Euler's angles", in_angles.all(|record| near(&seen(record, &by_angles), &right, 1e-3))));

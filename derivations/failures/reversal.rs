@@ -89,7 +89,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let mut trials: Vec<Trial> =
         every_method(STEPS).filter_map(|(by, method)| by_events(&scene, &by, method)).collect();
-    let free: &Margins = &|_, _| Vec::new();
+    let free: &Margins = &|_, _, _| Vec::new();
     let tried =
         Tried { law: &law, state: &start, span, tolerance: 1e-9, steps: STEPS, outputs: 1, budget: FEW, margins: free };
     let resting = |y: &[f64]| y.get(4).is_some_and(|speed| speed.abs() < REST);

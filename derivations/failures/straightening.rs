@@ -58,7 +58,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         within: Within::Share(20),
     };
     let tolerance = 1e-9;
-    let free: &Margins = &|_, _| Vec::new();
+    let free: &Margins = &|_, _, _| Vec::new();
     let tried = Tried {
         law: &by_place,
         state: &start,

@@ -121,7 +121,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
             Verdict::Unique(found) => is_rest(&dry, &found),
             _ => false,
         };
-        Some(Signal { value: if rests { 1.0 } else { -1.0 }, rate: 0.0, noise: 0.0 })
+        Some(Signal { value: if rests { 1.0 } else { -1.0 }, rate: 0.0, ..Signal::default() })
     }
 
     /// What the signals are read off, along the motion; `None` where the constraints are dependent.
@@ -178,7 +178,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
                 smooth => self.signal(smooth, &moving)?,
             };
             let size = self.size(watched).unwrap_or(0.0);
-            *signal = Signal { value: value.value, rate: value.slope, noise: noise * size };
+            *signal = Signal { value: value.value, rate: value.slope, noise: noise * size, ..Signal::default() };
         }
         Some(())
     }
@@ -218,7 +218,7 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
 
     fn signals(&self, time: f64, y: &[f64], out: &mut [Signal]) {
         if self.read(&parts(time, y), out).is_none() {
-            out.fill(Signal { value: -1.0, rate: 0.0, noise: 0.0 });
+            out.fill(Signal { value: -1.0, rate: 0.0, ..Signal::default() });
         }
     }
 }

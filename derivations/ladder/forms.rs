@@ -139,7 +139,7 @@ fn runnable(ladder: &Ladder, line: usize, axes: Axes) -> Runnable<'_> {
     match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
         None => {
             let (law, start) = (Arc::clone(&ladder.own.law), ladder.own.state.clone());
-            let outside = |_: f64, y: &[f64]| ladder.own.outside(y).is_some();
+            let outside = |time: f64, y: &[f64]| ladder.own.outside(time, y).is_some();
             Runnable::of_law(axes, law, start, span, |time, y| (ladder.own.row)(time, y), outside)
         }
         Some(rung) => {

@@ -135,7 +135,7 @@ impl Rung {
 impl Ladder {
     /// Why the law of the scene does not hold at a state of the law that the rungs are derived from, where it does not.
     pub fn left(&self, time: f64, state: &[f64]) -> Option<&'static str> {
-        self.own.outside(&(self.whole)(time, state))
+        self.own.outside(time, &(self.whole)(time, state))
     }
 
     /// What a run shows, from a state of the law that the rungs are derived from.

@@ -92,7 +92,7 @@ impl Mechanism for Disc<f64> {
 
     fn margins(&self, _start: &[f64], y: &[f64], dy: &[f64]) -> Vec<Margin> {
         let what = "the disc is not above the plane: it lies flat or beyond";
-        vec![Margin { value: y[3].sin(), rate: y[3].cos() * dy[3], what }]
+        vec![Margin { value: y[3].sin(), rate: y[3].cos() * dy[3], what, ..Margin::default() }]
     }
 
     fn rewritten(&self, start: &[f64]) -> Vec<Rewritten> {

@@ -102,7 +102,7 @@ impl Mechanism for Drive {
         let (violated, rate) = violation(&self.0.drive, y);
         let what = "the rod's constraint is lost: it is violated by more than a tenth of the rod's length squared";
         let value = LOST * self.0.drive.mechanism.rod.powi(2) - violated.abs();
-        vec![Margin { value, rate: -violated.signum() * rate, what }]
+        vec![Margin { value, rate: -violated.signum() * rate, what, ..Margin::default() }]
     }
 
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {

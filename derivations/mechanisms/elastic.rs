@@ -79,8 +79,8 @@ impl Mechanism for ElasticGovernor<f64> {
         let of_axis = "the wheel has come to the axis of the disc";
         let of_links = "the links are stretched: the balls are on the axis";
         vec![
-            Margin { value: y[1] - self.offset, rate: dy[1], what: of_axis },
-            Margin { value: 2.0 * self.link - y[1], rate: -dy[1], what: of_links },
+            Margin { value: y[1] - self.offset, rate: dy[1], what: of_axis, ..Margin::default() },
+            Margin { value: 2.0 * self.link - y[1], rate: -dy[1], what: of_links, ..Margin::default() },
         ]
     }
 

@@ -64,7 +64,7 @@ impl<M: Mechanism> Erased for M {
             invariants: vec![Invariant { name: "energy_less_work", value: Box::new(balance) }],
             columns: self.columns().iter().map(|quantity| quantity.name.to_string()).collect(),
             row: Box::new(move |time, y| [y, &showing.shown(time, &y[..count])].concat()),
-            margins: Box::new(move |y, dy| judging.margins(&start, &y[..count], &dy[..count])),
+            margins: Box::new(move |_, y, dy| judging.margins(&start, &y[..count], &dy[..count])),
             switching: None,
         }
     }

@@ -104,7 +104,7 @@ impl Mechanism for PrescribedTop<f64> {
         let sign = nodding(start).signum();
         let rate = dy[0] * y[4] + y[0] * dy[4] - dy[1] * y[3] - y[1] * dy[3];
         let what = "p g2 = q g1: the inclination of the axis is stationary, and no moment leads the integrals";
-        vec![Margin { value: sign * nodding(y), rate: sign * rate, what }]
+        vec![Margin { value: sign * nodding(y), rate: sign * rate, what, ..Margin::default() }]
     }
 
     /// By the decimals that were written: in doubles equal products may differ.

@@ -10,23 +10,25 @@ use integrators::{
 use std::cell::RefCell;
 
 /// How far a state is from where its law ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Margin {
     /// Positive where the law holds.
     pub value: f64,
     /// Along the motion, 1/s.
     pub rate: f64,
+    /// A bound of the rate, as [`Signal::fastest`].
+    pub fastest: f64,
     /// Why the law does not hold beyond.
     pub what: &'static str,
 }
 
-/// The margins of a state y with the rates dy, always as many.
-pub type Margins = dyn Fn(&[f64], &[f64]) -> Vec<Margin> + Send + Sync;
+/// The margins of a state y with the rates dy at a time, always as many.
+pub type Margins = dyn Fn(f64, &[f64], &[f64]) -> Vec<Margin> + Send + Sync;
 
 impl Problem {
     /// Why the law does not hold at a state, where it does not.
-    pub fn outside(&self, y: &[f64]) -> Option<&'static str> {
-        outside(&(self.margins)(y, &vec![0.0; y.len()]))
+    pub fn outside(&self, time: f64, y: &[f64]) -> Option<&'static str> {
+        outside(&(self.margins)(time, y, &vec![0.0; y.len()]))
     }
 
     /// Runs over a span, event after event, or to the end of the law: then the outcome is the last state within it, and the reason
@@ -39,7 +41,7 @@ impl Problem {
         observer: &mut dyn Observer<f64>,
     ) -> (Outcome<f64>, Option<&'static str>) {
         if let Some(switching) = &self.switching {
-            return switching::integrate(&**switching, (method, tolerance), span, observer);
+            return switching::integrate((&**switching, &*self.margins), (method, tolerance), span, observer);
         }
         Ending { law: &*self.law, margins: &*self.margins }.integrate((method, tolerance), span, observer)
     }
@@ -60,16 +62,13 @@ impl Ending<'_> {
         span: &Span<'_, f64>,
         observer: &mut dyn Observer<f64>,
     ) -> (Outcome<f64>, Option<&'static str>) {
-        let still = vec![0.0; span.state.len()];
-        let count = (self.margins)(&span.state, &still).len();
-        if count == 0 {
+        let Some(ends) = Ends::of(*self, span.start, &span.state, 0) else {
             return (integrate(self.law, method, tolerance, span, observer), None);
-        }
-        let ends = Ends { of: *self, count, rates: RefCell::new(still.clone()) };
+        };
         let mut good = Good { observer, time: span.start, state: span.state.clone() };
         let (mut outcome, event) = integrate_to_event(self.law, method, tolerance, span, &ends, &mut good);
         let Some(Event { signal, .. }) = event else { return (outcome, None) };
-        let margins = (self.margins)(&outcome.state, &still);
+        let margins = ends.at(outcome.time, &outcome.state);
         if outside(&margins).is_some() {
             // the motion could not be computed again up to there
             (outcome.time, outcome.state) = (good.time, good.state);
@@ -85,14 +84,30 @@ pub fn outside(margins: &[Margin]) -> Option<&'static str> {
 
 /// The same margins of a state that has more components behind its own.
 pub(super) fn of_leading(margins: Box<Margins>, own: usize) -> Box<Margins> {
-    Box::new(move |y: &[f64], dy: &[f64]| margins(&y[..own], &dy[..own]))
+    Box::new(move |time, y: &[f64], dy: &[f64]| margins(time, &y[..own], &dy[..own]))
 }
 
-/// The margins as signals.
-struct Ends<'a> {
+/// The margins as signals, of a state that may have more components behind its own.
+pub(super) struct Ends<'a> {
     of: Ending<'a>,
     count: usize,
+    /// The number of the state's own components.
+    own: usize,
     rates: RefCell<Vec<f64>>,
+}
+
+impl<'a> Ends<'a> {
+    /// None where a law has no margins. The law has so many components behind those of the state.
+    pub fn of(of: Ending<'a>, time: f64, state: &[f64], behind: usize) -> Option<Self> {
+        let own = state.len();
+        let count = (of.margins)(time, state, &vec![0.0; own]).len();
+        (count > 0).then(|| Ends { of, count, own, rates: RefCell::new(vec![0.0; own + behind]) })
+    }
+
+    /// The margins at a state, without their rates.
+    pub fn at(&self, time: f64, state: &[f64]) -> Vec<Margin> {
+        (self.of.margins)(time, &state[..self.own], &vec![0.0; self.own])
+    }
 }
 
 impl Switches for Ends<'_> {
@@ -103,15 +118,48 @@ impl Switches for Ends<'_> {
     fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]) {
         let mut rates = self.rates.borrow_mut();
         Ode::<f64>::rates(self.of.law, time, state, &mut rates);
-        for (signal, Margin { value, rate, .. }) in out.iter_mut().zip((self.of.margins)(state, &rates)) {
+        for (signal, margin) in out.iter_mut().zip((self.of.margins)(time, &state[..self.own], &rates[..self.own])) {
             // where a law is singular beyond its end its rates may be no numbers
-            let [value, rate] = [value, rate].map(|number| if number.is_finite() { number } else { -1.0 });
-            *signal = Signal { value, rate, noise: 0.0 };
+            let [value, rate] =
+                [margin.value, margin.rate].map(|number| if number.is_finite() { number } else { -1.0 });
+            *signal = Signal { value, rate, noise: 0.0, fastest: margin.fastest };
         }
     }
 
-    fn ends_above(&self) -> bool {
+    fn ends_above(&self, _signal: usize) -> bool {
         true
+    }
+}
+
+/// The switches of a law that changes at events, with the margins behind them.
+pub(super) struct SwitchesAndEnds<'a> {
+    pub switches: &'a dyn Switches,
+    pub ends: Option<Ends<'a>>,
+}
+
+impl SwitchesAndEnds<'_> {
+    /// Why the law ends with an event, where it is a margin's.
+    pub fn why(&self, event: &Event, state: &[f64]) -> Option<&'static str> {
+        let margin = event.signal.checked_sub(self.switches.count())?;
+        self.ends.as_ref()?.at(event.time, state).get(margin).map(|margin| margin.what)
+    }
+}
+
+impl Switches for SwitchesAndEnds<'_> {
+    fn count(&self) -> usize {
+        self.switches.count() + self.ends.as_ref().map_or(0, Ends::count)
+    }
+
+    fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]) {
+        let (own, margins) = out.split_at_mut(self.switches.count());
+        self.switches.signals(time, state, own);
+        if let Some(ends) = &self.ends {
+            ends.signals(time, state, margins);
+        }
+    }
+
+    fn ends_above(&self, signal: usize) -> bool {
+        signal >= self.switches.count() || self.switches.ends_above(signal)
     }
 }
 

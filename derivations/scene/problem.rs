@@ -61,7 +61,7 @@ impl Scene {
             invariants,
             columns: outputs(self.on_bench(), &self.machine),
             row: Box::new(self.row(axes)),
-            margins: Box::new(|_, _| Vec::new()),
+            margins: Box::new(|_, _, _| Vec::new()),
             switching: None,
         }
     }

@@ -81,7 +81,7 @@ impl Problem {
         for invariant in &self.invariants {
             let first = (invariant.value)(0.0, &self.state);
             // a step that has left the law is none of the run
-            let value = move |time: f64, y: &[f64]| match self.outside(y) {
+            let value = move |time: f64, y: &[f64]| match self.outside(time, y) {
                 Some(_) => first,
                 None => (invariant.value)(time, y),
             };

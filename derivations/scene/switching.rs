@@ -1,5 +1,6 @@
 //! Runs of systems whose law changes at events: segment after segment, each from an event, located to rounding, to the next.
 
+use super::law_end::{Ending, Ends, Margins, SwitchesAndEnds};
 use super::problem::Law;
 use integrators::{
     Deviation, End, Event, Method, Observer, Outcome, Span, Switches, Tolerance, Work, integrate_to_event,
@@ -37,9 +38,10 @@ const MOST_EVENTS: usize = 20_000;
 /// So many events in a row within a rounding of the time: their times have a limit.
 const MOST_TOGETHER: usize = 64;
 
-/// Runs over a span, event after event. The reason is told where the motion ends before the span does.
+/// Runs over a span, event after event, as long as the margins are positive. The reason is told where the motion ends before the
+/// span does.
 pub(super) fn integrate(
-    switching: &dyn Switching,
+    (switching, margins): (&dyn Switching, &Margins),
     (method, tolerance): (Method, &Tolerance),
     span: &Span<'_, f64>,
     observer: &mut dyn Observer<f64>,
@@ -71,11 +73,15 @@ pub(super) fn integrate(
         let whole = span.end - span.start;
         let done = (here - span.start) / whole;
         let mut part = Part { observer, states, done, share: (span.end - here) / whole };
-        let (mut outcome, event) =
-            integrate_to_event(&*segment.law, method, tolerance, &rest, &*segment.switches, &mut part);
+        let ends = Ends::of(Ending { law: &*segment.law, margins }, here, &at.state[..states], segment.followed);
+        let switches = SwitchesAndEnds { switches: &*segment.switches, ends };
+        let (mut outcome, event) = integrate_to_event(&*segment.law, method, tolerance, &rest, &switches, &mut part);
         outcome.state.truncate(states);
         at = joined(at, outcome);
         let Some(event) = event else { return (at, None) };
+        if let Some(why) = switches.why(&event, &at.state) {
+            return (at, Some(why));
+        }
         together = if at.time - here <= 8.0 * f64::EPSILON * at.time.abs() { together + 1 } else { 0 };
         if together > MOST_TOGETHER {
             return (at, Some("its events follow each other without end"));

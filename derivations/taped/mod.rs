@@ -68,6 +68,11 @@ impl Program {
         })
     }
 
+    /// Of a tape whose last input is the time.
+    pub fn of_tape(tape: Tape) -> Option<Self> {
+        Program::recorded(tape)
+    }
+
     /// The right-hand side of a law.
     pub fn of_law(law: &(impl Ode<Sym> + Sync)) -> Option<Self> {
         written(law, |Written { state, time, rates }| Program::taped(&[&state[..], &[*time]].concat(), rates))

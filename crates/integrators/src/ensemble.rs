@@ -72,8 +72,26 @@ pub trait Members {
     /// Writes parameters and initial state of the next member and returns its number; `None` where there are no more.
     fn next(&mut self, parameters: &mut [f64], state: &mut [f64]) -> Option<u64>;
 
-    /// A member has arrived, or failed: its last good state with its time, and how many steps it took.
+    /// Whether motions are looked at after each step.
+    fn watches(&self) -> bool {
+        false
+    }
+
+    /// The last time within a step at which the law of a member holds, where it does not to the end of the step.
+    fn leaves(&mut self, _number: u64, _step: &LaneStep<'_>) -> Option<f64> {
+        None
+    }
+
+    /// A member has arrived, has left its law, or failed: its last good state with its time, and how many steps it took.
     fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>);
+}
+
+/// The motion of a member over a step.
+pub struct LaneStep<'a> {
+    pub begin: f64,
+    pub end: f64,
+    /// The state at a time within the step.
+    pub state_at: &'a dyn Fn(f64, &mut [f64]),
 }
 
 /// The method for L members at a time, all from time zero to the same end: a run allocates nothing.
@@ -148,6 +166,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         }
         self.source.sum(steps, &mut self.after);
         std::mem::swap(&mut self.states, &mut self.after);
+        let ends = if members.watches() { self.leave(nexts, members) } else { std::array::from_fn(|_| None) };
         for (lane, next) in nexts.into_iter().enumerate() {
             let Some(number) = self.numbers[lane] else { continue };
             let lost = || self.states.iter().any(|y| !y.0[lane].is_finite());
@@ -159,6 +178,11 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
                 }
                 Err(failure) => Some(failure),
             };
+            if let (Some((end, state)), None) = (&ends[lane], failure) {
+                members.ended(number, state, self.steps[lane], *end, None);
+                self.admit(lane, members);
+                continue;
+            }
             if failure.is_some() || self.times.0[lane] == self.end {
                 // where a member failed, the state before is the last good one
                 let states = if failure.is_some() { &self.after } else { &self.states };
@@ -167,6 +191,22 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
                 self.admit(lane, members);
             }
         }
+    }
+
+    /// The members that leave their laws within this step: when, and their states there.
+    fn leave(&self, nexts: [Result<f64, Failure>; L], members: &mut impl Members) -> [Option<(f64, Vec<f64>)>; L] {
+        std::array::from_fn(|lane| {
+            let (number, end, begin) = (self.numbers[lane]?, nexts[lane].ok()?, self.times.0[lane]);
+            let state_at = |time: f64, state: &mut [f64]| {
+                let mut lanes = vec![Lanes::all(0.0); state.len()];
+                self.source.sum(Lanes::all(time - begin), &mut lanes);
+                state.iter_mut().zip(lanes).for_each(|(part, lanes)| *part = lanes.0[lane]);
+            };
+            let left = members.leaves(number, &LaneStep { begin, end, state_at: &state_at })?;
+            let mut state = vec![0.0; self.states.len()];
+            state_at(left, &mut state);
+            Some((left, state))
+        })
     }
 
     /// Where the step of a lane leads whose series reaches so far.

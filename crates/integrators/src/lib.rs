@@ -86,7 +86,7 @@ pub use branches::{Branch, Curve, Equilibria, Last, Place, Repeating, Walk, foll
 pub use classical::{euler_step, runge_kutta_4_step};
 pub use collocation::{Collocation, Family, nodal};
 pub use composition::Splitting;
-pub use ensemble::{Ensemble, LaneSeries, Members, lanes_order};
+pub use ensemble::{Ensemble, LaneSeries, LaneStep, Members, lanes_order};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use failure::{Failure, Refusal};
 pub use front::{excess, front};

@@ -5,13 +5,14 @@ use crate::compiled_system::{ENERGIES, NotCompiled};
 use crate::parametric_law::ParametricLaw;
 use crate::readiness::{changes, one_law, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
-use crate::start::{Completed, StartSolver, Unmet, given, start_speeds};
+use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, start_speeds};
 use crate::warnings::warn_of;
 use derivations::ensemble::{
     Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, Shape, Sizes, Stopped, Variable, lane_series,
     vary,
 };
 use derivations::scene::file::tables;
+use derivations::scene::law_end::Margins;
 use derivations::scene::{Run, SceneError, Smooth};
 use integrators::LaneSeries;
 use model::{Fault, Model, bare_angle, turned_further};
@@ -24,6 +25,8 @@ struct ModelEnsemble {
     scene: ModelScene,
     law: ParametricLaw,
     start: StartSolver,
+    /// None of a system without closed loops.
+    singular: Option<SingularPositions>,
     bodies: BodyNumbers,
     /// Target of each variable.
     targets: Vec<Target>,
@@ -158,7 +161,8 @@ impl ModelEnsemble {
         whole.implied.clear();
         let start = StartSolver::of(&whole)?;
         let bodies = BodyNumbers::of(model).map_err(Unmet::NotCompiled)?;
-        Ok(ModelEnsemble { scene, law, start, bodies, targets })
+        let singular = SingularPositions::of(model, &scene.start);
+        Ok(ModelEnsemble { scene, law, start, singular, bodies, targets })
     }
 
     /// The end of a member as a row shows it.
@@ -238,7 +242,11 @@ impl ParametricSystem for ModelEnsemble {
         }
         let (own, before) = (parameters.clone(), start.clone());
         let end = Box::new(move |time: f64, state: &[f64]| self.end(&own, &before, time, state));
-        Ok(Member { parameters, state: start, end })
+        let singular = self.singular.as_ref().and_then(|singular| singular.of_member(&parameters, &speeds, &start));
+        let margins = singular.map(|singular| -> Box<Margins> {
+            Box::new(move |time, state, rates| vec![singular.margin(time, state, rates)])
+        });
+        Ok(Member { parameters, state: start, end, margins })
     }
 
     fn columns(&self) -> Vec<Column> {

@@ -8,12 +8,13 @@ use crate::modes::{End, Ended, Modes};
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{ready, start_of, without_run};
 use crate::row_units::unit_of;
-use crate::start::Branching;
+use crate::start::SingularPositions;
 use crate::text;
 use crate::warnings::{Warn, warn_by, warn_of};
 use derivations::scene::any::holds_model;
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
 use derivations::scene::file::{read_text, tables};
+use derivations::scene::law_end::Margins;
 use derivations::scene::problem::Invariant;
 use derivations::scene::read::Table;
 use derivations::scene::smooth::Parameter;
@@ -129,6 +130,16 @@ impl ModelScene {
     }
 }
 
+impl ModelScene {
+    /// How far a state is from where its constraints determine the motion no longer.
+    fn margins(&self) -> Box<Margins> {
+        let singular = SingularPositions::of(&self.model, &self.start);
+        Box::new(move |time, state, rates| {
+            singular.iter().map(|singular| singular.margin(time, state, rates)).collect()
+        })
+    }
+}
+
 /// An event by its name, or by its line.
 fn called(event: &Event, text: &str) -> String {
     match event.name.as_str() {
@@ -219,10 +230,7 @@ impl Smooth for ModelScene {
             invariants,
             columns: columns(&self.model),
             row: Box::new(row),
-            margins: match Branching::of(&self.model).filter(|_| !changes) {
-                Some(branching) => Box::new(move |state, _| branching.margins(state)),
-                None => Box::new(|_, _| Vec::new()),
-            },
+            margins: self.margins(),
             switching: modes.map(|modes| modes as Arc<dyn Switching>),
         }
     }
@@ -236,10 +244,7 @@ impl Smooth for ModelScene {
             None => format!("{} ends the run", self.events[event]),
             Some(broken) => format!("after {} {broken}, which must be zero", self.events[event]),
         });
-        let (time, state) = (trajectory.outcome.time, &trajectory.outcome.state);
-        let branched = || Branching::of(&self.model)?.broken(time, state).map(str::to_owned);
-        let branched = trajectory.stopped().is_none().then(branched).flatten();
-        Told { diagnosis: ended.or(branched), ..Told::default() }
+        Told { diagnosis: ended, ..Told::default() }
     }
 
     fn parameters(&self) -> Vec<Parameter> {

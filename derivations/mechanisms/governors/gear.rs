@@ -125,7 +125,7 @@ pub(super) fn margins(gearing: Gearing<f64>, kept: bool, [rho, rate]: [f64; 2]) 
         Gearing::Discs { .. } => "the wheel has come to the axis of the first disc, or beyond",
     };
     let last = "the wheel has come to the axis of the second disc, or beyond";
-    let below = least.is_finite().then_some(Margin { value: rho - least, rate, what: first });
-    let above = most.is_finite().then_some(Margin { value: most - rho, rate: -rate, what: last });
+    let below = least.is_finite().then_some(Margin { value: rho - least, rate, what: first, ..Margin::default() });
+    let above = most.is_finite().then_some(Margin { value: most - rho, rate: -rate, what: last, ..Margin::default() });
     below.into_iter().chain(above).collect()
 }

@@ -20,6 +20,8 @@ pub(super) struct Again<'a> {
     /// The motion as a polynomial, where the method has it, and where that begins.
     pub series: Option<Box<dyn TaylorSeries<f64> + 'a>>,
     pub expanded_at: Option<f64>,
+    /// Whether the last root lies at, or beyond, an instant that could not be computed again.
+    pub is_blocked: bool,
     /// The work of it.
     pub extra: Work,
 }
@@ -60,21 +62,22 @@ impl Again<'_> {
     }
 
     /// Where a function of the signals, positive or zero at the beginning, is no longer so: Newton's method with its rate, kept
-    /// in the bracket by halving. `None` where the motion could not be computed again; where a law ends with the function, it is
-    /// taken to end before an instant that cannot be computed.
+    /// in the bracket by halving. `None` where the motion could not be computed again; where a law ends with the function (above its zero), it is
+    /// taken to end before an instant that cannot be computed. With it the last instant found at which the function is positive.
     pub fn root(
         &mut self,
         step: &Instant,
         [from, end]: [&Instant; 2],
+        ends_above: bool,
         function: impl Fn(&Instant) -> (f64, f64),
-    ) -> Option<Instant> {
+    ) -> Option<[Instant; 2]> {
         let (mut low, mut high) = (from.time, end.time);
         let (mut best, mut before, mut beyond) = (end.clone(), from.clone(), end.clone());
-        let ends_above = self.switches.ends_above();
+        self.is_blocked = false;
         for trial in 0..MOST_TRIALS {
             let (value, rate) = function(&best);
             if value == 0.0 {
-                return Some(best);
+                return Some([best, before]);
             }
             if value > 0.0 {
                 low = best.time;
@@ -89,18 +92,22 @@ impl Again<'_> {
             let next = if inside && trial % 8 != 7 { newton } else { low + 0.5 * (high - low) };
             if next == low || next == high {
                 // nothing between: a signal that jumps has its new value beyond
-                return Some(if ends_above { before } else { beyond });
+                let found = if ends_above { before.clone() } else { beyond };
+                return Some([found, before]);
             }
             let closest = f64::EPSILON * best.time.abs().max((end.time - from.time).abs());
             if inside && (next - best.time).abs() <= closest {
-                return Some(best);
+                return Some([best, before]);
             }
             match self.at(step, from, next) {
                 Some(found) => best = found,
-                None if ends_above => high = next,
+                None if ends_above => {
+                    high = next;
+                    self.is_blocked = true;
+                }
                 None => return None,
             }
         }
-        Some(best)
+        Some([best, before])
     }
 }

@@ -9,6 +9,7 @@
 
 mod again;
 mod bounds;
+mod distances;
 mod search;
 
 use crate::{End, Method, Observer, Outcome, Span, System, Tolerance, Work, integrate};
@@ -21,6 +22,9 @@ pub struct Signal {
     pub value: f64,
     pub rate: f64,
     pub noise: f64,
+    /// Of a signal that is the square of a distance of the order of one, which may come down to zero and rise again in less than a
+    /// step: a bound of the rate of the distance near the state. Zero where values and rates at the ends of a step show enough.
+    pub fastest: f64,
 }
 
 /// Signals that are watched. Each counts from when it was first positive: one that starts at zero may rise first.
@@ -31,9 +35,9 @@ pub trait Switches {
     /// All of them at a state; `out` has their count.
     fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]);
 
-    /// Whether the state of a fall must be one at which the signal is positive still: a rounding before it is zero, where a
+    /// Whether the state of the fall of a signal must be one at which the signal is positive still: a rounding before it is zero, where a
     /// law ends with it.
-    fn ends_above(&self) -> bool {
+    fn ends_above(&self, _signal: usize) -> bool {
         false
     }
 }
@@ -79,6 +83,7 @@ pub fn integrate_to_event(
             evaluations: span.budget.evaluations,
             series: if method == Method::Taylor { system.taylor() } else { None },
             expanded_at: None,
+            is_blocked: false,
             extra: Work::default(),
         },
         observer,
@@ -107,6 +112,9 @@ const TOGETHER: f64 = 8.0;
 
 /// The number of parts of a step that is a polynomial; each is looked at.
 const PARTS: usize = 8;
+
+/// Halvings of a step, or of such a part, over which a distance may come to zero by the bound of its rate.
+const MOST_HALVED: u32 = 8;
 
 /// A state with its signals.
 #[derive(Clone, Debug)]
@@ -179,12 +187,36 @@ impl Guard<'_> {
         steepness(event, state) > steepness(known, known_state)
     }
 
+    /// Looks at the interval between the two instants, in halves while a distance may come to zero within; then the interval
+    /// is the last of them.
+    fn look(&mut self, step: &Instant, halvings: u32) {
+        if halvings > 0 && distances::are_open(&self.before, &self.after) {
+            let length = self.after.time - self.before.time;
+            // the motion may not be computed again beyond where the distance is zero
+            let mut parts = (1..=halvings as i32).map(|k| self.before.time + length * f64::exp2(-f64::from(k)));
+            if let Some(middle) = parts.find_map(|time| self.again.at(step, &self.before, time)) {
+                let end = std::mem::replace(&mut self.after, middle);
+                self.look(step, halvings - 1);
+                if self.found.is_none() {
+                    self.go_on();
+                    self.after = end;
+                    self.look(step, halvings - 1);
+                }
+                return;
+            }
+        }
+        self.found = self.first_event(step);
+    }
+
     /// The first event between the two instants, within the step that began at another.
     fn first_event(&mut self, step: &Instant) -> Option<Found> {
         self.known.clear();
         let mut first: Option<Found> = None;
         for signal in 0..self.armed.len() {
             let ends = [&self.before, &self.after];
+            if self.armed[signal] && distances::stays_off(ends, signal) {
+                continue;
+            }
             let earlier = self.earlier.as_ref().map(|at| (at.signals[signal], at.time));
             let doubt = Search::doubt(earlier, ends.map(|at| (at.signals[signal], at.time)));
             let mut search = Search { again: &mut self.again, step, known: &mut self.known, signal };
@@ -226,7 +258,7 @@ impl Observer<f64> for Guard<'_> {
         let mut parts = std::mem::take(&mut self.parts);
         for part in &mut parts {
             std::mem::swap(&mut self.after, part);
-            self.found = self.first_event(&step);
+            self.look(&step, MOST_HALVED);
             if self.found.is_some() {
                 break;
             }
@@ -235,7 +267,7 @@ impl Observer<f64> for Guard<'_> {
         self.parts = parts;
         if self.found.is_none() {
             self.after.move_to(self.again.switches, time, state);
-            self.found = self.first_event(&step);
+            self.look(&step, MOST_HALVED);
         }
         let direction = (time - step.time).signum();
         let last = self.found.as_ref().map_or(time, |(event, _)| event.time);

@@ -25,6 +25,12 @@ const OF_HALF: f64 = 0.25;
 /// The least share that a halving leaves of a doubt, lest one value that happens to lie on the cubic hide others.
 const LEAST_OF_HALF: f64 = 1.0 / 64.0;
 
+/// Of a distance: where the motion cannot be computed again from so near to zero, it comes to zero.
+const NEAR: f64 = 1e-2;
+
+/// Halvings of an interval, by which its last instant that can be computed again is found.
+const MOST_NEARER: u32 = 12;
+
 /// Everything known of a step.
 pub(super) struct Search<'s, 'a> {
     pub again: &'s mut Again<'a>,
@@ -128,7 +134,7 @@ impl Search<'_, '_> {
         (armed, doubt): (bool, f64),
         halvings: u32,
     ) -> Option<Seen> {
-        let middle = self.between([a, b])?;
+        let Some(middle) = self.between([a, b]) else { return self.last([a, b]) };
         let measured = bounds.error_at_middle(self.of(&middle));
         let left = (OF_HALF * measured).max(LEAST_OF_HALF * doubt);
         match self.look([a, &middle], armed, left, halvings - 1)? {
@@ -148,13 +154,41 @@ impl Search<'_, '_> {
         Some(found)
     }
 
+    /// The fall of a distance to zero at the last instant of an interval that can be computed again; `None` where the motion does not
+    /// end there.
+    fn last(&mut self, [a, b]: [&Instant; 2]) -> Option<Seen> {
+        if self.of(a).fastest == 0.0 {
+            return None;
+        }
+        let (mut last, mut beyond) = (a.clone(), b.time);
+        for _ in 0..MOST_NEARER {
+            let time = last.time + 0.5 * (beyond - last.time);
+            match self.again.at(self.step, &last, time) {
+                Some(found) if self.of(&found).value <= 0.0 => return Some(self.fall([&last, &found])),
+                Some(found) => last = found,
+                None => beyond = time,
+            }
+        }
+        self.is_near(&last).then(|| self.event(Happening::Falls, last))
+    }
+
+    fn is_near(&self, instant: &Instant) -> bool {
+        let Signal { value, fastest, .. } = self.of(instant);
+        fastest > 0.0 && value <= NEAR * NEAR
+    }
+
     /// The fall through zero in an interval where there is one; at its end where it could not be computed again.
     fn fall(&mut self, [a, b]: [&Instant; 2]) -> Seen {
         let signal = self.signal;
-        let found = self.again.root(self.step, [a, b], |at| (at.signals[signal].value, at.signals[signal].rate));
-        let found = found.unwrap_or_else(|| b.clone());
-        let above = if self.again.switches.ends_above() { self.above([a, &found]) } else { None };
-        self.event(Happening::Falls, above.unwrap_or(found))
+        let ends_above = self.again.switches.ends_above(signal);
+        let found =
+            self.again.root(self.step, [a, b], ends_above, |at| (at.signals[signal].value, at.signals[signal].rate));
+        let [found, before] = found.unwrap_or_else(|| [b.clone(), a.clone()]);
+        let found = match ends_above {
+            true => self.above([a, &found]).unwrap_or(if self.of(&found).value > 0.0 { found } else { before }),
+            false => found,
+        };
+        self.event(Happening::Falls, found)
     }
 
     /// The last instant that is found a few roundings before a fall and at which the signal is positive.
@@ -171,10 +205,14 @@ impl Search<'_, '_> {
     /// The least value in an interval, where the rate changes its sign: nothing, a touch, or a fall before it.
     fn valley(&mut self, [a, b]: [&Instant; 2]) -> Seen {
         let (signal, direction) = (self.signal, (b.time - a.time).signum());
+        let ends_above = self.again.switches.ends_above(signal);
         let rate = |at: &Instant| (-direction * at.signals[signal].rate, f64::NAN);
-        let least = self.again.root(self.step, [a, b], rate).unwrap_or_else(|| b.clone());
+        let least = self.again.root(self.step, [a, b], ends_above, rate).map_or_else(|| b.clone(), |[least, _]| least);
         match self.of(&least) {
-            Signal { value, noise, .. } if value > noise => Seen::Nothing { armed: true },
+            Signal { value, noise, .. } if value > noise => match self.again.is_blocked && self.is_near(&least) {
+                true => self.event(Happening::Falls, least),
+                false => Seen::Nothing { armed: true },
+            },
             Signal { value, noise, .. } if value >= -noise => self.event(Happening::Touches, least),
             _ => self.fall([a, &least]),
         }

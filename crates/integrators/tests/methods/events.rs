@@ -57,7 +57,7 @@ impl Switches for Above {
     }
 
     fn signals(&self, _time: f64, y: &[f64], out: &mut [Signal]) {
-        out[0] = Signal { value: y[0] - self.0, rate: y[1], noise: 1e-11 };
+        out[0] = Signal { value: y[0] - self.0, rate: y[1], noise: 1e-11, ..Signal::default() };
     }
 }
 
@@ -123,7 +123,7 @@ impl Switches for Rest {
     }
 
     fn signals(&self, time: f64, _: &[f64], out: &mut [Signal]) {
-        out[0] = Signal { value: 1.0, rate: 1e-17 * (1e3 * time).cos(), noise: 1e-11 };
+        out[0] = Signal { value: 1.0, rate: 1e-17 * (1e3 * time).cos(), noise: 1e-11, ..Signal::default() };
     }
 }
 
@@ -179,7 +179,7 @@ impl Switches for Fifth {
         let square = y[0] * y[0];
         let value = ((16.0 * square - 20.0) * square + 5.0) * y[0];
         let rate = ((80.0 * square - 60.0) * square + 5.0) * y[1];
-        out[0] = Signal { value, rate, noise: 1e-11 };
+        out[0] = Signal { value, rate, noise: 1e-11, ..Signal::default() };
     }
 }
 
@@ -203,4 +203,49 @@ fn a_constant_step_is_computed_again_as_one_step() {
     let time = event.expect("cos t falls below 1/2").time;
     assert!((time - std::f64::consts::FRAC_PI_3).abs() < 1e-12, "{time}");
     assert!(outcome.work.rates < 5_000, "{}", outcome.work);
+}
+
+/// A point that turns with the rate one, and the square of its distance from a line through the centre, less a little.
+struct Even;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Even {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn rates(&self, _time: S, _y: &[S], dy: &mut [S]) {
+        dy[0] = S::one();
+    }
+}
+
+impl System for Even {}
+
+/// By so much the square is less.
+const LESS: f64 = 1e-8;
+
+impl Switches for Even {
+    fn count(&self) -> usize {
+        1
+    }
+
+    fn signals(&self, _time: f64, y: &[f64], out: &mut [Signal]) {
+        let (sin, cos) = y[0].sin_cos();
+        out[0] = Signal { value: sin * sin - LESS, rate: 2.0 * sin * cos, noise: 0.0, fastest: 1.0 };
+    }
+
+    fn ends_above(&self, _signal: usize) -> bool {
+        true
+    }
+}
+
+#[test]
+fn a_distance_that_comes_to_zero_within_one_long_step_is_found() {
+    // the point has no series
+    for method in ADAPTIVE.into_iter().filter(|method| *method != Method::Taylor) {
+        let span = Span::new(0.0, 100.0, &[0.5]);
+        let (outcome, event) = integrate_to_event(&Even, method, &Tolerance::both(1e-9), &span, &Even, &mut ());
+        let exact = std::f64::consts::PI - LESS.sqrt().asin() - 0.5;
+        assert!(event.is_some_and(|event| (event.time - exact).abs() < 1e-9), "{method:?}: {event:?}");
+        assert!(outcome.state[0].sin().powi(2) > LESS, "{method:?}: {outcome:?}");
+    }
 }

@@ -79,7 +79,12 @@ impl Switches for Signs<'_> {
 
     fn signals(&self, t: f64, y: &[f64], out: &mut [Signal]) {
         for (signal, (sign, level)) in out.iter_mut().zip(&self.signs) {
-            *signal = Signal { value: sign * (y[0] - level), rate: sign * self.of.slope(t), noise: self.noise };
+            *signal = Signal {
+                value: sign * (y[0] - level),
+                rate: sign * self.of.slope(t),
+                noise: self.noise,
+                ..Signal::default()
+            };
         }
     }
 }

@@ -149,7 +149,7 @@ impl Switches for Current {
                 }
                 Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };
-            *signal = Signal { value: side * value + near, rate: side * rate, noise: 0.0 };
+            *signal = Signal { value: side * value + near, rate: side * rate, ..Signal::default() };
         }
     }
 }

@@ -3,14 +3,14 @@
 //! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the constraints
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
-mod branching;
 mod gimbal;
 mod leaf;
 mod redundancy;
+mod singular_positions;
 mod unmet;
 
-pub(crate) use branching::Branching;
 pub(crate) use leaf::Leaf;
+pub(crate) use singular_positions::SingularPositions;
 pub use unmet::{Open, Unmet};
 
 use crate::compiled_system::{NotCompiled, has_values};
@@ -52,8 +52,8 @@ pub(crate) struct StartSolver {
 /// The constraints of a model with their derivatives.
 #[derive(Debug)]
 struct Constraints {
-    /// From state, time, parameters and quasi-velocities of the start to the residuals, their rates, and the rates' derivatives by
-    /// the speeds.
+    /// From state, parameters, quasi-velocities of the start and time to the residuals, their rates, and the rates' derivatives by the
+    /// speeds.
     tape: Tape,
     /// Constraints of positions stand first.
     known: Vec<Known>,
@@ -61,8 +61,6 @@ struct Constraints {
     kept: usize,
     /// Number of quasi-velocities that the start gives, which stand behind these; the others are led to zero, and may start elsewhere.
     started: usize,
-    /// Whether a constraint holds the time.
-    knows_time: bool,
     layout: Layout,
     /// Names of coordinates and speeds, in the order of a state.
     names: Vec<String>,
@@ -262,16 +260,16 @@ impl Constraints {
             let unit = |of: [usize; 2]| coherent(&model.constraints[of[0]].dimension.to_string());
             let mut rows: Vec<Row> = all.into_iter().map(|equation| Row::of(unit(equation.of), equation)).collect();
             rows.splice(kept..kept, started);
-            let knows_time = rows.iter().any(|row| row.zero.symbols_of().contains(&trace.time));
             let zeros = rows.iter().map(|row| row.zero);
             let rates = rows.iter().map(|row| row.rate);
             let slopes = rows.iter().flat_map(|row| row.row.iter().copied());
             let wanted: Vec<Sym> = zeros.chain(rates).chain(slopes).collect();
             let inputs = Inputs::of(model);
             let wanted = inputs.letters().put_into(&trace, &wanted);
-            let tape = Tape::record(&[inputs.all(), speeds.clone()].concat(), &wanted)
-                .map_err(|reason| Unmet::NotCompiled(NotCompiled::Undefined { reason: reason.to_string() }))?
-                .arranged();
+            let tape =
+                Tape::record(&[&inputs.state, &inputs.parameters, &speeds, &[inputs.time][..]].concat(), &wanted)
+                    .map_err(|reason| Unmet::NotCompiled(NotCompiled::Undefined { reason: reason.to_string() }))?
+                    .arranged();
             let mut known: Vec<Known> = rows.into_iter().map(|row| row.known).collect();
             // behind the tape, whose order of operations is that in which expressions are made
             let titles: Vec<String> = titles(&trace).into_iter().map(|(_, title)| title).collect();
@@ -282,7 +280,7 @@ impl Constraints {
             let started = speeds.len();
             let names = model.state_names().into_iter().map(|(name, _)| name).collect();
             let layout = Layout::of(model);
-            Ok((!known.is_empty()).then_some(Constraints { tape, known, kept, started, knows_time, layout, names }))
+            Ok((!known.is_empty()).then_some(Constraints { tape, known, kept, started, layout, names }))
         })
     }
 
@@ -300,7 +298,7 @@ impl Constraints {
     /// Values that should be zero, their rates, and their derivatives by the speeds.
     fn values(&self, time: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.known.len() * (2 + self.layout.speeds())];
-        self.tape.over().evaluate(&[state, &[time], parameters].concat(), &mut values);
+        self.tape.over().evaluate(&[state, parameters, &[time]].concat(), &mut values);
         values
     }
 

@@ -2,6 +2,7 @@
 
 mod quasi_velocities;
 mod redundant;
+mod singular;
 
 use derivations::scene::{Axes, Choice, Smooth, Stored, stored};
 use integrators::Method;

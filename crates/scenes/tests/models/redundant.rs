@@ -1,12 +1,11 @@
 //! Constraints that follow from others: named, without a reaction, and no obstacle to a run, a member or linear equations.
 
-use derivations::scene::{Axes, Choice, Smooth};
+use derivations::scene::{Axes, Smooth};
 use integrators::Method;
 use model::{QuasiPrinciple, QuasiVelocities, Trace};
 use scenes::linearisation::{VariedEquations, eigenvalues};
 use scenes::{ModelScene, independent_start, parse_ensemble};
 use std::collections::HashMap;
-use std::time::Duration;
 
 /// A rod on three parallel cranks: the third holds along the rod what the second holds.
 const CRANKS: &str = r#"
@@ -117,24 +116,6 @@ fn quasi_velocities_are_judged_on_the_branch_of_the_start() {
     assert!(found.contains("the speeds have 0 degrees of freedom, and [speeds] has 1: 1 too many"), "{found}");
 }
 
-#[test]
-fn a_run_ends_where_the_motion_branches() {
-    let scene = scene(&with("span = \"0.4 s\"", "span = \"2 s\""));
-    let problem = scene.problem(Axes::First);
-    let choice = Choice {
-        method: Method::DormandPrince8,
-        tolerance: 1e-8,
-        axes: Axes::First,
-        samples: 10,
-        allowed: Duration::from_secs(60),
-    };
-    let run = problem.simulate(&choice, |_| ());
-    let why = run.stopped().expect("it does not reach its end");
-    assert!(why.to_string().contains("the motion came to a place where it branches"), "{why}");
-    // all rods along one line: a is 0 or half a turn
-    assert!(run.outcome.state[0].sin().abs() < 0.05, "{:?}", run.outcome.state);
-}
-
 fn diagnosis(text: &str) -> String {
     let scene = scene(text);
     let choice = scene.run().choice();
@@ -150,20 +131,6 @@ fn a_law_with_events_leaves_out_what_follows() {
     let pins = "[bodies.pin2]\ncentre = \"Q\"\nmass = \"(0.1 kg)\"\n[bodies.pin3]\ncentre = \"R\"\nmass = \"(0.1 kg)\"\n[bodies.coupler]";
     let text = with("[outputs]", event).replace("[bodies.coupler]", pins);
     assert_eq!(diagnosis(&text), "the event `low` ends the run");
-}
-
-/// Where a constraint knows the time the end of the run is judged, and not its way.
-#[test]
-fn a_law_with_the_time_says_where_it_ended_that_a_constraint_no_longer_follows() {
-    let timed = with("[coordinates]", "[coordinates]\nz = \"m\"")
-        .replace("[outputs]", "[[constraint]]\nzero = \"z - (1 m/s)*t\"\n[outputs]");
-    assert_eq!(diagnosis(&timed), "");
-    // rods along one line may turn on as they were
-    let told = ["1e-6", "1e-7", "1e-8"].map(|tolerance| {
-        let long = timed.replace("span = \"0.4 s\"", "span = \"1 s\"").replace("80 deg", "30 deg");
-        diagnosis(&long.replace("1e-10", tolerance))
-    });
-    assert!(told.iter().any(|told| told.contains("the motion came to a place where it branches")), "{told:?}");
 }
 
 #[test]
