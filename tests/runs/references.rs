@@ -49,7 +49,7 @@ fn every_scene_has_a_reference_of_25_digits_or_more_that_is_its_own() {
         assert!(kept.belongs_to(&problem), "{name} has changed: `dalembert reference {name}` makes its reference anew");
         for (time, state) in kept.reference.times.iter().zip(&kept.reference.states) {
             let state: Vec<f64> = state.iter().map(|y| y.hi()).collect();
-            let left = problem.outside(&state);
+            let left = problem.outside(*time, &state);
             assert_eq!(left, None, "{name}, t = {time}: a reference ends before its law does");
         }
     }

@@ -9,7 +9,7 @@ use derivations::friction::RoughScene;
 use derivations::friction::exact::{Event, Regimes};
 use derivations::scene::stored::{self, Owner};
 use derivations::scene::{AnyScene, Axes, Choice, Family, Smooth, Stored};
-use integrators::Method;
+use integrators::{ENOUGH_DIGITS, Method};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -65,7 +65,8 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     match problem.reference(clock::left()) {
         Ok(found) => {
             let [one, other] = found.methods;
-            print(&format!("{}\n{one} and {other} share {:.1} digits\n", smooth.title(), found.digits))?;
+            let enough = lacking(found.is_trusted());
+            print(&format!("{}\n{one} and {other} share {:.1} digits{enough}\n", smooth.title(), found.digits))?;
             if !found.is_trusted() {
                 return Ok(Ending::Stopped);
             }
@@ -77,6 +78,11 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
             Ok(Ending::Stopped)
         }
     }
+}
+
+/// What is said of too few digits.
+fn lacking(is_trusted: bool) -> String {
+    if is_trusted { String::new() } else { format!(": no reference, which needs {ENOUGH_DIGITS}") }
 }
 
 /// Where it is kept, before the work.
@@ -108,7 +114,8 @@ fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
         }
     };
     let ([one, other], digits) = (found.reference.methods, found.reference.digits);
-    let mut text = format!("{}\n{one} and {other} share {digits:.1} digits\n", scene.title);
+    let enough = lacking(found.reference.is_trusted());
+    let mut text = format!("{}\n{one} and {other} share {digits:.1} digits{enough}\n", scene.title);
     for event @ Event { what, regime, .. } in &found.events {
         // writing to a string cannot fail
         let _ = writeln!(text, "t = {} s  {what}", event.instant(digits.max(0.0) as usize));

@@ -35,6 +35,12 @@ const COARSE_EVALUATIONS: u64 = 1_000_000;
 /// decay: a series of 60 terms, at the tightest tolerance, bears 23 in a step. Diodes come to 36, stiff windings to 500 and more.
 const STIFF_STEP: f64 = 100.0;
 
+/// The share of the largest size below which a size may be rounding of a component that stays zero.
+const ROUNDED: f64 = 1e-10;
+
+/// The share of its size in doubles that is left of such a component in double-doubles; a motion keeps its size.
+const LEFT: f64 = 1e-6;
+
 /// A solution good enough to measure others by.
 #[derive(Clone, Debug)]
 pub struct Reference {
@@ -89,16 +95,42 @@ pub fn reference(system: &dyn System, span: &Span<'_, f64>) -> Result<Reference,
     Ok(Reference { times: first.times, states: first.states, digits, sizes, methods, work: [one, other] })
 }
 
-/// The largest magnitude of each component along a coarse run, 1 for one that stays zero.
+/// The largest magnitude of each component along a coarse run, 1 for one that stays zero, up to rounding.
 ///
 /// # Errors
 /// Where neither an explicit nor an implicit method reached the end.
 pub fn survey(system: &dyn System, span: &Span<'_, f64>) -> Result<Vec<f64>, Failure> {
+    let implicit = Method::RadauIIA { stages: 3 };
     let explicit = coarse(system, span, Method::DormandPrince8, COARSE_EVALUATIONS);
-    match explicit {
-        Ok(_) | Err(Failure::Refused(_)) => explicit,
-        Err(_) => coarse(system, span, Method::RadauIIA { stages: 3 }, span.budget.evaluations),
+    let (method, mut sizes) = match explicit {
+        // of explicit methods this one has double-doubles
+        Ok(sizes) => (Method::GraggBulirschStoer, sizes),
+        Err(refused @ Failure::Refused(_)) => return Err(refused),
+        Err(_) => (implicit, coarse(system, span, implicit, span.budget.evaluations)?),
+    };
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let is_small = |size: f64| size <= ROUNDED * largest;
+    if sizes.iter().any(|size| is_small(*size))
+        && let Some(exact) = coarse_exact(system, span, method)
+    {
+        let all = sizes.iter_mut().zip(exact);
+        all.filter(|(size, exact)| is_small(**size) && *exact <= LEFT * **size).for_each(|(size, _)| *size = 1.0);
     }
+    Ok(sizes)
+}
+
+/// The same magnitudes in double-doubles; none where the run does not reach its end.
+fn coarse_exact(system: &dyn System, span: &Span<'_, f64>, method: Method) -> Option<Vec<f64>> {
+    let lifted: Vec<DoubleDouble> = span.state.iter().map(|y| DoubleDouble::lift(*y)).collect();
+    let mut plain = Span::new(span.start, span.end, &lifted).with_outputs(&span.outputs);
+    plain.budget = span.budget;
+    let mut sizes = vec![0.0_f64; lifted.len()];
+    let mut record = Record::new();
+    reached(integrate_in(system, method, &Tolerance::both(1e-7), &plain, &mut record)).ok()?;
+    for state in &record.states {
+        sizes.iter_mut().zip(state).for_each(|(size, part)| *size = size.max(part.hi().abs()));
+    }
+    Some(sizes)
 }
 
 fn coarse(system: &dyn System, span: &Span<'_, f64>, method: Method, evaluations: u64) -> Result<Vec<f64>, Failure> {

@@ -42,7 +42,7 @@ pub struct Open {
     pub is_rate: bool,
     /// Coordinates, or speeds, that were moved to meet it, without success.
     pub moved: Vec<String>,
-    /// Those that [start] gives and that would move it.
+    /// Those that `[start]` gives and that would move it.
     pub given: Vec<String>,
     /// Whether it is the constraint of positions, or that of speeds.
     pub level: Level,
