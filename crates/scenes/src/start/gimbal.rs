@@ -4,8 +4,9 @@
 //! angular velocity belongs to no rates at all. There a quasi-velocity depends on others of the start, and in positions beside it it
 //! does not.
 
+use super::RANK;
+use super::constraints::Constraints;
 use super::redundancy::Rows;
-use super::{Constraints, RANK};
 
 /// The size of a displacement, in SI units.
 const ASIDE: f64 = 0.1;

@@ -3,7 +3,8 @@
 //! Displacements d with J d = 0, one after the other, are all that constraints J u = 0 leave. Where these can be integrated they keep
 //! their constants along any such way, a ball in a bowl its distance from the centre; where they cannot, the way leads everywhere.
 
-use super::{Constraints, RANK, start_speeds};
+use super::constraints::Constraints;
+use super::{RANK, start_speeds};
 use model::Model;
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};

@@ -3,6 +3,7 @@
 //! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the constraints
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
+mod constraints;
 mod gimbal;
 mod leaf;
 mod redundancy;
@@ -13,16 +14,13 @@ pub(crate) use leaf::Leaf;
 pub(crate) use singular_positions::SingularPositions;
 pub use unmet::{Open, Unmet};
 
-use crate::compiled_system::{NotCompiled, has_values};
-use crate::layout::Layout;
-use crate::letters::Inputs;
-use crate::row_units::{coherent, measured, rate_unit};
-use model::equations::{Equation, Equations, Level};
-use model::{Model, Trace, titles};
-use nalgebra::{DMatrix, DVector};
+use crate::compiled_system::has_values;
+use crate::row_units::measured;
+use constraints::{Constraints, Known};
+use model::Model;
+use model::equations::Level;
+use nalgebra::DMatrix;
 use std::fmt;
-use std::ops::Range;
-use symbolic::{Sym, Tape, apart};
 
 /// Steps of Newton's method: from a fair guess six are many.
 const MOST_STEPS: usize = 50;
@@ -47,36 +45,6 @@ const RANK: f64 = 1e-10;
 #[derive(Debug)]
 pub(crate) struct StartSolver {
     constraints: Option<Constraints>,
-}
-
-/// The constraints of a model with their derivatives.
-#[derive(Debug)]
-struct Constraints {
-    /// From state, parameters, quasi-velocities of the start and time to the residuals, their rates, and the rates' derivatives by the
-    /// speeds.
-    tape: Tape,
-    /// Constraints of positions stand first.
-    known: Vec<Known>,
-    /// Number of those that are kept, which stand first.
-    kept: usize,
-    /// Number of quasi-velocities that the start gives, which stand behind these; the others are led to zero, and may start elsewhere.
-    started: usize,
-    layout: Layout,
-    /// Names of coordinates and speeds, in the order of a state.
-    names: Vec<String>,
-}
-
-/// A constraint, or a quasi-velocity that the start gives.
-#[derive(Debug)]
-struct Known {
-    level: Level,
-    /// As sentences call it.
-    title: String,
-    /// The unit of its expression.
-    unit: String,
-    at: Range<usize>,
-    /// The equation of a constraint: its constraint in the model, and its component.
-    of: Option<[usize; 2]>,
 }
 
 /// A start that meets all constraints.
@@ -214,169 +182,5 @@ impl StartSolver {
                 write!(out, "{tape:?} {levels:?} {kept} {started}")
             }
         }
-    }
-}
-
-impl Constraints {
-    fn of(model: &Model) -> Result<Option<Self>, Unmet> {
-        if model.constraints.is_empty() && model.start_speeds.is_empty() {
-            return Ok(None);
-        }
-        apart(|| {
-            let trace = Trace::of(model);
-            let mut all = Equations::of(&trace).constraints;
-            let in_file: Vec<[usize; 2]> = all.iter().map(|constraint| constraint.of).collect();
-            all.sort_by_key(|constraint| (constraint.gains.is_some(), constraint.level != Level::Position));
-            let kept = all.iter().filter(|constraint| constraint.gains.is_none()).count();
-            let chooses = |one: &&Equation| one.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
-            if let Some(constraint) = all.iter().find(chooses) {
-                return Err(Unmet::Piecewise(constraint.at.clone()));
-            }
-            let moving = [&trace.coordinates, &trace.speeds];
-            let moves = |one: &&Equation| {
-                one.zero.symbols_of().iter().any(|symbol| moving.iter().any(|letters| letters.contains(symbol)))
-            };
-            if let Some(constraint) = all.iter().find(|one| !moves(one)) {
-                return Err(Unmet::Fixed { at: constraint.at.clone() });
-            }
-            let wrong = |constraint: &&Equation| match (constraint.gains.as_ref().map(Vec::len), constraint.level) {
-                (None, _) | (Some(2), Level::Position) | (Some(1), Level::Speed) => false,
-                (Some(_), _) => true,
-            };
-            if let Some(Equation { of: [place, _], level, gains, .. }) = all.iter().find(wrong) {
-                let found = gains.as_ref().map_or(0, Vec::len);
-                return Err(Unmet::Gains { at: model.constraints[*place].gains_at.clone(), level: *level, found });
-            }
-            let speeds: Vec<Sym> =
-                (0..model.start_speeds.len()).map(|i| Sym::symbol(&format!("quasi-velocity {i}"))).collect();
-            let started = model.start_speeds.iter().zip(&speeds).map(|(start, &given)| {
-                let of = &model.quasi_velocities[start.of];
-                let zero = trace.scalar(of.is) - given;
-                let row = (0..trace.speeds.len()).map(|i| trace.by_speed(zero, i)).collect();
-                let title = format!("the value of `{}` in [start]", of.name);
-                let known = Known { level: Level::Speed, title, unit: of.unit(), at: start.at.clone(), of: None };
-                Row { known, zero, rate: zero, row }
-            });
-            let unit = |of: [usize; 2]| coherent(&model.constraints[of[0]].dimension.to_string());
-            let mut rows: Vec<Row> = all.into_iter().map(|equation| Row::of(unit(equation.of), equation)).collect();
-            rows.splice(kept..kept, started);
-            let zeros = rows.iter().map(|row| row.zero);
-            let rates = rows.iter().map(|row| row.rate);
-            let slopes = rows.iter().flat_map(|row| row.row.iter().copied());
-            let wanted: Vec<Sym> = zeros.chain(rates).chain(slopes).collect();
-            let inputs = Inputs::of(model);
-            let wanted = inputs.letters().put_into(&trace, &wanted);
-            let tape =
-                Tape::record(&[&inputs.state, &inputs.parameters, &speeds, &[inputs.time][..]].concat(), &wanted)
-                    .map_err(|reason| Unmet::NotCompiled(NotCompiled::Undefined { reason: reason.to_string() }))?
-                    .arranged();
-            let mut known: Vec<Known> = rows.into_iter().map(|row| row.known).collect();
-            // behind the tape, whose order of operations is that in which expressions are made
-            let titles: Vec<String> = titles(&trace).into_iter().map(|(_, title)| title).collect();
-            for own in &mut known {
-                let place = own.of.and_then(|of| in_file.iter().position(|known| *known == of));
-                own.title = place.map_or_else(|| std::mem::take(&mut own.title), |place| titles[place].clone());
-            }
-            let started = speeds.len();
-            let names = model.state_names().into_iter().map(|(name, _)| name).collect();
-            let layout = Layout::of(model);
-            Ok((!known.is_empty()).then_some(Constraints { tape, known, kept, started, layout, names }))
-        })
-    }
-
-    /// Residuals and their derivatives: of positions by the displacements, of all by the speeds.
-    fn at(&self, state: &[f64], parameters: &[f64], level: Option<Level>) -> (DVector<f64>, DMatrix<f64>) {
-        let values = self.values(0.0, state, parameters);
-        let count = match level {
-            Some(level) => self.known[..self.kept].iter().filter(|own| own.level == level).count(),
-            None => self.kept + self.started,
-        };
-        let first = if level.is_some() { 0 } else { self.known.len() };
-        (DVector::from_fn(count, |i, _| values[first + i]), self.rows(&values, count))
-    }
-
-    /// Values that should be zero, their rates, and their derivatives by the speeds.
-    fn values(&self, time: f64, state: &[f64], parameters: &[f64]) -> Vec<f64> {
-        let mut values = vec![f64::NAN; self.known.len() * (2 + self.layout.speeds())];
-        self.tape.over().evaluate(&[state, parameters, &[time]].concat(), &mut values);
-        values
-    }
-
-    /// The derivatives of the first constraints by the speeds.
-    fn rows(&self, values: &[f64], count: usize) -> DMatrix<f64> {
-        let (m, n) = (self.known.len(), self.layout.speeds());
-        DMatrix::from_fn(count, n, |i, j| values[2 * m + i * n + j])
-    }
-
-    /// The first two constraints of which one is a multiple of the other and a constant, at every state: f = k g + d with d other than
-    /// zero. Two displaced states decide it.
-    fn contradiction(&self, state: &[f64], parameters: &[f64], level: Option<Level>) -> Option<Unmet> {
-        let displaced = |by: f64| {
-            let mut moved = state.to_vec();
-            (0..self.layout.speeds()).for_each(|speed| {
-                (0..2).for_each(|order| {
-                    self.layout.displace(&mut moved, (speed, order), by * (1.0 + speed as f64).sqrt())
-                });
-            });
-            self.at(&moved, parameters, level)
-        };
-        let all = [self.at(state, parameters, level), displaced(0.37), displaced(-0.61)];
-        let tie = |(residuals, rows): &(DVector<f64>, DMatrix<f64>), one: usize, other: usize| {
-            let (first, second) = (rows.row(one), rows.row(other));
-            let factor = second.dot(&first) / first.norm_squared();
-            let is_parallel = (second - first * factor).norm() <= MET * second.norm();
-            is_parallel.then(|| [factor, residuals[other] - factor * residuals[one]])
-        };
-        let pairs = (0..all[0].0.len()).flat_map(|other| (0..other).map(move |one| (one, other)));
-        let apart = |(one, other): (usize, usize)| {
-            let ties: Vec<[f64; 2]> = all.iter().filter_map(|at| tie(at, one, other)).collect();
-            let [[factor, residual], rest @ ..] = ties.as_slice() else { return None };
-            let alike = |known: &f64, other: &f64| (known - other).abs() <= MET * (1.0 + known.abs());
-            let stays = rest.iter().all(|[k, d]| alike(factor, k) && alike(residual, d));
-            (ties.len() == all.len() && stays && residual.abs() > MET).then_some((one, other, *residual))
-        };
-        let (one, other, residual) = pairs.into_iter().find_map(apart)?;
-        let unit = self.unit_of(other, level);
-        Some(Unmet::Contradiction { at: [one, other].map(|place| self.known[place].at.clone()), residual, unit })
-    }
-
-    /// The first constraint that does not hold, with those of the free coordinates, or speeds, that move it.
-    fn open(&self, state: &[f64], parameters: &[f64], level: Option<Level>, free: &[usize]) -> Option<Open> {
-        let (residuals, jacobian) = self.at(state, parameters, level);
-        let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
-        let worst = residuals.iter().position(unmet)?;
-        let Known { title, at, level: own, .. } = &self.known[worst];
-        let unit = self.unit_of(worst, level);
-        let is_rate = level.is_none() && *own == Level::Position;
-        let level = if level.is_some() { Level::Position } else { Level::Speed };
-        let residual = residuals[worst].is_finite().then_some(residuals[worst]);
-        let order = usize::from(level == Level::Speed);
-        let moves = (0..self.layout.speeds()).filter(|&speed| jacobian[(worst, speed)] != 0.0);
-        let (moved, given): (Vec<usize>, Vec<usize>) = moves.partition(|speed| free.contains(speed));
-        let named = |speeds: Vec<usize>| {
-            speeds.into_iter().map(|speed| self.names[self.layout.places(speed, order).start].clone()).collect()
-        };
-        let (moved, given) = (named(moved), named(given));
-        Some(Open { at: at.clone(), name: title.clone(), residual, unit, is_rate, moved, given, level })
-    }
-
-    /// The unit of a residual: of a constraint of positions, where speeds are judged, that of its rate.
-    fn unit_of(&self, row: usize, level: Option<Level>) -> String {
-        let Known { unit, level: own, .. } = &self.known[row];
-        if level.is_none() && *own == Level::Position { rate_unit(unit) } else { unit.clone() }
-    }
-}
-
-/// A row of the equations of a start.
-struct Row {
-    known: Known,
-    zero: Sym,
-    rate: Sym,
-    row: Vec<Sym>,
-}
-
-impl Row {
-    fn of(unit: String, Equation { name, of, level, at, zero, rate, row, .. }: Equation) -> Self {
-        Row { known: Known { level, title: name, unit, at, of: Some(of) }, zero, rate, row }
     }
 }

@@ -5,7 +5,8 @@
 //! instant. The state is displaced along what the independent constraints leave and brought back to these; if the others hold there
 //! too, and depend there too, they follow from them.
 
-use super::{Constraints, MET, MOST_STEPS, RANK, Unmet};
+use super::constraints::Constraints;
+use super::{MET, MOST_STEPS, RANK, Unmet};
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
 

@@ -6,7 +6,8 @@
 //! largest at the start and where the angles are others. A motion that has come off its constraints by d passes such a position with
 //! s^2 of the order of d.
 
-use super::{Constraints, start_speeds};
+use super::constraints::Constraints;
+use super::start_speeds;
 use derivations::scene::law_end::Margin;
 use derivations::taped::Program;
 use model::Model;
