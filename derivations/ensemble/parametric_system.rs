@@ -68,7 +68,7 @@ pub struct Member<'a> {
     pub state: Vec<f64>,
     /// The end of its run as a row shows it, from the last good time and state.
     pub end: Box<EndOf<'a>>,
-    /// How far a state is from where the law ends; none of a law that holds everywhere.
+    /// The distance of a state from where the law ends; none for a law that holds everywhere.
     pub margins: Option<Box<Margins>>,
 }
 

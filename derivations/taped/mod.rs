@@ -68,7 +68,7 @@ impl Program {
         })
     }
 
-    /// Of a tape whose last input is the time.
+    /// The program of a tape whose last input is the time.
     pub fn of_tape(tape: Tape) -> Option<Self> {
         Program::recorded(tape)
     }

@@ -80,7 +80,7 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     }
 }
 
-/// What is said of too few digits.
+/// The end of the sentence about too few digits.
 fn lacking(is_trusted: bool) -> String {
     if is_trusted { String::new() } else { format!(": no reference, which needs {ENOUGH_DIGITS}") }
 }

@@ -131,7 +131,7 @@ impl ModelScene {
 }
 
 impl ModelScene {
-    /// How far a state is from where its constraints determine the motion no longer.
+    /// The distance of a state from where its constraints determine the motion no longer.
     fn margins(&self) -> Box<Margins> {
         let singular = SingularPositions::of(&self.model, &self.start);
         Box::new(move |time, state, rates| {

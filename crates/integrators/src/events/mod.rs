@@ -22,7 +22,7 @@ pub struct Signal {
     pub value: f64,
     pub rate: f64,
     pub noise: f64,
-    /// Of a signal that is the square of a distance of the order of one, which may come down to zero and rise again in less than a
+    /// For the square of a distance of the order of one, which may come down to zero and rise again in less than a
     /// step: a bound of the rate of the distance near the state. Zero where values and rates at the ends of a step show enough.
     pub fastest: f64,
 }
@@ -193,7 +193,7 @@ impl Guard<'_> {
         if halvings > 0 && distances::are_open(&self.before, &self.after) {
             let length = self.after.time - self.before.time;
             // the motion may not be computed again beyond where the distance is zero
-            let mut parts = (1..=halvings as i32).map(|k| self.before.time + length * f64::exp2(-f64::from(k)));
+            let mut parts = (1..=halvings).map(|k| self.before.time + length / f64::from(1_u32 << k));
             if let Some(middle) = parts.find_map(|time| self.again.at(step, &self.before, time)) {
                 let end = std::mem::replace(&mut self.after, middle);
                 self.look(step, halvings - 1);

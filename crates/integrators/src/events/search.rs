@@ -25,7 +25,7 @@ const OF_HALF: f64 = 0.25;
 /// The least share that a halving leaves of a doubt, lest one value that happens to lie on the cubic hide others.
 const LEAST_OF_HALF: f64 = 1.0 / 64.0;
 
-/// Of a distance: where the motion cannot be computed again from so near to zero, it comes to zero.
+/// A distance so near to zero comes to zero where the motion cannot be computed again.
 const NEAR: f64 = 1e-2;
 
 /// Halvings of an interval, by which its last instant that can be computed again is found.

@@ -116,7 +116,7 @@ impl Point {
     }
 }
 
-/// How expressions depend on what moves.
+/// The dependence of expressions on what moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Course {
     Zero,

@@ -1,8 +1,8 @@
 //! Speeds by quasi-velocities, and all that follows from these: rates of coordinates, directions, accelerations.
 
+use super::axes::Axes;
 use super::independence::Dependence;
 use super::inverse::{Solution, solved};
-use super::turning::Axes;
 use super::{Independent, QuasiVelocities, ShortForms, coefficients};
 use crate::trace::turned_axes;
 use crate::{Fault, Trace, Vector};

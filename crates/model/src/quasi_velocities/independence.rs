@@ -7,7 +7,7 @@ use symbolic::Sym;
 
 /// Why quasi-velocities do not determine the speeds.
 pub(super) enum Dependence {
-    /// What they are made of.
+    /// The expressions do not allow it.
     Forms(Vec<Fault>),
     /// Their number, or that of directions that they and constraints hold, at a general point.
     Ranks(Fault),
@@ -53,7 +53,7 @@ pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sy
 struct Group {
     /// Their places, in the order of the file.
     members: Vec<usize>,
-    /// So many of them can be left out.
+    /// The number of them that can be left out.
     excess: usize,
     /// Whether they are independent where the constraints do not hold.
     by_constraints: bool,

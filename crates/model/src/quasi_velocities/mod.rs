@@ -11,6 +11,7 @@
 //! determinant of the whole change, up to its factors that are constants.
 
 mod appell;
+mod axes;
 mod coefficients;
 mod construction;
 mod hamel;
@@ -19,7 +20,6 @@ mod inverse;
 mod maggi;
 mod reduced_equations;
 mod short_forms;
-mod turning;
 mod virtual_power;
 
 pub use coefficients::Coefficient;

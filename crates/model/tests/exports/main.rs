@@ -2,14 +2,14 @@
 
 mod languages;
 mod notation;
-mod rolling;
+mod rolling_bodies;
 mod systems;
 mod tops;
 
 use model::equations::{Equations, constraints_of};
 use model::principles::Principle;
 use model::{MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Source, Trace};
-use rolling::{bowl, joined_bodies, sliding_wedge, turning_incline, turntable};
+use rolling_bodies::{bowl, joined_bodies, sliding_wedge, turning_incline, turntable};
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};

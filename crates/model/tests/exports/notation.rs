@@ -1,7 +1,7 @@
 //! Equations for reading: angles, constants, lengths.
 
 use crate::form;
-use crate::rolling::{bowl, joined_bodies, sliding_wedge, turntable};
+use crate::rolling_bodies::{bowl, joined_bodies, sliding_wedge, turntable};
 use crate::systems::{double_pendulum, free_top, oscillator, slider_crank};
 use model::principles::Principle;
 use model::{BodySource, MatrixForm, Model, Source, Trace};

@@ -59,7 +59,7 @@ pub enum NoForces {
     /// A programmed constraint does not go to zero as its gains say.
     NotLed {
         constraint: String,
-        /// What its gains lead to zero.
+        /// The sum that its gains lead to zero.
         equation: &'static str,
         residual: String,
         time: f64,

@@ -127,12 +127,12 @@ impl SingularPositions {
         independence(rows) - self.least - (DRIFT * off).min(MOST_DRIFT * self.least)
     }
 
-    /// How far a state is from a singular position.
+    /// The distance of a state from a singular position.
     pub fn margin(&self, time: f64, state: &[f64], rates: &[f64]) -> Margin {
         let here = self.rows(time, state);
         let value = self.value(&here);
         // each coordinate changes entries of its own in the main, so that squares add up
-        let squares = self.weights.iter().zip(rates).map(|(weight, rate)| (weight * rate).powi(2));
+        let squares = self.weights.iter().zip(rates).map(|(weight, rate)| (weight * rate) * (weight * rate));
         let mut fastest = squares.sum::<f64>().sqrt();
         let mut rate = 0.0;
         let largest = rates.iter().fold(0.0, |largest: f64, rate| largest.max(rate.abs()));

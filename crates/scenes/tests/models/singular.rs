@@ -62,7 +62,7 @@ const METHODS: [Method; 6] = [
     Method::Radau5,
 ];
 
-/// Of all rods along one line.
+/// The time at which all rods lie along one line.
 const TIME: f64 = (PI - PI / 3.0) / 6.0;
 
 fn with(from: &str, to: &str) -> String {
