@@ -13,7 +13,7 @@ use derivations::taped::Program;
 use model::Model;
 use model::equations::Level;
 use nalgebra::{Cholesky, DMatrix};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 const SINGULAR: &str =
     "its constraints depend on each other at this position, so that the motion may go on in several ways";
@@ -37,7 +37,7 @@ const MOST_DRIFT: f64 = 1e4;
 const ASIDE: [f64; 3] = [0.37, -0.61, 1.93];
 
 /// The independence of the constraints of a model.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct SingularPositions {
     program: Arc<Program>,
     parameters: Vec<f64>,
@@ -53,10 +53,56 @@ pub(crate) struct SingularPositions {
     knows_time: bool,
     /// The value of s^2 below which a position is singular.
     least: f64,
+    /// At a state, and beside it.
+    looks: Mutex<[Look; 2]>,
 }
 
-/// The rows of J by their lengths, and how far a state is off its constraints of positions.
-struct Rows(DMatrix<f64>, f64);
+/// The constraints at a state, with the room in which they are computed.
+#[derive(Clone, Debug)]
+struct Look {
+    /// State and parameters.
+    input: Vec<f64>,
+    values: Vec<f64>,
+    /// The rows of J by their lengths.
+    rows: DMatrix<f64>,
+    /// By how much the state is off its constraints of positions.
+    off: f64,
+    /// J J^T, and the inverse of its factor L.
+    product: DMatrix<f64>,
+    inverse: DMatrix<f64>,
+}
+
+impl Look {
+    fn new([all, kept, _, speeds]: [usize; 4]) -> Self {
+        Look {
+            input: Vec::new(),
+            // a program leaves as no number what it does not write
+            values: vec![f64::NAN; all * (2 + speeds)],
+            rows: DMatrix::zeros(kept, speeds),
+            off: 0.0,
+            product: DMatrix::zeros(kept, kept),
+            inverse: DMatrix::zeros(kept, kept),
+        }
+    }
+
+    /// The value of s^2: the trace of (J J^T)^-1 is the sum of the squares of the inverse of its factor.
+    fn independence(&mut self) -> f64 {
+        let Look { rows, product, inverse, .. } = self;
+        for i in 0..rows.nrows() {
+            for j in 0..=i {
+                product[(i, j)] = rows.row(i).dot(&rows.row(j));
+            }
+        }
+        let Some(factor) = Cholesky::new(std::mem::replace(product, DMatrix::zeros(0, 0))) else {
+            *product = DMatrix::zeros(rows.nrows(), rows.nrows());
+            return 0.0;
+        };
+        inverse.fill_with_identity();
+        factor.l_dirty().solve_lower_triangular_mut(inverse);
+        *product = factor.unpack_dirty();
+        inverse.norm_squared().recip()
+    }
+}
 
 impl SingularPositions {
     /// None where no constraint is kept, or where they depend on each other at the start.
@@ -74,6 +120,7 @@ impl SingularPositions {
             knows_time: false,
             least: 0.0,
             program: Arc::new(Program::of_tape(constraints.tape)?),
+            looks: Mutex::new([Look::new([0; 4]), Look::new([0; 4])]),
         };
         singular.of_member(&values, &start_speeds(model), start)
     }
@@ -81,9 +128,15 @@ impl SingularPositions {
     /// The same with other parameters, quasi-velocities at the start, and another start.
     pub fn of_member(&self, parameters: &[f64], speeds: &[f64], start: &[f64]) -> Option<Self> {
         let [_, kept, ..] = self.counts;
-        let mut singular = self.clone();
-        singular.parameters = [parameters, speeds].concat();
-        singular.lengths = vec![1.0; kept];
+        let mut singular = SingularPositions {
+            program: Arc::clone(&self.program),
+            parameters: [parameters, speeds].concat(),
+            lengths: vec![1.0; kept],
+            angles: self.angles.clone(),
+            weights: Vec::new(),
+            looks: Mutex::new([Look::new(self.counts), Look::new(self.counts)]),
+            ..*self
+        };
         let angles: Vec<usize> = (0..self.angles.len()).filter(|place| self.angles[*place]).collect();
         let aside = |by: &f64| {
             let mut state = start.to_vec();
@@ -91,13 +144,13 @@ impl SingularPositions {
             state
         };
         let states: Vec<Vec<f64>> = [start.to_vec()].into_iter().chain(ASIDE.iter().map(aside)).collect();
-        let all: Vec<DMatrix<f64>> = states.iter().map(|state| singular.rows(0.0, state).0).collect();
-        let length = |row: usize| all.iter().map(|rows| rows.row(row).norm()).fold(0.0, f64::max);
+        let all: Vec<Look> = states.iter().map(|state| singular.look(0.0, state)).collect();
+        let length = |row: usize| all.iter().map(|look| look.rows.row(row).norm()).fold(0.0, f64::max);
         singular.lengths = (0..kept).map(length).collect();
         singular.weights = (0..self.angles.len()).map(|place| singular.weight(&states, place)).collect();
-        singular.knows_time =
-            ASIDE.iter().any(|time| singular.rows(time.abs(), start).0 != singular.rows(0.0, start).0);
-        singular.least = LEAST * LEAST * independence(&singular.rows(0.0, start).0);
+        let mut at_start = singular.look(0.0, start);
+        singular.knows_time = ASIDE.iter().any(|time| singular.look(time.abs(), start).rows != at_start.rows);
+        singular.least = LEAST * LEAST * at_start.independence();
         (singular.least > 0.0).then_some(singular)
     }
 
@@ -107,30 +160,43 @@ impl SingularPositions {
         let change = |state: &Vec<f64>| {
             let mut moved = state.clone();
             moved[place] += by;
-            (self.rows(0.0, &moved).0 - self.rows(0.0, state).0).norm() / by
+            (self.look(0.0, &moved).rows - self.look(0.0, state).rows).norm() / by
         };
         states.iter().map(change).fold(0.0, f64::max)
     }
 
-    fn rows(&self, time: f64, state: &[f64]) -> Rows {
+    fn look(&self, time: f64, state: &[f64]) -> Look {
+        let mut look = Look::new(self.counts);
+        self.look_at(time, state.iter().copied(), &mut look);
+        look
+    }
+
+    fn look_at(&self, time: f64, state: impl Iterator<Item = f64>, look: &mut Look) {
         let [all, kept, positions, n] = self.counts;
-        let mut values = vec![f64::NAN; all * (2 + n)];
-        // what it does not write is no number
-        let _ = self.program.run(time, &[state, &self.parameters].concat(), &mut values);
-        let rows = DMatrix::from_fn(kept, n, |i, j| values[2 * all + i * n + j] / self.lengths[i]);
-        let residuals = values.iter().zip(&self.lengths).take(positions);
-        Rows(rows, residuals.map(|(residual, length)| (residual / length).abs()).fold(0.0, f64::max))
+        look.input.clear();
+        look.input.extend(state.chain(self.parameters.iter().copied()));
+        look.values.fill(f64::NAN);
+        let _ = self.program.run(time, &look.input, &mut look.values);
+        for i in 0..kept {
+            for j in 0..n {
+                look.rows[(i, j)] = look.values[2 * all + i * n + j] / self.lengths[i];
+            }
+        }
+        let residuals = look.values.iter().zip(&self.lengths).take(positions);
+        look.off = residuals.map(|(residual, length)| (residual / length).abs()).fold(0.0, f64::max);
     }
 
     /// By how much s^2 is above where a position is singular.
-    fn value(&self, Rows(rows, off): &Rows) -> f64 {
-        independence(rows) - self.least - (DRIFT * off).min(MOST_DRIFT * self.least)
+    fn value(&self, look: &mut Look) -> f64 {
+        look.independence() - self.least - (DRIFT * look.off).min(MOST_DRIFT * self.least)
     }
 
     /// The distance of a state from a singular position.
     pub fn margin(&self, time: f64, state: &[f64], rates: &[f64]) -> Margin {
-        let here = self.rows(time, state);
-        let value = self.value(&here);
+        let mut looks = self.looks.lock().unwrap_or_else(PoisonError::into_inner);
+        let [here, beside] = &mut *looks;
+        self.look_at(time, state.iter().copied(), here);
+        let value = self.value(here);
         // each coordinate changes entries of its own in the main, so that squares add up
         let squares = self.weights.iter().zip(rates).map(|(weight, rate)| (weight * rate) * (weight * rate));
         let mut fastest = squares.sum::<f64>().sqrt();
@@ -138,16 +204,12 @@ impl SingularPositions {
         let largest = rates.iter().fold(0.0, |largest: f64, rate| largest.max(rate.abs()));
         if (value < FAR || self.knows_time) && largest > 0.0 && largest.is_finite() {
             let apart = APART / largest.max(1.0);
-            let moved: Vec<f64> = state.iter().zip(rates).map(|(part, rate)| part + apart * rate).collect();
-            let beside = self.rows(time + apart, &moved);
-            rate = (self.value(&beside) - value) / apart;
-            fastest = f64::max(fastest, (beside.0 - here.0).norm() / apart);
+            let moved = state.iter().zip(rates).map(|(part, rate)| part + apart * rate);
+            self.look_at(time + apart, moved, beside);
+            rate = (self.value(beside) - value) / apart;
+            let changes = beside.rows.iter().zip(&here.rows).map(|(moved, own)| (moved - own) * (moved - own));
+            fastest = f64::max(fastest, changes.sum::<f64>().sqrt() / apart);
         }
         Margin { value, rate, fastest, what: SINGULAR }
     }
-}
-
-/// The value of s^2.
-fn independence(rows: &DMatrix<f64>) -> f64 {
-    Cholesky::new(rows * rows.transpose()).map_or(0.0, |product| product.inverse().trace().recip())
 }
