@@ -26,8 +26,6 @@ pub enum NotCompiled {
     Massless { coordinate: String },
     /// A constraint that others imply.
     Redundant { constraint: usize },
-    /// A frame that turns freely, where only coordinates with rates of their own are known.
-    FreeFrame { name: String },
     /// A law that changes at conditions, where one law is asked for.
     Changes,
     /// A condition, or an event, that depends on accelerations or reactions, by its place.
@@ -44,7 +42,6 @@ impl fmt::Display for NotCompiled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Open { what, name } => write!(f, "the {what} `{name}` has no value: a run needs one"),
-            Self::FreeFrame { name } => write!(f, "`{name}` turns freely, which this command does not know yet"),
             Self::Changes => write!(
                 f,
                 "its law or its start changes at conditions, at events or with an equilibrium, which this command does not know yet"
@@ -225,11 +222,8 @@ fn changes(model: &Model) -> bool {
     !(model.switches.is_empty() && model.events.is_empty())
 }
 
-/// Whether a model has one law, in coordinates with rates of their own.
-pub(crate) fn plain(model: &Model) -> Result<(), NotCompiled> {
-    if let Some(frame) = model.free.first() {
-        return Err(NotCompiled::FreeFrame { name: model.frames[frame.0].name.clone() });
-    }
+/// Whether a model has one law, in which nothing is chosen at conditions.
+pub(crate) fn one_law(model: &Model) -> Result<(), NotCompiled> {
     if model.switches.is_empty() { Ok(()) } else { Err(NotCompiled::Changes) }
 }
 

@@ -1,9 +1,9 @@
 //! A system that is written in its file as an ensemble: parameters, coordinates and speeds of its own for every member.
 
 use crate::admissible::BodyNumbers;
-use crate::compiled_system::{ENERGIES, NotCompiled};
+use crate::compiled_system::{ENERGIES, NotCompiled, one_law};
 use crate::parametric_law::ParametricLaw;
-use crate::readiness::{changes, one_law, refused, unmet_at};
+use crate::readiness::{changes, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
 use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, start_speeds};
 use crate::warnings::warn_of;

@@ -1,7 +1,7 @@
 //! The start and the law of a model that can run; of another one the reason, at its place in the file.
 
 use crate::branch::in_words;
-use crate::compiled_system::{CompiledSystem, NotCompiled, plain};
+use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::first_motion::missing;
 use crate::modes::{Modes, Refused};
@@ -49,16 +49,6 @@ pub(crate) fn ready(model: &mut Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSys
     match missing(model, &system, &start) {
         Some(issue) => Err(issue),
         None => Ok((start, system)),
-    }
-}
-
-/// Whether a model has one law, in which nothing is chosen at conditions.
-pub(crate) fn one_law(model: &Model) -> Result<(), NotCompiled> {
-    match plain(model) {
-        // frames may turn freely
-        Ok(()) | Err(NotCompiled::FreeFrame { .. }) if model.switches.is_empty() => Ok(()),
-        Ok(()) | Err(NotCompiled::FreeFrame { .. }) => Err(NotCompiled::Changes),
-        other => other,
     }
 }
 

@@ -11,10 +11,9 @@
 mod balance;
 mod ways;
 
-use crate::compiled_system::NotCompiled;
+use crate::compiled_system::{NotCompiled, one_law};
 use crate::layout::Layout;
 use crate::linearisation::VariedEquations;
-use crate::readiness::one_law;
 use crate::row_units::{force_unit, rate_unit};
 use crate::start::{Leaf, consistent, given};
 use model::Model;
