@@ -100,6 +100,7 @@ SUBJECT_OF = {
     "crates/mechanics/src/first_approximation/": ["mechanics"],
     "crates/mechanics/src/uniform/": ["mechanics", "systems::selected"],
     "crates/model/": ["principles", "model", "exports"],
+    "crates/scenes/": ["models", "linearisation", "solved", "hybrid", "free_frames", "members", "scenes"],
     "derivations/closed_forms/": ["runs::closed_forms"],
     "derivations/mechanisms/points.rs": ["motions::atlas"],
     "crates/symbolic/src/recurrence/abreast/": ["expressions::series"],
@@ -122,7 +123,7 @@ SLOW = {"principles": ["chains"]}
 # quick to build: only what proves and what multiplies big numbers is optimised, and a little all that runs whole motions
 OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
 # crates whose own tests prove and multiply big numbers too
-PROVING = {"model"}
+PROVING = {"model", "scenes"}
 # what is built once for all gains nothing by parts, which do not survive a kill
 SETTINGS = {"CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_INCREMENTAL": "0", "CARGO_TARGET_DIR": str(COPY / "target")}
 # that a law fails is enough: no search for its smallest failure; pages stay behind, and are not compared
