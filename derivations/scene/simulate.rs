@@ -1,6 +1,7 @@
 //! A problem run: its trajectory as a reader wants it.
 
 use super::problem::Row;
+use super::switching::Passage;
 use super::{Axes, Problem, Run, Scene};
 use integrators::{
     Beside, Deviation, End, Failure, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside,
@@ -36,6 +37,8 @@ pub struct Trajectory {
     pub outcome: Outcome<f64>,
     /// Why the law does not hold any more after the last good state, where it ended.
     pub left: Option<&'static str>,
+    /// Of a law that changes: the start and the events.
+    pub passages: Vec<Passage>,
 }
 
 impl Run {
@@ -100,7 +103,8 @@ impl Problem {
         let Kept { times, rows, states, .. } = kept;
         let states = states.unwrap_or_default();
         let last = (self.row)(outcome.time, &outcome.state);
-        Trajectory { names: self.columns.clone(), times, rows, states, last, outcome, left }
+        let passages = self.switching.as_ref().map_or_else(Vec::new, |switching| switching.passages());
+        Trajectory { names: self.columns.clone(), times, rows, states, last, outcome, left, passages }
     }
 }
 

@@ -17,6 +17,16 @@ pub struct Segment {
     pub switches: Box<dyn Switches>,
 }
 
+/// A change of a law, or of a state, along a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Passage {
+    pub time: f64,
+    /// The event, in words.
+    pub what: String,
+    /// The law that follows, in words; none where the motion ends.
+    pub then: Option<String>,
+}
+
 /// A system whose law, or state, changes at events.
 pub trait Switching: Send + Sync {
     /// The law that holds from the start on; the state may be changed by an event there.
@@ -30,6 +40,16 @@ pub trait Switching: Send + Sync {
     /// # Errors
     /// Why no motion follows.
     fn pass(&self, event: &Event, state: &mut [f64]) -> Result<Option<Segment>, &'static str>;
+
+    /// Why a method cannot go on from a state, where the law says it.
+    fn obstacle(&self, _time: f64, _state: &[f64]) -> Option<&'static str> {
+        None
+    }
+
+    /// The start and the events of the run, or of the last one.
+    fn passages(&self) -> Vec<Passage> {
+        Vec::new()
+    }
 }
 
 /// Events after which a run is given up.
@@ -78,7 +98,11 @@ pub(super) fn integrate(
         let (mut outcome, event) = integrate_to_event(&*segment.law, method, tolerance, &rest, &switches, &mut part);
         outcome.state.truncate(states);
         at = joined(at, outcome);
-        let Some(event) = event else { return (at, None) };
+        let Some(event) = event else {
+            let failed = matches!(at.end, End::Stopped(failure) if !failure.is_broken_off());
+            let why = if failed { switching.obstacle(at.time, &at.state) } else { None };
+            return (at, why);
+        };
         if let Some(why) = switches.why(&event, &at.state) {
             return (at, Some(why));
         }

@@ -2,7 +2,7 @@
 
 use crate::ending::{Ending, print, warn};
 use crate::run::one_form;
-use ::scenes::{independent_start, read_model, start_of};
+use ::scenes::{Task, read_model, start_of, without_implied};
 use clap::{Args, ValueEnum};
 use derivations::derive::{Equation, Principle, derive as equations_of, motor_of};
 use derivations::scene::any::holds_model;
@@ -100,11 +100,9 @@ fn is_model(path: &Path) -> bool {
 /// The equations of motion of a system that is written in its file.
 fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
     refuse_form(asked, "a system that is written in its file has one form")?;
-    let mut model = read_model(path)?;
-    if !matches!(asked.format, None | Some(Equations::Text | Equations::Latex | Equations::Mathml)) {
-        // code solves its equations: constraints that follow from others at the start are no part of it
-        leave_out_implied(&mut model);
-    }
+    let mut model = read_model(path, Task::Write)?;
+    // what follows from other constraints is no part of the equations
+    without_implied(path, &mut model)?;
     let file = read_text(path)?;
     if let Some(principle) = quasi_principle(asked, &model) {
         return in_quasi_velocities(asked, &model, &file, principle);
@@ -137,17 +135,6 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
         let form = MatrixForm::of(&trace, principle).map_err(Ending::refused)?.in_file(&model, &file);
         Ok(echoed(asked, &trace) + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
-}
-
-/// Leaves out what follows from others, where the model has a start at which that is decided.
-fn leave_out_implied(model: &mut Model) {
-    let known = model.warnings.len();
-    if independent_start(model).is_ok() {
-        model
-            .warnings
-            .drain(known..)
-            .for_each(|warning| warn(&format!("warning: {}: {}", warning.title, warning.label)));
-    }
 }
 
 /// The principle of a system with quasi-velocities, where that uses them; the others keep the rates of coordinates.
@@ -208,6 +195,9 @@ fn echoed(asked: &Asked, trace: &Trace<'_>) -> String {
     if asked.echo { [vectors(trace), constraints(trace)].concat().join("\n") + "\n\n" } else { String::new() }
 }
 
+/// Longer equations are code alone: a megabyte of text has two hundred thousand operations.
+const MOST_WRITTEN: f64 = 1_000_000.0;
+
 /// A system in matrix form in a notation.
 fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Result<String, Ending> {
     let code = |language| model::code(trace, form, language).map_err(Ending::refused);
@@ -219,11 +209,21 @@ fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Resul
             form.written_operations()
         )));
     }
+    let read = || {
+        let read = form.for_reading();
+        match read.written_operations() {
+            operations if operations > MOST_WRITTEN => Err(Ending::refused(format!(
+                "these equations have {operations:.0e} operations where they are written out, too many to be read; `--format c`, `python` \
+                 and `rust` write every common part once; `[speeds]` makes equations of chains shorter"
+            ))),
+            _ => Ok(read),
+        }
+    };
     match format {
-        Equations::Text => Ok(model::text(trace, &form.for_reading())),
-        Equations::Latex => Ok(model::latex(trace, &form.for_reading())),
+        Equations::Text => Ok(model::text(trace, &read()?)),
+        Equations::Latex => Ok(model::latex(trace, &read()?)),
         Equations::Mathml => {
-            let equations = model::typeset(trace, &form.for_reading()).into_iter().flatten();
+            let equations = model::typeset(trace, &read()?).into_iter().flatten();
             let typeset = equations.map(|each| charts::mathml(&format!("{} = {}", each.left, each.right)));
             let lines: Vec<String> = typeset.collect::<Result<_, _>>().map_err(Ending::refused)?;
             Ok(lines.join("\n") + "\n")

@@ -9,7 +9,8 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use crate::{clock, progress};
 use ::scenes::with_ways_to_a_system;
 use charts::visible;
-use derivations::scene::SceneError;
+use derivations::scene::file::read_text;
+use derivations::scene::{Issue, SceneError};
 
 /// Begins what a terminal obeys.
 const ESCAPE: &str = "\u{1b}";
@@ -86,6 +87,14 @@ impl Ending {
             }
             Ending::Wrong => ExitCode::from(2),
         }
+    }
+}
+
+/// A fault of a file that was read, at its place.
+pub fn placed(path: &Path, issue: Issue) -> Ending {
+    match read_text(path) {
+        Ok(text) => SceneError { path: path.display().to_string(), text, issues: vec![issue] }.into(),
+        Err(error) => error.into(),
     }
 }
 

@@ -2,9 +2,9 @@
 
 use crate::arguments::{finite, whole};
 use crate::csv;
-use crate::ending::{Ending, print};
+use crate::ending::{Ending, placed, print, warn};
 use crate::progress::Progress;
-use ::scenes::inverse::{Forces, inverse};
+use ::scenes::inverse::{AlongMotion, Forces, inverse};
 use ::scenes::{read_prescribed, unit_of, unit_of_rate};
 use clap::{Args, ValueEnum};
 use serde_json::json;
@@ -55,7 +55,6 @@ fn positive(text: &str) -> Result<f64, String> {
 /// Prints the motion with the forces that it needs.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let (model, prescribed) = read_prescribed(&asked.scene, &asked.motions)?;
-    let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
     let _progress = Progress::new("inverse dynamics");
     let times: Vec<f64> = (0..=asked.samples).map(|k| asked.span * f64::from(k) / f64::from(asked.samples)).collect();
     let mut unknowns: Vec<String> = Vec::new();
@@ -65,7 +64,10 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         }
     }
     let found = inverse(&model, &prescribed, &unknowns, &times);
-    let (found, constraints) = found.map_err(|why| refused(why.to_string()))?;
+    let AlongMotion { forces, constraints, left_out } = found.map_err(|why| placed(&asked.scene, why.at(&model)))?;
+    for follows in left_out {
+        warn(&format!("warning: {}: {}: it has no column", asked.scene.display(), follows.title));
+    }
     let with_unit = |name: &String| (name.clone(), unit_of(&model, name));
     let state: Vec<(String, String)> = model.state_names().iter().map(|(name, _)| with_unit(name)).collect();
     let speeds = &state[model.positions()..];
@@ -79,7 +81,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         let Forces { time, coordinates, speeds, accelerations, unknowns, multipliers } = forces;
         [&[*time][..], coordinates, speeds, accelerations, unknowns, multipliers].concat()
     };
-    let rows: Vec<Vec<f64>> = found.iter().map(row).collect();
+    let rows: Vec<Vec<f64>> = forces.iter().map(row).collect();
     print(&match asked.format {
         Form::Json => {
             let (names, units): (Vec<&String>, Vec<&String>) = columns.iter().map(|(name, unit)| (name, unit)).unzip();

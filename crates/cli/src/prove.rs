@@ -2,7 +2,7 @@
 
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
-use ::scenes::{on_branch, read_model, start_of, starting};
+use ::scenes::{Task, on_branch, read_model, start_of, starting, without_implied};
 use clap::{Args, ValueEnum};
 use model::principles::{Principle, Projection};
 use model::{
@@ -74,7 +74,9 @@ enum Subject {
 /// Compares the residuals of every principle with those of the first, parameters as letters, states what the equations keep, and
 /// prints a verdict for each.
 pub fn prove(asked: &Asked) -> Result<Ending, Ending> {
-    let mut model = read_model(&asked.scene)?;
+    let mut model = read_model(&asked.scene, Task::Write)?;
+    // of constraints that contradict each other there is no motion of which anything could be said
+    without_implied(&asked.scene, &mut model.clone())?;
     // off the branch the constraints leave other motions
     on_branch(&mut model);
     if let Ok(state) = start_of(&model) {
@@ -89,7 +91,10 @@ pub fn prove(asked: &Asked) -> Result<Ending, Ending> {
         }
     });
     print(&match asked.format {
-        Format::Text => rows.iter().map(text).collect(),
+        Format::Text => {
+            let mut known = Vec::new();
+            rows.iter().map(|row| text(row, &mut known)).collect()
+        }
         Format::Json => format!("{:#}\n", rows.iter().map(object).collect::<serde_json::Value>()),
     })?;
     let fails = |row: &Row| {
@@ -204,9 +209,22 @@ impl Row {
     }
 }
 
-fn text(row: &Row) -> String {
+/// Characters of a list of divisors that is written in each line; a longer one in the first line that has it.
+const MOST_REPEATED: usize = 100;
+
+/// A line, where lists of divisors are known from lines before it.
+fn text(row: &Row, known: &mut Vec<(Vec<String>, String)>) -> String {
     let behind = row.behind.iter().map(|line| format!("    {line}\n"));
-    format!("{}: {}\n{}", row.title(), row.said(), behind.collect::<String>())
+    let mut said = row.said();
+    if let Ok(agreement @ Agreement::Proved { divisors, .. }) = &row.agreement
+        && divisors.iter().map(String::len).sum::<usize>() > MOST_REPEATED
+    {
+        match known.iter().find(|(list, _)| list == divisors) {
+            Some((_, line)) => said = agreement.said_behind(line),
+            None => known.push((divisors.clone(), row.title())),
+        }
+    }
+    format!("{}: {said}\n{}", row.title(), behind.collect::<String>())
 }
 
 fn object(row: &Row) -> serde_json::Value {

@@ -1,5 +1,6 @@
 //! A run in a few lines, or as one JSON object.
 
+use derivations::scene::switching::Passage;
 use derivations::scene::{Axes, Choice, Smooth, Told, Trajectory};
 use integrators::{Beside, Parting};
 use serde_json::{Map, Value, json};
@@ -48,9 +49,11 @@ impl Summary<'_> {
             "method": choice.method.to_string(),
             "form": form.map(|axes| axes.to_string()),
             "tolerance": choice.tolerance,
+            "made_by": made_by(),
             "reached": outcome.reached(),
             "stopped": trajectory.stopped(),
             "undefined": trajectory.undefined(),
+            "events": trajectory.passages.iter().map(passed).collect::<Vec<_>>(),
             "theory": told.theory,
             "diagnosis": told.diagnosis,
             "steps": beside.map(judged),
@@ -82,6 +85,9 @@ impl Summary<'_> {
         }
         line("work", outcome.work.to_string());
         told.theory.iter().for_each(|said| line("theory", said.clone()));
+        for passage in told_passages(&trajectory.passages) {
+            line(passage.0, passage.1);
+        }
         let stopped = trajectory.stopped();
         match (&stopped, &told.diagnosis) {
             (None, None) => line("reached", format!("t = {} s", outcome.time)),
@@ -131,6 +137,37 @@ fn judged(beside: Beside) -> Value {
     };
     json!({ "said": beside.parting.name(), "follows": apart.is_some(), "apart": apart, "from": from, "why": why,
             "evaluations": beside.work.rates })
+}
+
+/// The version and the processor, on whose fused multiplication the last digits depend.
+fn made_by() -> String {
+    let (processor, system) = (std::env::consts::ARCH, std::env::consts::OS);
+    let rounds = if integrators::fuses() { "fused" } else { "unfused" };
+    format!("{}:{processor}-{system}-{rounds}", env!("CARGO_PKG_VERSION"))
+}
+
+/// An event of a run.
+fn passed(Passage { time, what, then }: &Passage) -> Value {
+    json!({ "time": time, "what": what, "then": then })
+}
+
+/// The most events that are shown; of more the first and the last.
+const MOST_SHOWN: usize = 20;
+
+/// The start and the events of a run, each with its line.
+fn told_passages(passages: &[Passage]) -> Vec<(&'static str, String)> {
+    let told = |Passage { time, what, then }: &Passage| {
+        let then = then.as_ref().filter(|then| !then.is_empty()).map_or_else(String::new, |then| format!(": {then}"));
+        ("event", format!("t = {time:.9} s: {what}{then}"))
+    };
+    let left_out = passages.len().saturating_sub(MOST_SHOWN);
+    if left_out == 0 {
+        return passages.iter().map(told).collect();
+    }
+    let (first, rest) = passages.split_at(MOST_SHOWN / 2);
+    let last = &rest[left_out..];
+    let between = ("event", format!("... {left_out} more; --format json shows all"));
+    first.iter().map(told).chain([between]).chain(last.iter().map(told)).collect()
 }
 
 /// Of a quantity without a value.

@@ -1,6 +1,7 @@
 //! Whether two principles give the same equations: residuals are compared as they stand, linear in the accelerations, never solved.
 
 use crate::Trace;
+use crate::divisors::named;
 use crate::equations::{Characteristics, constraints_of};
 use crate::principles::{NotApplicable, Principle, Projection, linear};
 use crate::real_points::{equal_digits, value_at_start};
@@ -36,24 +37,40 @@ impl Agreement {
     }
 }
 
+impl Agreement {
+    /// The sentence where a line that has been read has the same divisors.
+    pub fn said_behind(&self, line: &str) -> String {
+        match self {
+            Self::Proved { divisors, at_start } if !divisors.is_empty() => {
+                let values = "proved by normal form: equal for all values for which none of the divisors of";
+                format!("{values} `{line}` vanishes{}", of_start(at_start.as_deref()))
+            }
+            _ => self.to_string(),
+        }
+    }
+}
+
+/// The divisors that vanish at the start, in brackets.
+fn of_start(vanishing: Option<&[String]>) -> String {
+    match vanishing {
+        None => String::new(),
+        Some([]) => " (at the start none of them does)".to_owned(),
+        Some(vanishing) => format!(" (at the start {} vanishes)", vanishing.join(" and ")),
+    }
+}
+
 impl fmt::Display for Agreement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Proved { divisors, .. } if divisors.is_empty() => {
                 write!(f, "proved by normal form: equal for all values of all letters")
             }
-            Self::Proved { divisors, at_start } => {
-                write!(
-                    f,
-                    "proved by normal form: equal for all values for which none of these vanishes: {}",
-                    divisors.join("; ")
-                )?;
-                match at_start.as_deref() {
-                    None => Ok(()),
-                    Some([]) => write!(f, " (at the start none of them does)"),
-                    Some(vanishing) => write!(f, " (at the start {} vanishes)", vanishing.join(" and ")),
-                }
-            }
+            Self::Proved { divisors, at_start } => write!(
+                f,
+                "proved by normal form: equal for all values for which none of these vanishes: {}{}",
+                divisors.join("; "),
+                of_start(at_start.as_deref())
+            ),
             Self::Identified { points, error } => write!(
                 f,
                 "identified: equal at {points} random points of random prime fields; the probability of error is below 2^{:.0}",
@@ -142,14 +159,19 @@ fn or_nothing(names: &str) -> &str {
 pub(crate) fn decided(trace: &Trace<'_>, pairs: &[(Sym, Sym)]) -> Agreement {
     let (ones, others): (Vec<Sym>, Vec<Sym>) = pairs.iter().copied().unzip();
     let (ones, others) = (trace.with_masses(&ones), trace.with_masses(&others));
-    compared(&ones.into_iter().zip(others).collect::<Vec<_>>(), |divisor| value_at_start(trace, divisor))
+    let pairs: Vec<(Sym, Sym)> = ones.into_iter().zip(others).collect();
+    compared(&pairs, |divisor| value_at_start(trace, divisor), |divisor| named(trace, divisor))
 }
 
 /// Divisors below this are taken for zero at a start.
 const VANISHES: f64 = 1e-12;
 
-/// Whether the two sides of every pair are equal as they stand; divisors have values at the start.
-fn compared(pairs: &[(Sym, Sym)], value_at_start: impl Fn(Sym) -> Option<f64>) -> Agreement {
+/// Whether the two sides of every pair are equal as they stand; divisors have values at the start, and names, where they may vanish.
+fn compared(
+    pairs: &[(Sym, Sym)],
+    value_at_start: impl Fn(Sym) -> Option<f64>,
+    named: impl Fn(Sym) -> Option<String>,
+) -> Agreement {
     let differences: Vec<Sym> = pairs.iter().map(|&(one, other)| one - other).collect();
     let identity = identified(&differences);
     if let (Identity::Identified { points, error, .. }, true) =
@@ -191,13 +213,26 @@ fn compared(pairs: &[(Sym, Sym)], value_at_start: impl Fn(Sym) -> Option<f64>) -
             None => Agreement::Undecided { equation, reason },
         };
     }
+    let (divisors, names): (Vec<Sym>, Vec<String>) =
+        divisors.into_iter().filter_map(|divisor| Some((divisor, named(divisor)?))).unzip();
     let values: Option<Vec<f64>> = divisors.iter().map(|divisor| value_at_start(*divisor)).collect();
     let vanishing = |values: Vec<f64>| {
-        let vanishing = divisors.iter().zip(values).filter(|(_, value)| value.abs() <= VANISHES);
-        vanishing.map(|(divisor, _)| divisor.to_string()).collect()
+        let vanishing = names.iter().zip(values).filter(|(_, value)| value.abs() <= VANISHES);
+        without_repeats(vanishing.map(|(name, _)| name.clone()).collect())
     };
     let at_start = values.map(vanishing);
-    Agreement::Proved { divisors: divisors.iter().map(Sym::to_string).collect(), at_start }
+    Agreement::Proved { divisors: without_repeats(names), at_start }
+}
+
+/// Names, each once, in their order.
+fn without_repeats(names: Vec<String>) -> Vec<String> {
+    let mut once: Vec<String> = Vec::new();
+    for name in names {
+        if !once.contains(&name) {
+            once.push(name);
+        }
+    }
+    once
 }
 
 #[cfg(test)]
@@ -211,7 +246,7 @@ mod tests {
         apart(|| {
             let [x, y] = symbols(["x", "y"]);
             let root = (x * x + y * y).sqrt();
-            let compared = |pairs: &[(Sym, Sym)]| compared(pairs, |_| None);
+            let compared = |pairs: &[(Sym, Sym)]| compared(pairs, |_| None, |divisor| Some(divisor.to_string()));
             assert!(matches!(compared(&[(root * root, x * x + y * y)]), Agreement::Proved { .. }));
             assert!(matches!(compared(&[(root, x + y)]), Agreement::Refuted { .. }));
         });
@@ -225,9 +260,9 @@ mod tests {
             let at = |x: f64, y: f64| {
                 let value =
                     |divisor: Sym| divisor.evaluate_analytic(&|name: &str| Some(if name == "x" { x } else { y })).ok();
-                compared(&pairs, value).to_string()
+                compared(&pairs, value, |divisor| Some(divisor.to_string())).to_string()
             };
-            let none = compared(&pairs, |_| None).to_string();
+            let none = compared(&pairs, |_| None, |divisor| Some(divisor.to_string())).to_string();
             assert!(none.starts_with("proved") && !none.contains("at the start"), "{none}");
             assert!(at(2.0, 3.0).ends_with(" (at the start none of them does)"), "{}", at(2.0, 3.0));
             assert!(at(0.0, 3.0).ends_with(" (at the start x vanishes)"), "{}", at(0.0, 3.0));
@@ -239,7 +274,7 @@ mod tests {
         apart(|| {
             let [x, y] = symbols(["x", "y"]);
             let long = (0..2_500).fold(x, |sum, k| sum * y + Sym::int(k));
-            let found = compared(&[(x, x), (long, long * Sym::int(2))], |_| None);
+            let found = compared(&[(x, x), (long, long * Sym::int(2))], |_| None, |_| None);
             let Agreement::Refuted { equation: 1, point } = found else { panic!("{found}") };
             assert_eq!(point, "not zero at a random point of a prime field");
         });

@@ -58,6 +58,8 @@ pub enum Scalar {
     Time,
     /// 1 where the expression of the switch is positive, else 0.
     Switch(usize),
+    /// 1 where an expression is positive, 0 where it is negative, for outputs: the law does not change with it.
+    Step(ScalarId),
     /// An input, by its value or as a letter.
     Input(usize),
     /// The half turn.
@@ -78,6 +80,19 @@ pub enum Scalar {
     /// The multiplier of a scalar constraint, by its place in the model.
     Reaction {
         constraint: usize,
+    },
+    /// A letter of a contact: its normal (0) or tangential (1) reaction.
+    Contact {
+        contact: usize,
+        component: usize,
+    },
+    /// T of the whole system.
+    KineticEnergy,
+    /// V of the whole system.
+    PotentialEnergy,
+    /// dT/du of a speed u, by its place.
+    Momentum {
+        speed: usize,
     },
 }
 
@@ -185,6 +200,14 @@ impl Arena {
         match self.parts.get(id.0)? {
             Part::Scalar(scalar) => Some(scalar),
             Part::Vector(_) => None,
+        }
+    }
+
+    /// A vector by its place.
+    pub fn vector_at(&self, id: VectorId) -> Option<&Vector> {
+        match self.parts.get(id.0)? {
+            Part::Vector(vector) => Some(vector),
+            Part::Scalar(_) => None,
         }
     }
 

@@ -9,6 +9,7 @@ mod characteristics;
 mod constraints;
 mod elimination;
 mod generic_point;
+mod guides;
 mod integrability;
 
 pub(crate) use characteristics::solved_in_short;
@@ -20,7 +21,8 @@ pub use elimination::Singular;
 pub(crate) use generic_point::{
     Course, circuits as generic_circuits, courses, depends, generic_rank, pivots as generic_pivots,
 };
-pub use integrability::Integrability;
+pub use guides::balances;
+pub use integrability::{Integrability, Undecided};
 
 use crate::Trace;
 use crate::principles::{NotApplicable, Principle};

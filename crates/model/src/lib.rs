@@ -24,6 +24,7 @@
 
 mod agreement;
 mod arena;
+mod divisors;
 mod elaboration;
 pub mod equations;
 pub mod expression;
@@ -44,9 +45,9 @@ pub use arena::{Function, Number, ScalarId, VectorId};
 pub use elaboration::{HALF_TURN, bare_angle, is_reserved, misplaced};
 pub use fault::Fault;
 pub use parts::{
-    Along, Assignment, Body, BodyId, Constraint, Coordinate, Direction, Energies, Event, Force, Frame, FrameId,
-    GeneralisedForce, Implied, Inertia, Input, Material, Model, Output, Parameter, Point, PointId, QuasiVelocity,
-    StartSpeed, StartValue, Torque, Turn, Zero,
+    Along, Assignment, Body, BodyId, Constraint, Contact, Coordinate, Defined, Direction, Energies, Event, Force,
+    Frame, FrameId, GeneralisedForce, Implied, Inertia, Input, Material, Model, Moves, Output, Parameter, Point,
+    PointId, QuasiVelocity, Sides, StartSpeed, StartValue, Torque, Turn, Zero,
 };
 pub use presentation::{
     Cosine, Divisor, Held, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out,
@@ -54,7 +55,8 @@ pub use presentation::{
 };
 pub use quasi_velocities::{Coefficient, QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{
-    BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source, Text,
+    BodySource, ConstraintSource, ContactSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source,
+    Text,
 };
 pub use statements::{Mistake, Mistaken, Statement, mistaken, statements};
 pub use trace::{Trace, Vector, quaternion_rates, turned_further};

@@ -3,6 +3,7 @@
 mod axes;
 mod code;
 mod conditions;
+mod contacts;
 mod cosines;
 mod identifiers;
 mod latex;
@@ -12,6 +13,7 @@ mod reading;
 mod sympy;
 mod text;
 mod turns;
+mod vectors;
 
 pub use axes::{axes, titles};
 pub use code::code;
@@ -23,69 +25,13 @@ pub use quasi_velocities::{Divisor, InQuasiVelocities};
 pub use sympy::sympy;
 pub use text::text;
 pub(crate) use turns::{FreeTurn, short_form};
+pub use vectors::vectors;
 
+use crate::Trace;
 use crate::equations::{Equation, Integrability, Level, constraints_of as equations_of};
-use crate::joints::joints;
-use crate::{FrameId, PointId, Trace, Turn, Vector};
 use num_traits::Zero;
 use reading::Reading;
 use symbolic::{Hypotheses, Node, Sym, normal};
-
-/// The vectors that the model is made of, each on a line: of every frame its angular velocity, of every named point its position,
-/// velocity and acceleration, in the axes in which they were formed; then the joint of every body, about which its torque is.
-pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
-    let model = trace.model;
-    let mut reading = reading_of(trace);
-    let mut written = |vector: Vector| {
-        let frame = &model.frames[vector.frame.0].name;
-        let mut text = String::new();
-        for (component, axis) in vector.components.iter().zip(["x", "y", "z"]) {
-            let component = reading.of(*component);
-            if component.is_zero() {
-                continue;
-            }
-            let written = component.decimal_text();
-            let (sign, size) = match written.strip_prefix('-') {
-                Some(rest) if !is_sum(rest) => ("-", rest.to_owned()),
-                _ if is_sum(&written) => ("", format!("({written})")),
-                _ => ("", written),
-            };
-            text += match (text.is_empty(), sign) {
-                (true, sign) => sign,
-                (false, "-") => " - ",
-                (false, _) => " + ",
-            };
-            text += &if size == "1" { format!("{frame}.{axis}") } else { format!("{size}*{frame}.{axis}") };
-        }
-        if text.is_empty() { "0".to_owned() } else { text }
-    };
-    let mut lines = Vec::new();
-    for (at, frame) in model.frames.iter().enumerate().skip(1) {
-        lines.push(format!("angular_velocity({}) = {}", frame.name, written(trace.turning(FrameId(at)))));
-        if let Some((parent, Turn::Free { .. })) = frame.parent {
-            let (parent, name) = (&model.frames[parent.0].name, &frame.name);
-            lines.push(format!("{name}.Rxy = {parent}.x . {name}.y, and so on: direction cosines"));
-        }
-    }
-    for (at, point) in model.points.iter().enumerate() {
-        if !point.name.is_empty() && point.base.is_some() {
-            let (name, at) = (&point.name, PointId(at));
-            lines.push(format!("{name} - O = {}", written(trace.position(at))));
-            lines.push(format!("velocity({name}) = {}", written(trace.velocity(at))));
-            lines.push(format!("acceleration({name}) = {}", written(trace.acceleration(at))));
-        }
-    }
-    for (body, parent, place) in joints(trace) {
-        let parent = parent.map_or("the ground", |parent| model.bodies[parent.0].name.as_str());
-        let place = match (model.points[place.0].name.as_str(), written(trace.position(place))) {
-            ("", way) if way == "0" => "O".to_owned(),
-            ("", way) => format!("O + {way}"),
-            (name, _) => name.to_owned(),
-        };
-        lines.push(format!("joint of {} to {parent}: at {place}", model.bodies[body.0].name));
-    }
-    lines
-}
 
 /// Whether a text has several terms outside of its parentheses.
 pub(crate) fn is_sum(text: &str) -> bool {
@@ -132,12 +78,22 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
     let general = if kept { ", for general constants of those of positions" } else { "" };
     let whole = match Integrability::of(trace, &equations) {
         _ if equations.iter().all(|constraint| constraint.level == Level::Position) => None,
-        Integrability::Open => None,
+        Integrability::Open(why) => {
+            Some(format!("constraints of speeds: it is not decided whether they are integrable, since {why}"))
+        }
         Integrability::Integrable => Some("constraints of speeds: integrable (Frobenius, identified)".to_owned()),
         Integrability::NotIntegrable => Some(format!("constraints of speeds: not integrable (Frobenius{general})")),
     };
     let lines = equations.into_iter().zip(axes(trace)).enumerate().map(kind);
     lines.chain(whole).collect()
+}
+
+/// A text in which a count of operations that has reached its end is no number.
+pub(crate) fn with_counts(text: &str) -> String {
+    text.replace(
+        &format!("an expression of {} operations", u64::MAX),
+        "an expression of more than 18 quintillion operations",
+    )
 }
 
 /// An expression for reading, the shorter of two forms: a fraction of polynomials, or with angles and direction cosines together.

@@ -49,12 +49,15 @@ pub(crate) fn value_at_start(trace: &Trace<'_>, expression: Sym) -> Option<f64> 
     expression.evaluate_analytic(&value).ok().map(|value: DoubleDouble| value.hi()).filter(|value| value.is_finite())
 }
 
+/// The value of an expression at a point; none where it has none.
+pub(crate) fn value_at_point(expression: Sym, point: u64) -> Option<f64> {
+    let found = expression.evaluate_analytic(&|name: &str| Some(drawn(name, point))).ok();
+    found.map(|value: DoubleDouble| value.hi()).filter(|value| value.is_finite())
+}
+
 /// The digits to which two expressions agree at a point; NaN where one has no value.
 fn agreed(one: Sym, other: Sym, point: u64) -> f64 {
-    let value = |expression: Sym| {
-        let found = expression.evaluate_analytic(&|name: &str| Some(drawn(name, point)));
-        found.map_or(f64::NAN, |value: DoubleDouble| value.hi())
-    };
+    let value = |expression: Sym| value_at_point(expression, point).unwrap_or(f64::NAN);
     let (size, difference) = (value(one).abs().max(value(other).abs()), value(one - other).abs());
     if !(size.is_finite() && difference.is_finite()) {
         return f64::NAN;

@@ -73,6 +73,7 @@ pub struct Source {
     pub forces: Vec<LoadSource>,
     pub torques: Vec<LoadSource>,
     pub constraints: Vec<ConstraintSource>,
+    pub contacts: Vec<ContactSource>,
     /// Scalars and vectors that a run shows.
     pub outputs: Vec<Entry>,
     pub inputs: Vec<InputSource>,
@@ -139,6 +140,32 @@ pub struct ConstraintSource {
     pub zero: Vec<Text>,
     /// Of a constraint f that is led to zero instead of kept at zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
     pub gains: Option<Vec<Text>>,
+    /// Where it stands.
+    pub at: Range<usize>,
+}
+
+/// A contact of a point of a body with a plane, a curve or a guide.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ContactSource {
+    pub name: Option<Text>,
+    /// `"ladder at B"`: the point that touches.
+    pub of: Option<Text>,
+    /// The body that it touches; the ground where left out.
+    pub with: Option<Text>,
+    /// `"slider, N along x"`: a body in a guide.
+    pub between: Option<Text>,
+    /// A point of the plane.
+    pub through: Option<Text>,
+    /// The direction in which the gap grows, a vector.
+    pub normal: Option<Text>,
+    /// The gap, in the place of a point of the plane.
+    pub gap: Option<Text>,
+    /// `one` or `both`.
+    pub sides: Option<Text>,
+    pub friction: Option<Text>,
+    pub restitution: Option<Text>,
+    /// Whether the start is completed so that it touches.
+    pub touching: bool,
     /// Where it stands.
     pub at: Range<usize>,
 }

@@ -4,14 +4,15 @@ use crate::compiled_system::NotCompiled;
 use crate::letters::{Inputs, Letters};
 use derivations::scene::Issue;
 use model::{Body, Inertia, Model, ScalarId, Trace};
+use nalgebra::Matrix3;
 use std::ops::Range;
 use symbolic::{Sym, Tape, apart};
 
-/// The share by which a moment may exceed the sum of the two others, for data with few digits.
+/// The share of all moments by which one may exceed the sum of the two others, for data with few digits.
 const ROUNDING: f64 = 1e-9;
 
-/// All bodies that cannot exist, where numbers tell so: a mass that is not positive, a moment of inertia that is negative, or that is
-/// larger than the two others together.
+/// All bodies that cannot exist, where numbers tell so: a mass that is not positive, a principal moment of inertia that is negative, or
+/// that is larger than the two others together.
 pub fn impossible(model: &Model) -> Vec<Issue> {
     let numbers: Vec<Option<f64>> = apart(|| {
         let trace = Trace::of(model);
@@ -22,7 +23,7 @@ pub fn impossible(model: &Model) -> Vec<Issue> {
     judged(model, &numbers)
 }
 
-/// Masses and moments of inertia as functions of the parameters.
+/// Masses, moments and products of inertia as functions of the parameters.
 #[derive(Debug)]
 pub(crate) struct BodyNumbers {
     tape: Tape,
@@ -63,9 +64,9 @@ impl BodyNumbers {
     }
 }
 
-/// Mass and moments of inertia of each body, one body after the other.
+/// Mass, moments and products of inertia of each body, one body after the other.
 fn scalars(model: &Model, trace: &Trace<'_>) -> Vec<Sym> {
-    let wanted = model.bodies.iter().flat_map(|body| body.mass.into_iter().chain(moments(body)));
+    let wanted = model.bodies.iter().flat_map(|body| body.mass.into_iter().chain(entries(body).into_iter().flatten()));
     wanted.map(|id| trace.scalar(id)).collect()
 }
 
@@ -75,7 +76,7 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
     let mut issues = Vec::new();
     for body in &model.bodies {
         let mass = body.mass.and_then(|_| numbers.next().flatten());
-        let inertia: Vec<Option<f64>> = moments(body).iter().map(|_| numbers.next().flatten()).collect();
+        let inertia = entries(body).map(|entry| entry.map(|_| numbers.next().flatten()));
         let mut report = |at: &Range<usize>, title: String, label: String, accepted: &str| {
             issues.push(Issue::at(at.clone(), title, label).accepted(accepted));
         };
@@ -87,31 +88,48 @@ fn judged(model: &Model, numbers: &[Option<f64>]) -> Vec<Issue> {
                 "a positive mass",
             );
         }
-        if let Some(moment) = inertia.iter().flatten().find(|moment| **moment < 0.0) {
+        let moments = inertia[..3].iter().flatten().flatten();
+        if let Some(moment) = moments.copied().find(|moment| *moment < 0.0) {
             let title = format!("a moment of inertia of `{}` is negative", body.name);
-            report(
-                &body.inertia_at,
-                title,
-                format!("it is {} kg m^2", shown(*moment)),
-                "moments of inertia that are zero or positive",
-            );
-        }
-        if let [Some(a), Some(b), Some(c)] = inertia[..]
-            && is_diagonal(body)
-            && [[a, b, c], [b, c, a], [c, a, b]]
-                .iter()
-                .any(|[one, other, last]| *last > (one + other) * (1.0 + ROUNDING))
-        {
+            let label = format!("it is {} kg m^2", shown(moment));
+            report(&body.inertia_at, title, label, "moments of inertia that are zero or positive");
+        } else if let Some([a, b, c]) = principal(&inertia).filter(|moments| !is_possible(*moments)) {
             let title = format!("no body has the moments of inertia of `{}`", body.name);
-            report(
-                &body.inertia_at,
-                title,
-                format!("they are {}, {} and {} kg m^2", shown(a), shown(b), shown(c)),
-                "none is larger than the two others together",
-            );
+            let about = match inertia[3..].iter().any(Option::is_some) {
+                true => "about its principal axes they are",
+                false => "they are",
+            };
+            let label = format!("{about} {}, {} and {} kg m^2", shown(a), shown(b), shown(c));
+            report(&body.inertia_at, title, label, "none is negative, and none is larger than the two others together");
         }
     }
     issues
+}
+
+/// The principal moments of inertia where every entry that stands is a number, and all three moments stand; as they stand where no
+/// product does.
+fn principal(inertia: &[Option<Option<f64>>; 6]) -> Option<[f64; 3]> {
+    let [xx, yy, zz, ..] = *inertia;
+    let [xx, yy, zz] = [xx??, yy??, zz??];
+    if inertia[3..].iter().all(Option::is_none) {
+        return Some([xx, yy, zz]);
+    }
+    let product = |entry: Option<Option<f64>>| entry.map_or(Some(0.0), |number| number);
+    let [xy, xz, yz] = [product(inertia[3])?, product(inertia[4])?, product(inertia[5])?];
+    let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+    if !tensor.iter().all(|entry| entry.is_finite()) {
+        return None;
+    }
+    let mut moments: [f64; 3] = tensor.symmetric_eigenvalues().into();
+    moments.sort_by(f64::total_cmp);
+    Some(moments)
+}
+
+/// Whether masses may be placed so that these are moments about principal axes: each moment is the sum of two of three second moments
+/// of the mass, none of which is negative.
+fn is_possible([a, b, c]: [f64; 3]) -> bool {
+    let rounding = ROUNDING * (a.abs() + b.abs() + c.abs());
+    [[a, b, c], [b, c, a], [c, a, b]].iter().all(|[one, other, last]| *last <= one + other + rounding)
 }
 
 /// A number without the rounding of its last digits.
@@ -119,15 +137,11 @@ fn shown(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
 
-/// About axes, products of inertia left out.
-fn moments(body: &Body) -> Vec<ScalarId> {
+/// Moments about axes, then products of inertia, where they stand.
+fn entries(body: &Body) -> [Option<ScalarId>; 6] {
     match &body.inertia {
-        None => Vec::new(),
-        Some(Inertia::Axial(axial)) => vec![*axial],
-        Some(Inertia::Tensor { entries, .. }) => entries[..3].iter().copied().flatten().collect(),
+        None => [None; 6],
+        Some(Inertia::Axial(axial)) => [Some(*axial), None, None, None, None, None],
+        Some(Inertia::Tensor { entries, .. }) => *entries,
     }
-}
-
-fn is_diagonal(body: &Body) -> bool {
-    matches!(&body.inertia, Some(Inertia::Tensor { entries, .. }) if entries[3..].iter().all(Option::is_none))
 }

@@ -157,9 +157,7 @@ impl ModelEnsemble {
         }
         let law = ParametricLaw::of(model).map_err(Unmet::NotCompiled)?;
         // members may start where other constraints follow from others
-        let mut whole = Model::clone(model);
-        whole.implied.clear();
-        let start = StartSolver::of(&whole)?;
+        let start = StartSolver::of(&model.whole())?;
         let bodies = BodyNumbers::of(model).map_err(Unmet::NotCompiled)?;
         let singular = SingularPositions::of(model, &scene.start);
         Ok(ModelEnsemble { scene, law, start, singular, bodies, targets })
@@ -273,6 +271,7 @@ fn told(unmet: &Unmet) -> String {
         Unmet::Open(open) => open.to_string(),
         Unmet::Redundant { name, .. } => format!("{name} depends on those before it there"),
         Unmet::Idle { name, .. } => format!("{name} restrains nothing there"),
+        Unmet::Multiple { name, .. } => format!("the gradient of {name} vanishes wherever it holds"),
         Unmet::Locked { name, .. } => format!("{name} cannot hold in its position"),
         Unmet::Contradiction { .. } => "two constraints contradict each other".to_owned(),
         Unmet::Gains { .. } | Unmet::Piecewise(_) | Unmet::Fixed { .. } => {

@@ -9,12 +9,13 @@
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::implicit::linear_equations;
 use crate::letters::Letters;
-use crate::modes::Case;
+use crate::modes::{Case, Mode};
 use derivations::scene::Issue;
 use derivations::taped::Program;
 use integrators::Ode;
 use model::{Model, Trace};
 use nalgebra::DMatrix;
+use std::ops::Range;
 use symbolic::{Sym, substitute_all};
 
 /// Singular values below this part of the largest one are taken for zero.
@@ -29,12 +30,7 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
     }
     let n = model.speeds();
     let terms = Terms::of(model, &system.mode, start)?;
-    // a free frame stands for its three speeds
-    let moved = |speed: usize| match model.coordinates.get(speed) {
-        Some(coordinate) => (coordinate.name.clone(), coordinate.at.clone()),
-        None => (model.state_names()[model.positions() + speed].0.clone(), 0..0),
-    };
-    let without_value = |row: &[f64]| row.iter().position(|entry| !entry.is_finite());
+    let moved = |speed: usize| moved(model, speed);
     if let Some(place) = without_value(&terms.matrix) {
         let (name, at) = moved((place % terms.size).min(n - 1));
         let title = format!("the inertia of `{name}` has no value at the start");
@@ -45,13 +41,11 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
         let title = format!("the forces on `{name}` have no value at the start");
         return Some(Issue::at(at, title, "its acceleration would be no number").accepted(NO_NUMBER));
     }
-    let (name, at) = moved(terms.free(n)?);
+    let (name, at) = moved(largest(&terms.free(n)?));
     let elsewhere: Vec<f64> = start.iter().zip(1..).map(|(part, place)| part + 0.1 * f64::from(place)).collect();
     let there = Terms::of(model, &system.mode, &elsewhere).filter(|terms| without_value(&terms.matrix).is_none());
-    if there.and_then(|terms| terms.free(n)).is_some() {
-        let massless = NotCompiled::Massless { coordinate: name };
-        let issue = Issue::at(at, format!("this system cannot run: {massless}"), "this coordinate");
-        return Some(issue.accepted("a body that moves with it, or a constraint that determines it"));
+    if let Some(direction) = there.and_then(|terms| terms.free(n)) {
+        return Some(resisted_by_nothing(model, &direction));
     }
     let title = format!("the acceleration of `{name}` is not determined at the start");
     let issue = Issue::at(at, title, "in this position nothing with inertia moves with it");
@@ -61,7 +55,61 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
 }
 
 const NO_NUMBER: &str = "another start: a division by zero, `unit` of a zero vector, a force between points that coincide, \
-                         `ln` or `sqrt` of a negative number have no value";
+                         `ln` or `sqrt` of a negative number, and numbers beyond 1.8e308 in SI units have no value";
+
+/// Why a model has a coordinate without inertia, where the mass matrix has numbers at the start.
+pub(crate) fn massless(model: &Model) -> Option<Issue> {
+    let mode = Mode { cases: vec![Case::On; model.switches.len()], phases: Vec::new() };
+    let terms = Terms::of(model, &mode, &model.start_state())?;
+    let direction = without_value(&terms.matrix).is_none().then(|| terms.free(model.speeds()))??;
+    Some(resisted_by_nothing(model, &direction))
+}
+
+/// A direction of speeds that no inertia resists and no constraint determines: one speed, or a combination of several.
+fn resisted_by_nothing(model: &Model, direction: &[f64]) -> Issue {
+    let (name, at) = moved(model, largest(direction));
+    let size = direction[largest(direction)].abs();
+    let first = direction.iter().find(|part| part.abs() > PART * size).map_or(1.0, |part| part.signum());
+    let names = &model.state_names()[model.positions()..];
+    let parts = direction.iter().map(|part| part / (first * size)).zip(names).filter(|(part, _)| part.abs() > PART);
+    let parts = parts.map(|(part, (name, unit))| {
+        let rounded: f64 = format!("{part:.5e}").parse().unwrap_or(part);
+        format!("{name} = {rounded} {unit}")
+    });
+    let parts: Vec<String> = parts.collect();
+    let (why, label) = match parts.as_slice() {
+        [_] => (NotCompiled::Massless { coordinate: name }.to_string(), "this coordinate"),
+        several => (
+            format!("no mass and no inertia resists the speeds {} together", several.join(", ")),
+            "this coordinate moves in that combination",
+        ),
+    };
+    let issue = Issue::at(at, format!("this system cannot run: {why}"), label);
+    issue.accepted("a body that moves with it, or a constraint that determines it")
+}
+
+/// Parts of a direction below this part of the largest one are rounding.
+const PART: f64 = 1e-9;
+
+/// What a speed moves, and where that stands; a free frame stands for its three speeds.
+fn moved(model: &Model, speed: usize) -> (String, Range<usize>) {
+    match model.coordinates.get(speed) {
+        Some(coordinate) => (coordinate.name.clone(), coordinate.at.clone()),
+        None => (model.state_names()[model.positions() + speed].0.clone(), 0..0),
+    }
+}
+
+/// The place of the first entry that is no number.
+fn without_value(row: &[f64]) -> Option<usize> {
+    row.iter().position(|entry| !entry.is_finite())
+}
+
+/// The place of the largest entry.
+fn largest(direction: &[f64]) -> usize {
+    let larger =
+        |best: usize, (place, part): (usize, &f64)| if part.abs() > direction[best].abs() { place } else { best };
+    direction.iter().enumerate().fold(0, larger)
+}
 
 /// The matrix and the right side at a state.
 struct Terms {
@@ -72,7 +120,7 @@ struct Terms {
 }
 
 impl Terms {
-    fn of(model: &Model, mode: &[Case], start: &[f64]) -> Option<Self> {
+    fn of(model: &Model, mode: &Mode, start: &[f64]) -> Option<Self> {
         let mut pattern = None;
         let program = Program::of_any_length(start.len(), |time, state| {
             let trace = Trace::of(model);
@@ -80,7 +128,7 @@ impl Terms {
             let all = solve.expressions();
             pattern = Some(solve.pattern);
             let case = |case: &Case| if *case == Case::On { Sym::ONE } else { Sym::ZERO };
-            let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(mode.iter().map(case)).collect();
+            let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(mode.cases.iter().map(case)).collect();
             substitute_all(&all, &cases)
         })?;
         let pattern = pattern?;
@@ -93,14 +141,14 @@ impl Terms {
         Some(Terms { size, matrix, right })
     }
 
-    /// The one of the first n unknowns that is moved most by a direction that the matrix takes to zero.
-    fn free(&self, n: usize) -> Option<usize> {
+    /// The first n unknowns of a direction that the matrix takes to zero.
+    fn free(&self, n: usize) -> Option<Vec<f64>> {
         let decomposed = DMatrix::from_row_slice(self.size, self.size, &self.matrix).svd(false, true);
         let (least, smallest) = decomposed.singular_values.argmin();
         if smallest > RANK * decomposed.singular_values.amax() {
             return None;
         }
-        let direction = decomposed.v_t.as_ref()?.row(least).columns(0, n).transpose();
-        Some(direction.abs().argmax().0)
+        let direction: Vec<f64> = decomposed.v_t.as_ref()?.row(least).iter().take(n).copied().collect();
+        direction.iter().any(|part| *part != 0.0).then_some(direction)
     }
 }

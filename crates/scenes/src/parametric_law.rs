@@ -3,6 +3,7 @@
 use crate::compiled_system::{NotCompiled, Way, conserves, outputs, outputs_of_solved, rates};
 use crate::implicit::{linear_equations, recurrence_of};
 use crate::letters::Inputs;
+use crate::modes::Mode;
 use derivations::exponents::Expandable;
 use model::{Model, Trace};
 use symbolic::solve::{Factors, Pattern, Solve};
@@ -48,7 +49,7 @@ impl ParametricLaw {
     fn written(model: &Model) -> Result<Self, NotCompiled> {
         apart(|| {
             let inputs = Inputs::of(model);
-            let rates = rates(model, &[], inputs.letters())?;
+            let rates = rates(model, &Mode::default(), inputs.letters())?;
             let law = match model.speeds() + model.constraints.len() >= LEAST_SOLVED {
                 true => recurrence_of(&Trace::of(model), &inputs, inputs.letters(), &inputs.parameters),
                 false => {
@@ -63,7 +64,8 @@ impl ParametricLaw {
                 }
             };
             let law = law.map_err(undefined)?;
-            let outputs = Tape::record(&inputs.all(), &outputs(model, &[], inputs.letters())).map_err(undefined)?;
+            let outputs =
+                Tape::record(&inputs.all(), &outputs(model, &Mode::default(), inputs.letters())).map_err(undefined)?;
             Ok(ParametricLaw { law, outputs, unknowns: None, keeps_energy: conserves(model) })
         })
     }

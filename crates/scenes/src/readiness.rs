@@ -3,7 +3,7 @@
 use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
-use crate::first_motion::missing;
+use crate::first_motion::{massless, missing};
 use crate::modes::{Modes, Refused};
 use crate::row_units::measured;
 use crate::start::{Completed, Open, Unmet, consistent};
@@ -20,10 +20,20 @@ pub(crate) fn without_run(text: &str) -> Issue {
     issue.accepted("[run] with span = \"10 s\"; `derive` and `prove` need none")
 }
 
-/// A system that has no law.
+/// A system that has no law, as a run tells it.
 pub(crate) fn refused(model: &Model, reason: &NotCompiled) -> Issue {
+    without_law(model, reason, "this system cannot run")
+}
+
+/// A system that has no law, where it says so, with what cannot be done without one.
+pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
+    if matches!(reason, NotCompiled::Massless { .. })
+        && let Some(issue) = massless(model)
+    {
+        return issue;
+    }
     let (place, label, accepted) = place_of(model, reason);
-    Issue::at(place, format!("this system cannot run: {reason}"), label).accepted(accepted)
+    Issue::at(place, format!("{what}: {reason}"), label).accepted(accepted)
 }
 
 /// The start, completed, and the law that runs from it.
@@ -31,8 +41,15 @@ pub(crate) fn ready(model: &mut Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSys
     // before the law: what depends on others makes it singular
     let start = independent_start(Arc::make_mut(model))?;
     let model = &*model;
-    let system = Modes::of(model).first(&start).map_err(|why| match why {
+    let system = Modes::of(model, &[]).first(&start).map_err(|why| match why {
         Refused::Law(reason) => refused(model, &reason),
+        Refused::Motion { why, switch: None } if !model.contacts.is_empty() => {
+            let places = model.contacts.iter().map(|contact| &contact.at);
+            let place =
+                places.clone().map(|at| at.start).min().unwrap_or(0)..places.map(|at| at.end).max().unwrap_or(0);
+            let issue = Issue::at(place, format!("this system cannot start: {why}"), "these contacts");
+            issue.accepted("another start")
+        }
         Refused::Motion { why, switch } => {
             let place = switch.map_or(0..0, |switch| model.switch_places[switch].clone());
             let issue = Issue::at(place, format!("this system cannot start: {why}"), "this is at zero at the start");
@@ -131,6 +148,14 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
                  or an expression that coordinates move: x - y, and not its square",
             )
         }
+        Unmet::Multiple { at, name } => {
+            let title = format!("the gradient of {name} vanishes wherever it holds");
+            let issue = Issue::at(at, title, "no reaction along its gradient keeps it: a square, or a sum of squares");
+            issue.accepted(
+                "its root: x - y in the place of (x - y)^2, a in the place of 1 - cos(a); of a sum of squares a list of its roots, \
+                 zero = [\"x\", \"y\"]",
+            )
+        }
         Unmet::Locked { at, name } => {
             let title = format!("{name} cannot hold in this position");
             let issue = Issue::at(at, title, "no rates of coordinates give it here; in neighbouring positions some do");
@@ -187,7 +212,9 @@ pub(crate) fn changes(model: &Model, what: &str) -> Issue {
     let equilibrium = || {
         Some((model.equilibrium.clone()?, "the start of this system is an equilibrium that is searched for", "here"))
     };
-    let found = event.or_else(condition).or_else(equilibrium);
+    let contact =
+        || Some((model.contacts.first()?.at.clone(), "the law of this system changes with a contact", "this one"));
+    let found = event.or_else(contact).or_else(condition).or_else(equilibrium);
     let (at, why, label) = found.unwrap_or((0..0, "the law of this system changes", "in this file"));
     let issue = Issue::at(at, format!("{what}: {why}"), label);
     issue.accepted("a system with one law and a start of numbers; `run` runs this one")
@@ -220,6 +247,13 @@ fn sought(model: &Model, all: bool) -> Result<Equilibrium, Issue> {
             NoEquilibrium::Moves { speed } => {
                 let issue = Issue::at(at, "an equilibrium has no speeds", format!("{speed} is not zero"));
                 issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted")
+            }
+            NoEquilibrium::Driven { constraint, residual, unit } => {
+                let title = format!("there is no equilibrium: {constraint} moves the system");
+                let label = format!("at rest it is {}, wherever the system stands", measured(residual, &unit));
+                let accepted = "a constraint that rest meets, such as that of a belt which stands; a steady motion is no equilibrium: it \
+                                starts from its speeds";
+                Issue::at(at, title, label).accepted(accepted)
             }
             NoEquilibrium::NotFound { equation, residual, unit } => {
                 let residual = measured(residual, &unit);
@@ -267,6 +301,12 @@ fn place_of(model: &Model, reason: &NotCompiled) -> (Range<usize>, &'static str,
             "this one",
             "conditions of coordinates, speeds and time; sqrt(r^2) is the size of a reaction r",
         ),
+        NotCompiled::NotHeldContact { contact } => {
+            (model.contacts.get(*contact).map(|one| one.at.clone()), "this contact", equations)
+        }
+        NotCompiled::Changes if !model.contacts.is_empty() => {
+            (model.contacts.first().map(|one| one.at.clone()), "a contact", equations)
+        }
         NotCompiled::NotHeld { switch } => (model.switch_places.get(*switch).cloned(), "this condition", equations),
         _ => (None, "in this file", equations),
     };
@@ -290,8 +330,12 @@ fn inconsistent(model: &Model, Open { at, name, residual, unit, is_rate, moved, 
                 format!("fewer or other speeds in [start], which gives {}", list(&fixed))
             }
             _ => format!(
-                "another guess in [start], such as {} = \"guess ...\" nearer to a position that exists; or other given values",
-                key(first)
+                "another guess in [start], such as {} = \"guess {}\" nearer to a position that exists; or other given values",
+                key(first),
+                match model.free.iter().any(|frame| model.frames[frame.0].name == *first) {
+                    true => "20 deg about z",
+                    false => "...",
+                }
             ),
         };
         return Issue::at(at.clone(), title, label).accepted(accepted);

@@ -2,12 +2,13 @@
 
 use crate::admissible::impossible;
 use crate::branch::settled;
-use crate::compiled_system::{CompiledSystem, ENERGIES};
+use crate::compiled_system::{CompiledSystem, ENERGIES, changes};
 use crate::ensemble::parse_ensemble;
-use crate::modes::{End, Ended, Modes};
+use crate::modes::Modes;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{ready, start_of, without_run};
 use crate::row_units::unit_of;
+use crate::size::{Task, too_large};
 use crate::start::SingularPositions;
 use crate::text;
 use crate::warnings::{Warn, warn_by, warn_of};
@@ -18,7 +19,7 @@ use derivations::scene::law_end::Margins;
 use derivations::scene::problem::Invariant;
 use derivations::scene::read::Table;
 use derivations::scene::smooth::Parameter;
-use derivations::scene::switching::Switching;
+use derivations::scene::switching::{Passage, Switching};
 use derivations::scene::{
     Axes, Choice, Issue, ModelReaders, Modelled, Problem, Run, SceneError, Smooth, Told, Trajectory, read_models_by,
     run,
@@ -42,7 +43,6 @@ pub struct ModelScene {
     pub run: Run,
     /// Each event by its name, or by its line in the file.
     events: Vec<String>,
-    ended: Arc<Ended>,
 }
 
 /// Makes every command read files with `[coordinates]`; `warn` is told what is accepted in them and perhaps means something else.
@@ -60,11 +60,14 @@ pub fn register(warn: Warn) {
 ///
 /// # Errors
 /// All that is wrong with the system, each at its place.
-pub fn read_model(path: &Path) -> Result<Model, SceneError> {
+pub fn read_model(path: &Path, task: Task) -> Result<Model, SceneError> {
     let (name, text) = (path.display().to_string(), read_text(path)?);
     let model = tables(&name, &text, |top, issues| {
         top.known(&["title", "description", "run", "ensemble"]);
-        model(top, issues).map(|(model, _)| model)
+        let (model, _) = model(top, issues)?;
+        let large = too_large(&model, task);
+        issues.extend(large.clone());
+        large.is_none().then_some(model)
     });
     let model = model.map_err(with_quoted_primes)?;
     warn_of(&name, &text, &model.warnings);
@@ -119,6 +122,10 @@ impl ModelScene {
             }
         };
         let mut model = model.take()?;
+        if let Some(issue) = too_large(&model, Task::Run) {
+            issues.push(issue);
+            return None;
+        }
         let bodies = impossible(&model);
         let exist = bodies.is_empty();
         issues.extend(bodies);
@@ -126,11 +133,41 @@ impl ModelScene {
         let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
         let events = model.events.iter().map(|event| called(event, text)).collect();
-        Some(ModelScene { title, description, model, system, start, run: run?, events, ended: Arc::default() })
+        Some(ModelScene { title, description, model, system, start, run: run?, events })
     }
 }
 
 impl ModelScene {
+    /// The problem of the run, with the modes of a law that changes.
+    pub(crate) fn switched(&self) -> (Problem, Option<Arc<Modes>>) {
+        let (shown, kept) = (Arc::clone(&self.system), Arc::clone(&self.system));
+        let modes = changes(&self.model).then(|| Arc::new(Modes::of(&self.model, &self.events)));
+        let of_mode = modes.clone();
+        let row = move |time: f64, state: &[f64]| {
+            let current = of_mode.as_ref().and_then(|modes| modes.current());
+            [state, &current.as_ref().unwrap_or(&shown).outputs(time, state)].concat()
+        };
+        let mut invariants = Vec::new();
+        if self.system.keeps_energy {
+            let energy = move |time: f64, state: &[f64]| {
+                let outputs = kept.outputs(time, state);
+                outputs[outputs.len() - ENERGIES..].iter().sum()
+            };
+            invariants.push(Invariant { name: "energy", value: Box::new(energy) });
+        }
+        let problem = Problem {
+            law: self.system.law(),
+            state: self.start.clone(),
+            span: self.run.span,
+            invariants,
+            columns: columns(&self.model),
+            row: Box::new(row),
+            margins: self.margins(),
+            switching: modes.clone().map(|modes| modes as Arc<dyn Switching>),
+        };
+        (problem, modes)
+    }
+
     /// The distance of a state from where its constraints determine the motion no longer.
     fn margins(&self) -> Box<Margins> {
         let singular = SingularPositions::of(&self.model, &self.start);
@@ -207,42 +244,14 @@ impl Smooth for ModelScene {
     }
 
     fn problem(&self, _axes: Axes) -> Problem {
-        let (shown, kept) = (Arc::clone(&self.system), Arc::clone(&self.system));
-        let changes = !(self.model.switches.is_empty() && self.model.events.is_empty());
-        let modes = changes.then(|| Arc::new(Modes::telling(&self.model, Arc::clone(&self.ended))));
-        let of_mode = modes.clone();
-        let row = move |time: f64, state: &[f64]| {
-            let current = of_mode.as_ref().and_then(|modes| modes.current());
-            [state, &current.as_ref().unwrap_or(&shown).outputs(time, state)].concat()
-        };
-        let mut invariants = Vec::new();
-        if self.system.keeps_energy {
-            let energy = move |time: f64, state: &[f64]| {
-                let outputs = kept.outputs(time, state);
-                outputs[outputs.len() - ENERGIES..].iter().sum()
-            };
-            invariants.push(Invariant { name: "energy", value: Box::new(energy) });
-        }
-        Problem {
-            law: self.system.law(),
-            state: self.start.clone(),
-            span: self.run.span,
-            invariants,
-            columns: columns(&self.model),
-            row: Box::new(row),
-            margins: self.margins(),
-            switching: modes.map(|modes| modes as Arc<dyn Switching>),
-        }
+        self.switched().0
     }
 
     fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
-        let ended = self.ended.at(trajectory.outcome.time).filter(|end| {
-            // what stopped elsewhere was no event
-            end.breaks.is_some() == trajectory.stopped().is_some()
-        });
-        let ended = ended.map(|End { event, breaks }| match breaks {
-            None => format!("{} ends the run", self.events[event]),
-            Some(broken) => format!("after {} {broken}, which must be zero", self.events[event]),
+        let ended = trajectory.passages.last().filter(|passage| passage.then.is_none());
+        let ended = ended.map(|Passage { what, .. }| match trajectory.stopped() {
+            None => format!("{what} ends the run"),
+            Some(_) => what.clone(),
         });
         Told { diagnosis: ended, ..Told::default() }
     }

@@ -3,13 +3,19 @@
 use derivations::scene::Issue;
 use derivations::scene::read::{At, Table};
 use model::{
-    BodySource, ConstraintSource, Entry, EventSource, Fault, InertiaSource, InputSource, LoadSource, Source, Text,
+    BodySource, ConstraintSource, ContactSource, Entry, EventSource, Fault, InertiaSource, InputSource, LoadSource,
+    Source, Text,
 };
 use std::ops::Range;
 
 /// Tables that the language will have.
-const LATER: [(&str, &str); 4] =
-    [("contact", "contacts with friction"), ("drive", "drives"), ("circuit", "circuits"), ("controls", "controls")];
+const LATER: [(&str, &str); 5] = [
+    ("drive", "drives"),
+    ("winding", "windings of drives"),
+    ("machine", "machines"),
+    ("circuit", "circuits"),
+    ("controls", "controls"),
+];
 
 /// Reads every table of the system.
 pub fn source(top: &mut Table<'_>) -> Source {
@@ -19,7 +25,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
         if let Some(span) = top.place_of(key) {
             top.known(&[key]);
             let issue = Issue::at(span, format!("{what} are not there yet"), "not there yet");
-            top.report(issue.accepted("parameters, coordinates, speeds, definitions, frames, points, bodies, energies, forces, torques, constraints, inputs, events, outputs, start"));
+            top.report(issue.accepted("parameters, coordinates, speeds, definitions, frames, points, bodies, energies, forces, torques, constraints, contacts, inputs, events, outputs, start"));
         }
     }
     let (start, equilibrium) = start(top);
@@ -36,6 +42,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
         forces: loads(top, "force"),
         torques: loads(top, "torque"),
         constraints: constraints(top),
+        contacts: contacts(top),
         outputs: entries(top, "outputs"),
         inputs: inputs(top),
         events: events(top),
@@ -56,7 +63,7 @@ fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
 }
 
 /// Tables and keys at the top of a file.
-const TOP: [&str; 19] = [
+const TOP: [&str; 20] = [
     "title",
     "description",
     "language",
@@ -72,6 +79,7 @@ const TOP: [&str; 19] = [
     "force",
     "torque",
     "constraint",
+    "contact",
     "inputs",
     "outputs",
     "event",
@@ -277,6 +285,37 @@ fn programmed(constraint: &mut Table<'_>) -> Option<Vec<Text>> {
     let gains = gains.iter().map(|gain| placed(&table, gain)).collect();
     constraint.absorb(table);
     Some(gains)
+}
+
+fn contacts(top: &mut Table<'_>) -> Vec<ContactSource> {
+    let mut contacts = Vec::new();
+    for mut table in
+        top.tables("contact", "[[contact]] in double brackets is accepted, since a system may have several")
+    {
+        let mut text = |key: &str, needed: &str| text_of(&mut table, key, needed);
+        let mut contact = ContactSource {
+            name: text("name", "name"),
+            of: text("of", "\"ladder at B\""),
+            with: text("with", "body that is touched"),
+            between: text("between", "\"slider, N along x\""),
+            through: text("through", "point of the plane"),
+            normal: text("normal", "direction in which the gap grows, a vector"),
+            gap: text("gap", "gap, a length"),
+            sides: text("sides", "\"one\" or \"both\""),
+            friction: text("friction", "coefficient of friction"),
+            restitution: text("restitution", "coefficient of restitution"),
+            touching: false,
+            at: 0..0,
+        };
+        contact.touching = table.flag("touching", "the start is completed so that it touches");
+        contact.at = table.span();
+        let sound = !table.has_issues();
+        top.absorb(table);
+        if sound {
+            contacts.push(contact);
+        }
+    }
+    contacts
 }
 
 /// `u = { unit = "N", value = "F*sin(w*t)" }`, or `u = "N"`: an input without a value.

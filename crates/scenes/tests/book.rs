@@ -1,6 +1,7 @@
 //! Every file that the book shows is read and runs to its end; so does every piece of one, put into the file before it.
 
 use derivations::scene::{Choice, Smooth};
+use model::Fault;
 use scenes::ModelScene;
 use std::time::Duration;
 
@@ -41,7 +42,7 @@ fn with(file: &str, piece: &str) -> String {
 
 #[test]
 fn every_file_and_piece_of_the_book_runs() {
-    let (mut file, mut count) = ("", 0);
+    let (mut file, mut count, mut open) = ("", 0, Vec::<String>::new());
     for block in blocks("toml") {
         let text = match block.contains("[coordinates]") {
             true => {
@@ -51,13 +52,28 @@ fn every_file_and_piece_of_the_book_runs() {
             false => with(file, block),
         };
         let scene = ModelScene::parse("book", &text).unwrap_or_else(|error| panic!("{error}"));
-        assert!(scene.model.warnings.is_empty(), "{:?}\n{block}", scene.model.warnings);
+        let (unused, others): (Vec<&Fault>, Vec<&Fault>) =
+            scene.model.warnings.iter().partition(|warning| warning.title.starts_with("nothing uses the parameter `"));
+        assert!(others.is_empty(), "{others:?}\n{block}");
+        // parameters of a file are used by it, or by a piece that is put into it
+        let name = |warning: &&Fault| text[warning.span.clone()].to_owned();
+        match block.contains("[coordinates]") {
+            true => {
+                assert!(open.is_empty(), "no piece uses {open:?}");
+                open = unused.iter().map(name).collect();
+            }
+            false => {
+                let still: Vec<String> = unused.iter().map(name).collect();
+                open.retain(|parameter| still.contains(parameter));
+            }
+        }
         let choice = Choice { allowed: Duration::from_secs(60), ..scene.run().choice() };
         let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
         assert_eq!(trajectory.stopped(), None, "{block}");
         assert!(trajectory.last.iter().all(|value| value.is_finite()), "{block}");
         count += 1;
     }
+    assert!(open.is_empty(), "no piece uses {open:?}");
     assert!(count >= 14, "only {count} blocks were found");
 }
 

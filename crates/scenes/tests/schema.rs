@@ -128,7 +128,9 @@ fn every_file_of_the_project_is_accepted() {
 #[test]
 fn what_the_reader_refuses_by_its_form_the_schema_refuses() {
     let file = |more: &str| of_text(&format!("title = \"t\"\n[coordinates]\nx = \"m\"\n{more}"));
-    assert_eq!(refused(&schema(), &file(""), ""), Vec::<String>::new());
+    for accepted in ["", "[start]\nequilibrium = true\nx = \"1 m\""] {
+        assert_eq!(refused(&schema(), &file(accepted), ""), Vec::<String>::new());
+    }
     for (more, way) in [
         ("[[force]]\non = \"a\"\nbetween = [\"a\", \"b\"]\nis = \"F\"", "/force/0"),
         ("[[force]]\nis = \"F\"", "/force/0"),
@@ -137,8 +139,10 @@ fn what_the_reader_refuses_by_its_form_the_schema_refuses() {
         ("[[event]]\nwhen = \"x\"\nend = \"yes\"", "/event/0/end"),
         ("[[event]]\nwhen = \"x\"\nend = true\ndirection = \"left\"", "/event/0/direction"),
         ("[run]\ntolerance = 1e-8", "/run: no span"),
+        ("[start]\nequilibrium = \"yes\"", "/start/equilibrium"),
         ("[run]\nspan = \"1 s\"\nsamples = 0", "/run/samples"),
-        ("[contact]\nof = \"x\"", ": unknown contact"),
+        ("[[contact]]\nof = \"x\"", "/contact/0"),
+        ("[[contact]]\nbetween = \"b, N along x\"\nsides = \"two\"", "/contact/0/sides"),
         ("[bodies.b]\nmas = \"m\"", "/bodies/b: unknown mas"),
     ] {
         let found = refused(&schema(), &file(more), "");
@@ -147,12 +151,12 @@ fn what_the_reader_refuses_by_its_form_the_schema_refuses() {
 }
 
 const READ: &str = "title = \"t\"\nTOP\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x\"\nmass = \"m\"\nBODY\n\
-                    [[force]]\non = \"b\"\nis = \"0\"\nFORCE\n[[torque]]\non = \"N\"\nis = \"0\"\nTORQUE\n[[constraint]]\nzero = \"x\"\nCONSTRAINT\n\
+                    [[force]]\non = \"b\"\nis = \"0\"\nFORCE\n[[torque]]\non = \"N\"\nis = \"0\"\nTORQUE\n[[constraint]]\nzero = \"x\"\nCONSTRAINT\n[[contact]]\nof = \"b\"\nthrough = \"O\"\nnormal = \"N.x\"\nCONTACT\n\
                     [[event]]\nwhen = \"x\"\nend = true\nEVENT\n[inputs]\nu = { unit = \"N\"INPUT }\n[run]\nspan = \"1 s\"\nRUN\n";
 
 /// The file with something at one of its places.
 fn with(place: &str, written: &str) -> String {
-    let places = ["TOP", "BODY", "FORCE", "TORQUE", "CONSTRAINT", "EVENT", "INPUT", "RUN"];
+    let places = ["TOP", "BODY", "FORCE", "TORQUE", "CONSTRAINT", "CONTACT", "EVENT", "INPUT", "RUN"];
     places
         .iter()
         .fold(READ.to_owned(), |text, other| text.replacen(other, if *other == place { written } else { "" }, 1))
@@ -189,6 +193,7 @@ fn the_schema_has_every_key_that_the_reader_knows_and_no_other() {
             "programmed = { gains = [\"(1 1/s)\"], unheard_of_key = 1 }",
             "/properties/constraint/items/properties/programmed",
         ),
+        ("CONTACT", one, "/properties/contact/items"),
         ("EVENT", one, "/properties/event/items"),
         ("INPUT", ", unheard_of_key = 1", "/properties/inputs/additionalProperties/anyOf/1"),
         ("RUN", one, "/properties/run"),

@@ -137,6 +137,23 @@ fn a_coordinate_without_inertia_moves_with_what_holds_it() {
     }
 }
 
+/// Without inertia lambda (-r cos(theta)) + T = 0.
+#[test]
+fn the_reaction_on_a_coordinate_without_inertia_balances_the_force_along_it() {
+    let text = MASSLESS
+        .replacen(
+            "[outputs]",
+            "[[force]]\nalong = \"theta\"\nis = \"(0.6 N m)\"\n[outputs]\nlambda = \"reaction(rod)\"",
+            1,
+        )
+        .replacen("[[constraint]]", "[[constraint]]\nname = \"rod\"", 1)
+        .replacen("span = \"3 s\"", "span = \"0.2 s\"", 1);
+    let trajectory = runs(&text, Method::DormandPrince8, 1e-11);
+    assert_eq!(trajectory.stopped(), None);
+    let at = |name: &str| trajectory.last[trajectory.column(name).unwrap()];
+    assert!((at("lambda") - 0.6 / (3.0 * at("theta").cos())).abs() < 1e-9, "{}", at("lambda"));
+}
+
 #[test]
 fn members_of_an_ensemble_are_solved_for_too() {
     let vary = "[ensemble]\nmembers = 11\n[ensemble.vary]\nparameters.k = { from = \"4 N/m\", to = \"9 N/m\" }\n";

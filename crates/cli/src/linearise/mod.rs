@@ -4,13 +4,12 @@ mod print;
 
 use self::print::{Names, csv, object, text};
 use crate::clock;
-use crate::ending::{Ending, warn};
+use crate::ending::{Ending, placed, warn};
 use crate::progress::Progress;
 use ::scenes::linearisation::{Linearisation, NotLinear, Stability, Standing, VariedEquations, eigenvalues, points};
-use ::scenes::{ModelScene, equilibrium_of, independent_at, independent_start, read_model};
+use ::scenes::{ModelScene, Task, equilibrium_of, independent_at, independent_start, read_model, without_law};
 use clap::{Args, ValueEnum};
 use derivations::scene::file::read_text;
-use derivations::scene::{Issue, SceneError};
 use model::Model;
 use serde_json::json;
 use std::path::PathBuf;
@@ -71,13 +70,14 @@ struct Found {
 /// Prints the matrices, the eigenvalues and what they say.
 pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
     let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
-    let mut model = read_model(&asked.scene)?;
+    let mut model = read_model(&asked.scene, Task::Vary)?;
     // inputs without a value are taken about zero
     model.close_inputs();
     let inputs = inputs(&mut model, &asked.inputs).map_err(refused)?;
     let _progress = Progress::new("the linear equations");
     let instances = instances(&mut model, asked)?;
-    let equations = VariedEquations::of(&model, &inputs).map_err(|why| refused(why.to_string()))?;
+    let equations = VariedEquations::of(&model, &inputs)
+        .map_err(|why| placed(&asked.scene, without_law(&model, &why, "there are no linear equations")))?;
     if !equations.feedback.is_empty() {
         let inputs: Vec<String> = equations.feedback.iter().map(|name| format!("`{name}`")).collect();
         warn(&format!(
@@ -89,10 +89,7 @@ pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
     }
     let mut all = Vec::with_capacity(instances.len());
     for (time, state) in instances {
-        let no_linear = |why: NotLinear| match why {
-            NotLinear::AtCondition { switch } => at_condition(&model, asked, switch, &format!("at t = {time} s {why}")),
-            _ => refused(format!("at t = {time} s {why}")),
-        };
+        let no_linear = |why: NotLinear| placed(&asked.scene, why.at(&model, time));
         let linear = equations.linearised(equations.point(time, &state)).map_err(no_linear)?;
         let standing = equations.standing(&linear).map_err(no_linear)?;
         let eigenvalues = eigenvalues(&linear.a);
@@ -109,17 +106,6 @@ pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
         Form::Csv => csv(&names, &all),
     })?;
     Ok(Ending::Done)
-}
-
-/// A condition that is zero at a point, at its place in the file.
-fn at_condition(model: &Model, asked: &Asked, switch: usize, why: &str) -> Ending {
-    let text = match read_text(&asked.scene) {
-        Ok(text) => text,
-        Err(error) => return error.into(),
-    };
-    let issue = Issue::at(model.switch_places[switch].clone(), why, "this condition is zero there");
-    let issue = issue.accepted("a point at which no condition is zero: another start, or --times");
-    SceneError { path: asked.scene.display().to_string(), text, issues: vec![issue] }.into()
 }
 
 /// The places of parameters that are inputs; one without a value is taken about zero.
@@ -169,11 +155,6 @@ fn instances(model: &mut Model, asked: &Asked) -> Result<Vec<points::Instance>, 
             independent_at(model, &found.state).map(|()| found.state)
         }),
     };
-    match state {
-        Ok(state) => Ok(vec![(0.0, state)]),
-        Err(issue) => {
-            let (path, text) = (asked.scene.display().to_string(), read_text(&asked.scene)?);
-            Err(SceneError { path, text, issues: vec![issue] }.into())
-        }
-    }
+    let state = state.map_err(|issue| placed(&asked.scene, issue))?;
+    Ok(vec![(0.0, state)])
 }

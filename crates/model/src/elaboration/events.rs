@@ -32,6 +32,7 @@ impl Elaborator<'_> {
     pub(super) fn events(&mut self) {
         for event in &self.source.events {
             let found = self.event(event);
+            let found = self.beside(found, event.set.iter().map(|entry| &entry.value));
             if let Some(event) = self.kept(found) {
                 self.model.events.push(event);
             }

@@ -35,8 +35,13 @@ impl Elaborator<'_> {
                 meanings.push(Meaning::Literal { start: span.start, end: span.end });
                 continue;
             }
-            let meaning = self.meaning(text, form, &text.part(span), &meanings, &expression.spans)?;
-            meanings.push(meaning);
+            match self.meaning(text, form, &text.part(span), &meanings, &expression.spans) {
+                Ok(meaning) => meanings.push(meaning),
+                Err(fault) => {
+                    self.later_names(text, expression, place + 1, &of_constraints);
+                    return Err(fault);
+                }
+            }
         }
         self.judge_angles(text, expression);
         match meanings.last() {
@@ -125,7 +130,7 @@ impl Elaborator<'_> {
         Ok(Value::Scalar(self.scalar(Scalar::Number(Number { value, times, per }), dimension)))
     }
 
-    fn named(&mut self, span: &Range<usize>, name: &str) -> Sound<Meaning> {
+    pub(super) fn named(&mut self, span: &Range<usize>, name: &str) -> Sound<Meaning> {
         if self.broken.contains(name) {
             return Err(Box::new(Fault::consequence(span.clone())));
         }
@@ -133,6 +138,9 @@ impl Elaborator<'_> {
             Some(Named::Value(value)) => return Ok(Meaning::Value(*value)),
             Some(Named::Body(body)) => return Ok(Meaning::Body(*body)),
             None => {}
+        }
+        if let Some(energy) = self.energy_shown(span, name)? {
+            return Ok(Meaning::Value(Value::Scalar(energy)));
         }
         let plain = name.replace('′', "'").replace('″', "''");
         let base = plain.trim_end_matches('\'');
@@ -188,9 +196,13 @@ impl Elaborator<'_> {
         }
     }
 
-    fn member(&mut self, span: &Range<usize>, of: &str, name: &str) -> Sound<Value> {
+    pub(super) fn member(&mut self, span: &Range<usize>, of: &str, name: &str) -> Sound<Value> {
         if let Some(fault) = self.component_of_no_frame(span, of, name) {
             return Err(Box::new(fault));
+        }
+        if name == "i" && !self.names.contains_key(of) && !self.broken.contains(of) {
+            let accepted = "a current as a coordinate's rate q', and its voltages as forces along q";
+            return Err(not_yet(span, &format!("the current `{of}.i` of a drive"), accepted));
         }
         let frame = self.frame(&Text::at(of, span.start))?;
         let per_second = Some(Dimension::none() / Dimension::time());
@@ -249,10 +261,13 @@ pub(super) fn lone_condition(span: Range<usize>) -> Box<Fault> {
     Box::new(Fault::at(span, "a condition stands in `if` alone", "a condition", accepted))
 }
 
-/// The arguments of `reaction`: names and numbers as they stand.
+/// Functions of names of constraints and contacts.
+const OF_NAMES: [&str; 4] = ["reaction", "friction", "gap", "sliding"];
+
+/// Their arguments: names and numbers as they stand.
 fn constraint_names(expression: &Expression) -> Vec<usize> {
     let calls = expression.parts.iter().filter_map(|form| match form {
-        Form::Call { function, arguments } if function == "reaction" => Some(arguments),
+        Form::Call { function, arguments } if OF_NAMES.contains(&function.as_str()) => Some(arguments),
         _ => None,
     });
     let literal = |part: &usize| matches!(expression.parts[*part], Form::Name(_) | Form::Number(_));

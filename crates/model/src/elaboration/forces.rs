@@ -7,7 +7,7 @@ use crate::{Fault, Force, LoadSource, Material, PointId, ScalarId, Text, Torque,
 use symbolic::Dimension;
 
 /// Receiver of a force.
-enum Acted {
+pub(super) enum Acted {
     Moving(Material),
     /// The ground, at a place: it gives the line of action and does no work.
     Ground(PointId),
@@ -47,7 +47,14 @@ impl Elaborator<'_> {
                 Ok(Force::On { at, is: self.vector_value(&load.is, "the force on a point", Some(newton()))? })
             }
             Err([first, second]) => {
-                let acted = (self.acted(first)?, self.acted(second)?);
+                let acted = match (self.acted(first), self.acted(second)) {
+                    (Ok(first), Ok(second)) => (first, second),
+                    (Ok(_), Err(fault)) => return Err(fault),
+                    (Err(fault), other) => {
+                        self.kept(other);
+                        return Err(fault);
+                    }
+                };
                 let is = self.scalar_value(&load.is, "the force between two points", Some(newton()))?;
                 let apart = |a: PointId, b: PointId| match a == b {
                     true => {
@@ -116,7 +123,7 @@ impl Elaborator<'_> {
 
     /// A point of a body, or one that moves by itself: `disc at G`, `P`, or a body's centre of mass by the body alone;
     /// `ground at P` for a place of the ground.
-    fn acted(&mut self, text: &Text) -> Sound<Acted> {
+    pub(super) fn acted(&mut self, text: &Text) -> Sound<Acted> {
         let is_ground = |name: &str| matches!(name.trim(), "ground" | "N");
         if is_ground(&text.text) {
             let title = "a force acts at a point, and the ground is everywhere";

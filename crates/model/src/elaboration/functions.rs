@@ -3,6 +3,7 @@
 use super::elementary::OF_ONE;
 use super::expressions::{Meaning, not_yet};
 use super::operations::no_operation;
+use super::orders::ACCELERATIONS;
 use super::value::Value;
 use super::{Elaborator, Sound, unknown};
 use crate::arena::{Function, Scalar, Vector};
@@ -13,7 +14,7 @@ use std::ops::Range;
 use symbolic::Dimension;
 
 /// Functions that the language has.
-const FUNCTIONS: [&str; 23] = [
+const FUNCTIONS: [&str; 27] = [
     "sin",
     "cos",
     "tan",
@@ -35,8 +36,12 @@ const FUNCTIONS: [&str; 23] = [
     "angular_velocity",
     "rate",
     "reaction",
+    "friction",
+    "gap",
+    "sliding",
     "joint_force",
     "joint_torque",
+    "momentum",
 ];
 
 /// Functions that the language will have.
@@ -158,6 +163,11 @@ impl Elaborator<'_> {
                 let arguments: Vec<Meaning> = found.iter().map(|found| found.meaning).collect();
                 self.reaction(text, span, &arguments)
             }
+            "friction" | "gap" | "sliding" => {
+                self.must_be_output(span, function)?;
+                let arguments: Vec<Meaning> = found.iter().map(|found| found.meaning).collect();
+                self.of_contact(text, span, function, &arguments)
+            }
             "joint_force" | "joint_torque" => {
                 self.must_be_output(span, function)?;
                 count(1)?;
@@ -167,6 +177,11 @@ impl Elaborator<'_> {
                     }
                     _ => Err(Box::new(Fault::at(span.clone(), "a body has a joint", "here", usage(function)))),
                 }
+            }
+            "momentum" => {
+                self.must_be_output(span, function)?;
+                count(1)?;
+                self.momentum(span, plain(0)?)
             }
             later if LATER.contains(&later) => Err(not_yet(
                 span,
@@ -213,7 +228,7 @@ impl Elaborator<'_> {
     }
 
     /// The length of a vector, or the vector of length one along it.
-    fn length(&mut self, span: &Range<usize>, along: bool, of: Value) -> Sound<Value> {
+    pub(super) fn length(&mut self, span: &Range<usize>, along: bool, of: Value) -> Sound<Value> {
         let Value::Vector(of) = of else { return Err(no_operation(span, "measured", &[of])) };
         let dimension = self.dimension_of(of.0);
         let norm = self.scalar(Scalar::Norm(of), dimension);
@@ -272,13 +287,25 @@ impl Elaborator<'_> {
         self.frame(&Text::at(name, span.start))
     }
 
+    /// Rates of accelerations and of reactions are third rates of coordinates, which no law gives.
+    fn must_have_rate(&self, span: &Range<usize>, part: usize) -> Sound<()> {
+        if self.orders.of(part).is_none_or(|order| order < ACCELERATIONS) {
+            return Ok(());
+        }
+        let title = "accelerations and reactions have no rate here";
+        let accepted = "rates of coordinates, speeds and what is made of them; the equations of motion give second rates, and no third ones";
+        Err(Box::new(Fault::at(span.clone(), title, "this would hold a third rate of a coordinate", accepted)))
+    }
+
     fn rate(&mut self, span: &Range<usize>, found: &Found) -> Sound<Value> {
         match (found.meaning, &found.place) {
             (Meaning::Value(Value::Scalar(of)), None) => {
+                self.must_have_rate(span, of.0)?;
                 let dimension = self.dimension_of(of.0).map(|of| of / Dimension::time());
                 Ok(Value::Scalar(self.scalar(Scalar::RateOf(of), dimension)))
             }
             (Meaning::Value(Value::Vector(of)), place) if !matches!(place, Some((Preposition::At, ..))) => {
+                self.must_have_rate(span, of.0)?;
                 let seen = self.seen(span, "rate", found)?;
                 let dimension = self.dimension_of(of.0).map(|of| of / Dimension::time());
                 Ok(Value::Vector(self.vector(Vector::RateOf { of, seen }, dimension)))
@@ -288,7 +315,7 @@ impl Elaborator<'_> {
     }
 }
 
-fn usage(function: &str) -> &'static str {
+pub(super) fn usage(function: &str) -> &'static str {
     match function {
         "if" => "if(t < (2 s), a, b)",
         "abs" | "sign" => "abs(a), sign(a) of a scalar",
@@ -302,6 +329,8 @@ fn usage(function: &str) -> &'static str {
         "acceleration" => "acceleration(P), acceleration(disc at P), acceleration(P in B)",
         "angular_velocity" => "angular_velocity(B), angular_velocity(B in A) of a frame or a body",
         "joint_force" | "joint_torque" => "joint_force(disc), joint_torque(disc) of a body",
+        "friction" | "gap" | "sliding" => "friction(floor), gap(floor), sliding(floor) of a named [[contact]]",
+        "momentum" => "momentum(theta) of a coordinate, dT/d(theta'); momentum(F.wx) of a free frame, dT/d(F.wx)",
         "rate" => "rate(e) of a scalar, rate(v in B) of a vector",
         _ => "one scalar",
     }

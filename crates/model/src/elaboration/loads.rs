@@ -1,5 +1,6 @@
 //! Gravity, energies, constraints, outputs, and the start; forces and torques stand in `forces`.
 
+use super::expressions::not_yet;
 use super::value::Value;
 use super::{Elaborator, GRAVITY, Sound, mismatch};
 use crate::parts::TURNING;
@@ -33,25 +34,35 @@ impl Elaborator<'_> {
         for force in &self.source.forces {
             if let Some(along) = &force.along {
                 let found = self.generalised(along, force);
+                let found = self.beside(found, [&force.is]);
                 if let Some(generalised) = self.kept(found) {
                     self.model.generalised.push(generalised);
                 }
                 continue;
             }
             let found = self.force(force);
+            let found = self.beside(found, [&force.is]);
             if let Some(force) = self.kept(found) {
                 self.model.forces.push(force);
             }
         }
         for torque in &self.source.torques {
             let found = self.torque(torque);
+            let found = self.beside(found, [&torque.is]);
             if let Some(torque) = self.kept(found) {
                 self.model.torques.push(torque);
             }
         }
         for constraint in &self.source.constraints {
             let found = self.constraint(constraint);
+            let found = self.beside(found, constraint.gains.iter().flatten().chain(&constraint.zero));
             self.kept(found);
+        }
+        for (place, contact) in self.source.contacts.iter().enumerate() {
+            let found = self.contact(place, contact);
+            if let Some(contact) = self.kept(found) {
+                self.model.contacts.push(contact);
+            }
         }
         self.show_quasi_velocities();
         self.shows_loads = true;
@@ -64,6 +75,9 @@ impl Elaborator<'_> {
     }
 
     fn energy(&mut self, Entry { name, value }: &Entry) -> Sound<()> {
+        if name.text == "coenergy" {
+            return Err(not_yet(&name.span(), "the energy `coenergy`", "kinetic, potential, dissipation"));
+        }
         let needed = match name.text.as_str() {
             "dissipation" => joule() / Dimension::time(),
             _ => joule(),

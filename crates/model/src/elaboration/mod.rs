@@ -4,28 +4,37 @@ mod angles;
 mod axial;
 mod choices;
 mod constants;
+mod contacts;
 mod elementary;
+mod energies_shown;
 mod events;
 mod expressions;
 mod forces;
 mod functions;
 mod headings;
 mod loads;
+mod neighbours;
 mod operations;
 mod order;
+mod orders;
 mod orientation;
+mod output_switches;
+mod oversights;
 mod quasi_velocities;
 mod rates;
 mod reactions;
+mod released;
 mod system;
 #[cfg(test)]
 mod tests;
+mod unheld_axes;
 mod value;
 
 use crate::arena::{Arena, Scalar, Vector};
 use crate::expression::{Expression, read};
 use crate::{BodyId, Fault, Frame, FrameId, Model, Point, PointId, ScalarId, Source, Text, VectorId};
 use constants::Constant;
+use orders::Orders;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use symbolic::Dimension;
@@ -52,6 +61,16 @@ const MOST: usize = 1000;
 
 /// Resolves a system.
 pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
+    let mut model = elaborated(source)?;
+    if !model.contacts.is_empty() {
+        contacts::planar(&model)?;
+        released::release(source, &mut model)?;
+    }
+    Ok(model)
+}
+
+/// The same, its guides as they are.
+fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
     let mut elaborator = Elaborator::new(source);
     elaborator.letters();
     for kind in order::ordered(source, &mut elaborator.faults, &mut elaborator.broken) {
@@ -73,7 +92,14 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     faults.sort_by_key(|fault| fault.span.start);
     once_for_each_name(&mut faults);
     if faults.is_empty() {
+        output_switches::stepped(&mut model);
         faults = axial::tilted(&model);
+    }
+    oversights::name_bare_parameters(source, &mut faults);
+    if faults.is_empty() {
+        model.warnings.extend(unheld_axes::unheld_axes(source, &model));
+        model.warnings.extend(oversights::unused(source));
+        model.warnings.sort_by_key(|warning| warning.span.start);
     }
     if faults.is_empty() { Ok(model) } else { Err(faults) }
 }
@@ -105,6 +131,8 @@ struct Elaborator<'s> {
     dimensions: Vec<Option<Dimension>>,
     /// The exact value of each part that is made of constants.
     constants: Vec<Option<Constant>>,
+    /// The highest rate of a coordinate in each part.
+    orders: Orders,
     /// Whether reactions and loads of joints may stand here: in outputs.
     shows_loads: bool,
     /// Names whose definition is wrong: nothing more is said of them.
@@ -125,6 +153,7 @@ impl<'s> Elaborator<'s> {
             names: FxHashMap::default(),
             dimensions: Vec::new(),
             constants: Vec::new(),
+            orders: Orders::default(),
             shows_loads: false,
             broken: FxHashSet::default(),
             faults: Vec::new(),
@@ -147,20 +176,24 @@ impl<'s> Elaborator<'s> {
 
     fn scalar(&mut self, scalar: Scalar, dimension: Option<Dimension>) -> ScalarId {
         let constant = self.constant_of(&scalar);
+        let order = self.orders.of_scalar(&self.model, &scalar);
         let id = self.arena().scalar(scalar, dimension);
         // what was written before has its dimension
         if id.0 == self.dimensions.len() {
             self.dimensions.push(dimension);
             self.constants.push(constant);
+            self.orders.push(order);
         }
         id
     }
 
     fn vector(&mut self, vector: Vector, dimension: Option<Dimension>) -> VectorId {
+        let order = self.orders.of_vector(&self.model, &vector);
         let id = self.arena().vector(vector);
         if id.0 == self.dimensions.len() {
             self.dimensions.push(dimension);
             self.constants.push(None);
+            self.orders.push(order);
         }
         id
     }
@@ -206,10 +239,8 @@ impl<'s> Elaborator<'s> {
         };
         match fault {
             Some(fault) => {
-                // what stands for it elsewhere has another meaning there
-                if is_reserved(text) {
-                    self.broken.insert(text.to_owned());
-                }
+                // what stands for it elsewhere may mean either
+                self.broken.insert(text.to_owned());
                 self.faults.push(fault);
             }
             None => {
@@ -387,10 +418,21 @@ fn unknown<'a>(
     let mut known: Vec<&str> = known.collect();
     known.sort_unstable();
     known.dedup();
-    let accepted = match units::nearest(name, known.iter().copied()) {
+    let accepted = match rate_in_letters(name, &known)
+        .or_else(|| units::nearest(name, known.iter().copied()).map(str::to_owned))
+    {
         Some(nearest) => format!("is `{nearest}` meant?"),
         None if known.is_empty() => format!("the system has no {kind}"),
         None => format!("known here: {}", known.join(", ")),
     };
     Fault::at(span, format!("no {kind} is called `{name}`"), "not known", accepted)
+}
+
+/// `thdot`, `th_dot` and `thddot` as they are written: th' and th''.
+fn rate_in_letters(name: &str, known: &[&str]) -> Option<String> {
+    let of = |ends: [&str; 2], primes: &str| {
+        let base = ends.into_iter().find_map(|end| name.strip_suffix(end))?;
+        known.contains(&base).then(|| format!("{base}{primes}"))
+    };
+    of(["_ddot", "ddot"], "''").or_else(|| of(["_dot", "dot"], "'"))
 }

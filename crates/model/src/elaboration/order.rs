@@ -44,8 +44,9 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
         all.push((Definition::Input(at), &input.name, input.value.iter().collect()));
     }
     without_second(source, &mut all, faults, broken);
-    let places: FxHashMap<&str, usize> =
-        all.iter().enumerate().map(|(place, (_, name, _))| (name.text.as_str(), place)).collect();
+    // a reserved name means what it always means, whatever a file defines by it
+    let named = all.iter().enumerate().filter(|(_, (_, name, _))| !super::is_reserved(&name.text));
+    let places: FxHashMap<&str, usize> = named.map(|(place, (_, name, _))| (name.text.as_str(), place)).collect();
     // x' is a rate of a coordinate, v' that of a quasi-velocity
     let place = |name: &String| {
         let base = name.trim_end_matches(['\'', '′', '″']);
@@ -98,8 +99,7 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
     order
 }
 
-/// Leaves out each definition whose name has a meaning already, and tells it. A name of two definitions means neither elsewhere; one of a
-/// parameter or a coordinate means that.
+/// Leaves out each definition whose name has another one, and tells it. Such a name means neither of the two elsewhere.
 fn without_second<'s>(
     source: &'s Source,
     all: &mut Vec<(Definition, &'s Text, Vec<&'s Text>)>,
@@ -107,17 +107,14 @@ fn without_second<'s>(
     broken: &mut FxHashSet<String>,
 ) {
     let letters = source.parameters.iter().chain(&source.coordinates).map(|entry| entry.name.text.as_str());
-    let letters: FxHashSet<&str> = letters.collect();
-    let mut known = letters.clone();
+    let mut known: FxHashSet<&str> = letters.collect();
     let mut in_file: Vec<&Text> = all.iter().map(|(_, name, _)| *name).collect();
     in_file.sort_by_key(|name| name.span().start);
     for name in in_file.into_iter().filter(|name| !known.insert(name.text.as_str())) {
         faults.push(super::defined_twice(source, name));
-        if !letters.contains(name.text.as_str()) {
-            broken.insert(name.text.clone());
-        }
+        broken.insert(name.text.clone());
     }
-    all.retain(|(_, name, _)| !letters.contains(name.text.as_str()) && !broken.contains(&name.text));
+    all.retain(|(_, name, _)| !broken.contains(&name.text));
 }
 
 fn circular<'a>(circle: &[usize], name: impl Fn(usize) -> &'a Text) -> Fault {

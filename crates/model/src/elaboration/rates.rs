@@ -2,96 +2,9 @@
 //! loads, masses and the other energies hold speeds, and no accelerations, which a mass matrix that is symmetric would lose.
 
 use super::Elaborator;
-use crate::arena::{Part, Scalar, Vector};
-use crate::{
-    Constraint, Fault, Force, FrameId, Inertia, Material, Model, PointId, ScalarId, Text, Torque, Turn, VectorId, Zero,
-};
+use super::orders::Orders;
+use crate::{Constraint, Fault, Force, Inertia, ScalarId, Text, Torque, Turn, VectorId, Zero};
 use std::ops::Range;
-
-/// The highest rate of a coordinate in each part: none of one that no coordinate moves.
-struct Orders<'m> {
-    model: &'m Model,
-    of_parts: Vec<Option<usize>>,
-}
-
-impl<'m> Orders<'m> {
-    fn of(model: &'m Model) -> Self {
-        let mut orders = Orders { model, of_parts: Vec::with_capacity(model.arena.parts.len()) };
-        for part in &model.arena.parts {
-            let order = match part {
-                Part::Scalar(scalar) => orders.of_scalar(scalar),
-                Part::Vector(vector) => orders.of_vector(vector),
-            };
-            orders.of_parts.push(order);
-        }
-        orders
-    }
-
-    fn of_scalar(&self, scalar: &Scalar) -> Option<usize> {
-        let of = |id: &ScalarId| self.of_parts[id.0];
-        match scalar {
-            Scalar::Number(_) | Scalar::Parameter(_) | Scalar::Time | Scalar::Switch(_) | Scalar::Pi => None,
-            Scalar::Reaction { .. } => None,
-            Scalar::Coordinate(_) => Some(0),
-            Scalar::Rate { order, .. } => Some(*order),
-            Scalar::Input(input) => self.model.inputs[*input].value.as_ref().and_then(of),
-            Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) => of(a),
-            Scalar::Sum(a, b) | Scalar::Difference(a, b) | Scalar::Product(a, b) | Scalar::Quotient(a, b) => {
-                of(a).max(of(b))
-            }
-            Scalar::Elementary(_, a, b) => of(a).max(of(b)),
-            Scalar::Dot(a, b) => self.of_parts[a.0].max(self.of_parts[b.0]),
-            Scalar::Norm(a) => self.of_parts[a.0],
-            Scalar::RateOf(a) => of(a).map(|order| order + 1),
-        }
-    }
-
-    fn of_vector(&self, vector: &Vector) -> Option<usize> {
-        let of = |id: &crate::VectorId| self.of_parts[id.0];
-        let rate = |order: Option<usize>| order.map(|order| order + 1);
-        match vector {
-            Vector::Zero | Vector::Reaction { .. } | Vector::JointForce(_) | Vector::JointTorque(_) => None,
-            Vector::Axis { frame, .. } => self.of_frame(*frame),
-            Vector::Negation(a) => of(a),
-            Vector::Sum(a, b) | Vector::Difference(a, b) | Vector::Cross(a, b) => of(a).max(of(b)),
-            Vector::Scaled(a, b) => self.of_parts[a.0].max(of(b)),
-            Vector::Between { from, to } => self.of_point(*from).max(self.of_point(*to)),
-            Vector::Velocity { of, seen } => rate(self.of_material(*of).max(self.of_frame(*seen))),
-            Vector::Acceleration { of, seen } => rate(rate(self.of_material(*of).max(self.of_frame(*seen)))),
-            Vector::AngularVelocity { of, seen } => rate(self.of_frame(*of).max(self.of_frame(*seen))),
-            Vector::RateOf { of: vector, seen } => rate(of(vector).max(self.of_frame(*seen))),
-        }
-    }
-
-    fn of_frame(&self, frame: FrameId) -> Option<usize> {
-        let mut order = None;
-        let mut at = frame;
-        while let Some((parent, turn)) = self.model.frames[at.0].parent {
-            let own = match turn {
-                Turn::About { angle, .. } => self.of_parts[angle.0],
-                Turn::Free { .. } => Some(0),
-            };
-            (order, at) = (order.max(own), parent);
-        }
-        order
-    }
-
-    fn of_point(&self, point: PointId) -> Option<usize> {
-        let mut order = None;
-        let mut at = point;
-        while let Some((base, way)) = self.model.points[at.0].base {
-            (order, at) = (order.max(self.of_parts[way.0]), base);
-        }
-        order
-    }
-
-    fn of_material(&self, at: Material) -> Option<usize> {
-        let body = at.body.map(|body| &self.model.bodies[body.0]);
-        let frame = body.and_then(|body| body.frame).and_then(|frame| self.of_frame(frame));
-        let centre = body.and_then(|body| body.centre).and_then(|centre| self.of_point(centre));
-        self.of_point(at.point).max(frame).max(centre)
-    }
-}
 
 /// An expression whose rates are bounded.
 struct Bounded {
@@ -114,8 +27,8 @@ impl Bounded {
 }
 
 /// The highest rate in some parts.
-fn highest(orders: &Orders<'_>, ids: &[ScalarId]) -> Option<usize> {
-    ids.iter().filter_map(|id| orders.of_parts[id.0]).max()
+fn highest(orders: &Orders, ids: &[ScalarId]) -> Option<usize> {
+    ids.iter().filter_map(|id| orders.of(id.0)).max()
 }
 
 /// Moments and products of inertia.
@@ -133,13 +46,13 @@ impl Elaborator<'_> {
         if !self.faults.is_empty() || !self.headless.is_empty() {
             return;
         }
-        let orders = Orders::of(&self.model);
-        let groups = [self.angles(&orders), self.ways(&orders), self.laws(&orders), self.acting(&orders)];
+        let orders = &self.orders;
+        let groups = [self.angles(orders), self.ways(orders), self.laws(orders), self.acting(orders)];
         let faults = groups.map(|group| group.into_iter().filter_map(Bounded::fault).collect::<Vec<Fault>>());
         let first = faults.into_iter().find(|group| !group.is_empty());
-        let solidified = self.solidified(&orders);
+        let (solidified, weightless) = (self.solidified(orders), self.weightless(orders));
         self.faults.extend(first.unwrap_or_default());
-        self.model.warnings.extend(solidified);
+        self.model.warnings.extend(solidified.into_iter().chain(weightless));
     }
 
     /// The text that gives a name its meaning.
@@ -151,9 +64,9 @@ impl Elaborator<'_> {
     }
 
     /// Warnings of masses and moments of inertia that depend on coordinates or speeds.
-    fn solidified(&self, orders: &Orders<'_>) -> Vec<Fault> {
+    fn solidified(&self, orders: &Orders) -> Vec<Fault> {
         let varies = |body: &&crate::Body| {
-            let mass = body.mass.and_then(|mass| orders.of_parts[mass.0]);
+            let mass = body.mass.and_then(|mass| orders.of(mass.0));
             let inertia = highest(orders, &moments(body));
             mass.or(inertia).is_some()
         };
@@ -162,7 +75,7 @@ impl Elaborator<'_> {
                 "the inertia of `{}` depends on the motion: its law is m a = F, as if it were solid at each instant",
                 body.name
             );
-            let mass = body.mass.and_then(|mass| orders.of_parts[mass.0]);
+            let mass = body.mass.and_then(|mass| orders.of(mass.0));
             let at = if mass.is_some() { body.mass_at.clone() } else { body.inertia_at.clone() };
             let accepted =
                 "a force of its own for what arrives or leaves; or [energies] kinetic, for the law of Lagrange";
@@ -171,26 +84,40 @@ impl Elaborator<'_> {
         self.model.bodies.iter().filter(varies).map(warning).collect()
     }
 
-    fn angles(&self, orders: &Orders<'_>) -> Vec<Bounded> {
+    /// Warnings of bodies with an inertia about a centre that moves, and without a mass.
+    fn weightless(&self, orders: &Orders) -> Vec<Fault> {
+        let moves = |body: &&crate::Body| {
+            let centre = body.centre.and_then(|centre| orders.of_point(&self.model, centre));
+            body.mass.is_none() && body.inertia.is_some() && centre.is_some()
+        };
+        let warning = |body: &crate::Body| {
+            let title = format!("the body `{}` has an inertia, a centre that moves, and no mass", body.name);
+            let accepted = "`mass`; without `centre` the inertia alone is meant";
+            Fault::at(body.at.clone(), title, "it has no weight, and its centre no inertia", accepted)
+        };
+        self.model.bodies.iter().filter(moves).map(warning).collect()
+    }
+
+    fn angles(&self, orders: &Orders) -> Vec<Bounded> {
         let of = |frame: &crate::Frame| {
             let Some((_, Turn::About { angle, .. })) = frame.parent else { return None };
             let what = format!("the angle of `{}`", frame.name);
-            Some(Bounded { what, order: orders.of_parts[angle.0], most: 0, span: self.written(&frame.name) })
+            Some(Bounded { what, order: orders.of(angle.0), most: 0, span: self.written(&frame.name) })
         };
         self.model.frames.iter().filter_map(of).collect()
     }
 
-    fn ways(&self, orders: &Orders<'_>) -> Vec<Bounded> {
+    fn ways(&self, orders: &Orders) -> Vec<Bounded> {
         let of = |point: &crate::Point| {
             let (_, way) = point.base?;
             let what = if point.name.is_empty() { "a point".to_owned() } else { format!("the point `{}`", point.name) };
-            Some(Bounded { what, order: orders.of_parts[way.0], most: 0, span: self.written(&point.name) })
+            Some(Bounded { what, order: orders.of(way.0), most: 0, span: self.written(&point.name) })
         };
         self.model.points.iter().filter_map(of).collect()
     }
 
     /// Gravity, forces and torques.
-    fn acting(&self, orders: &Orders<'_>) -> Vec<Bounded> {
+    fn acting(&self, orders: &Orders) -> Vec<Bounded> {
         let model = &self.model;
         let at_places = model.forces.iter().map(|force| match force {
             Force::On { is, .. } => is.0,
@@ -206,7 +133,7 @@ impl Elaborator<'_> {
         let gravity = gravity.map(|(part, text)| ("gravity", part, text.span()));
         let bounded = |(what, part, span): (&str, usize, Range<usize>)| Bounded {
             what: what.to_owned(),
-            order: orders.of_parts[part],
+            order: orders.of(part),
             most: 1,
             span: Some(span),
         };
@@ -214,7 +141,7 @@ impl Elaborator<'_> {
     }
 
     /// Energies, constraints, masses and moments of inertia.
-    fn laws(&self, orders: &Orders<'_>) -> Vec<Bounded> {
+    fn laws(&self, orders: &Orders) -> Vec<Bounded> {
         let model = &self.model;
         let highest = |ids: &[ScalarId]| highest(orders, ids);
         let energies = [
@@ -224,22 +151,22 @@ impl Elaborator<'_> {
         ];
         let energies = energies.into_iter().map(|(name, given, most)| {
             let entry = self.source.energies.iter().find(|entry| entry.name.text == name);
-            let order = given.and_then(|id| orders.of_parts[id.0]);
+            let order = given.and_then(|id| orders.of(id.0));
             Bounded { what: format!("the {name} energy"), order, most, span: entry.map(|entry| entry.value.span()) }
         });
         let constraints = model.constraints.iter().map(|Constraint { zero, gains, at, .. }| {
             let (Zero::Scalar(ScalarId(zero)) | Zero::Vector(VectorId(zero))) = zero;
-            let order = orders.of_parts[*zero].max(highest(gains.as_deref().unwrap_or_default()));
+            let order = orders.of(*zero).max(highest(gains.as_deref().unwrap_or_default()));
             Bounded { what: "a constraint".to_owned(), order, most: 1, span: Some(at.clone()) }
         });
         let speeds = model.quasi_velocities.iter().map(|speed| {
             let entry = self.source.speeds.iter().find(|entry| entry.name.text == speed.name);
             let what = format!("the quasi-velocity `{}`", speed.name);
-            let order = orders.of_parts[speed.is.0];
+            let order = orders.of(speed.is.0);
             Bounded { what, order, most: 1, span: entry.map(|entry| entry.value.span()) }
         });
         let bodies = model.bodies.iter().map(|body| {
-            let order = highest(&moments(body)).max(body.mass.and_then(|mass| orders.of_parts[mass.0]));
+            let order = highest(&moments(body)).max(body.mass.and_then(|mass| orders.of(mass.0)));
             Bounded { what: format!("the inertia of `{}`", body.name), order, most: 1, span: Some(body.at.clone()) }
         });
         energies.chain(constraints).chain(speeds).chain(bodies).collect()

@@ -23,7 +23,7 @@ impl Elaborator<'_> {
                 span,
                 format!("`{function}` stands in [outputs] only"),
                 "here the motion is not known yet",
-                "an output, such as load = \"reaction(floor)\"",
+                "an output, such as load = \"reaction(floor)\" or total = \"kinetic_energy + potential_energy\"",
             )),
         }
     }
@@ -34,7 +34,7 @@ impl Elaborator<'_> {
         let written: Vec<&str> = arguments
             .iter()
             .filter_map(|argument| match argument {
-                Meaning::Literal { start, end } => Some(&text.text[*start..*end]),
+                Meaning::Literal { start, end } => Some(text.text[*start..*end].trim_matches('"')),
                 _ => None,
             })
             .collect();
@@ -43,6 +43,10 @@ impl Elaborator<'_> {
             [name, place] if arguments.len() == 2 => (*name, place.parse::<usize>().ok()),
             _ => return Err(refused(span, "`reaction` has the name of a constraint".to_owned(), "here", accepted)),
         };
+        let contact = self.model.contacts.iter().position(|contact| contact.name == name && place.is_none());
+        if let Some(contact) = contact.filter(|_| !name.is_empty()) {
+            return Ok(super::Value::Scalar(self.model.contacts[contact].reactions[0]));
+        }
         let named = |constraint: &Constraint| {
             let own = &constraint.name;
             own.as_deref() == Some(name)
@@ -51,7 +55,8 @@ impl Elaborator<'_> {
         let all: Vec<usize> = (0..constraints.len()).filter(|&place| named(&constraints[place])).collect();
         let constraint = match (all.as_slice(), place, written.len()) {
             ([], ..) => {
-                let names = self.source.constraints.iter().filter_map(|one| one.name.as_ref());
+                let contacts = self.source.contacts.iter().filter_map(|one| one.name.as_ref());
+                let names = self.source.constraints.iter().filter_map(|one| one.name.as_ref()).chain(contacts);
                 let names = names.map(|name| name.text.as_str());
                 // it is there, and what is wrong with it is told
                 if names.clone().any(|known| known == name) {
@@ -77,6 +82,33 @@ impl Elaborator<'_> {
                 super::Value::Vector(self.vector(Vector::Reaction { constraint }, dimension))
             }
         })
+    }
+
+    /// `friction(floor)`, `gap(floor)`, `sliding(floor)`: the tangential reaction of a contact, its gap, its sliding velocity.
+    pub(super) fn of_contact(
+        &mut self,
+        text: &Text,
+        span: &Range<usize>,
+        function: &str,
+        arguments: &[Meaning],
+    ) -> Sound<super::Value> {
+        let accepted = format!("{function}(name) of a named [[contact]]");
+        let [Meaning::Literal { start, end }] = arguments else {
+            return Err(refused(span, format!("`{function}` has the name of a contact"), "here", &accepted));
+        };
+        let name = &text.text[*start..*end];
+        let Some(contact) = self.model.contacts.iter().find(|contact| contact.name == *name) else {
+            let names = self.source.contacts.iter().filter_map(|one| one.name.as_ref()).map(|name| name.text.as_str());
+            if names.clone().any(|known| known == name) {
+                return Err(Box::new(Fault::consequence(span.clone())));
+            }
+            return Err(Box::new(unknown(&self.broken, span.clone(), name, "contact", names)));
+        };
+        Ok(super::Value::Scalar(match function {
+            "friction" => contact.reactions[1],
+            "gap" => contact.gap,
+            _ => contact.slide,
+        }))
     }
 
     /// Power per rate of the constraint: f' of one of positions, f itself of one of speeds.

@@ -6,8 +6,8 @@ use super::{Elaborator, MOST, Named, Sound, mismatch};
 use crate::arena::Scalar;
 use crate::expression::Form;
 use crate::{
-    Body, BodyId, BodySource, Coordinate, Entry, Fault, Frame, FrameId, Inertia, InertiaSource, Input, InputSource,
-    Parameter, Point, PointId, Text, Turn,
+    Body, BodyId, BodySource, Coordinate, Defined, Entry, Fault, Frame, FrameId, Inertia, InertiaSource, Input,
+    InputSource, Moves, Parameter, Point, PointId, Text, Turn,
 };
 use symbolic::Dimension;
 
@@ -113,36 +113,38 @@ impl Elaborator<'_> {
         self.model.warnings.push(Fault::at(written.span(), title, "a unit names the dimension", accepted));
     }
 
-    /// `"2 kg"` with a value, `"N/m"` without.
+    /// `"2 kg"` with a value, `"N/m"` or `"[1]"` without.
     fn parameter(&self, Entry { name, value }: &Entry) -> Sound<Parameter> {
-        let number = value.text.split_whitespace().next().map(units::quantity::finite);
+        let trimmed = value.text.trim();
+        let bracketed = trimmed.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')).map(str::trim);
+        let text = bracketed.unwrap_or(trimmed);
+        let number = text.split_whitespace().next().map(units::quantity::finite).filter(|_| bracketed.is_none());
         let fault = |label: String| {
             let title = format!("the parameter `{}` cannot be read", name.text);
             Box::new(Fault::at(
                 value.span(),
                 title,
                 label,
-                "a number and its unit (\"2 kg\"), or a unit alone: no value",
+                "a number and its unit (\"2 kg\"), or a unit alone, which leaves it without a value (\"kg\"; of a number \"[1]\")",
             ))
         };
         let (dimension, value_in_si) = match number {
             Some(Ok(_)) => {
-                let (si, dimension) =
-                    units::quantity::parse_any(&value.text).map_err(|wrong| fault(wrong.to_string()))?;
+                let (si, dimension) = units::quantity::parse_any(text).map_err(|wrong| fault(wrong.to_string()))?;
                 (dimension, Some(si))
             }
             _ => {
-                let unit = units::Unit::parse(&value.text).map_err(|wrong| fault(wrong.to_string()))?;
-                if value.text.trim().is_empty() {
+                let unit = units::Unit::parse(text).map_err(|wrong| fault(wrong.to_string()))?;
+                if text.is_empty() {
                     return Err(fault("nothing stands here".to_owned()));
                 }
                 (unit.dimension(), None)
             }
         };
-        let number_ends = if value_in_si.is_some() { value.text.trim().find(char::is_whitespace) } else { Some(0) };
-        let unit = number_ends.map_or("", |end| value.text.trim()[end..].trim());
+        let number_ends = if value_in_si.is_some() { text.find(char::is_whitespace) } else { Some(0) };
+        let unit = number_ends.map_or("", |end| text[end..].trim());
         let unit = units::Unit::parse(unit).map_or_else(|_| dimension.coherent(), |parsed| coherent(parsed, unit));
-        let written = value.text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let written = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let (dimension, at) = (dimension.of_expressions(), name.span());
         Ok(Parameter { name: name.text.clone(), dimension, unit, written, value: value_in_si, at })
     }
@@ -158,6 +160,7 @@ impl Elaborator<'_> {
                 };
                 let found = self.under("definitions", &entry.name, found);
                 if let Some(value) = self.kept_as(&entry.name, found) {
+                    self.keep_definition(&entry.name.text, value);
                     self.give(&entry.name, Named::Value(value));
                 }
             }
@@ -172,6 +175,7 @@ impl Elaborator<'_> {
             Definition::Input(at) => {
                 let input = &self.source.inputs[at];
                 let found = self.input(input);
+                let found = self.beside(found, &input.value);
                 if let Some(input_read) = self.kept_as(&input.name, found) {
                     let dimension = input_read.dimension;
                     self.model.inputs.push(input_read);
@@ -198,11 +202,26 @@ impl Elaborator<'_> {
             Definition::Body(at) => {
                 let body = &self.source.bodies[at];
                 let found = self.moved(body);
+                let found = self.beside(found, body.turns.iter().chain(&body.centre));
                 if let Some(body_id) = self.kept_as(&body.name, found) {
                     self.give(&body.name, Named::Body(body_id));
                 }
             }
         }
+    }
+
+    /// Keeps a vector or a point for reading.
+    fn keep_definition(&mut self, name: &str, value: Value) {
+        let defined = match value {
+            Value::Vector(vector) => Defined::Vector(vector),
+            Value::Point { base, way } => {
+                let order = way.and_then(|way| self.orders.of(way.0)).unwrap_or(0);
+                let moves = if order == 0 { Moves::ByCoordinates } else { Moves::BySpeeds };
+                Defined::Point { base, way, moves }
+            }
+            Value::Scalar(_) | Value::Frame(_) => return,
+        };
+        self.model.definitions.push((name.to_owned(), defined));
     }
 
     /// `u = { unit = "N", value = "if(t < (2 s), Fmax, 0)" }`
@@ -303,8 +322,20 @@ impl Elaborator<'_> {
     /// Masses and moments of inertia, once every name is known.
     pub(super) fn bodies(&mut self) {
         for body in &self.source.bodies {
-            let Some(place) = self.model.bodies.iter().position(|known| known.name == body.name.text) else { continue };
+            let of_inertia: Vec<&Text> = match &body.inertia {
+                None => Vec::new(),
+                Some(InertiaSource::Axial(axial)) => vec![axial],
+                Some(InertiaSource::Tensor { entries, .. }) => entries.iter().flatten().collect(),
+            };
+            let texts = body.mass.iter().chain(of_inertia);
+            let Some(place) = self.model.bodies.iter().position(|known| known.name == body.name.text) else {
+                // its motion is wrong, which is told
+                let missing: Sound<()> = Err(Box::new(Fault::consequence(body.name.span())));
+                let _ = self.beside(missing, texts);
+                continue;
+            };
             let found = self.weighed(body);
+            let found = self.beside(found, texts);
             if let Some((mass, inertia)) = self.kept(found) {
                 (self.model.bodies[place].mass, self.model.bodies[place].inertia) = (mass, inertia);
             }

@@ -10,6 +10,7 @@
 
 use super::{Characteristics, Equation, Level, vanishes};
 use crate::Trace;
+use std::fmt;
 use symbolic::{Identity, Sym, identified};
 
 /// Whether constraints of speeds are rates of constraints of positions.
@@ -18,23 +19,42 @@ pub enum Integrability {
     Integrable,
     /// Directions that the constraints leave lead, one after the other, to every place near.
     NotIntegrable,
-    /// Not decided: with the time, nonlinear in the speeds, affine, of frames that turn freely, or with functions whose values no
-    /// prime field has.
-    Open,
+    /// Not decided.
+    Open(Undecided),
+}
+
+/// Why integrability is not decided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Undecided {
+    /// The slopes of a constraint by the speeds hold speeds.
+    Nonlinear,
+    /// A constraint holds the time.
+    Time,
+    /// A constraint has a part that no speed multiplies.
+    Affine,
+    /// A frame turns freely.
+    FreeFrame,
+    /// An expression has functions whose values no prime field has.
+    Functions,
+}
+
+impl fmt::Display for Undecided {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Nonlinear => "a constraint is nonlinear in the speeds",
+            Self::Time => "a constraint holds the time",
+            Self::Affine => "a constraint is affine, and not homogeneous, in the speeds",
+            Self::FreeFrame => "a frame turns freely",
+            Self::Functions => "no prime field has values of its functions",
+        })
+    }
 }
 
 impl Integrability {
     /// Integrability of the constraints of speeds among these, where the constraints of positions keep any constant values.
     pub fn of(trace: &Trace<'_>, constraints: &[Equation]) -> Self {
-        let moving = [trace.speeds.as_slice(), &[trace.time]].concat();
-        let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
-        let is_plain = |constraint: &Equation| {
-            let slopes = constraint.row.iter().flat_map(|slope| slope.symbols_of());
-            let linear = !slopes.into_iter().any(|symbol| moving.contains(&symbol));
-            linear && vanishes(constraint.rate.substitute(&at_rest))
-        };
-        if !trace.model.free.is_empty() || !constraints.iter().all(is_plain) {
-            return Integrability::Open;
+        if let Some(why) = undecided(trace, constraints) {
+            return Integrability::Open(why);
         }
         let characteristics = Characteristics::of(trace, constraints);
         let directions = characteristics.directions(trace.speeds.len());
@@ -48,13 +68,29 @@ impl Integrability {
                     match identified(&[turned(&slopes, first, second)]) {
                         Identity::Identified { .. } => {}
                         Identity::NotZero => return Integrability::NotIntegrable,
-                        Identity::Untested(_) => return Integrability::Open,
+                        Identity::Untested(_) => return Integrability::Open(Undecided::Functions),
                     }
                 }
             }
         }
         Integrability::Integrable
     }
+}
+
+/// What Frobenius' conditions here do not know, of the first constraint that has it.
+fn undecided(trace: &Trace<'_>, constraints: &[Equation]) -> Option<Undecided> {
+    let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
+    let of = |constraint: &Equation| {
+        let slopes: Vec<Sym> = constraint.row.iter().flat_map(|slope| slope.symbols_of()).collect();
+        if slopes.iter().any(|symbol| trace.speeds.contains(symbol)) {
+            Some(Undecided::Nonlinear)
+        } else if slopes.contains(&trace.time) || constraint.zero.symbols_of().contains(&trace.time) {
+            Some(Undecided::Time)
+        } else {
+            (!vanishes(constraint.rate.substitute(&at_rest))).then_some(Undecided::Affine)
+        }
+    };
+    constraints.iter().find_map(of).or((!trace.model.free.is_empty()).then_some(Undecided::FreeFrame))
 }
 
 /// dw(X, Y), with the slopes dw_b/dq_a.

@@ -142,6 +142,12 @@ pub enum Reason {
     Long { most: usize },
     /// `at` or `in` without a name after it.
     Preposition,
+    /// More than a name after `at`.
+    Place,
+    /// `in` where it does not stand with what is seen.
+    Seen,
+    /// A constraint's name with spaces and without quotes.
+    Quotes,
 }
 
 impl fmt::Display for Reason {
@@ -177,6 +183,14 @@ impl fmt::Display for Reason {
             Self::Long { most } => {
                 write!(f, "an expression of more than {most} bytes; name parts of it under [definitions]")
             }
+            Self::Place => {
+                write!(
+                    f,
+                    "behind `at` stands the name of a point alone: K = \"G - r*N.z\" in [points], then velocity(ball at K)"
+                )
+            }
+            Self::Seen => write!(f, "`in` and its frame stand within the parentheses: velocity(P in B), rate(v in B)"),
+            Self::Quotes => write!(f, "a name with spaces stands in quotes: push = 'reaction(\"left wheel\")'"),
             Self::Preposition => write!(f, "a name is expected after `at` and `in`: velocity(disc at P)"),
         }
     }

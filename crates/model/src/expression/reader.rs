@@ -61,6 +61,7 @@ impl<'a> Reader<'a> {
     fn unjoined(&self) -> Reason {
         match self.peek() {
             Some(Token::Name("and" | "or")) => Reason::Connective,
+            Some(Token::Name("in")) => Reason::Seen,
             Some(Token::Name(name)) => match self.at.checked_sub(1).map(|last| &self.tokens[last].1) {
                 Some(Token::Number(number)) => {
                     Reason::Beside { number: (*number).to_owned(), name: (*name).to_owned() }
@@ -190,6 +191,10 @@ impl<'a> Reader<'a> {
                 self.at += 1;
                 Ok(self.push(Form::Number(text.to_owned()), from))
             }
+            Token::Quoted(name) => {
+                self.at += 1;
+                Ok(self.push(Form::Name(name.to_owned()), from))
+            }
             Token::Sign('(') => match self.quantity() {
                 Some(form) => Ok(self.push(form, from)),
                 None => self.inside(),
@@ -277,6 +282,9 @@ impl<'a> Reader<'a> {
         while self.takes(',') {
             arguments.push(self.argument()?);
         }
+        if function == "reaction" && matches!(self.peek(), Some(Token::Name(_))) {
+            return Err(self.wrong(Reason::Quotes));
+        }
         self.close(open)?;
         Ok(self.push(Form::Call { function: function.to_owned(), arguments }, from))
     }
@@ -292,6 +300,12 @@ impl<'a> Reader<'a> {
         let span = self.span();
         let Some(Token::Name(name)) = self.peek().cloned() else { return Err(self.wrong(Reason::Preposition)) };
         self.at += 1;
+        if !matches!(self.peek(), Some(Token::Sign(',' | ')')) | None) {
+            return Err(self.wrong(match preposition {
+                Preposition::At => Reason::Place,
+                Preposition::In => Reason::Seen,
+            }));
+        }
         Ok(Argument { value, place: Some((preposition, name.to_owned(), span)) })
     }
 }

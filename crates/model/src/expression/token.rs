@@ -11,6 +11,8 @@ const LONGEST: usize = 20_000;
 pub enum Token<'a> {
     Number(&'a str),
     Name(&'a str),
+    /// A name in quotes, which may have spaces: that of a constraint.
+    Quoted(&'a str),
     /// `+ - * / ^ ( ) , < > ≤ ≥`
     Sign(char),
     /// ` . ` between spaces: the scalar product.
@@ -44,6 +46,10 @@ pub fn tokens(text: &str) -> Result<Vec<Placed<'_>>, NotExpression> {
                 let length = rest.find(|c| !continues_name(c)).unwrap_or(rest.len());
                 (length, Token::Name(&rest[..length]))
             }
+            '"' => match rest[1..].find('"') {
+                Some(length) => (length + 2, Token::Quoted(&rest[1..=length])),
+                None => return Err(NotExpression { span: start..start + 1, reason: Reason::Letter('"') }),
+            },
             '.' => (1, dot(&text[..start], &rest[1..], start)?),
             '<' | '>' if rest[1..].starts_with('=') => (2, Token::Sign(if first == '<' { '≤' } else { '≥' })),
             '+' | '-' | '*' | '/' | '^' | '(' | ')' | ',' | '<' | '>' | '≤' | '≥' => {

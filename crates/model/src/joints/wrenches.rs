@@ -111,8 +111,18 @@ impl<'t, 'm> Backward<'t, 'm> {
     fn scalar(&mut self, scalar: &Scalar, varied: Varied, weight: Sym, value: Sym) {
         let of = |id: &ScalarId| self.trace.scalar(*id);
         match scalar {
-            Scalar::Number(_) | Scalar::Parameter(_) | Scalar::Time | Scalar::Pi | Scalar::Switch(_) => {}
-            Scalar::Reaction { .. } => {}
+            Scalar::Number(_)
+            | Scalar::Parameter(_)
+            | Scalar::Time
+            | Scalar::Pi
+            | Scalar::Switch(_)
+            | Scalar::Step(_) => {}
+            // of outputs alone, and of contacts, which no constraint holds
+            Scalar::Reaction { .. }
+            | Scalar::Contact { .. }
+            | Scalar::KineticEnergy
+            | Scalar::PotentialEnergy
+            | Scalar::Momentum { .. } => {}
             Scalar::Input(input) => {
                 if let Some(value) = self.trace.model.inputs[*input].value {
                     self.add(value, varied, weight);

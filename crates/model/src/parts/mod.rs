@@ -1,10 +1,12 @@
 //! A model: the parts of a system, every name resolved.
 
 mod constraints;
+mod contacts;
 mod events;
 mod loads;
 
 pub use constraints::{Constraint, Implied, Zero};
+pub use contacts::{Contact, Sides};
 pub use events::{Assignment, Direction, Event, StartSpeed, StartValue};
 pub use loads::{Along, Energies, Force, GeneralisedForce, Torque};
 
@@ -139,6 +141,27 @@ pub enum Inertia {
     Tensor { axes: FrameId, entries: [Option<ScalarId>; 6] },
 }
 
+/// A vector or a point that a definition names.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Defined {
+    Vector(VectorId),
+    /// A point, or one a way from it.
+    Point {
+        base: PointId,
+        way: Option<VectorId>,
+        moves: Moves,
+    },
+}
+
+/// What the position of a point holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moves {
+    /// Coordinates and the time alone: it has a velocity and an acceleration.
+    ByCoordinates,
+    /// Speeds: its acceleration would hold third rates.
+    BySpeeds,
+}
+
 /// A scalar that a run shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
@@ -180,11 +203,16 @@ pub struct Model {
     pub torques: Vec<Torque>,
     pub generalised: Vec<GeneralisedForce>,
     pub constraints: Vec<Constraint>,
+    pub contacts: Vec<Contact>,
+    /// The system with one coordinate more for each guide that its coordinates satisfy: its reaction is the force along that one.
+    pub released: Option<Box<Model>>,
     /// Equations of constraints that follow from the others along every motion from the start: they have no reaction of their own.
     pub implied: Vec<Implied>,
     /// Faults of quasi-velocities that are none where constraints of positions depend on each other: on the branch of the start alone.
     pub unsettled: Vec<Fault>,
     pub outputs: Vec<Output>,
+    /// Vectors and points of definitions, by their names.
+    pub definitions: Vec<(String, Defined)>,
     pub inputs: Vec<Input>,
     /// Expressions at whose zeros something is chosen anew.
     pub switches: Vec<ScalarId>,
@@ -228,6 +256,14 @@ impl Model {
             Scalar::Coordinate(place) => Some(&self.coordinates[*place].name),
             _ => None,
         }
+    }
+
+    /// The model with every equation of its constraints, those that follow from others too.
+    #[must_use]
+    pub fn whole(&self) -> Self {
+        let mut whole = self.clone();
+        whole.implied.clear();
+        whole
     }
 
     /// Whether an equation of a constraint, by its constraint and its component, follows from others.

@@ -1,5 +1,6 @@
 //! Conditions of a law for its reader: what each bracket stands for, and what the equations leave out.
 
+use super::contacts::laws;
 use super::matrix_form::MatrixForm;
 use crate::{Direction, Event, ScalarId, Trace};
 use symbolic::Sym;
@@ -55,6 +56,13 @@ pub fn left_out(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
              `run` finds the force that keeps it there."
                 .to_owned(),
         );
+    }
+    if !trace.model.contacts.is_empty() {
+        sentences.push(
+            "The reactions of contacts are letters here; `run` finds them by these laws, which hold at each instant:"
+                .to_owned(),
+        );
+        sentences.extend(laws(trace, form).into_iter().map(|line| format!("  {line}")));
     }
     if trace.model.events.is_empty() {
         return sentences;

@@ -2,6 +2,7 @@
 
 use super::conditions::{Condition, conditions, left_out};
 use super::matrix_form::MatrixForm;
+use super::with_counts;
 use crate::Trace;
 use symbolic::Sym;
 
@@ -15,7 +16,8 @@ pub struct Typeset {
 /// Groups of equations that belong together: the form, quasi-velocities, rates of coordinates that are no speeds, letters in these,
 /// direction cosines of free frames, parameters, M, h, Q, constraints with multipliers, those that hold for all quasi-velocities, conditions.
 pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
-    let equation = |left: String, right: String| Typeset { left, right };
+    form.tell_letters_apart();
+    let equation = |left: String, right: String| Typeset { left, right: with_counts(&right) };
     let held = !form.constraints.is_empty();
     let reactions = if held { r" + \mathbf{J}^{T} \boldsymbol{\lambda}" } else { "" };
     // speeds of free frames are no rates of coordinates
@@ -45,10 +47,10 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let cosines = cosines.collect();
     let known = trace.model.parameters.iter().zip(&form.parameters).filter(|(parameter, _)| parameter.value.is_some());
     let parameters = known.map(|(parameter, letter)| equation(letter.latex(), quantity(&parameter.written))).collect();
-    // c_1 may be a parameter of the system
+    // c_1 and M may be parameters of the system
     let n = form.speeds.len();
     let most = n.max(form.constraints.len());
-    let entry = |name: &str| match form.free_letter(&[name, ""], most) {
+    let entry = |name: &str| match form.free_letter(&[form.free_name(&[name, ""]), ""], most) {
         "" => format!(r"\mathbf{{{name}}}"),
         free => free.to_owned(),
     };
@@ -89,6 +91,34 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
     let groups =
         vec![first, meanings, turned, coefficients, cosines, parameters, mass, inertia, forces, held_to, met, chosen];
     groups.into_iter().filter(|group| !group.is_empty()).collect()
+}
+
+impl MatrixForm {
+    /// Gives a letter that is typeset as one before it, as `lambda_` is beside `lambda` and `t_` beside the time, its name as it is
+    /// written, and its rates with it.
+    fn tell_letters_apart(&self) {
+        let letters = [&self.parameters, &self.inputs, &self.positions, &self.speeds, &self.accelerations];
+        let mut known: Vec<(String, String, bool)> = Vec::new();
+        for letter in std::iter::once(&self.time).chain(letters.into_iter().flatten()) {
+            let name = letter.to_string();
+            let base = name.trim_end_matches('\'');
+            if known.iter().all(|(own, ..)| own != base) {
+                let own = Sym::symbol(base).latex();
+                let is_taken = known.iter().any(|(_, latex, _)| *latex == own);
+                let latex = if is_taken { format!(r"\mathrm{{{}}}", base.replace('_', r"\_")) } else { own };
+                known.push((base.to_owned(), latex, is_taken));
+            }
+            let renamed = known.iter().find(|(own, _, is_taken)| own == base && *is_taken);
+            if let Some((_, latex, _)) = renamed {
+                let dots = match name.len() - base.len() {
+                    0 => latex.clone(),
+                    1 => format!(r"\dot{{{latex}}}"),
+                    _ => format!(r"\ddot{{{latex}}}"),
+                };
+                Sym::named(&name, &dots);
+            }
+        }
+    }
 }
 
 /// The groups, an `align` for each; for the package `amsmath`.

@@ -1,6 +1,7 @@
 //! The whole system in matrix form: M q'' + h = Q + J^T lambda, with every constraint.
 
 use super::axes::axes;
+use super::contacts::open_letters;
 use super::cosines::{Cosine, cosines};
 use super::quasi_velocities::{InQuasiVelocities, collected, written_operations};
 use super::reading::Reading;
@@ -39,7 +40,7 @@ pub struct MatrixForm {
     pub constraints: Vec<Held>,
     /// lambda, one for each constraint.
     pub multipliers: Vec<Sym>,
-    /// Inputs without a value.
+    /// Inputs without a value, and reactions of contacts.
     pub inputs: Vec<Sym>,
     /// Letters that are 1 where a condition is positive, else 0; and the conditions.
     pub switches: Vec<(Sym, Sym)>,
@@ -130,13 +131,7 @@ impl MatrixForm {
                 .zip(&trace.model.switches)
                 .map(|(&letter, &condition)| (letter, trace.scalar(condition)))
                 .collect(),
-            inputs: trace
-                .model
-                .inputs
-                .iter()
-                .filter(|input| input.value.is_none())
-                .map(|input| Sym::symbol(&input.name))
-                .collect(),
+            inputs: open_letters(trace).into_iter().map(|(letter, _)| letter).collect(),
             cosines: cosines(trace),
             turns: trace.turns().collect(),
             lines: Lines::default(),
@@ -168,10 +163,20 @@ impl MatrixForm {
 
     /// A letter with which numbers from 1 make no letter of the system: the first of a list; its last where all do.
     pub(super) fn free_letter<'a>(&self, letters: &[&'a str], count: usize) -> &'a str {
-        let own = [&self.parameters, &self.coordinates, &self.speeds, &self.inputs].into_iter().flatten();
-        let own: Vec<String> = own.map(Sym::to_string).collect();
+        let own = self.own_letters();
         let is_free = |letter: &&&str| (1..=count).all(|k| !own.contains(&format!("{letter}{k}")));
         letters.iter().find(is_free).or(letters.last()).copied().unwrap_or_default()
+    }
+
+    /// A name that is no letter of the system: the first of a list; its last where all are.
+    pub(super) fn free_name<'a>(&self, names: &[&'a str]) -> &'a str {
+        let own = self.own_letters();
+        names.iter().find(|name| !own.iter().any(|own| own == *name)).or(names.last()).copied().unwrap_or_default()
+    }
+
+    fn own_letters(&self) -> Vec<String> {
+        let own = [&self.parameters, &self.coordinates, &self.speeds, &self.inputs].into_iter().flatten();
+        own.map(Sym::to_string).collect()
     }
 
     /// The same with other letters.

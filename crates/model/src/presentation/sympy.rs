@@ -1,10 +1,9 @@
 //! A whole system as a module for SymPy: letters as symbols, coordinates as functions of the time.
 
-use super::axes::axes;
 use super::conditions::left_out;
 use super::cosines::Cosine;
 use super::identifiers::identifiers;
-use super::matrix_form::MatrixForm;
+use super::matrix_form::{Held, MatrixForm};
 use crate::Trace;
 use std::fmt::Write;
 use symbolic::{Sym, substitute_all};
@@ -72,16 +71,22 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
     form.is_written_out()?;
 
     let rate = if turns { "u'" } else { "q''" };
+    let law = match form.multipliers.is_empty() {
+        true => format!("# mass_matrix*{rate} + inertia = forces\n"),
+        false => format!(
+            "# mass_matrix*{rate} + inertia = forces + jacobian.T*multipliers, jacobian*{rate} + bias = 0, constraints = 0\n\
+             # jacobian: derivatives of each constraint's rate by the speeds; a positive multiplier acts along its row\n"
+        ),
+    };
     let mut text = format!(
-        "# mass_matrix*{rate} + inertia = forces + jacobian.T*multipliers, jacobian*{rate} + bias = 0, constraints = 0\n\
-         # jacobian: derivatives of each constraint's rate by the speeds; a positive multiplier acts along its row\n\
+        "{law}\
          from sympy import Derivative, Function, Matrix, Piecewise, Rational, Subs, Symbol, atan2, cos, exp, log, pi, sin, sqrt, tanh\n\n\
          t = Symbol(\"t\")\n",
     );
-    let titled = |(k, axis): (usize, Option<String>)| {
-        axis.map(|axis| format!("# multiplier {}: the reaction along {axis}\n", k + 1))
+    let titled = |(k, held): (usize, &Held)| {
+        held.axis.as_ref().map(|axis| format!("# multiplier {}: the reaction along {axis}\n", k + 1))
     };
-    text.extend(axes(trace).into_iter().enumerate().filter_map(titled));
+    text.extend(form.constraints.iter().enumerate().filter_map(titled));
     text.extend(left_out(trace, &form).into_iter().map(|line| format!("# {line}\n")));
     for (letter, name) in letters.iter().zip(&names).take(names.len() - assigned) {
         let _ = match coordinates.contains(name) || turning.contains(name) {

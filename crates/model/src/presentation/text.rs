@@ -1,9 +1,10 @@
 //! A whole system as text.
 
 use super::conditions::{Condition, conditions, left_out};
-use super::constraints;
+use super::contacts::open_letters;
 use super::cosines::Cosine;
 use super::matrix_form::MatrixForm;
+use super::{constraints, with_counts};
 use crate::Trace;
 use crate::equations::constraints_of;
 use std::fmt::Write;
@@ -14,23 +15,38 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     let mut text = String::new();
     let names = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>().join(", ");
     let held = !form.constraints.is_empty();
-    let reactions = if held { " + J^T lambda" } else { "" };
+    // a parameter may have the letter of a matrix
+    let [mass_matrix, inertia, forces, jacobian, bias] = [
+        ["M", "mass", "mass_matrix"],
+        ["h", "inertia", "inertia_terms"],
+        ["Q", "forces", "applied_forces"],
+        ["J", "jacobian", "constraint_rows"],
+        ["c", "bias", "bias_terms"],
+    ]
+    .map(|names| form.free_name(&names));
+    let reactions = if held { format!(" + {jacobian}^T lambda") } else { String::new() };
     let turns = form.has_own_speeds();
     let f = form.free_letter(&["f", "F", "phi", "zero"], form.constraints.len());
     match turns {
-        false => writeln!(text, "M q'' + h = Q{reactions}, with q = ({})", names(&form.coordinates)),
-        true => writeln!(text, "M u' + h = Q{reactions}, with u = ({})", names(&form.speeds)),
+        false => writeln!(
+            text,
+            "{mass_matrix} q'' + {inertia} = {forces}{reactions}, with q = ({})",
+            names(&form.coordinates)
+        ),
+        true => {
+            writeln!(text, "{mass_matrix} u' + {inertia} = {forces}{reactions}, with u = ({})", names(&form.speeds))
+        }
     }
     .unwrap_or(());
     if held && turns {
         let _ = writeln!(
             text,
-            "J u' + c = 0: every constraint {f} = 0, differentiated; J holds d{f}'/du of positions, d{f}/du of speeds"
+            "{jacobian} u' + {bias} = 0: every constraint {f} = 0, differentiated; {jacobian} holds d{f}'/du of positions, d{f}/du of speeds"
         );
     } else if held {
         let _ = writeln!(
             text,
-            "J q'' + c = 0: every constraint {f} = 0, differentiated; J holds d{f}/dq of positions, d{f}/dq' of speeds"
+            "{jacobian} q'' + {bias} = 0: every constraint {f} = 0, differentiated; {jacobian} holds d{f}/dq of positions, d{f}/dq' of speeds"
         );
     }
     if held {
@@ -64,23 +80,25 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
         .iter()
         .map(|Cosine { letter, meaning, value }| format!("{letter} = {meaning} = {}", value.decimal_text()));
     section(&mut text, "Direction cosines of free frames", cosines.collect());
-    let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
-    section(&mut text, "Inputs", open.map(|input| format!("{} in {}", input.name, input.unit)).collect());
+    let open = open_letters(trace).into_iter();
+    let inputs = if trace.model.contacts.is_empty() { "Inputs" } else { "Inputs, and reactions of contacts" };
+    section(&mut text, inputs, open.map(|(letter, unit)| format!("{letter} in {unit}")).collect());
     let rows: Vec<String> = form.coordinates.iter().map(Sym::to_string).collect();
     let entry = |name: &str, place: String, value: Sym| format!("{name}[{place}] = {}", value.decimal_text());
     let mut mass = Vec::new();
     for (i, row) in form.mass.iter().enumerate() {
         for (j, &value) in row.iter().enumerate().skip(i).filter(|(_, value)| **value != Sym::ZERO) {
-            mass.push(entry("M", format!("{}, {}", rows[i], rows[j]), value));
+            mass.push(entry(mass_matrix, format!("{}, {}", rows[i], rows[j]), value));
         }
     }
-    section(&mut text, "Mass matrix M, symmetric; entries that are not written are zero", mass);
+    section(&mut text, &format!("Mass matrix {mass_matrix}, symmetric; entries that are not written are zero"), mass);
     let vector = |name: &str, values: &[Sym]| {
         let entries = rows.iter().zip(values).filter(|(_, value)| **value != Sym::ZERO);
         entries.map(|(row, value)| entry(name, row.clone(), *value)).collect::<Vec<_>>()
     };
-    section(&mut text, "Inertia h without accelerations", vector("h", &form.inertia));
-    section(&mut text, "Applied forces Q", vector("Q", &form.forces));
+    let without = format!("Inertia {inertia} without accelerations");
+    section(&mut text, &without, vector(inertia, &form.inertia));
+    section(&mut text, &format!("Applied forces {forces}"), vector(forces, &form.forces));
     let mut lines = Vec::new();
     let kinds = constraints(trace).into_iter();
     let kept: Vec<bool> = constraints_of(trace).iter().map(|one| form.quasi.is_some() && one.gains.is_none()).collect();
@@ -90,9 +108,9 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
         lines.push(kind);
         lines.push(format!("{f}{} = {}", k + 1, held.zero.decimal_text()));
         for (row, value) in rows.iter().zip(&held.row).filter(|(_, value)| **value != Sym::ZERO) {
-            lines.push(entry("J", format!("{}, {row}", k + 1), *value));
+            lines.push(entry(jacobian, format!("{}, {row}", k + 1), *value));
         }
-        lines.push(entry("c", (k + 1).to_string(), held.bias));
+        lines.push(entry(bias, (k + 1).to_string(), held.bias));
     }
     section(&mut text, "Constraints", lines);
     let met = met.into_iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.met));
@@ -102,6 +120,7 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
         "Constraints, met by the kinematic equations for any u; a constraint of positions must hold at the start",
         met,
     );
+
     let conditions = conditions(trace, form).into_iter().map(|Condition { number, letter, is, told }| {
         format!("{letter}: condition {number} = {}, {told}", is.decimal_text())
     });
@@ -110,7 +129,7 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     if !left_out.is_empty() {
         let _ = write!(text, "\n{}\n", left_out.join("\n"));
     }
-    text
+    with_counts(&text)
 }
 
 /// The rate of each coordinate that is no speed.

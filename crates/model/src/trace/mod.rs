@@ -24,7 +24,7 @@ use crate::expression::Exponent;
 use crate::joints::Joints;
 use crate::presentation::FreeTurn;
 use crate::{FrameId, Input, Model, ScalarId, Turn, VectorId};
-use field::{Analytic, Over, Rational, Scalar as _};
+use field::{Analytic, Elementary, Over, Rational, Scalar as _};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 use symbolic::{Derivation, Sym};
@@ -184,6 +184,16 @@ impl<'m> Trace<'m> {
         }
     }
 
+    /// The letter of a contact's reaction, normal (0) or tangential (1).
+    pub fn reaction(&self, contact: usize, component: usize) -> Sym {
+        let name = match self.model.contacts.get(contact) {
+            Some(contact) if !contact.name.is_empty() => contact.name.clone(),
+            _ => format!("contact{}", contact + 1),
+        };
+        let letter = ["N", "T"][component];
+        Sym::named(&format!("{name}.{letter}"), &format!("{letter}_{{\\text{{{name}}}}}"))
+    }
+
     /// A scalar expression.
     pub fn scalar(&self, id: ScalarId) -> Sym {
         self.scalars[id.0]
@@ -261,6 +271,7 @@ impl<'m> Trace<'m> {
             Scalar::Rate { coordinate, .. } => self.accelerations[*coordinate],
             Scalar::Time => self.time,
             Scalar::Switch(switch) => self.switches[*switch],
+            Scalar::Step(a) => step(of(a)),
             Scalar::Input(input) => match &self.model.inputs[*input] {
                 Input { value: Some(value), .. } => self.scalar(*value),
                 Input { name, value: None, .. } => Sym::symbol(name),
@@ -284,7 +295,16 @@ impl<'m> Trace<'m> {
                 true => Sym::ZERO,
                 false => Trace::multiplier([*constraint, 0]),
             },
+            Scalar::Contact { contact, component } => self.reaction(*contact, *component),
+            Scalar::KineticEnergy => self.with_mass(self.kinetic_energy()),
+            Scalar::PotentialEnergy => self.with_mass(self.potential_energy()),
+            Scalar::Momentum { speed } => self.with_mass(self.by_speed(self.kinetic_energy(), *speed)),
         }
+    }
+
+    /// An expression with the values of masses that vary.
+    fn with_mass(&self, expression: Sym) -> Sym {
+        self.with_masses(&[expression])[0]
     }
 
     /// The derivative of a power or of a function by its argument.
@@ -331,6 +351,15 @@ impl<'m> Trace<'m> {
         Joints::of(self)
     }
 }
+
+/// (1 + tanh(c x))/2 with a c beyond all sizes: 1 or 0, and 1/2 at zero. Its slope is zero but there.
+fn step(x: Sym) -> Sym {
+    let large = Sym::lift(Rational::exactly(STEEP));
+    (Sym::ONE + (large * x).elementary(Elementary::Tanh, large * x)) / (Sym::ONE + Sym::ONE)
+}
+
+/// Of numbers above 1e-298 the hyperbolic tangent is one.
+const STEEP: f64 = 1e300;
 
 /// A power or a function, of an argument.
 fn of_argument(scalar: &Scalar, a: Sym) -> Sym {

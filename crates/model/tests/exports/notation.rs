@@ -56,7 +56,8 @@ fn angles_stay_together_and_constants_are_as_written() {
     assert!(latex.contains(r"\dot{q_{F,3}} &= "), "{latex}");
     let [crank, ..] = text(slider_crank(), Principle::VirtualPower).expect("it applies");
     for line in [
-        "M q'' + h = Q + J^T lambda, with q = (theta, phi, s)",
+        // J is a parameter there
+        "M q'' + h = Q + jacobian^T lambda, with q = (theta, phi, s)",
         "M[phi, phi] = l^2*mrod/4 + Jrod",
         "Q[theta] = T - r*mrod*g*cos(theta)",
         "constraint 1 `pin` along R.x: of positions",
@@ -141,7 +142,38 @@ fn balls_that_roll_have_the_equations_of_textbooks() {
     }
     assert!(!text.contains("divisor"), "{text}");
     let text = text_of(&sliding_wedge(), &[]);
-    assert!(text.contains("M[V, V] = m + M - 3*m*cos(al)^2/5") && !text.contains("divisor"), "{text}");
+    // M is a parameter there
+    assert!(text.contains("mass[V, V] = m + M - 3*m*cos(al)^2/5") && !text.contains("divisor"), "{text}");
+}
+
+/// `lambda1` and `lambda_1` are typeset alike: a letter that would look like another one has its name as it is written.
+#[test]
+fn letters_that_would_look_alike_are_told_apart_in_latex() {
+    let mut source = turntable();
+    source.parameters.push(("lambda1", "1 N s/m").into());
+    source.speeds[2].name = "lambda_1".into();
+    source.speeds[1].name = "t_".into();
+    source.forces.push(model::LoadSource {
+        along: Some("x".into()),
+        is: "-lambda1*x'".into(),
+        ..model::LoadSource::default()
+    });
+    let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let latex = apart(|| model::latex(&Trace::of(&model), &form(&Trace::of(&model)).for_reading()));
+    let vector = r"\mathbf{u} &= (\mathrm{ux}, t_{\_}, \mathrm{lambda\_1})^T";
+    assert!(latex.lines().any(|line| line.trim().trim_end_matches(r" \\") == vector), "{latex}");
+    assert!(latex.contains(r"\lambda_1 &= 1\,\mathrm{N\,s/m}"), "{latex}");
+}
+
+/// Constraints that hold drop out along quasi-velocities: the module for SymPy speaks of no names that it does not define.
+#[test]
+fn a_module_without_multipliers_does_not_speak_of_them() {
+    let model = Model::of(&turntable()).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let module = apart(|| model::sympy(&Trace::of(&model), &form(&Trace::of(&model)))).expect("it is short");
+    for name in ["multiplier", "jacobian", "bias"] {
+        assert!(!module.contains(name), "{name}\n{module}");
+    }
+    assert!(module.starts_with("# mass_matrix*u' + inertia = forces\n"), "{module}");
 }
 
 #[test]

@@ -126,3 +126,39 @@ fn loads_that_are_not_known_are_refused_by_name() {
     let spread = told(with_outputs(links, &["joint_force(first) . N.x"]));
     assert!(spread.contains("moves more than one joint"), "{spread}");
 }
+
+/// T + V stays without friction; momenta by hand, and their rates by Lagrange's equations.
+#[test]
+fn energies_and_momenta_are_outputs() {
+    let free = Source { torques: Vec::new(), ..double_pendulum(false) };
+    vanish(&with_outputs(
+        free,
+        &[
+            "rate(kinetic_energy + potential_energy)",
+            "rate(kinetic_energy) - m1*velocity(P) . acceleration(P) - m2*velocity(Q) . acceleration(Q)",
+            "kinetic_energy - m1/2*velocity(P) . velocity(P) - m2/2*velocity(Q) . velocity(Q)",
+            "potential_energy - g*(m1*(P - O) + m2*(Q - O)) . N.y",
+        ],
+    ));
+    let with_momentum = |text: &str| match Model::of(&with_outputs(sleigh(), &[text])) {
+        Ok(model) => model.outputs[0].dimension.to_string(),
+        Err(faults) => faults[0].title.clone(),
+    };
+    assert_eq!(with_momentum("momentum(x)"), "kg m s^-1");
+    assert_eq!(with_momentum("momentum(psi)"), "kg m^2 s^-1");
+    for none in ["momentum(x')", "momentum(m)", "momentum(G)"] {
+        assert!(with_momentum(none).contains("a coordinate has a momentum"), "{none}");
+    }
+    let mut force = sleigh();
+    force.forces.push(model::LoadSource {
+        along: Some("x".into()),
+        is: "kinetic_energy/(1 m)".into(),
+        ..model::LoadSource::default()
+    });
+    let faults = Model::of(&force).expect_err("no force holds the energy of a run");
+    assert!(faults[0].title.contains("`kinetic_energy` stands in [outputs] only"), "{faults:?}");
+    // a name of the file keeps its meaning
+    let mut own = with_outputs(sleigh(), &["kinetic_energy"]);
+    own.parameters.push(("kinetic_energy", "3 kg").into());
+    assert_eq!(Model::of(&own).expect("it is sound").outputs[0].dimension.to_string(), "kg");
+}

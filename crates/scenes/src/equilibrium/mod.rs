@@ -18,6 +18,7 @@ use crate::row_units::{force_unit, rate_unit};
 use crate::start::{Leaf, consistent, given};
 use model::Model;
 use model::equations::Level;
+use nalgebra::DMatrix;
 use symbolic::Dimension;
 use ways::Ways;
 
@@ -29,6 +30,8 @@ pub struct Equilibrium {
     /// Directions of coordinates and reactions in which equilibria stand side by side: of those that motions reach, where they are
     /// sought among these.
     pub family: usize,
+    /// Coordinates along which no force rises to first order, each the largest part of its direction.
+    pub flat: Vec<String>,
     /// Whether it is sought, and found, among positions that motions from the start reach along constraints of speeds.
     pub is_reached: bool,
 }
@@ -43,6 +46,12 @@ pub enum NoEquilibrium {
     /// Residual at the best point found.
     NotFound {
         equation: String,
+        residual: f64,
+        unit: String,
+    },
+    /// A constraint moves the system, wherever it stands: its rate at rest.
+    Driven {
+        constraint: String,
         residual: f64,
         unit: String,
     },
@@ -87,19 +96,26 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
     match system.unmet() {
         None => {
             let unknowns = system.jacobian.ncols();
-            let singular: Vec<f64> = match unknowns {
-                0 => Vec::new(),
-                _ => system.jacobian.singular_values().iter().copied().collect(),
-            };
+            let decomposed = (unknowns > 0).then(|| square(&system.jacobian).svd(false, true));
+            let singular: &[f64] = decomposed.as_ref().map_or(&[], |decomposed| decomposed.singular_values.as_slice());
             let largest = singular.iter().copied().fold(0.0, f64::max);
-            let rank = singular.iter().filter(|value| **value > RANK * largest).count();
+            let vanish = (0..singular.len()).filter(|&k| singular[k] <= RANK * largest);
+            let along = decomposed.as_ref().and_then(|decomposed| decomposed.v_t.as_ref());
+            let flat = vanish.clone().filter_map(|k| {
+                let direction = &system.directions * along?.row(k).transpose().rows(0, system.directions.ncols());
+                let most = direction.iamax();
+                (direction.amax() > FLAT).then(|| name_of(&names, layout, free[most]))
+            });
+            let mut flat: Vec<String> = if unknowns > 0 && !free.is_empty() { flat.collect() } else { Vec::new() };
+            flat.sort();
+            flat.dedup();
             let state = point.coordinates.iter().chain(point.speeds.iter()).copied().collect();
-            Ok(Equilibrium { state, family: unknowns - rank, is_reached })
+            Ok(Equilibrium { state, family: vanish.count(), flat, is_reached })
         }
         Some(row) => {
             let (equation, unit) = match row.checked_sub(n) {
                 None => {
-                    let name = &names[layout.places(row, usize::from(row >= model.coordinates.len())).start].0;
+                    let name = name_of(&names, layout, row);
                     let along = model.coordinates.get(row).map_or_else(Dimension::none, |own| own.dimension);
                     (format!("the equation of forces along `{name}`"), force_unit(along))
                 }
@@ -107,6 +123,11 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
                     // those of positions stand twice: as they are, and as rates
                     let places = equations.of_positions();
                     let known = &equations.constraints[places.get(k).copied().unwrap_or_else(|| k - places.len())];
+                    if k >= places.len() && system.jacobian.row(row).amax() == 0.0 {
+                        let unit = if known.level == Level::Position { rate_unit(&known.of) } else { known.of.clone() };
+                        let (constraint, residual) = (known.title(), system.residuals[row]);
+                        return Err(NoEquilibrium::Driven { constraint, residual, unit });
+                    }
                     match k < places.len() {
                         true => (known.title(), known.of.clone()),
                         false if known.level == Level::Position => {
@@ -121,9 +142,32 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
     }
 }
 
+/// A unit direction of coordinates and reactions with smaller parts along coordinates is one of reactions.
+const FLAT: f64 = 1e-6;
+
+/// The name of what a speed moves: of a free frame one of its turns.
+fn name_of(names: &[(String, String)], layout: Layout, speed: usize) -> String {
+    let order = usize::from(layout.places(speed, 0).len() > 1);
+    names[layout.places(speed, order).start].0.clone()
+}
+
+/// A matrix with rows of zeros below, until it has as many rows as columns: then each direction has a singular value.
+fn square(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let rows = matrix.nrows().max(matrix.ncols());
+    DMatrix::from_fn(rows, matrix.ncols(), |row, column| if row < matrix.nrows() { matrix[(row, column)] } else { 0.0 })
+}
+
 impl Equilibrium {
-    /// The choice among equilibria, where constraints of speeds decide it.
+    /// The choice among equilibria, where constraints of speeds decide it or no force does to first order.
     pub fn choice(&self) -> Option<String> {
+        if let (false, [_, ..]) = (self.is_reached, self.flat.as_slice()) {
+            let flat: Vec<String> = self.flat.iter().map(|name| format!("`{name}`")).collect();
+            return Some(format!(
+                "at this equilibrium no force rises with {} to first order: it is one of a family, or terms of higher order hold it, and \
+                 then its place is known roughly",
+                flat.join(", ")
+            ));
+        }
         let family = match self.family {
             0 => String::new(),
             1 => "; it stands in a family of equilibria with one direction".to_owned(),

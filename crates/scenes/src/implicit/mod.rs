@@ -12,7 +12,7 @@ mod series;
 mod slopes;
 
 pub(crate) use equations::{linear_equations, unknown_letters};
-pub(crate) use law::ImplicitLaw;
+pub(crate) use law::{ImplicitLaw, SolvedSlopes};
 pub(crate) use series::{recurrence, recurrence_of};
 
 use crate::compiled_system::NotCompiled;

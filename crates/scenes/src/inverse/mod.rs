@@ -3,6 +3,7 @@
 //!   M z + h(q, u) - Q(q, u, t, p) - J^T lambda = 0  for p and lambda, with q(t), u = q', z = q'' given
 //!
 //! Coordinates that are not prescribed follow from the constraints of positions. The unknown parameters p stand in the forces linearly.
+//! Equations of constraints that follow from others at the first position of the motion are left out: nothing determines their lambda.
 
 mod completion;
 mod prescription;
@@ -10,8 +11,10 @@ mod prescription;
 use crate::compiled_system::NotCompiled;
 use crate::linearisation::{At, Known, Point, VariedEquations};
 use crate::motions::Motion;
+use crate::readiness::{independent_at, without_law};
 use completion::Completion;
-use model::Model;
+use derivations::scene::Issue;
+use model::{Fault, Model};
 use nalgebra::{DMatrix, DVector};
 use prescription::Prescribed;
 use std::fmt;
@@ -27,6 +30,16 @@ pub struct Forces {
     pub unknowns: Vec<f64>,
     /// Multipliers of constraints, those of positions first.
     pub multipliers: Vec<f64>,
+}
+
+/// The forces along a motion.
+#[derive(Clone, Debug)]
+pub struct AlongMotion {
+    pub forces: Vec<Forces>,
+    /// The constraints of the multipliers.
+    pub constraints: Vec<Known>,
+    /// Warnings of the equations of constraints that follow from others.
+    pub left_out: Vec<Fault>,
 }
 
 /// Why no forces are found.
@@ -129,19 +142,55 @@ impl fmt::Display for NoForces {
     }
 }
 
+impl NoForces {
+    /// At its place in the file, with what is accepted.
+    pub fn at(&self, model: &Model) -> Issue {
+        let of_name = |name: &str| {
+            let coordinates = model.coordinates.iter().map(|one| (&one.name, &one.at));
+            let parameters = model.parameters.iter().map(|one| (&one.name, &one.at));
+            let inputs = model.inputs.iter().map(|one| (&one.name, &one.at));
+            let mut all = coordinates.chain(parameters).chain(inputs);
+            all.find(|(own, _)| *own == name).map_or(0..0, |(_, at)| at.clone())
+        };
+        let (place, accepted) = match self {
+            Self::NotCompiled(why) => return without_law(model, why, "no forces can be found"),
+            Self::NotOfTime { coordinate } => {
+                (of_name(coordinate), "a motion such as --motion \"theta = 0.5*sin(t*(2 rad/s))\"")
+            }
+            Self::NotForce { name } => {
+                (of_name(name), "--unknown with a parameter or an input of the file that forces hold")
+            }
+            Self::NotLinear { parameter } => {
+                (of_name(parameter), "an unknown that is a factor of forces, such as their size")
+            }
+            Self::Open { coordinates, .. } => (
+                of_name(coordinates.first().map_or("", String::as_str)),
+                "--motion for each coordinate that constraints leave open",
+            ),
+            Self::Unmet { .. } => {
+                (0..0, "motions that meet every constraint; fewer --motion, where constraints give the rest")
+            }
+            Self::NotLed { .. } => (0..0, "a motion on which the programmed constraint goes to zero by its gains"),
+            Self::Idle { unknown, .. } => {
+                (of_name(unknown), "an unknown that has power on the motion at every instant")
+            }
+            Self::Underactuated { .. } => (0..0, "as many --unknown forces as the motion has degrees of freedom"),
+            Self::NotUnique { .. } => (0..0, "fewer --unknown forces, or constraints that are independent"),
+            Self::NotFinite { .. } => (0..0, "a motion along which every force and every constraint has a value"),
+        };
+        let label = if place.is_empty() { "in this file" } else { "this one" };
+        Issue::at(place, self.to_string(), label).accepted(accepted)
+    }
+}
+
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-10;
 
-/// The forces at times, which rise, and the constraints of their multipliers.
+/// The forces at times, which rise.
 ///
 /// # Errors
 /// Why there are none.
-pub fn inverse(
-    model: &Model,
-    motions: &[Motion],
-    unknowns: &[String],
-    times: &[f64],
-) -> Result<(Vec<Forces>, Vec<Known>), NoForces> {
+pub fn inverse(model: &Model, motions: &[Motion], unknowns: &[String], times: &[f64]) -> Result<AlongMotion, NoForces> {
     let mut known = model.clone();
     known.close_inputs();
     let named = |name: &String| model.parameters.iter().position(|parameter| parameter.name == *name);
@@ -149,32 +198,44 @@ pub fn inverse(
     for &place in &parameters {
         known.parameters[place].value = Some(0.0);
     }
-    let equations = VariedEquations::of(&known, &parameters).map_err(NoForces::NotCompiled)?;
-    let mut columns = Vec::with_capacity(unknowns.len());
-    for name in unknowns {
-        match equations.inputs.iter().position(|input| input == name) {
-            None => return Err(NoForces::NotForce { name: name.clone() }),
-            Some(column) if equations.nonlinear[column] => {
-                return Err(NoForces::NotLinear { parameter: name.clone() });
-            }
-            Some(column) => columns.push(column),
-        }
-    }
+    let mut equations = VariedEquations::of(&known, &parameters).map_err(NoForces::NotCompiled)?;
+    let mut columns = columns_of(&equations, unknowns)?;
     let prescribed = Prescribed::of(&known, motions)?;
     let mut guess = known.start_state();
-    let mut all = Vec::with_capacity(times.len());
+    if let Some(&first) = times.first() {
+        let point = equations.point(first, &guess);
+        let point = Completion { equations: &equations, model, prescribed: &prescribed }.of(point)?;
+        let state = [point.coordinates.as_slice(), point.speeds.as_slice()].concat();
+        // at a singular position all stay, and the rank says it
+        if independent_at(&mut known, &state).is_ok() && !known.implied.is_empty() {
+            equations = VariedEquations::of(&known, &parameters).map_err(NoForces::NotCompiled)?;
+            columns = columns_of(&equations, unknowns)?;
+        }
+    }
+    let mut forces = Vec::with_capacity(times.len());
     for &time in times {
         let point = equations.point(time, &guess);
         let mut point = Completion { equations: &equations, model, prescribed: &prescribed }.of(point)?;
         guess[..model.positions()].copy_from_slice(point.coordinates.as_slice());
         columns.iter().for_each(|&column| point.inputs[column] = 0.0);
-        all.push(forces(&equations, point, &columns)?);
+        forces.push(forces_at(&equations, point, &columns)?);
     }
-    Ok((all, equations.constraints))
+    let left_out = known.warnings.split_off(model.warnings.len());
+    Ok(AlongMotion { forces, constraints: equations.constraints, left_out })
+}
+
+/// The columns of unknowns among the inputs.
+fn columns_of(equations: &VariedEquations, unknowns: &[String]) -> Result<Vec<usize>, NoForces> {
+    let column = |name: &String| match equations.inputs.iter().position(|input| input == name) {
+        None => Err(NoForces::NotForce { name: name.clone() }),
+        Some(column) if equations.nonlinear[column] => Err(NoForces::NotLinear { parameter: name.clone() }),
+        Some(column) => Ok(column),
+    };
+    unknowns.iter().map(column).collect()
 }
 
 /// p and lambda at a point whose motion is known.
-fn forces(equations: &VariedEquations, point: Point, unknowns: &[usize]) -> Result<Forces, NoForces> {
+fn forces_at(equations: &VariedEquations, point: Point, unknowns: &[usize]) -> Result<Forces, NoForces> {
     let time = point.time;
     let At { motion, .. } = equations.at(&point);
     let (n, m, k) = (motion.values.len(), point.multipliers.len(), unknowns.len());

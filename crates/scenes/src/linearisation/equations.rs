@@ -113,6 +113,9 @@ impl VariedEquations {
     /// Why there are no equations with numbers.
     pub fn of(model: &Model, parameters: &[usize]) -> Result<Self, NotCompiled> {
         has_values_but(model, parameters)?;
+        if !model.contacts.is_empty() {
+            return Err(NotCompiled::Changes);
+        }
         let (open, own) = opened(model);
         let open = &open;
         let (n, layout) = (model.speeds(), Layout::of(model));
@@ -289,8 +292,11 @@ fn feedback(model: &Model, own: &[usize]) -> Vec<String> {
                 moving.push(*letter);
             }
         }
+        // a gain of zero feeds nothing back
+        let zero = trace.parameters.iter().zip(&model.parameters).filter(|(_, parameter)| parameter.value == Some(0.0));
+        let zero: Vec<(Sym, Sym)> = zero.map(|(letter, _)| (*letter, Sym::ZERO)).collect();
         let depends = |place: &&usize| {
-            let value = model.inputs[**place].value.map_or(Sym::ZERO, |value| trace.scalar(value));
+            let value = model.inputs[**place].value.map_or(Sym::ZERO, |value| trace.scalar(value).substitute(&zero));
             value.symbols_of().iter().any(|symbol| moving.contains(symbol))
         };
         own.iter().filter(depends).map(|&place| model.inputs[place].name.clone()).collect()

@@ -19,7 +19,9 @@ pub use point::Undetermined;
 pub use points::Standing;
 pub use stability::{Spectrum, Stability, eigenvalues};
 
+use derivations::scene::Issue;
 use independence::{dependent, others};
+use model::Model;
 use nalgebra::DMatrix;
 use point::solved;
 use std::fmt;
@@ -78,6 +80,35 @@ impl fmt::Display for NotLinear {
             ),
             Self::NotFinite => write!(f, "a derivative of the equations has no finite value"),
         }
+    }
+}
+
+/// Larger derivatives are none.
+const STEEP: f64 = 1e250;
+impl NotLinear {
+    /// At its place in the file, of a point at a time.
+    pub fn at(&self, model: &Model, time: f64) -> Issue {
+        let (place, label, accepted) = match self {
+            Self::Undetermined(_) | Self::NotFinite => (
+                0..0,
+                "in this file",
+                "another point; inertia that resists every coordinate, and constraints that are independent there",
+            ),
+            Self::Redundant(known) => {
+                (known.at.clone(), "this one", "constraints that are independent there, or another point")
+            }
+            Self::DrivenConstraint { constraint, .. } => (
+                constraint.at.clone(),
+                "this one",
+                "inputs of forces; a constraint that is led by the time, without the input",
+            ),
+            Self::AtCondition { switch } => (
+                model.switch_places[*switch].clone(),
+                "this condition is zero there",
+                "a point at which no condition is zero: another start, or --times",
+            ),
+        };
+        Issue::at(place, format!("at t = {time} s {self}"), label).accepted(accepted)
     }
 }
 
@@ -146,7 +177,8 @@ impl VariedEquations {
         let c =
             &at.outputs.by_coordinates * &coordinates + &at.outputs.by_speeds * &speeds + shown.columns(0, x_q + x_u);
         let d = &at.outputs.by_inputs + shown.columns(x_q + x_u, k);
-        let is_finite = [&a, &b, &c, &d].iter().all(|matrix| matrix.iter().all(|value| value.is_finite()));
+        // a condition of an output that is zero here has a slope beyond all sizes
+        let is_finite = [&a, &b, &c, &d].iter().all(|matrix| matrix.iter().all(|value| value.abs() < STEEP));
         match is_finite {
             true => Ok(Linearisation { point, coordinates: free, speeds: free_speeds, a, b, c, d }),
             false => Err(NotLinear::NotFinite),

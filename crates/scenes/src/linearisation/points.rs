@@ -1,8 +1,10 @@
 //! Instants of a run as points about which a model is linearised, and how a point moves.
 
 use super::{Linearisation, NotLinear, VariedEquations};
+use crate::modes::Modes;
 use crate::scene::ModelScene;
-use integrators::{Failure, Record, Span, Tolerance, integrate};
+use integrators::{Failure, Observer, Record, Span, Tolerance};
+use std::fmt;
 use std::time::{Duration, Instant};
 
 /// A time and the state then: coordinates, then speeds.
@@ -11,11 +13,39 @@ pub type Instance = (f64, Vec<f64>);
 /// The largest error of a step of the run that leads to an instant.
 const FINE: f64 = 1e-11;
 
-/// States of the run at times, by its own method, whose tolerance is made finer where it is coarse.
+/// Why there is no point at a time.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoInstance {
+    Failure(Failure),
+    /// The law of the run ends before.
+    Ended {
+        time: f64,
+        why: String,
+    },
+    /// A condition, by its place, stays at zero then.
+    Held {
+        time: f64,
+        switch: usize,
+    },
+}
+
+impl fmt::Display for NoInstance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Failure(failure) => write!(f, "{failure}"),
+            Self::Ended { time, why } => write!(f, "it ends at t = {time} s: {why}"),
+            Self::Held { time, switch } => {
+                write!(f, "at t = {time} s condition {} stays at zero, as in dry friction that sticks", switch + 1)
+            }
+        }
+    }
+}
+
+/// States of the run at times, by its own method, whose tolerance is made finer where it is coarse: across its events, up to its end.
 ///
 /// # Errors
 /// Why the run does not get there.
-pub fn along(scene: &ModelScene, times: &[f64], allowed: Duration) -> Result<Vec<Instance>, Failure> {
+pub fn along(scene: &ModelScene, times: &[f64], allowed: Duration) -> Result<Vec<Instance>, NoInstance> {
     let last = times.iter().copied().fold(0.0, f64::max);
     if last == 0.0 {
         return Ok(times.iter().map(|_| (0.0, scene.start.clone())).collect());
@@ -23,19 +53,43 @@ pub fn along(scene: &ModelScene, times: &[f64], allowed: Duration) -> Result<Vec
     let mut sorted: Vec<f64> = times.iter().copied().filter(|time| *time > 0.0).collect();
     sorted.sort_by(f64::total_cmp);
     sorted.dedup();
-    let mut span = Span::new(0.0, last, &scene.start).with_deadline(Instant::now() + allowed);
-    span.outputs = sorted;
-    let mut seen = Record::new();
+    let deadline = Instant::now() + allowed;
     let tolerance = Tolerance::both(scene.run.tolerance.min(FINE));
-    let outcome = integrate(&*scene.system.law(), scene.run.method, &tolerance, &span, &mut seen);
-    if let Some(failure) = outcome.failure() {
-        return Err(failure);
+    let (problem, modes) = scene.switched();
+    let mut span = Span::new(0.0, last, &scene.start).with_deadline(deadline);
+    span.outputs.clone_from(&sorted);
+    let mut seen = Seen { record: Record::new(), modes: modes.as_deref(), held: Vec::new() };
+    let (outcome, left) = problem.integrate(scene.run.method, &tolerance, &span, &mut seen);
+    let ended = |why: String| NoInstance::Ended { time: outcome.time, why };
+    match (left, outcome.failure()) {
+        (Some(why), _) => return Err(ended(why.to_owned())),
+        (None, Some(failure)) => return Err(NoInstance::Failure(failure)),
+        (None, None) if outcome.time < last => return Err(ended("an event of the file ends the run".to_owned())),
+        (None, None) => {}
+    }
+    let Seen { record, held, .. } = seen;
+    if let Some((place, switch)) = held.iter().enumerate().find_map(|(place, held)| Some((place, (*held)?))) {
+        return Err(NoInstance::Held { time: record.times[place], switch });
     }
     let state = |time: f64| {
-        let place = seen.times.iter().position(|known| *known == time);
-        place.map_or_else(|| scene.start.clone(), |place| seen.states[place].clone())
+        let place = record.times.iter().position(|known| *known == time);
+        place.map_or_else(|| scene.start.clone(), |place| record.states[place].clone())
     };
     Ok(times.iter().map(|&time| (time, state(time))).collect())
+}
+
+/// The states at times, each with the condition that stays at zero then.
+struct Seen<'a> {
+    record: Record<f64>,
+    modes: Option<&'a Modes>,
+    held: Vec<Option<usize>>,
+}
+
+impl Observer<f64> for Seen<'_> {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        self.record.sample(time, state);
+        self.held.push(self.modes.and_then(Modes::held_condition));
+    }
 }
 
 /// Motion of the point of a linearisation.

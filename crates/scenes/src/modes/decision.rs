@@ -5,16 +5,20 @@
 //! that is not zero. Every sign is decided beside the rounding error of its value, in every candidate alike, so that two cases whose
 //! difference is a rounding are told apart by the next rate and not by chance.
 
-use super::Case;
 use super::expansion::{Expansion, Expansions, Instant};
+use super::mode::{Case, Mode, Phase};
 use super::pivots::{NotFound, pivoted};
 use super::shares::shares;
+use super::touch::{Touch, at_rest, possible, standing_of};
 
 /// The largest number of conditions at zero together whose combinations are all tried; among more, one that agrees is sought.
 const MOST_OPEN: usize = 6;
 
+/// The largest number of combinations of cases and phases that are tried.
+const MOST_TRIED: usize = 20_000;
+
 /// Terms by which combinations are sifted, and by which those that are left are decided.
-const FEW: usize = 2;
+pub(super) const FEW: usize = 2;
 pub(super) const TERMS: usize = 6;
 
 /// Multiples of its doubt that a term must exceed, to count. A larger one serves where a smaller leaves no case, or several: a force that
@@ -23,10 +27,10 @@ pub(super) const SLACKS: [f64; 7] = [16.0, 256.0, 4096.0, 65_536.0, 1_048_576.0,
 
 /// The order of what agrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Standing {
-    /// A condition that should leave zero stays there.
+pub(super) enum Standing {
+    /// A condition, or a contact, that should leave zero stays there.
     Rests,
-    /// A switch that is held stays at its bound.
+    /// A switch that is held, or a reaction, stays at its bound.
     AtBound,
     /// Everything moves as its case says.
     Moves,
@@ -36,8 +40,8 @@ enum Standing {
 #[derive(Debug)]
 pub(super) enum Decided {
     One {
-        mode: Vec<Case>,
-        expansion: Expansion<TERMS>,
+        mode: Mode,
+        expansion: Box<Expansion<TERMS>>,
         slack: f64,
     },
     /// None agrees; whether one cannot be held.
@@ -45,14 +49,40 @@ pub(super) enum Decided {
         not_held: bool,
     },
     Several,
+    /// More combinations than are tried.
+    TooMany,
 }
 
-/// Decides the cases of open conditions, beginning with those of a mode; other conditions keep theirs.
-pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Case], open: &[usize]) -> Decided {
+/// What is open at an instant.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Open<'a> {
+    /// Conditions at zero.
+    pub switches: &'a [usize],
+    /// What is known of each contact.
+    pub touches: &'a [Touch],
+}
+
+impl Open<'_> {
+    /// All combinations of phases.
+    fn phases(&self, expansions: &Expansions) -> Option<Vec<Vec<Phase>>> {
+        let mut all = vec![Vec::new()];
+        for (touch, kind) in self.touches.iter().zip(&expansions.kinds) {
+            let own = touch.phases(*kind);
+            if all.len() * own.len() > MOST_TRIED {
+                return None;
+            }
+            all = all.iter().flat_map(|before| own.iter().map(|phase| [&before[..], &[*phase]].concat())).collect();
+        }
+        Some(all)
+    }
+}
+
+/// Decides the cases of open conditions, beginning with those of a mode, and the phases of contacts; other conditions keep theirs.
+pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &Mode, open: Open<'_>) -> Decided {
     // cases without shares
-    let mut alone = mode.to_vec();
-    for &switch in open {
-        alone[switch] = match mode[switch] {
+    let mut alone = mode.clone();
+    for &switch in open.switches {
+        alone.cases[switch] = match mode.cases[switch] {
             Case::Shared => Case::Off,
             Case::Spent { on } => {
                 if on {
@@ -64,47 +94,68 @@ pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &[Ca
             case => case,
         };
     }
-    let found = if open.len() > MOST_OPEN {
-        many(expansions, instant, &alone, open)
+    let Some(phases) = open.phases(expansions) else { return Decided::TooMany };
+    let found = if open.switches.len() > MOST_OPEN {
+        many(expansions, instant, (&alone, &phases), open)
+    } else if phases.len() * 3_usize.pow(open.switches.len() as u32) > MOST_TRIED {
+        Decided::TooMany
     } else {
-        tried(expansions, instant, &alone, open)
+        tried(expansions, instant, (&alone, &phases), open)
     };
     match found {
         Decided::One { mode, expansion, slack } => {
-            let (mode, expansion) =
-                shares(expansions, instant, (&mode, &expansion), open, slack).unwrap_or((mode, expansion));
-            Decided::One { mode, expansion, slack }
+            match shares(expansions, instant, (&mode, &expansion), open.switches, slack) {
+                Some((mode, expansion)) => Decided::One { mode, expansion: Box::new(expansion), slack },
+                None => Decided::One { mode, expansion, slack },
+            }
         }
         none => none,
     }
 }
 
 /// The same by pivots.
-fn many(expansions: &Expansions, instant: &Instant<'_>, mode: &[Case], open: &[usize]) -> Decided {
+fn many(
+    expansions: &Expansions,
+    instant: &Instant<'_>,
+    (mode, phases): (&Mode, &[Vec<Phase>]),
+    open: Open<'_>,
+) -> Decided {
     let mut not_held = false;
     for slack in SLACKS {
-        match pivoted(expansions, instant, mode, open, slack) {
-            Ok((mode, expansion)) => return Decided::One { mode, expansion, slack },
-            Err(NotFound { is_held }) => not_held |= !is_held,
+        for phases in phases {
+            let mode = Mode { phases: phases.clone(), ..mode.clone() };
+            match pivoted(expansions, instant, &mode, open.switches, slack) {
+                Ok((mode, expansion)) if of_contacts(&expansion, &mode, open, slack).is_some() => {
+                    return Decided::One { mode, expansion: Box::new(expansion), slack };
+                }
+                Ok(_) => {}
+                Err(NotFound { is_held }) => not_held |= !is_held,
+            }
         }
     }
     Decided::None { not_held }
 }
 
-/// The same among all combinations of cases.
-fn tried(expansions: &Expansions, instant: &Instant<'_>, mode: &[Case], open: &[usize]) -> Decided {
+/// The same among all combinations of cases and phases.
+fn tried(
+    expansions: &Expansions,
+    instant: &Instant<'_>,
+    (mode, phases): (&Mode, &[Vec<Phase>]),
+    open: Open<'_>,
+) -> Decided {
     // of cases that rest the one that the event led to comes first
-    let cases = |switch: usize| match mode[switch] {
+    let cases = |switch: usize| match mode.cases[switch] {
         Case::On => [Case::On, Case::Off, Case::Held],
         Case::Off => [Case::Off, Case::On, Case::Held],
         _ => [Case::Held, Case::On, Case::Off],
     };
     let (mut candidates, mut not_held) = (Vec::new(), false);
     let widest = SLACKS[SLACKS.len() - 1];
-    for combination in 0..3_usize.pow(open.len() as u32) {
-        let (mut candidate, mut rest) = (mode.to_vec(), combination);
-        for &switch in open {
-            candidate[switch] = cases(switch)[rest % 3];
+    for combination in 0..phases.len() * 3_usize.pow(open.switches.len() as u32) {
+        let mut candidate = Mode { phases: phases[combination % phases.len()].clone(), ..mode.clone() };
+        let mut rest = combination / phases.len();
+        for &switch in open.switches {
+            candidate.cases[switch] = cases(switch)[rest % 3];
             rest /= 3;
         }
         expansions.mirror(&mut candidate);
@@ -128,8 +179,11 @@ fn tried(expansions: &Expansions, instant: &Instant<'_>, mode: &[Case], open: &[
         let differs = |place: usize| differ(&candidates[first].1, &candidates[place].1, slack);
         several = best == Standing::Moves && agreeing.any(differs);
         if !several {
-            let (mode, expansion) = candidates.swap_remove(first);
-            return Decided::One { mode, expansion, slack };
+            let (mut mode, expansion) = candidates.swap_remove(first);
+            for ((phase, contact), touch) in mode.phases.iter_mut().zip(&expansion.contacts).zip(open.touches) {
+                *phase = at_rest(contact, *phase, *touch, slack);
+            }
+            return Decided::One { mode, expansion: Box::new(expansion), slack };
         }
     }
     if several { Decided::Several } else { Decided::None { not_held } }
@@ -151,18 +205,28 @@ pub(super) fn rests(expansion: &Expansion<TERMS>, case: Case, switch: usize, sla
     alone(expansion, case, switch, slack) == Some(Standing::Rests)
 }
 
-/// Whether no open condition contradicts its case by its rate, or its switch by its value.
-fn is_possible(sifted: &Expansion<FEW>, mode: &[Case], open: &[usize], slack: f64) -> bool {
-    open.iter().all(|&switch| match mode[switch] {
-        Case::On => sifted.conditions[switch].sign_of(1, slack) >= 0.0,
-        Case::Off => sifted.conditions[switch].sign_of(1, slack) <= 0.0,
-        _ => sifted.margins(switch).iter().all(|margin| margin.sign_of(0, slack) >= 0.0),
-    })
+/// Whether no open condition contradicts its case by its rate, or its switch by its value, and no contact its phase.
+fn is_possible(sifted: &Expansion<FEW>, mode: &Mode, open: Open<'_>, slack: f64) -> bool {
+    let mut contacts = sifted.contacts.iter().zip(&mode.phases).zip(open.touches);
+    let agree = contacts.all(|((contact, phase), touch)| possible(contact, *phase, *touch, slack));
+    agree
+        && open.switches.iter().all(|&switch| match mode.cases[switch] {
+            Case::On => sifted.conditions[switch].sign_of(1, slack) >= 0.0,
+            Case::Off => sifted.conditions[switch].sign_of(1, slack) <= 0.0,
+            _ => sifted.margins(switch).iter().all(|margin| margin.sign_of(0, slack) >= 0.0),
+        })
 }
 
-/// Whether open conditions move as their cases say; none where one contradicts its case.
-fn standing(expansion: &Expansion<TERMS>, mode: &[Case], open: &[usize], slack: f64) -> Option<Standing> {
-    let each = open.iter().map(|&switch| alone(expansion, mode[switch], switch, slack));
+/// Whether open conditions and contacts move as they should; none where one contradicts.
+fn standing(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f64) -> Option<Standing> {
+    let each = open.switches.iter().map(|&switch| alone(expansion, mode.cases[switch], switch, slack));
+    each.chain([of_contacts(expansion, mode, open, slack)]).min().unwrap_or(Some(Standing::Moves))
+}
+
+/// The same of all contacts.
+fn of_contacts(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f64) -> Option<Standing> {
+    let contacts = expansion.contacts.iter().zip(&mode.phases).zip(open.touches);
+    let each = contacts.map(|((contact, phase), touch)| standing_of(contact, *phase, *touch, slack));
     each.min().unwrap_or(Some(Standing::Moves))
 }
 

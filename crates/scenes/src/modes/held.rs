@@ -3,7 +3,8 @@
 //! Along the motion g' = a + b s with the switch s, which the law holds linearly: s = -a/b. Dry friction is such a law: while it
 //! sticks, s takes the value of the force that is needed.
 
-use super::Case;
+use super::contacts::{Closed, closed};
+use super::mode::{Case, Mode};
 use super::multiples::{Mirrored, letters as letters_of, mirrored as mirrored_in};
 use crate::compiled_system::{Motion, NotCompiled};
 use model::Trace;
@@ -12,10 +13,17 @@ use symbolic::{Derivation, Sym, substitute_all};
 /// The accelerations with every switch replaced, and the values of the switches.
 pub(crate) fn held(
     trace: &Trace<'_>,
-    mode: &[Case],
+    mode: &Mode,
     accelerations: Vec<Sym>,
     multipliers: Vec<Sym>,
 ) -> Result<Motion, NotCompiled> {
+    let speeds = accelerations.len();
+    let (Closed { reactions, determinant }, mut accelerations) = match mode.phases.is_empty() {
+        true => (Closed { reactions: Vec::new(), determinant: Sym::ONE }, [accelerations, multipliers].concat()),
+        false => closed(trace, mode, &accelerations, &multipliers)?,
+    };
+    let multipliers = accelerations.split_off(speeds);
+    let mode = &mode.cases;
     let mirrored = mirrored_in(trace);
     let others = letters_of(trace, &mirrored);
     let own = || (0..mode.len()).filter(|switch| mirrored[*switch].is_none());
@@ -85,7 +93,8 @@ pub(crate) fn held(
     }
     let shares: Vec<(Sym, Sym)> = own().map(|switch| (letter(&switch), switches[switch])).collect();
     let (accelerations, multipliers) = (in_found(&accelerations), substitute_all(&multipliers, &shares));
-    Ok(Motion { switches, parts, accelerations, multipliers })
+    let reactions = substitute_all(&reactions.concat(), &shares).as_chunks::<2>().0.to_vec();
+    Ok(Motion { switches, parts, accelerations, multipliers, reactions, determinant })
 }
 
 /// A partial derivative.
@@ -118,13 +127,19 @@ fn zeros(trace: &Trace<'_>, conditions: &[Sym]) -> Vec<(Sym, Sym)> {
     known
 }
 
-/// Gauss's elimination in order; the first row without a pivot where there is one.
-fn solved(mut rows: Vec<Vec<Sym>>, mut right: Vec<Sym>) -> Result<Vec<Sym>, usize> {
-    let n = right.len();
+/// The solution of linear equations.
+fn solved(rows: Vec<Vec<Sym>>, right: Vec<Sym>) -> Result<Vec<Sym>, usize> {
+    eliminated(rows, right).map(|(values, _)| values)
+}
+
+/// Gauss's elimination in order, with the determinant; the first row without a pivot where there is one.
+pub(super) fn eliminated(mut rows: Vec<Vec<Sym>>, mut right: Vec<Sym>) -> Result<(Vec<Sym>, Sym), usize> {
+    let (n, mut determinant) = (right.len(), Sym::ONE);
     for pivot in 0..n {
         let Some(row) = (pivot..n).find(|&row| rows[row][pivot] != Sym::ZERO) else { return Err(pivot) };
         rows.swap(pivot, row);
         right.swap(pivot, row);
+        determinant *= if row == pivot { rows[pivot][pivot] } else { -rows[pivot][pivot] };
         for below in pivot + 1..n {
             let factor = rows[below][pivot] / rows[pivot][pivot];
             let (upper, lower) = rows.split_at_mut(below);
@@ -139,5 +154,5 @@ fn solved(mut rows: Vec<Vec<Sym>>, mut right: Vec<Sym>) -> Result<Vec<Sym>, usiz
         let known = (row + 1..n).fold(right[row], |rest, column| rest - rows[row][column] * right[column]);
         right[row] = known / rows[row][row];
     }
-    Ok(right)
+    Ok((right, determinant))
 }

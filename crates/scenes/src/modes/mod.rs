@@ -1,9 +1,11 @@
 //! Modes of a model: the case of each of its conditions, the law that holds there, and the instants at which it ends.
 
+mod contacts;
 mod decision;
 mod expansion;
 mod held;
 mod jet;
+mod mode;
 mod multiples;
 mod passage;
 mod pivots;
@@ -11,82 +13,35 @@ mod shares;
 mod sides;
 mod signal_integrals;
 mod signals;
+mod touch;
+mod touches;
+mod words;
 
 pub(crate) use held::held;
+pub use mode::{Case, Face, Mode, Phase};
 
-use crate::compiled_system::{CompiledSystem, NotCompiled};
+use crate::compiled_system::{CompiledSystem, NotCompiled, changes};
 use derivations::scene::problem::Law;
-use derivations::scene::switching::{Segment, Switching};
+use derivations::scene::switching::{Passage, Segment, Switching};
 use expansion::Expansions;
 use integrators::Event;
 use model::Model;
+use passage::After;
 use sides::Side;
-use signals::{Fall, Signals};
+use signals::Signals;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-
-/// The case of a condition.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Case {
-    /// Its expression is positive.
-    On,
-    /// It is negative.
-    Off,
-    /// It stays at zero, since either case drives it back: dry friction that sticks.
-    Held,
-    /// It stays at zero since conditions that are held imply it; its switch takes a part of what keeps them there.
-    Shared,
-    /// The same, and its switch stays at 1 (on) or at 0, since its part would be larger.
-    Spent { on: bool },
-}
-
-impl Case {
-    /// Whether the condition stays at zero.
-    fn rests(self) -> bool {
-        !matches!(self, Case::On | Case::Off)
-    }
-
-    /// Whether the switch is 1, where the case says it, or 0.
-    fn fixed(self) -> Option<bool> {
-        match self {
-            Case::On | Case::Spent { on: true } => Some(true),
-            Case::Off | Case::Spent { on: false } => Some(false),
-            Case::Held | Case::Shared => None,
-        }
-    }
-}
+use words::Words;
 
 /// The laws of a model by their modes, and the mode of a run.
 pub struct Modes {
     model: Arc<Model>,
-    known: Mutex<HashMap<Vec<Case>, Made>>,
+    known: Mutex<HashMap<Mode, Made>>,
     /// Made when a mode is first decided.
     expansions: OnceLock<Result<Expansions, NotCompiled>>,
     current: Mutex<Option<Current>>,
-    ended: Arc<Ended>,
-}
-
-/// The events that ended runs, by the times of their ends.
-#[derive(Debug, Default)]
-pub(crate) struct Ended(Mutex<HashMap<u64, End>>);
-
-/// An event that ended a run, by its place in the model.
-#[derive(Clone, Debug)]
-pub(crate) struct End {
-    pub event: usize,
-    /// The constraint that it breaks, where it does, with the residual.
-    pub breaks: Option<String>,
-}
-
-impl Ended {
-    /// The end of a run at a time.
-    pub fn at(&self, time: f64) -> Option<End> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(&time.to_bits()).cloned()
-    }
-
-    fn keep(&self, time: f64, end: End) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(time.to_bits(), end);
-    }
+    words: Words,
+    passages: Mutex<Vec<Passage>>,
 }
 
 /// The law in which a run is, and what is known of the zeros of its signals.
@@ -101,6 +56,10 @@ struct Current {
     /// The same for the distances of each switch from 0 and from 1, and for the expression of each event.
     near_bounds: Vec<[f64; 2]>,
     near_events: Vec<f64>,
+    /// The same of each contact: its gap or pressure, then what is left of friction, or its sliding velocity.
+    near_contacts: Vec<[f64; 3]>,
+    /// The determinant of the equations for the reactions, where the law began.
+    determinant: f64,
 }
 
 /// Why a motion does not start.
@@ -126,29 +85,31 @@ struct Moded {
 }
 
 impl Modes {
-    /// The modes of a model; laws are compiled when a run comes to them.
-    pub fn of(model: &Arc<Model>) -> Self {
-        Modes::telling(model, Arc::default())
-    }
-
-    /// The same, and each event that ends a run is kept.
-    pub(crate) fn telling(model: &Arc<Model>, ended: Arc<Ended>) -> Self {
+    /// The modes of a model; laws are compiled when a run comes to them. Its events have names.
+    pub fn of(model: &Arc<Model>, events: &[String]) -> Self {
         Modes {
             model: Arc::clone(model),
             known: Mutex::default(),
             expansions: OnceLock::new(),
             current: Mutex::default(),
-            ended,
+            words: Words::of(model, events),
+            passages: Mutex::default(),
         }
+    }
+
+    /// Keeps what a run has come to.
+    fn tell(&self, time: f64, what: String, then: Option<&Mode>) {
+        let then = then.map(|mode| self.words.mode(mode));
+        self.passages.lock().unwrap_or_else(PoisonError::into_inner).push(Passage { time, what, then });
     }
 
     /// The law in a mode.
     ///
     /// # Errors
     /// Why there is none.
-    fn moded(&self, mode: &[Case]) -> Result<Arc<Moded>, NotCompiled> {
+    fn moded(&self, mode: &Mode) -> Result<Arc<Moded>, NotCompiled> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        let made = known.entry(mode.to_vec()).or_insert_with(|| {
+        let made = known.entry(mode.clone()).or_insert_with(|| {
             let system = Arc::new(CompiledSystem::of(&self.model, mode)?);
             let signals = Signals::of(&self.model, mode)?;
             let (law, followed) = signal_integrals::followed(&self.model, &system);
@@ -162,9 +123,8 @@ impl Modes {
     /// # Errors
     /// Why there is none.
     pub fn first(&self, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
-        let off = vec![Case::Off; self.model.switches.len()];
-        let moded = self.moded(&off).map_err(Refused::Law)?;
-        if self.model.switches.is_empty() && self.model.events.is_empty() {
+        let moded = self.moded(&Mode::off(&self.model)).map_err(Refused::Law)?;
+        if !changes(&self.model) {
             return Ok(Arc::clone(&moded.system));
         }
         self.expansions().map_err(Refused::Law)?;
@@ -178,6 +138,11 @@ impl Modes {
         current.as_ref().map(|current| Arc::clone(&current.moded.system))
     }
 
+    /// The first condition that the law in which the run is keeps at zero.
+    pub fn held_condition(&self) -> Option<usize> {
+        self.current()?.mode.cases.iter().position(|case| case.rests())
+    }
+
     fn enter(&self, current: Current) -> Segment {
         *self.current.lock().unwrap_or_else(PoisonError::into_inner) = Some(current.clone());
         let Moded { law, followed, .. } = &*current.moded;
@@ -187,17 +152,35 @@ impl Modes {
 
 impl Switching for Modes {
     fn begin(&self, time: f64, state: &mut [f64]) -> Result<Segment, &'static str> {
-        Ok(self.enter(self.begun(time, state)?))
+        self.passages.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        let begun = self.begun(time, state)?;
+        self.tell(time, "start".to_owned(), Some(&begun.moded.system.mode));
+        Ok(self.enter(begun))
     }
 
     fn pass(&self, event: &Event, state: &mut [f64]) -> Result<Option<Segment>, &'static str> {
         let before = self.current.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let Some(before) = before else { return Err("the run has no mode") };
         let fall = before.moded.signals.falls[event.signal];
-        let after = self.after(&before, event, state)?;
-        if let (Fall::Event { event: number }, None) = (fall, &after) {
-            self.ended.keep(event.time, End { event: number, breaks: None });
+        match self.after(&before, event, state)? {
+            After::Unchanged(current) => Ok(Some(self.enter(current))),
+            After::Changed(current) => {
+                self.tell(event.time, self.words.fall(fall), Some(&current.moded.system.mode));
+                Ok(Some(self.enter(current)))
+            }
+            After::Ended => {
+                self.tell(event.time, self.words.fall(fall), None);
+                Ok(None)
+            }
         }
-        Ok(after.map(|current| self.enter(current)))
+    }
+
+    fn obstacle(&self, time: f64, state: &[f64]) -> Option<&'static str> {
+        let current = self.current.lock().unwrap_or_else(PoisonError::into_inner).clone()?;
+        self.jams(&current, time, state).then_some(passage::JAMS)
+    }
+
+    fn passages(&self) -> Vec<Passage> {
+        self.passages.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }

@@ -1,11 +1,13 @@
 //! The mode in which a run begins, and the one that follows an event.
 
-use super::decision::{Decided, SLACKS, TERMS, beyond, decided};
-use super::expansion::{Expansion, Expansions, Instant};
+use super::decision::{Decided, Open, SLACKS, TERMS, beyond, decided};
+use super::expansion::{Expansion, Expansions, Instant, Touching};
 use super::jet::Jet;
+use super::mode::{Case, Mode, Phase};
 use super::sides::{Past, Side, side};
 use super::signals::Fall;
-use super::{Case, Current, End, Modes};
+use super::touch::{Touch, margins};
+use super::{Current, Modes};
 use crate::compiled_system::NotCompiled;
 use crate::start::broken;
 use integrators::{Event, Happening};
@@ -13,12 +15,27 @@ use model::Direction;
 
 const NO_LAW: &str =
     "no law holds after a condition changes: it would have to be kept at zero, and nothing keeps it there";
-const NONE: &str = "no case of its conditions agrees with the motion that it gives";
-const SEVERAL: &str = "several motions go on from here, each by another case of its conditions";
+const NONE: &str = "no case of its conditions and contacts agrees with the motion that it gives";
+const SEVERAL: &str = "several motions go on from here, each by another case of its conditions or contacts";
+const TOO_MANY: &str =
+    "so many conditions and contacts are at zero together that their cases are not tried: more than 20,000";
+pub(super) const JAMS: &str = "the equations for the reactions of its contacts become singular: friction makes the reactions grow beyond every bound";
 const BROKEN: &str = "an event leaves a state that breaks a constraint";
 
+/// A determinant is zero where it has fallen to this part of what it was.
+const JAMMED: f64 = 1e-6;
+
 /// The least multiple of a doubt that counts.
-const SLACK: f64 = SLACKS[0];
+pub(super) const SLACK: f64 = SLACKS[0];
+
+/// The run after an event.
+pub(super) enum After {
+    /// An expression passed zero in a direction that does not count.
+    Unchanged(Current),
+    Changed(Current),
+    /// The motion ends with it.
+    Ended,
+}
 
 impl Modes {
     pub(super) fn expansions(&self) -> Result<&Expansions, NotCompiled> {
@@ -27,41 +44,42 @@ impl Modes {
 
     /// The first condition that is at zero.
     pub(super) fn at_zero(&self, time: f64, state: &[f64]) -> Option<usize> {
-        let off = vec![Case::Off; self.model.switches.len()];
+        let off = Mode::off(&self.model);
         let found = self.expansions().ok()?.at::<1>(&Instant { time, state, late: 0.0 }, &off)?;
         found.conditions.iter().position(|condition| condition.sign_of(0, SLACK) == 0.0)
     }
 
     /// The mode at a state that no mode has led to.
     pub(super) fn begun(&self, time: f64, state: &[f64]) -> Result<Current, &'static str> {
-        self.at(&Instant { time, state, late: 0.0 }, &[], |_| Past::None)
+        let touches = self.touches(time, state)?;
+        self.at(&Instant { time, state, late: 0.0 }, (&[], &touches), |_| Past::None)
     }
 
     /// The mode at a state; conditions that were held, and may be so still, are open.
-    fn at(&self, instant: &Instant<'_>, held: &[usize], past: impl Fn(usize) -> Past) -> Result<Current, &'static str> {
+    fn at(
+        &self,
+        instant: &Instant<'_>,
+        (held, touches): (&[usize], &[Touch]),
+        past: impl Fn(usize) -> Past,
+    ) -> Result<Current, &'static str> {
         let expansions = self.expansions().map_err(refused)?;
-        let mut mode = vec![Case::Off; self.model.switches.len()];
+        let mut mode = Mode::off(&self.model);
         let mut open = Vec::new();
         // a condition may depend on the cases of those before it
-        for switch in 0..mode.len() {
+        for switch in 0..mode.cases.len() {
             let Some(Expansion { conditions, .. }) = expansions.at::<1>(instant, &mode) else { return Err(NO_LAW) };
             let sign = conditions[switch].sign_of(0, SLACK);
-            mode[switch] = if sign > 0.0 { Case::On } else { Case::Off };
+            mode.cases[switch] = if sign > 0.0 { Case::On } else { Case::Off };
             if expansions.mirrored[switch].is_none() && (sign == 0.0 || held.contains(&switch)) {
                 open.push(switch);
             }
             expansions.mirror(&mut mode);
         }
-        self.settled(instant, &mode, &open, past)
+        self.settled(instant, &mode, Open { switches: &open, touches }, past)
     }
 
-    /// The mode after an event, and the state, which the event may set; none where the motion ends with it.
-    pub(super) fn after(
-        &self,
-        before: &Current,
-        event: &Event,
-        state: &mut [f64],
-    ) -> Result<Option<Current>, &'static str> {
+    /// The mode after an event, and the state, which the event may set.
+    pub(super) fn after(&self, before: &Current, event: &Event, state: &mut [f64]) -> Result<After, &'static str> {
         let expansions = self.expansions().map_err(refused)?;
         let mut mode = before.moded.system.mode.clone();
         let fall = before.moded.signals.falls[event.signal];
@@ -74,7 +92,8 @@ impl Modes {
             condition.terms[0].abs() <= before.near[switch].max(SLACK * condition.doubts[0])
         };
         let own = |switch: &usize| expansions.mirrored[*switch].is_none();
-        let held: Vec<usize> = (0..mode.len()).filter(own).filter(|&switch| mode[switch].rests()).collect();
+        let cases = mode.cases.len();
+        let held: Vec<usize> = (0..cases).filter(own).filter(|&switch| mode.cases[switch].rests()).collect();
         let keeps = |other: usize| match before.sides[other] {
             Side { is_open: true, .. } => Past::None,
             Side { sign: from, .. } => Past::Side { from, near: before.near_events[other] },
@@ -84,23 +103,43 @@ impl Modes {
                 return self.after_own(before, (number, late), event, state, (&known, &held));
             }
             Fall::Passes { switch } => {
-                mode[switch] = if mode[switch] == Case::On { Case::Off } else { Case::On };
-                switch
+                mode.cases[switch] = if mode.cases[switch] == Case::On { Case::Off } else { Case::On };
+                Some(switch)
             }
             Fall::Leaves { switch, to } => {
-                mode[switch] = to;
-                switch
+                mode.cases[switch] = to;
+                Some(switch)
             }
-            Fall::Frees { switch } => switch,
+            Fall::Frees { switch } => Some(switch),
+            Fall::Jams => return Err(JAMS),
+            Fall::Closes { .. } | Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Stops { .. } => None,
         };
-        let is_open = |switch: &usize| held.contains(switch) || *switch == last || is_near(&known, *switch);
-        let open: Vec<usize> = (0..mode.len()).filter(own).filter(is_open).collect();
+        let touches = self.touches_after(&mode, fall, (event.time, late), state)?;
+        let is_open = |switch: &usize| held.contains(switch) || Some(*switch) == last || is_near(&known, *switch);
+        let open: Vec<usize> = (0..cases).filter(own).filter(is_open).collect();
         expansions.mirror(&mut mode);
-        let instant = Instant { late, ..exact };
-        let current = self.settled(&instant, &mode, &open, keeps)?;
+        let instant = Instant { time: event.time, state, late };
+        let current = self.settled(&instant, &mode, Open { switches: &open, touches: &touches }, keeps);
+        let current = match current {
+            Ok(current) => current,
+            // there it is a rounding which condition fails first
+            Err(NONE | SEVERAL) if self.jams(before, event.time, state) => return Err(JAMS),
+            Err(why) => return Err(why),
+        };
         // what sticks now does so at zero
         expansions.return_to_zero(event.time, state, &current.moded.system.mode, 0.0);
-        Ok(Some(current))
+        Ok(After::Changed(current))
+    }
+
+    /// Whether the determinant of the equations for the reactions has gone to zero since the law began.
+    pub(super) fn jams(&self, current: &Current, time: f64, state: &[f64]) -> bool {
+        let mode = &current.moded.system.mode;
+        let instant = Instant { time, state, late: 0.0 };
+        mode.phases.iter().any(|phase| phase.way().is_some())
+            && self.expansions().is_ok_and(|expansions| {
+                expansions.determinant(&instant, mode) * current.determinant.signum()
+                    < JAMMED * current.determinant.abs()
+            })
     }
 
     /// The same after an event of the model.
@@ -111,12 +150,12 @@ impl Modes {
         event: &Event,
         state: &mut [f64],
         (known, held): (&Expansion<TERMS>, &[usize]),
-    ) -> Result<Option<Current>, &'static str> {
+    ) -> Result<After, &'static str> {
         let Side { sign: from, is_open } = before.sides[number];
         let with_side = |side: Side| {
             let mut current = before.clone();
             (current.sides[number], current.near_events[number]) = (side, 0.0);
-            Ok(Some(current))
+            Ok(After::Unchanged(current))
         };
         if is_open && event.what == Happening::StartsBelow {
             return with_side(Side { sign: -from, is_open: false });
@@ -124,7 +163,7 @@ impl Modes {
         // one that has not left zero since it was set there does not come back to it
         let rate = before.moded.signals.event_rate(number, event.time, state);
         if rate * from > 0.0 {
-            return Ok(Some(before.clone()));
+            return Ok(After::Unchanged(before.clone()));
         }
         let counts = match self.model.events[number].direction {
             Direction::Down => from > 0.0,
@@ -137,19 +176,19 @@ impl Modes {
         let set = before.moded.signals.set_by(number, event.time, state);
         if self.model.events[number].ends {
             state.copy_from_slice(&set);
-            return Ok(None);
+            return Ok(After::Ended);
         }
         // the state before the event stays the last good one
         if let Some(broken) = broken(&self.model, event.time, &set) {
-            self.ended.keep(event.time, End { event: number, breaks: Some(broken) });
+            let name = self.words.fall(Fall::Event { event: number });
+            self.tell(event.time, format!("after {name} {broken}, which must be zero"), None);
             return Err(BROKEN);
         }
         state.copy_from_slice(&set);
         let expansions = self.expansions().map_err(refused)?;
         let instant = Instant { time: event.time, state, late };
         // what was held, and is where it was, may be held still
-        let off = vec![Case::Off; before.moded.system.mode.len()];
-        let now = expansions.at::<1>(&instant, &off);
+        let now = expansions.at::<1>(&instant, &Mode::off(&self.model));
         let stays = |switch: &usize| {
             now.as_ref().is_some_and(|now| {
                 let (now, before) = (&now.conditions[*switch], &known.conditions[*switch]);
@@ -164,15 +203,17 @@ impl Modes {
             }
             _ => Past::None,
         };
-        self.at(&instant, &held, past).map(Some)
+        let phases = &before.moded.system.mode.phases;
+        let touches = self.touches_set(phases, &known.contacts, event.time, state)?;
+        self.at(&instant, (&held, &touches), past).map(After::Changed)
     }
 
     /// The one mode with these cases whose open conditions move as it says.
     fn settled(
         &self,
         instant: &Instant<'_>,
-        mode: &[Case],
-        open: &[usize],
+        mode: &Mode,
+        open: Open<'_>,
         past: impl Fn(usize) -> Past,
     ) -> Result<Current, &'static str> {
         let expansions = self.expansions().map_err(refused)?;
@@ -180,13 +221,30 @@ impl Modes {
             Decided::One { mode, expansion, slack } => (mode, expansion, slack),
             Decided::None { not_held } => return Err(if not_held { NO_LAW } else { NONE }),
             Decided::Several => return Err(SEVERAL),
+            Decided::TooMany => return Err(TOO_MANY),
         };
         let rounding = |jet: &Jet<TERMS>| if jet.sign_of(0, slack) == 0.0 { slack * jet.doubts[0] } else { 0.0 };
         let near = |switch: usize| {
             let condition = &expansion.conditions[switch];
-            let beyond = beyond(condition.terms[0], mode[switch]);
+            let beyond = beyond(condition.terms[0], mode.cases[switch]);
             let rounding = (slack * condition.doubts[0]).max(condition.hidden(slack));
-            if open.contains(&switch) { (2.0 * beyond).max(rounding) } else { 0.0 }
+            if open.switches.contains(&switch) { (2.0 * beyond).max(rounding) } else { 0.0 }
+        };
+        let near_contact = |(phase, contact): (&Phase, &Touching<TERMS>)| {
+            let below = |jet: &Jet<TERMS>| (-2.0 * jet.terms[0]).max(rounding(jet)).max(0.0);
+            match *phase {
+                // what is far from zero is not near it
+                Phase::Apart => [below(&contact.gap), 0.0, 0.0],
+                Phase::Sticks(face) => margins(contact, face).each_ref().map(rounding),
+                Phase::Rests { face, .. } => [rounding(&margins(contact, face)[0]), 0.0, 0.0],
+                Phase::Slips { face, forwards } => {
+                    let way = if forwards { 1.0 } else { -1.0 };
+                    let slide = Jet::constant(way, 0.0) * contact.slide;
+                    let begins = slide.terms[0] <= slack * slide.doubts[0];
+                    let near = if begins { below(&slide).max(slide.hidden(slack)) } else { 0.0 };
+                    [rounding(&margins(contact, face)[0]), near, 0.0]
+                }
+            }
         };
         let begun = |event: usize| {
             let (past, jet) = (past(event), &expansion.events[event]);
@@ -207,8 +265,12 @@ impl Modes {
         Ok(Current {
             moded: self.moded(&mode).map_err(refused)?,
             sides,
-            near: (0..mode.len()).map(near).collect(),
-            near_bounds: (0..mode.len()).map(|switch| expansion.margins(switch).each_ref().map(rounding)).collect(),
+            determinant: expansions.determinant(instant, &mode),
+            near_contacts: mode.phases.iter().zip(&expansion.contacts).map(near_contact).collect(),
+            near: (0..mode.cases.len()).map(near).collect(),
+            near_bounds: (0..mode.cases.len())
+                .map(|switch| expansion.margins(switch).each_ref().map(rounding))
+                .collect(),
             near_events,
         })
     }
@@ -218,7 +280,7 @@ impl Modes {
 fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
     let (signal, near) = match before.moded.signals.falls[event.signal] {
         Fall::Passes { switch } => {
-            let side = if before.moded.system.mode[switch] == Case::On { 1.0 } else { -1.0 };
+            let side = if before.moded.system.mode.cases[switch] == Case::On { 1.0 } else { -1.0 };
             (known.conditions[switch], side * before.near[switch])
         }
         Fall::Leaves { switch, to } => {
@@ -226,16 +288,29 @@ fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
             (known.margins(switch)[bound], before.near_bounds[switch][bound])
         }
         Fall::Frees { switch } => {
-            let bound = usize::from(before.moded.system.mode[switch].fixed() == Some(true));
+            let bound = usize::from(before.moded.system.mode.cases[switch].fixed() == Some(true));
             (-known.margins(switch)[bound], before.near_bounds[switch][bound])
         }
+        Fall::Closes { contact } => (known.contacts[contact].gap, before.near_contacts[contact][0]),
+        Fall::Lifts { contact } | Fall::Slides { contact, .. } | Fall::Stops { contact } => {
+            let touching = &known.contacts[contact];
+            let phase = before.moded.system.mode.phases[contact];
+            let margins = phase.face().map(|face| margins(touching, face));
+            let own = match (before.moded.signals.falls[event.signal], margins) {
+                (Fall::Slides { margin, .. }, Some(margins)) => (margins[margin], margin),
+                (Fall::Lifts { .. }, Some(margins)) => (margins[0], 0),
+                _ => (Jet::constant(phase.way().unwrap_or(1.0), 0.0) * touching.slide, 1),
+            };
+            (own.0, before.near_contacts[contact][own.1])
+        }
+        Fall::Jams => return 0.0,
         Fall::Event { event } => (known.events[event], before.sides[event].sign * before.near_events[event]),
     };
     let is_passed = event.what == Happening::Falls && signal.sign_of(1, SLACK).abs() == 1.0;
     if is_passed { 2.0 * ((signal.terms[0] + near) / signal.terms[1]).abs() } else { 0.0 }
 }
 
-fn refused(reason: NotCompiled) -> &'static str {
+pub(super) fn refused(reason: NotCompiled) -> &'static str {
     match reason {
         NotCompiled::NotHeld { .. } => NO_LAW,
         NotCompiled::Massless { .. } => "in this case nothing with inertia moves with a coordinate",

@@ -4,10 +4,10 @@
 //! dry friction B = -G R with a semidefinite G and the bounds R of the forces, and criss-cross pivots by one fixed order end (Klafszky
 //! and Terlaky 1992). Signs are those of series in the time, which are ordered as numbers are.
 
-use super::Case;
 use super::decision::{TERMS, contradicted};
 use super::expansion::{Expansion, Expansions, Instant, Slopes, solved};
 use super::jet::Jet;
+use super::mode::{Case, Mode};
 use num_traits::Zero;
 
 /// Changes of all contradicted cases together that may leave as many (block pivots, Judice and Pires 1994).
@@ -30,17 +30,17 @@ pub(super) struct NotFound {
 pub(super) fn pivoted(
     expansions: &Expansions,
     instant: &Instant<'_>,
-    mode: &[Case],
+    mode: &Mode,
     open: &[usize],
     slack: f64,
-) -> Result<(Vec<Case>, Expansion<TERMS>), NotFound> {
-    let (mut mode, mut fewest, mut patience) = (mode.to_vec(), usize::MAX, PATIENCE);
+) -> Result<(Mode, Expansion<TERMS>), NotFound> {
+    let (mut mode, mut fewest, mut patience) = (mode.clone(), usize::MAX, PATIENCE);
     for _ in 0..PIVOTS * open.len() {
         expansions.mirror(&mut mode);
         let Some(expansion) = expansions.at::<TERMS>(instant, &mode) else { return Err(NotFound { is_held: false }) };
         let turned: Vec<(usize, Case)> = open
             .iter()
-            .filter_map(|&switch| Some((switch, contradicted(&expansion, mode[switch], switch, slack)?)))
+            .filter_map(|&switch| Some((switch, contradicted(&expansion, mode.cases[switch], switch, slack)?)))
             .collect();
         let Some(&(last, case)) = turned.last() else { return Ok((mode, expansion)) };
         patience = if turned.len() < fewest { PATIENCE } else { patience.saturating_sub(1) };
@@ -49,10 +49,10 @@ pub(super) fn pivoted(
         let before = mode.clone();
         if patience > 0 {
             let (held, leaving): (Vec<_>, Vec<_>) = turned.into_iter().partition(|(_, case)| *case == Case::Held);
-            leaving.into_iter().for_each(|(switch, case)| mode[switch] = case);
+            leaving.into_iter().for_each(|(switch, case)| mode.cases[switch] = case);
             for (switch, _) in held {
                 if Implied::of(slopes, &expansions.held(&mode), switch).is_none() {
-                    mode[switch] = Case::Held;
+                    mode.cases[switch] = Case::Held;
                 }
             }
         }
@@ -61,12 +61,13 @@ pub(super) fn pivoted(
         }
         let implied = if case == Case::Held { Implied::of(slopes, &expansions.held(&mode), last) } else { None };
         if let Some(implied) = implied {
-            let Some((other, case)) = leaving(&implied, slopes, (&expansions.held(&mode), last), mode[last]) else {
+            let Some((other, case)) = leaving(&implied, slopes, (&expansions.held(&mode), last), mode.cases[last])
+            else {
                 return Err(NotFound { is_held: true });
             };
-            mode[other] = case;
+            mode.cases[other] = case;
         }
-        mode[last] = case;
+        mode.cases[last] = case;
     }
     Err(NotFound { is_held: true })
 }

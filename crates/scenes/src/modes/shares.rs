@@ -4,9 +4,9 @@
 //! s = 1/2 + B^T l, cut at 0 and at 1, which is a convex problem with one solution (see the parts of an expansion). Criss-cross pivots
 //! find those that are cut.
 
-use super::Case;
 use super::decision::{TERMS, rests};
 use super::expansion::{Expansion, Expansions, Instant, Slopes};
+use super::mode::{Case, Mode};
 use super::pivots::{Implied, replaced};
 
 /// Pivots for each condition at rest.
@@ -16,19 +16,19 @@ const PIVOTS: usize = 40;
 pub(super) fn shares(
     expansions: &Expansions,
     instant: &Instant<'_>,
-    (mode, expansion): (&[Case], &Expansion<TERMS>),
+    (mode, expansion): (&Mode, &Expansion<TERMS>),
     open: &[usize],
     slack: f64,
-) -> Option<(Vec<Case>, Expansion<TERMS>)> {
+) -> Option<(Mode, Expansion<TERMS>)> {
     let slopes = &expansion.slopes;
-    let mut mode = mode.to_vec();
+    let mut mode = mode.clone();
     let mut shared = Vec::new();
     for &switch in open {
-        if mode[switch] != Case::Held && rests(expansion, mode[switch], switch, slack) {
+        if mode.cases[switch] != Case::Held && rests(expansion, mode.cases[switch], switch, slack) {
             // what rests by its own bound, and not by others, is held there
             match Implied::of(slopes, &expansions.held(&mode), switch) {
                 Some(_) => shared.push(switch),
-                None => mode[switch] = Case::Held,
+                None => mode.cases[switch] = Case::Held,
             }
         }
     }
@@ -36,14 +36,14 @@ pub(super) fn shares(
         return None;
     }
     let resting: Vec<usize> =
-        open.iter().copied().filter(|switch| mode[*switch] == Case::Held || shared.contains(switch)).collect();
-    shared.into_iter().for_each(|switch| mode[switch] = Case::Shared);
+        open.iter().copied().filter(|switch| mode.cases[*switch] == Case::Held || shared.contains(switch)).collect();
+    shared.into_iter().for_each(|switch| mode.cases[switch] = Case::Shared);
     for _ in 0..PIVOTS * resting.len() {
         expansions.mirror(&mut mode);
         let expansion = expansions.at::<TERMS>(instant, &mode)?;
         let turned = resting.iter().find_map(|&switch| {
             let [low, high] = expansion.margins(switch).map(|margin| margin.sign(slack));
-            let to = match mode[switch] {
+            let to = match mode.cases[switch] {
                 Case::Held | Case::Shared if low < 0.0 => Case::Spent { on: false },
                 Case::Held | Case::Shared if high < 0.0 => Case::Spent { on: true },
                 Case::Spent { on: true } if high > 0.0 => Case::Shared,
@@ -53,11 +53,11 @@ pub(super) fn shares(
             Some((switch, to))
         });
         let Some((switch, to)) = turned else { return Some((mode, expansion)) };
-        if mode[switch] == Case::Held {
-            let successor = successor((&expansion.slopes, &expansions.held(&mode)), &mode, &resting, switch, to)?;
-            mode[successor] = Case::Held;
+        if mode.cases[switch] == Case::Held {
+            let successor = successor((&expansion.slopes, &expansions.held(&mode)), &mode.cases, &resting, switch, to)?;
+            mode.cases[successor] = Case::Held;
         }
-        mode[switch] = to;
+        mode.cases[switch] = to;
     }
     None
 }

@@ -2,7 +2,7 @@
 //!
 //! A block that sticks has accelerations that are zero, and steps without bound, while the force that will move it goes up and down.
 
-use super::Case;
+use super::mode::{Case, Mode};
 use super::signals::{Fall, written};
 use crate::compiled_system::{CompiledSystem, rates};
 use crate::letters::Letters;
@@ -20,7 +20,7 @@ use symbolic::{Derivation, Sym};
 #[derive(Debug)]
 struct Followed {
     model: Arc<Model>,
-    mode: Vec<Case>,
+    mode: Mode,
     program: Program,
     dimension: usize,
 }
@@ -28,7 +28,7 @@ struct Followed {
 /// The law of a mode as it runs, and how many signals it follows.
 pub(super) fn followed(model: &Arc<Model>, system: &Arc<CompiledSystem>) -> (Arc<dyn Law>, usize) {
     let mode = &system.mode;
-    if mode.is_empty() && model.events.is_empty() {
+    if mode.is_only_one() && model.events.is_empty() {
         return (system.law(), 0);
     }
     let states = model.positions() + model.speeds();
@@ -51,7 +51,7 @@ pub(super) fn followed(model: &Arc<Model>, system: &Arc<CompiledSystem>) -> (Arc
     }
 }
 
-fn all(model: &Model, mode: &[Case], time: Sym, extended: &[Sym]) -> Vec<Sym> {
+fn all(model: &Model, mode: &Mode, time: Sym, extended: &[Sym]) -> Vec<Sym> {
     let state = &extended[..model.positions() + model.speeds()];
     let moved = rates(model, mode, Letters::with_data(time, state));
     let signals = of_signals(model, mode, time, state);
@@ -62,7 +62,7 @@ fn all(model: &Model, mode: &[Case], time: Sym, extended: &[Sym]) -> Vec<Sym> {
 }
 
 /// Rates of signals that are not linear in the time and the state.
-fn of_signals(model: &Model, mode: &[Case], time: Sym, state: &[Sym]) -> Option<Vec<Sym>> {
+fn of_signals(model: &Model, mode: &Mode, time: Sym, state: &[Sym]) -> Option<Vec<Sym>> {
     let (falls, all) = written(model, mode, time, state).ok()?;
     let bends = |signal: Sym| {
         let mut letters = signal.symbols_of().into_iter();

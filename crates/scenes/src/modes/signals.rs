@@ -1,7 +1,9 @@
 //! The signals of a mode: positive while its law holds, and those of the model's own events.
 
+use super::Current;
+use super::contacts::{friction, number};
+use super::mode::{Case, Mode, Phase};
 use super::multiples::mirrored;
-use super::{Case, Current};
 use crate::compiled_system::{Motion, NotCompiled, values};
 use crate::program::recorded;
 use derivations::taped::Program;
@@ -19,6 +21,16 @@ pub(super) enum Fall {
     Leaves { switch: usize, to: Case },
     /// A switch that is spent would come back from its bound.
     Frees { switch: usize },
+    /// A contact closes.
+    Closes { contact: usize },
+    /// The face of a contact presses no more.
+    Lifts { contact: usize },
+    /// Friction holds a contact no more: its second or third margin falls.
+    Slides { contact: usize, margin: usize },
+    /// The equations for the reactions of contacts that slide become singular.
+    Jams,
+    /// A contact that slides comes to rest.
+    Stops { contact: usize },
     /// An event of the model, on either side of which the run may be.
     Event { event: usize },
 }
@@ -32,7 +44,7 @@ pub(crate) struct Signals {
 }
 
 impl Signals {
-    pub fn of(model: &Model, mode: &[Case]) -> Result<Self, NotCompiled> {
+    pub fn of(model: &Model, mode: &Mode) -> Result<Self, NotCompiled> {
         let (mut falls, mut wrong) = (Vec::new(), None);
         let program = recorded(model.positions() + model.speeds(), |time, state| {
             let (found, all) = written(model, mode, time, state).unwrap_or_else(|reason| {
@@ -75,26 +87,27 @@ impl Signals {
 /// The signals of a mode and, over symbols, all that [`Signals::all`] gives.
 pub(super) fn written(
     model: &Model,
-    mode: &[Case],
+    mode: &Mode,
     time: Sym,
     state: &[Sym],
 ) -> Result<(Vec<Fall>, Vec<Sym>), NotCompiled> {
-    if mode.is_empty() && model.events.is_empty() {
+    if mode.is_only_one() && model.events.is_empty() {
         return Ok((Vec::new(), Vec::new()));
     }
     let trace = Trace::of(model);
     let mirrored = mirrored(&trace);
-    let Motion { accelerations, switches, parts, .. } = Motion::of(&trace, mode)?;
+    let Motion { accelerations, switches, parts, reactions, determinant, .. } = Motion::of(&trace, mode)?;
     let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches.iter().copied()).collect();
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations).collect();
     let with_rate = |value: Sym| -> [Sym; 2] {
         let value = value.substitute(&cases);
         [value, trace.rate_of(value).substitute(&motion)]
     };
-    let may_depend = mode.iter().filter(|case| case.rests()).count() > 1;
+    let at_rest = mode.cases.iter().filter(|case| case.rests()).count();
+    let may_depend = at_rest + mode.phases.iter().filter(|phase| **phase != Phase::Apart).count() > 1;
     let rests = |rate: Sym| rate == Sym::ZERO || may_depend && vanishes(rate);
     let (mut falls, mut all): (Vec<Fall>, Vec<Sym>) = (Vec::new(), Vec::new());
-    for (switch, case) in mode.iter().enumerate().filter(|(switch, _)| mirrored[*switch].is_none()) {
+    for (switch, case) in mode.cases.iter().enumerate().filter(|(switch, _)| mirrored[*switch].is_none()) {
         let condition = trace.scalar(model.switches[switch]);
         let watched = match case {
             Case::On => vec![(Fall::Passes { switch }, condition)],
@@ -115,6 +128,23 @@ pub(super) fn written(
             }
         }
     }
+    for (contact, (phase, [normal, tangent])) in mode.phases.iter().zip(reactions).enumerate() {
+        for (fall, signal) in of_contact(&trace, contact, *phase, [normal, tangent]) {
+            let [value, rate] = with_rate(signal);
+            if !rests(rate) {
+                falls.push(fall);
+                all.extend([value, rate]);
+            }
+        }
+    }
+    // without friction they are those of a definite matrix
+    if mode.phases.iter().any(|phase| phase.way().is_some()) {
+        let [value, rate] = with_rate(determinant);
+        if !rests(rate) {
+            falls.push(Fall::Jams);
+            all.extend([value, rate]);
+        }
+    }
     for (event, expression) in model.events.iter().enumerate() {
         falls.push(Fall::Event { event });
         all.extend(with_rate(trace.scalar(expression.when)));
@@ -131,6 +161,31 @@ pub(super) fn written(
     Ok((falls, substitute_all(&all, &values(&trace, time, state))))
 }
 
+/// The signals of a contact in a phase.
+fn of_contact(trace: &Trace<'_>, contact: usize, phase: Phase, [normal, tangent]: [Sym; 2]) -> Vec<(Fall, Sym)> {
+    let scalar = &trace.model.contacts[contact];
+    let mut watched = Vec::new();
+    match phase {
+        Phase::Apart => watched.push((Fall::Closes { contact }, trace.scalar(scalar.gap))),
+        Phase::Sticks(face) => {
+            let pressure = number(face.sign()) * normal;
+            let most = friction(trace, contact) * pressure;
+            watched.push((Fall::Lifts { contact }, pressure));
+            watched.push((Fall::Slides { contact, margin: 1 }, most - tangent));
+            watched.push((Fall::Slides { contact, margin: 2 }, most + tangent));
+        }
+        Phase::Rests { face, .. } => watched.push((Fall::Lifts { contact }, number(face.sign()) * normal)),
+        Phase::Slips { face, forwards } => {
+            watched.push((Fall::Lifts { contact }, number(face.sign()) * normal));
+            if scalar.friction.is_some() {
+                let way = number(if forwards { 1.0 } else { -1.0 });
+                watched.push((Fall::Stops { contact }, way * trace.scalar(scalar.slide)));
+            }
+        }
+    }
+    watched
+}
+
 impl Switches for Current {
     fn count(&self) -> usize {
         self.moded.signals.falls.len()
@@ -144,9 +199,13 @@ impl Switches for Current {
                 Fall::Passes { switch } => (1.0, self.near[switch]),
                 Fall::Leaves { switch, to } => (1.0, self.near_bounds[switch][usize::from(to == Case::On)]),
                 Fall::Frees { switch } => {
-                    let is_on = self.moded.system.mode[switch].fixed() == Some(true);
+                    let is_on = self.moded.system.mode.cases[switch].fixed() == Some(true);
                     (1.0, self.near_bounds[switch][usize::from(is_on)])
                 }
+                Fall::Closes { contact } | Fall::Lifts { contact } => (1.0, self.near_contacts[contact][0]),
+                Fall::Slides { contact, margin } => (1.0, self.near_contacts[contact][margin]),
+                Fall::Stops { contact } => (1.0, self.near_contacts[contact][1]),
+                Fall::Jams => (self.determinant.signum(), 0.0),
                 Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };
             *signal = Signal { value: side * value + near, rate: side * rate, ..Signal::default() };

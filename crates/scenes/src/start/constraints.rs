@@ -177,8 +177,16 @@ impl Constraints {
         let order = usize::from(level == Level::Speed);
         let moves = (0..self.layout.speeds()).filter(|&speed| jacobian[(worst, speed)] != 0.0);
         let (moved, given): (Vec<usize>, Vec<usize>) = moves.partition(|speed| free.contains(speed));
+        // the orientation of a free frame is given as a whole
+        let name = |speed: usize| {
+            let places = self.layout.places(speed, order);
+            let name = &self.names[places.start];
+            if places.len() > 1 { name.trim_end_matches(".q0").to_owned() } else { name.clone() }
+        };
         let named = |speeds: Vec<usize>| {
-            speeds.into_iter().map(|speed| self.names[self.layout.places(speed, order).start].clone()).collect()
+            let mut names: Vec<String> = speeds.into_iter().map(name).collect();
+            names.dedup();
+            names
         };
         let (moved, given) = (named(moved), named(given));
         Some(Open { at: at.clone(), name: title.clone(), residual, unit, is_rate, moved, given, level })

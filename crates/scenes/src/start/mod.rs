@@ -6,6 +6,7 @@
 mod constraints;
 mod gimbal;
 mod leaf;
+mod multiple_roots;
 mod redundancy;
 mod singular_positions;
 mod unmet;
@@ -17,9 +18,10 @@ pub use unmet::{Open, Unmet};
 use crate::compiled_system::has_values;
 use crate::row_units::measured;
 use constraints::{Constraints, Known};
-use model::Model;
 use model::equations::Level;
+use model::{Constraint, Contact, Model};
 use nalgebra::DMatrix;
+use std::borrow::Cow;
 use std::fmt;
 
 /// Steps of Newton's method: from a fair guess six are many.
@@ -60,12 +62,27 @@ pub struct Completed {
 /// # Errors
 /// The first constraint that cannot be met.
 pub fn consistent(model: &Model) -> Result<Completed, Unmet> {
-    let solver = StartSolver::of(model)?;
+    let in_touch = in_touch(model);
+    let solver = StartSolver::of(&in_touch)?;
     if solver.constraints.is_some() {
         has_values(model).map_err(Unmet::NotCompiled)?;
     }
     let parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
-    solver.complete(&parameters, &start_speeds(model), model.start_state(), &given(model))
+    let mut completed = solver.complete(&parameters, &start_speeds(model), model.start_state(), &given(model))?;
+    completed.implied.retain(|[constraint, _]| *constraint < model.constraints.len());
+    Ok(completed)
+}
+
+/// The model with the gap of each contact that touches at the start as a constraint.
+fn in_touch(model: &Model) -> Cow<'_, Model> {
+    let touches = |contact: &&Contact| contact.is_touching && contact.guide.is_none();
+    let held: Vec<Constraint> = model.contacts.iter().filter(touches).map(Contact::closed).collect();
+    if held.is_empty() {
+        return Cow::Borrowed(model);
+    }
+    let mut with = model.clone();
+    with.constraints.extend(held);
+    Cow::Owned(with)
 }
 
 /// Quasi-velocities at the start, as the file gives them.
@@ -167,6 +184,9 @@ impl StartSolver {
                 let locked = || locked().map(named).map(|(at, name)| Unmet::Locked { at, name });
                 return Err(contradiction.or_else(locked).unwrap_or(Unmet::Open(Box::new(open))));
             }
+        }
+        if let Some(multiple) = constraints.with_multiple_root(&state, parameters) {
+            return Err(multiple);
         }
         let implied = constraints.implied(&state, parameters)?;
         let implied = implied.into_iter().filter_map(|row| constraints.known[row].of).collect();

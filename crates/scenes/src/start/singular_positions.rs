@@ -1,4 +1,4 @@
-//! The end of a run at a singular position: constraints lose their independence there, and the motion may go on in several ways.
+//! The end of a run at a singular position: constraints lose their independence there; beyond it there may be several motions, or none.
 //!
 //! With rows of J whose lengths are of the order of one, s = 1/|J^+|, the norm being that of Frobenius, is zero where they depend on
 //! each other, and only there; s^2 is one by the trace of (J J^T)^-1. It falls to zero like the distance from such a position, and
@@ -16,7 +16,10 @@ use nalgebra::{Cholesky, DMatrix};
 use std::sync::{Arc, Mutex, PoisonError};
 
 const SINGULAR: &str =
-    "its constraints depend on each other at this position, so that the motion may go on in several ways";
+    "its constraints depend on each other at this position, beyond which there may be several motions, or none";
+
+const KEPT: &str = "at this position the constraints that are kept depend on each other, and one that follows from them elsewhere, and was \
+     left out, would hold: the run passes where a kept one is taken out of the file instead";
 
 /// A position is singular where s falls below this part of its value at the start: bars that differ by a millionth pass it.
 const LEAST: f64 = 1e-3;
@@ -33,6 +36,9 @@ const DRIFT: f64 = 10.0;
 /// But not where s^2 is above so many times the value below which it is singular anyway.
 const MOST_DRIFT: f64 = 1e4;
 
+/// Elsewhere a coordinate may change the rows by so many times what it does at these positions.
+const SAFETY: f64 = 2.0;
+
 /// By so much angles differ from the start, where the lengths of the rows are looked at: no part of a turn.
 const ASIDE: [f64; 3] = [0.37, -0.61, 1.93];
 
@@ -43,6 +49,8 @@ pub(crate) struct SingularPositions {
     parameters: Vec<f64>,
     /// Numbers of all equations, of those of constraints that are kept, and of those of positions among these; then of speeds.
     counts: [usize; 4],
+    /// The number of kept constraints that are independent.
+    rank: usize,
     /// The length of each row.
     lengths: Vec<f64>,
     /// Whether each coordinate is an angle.
@@ -55,6 +63,8 @@ pub(crate) struct SingularPositions {
     least: f64,
     /// At a state, and beside it.
     looks: Mutex<[Look; 2]>,
+    /// The same of all constraints, where some follow from others and were left out.
+    whole: Option<Box<SingularPositions>>,
 }
 
 /// The constraints at a state, with the room in which they are computed.
@@ -85,13 +95,21 @@ impl Look {
         }
     }
 
-    /// The value of s^2: the trace of (J J^T)^-1 is the sum of the squares of the inverse of its factor.
-    fn independence(&mut self) -> f64 {
+    /// The value of s^2: the trace of (J J^T)^-1 is the sum of the squares of the inverse of its factor. Where some constraints follow from
+    /// the others, J has a smaller rank, and as many eigenvalues of J J^T count.
+    fn independence(&mut self, rank: usize) -> f64 {
         let Look { rows, product, inverse, .. } = self;
         for i in 0..rows.nrows() {
             for j in 0..=i {
                 product[(i, j)] = rows.row(i).dot(&rows.row(j));
+                product[(j, i)] = product[(i, j)];
             }
+        }
+        if rank < rows.nrows() {
+            let mut values: Vec<f64> = product.symmetric_eigenvalues().iter().copied().collect();
+            values.sort_by(|one, other| other.total_cmp(one));
+            let trace: f64 = values.iter().take(rank).map(|value| value.max(0.0).recip()).sum();
+            return trace.recip();
         }
         let Some(factor) = Cholesky::new(std::mem::replace(product, DMatrix::zeros(0, 0))) else {
             *product = DMatrix::zeros(rows.nrows(), rows.nrows());
@@ -107,7 +125,17 @@ impl Look {
 impl SingularPositions {
     /// None where no constraint is kept, or where they depend on each other at the start.
     pub fn of(model: &Model, start: &[f64]) -> Option<Self> {
-        let constraints = Constraints::of(model).ok()?.filter(|constraints| constraints.kept > 0)?;
+        let own = SingularPositions::with(model, 0, start)?;
+        let whole = match model.implied.len() {
+            0 => None,
+            left_out => SingularPositions::with(&model.whole(), left_out, start).map(Box::new),
+        };
+        Some(SingularPositions { whole, ..own })
+    }
+
+    /// The same of a model in which so many equations follow from the others.
+    fn with(model: &Model, redundant: usize, start: &[f64]) -> Option<Self> {
+        let constraints = Constraints::of(model).ok()?.filter(|constraints| constraints.kept > redundant)?;
         let positions = constraints.known.iter().take_while(|known| known.level == Level::Position).count();
         let values: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
         let is_angle = |place: usize| model.coordinates.get(place).is_some_and(|own| own.unit == "rad");
@@ -115,6 +143,8 @@ impl SingularPositions {
             parameters: Vec::new(),
             angles: (0..model.positions()).map(is_angle).collect(),
             counts: [constraints.known.len(), constraints.kept, positions.min(constraints.kept), model.speeds()],
+            rank: constraints.kept - redundant,
+            whole: None,
             lengths: vec![1.0; constraints.kept],
             weights: vec![0.0; model.positions()],
             knows_time: false,
@@ -135,6 +165,10 @@ impl SingularPositions {
             angles: self.angles.clone(),
             weights: Vec::new(),
             looks: Mutex::new([Look::new(self.counts), Look::new(self.counts)]),
+            whole: match &self.whole {
+                Some(whole) => whole.of_member(parameters, speeds, start).map(Box::new),
+                None => None,
+            },
             ..*self
         };
         let angles: Vec<usize> = (0..self.angles.len()).filter(|place| self.angles[*place]).collect();
@@ -150,7 +184,7 @@ impl SingularPositions {
         singular.weights = (0..self.angles.len()).map(|place| singular.weight(&states, place)).collect();
         let mut at_start = singular.look(0.0, start);
         singular.knows_time = ASIDE.iter().any(|time| singular.look(time.abs(), start).rows != at_start.rows);
-        singular.least = LEAST * LEAST * at_start.independence();
+        singular.least = LEAST * LEAST * at_start.independence(self.rank);
         (singular.least > 0.0).then_some(singular)
     }
 
@@ -162,7 +196,7 @@ impl SingularPositions {
             moved[place] += by;
             (self.look(0.0, &moved).rows - self.look(0.0, state).rows).norm() / by
         };
-        states.iter().map(change).fold(0.0, f64::max)
+        SAFETY * states.iter().map(change).fold(0.0, f64::max)
     }
 
     fn look(&self, time: f64, state: &[f64]) -> Look {
@@ -188,7 +222,7 @@ impl SingularPositions {
 
     /// By how much s^2 is above where a position is singular.
     fn value(&self, look: &mut Look) -> f64 {
-        look.independence() - self.least - (DRIFT * look.off).min(MOST_DRIFT * self.least)
+        look.independence(self.rank) - self.least - (DRIFT * look.off).min(MOST_DRIFT * self.least)
     }
 
     /// The distance of a state from a singular position.
@@ -210,6 +244,14 @@ impl SingularPositions {
             let changes = beside.rows.iter().zip(&here.rows).map(|(moved, own)| (moved - own) * (moved - own));
             fastest = f64::max(fastest, changes.sum::<f64>().sqrt() / apart);
         }
-        Margin { value, rate, fastest, what: SINGULAR }
+        let is_left_out = value < self.least && self.whole.as_ref().is_some_and(|whole| whole.is_regular(time, state));
+        Margin { value, rate, fastest, what: if is_left_out { KEPT } else { SINGULAR } }
+    }
+
+    /// Whether a state is far from a singular position.
+    fn is_regular(&self, time: f64, state: &[f64]) -> bool {
+        let [here, _] = &mut *self.looks.lock().unwrap_or_else(PoisonError::into_inner);
+        self.look_at(time, state.iter().copied(), here);
+        self.value(here) > self.least
     }
 }

@@ -3,7 +3,7 @@
 use super::{CART, linear, scene, stored};
 use nalgebra::DMatrix;
 use scenes::equilibrium_of;
-use scenes::linearisation::{Stability, Standing, eigenvalues};
+use scenes::linearisation::{Stability, Standing, VariedEquations, eigenvalues};
 
 #[test]
 fn a_cart_with_a_pole_has_its_closed_form() {
@@ -44,6 +44,61 @@ fn a_hanging_double_pendulum_has_its_two_frequencies() {
     assert_eq!(Stability::of(&all, true), Stability::Undecided(4));
 }
 
+/// The bicycle upright at a speed, with torques along lean and steer as inputs: M, v C1 and g K0 + v^2 K2 of lean and steer.
+fn bicycle(speed: f64) -> [DMatrix<f64>; 3] {
+    let text = std::fs::read_to_string(stored("bicycle")).expect("it is there");
+    let text = text
+        .replace("lean = \"0.05 rad\"", "lean = \"0 rad\"")
+        .replace("\"-16.6 rad/s\"", &format!("\"{} rad/s\"", -speed / 0.3))
+        .replacen("[parameters]", "[parameters]\nT1 = \"0 N m\"\nT2 = \"0 N m\"", 1)
+        + "\n[[force]]\nalong = \"lean\"\nis = \"T1\"\n[[force]]\nalong = \"steer\"\nis = \"T2\"\n";
+    let scene = scene(&text);
+    let (_, found) = linear(&scene.model, &scene.start, &[0, 1]);
+    let place = |name: &str| scene.model.coordinates.iter().position(|own| own.name == name).expect("it is there");
+    let own = [place("lean"), place("steer")];
+    let of =
+        |list: &[usize]| own.map(|place| list.iter().position(|known| *known == place).expect("it is independent"));
+    let (places, speeds) = (of(&found.coordinates), of(&found.speeds));
+    let first = found.coordinates.len();
+    let block = |matrix: &DMatrix<f64>, columns: [usize; 2]| {
+        DMatrix::from_fn(2, 2, |row, column| matrix[(first + speeds[row], columns[column])])
+    };
+    let mass = block(&found.b, [0, 1]).try_inverse().expect("a mass matrix");
+    let damping = -&mass * block(&found.a, speeds.map(|speed| first + speed));
+    let stiffness = -&mass * block(&found.a, places);
+    [mass, damping, stiffness]
+}
+
+/// The matrices of the benchmark, and the speeds at which weave and capsize change their stability, out of the nonlinear text.
+#[test]
+fn whipples_bicycle_has_the_published_matrices_and_critical_speeds() {
+    let ([mass, damping, at_5], [_, _, at_3]) = (bicycle(5.0), bicycle(3.0));
+    let of_speed = (&at_5 - &at_3) / (25.0 - 9.0);
+    let of_weight = (&at_3 - &of_speed * 9.0) / 9.81;
+    for (found, known) in [
+        (&mass, [80.81722, 2.319413322087091, 2.319413322087091, 0.2978418819968555]),
+        (&(damping / 5.0), [0.0, 33.86641391492494, -0.8503564145697844, 1.6854039739755966]),
+        (&of_weight, [-80.95, -2.5995168524987164, -2.5995168524987164, -0.8032948845861769]),
+        (&of_speed, [0.0, 76.59734589573222, 0.0, 2.65431523794604]),
+    ] {
+        for (place, known) in known.into_iter().enumerate() {
+            let value = found[(place / 2, place % 2)];
+            assert!((value - known).abs() < 1e-9, "{value} and {known}");
+        }
+    }
+    // between them the upright motion is stable
+    for (speed, stable) in [(4.29238, false), (4.29239, true), (6.02426, true), (6.02427, false)] {
+        let [mass, damping, stiffness] = bicycle(speed);
+        let inverse = mass.try_inverse().expect("a mass matrix");
+        let mut all = DMatrix::zeros(4, 4);
+        all.view_mut((0, 2), (2, 2)).fill_with_identity();
+        all.view_mut((2, 0), (2, 2)).copy_from(&(-&inverse * stiffness));
+        all.view_mut((2, 2), (2, 2)).copy_from(&(-&inverse * damping));
+        let largest = eigenvalues(&all).values[0].re;
+        assert_eq!(largest < 0.0, stable, "{speed}: {largest}");
+    }
+}
+
 /// Figures of Meijaard et al. at 5 m/s, checked at forty digits: weave and capsize of the nonlinear text, linearised.
 #[test]
 fn whipples_bicycle_has_the_published_eigenvalues() {
@@ -63,4 +118,19 @@ fn whipples_bicycle_has_the_published_eigenvalues() {
     ] {
         assert!(all.values.iter().any(|value| (value.re - re).hypot(value.im - im) < 1e-11), "{re} {im}: {all:?}");
     }
+}
+
+/// An input with a gain feeds back what A does not hold; one with the gain zero feeds back nothing.
+#[test]
+fn an_input_whose_gain_is_zero_is_no_feedback() {
+    let with = |gain: &str| {
+        let input = format!(
+            "[inputs]\nu = {{ unit = \"N\", value = \"{gain}*a\" }}\n[[force]]\non = \"cart\"\nis = \"u*N.x\"\n[outputs]"
+        );
+        let text = CART.replace("[outputs]", &input).replace("F = \"0 N\"", "F = \"0 N\"\nkp = \"3 N\"");
+        let scene = scene(&text);
+        VariedEquations::of(&scene.model, &[]).unwrap_or_else(|why| panic!("{why}")).feedback
+    };
+    assert_eq!(with("kp"), ["u"]);
+    assert_eq!(with("F"), [""; 0]);
 }

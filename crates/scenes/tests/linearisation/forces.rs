@@ -12,8 +12,8 @@ fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
     let (model, prescribed) = read_prescribed(&path, &motion).unwrap_or_else(|error| panic!("{error}"));
     let place = model.parameters.iter().position(|parameter| parameter.name == "T").expect("it is there");
     let times = [0.0, 0.1, 0.55];
-    let (found, _) = inverse(&model, &prescribed, &["T".to_owned()], &times).unwrap_or_else(|why| panic!("{why}"));
-    for forces in found {
+    let found = inverse(&model, &prescribed, &["T".to_owned()], &times).unwrap_or_else(|why| panic!("{why}"));
+    for forces in found.forces {
         let mut driven = model.clone();
         driven.parameters[place].value = Some(forces.unknowns[0]);
         let equations = VariedEquations::of(&driven, &[]).unwrap_or_else(|why| panic!("{why}"));
@@ -39,9 +39,9 @@ fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
     assert!(wrong.contains("a prescribed motion: ") && wrong.contains("different dimensions"), "{wrong}");
     let zero = [("theta".to_owned(), "(0 deg)".to_owned())];
     let (model, prescribed) = read_prescribed(&path, &zero).unwrap_or_else(|error| panic!("{error}"));
-    let (resting, _) = inverse(&model, &prescribed, &["T".to_owned()], &[0.0]).unwrap_or_else(|why| panic!("{why}"));
+    let resting = inverse(&model, &prescribed, &["T".to_owned()], &[0.0]).unwrap_or_else(|why| panic!("{why}"));
     // level, the rod's weight on the crank's end: half of it, a tenth of a metre out
-    assert!((resting[0].unknowns[0] - 0.4 * 9.81 * 0.1 / 2.0).abs() < 1e-12, "{resting:?}");
+    assert!((resting.forces[0].unknowns[0] - 0.4 * 9.81 * 0.1 / 2.0).abs() < 1e-12, "{resting:?}");
 }
 
 #[test]
@@ -57,8 +57,8 @@ fn an_instant_at_which_no_equation_holds_an_unknown_is_told() {
     };
     let refused = forces(&[0.0]).expect_err("nothing determines it").to_string();
     assert!(refused.starts_with("at t = 0 s no equation of motion holds `k`"), "{refused}");
-    let (found, _) = forces(&[0.1, 0.5]).unwrap_or_else(|why| panic!("{why}"));
-    assert!(found.iter().all(|forces| (forces.unknowns[0] - 18.0).abs() < 1e-10), "{found:?}");
+    let found = forces(&[0.1, 0.5]).unwrap_or_else(|why| panic!("{why}"));
+    assert!(found.forces.iter().all(|forces| (forces.unknowns[0] - 18.0).abs() < 1e-10), "{found:?}");
     let led = text.replace("[run]", "[[constraint]]\nname = \"path\"\nzero = \"x - (0.3 m)\"\nprogrammed = { gains = [\"(2 1/s)\", \"(1 1/s^2)\"] }\n[run]");
     std::fs::write(&path, led).expect("it can be written");
     let refused = forces(&[0.0]).expect_err("it goes elsewhere").to_string();
@@ -75,6 +75,35 @@ fn an_instant_at_which_no_equation_holds_an_unknown_is_told() {
     );
 }
 
+/// A rod on three parallel cranks does not turn: its weight and its inertia act on the first crank as those of a mass at its end,
+/// T = m r^2 a'' + m g r cos(a), though the third crank holds what the second does.
+#[test]
+fn equations_that_follow_from_others_are_left_out_of_forces_for_a_motion() {
+    let text = "title = \"A rod on three cranks\"\ngravity = \"-g*N.y\"\n[parameters]\ng = \"9.81 m/s^2\"\nr = \"0.3 m\"\n[coordinates]\n\
+        a = \"rad\"\nb = \"rad\"\nc = \"rad\"\nd = \"rad\"\n[frames]\nA = \"N turned a about z\"\nB = \"N turned b about z\"\n\
+        C = \"N turned c about z\"\nD = \"N turned d about z\"\n[points]\nP = \"O + r*A.x\"\n[bodies.crank]\nframe = \"A\"\n\
+        inertia = \"(0.01 kg m^2)\"\n[bodies.rod]\nframe = \"D\"\ncentre = \"P + (1.2 m)*D.x\"\nmass = \"(2 kg)\"\n\
+        inertia = \"(0.3 kg m^2)\"\n[[constraint]]\nname = \"second\"\nzero = \"P + (1 m)*D.x - O - (1 m)*N.x - r*B.x\"\n\
+        [[constraint]]\nname = \"third\"\nzero = \"P + (2 m)*D.x - O - (2 m)*N.x - r*C.x\"\n[inputs]\n\
+        T = { unit = \"N m\", value = \"0\" }\n[[torque]]\non = \"crank\"\nis = \"T*N.z\"\n[start]\na = \"60 deg\"\n\
+        b = \"60 deg\"\nc = \"60 deg\"\n[run]\nspan = \"1 s\"\n";
+    let path = std::env::temp_dir().join(format!("dalembert_{}_cranks.toml", std::process::id()));
+    std::fs::write(&path, text).expect("it can be written");
+    let read = read_prescribed(&path, &[("a".to_owned(), "1 + t^2*(0.5 1/s^2)".to_owned())]);
+    std::fs::remove_file(&path).expect("it is there");
+    let (model, prescribed) = read.unwrap_or_else(|error| panic!("{error}"));
+    let found = inverse(&model, &prescribed, &["T".to_owned()], &[0.0, 0.3, 0.7]);
+    let found = found.unwrap_or_else(|why| panic!("{why}"));
+    let [follows] = &found.left_out[..] else { panic!("{:?}", found.left_out) };
+    assert!(follows.title.starts_with("constraint 3 `third` along "), "{}", follows.title);
+    assert_eq!(found.constraints.len(), 3);
+    for forces in found.forces {
+        let angle = 1.0 + 0.5 * forces.time * forces.time;
+        let exact = (2.0 * 0.09 + 0.01) + 2.0 * 9.81 * 0.3 * angle.cos();
+        assert!((forces.unknowns[0] - exact).abs() < 1e-9, "{forces:?} {exact}");
+    }
+}
+
 /// A body on a slide, pushed and turned by forces that are sought; its frame is FRAMES.
 const TURNED: &str = "title = \"A body\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"2 kg\"\nA = \"0.3 kg m^2\"\nB = \"0.4 kg m^2\"\nC = \"0.6 kg m^2\"\n\
     g = \"9.81 m/s^2\"\nP = \"0 N\"\nT1 = \"0 N m\"\nT2 = \"0 N m\"\nT3 = \"0 N m\"\n[coordinates]\nx = \"m\"\nCOORDINATES\n[frames]\nFRAMES\n\
@@ -89,7 +118,7 @@ fn forces_of(name: &str, text: &str, motions: &[(&str, &str)]) -> Vec<scenes::in
     std::fs::remove_file(&path).expect("it is there");
     let (model, prescribed) = read.unwrap_or_else(|error| panic!("{error}"));
     let unknowns = ["P", "T1", "T2", "T3"].map(str::to_owned);
-    inverse(&model, &prescribed, &unknowns, &[0.0, 0.3, 1.1]).unwrap_or_else(|why| panic!("{why}")).0
+    inverse(&model, &prescribed, &unknowns, &[0.0, 0.3, 1.1]).unwrap_or_else(|why| panic!("{why}")).forces
 }
 
 /// A free frame that is turned one turn after the other needs the torques that three angles need.
@@ -166,7 +195,7 @@ fn a_free_frame_that_constraints_turn_is_found_from_them() {
     std::fs::remove_file(&path).expect("it is there");
     let (model, prescribed) = read.unwrap_or_else(|error| panic!("{error}"));
     let times: Vec<f64> = (0..=10).map(|k| 0.1 * f64::from(k)).collect();
-    for forces in inverse(&model, &prescribed, &["P".to_owned()], &times).unwrap_or_else(|why| panic!("{why}")).0 {
+    for forces in inverse(&model, &prescribed, &["P".to_owned()], &times).unwrap_or_else(|why| panic!("{why}")).forces {
         let angle = 0.5 * forces.time * forces.time;
         let [q0, q3] = [forces.coordinates[1], forces.coordinates[4]];
         assert!((2.0 * q3.atan2(q0) - angle).abs() < 1e-9, "{forces:?}");

@@ -5,6 +5,8 @@ mod differences;
 mod equilibria;
 mod forces;
 mod free_frames;
+mod instants;
+mod reactions;
 
 use model::Model;
 use scenes::ModelScene;

@@ -6,6 +6,10 @@ use super::{messages, one};
 fn unknown_letters_are_named_with_what_was_probably_meant() {
     one(&[("\"-g*N.y\"", "\"-gg*N.y\"")], &["`gg`", "^^", "is `g` meant?"]);
     one(&[("on = \"bob\"", "on = \"bobb\"")], &["`bobb`"]);
+    let start = "theta = \"0.3 rad\"";
+    one(&[(start, "thetadot = \"1 rad/s\"")], &["no coordinate is called `thetadot`", "is `theta'` meant?"]);
+    one(&[(start, "theta_dot = \"1 rad/s\"")], &["is `theta'` meant?"]);
+    one(&[("\"reach\"", "\"thetaddot\"")], &["is `theta''` meant?"]);
     one(&[("\"l*sin(theta)\"", "\"l*sinn(theta)\"")], &["no function is called `sinn`", "is `sin` meant?"]);
     one(&[("\"l*sin(theta)\"", "\"l*angular_acceleration(A)\"")], &["`angular_acceleration` is not there yet"]);
 }
@@ -16,6 +20,8 @@ fn dimensions_are_checked_where_they_meet() {
     one(&[("\"l*sin(theta)\"", "\"l*sin(l)\"")], &["an angle has the dimension 1", "this has the dimension m"]);
     one(&[("\"(0.1 N)*N.x\"", "\"(0.1 kg)*N.x\"")], &["the force on a point has the dimension kg m s^-2"]);
     one(&[("mass = \"m\"", "mass = \"l\"")], &["the mass has the dimension kg"]);
+    one(&[("m = \"2 kg\"", "m = 2")], &["`m = 2` in [parameters] has no unit; with one it is written m = \"2 kg\""]);
+    one(&[("l = \"0.5 m\"", "l = 0.5"), ("\"reach\"", "\"1\"")], &["`l = 0.5` in [parameters] has no unit"]);
     one(&[("theta = \"0.3 rad\"", "theta = \"0.3 m\"")], &["the start of `theta`", "this has the dimension m"]);
 }
 
@@ -43,6 +49,9 @@ fn slips_of_the_pen_in_expressions_are_told_with_the_way_out() {
     told("2l*theta", &["`2*l` is a product", "`(2 l)` a number with a unit"]);
     told("l*sin(30 deg)", &["`(30 deg)` a number with a unit, in parentheses of its own"]);
     told("l*sin theta", &["functions too: sin(a)"]);
+    told("velocity(bob at P - l*N.y) . N.x", &["behind `at` stands the name of a point alone", "in [points]"]);
+    told("velocity(P) in A . N.x", &["stand within the parentheses: velocity(P in B)"]);
+    told("norm(velocity(P) in A + velocity(P))", &["stand within the parentheses: velocity(P in B)"]);
     told(
         "(1 m) - (1 m + (2 m)*theta)",
         &["`1*m` is a product", "`(1 m)` a number with a unit, in parentheses of its own"],
@@ -114,5 +123,53 @@ fn units_of_engineers_and_spaces_about_a_slash_are_read() {
 
 #[test]
 fn what_the_language_will_have_is_refused_by_name() {
-    one(&[("[outputs]", "[[contact]]\nof = \"bob at P\"\n\n[outputs]")], &["contacts with friction are not there yet"]);
+    one(&[("[outputs]", "[[drive]]\nturns = \"theta\"\n\n[outputs]")], &["drives are not there yet"]);
+    one(&[("[outputs]", "[machine]\nmodel = \"text\"\n\n[outputs]")], &["machines are not there yet"]);
+    one(&[("[outputs]", "[[winding]]\nresistance = \"R\"\n\n[outputs]")], &["windings of drives are not there yet"]);
+    one(&[("[outputs]", "[energies]\ncoenergy = \"(1 J)\"\n\n[outputs]")], &["the energy `coenergy` is not there yet"]);
+    one(&[("width = \"reach\"", "width = \"left.i\"")], &["the current `left.i` of a drive is not there yet"]);
+}
+
+#[test]
+fn accelerations_and_reactions_have_no_rate() {
+    let output = |text: &str| {
+        one(&[("width = \"reach\"", &format!("width = \"{text}\""))], &["have no rate here", "scene.toml:30:10"])
+    };
+    output("rate(theta'')");
+    output("rate(rate(theta'))");
+    output("rate(acceleration(bob) in A) . N.x");
+    output("rate(joint_force(bob)) . N.x");
+    assert_eq!(messages(&[("width = \"reach\"", "width = \"rate(rate(reach))\"")]), Vec::<String>::new());
+}
+
+#[test]
+fn a_reserved_name_that_a_file_defines_is_no_circle() {
+    let reserved = |from: &str, to: &str, name: &str| {
+        one(&[(from, &format!("{from}\n{to}"))], &[&format!("`{name}` has a meaning of its own")]);
+    };
+    reserved("A = \"N turned theta about z\"", "N = \"A turned theta about x\"", "N");
+    reserved("P = \"O - l*A.y\"", "O = \"P + l*A.x\"", "O");
+    reserved("P = \"O - l*A.y\"", "ground = \"P + l*A.x\"", "ground");
+}
+
+#[test]
+fn a_name_that_stands_for_two_things_is_told_once() {
+    one(&[("m = \"2 kg\"", "m = \"2 kg\"\ntheta = \"1 m\"")], &["`theta` is defined twice"]);
+    one(&[("m = \"2 kg\"", "m = \"2 kg\"\nP = \"1 m\"")], &["`P` is defined twice", "the name of a parameter already"]);
+}
+
+#[test]
+fn a_fault_hides_no_fault_of_another_text_or_name() {
+    let two = |edits: &[(&str, &str)], parts: [&str; 2]| {
+        let found = messages(edits);
+        assert_eq!(found.len(), 2, "{found:#?}");
+        parts.iter().zip(&found).for_each(|(part, found)| assert!(found.contains(part), "{part}\n{found}"));
+    };
+    two(&[("O - l*A.y", "O - k*A.y"), ("mass = \"m\"", "mass = \"mm\"")], ["called `k`", "called `mm`"]);
+    two(&[("O - l*A.y", "O - k*A.y + j*A.x")], ["called `k`", "called `j`"]);
+    two(&[("on = \"bob\"", "on = \"bop\""), ("(0.1 N)*N.x", "(0.1 N)*K.x")], ["called `bop`", "called `K`"]);
+    let event = "[[event]]\nwhen = \"thet\"\nset = { theta = \"x0\" }\n\n[outputs]";
+    two(&[("[outputs]", event)], ["called `thet`", "called `x0`"]);
+    let input = "[inputs]\nu = { unit = \"NN\", value = \"x0\" }\n\n[outputs]";
+    two(&[("[outputs]", input)], ["an input has a unit", "called `x0`"]);
 }

@@ -1,6 +1,6 @@
 //! Starts, constraints, laws that cannot run.
 
-use super::one;
+use super::{messages, one};
 
 #[test]
 fn a_free_frame_starts_by_turns() {
@@ -76,6 +76,41 @@ fn a_constraint_without_a_gradient_is_told_with_both_causes() {
     one(&[("[outputs]", level), ("theta = \"0.3 rad\"", "theta = \"0 rad\"")], &parts);
 }
 
+/// Newton's method meets a square up to rounding, where its gradient is small and not zero; a sum of squares and a square of a speed too.
+#[test]
+fn a_constraint_whose_gradient_vanishes_wherever_it_holds_is_refused() {
+    let cart = [
+        ("[coordinates]", "[coordinates]\nx = \"m\"\ny = \"m\""),
+        ("centre = \"P\"", "centre = \"P + x*N.x + y*N.z\""),
+    ];
+    let held = |zero: &str, start: &str| {
+        let constraint = format!("[[constraint]]\nname = \"tie\"\nzero = \"{zero}\"\n\n[outputs]");
+        let start = format!("theta = \"0.3 rad\"\n{start}");
+        one(
+            &[cart[0], cart[1], ("[outputs]", &constraint), ("theta = \"0.3 rad\"", &start)],
+            &[
+                "the gradient of constraint 1 `tie` vanishes wherever it holds",
+                "its root: x - y in the place of (x - y)^2",
+            ],
+        );
+    };
+    held("(x - l*sin(theta))^2", "");
+    held("(x - l*sin(theta))^2", "x = \"guess 0.5 m\"");
+    held("x^2 - 2*x*y + y^2", "x = \"0.2 m\"");
+    held("(x - l*theta)^4", "x = \"guess 0.5 m\"");
+    held("(x - l*theta)^2 + y^2", "y = \"guess 0.3 m\"");
+    held("(x' - l*theta')^2", "\"theta'\" = \"2 rad/s\"");
+    let found = |zero: &str, start: &str| {
+        let constraint = format!("[[constraint]]\nname = \"tie\"\nzero = \"{zero}\"\n\n[outputs]");
+        let start = format!("theta = \"0.3 rad\"\n{start}");
+        messages(&[cart[0], cart[1], ("[outputs]", &constraint), ("theta = \"0.3 rad\"", &start)])
+    };
+    assert_eq!(found("x - l*sin(theta)", ""), Vec::<String>::new());
+    // a simple root whose gradient is a hundred thousandth of that beside it
+    assert_eq!(found("x + (1e5 1/m^2)*x^3", ""), Vec::<String>::new());
+    assert_eq!(found("x*y", "y = \"1e-5 m\""), Vec::<String>::new());
+}
+
 #[test]
 fn residuals_have_units_and_rates_are_told_as_rates() {
     let level = "[[constraint]]\nname = \"level\"\nzero = \"(P - O) . N.x\"\n\n[outputs]";
@@ -113,4 +148,58 @@ fn what_is_wrong_with_a_constraint_is_told_once() {
     one(&[("theta = \"rad\"", "theta = \"radd\""), ("[outputs]", &load.replace("thata", "theta"))], &["`radd`"]);
     let none = load.replace("zero = \"thata\"", "zero = \"theta\"").replace("reaction(low)", "reaction(high)");
     one(&[("[outputs]", &none)], &["no constraint is called `high`"]);
+}
+
+#[test]
+fn speeds_that_no_inertia_resists_together_are_named() {
+    let text = |kinetic: &str| {
+        format!(
+            "title = \"t\"\n[coordinates]\na = \"m\"\nb = \"m\"\n[energies]\nkinetic = \"{kinetic}\"\n[run]\nspan = \"1 s\"\n"
+        )
+    };
+    let told = |kinetic: &str| match scenes::ModelScene::parse("scene.toml", &text(kinetic)) {
+        Ok(_) => panic!("it runs"),
+        Err(error) => error.to_string(),
+    };
+    let together = told("(1 kg)/2*(a' + b')^2");
+    assert!(
+        together.contains("no mass and no inertia resists the speeds a' = 1 m/s, b' = -1 m/s together"),
+        "{together}"
+    );
+    let alone = told("(1 kg)/2*a'^2");
+    assert!(alone.contains("nothing with a mass or an inertia moves with `b`"), "{alone}");
+}
+
+/// A belt that moves and a crank that is driven have no position of rest; with V = 0 there is one.
+#[test]
+fn a_constraint_that_moves_the_system_at_rest_is_told_where_an_equilibrium_is_asked_for() {
+    let driven = |zero: &str| {
+        let constraint = format!("[[constraint]]\nname = \"belt\"\nzero = \"{zero}\"\n\n[outputs]");
+        messages(&[
+            ("[outputs]", &constraint),
+            ("theta = \"0.3 rad\"", "theta = \"guess 0.1 rad\"\nequilibrium = true"),
+        ])
+    };
+    for (zero, rate) in [("theta' - (0.5 rad/s)", "-0.5 rad/s"), ("theta - (0.5 rad/s)*t", "-0.5 1/s")] {
+        let found = driven(zero);
+        assert_eq!(found.len(), 1, "{found:?}");
+        let told = "there is no equilibrium: constraint 1 `belt` moves the system";
+        assert!(found[0].contains(told) && found[0].contains(&format!("at rest it is {rate}")), "{}", found[0]);
+        assert!(found[0].contains("that of a belt which stands"), "{}", found[0]);
+    }
+    assert_eq!(driven("theta - 0.1"), Vec::<String>::new());
+}
+
+/// The orientation of a free frame is given by turns, and not by the parts of its quaternion.
+#[test]
+fn a_guess_of_a_free_frame_is_shown_as_turns() {
+    let edits = [
+        ("[frames]", "[frames]\nB = \"N free\""),
+        (
+            "[bodies.bob]",
+            "[bodies.top]\nframe = \"B\"\ninertia = { principal = [\"(1 kg m^2)\", \"(1 kg m^2)\", \"(1 kg m^2)\"] }\n[bodies.bob]",
+        ),
+        ("[outputs]", "[[constraint]]\nname = \"far\"\nzero = \"B.x . N.y - 2\"\n\n[outputs]"),
+    ];
+    one(&edits, &["was not met from this start", "moving `B` left", "such as B = \"guess 20 deg about z\""]);
 }

@@ -88,7 +88,12 @@ fn reactions_and_conditions_are_refused_where_they_cannot_be() {
     let output = |text: &str| rod(&format!("[outputs]\nload = \"{text}\""));
     let told = |text: &str, parts: &[&str]| one(&[("[outputs]", &output(text))], parts);
     told("reaction(pod)", &["no constraint is called `pod`", "is `rod` meant?"]);
-    told("abs(reaction(rod))", &["depends on accelerations or reactions is not there yet", "sqrt(r^2)"]);
+    told("reaction(left wheel)", &["a name with spaces stands in quotes", "reaction(\"left wheel\")"]);
+    let spaced = output("reaction(\\\"left wheel\\\")").replace("name = \"rod\"", "name = \"left wheel\"");
+    let still = ("theta = \"0.3 rad\"", "theta = \"0.3 rad\"");
+    assert_eq!(messages(&[("[outputs]", &spaced), still]), Vec::<String>::new());
+    // an output alone chooses nothing in the law
+    assert_eq!(messages(&[("[outputs]", &output("abs(reaction(rod))"))]), Vec::<String>::new());
     told("joint_force(bob)", &["the output `load` is a scalar", "this is a vector"]);
     told("joint_force(P) . N.x", &["a body has a joint"]);
     let force = rod("[[force]]\non = \"bob\"\nis = \"reaction(rod)*N.x/l\"\n\n[outputs]");
@@ -109,6 +114,31 @@ fn bodies_that_cannot_exist_are_refused() {
         &[("mass = \"m\"", &solid.replace("1 kg m^2", "(1 kg m^2)").replace("\"3 kg m^2\"", "\"(3 kg m^2)\""))],
         &["no body has the moments of inertia of `bob`"],
     );
+}
+
+#[test]
+fn products_of_inertia_leave_principal_moments_that_a_body_can_have() {
+    let solid = |products: &str| {
+        let moments = "xx = \"(1 kg m^2)\", yy = \"(1 kg m^2)\", zz = \"(1 kg m^2)\"";
+        format!("frame = \"A\"\ninertia = {{ {moments}, {products} }}\nmass = \"m\"")
+    };
+    let refused = |products: &str, told: &str| {
+        one(&[("mass = \"m\"", &solid(products))], &["no body has the moments of inertia of `bob`", told]);
+    };
+    refused("xy = \"(2 kg m^2)\"", "about its principal axes they are -1, 1 and 3 kg m^2");
+    refused("xy = \"(0.9 kg m^2)\"", "about its principal axes they are 0.1, 1 and 1.9 kg m^2");
+    refused("xz = \"0.9*m*l^2*2\"", "about its principal axes they are 0.1, 1 and 1.9 kg m^2");
+    assert_eq!(messages(&[("mass = \"m\"", &solid("xy = \"(0.5 kg m^2)\""))]), Vec::<String>::new());
+}
+
+#[test]
+fn a_unit_in_brackets_leaves_a_parameter_without_a_value() {
+    for unit in ["[1]", "[ m/s ]"] {
+        let open = format!("m = \"2 kg\"\nmu = \"{unit}\"");
+        one(&[("m = \"2 kg\"", &open)], &["the parameter `mu` has no value"]);
+    }
+    one(&[("m = \"2 kg\"", "m = \"2 kg\"\nmu = \"[]\"")], &["nothing stands here", "\"[1]\""]);
+    one(&[("m = \"2 kg\"", "m = \"2 kg\"\nmu = \"[2 kg]\"")], &["the parameter `mu` cannot be read"]);
 }
 
 #[test]

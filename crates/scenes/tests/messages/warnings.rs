@@ -85,3 +85,49 @@ fn an_inertia_by_the_motion_has_the_law_of_a_solid_body_and_a_warning() {
     assert_eq!(mass("m + (0.1 kg s)*theta'").len(), 1);
     assert_eq!(mass("m + (0.1 kg/s)*t"), Vec::new());
 }
+
+#[test]
+fn a_parameter_that_nothing_uses_is_a_warning() {
+    let found = warnings(&[("m = \"2 kg\"", "m = \"2 kg\"\nidle = \"1 m\"")]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].0 == "idle" && found[0].1.contains("nothing uses the parameter `idle`"), "{found:?}");
+    let used = [("m = \"2 kg\"", "m = \"2 kg\"\nidle = \"1 m\""), ("\"reach\"", "\"reach - idle\"")];
+    assert_eq!(warnings(&used), Vec::new());
+}
+
+#[test]
+fn an_inertia_about_a_moving_centre_without_a_mass_is_a_warning() {
+    let rod = |rest: &str| {
+        let rod = format!("[bodies.rod]\nframe = \"A\"\ninertia = \"(1 kg m^2)\"\n{rest}[bodies.bob]");
+        warnings(&[("[bodies.bob]", &rod)])
+    };
+    let found = rod("centre = \"P\"\n");
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].1.contains("the body `rod` has an inertia, a centre that moves, and no mass"), "{found:?}");
+    for rest in ["", "centre = \"O\"\n", "centre = \"P\"\nmass = \"m\"\n"] {
+        assert_eq!(rod(rest), Vec::new(), "{rest}");
+    }
+}
+
+/// A ball rolls on a fixed ball: coordinates hold it there, the constraint does not, and its reaction has no part across the surface.
+#[test]
+fn an_output_of_a_reaction_where_its_component_vanishes_is_a_warning() {
+    const BALL: &str = "title = \"A ball on a ball\"\n[parameters]\nR = \"0.3 m\"\nr = \"0.1 m\"\n[coordinates]\naz = \"rad\"\npol = \"rad\"\n\
+        [frames]\nA = \"N turned az about z\"\nP = \"A turned pol about y\"\nB = \"N free\"\n[points]\nG = \"O + (R + r)*P.z\"\n\
+        C = \"O + R*P.z\"\n[bodies.ball]\nframe = \"B\"\ncentre = \"G\"\nmass = \"(1 kg)\"\n\
+        inertia = { principal = [\"(1 kg m^2)\", \"(1 kg m^2)\", \"(1 kg m^2)\"] }\n[[constraint]]\nname = \"roll\"\n\
+        zero = \"velocity(ball at C)\"\n[speeds]\nw1 = \"az'\"\nw2 = \"pol'\"\nn = \"angular_velocity(ball) . P.z\"\n\
+        [outputs]\nseen = \"SEEN\"\n[start]\npol = \"1 rad\"\n[run]\nspan = \"1 s\"\n";
+    let warned = |seen: &str| {
+        let scene = ModelScene::parse("scene.toml", &BALL.replace("SEEN", seen));
+        let scene = scene.unwrap_or_else(|error| panic!("{error}"));
+        scene.model.warnings.iter().map(|warning| warning.title.clone()).collect::<Vec<_>>()
+    };
+    let told = ["the component of `roll` along P.z vanishes identically, and has no reaction"];
+    for seen in ["reaction(roll) . P.z", "reaction(roll) . N.z", "norm(reaction(roll))"] {
+        assert_eq!(warned(seen), told, "{seen}");
+    }
+    for seen in ["reaction(roll) . P.x", "norm(cross(reaction(roll), P.z))", "pol"] {
+        assert_eq!(warned(seen), Vec::<String>::new(), "{seen}");
+    }
+}

@@ -1,5 +1,6 @@
 //! Systems as text: read, proved, run, beside closed forms and beside what must stay what it is.
 
+mod outputs;
 mod quasi_velocities;
 mod redundant;
 mod singular;
@@ -8,7 +9,7 @@ use derivations::scene::{Axes, Choice, Smooth, Stored, stored};
 use integrators::Method;
 use model::principles::Principle;
 use model::{Agreement, Trace, agreement};
-use scenes::{ModelScene, read_model};
+use scenes::{ModelScene, Task, read_model};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -56,7 +57,7 @@ fn no_system_that_is_shown_has_a_warning() {
 #[test]
 fn every_principle_gives_every_model_the_same_equations() {
     for path in all() {
-        let model = read_model(&path).unwrap_or_else(|error| panic!("{error}"));
+        let model = read_model(&path, Task::Write).unwrap_or_else(|error| panic!("{error}"));
         symbolic::apart(|| {
             let trace = Trace::of(&model);
             for other in Principle::ALL {

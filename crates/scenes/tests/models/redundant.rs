@@ -193,3 +193,36 @@ fn linear_equations_know_the_independent_constraints() {
     let rate = (9.81 / 0.3 * 80_f64.to_radians().sin()).sqrt();
     assert!(values.iter().all(|value| (value.re.abs() - rate).abs() < 1e-9), "{values:?}");
 }
+
+/// A plate on three equal cranks whose pivots are in no line: one equation of four follows from the others, whichever stands last. Where
+/// those that are kept depend on each other, the one that was left out would hold.
+#[test]
+fn a_set_of_constraints_that_loses_its_rank_where_all_keep_it_is_told() {
+    let text = |first: &str, second: &str| {
+        let pins = [("pin2", "P2 - Q2"), ("pin3", "P3 - Q3")];
+        let zero = |name: &str| pins.iter().find(|(own, _)| *own == name).map_or("", |(_, zero)| zero);
+        format!(
+            "title = \"plate\"\n[parameters]\nr = \"0.1 m\"\n[coordinates]\na = \"rad\"\nb = \"rad\"\nc = \"rad\"\ne = \"rad\"\n\
+             [frames]\nA = \"N turned a about z\"\nB = \"N turned b about z\"\nC = \"N turned c about z\"\nE = \"N turned e about z\"\n\
+             [points]\nP1 = \"O + r*A.x\"\nP2 = \"P1 + (0.4 m)*B.x\"\nP3 = \"P1 + (0.2 m)*B.x + (0.3 m)*B.y\"\n\
+             Q2 = \"O + (0.4 m)*N.x + r*C.x\"\nQ3 = \"O + (0.2 m)*N.x + (0.3 m)*N.y + r*E.x\"\n\
+             [bodies.crank]\nframe = \"A\"\ninertia = \"(0.01 kg m^2)\"\n[bodies.second]\nframe = \"C\"\ninertia = \"(0.01 kg m^2)\"\n\
+             [bodies.third]\nframe = \"E\"\ninertia = \"(0.01 kg m^2)\"\n\
+             [bodies.plate]\nframe = \"B\"\ncentre = \"P1 + (0.2 m)*B.x + (0.1 m)*B.y\"\nmass = \"(1 kg)\"\ninertia = \"(0.02 kg m^2)\"\n\
+             [[constraint]]\nname = \"{first}\"\nzero = \"{}\"\n[[constraint]]\nname = \"{second}\"\nzero = \"{}\"\n\
+             [start]\na = \"60 deg\"\nb = \"0 rad\"\nc = \"60 deg\"\ne = \"60 deg\"\n\"a'\" = \"2 rad/s\"\n[run]\nspan = \"3 s\"\n",
+            zero(first),
+            zero(second)
+        )
+    };
+    for (first, second) in [("pin2", "pin3"), ("pin3", "pin2")] {
+        let scene = scene(&text(first, second));
+        assert_eq!(scene.model.implied.len(), 1);
+        let choice = scene.run().choice();
+        let left = scene.problem(Axes::First).simulate(&choice, |_| {}).left.expect("it ends");
+        assert!(
+            left.contains("the constraints that are kept depend on each other, and one that follows from them"),
+            "{left}"
+        );
+    }
+}

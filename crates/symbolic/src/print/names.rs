@@ -18,6 +18,8 @@ pub(super) fn latex_name(name: &str) -> String {
         format!("\\mathrm{{{base}}}")
     };
     match index.chars().count() {
+        // `lambda_` is another letter than `lambda`
+        0 if name.ends_with('_') => format!("{letter}_{{\\_}}"),
         0 => letter,
         1 => format!("{letter}_{index}"),
         _ => format!("{letter}_{{{}}}", index.replace('_', ",")),

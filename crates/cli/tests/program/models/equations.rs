@@ -76,3 +76,32 @@ fn equations_say_what_their_conditions_are_and_what_they_leave_out() {
     }
     std::fs::remove_file(&path).expect("it is there");
 }
+
+#[test]
+fn an_echo_shows_definitions_centres_and_loads() {
+    let text = "title = \"t\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"kg\"\nl = \"m\"\ng = \"m/s^2\"\nmu = \"[1]\"\n[coordinates]\na = \"rad\"\n\
+                [definitions]\narm = \"l*A.y\"\nQ = \"O - arm/2\"\nfast = \"O + (1 s)*a'*arm\"\n[frames]\nA = \"N turned a about z\"\n\
+                [bodies.bob]\ncentre = \"O - arm\"\nmass = \"m\"\n[[force]]\non = \"bob\"\nis = \"-mu*m*g*N.x\"\n\
+                [[force]]\nbetween = [\"ground at O + (1 m)*N.x\", \"bob at Q\"]\nis = \"(1 N)\"\n[[torque]]\non = \"A\"\nis = \"(2 N m)*N.z\"\n";
+    let path = temporary("echo.toml");
+    std::fs::write(&path, text).expect("it is written");
+    let echo = printed(&["derive", path.to_str().expect("a path in UTF-8"), "--echo"]);
+    for line in [
+        "arm = l*A.y",
+        "Q - O = -l/2*A.y",
+        "velocity(Q) = l*a'/2*A.x",
+        "centre of bob - O = -l*A.y",
+        "velocity(bob) = l*a'*A.x",
+        "acceleration(bob) = l*a''*A.x + l*a'^2*A.y",
+        "force on bob = -m*g*mu*N.x",
+        "weight of bob = -m*g*N.y",
+        "torque on A = 2*N.z",
+        "mu in 1, without a value",
+    ] {
+        assert!(echo.lines().any(|known| known.trim() == line), "{line}\n{echo}");
+    }
+    assert!(echo.contains("force on bob at O - l/2*A.y = "), "{echo}");
+    // its acceleration would hold a third rate
+    assert!(echo.contains("fast - O = ") && !echo.contains("acceleration(fast)"), "{echo}");
+    std::fs::remove_file(path).expect("it is there");
+}

@@ -18,7 +18,8 @@ fn linear_equations_are_printed_in_every_format() {
     assert!(text.contains("+ 3 i") && text.contains("do not decide stability"), "{text}");
     let table = printed(&["linearize", &path, "--input", "F", "--format", "csv"]);
     assert!(table.contains("0.0,A,x' [m/s],x [m],-9.0") && table.contains("0.0,B,x' [m/s],F [N],0.5"), "{table}");
-    refused(&["linearise", &path], "the parameter `F` has no value");
+    refused(&["linearise", &path], "there are no linear equations: the parameter `F` has no value");
+    refused(&["linearise", &path], "`derive` and `prove` need none");
     refused(&["linearise", &path, "--input", "G"], "no parameter is called `G`");
     refused(&["linearise", &path, "--times", "-1"], "a time that is not negative");
     std::fs::write(&path, SPRING.replace("F = \"N\"\n", "F = \"0 N\"\n")).expect("it is written");

@@ -22,6 +22,24 @@ fn divisors_that_vanish_at_the_start_are_told() {
     assert!(across.contains(&format!("{divisors} (at the start cos(psi) vanishes)")), "{across}");
 }
 
+/// Divisors of free frames have names, a long list stands once, and what cannot vanish, as pi, is none.
+#[test]
+fn divisors_are_named_and_a_long_list_stands_once() {
+    let path = temporary("named_divisors.toml");
+    let text = "title = \"A plate on a spring\"\n[parameters]\nk = \"40 N/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[frames]\nF = \"N free\"\n\
+        [points]\nG = \"O + x*N.x + y*N.y + z*N.z\"\nA = \"G + (0.5 m)*F.x + (0.433 m)*F.y\"\n[bodies.plate]\nframe = \"F\"\ncentre = \"G\"\nmass = \"(2 kg)\"\n\
+        inertia = { principal = [\"(0.12 kg m^2)\", \"(0.15 kg m^2)\", \"(0.27 kg m^2)\"] }\n[[constraint]]\nname = \"rail\"\nzero = \"(A - O) . N.z\"\n\
+        [[force]]\nbetween = [\"ground at O - (1 m)*N.x\", \"plate at A\"]\nis = \"-k*(distance(O - (1 m)*N.x, A) - (0.8 m))\"\n";
+    std::fs::write(&path, text).expect("it is written");
+    let proved = printed(&["prove", &path.display().to_string()]);
+    std::fs::remove_file(&path).expect("it is there");
+    assert!(!proved.contains("F.q0^2"), "{proved}");
+    let first = proved.lines().next().unwrap_or_default();
+    let length = "the length in a distance, a norm or a force `between`";
+    assert!(first.contains("|F.q|^2") && first.contains(length), "{proved}");
+    assert!(proved.lines().all(|line| line.len() < 400), "{proved}");
+}
+
 #[test]
 fn verdicts_of_a_proof_are_read_by_programs() {
     let proved = json(&run(&["prove", MODEL, "--format", "json"]));

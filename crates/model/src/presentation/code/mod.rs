@@ -9,6 +9,7 @@ mod rust;
 
 use super::axes::along;
 use super::conditions::left_out;
+use super::contacts::open_letters;
 use super::identifiers::identifiers;
 use super::matrix_form::MatrixForm;
 use crate::Trace;
@@ -99,8 +100,7 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
     let biases = form.constraints.iter().map(|held| held.bias);
     let zeros: Vec<Sym> = form.constraints.iter().map(|held| held.zero).collect();
     let units = trace.model.parameters.iter().map(|parameter| (parameter.unit.clone(), parameter.value));
-    let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
-    let units = units.chain(open.map(|input| (input.unit.clone(), None)));
+    let units = units.chain(open_letters(trace).into_iter().map(|(_, unit)| (unit, None)));
     let parameters = names.into_iter().zip(quoted).zip(units);
     let meanings = trace.model.quasi_velocities.iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.definitions));
     let cosines: Vec<(Sym, Sym)> = form.cosines.iter().map(|cosine| (cosine.value, cosine.letter)).collect();

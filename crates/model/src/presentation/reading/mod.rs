@@ -22,6 +22,9 @@ use symbolic::{Node, Sym};
 /// Longer sums are left as they came.
 const MOST_TERMS: usize = 4_000;
 
+/// Products of terms that are formed for one system; what is longer then is left as it came.
+const MOST_PRODUCTS: usize = 10_000_000;
+
 /// Expressions as they are read, over one list of letters.
 pub(crate) struct Reading {
     /// Letters and other parts that no sum or product opens; parameters first.
@@ -32,6 +35,8 @@ pub(crate) struct Reading {
     /// Terms of angles.
     atoms: Vec<Sym>,
     known: FxHashMap<Sym, Option<Rc<Sum>>>,
+    /// Products of terms that may still be formed.
+    left: usize,
 }
 
 /// A part that no sum or product opens.
@@ -47,7 +52,7 @@ impl Reading {
     /// Parameters, each with whether it is positive, and the other letters, both in the order in which products have them.
     pub fn new(parameters: impl IntoIterator<Item = (Sym, bool)>, letters: impl IntoIterator<Item = Sym>) -> Self {
         let (leaves, places, atoms, known) = (Vec::new(), FxHashMap::default(), Vec::new(), FxHashMap::default());
-        let mut reading = Reading { leaves, places, parameters: 0, atoms, known };
+        let mut reading = Reading { leaves, places, parameters: 0, atoms, known, left: MOST_PRODUCTS };
         for (letter, is_positive) in parameters {
             let place = reading.leaf(letter, None);
             reading.leaves[place as usize].is_positive = is_positive;
@@ -170,6 +175,7 @@ impl Reading {
 
     /// The product, roots of the same squared.
     fn product(&mut self, a: &Sum, b: &Sum) -> Option<Sum> {
+        self.left = self.left.checked_sub(a.len() * b.len())?;
         let product = a.times(b, MOST_TERMS)?;
         let is_power =
             |&(place, exponent): &(u32, i32)| exponent.abs() >= 2 && self.leaves[place as usize].square.is_some();

@@ -1,22 +1,24 @@
 //! The motion next after an instant in any mode: Taylor coefficients of conditions, switches and events, without compiling its law.
 //!
-//! Accelerations are written down once with every switch as an input. Switches that are held follow order by order from g' = 0,
-//! which is linear in them.
+//! Accelerations are written down once with every switch and every reaction of a contact as an input. Switches that are held follow
+//! order by order from g' = 0, reactions in touch from gap'' = 0 and v' = 0, which are linear in them.
 
 mod elimination;
 mod equations;
 mod impulses;
+mod letters;
 mod parts;
 mod trials;
 
 pub(super) use elimination::solved;
+pub(super) use impulses::NotStruck;
 pub(super) use parts::Slopes;
 
-use super::Case;
 use super::jet::{Jet, ROUNDING};
+use super::mode::{Case, Mode};
 use super::multiples::Mirrored;
 use crate::compiled_system::NotCompiled;
-use model::Model;
+use model::{Model, Sides};
 use num_traits::{One, Zero};
 use symbolic::{Tape, apart};
 
@@ -37,18 +39,38 @@ const ROUNDS: usize = 3;
 pub(super) struct Expansions {
     tape: Tape,
     states: usize,
-    /// Slopes of the rates of conditions by switches, where they are not zero.
+    /// Slopes of rows by letters, where they are not zero. Letters are switches, then two reactions of each contact; a row is the rate of
+    /// a condition, then what the reaction of the same place keeps at zero.
     slopes: Vec<Slope>,
     pub mirrored: Vec<Option<Mirrored>>,
+    pub kinds: Vec<Kind>,
     events: usize,
 }
 
-/// The slope of the rate of a condition by a switch, and the switches that change it.
+/// A contact as it is built.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Kind {
+    pub sides: Sides,
+    pub is_rough: bool,
+}
+
+/// The slope of a row by a letter, and the letters that change it.
 #[derive(Debug)]
 struct Slope {
-    condition: usize,
-    switch: usize,
+    row: usize,
+    by: usize,
     changed_by: Vec<usize>,
+}
+
+/// A contact along the motion.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Touching<const N: usize> {
+    pub gap: Jet<N>,
+    pub gap_rate: Jet<N>,
+    pub slide: Jet<N>,
+    pub friction: Jet<N>,
+    /// Normal and tangential.
+    pub reactions: [Jet<N>; 2],
 }
 
 /// Where a motion goes on.
@@ -68,8 +90,9 @@ pub(super) struct Expansion<const N: usize> {
     pub switches: Vec<Jet<N>>,
     /// Each switch, or its part of what keeps conditions at zero where that is beyond its bound.
     pub parts: Vec<Jet<N>>,
+    pub contacts: Vec<Touching<N>>,
     pub events: Vec<Jet<N>>,
-    /// Slopes of the rates of conditions by switches.
+    /// Slopes of the rates of conditions by switches, with the reactions that follow.
     pub slopes: Slopes<N>,
 }
 
@@ -88,7 +111,7 @@ impl Expansions {
     }
 
     /// The motion in a mode; none where a condition cannot be held.
-    pub fn at<const N: usize>(&self, instant: &Instant<'_>, mode: &[Case]) -> Option<Expansion<N>> {
+    pub fn at<const N: usize>(&self, instant: &Instant<'_>, mode: &Mode) -> Option<Expansion<N>> {
         let Instant { time, state, late } = *instant;
         let mut clock = Jet::<N>::constant(time, ROUNDINGS * ROUNDING * time.abs() + late);
         if N > 1 {
@@ -97,7 +120,9 @@ impl Expansions {
         let uncertain = |value: &f64| Jet::constant(*value, ROUNDINGS * ROUNDING * value.abs());
         let mut moved: Vec<Jet<N>> = state.iter().map(uncertain).collect();
         let value = |case: &Case| case.fixed().map_or(0.5, |on| if on { 1.0 } else { 0.0 });
-        let confirmed = self.confirmed(time, state, &mode.iter().map(value).collect::<Vec<f64>>());
+        let mut letters: Vec<f64> = mode.cases.iter().map(value).collect();
+        letters.resize(self.letters(), 0.0);
+        let confirmed = self.confirmed(time, state, &letters);
         let first = self.run(clock, &moved, mode, &confirmed)?;
         // errors of rates add up from the start on; a run whose digits are fewer than these is not decided by its roundings
         let known = DIGITS * first.rates.iter().map(|rate| rate.terms[0].abs()).fold(0.0, f64::max);
@@ -115,7 +140,8 @@ impl Expansions {
     }
 
     /// Gives mirrored conditions the cases that follow from those of others.
-    pub fn mirror(&self, mode: &mut [Case]) {
+    pub fn mirror(&self, mode: &mut Mode) {
+        let mode = &mut mode.cases;
         for (place, mirrored) in self.mirrored.iter().enumerate() {
             if let Some(Mirrored { of, same_side }) = *mirrored {
                 mode[place] = match (mode[of], same_side) {
@@ -128,26 +154,12 @@ impl Expansions {
         }
     }
 
-    /// Steps of Newton's method for the switches of held conditions: one where the rates are linear in them. A law of g that has
-    /// |g| in it is linear where g is zero; rounding leaves powers of g.
-    fn rounds(&self, held: &[usize]) -> usize {
-        let changes = |slope: &Slope| {
-            held.contains(&slope.condition) && slope.changed_by.iter().any(|switch| held.contains(switch))
-        };
-        if self.slopes.iter().any(changes) { ROUNDS } else { 1 }
-    }
-
-    /// Conditions of their own that a mode holds.
-    pub fn held(&self, mode: &[Case]) -> Vec<usize> {
-        (0..mode.len()).filter(|&place| mode[place] == Case::Held && self.mirrored[place].is_none()).collect()
-    }
-
     /// The motion from a state; `confirmed` has the parts of the bounds of errors that count.
     fn run<const N: usize>(
         &self,
         time: Jet<N>,
         state: &[Jet<N>],
-        mode: &[Case],
+        mode: &Mode,
         confirmed: &[f64],
     ) -> Option<Expansion<N>> {
         let value = |case: &Case| match case {
@@ -155,29 +167,42 @@ impl Expansions {
             case if case.fixed() == Some(true) => Jet::one(),
             _ => Jet::zero(),
         };
-        let mut switches: Vec<Jet<N>> = mode.iter().map(value).collect();
-        let held = self.held(mode);
-        let mut values = self.values(time, state, &switches, confirmed);
-        if !held.is_empty() {
-            let first = self.states + mode.len();
-            for _ in 0..self.rounds(&held) {
-                let (mut rows, mut right) = (vec![vec![Jet::zero(); held.len()]; held.len()], Vec::new());
-                let place = |switch: usize| held.iter().position(|held| *held == switch);
-                for (slope, value) in self.slopes.iter().zip(&values[first + mode.len()..]) {
-                    if let (Some(row), Some(column)) = (place(slope.condition), place(slope.switch)) {
-                        rows[row][column] = *value;
+        let cases = mode.cases.len();
+        let mut letters: Vec<Jet<N>> = mode.cases.iter().map(value).collect();
+        letters.resize(self.letters(), Jet::zero());
+        let reactions = self.unknown_reactions(mode);
+        let unknown: Vec<usize> = self.held(mode).into_iter().chain(reactions.iter().copied()).collect();
+        let mut values = self.values(time, state, &letters, confirmed);
+        let tied = self.tied(mode, &values);
+        if !unknown.is_empty() {
+            let first = self.states + cases;
+            for _ in 0..self.rounds(&unknown) {
+                let rows = self.slopes_by(&values, &tied, &unknown, &unknown);
+                let right = unknown.iter().map(|&letter| -values[first + letter]).collect();
+                for (&letter, change) in unknown.iter().zip(solved(rows, right)?) {
+                    letters[letter] += change;
+                }
+                for (contact, factor) in tied.iter().enumerate() {
+                    if let Some(factor) = factor {
+                        letters[self.reaction([contact, 1])] = *factor * letters[self.reaction([contact, 0])];
                     }
                 }
-                right.extend(held.iter().map(|&switch| -values[first + switch]));
-                for (&switch, change) in held.iter().zip(solved(rows, right)?) {
-                    switches[switch] += change;
-                }
-                values = self.values(time, state, &switches, confirmed);
+                values = self.values(time, state, &letters, confirmed);
             }
         }
-        let slopes = self.slopes_of(mode, &values[self.states + 2 * mode.len()..]);
-        let mut parts = self.shared(mode, &slopes, &switches)?;
-        for switch in (0..mode.len()).filter(|&switch| mode[switch].fixed().is_none()) {
+        let slopes = self.slopes_of(cases, &values, &tied, &reactions)?;
+        let touching = |contact: usize| Touching {
+            gap: self.of_contact(&values, 0, contact),
+            gap_rate: self.of_contact(&values, 1, contact),
+            slide: self.of_contact(&values, 2, contact),
+            friction: self.of_contact(&values, 3, contact),
+            reactions: [0, 1].map(|component| letters[self.reaction([contact, component])]),
+        };
+        let contacts = (0..self.kinds.len()).map(touching).collect();
+        letters.truncate(cases);
+        let mut switches = letters;
+        let mut parts = self.shared(&mode.cases, &slopes, &switches)?;
+        for switch in (0..cases).filter(|&switch| mode.cases[switch].fixed().is_none()) {
             switches[switch] = parts[switch];
         }
         for (place, mirrored) in self.mirrored.iter().enumerate() {
@@ -187,16 +212,16 @@ impl Expansions {
             }
         }
         let events = values.split_off(values.len() - self.events);
-        let conditions = values[self.states..][..mode.len()].to_vec();
+        let conditions = values[self.states..][..cases].to_vec();
         values.truncate(self.states);
-        Some(Expansion { rates: values, conditions, switches, parts, events, slopes })
+        Some(Expansion { rates: values, conditions, switches, parts, contacts, events, slopes })
     }
 
     fn values<const N: usize>(
         &self,
         time: Jet<N>,
         state: &[Jet<N>],
-        switches: &[Jet<N>],
+        letters: &[Jet<N>],
         confirmed: &[f64],
     ) -> Vec<Jet<N>> {
         let constants: Vec<Jet<N>> = self
@@ -206,7 +231,7 @@ impl Expansions {
             .map(|value| Jet::constant(*value, if value.fract() == 0.0 { 0.0 } else { ROUNDING * value.abs() }))
             .collect();
         let mut values = vec![Jet::zero(); self.tape.outputs()];
-        let inputs = state.iter().chain([&time]).chain(switches).copied();
+        let inputs = state.iter().chain([&time]).chain(letters).copied();
         self.tape.evaluate_long(&constants, inputs, &mut values);
         for (value, part) in values.iter_mut().zip(confirmed) {
             value.doubts = value.doubts.map(|doubt| doubt * part);

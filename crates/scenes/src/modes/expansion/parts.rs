@@ -4,8 +4,8 @@
 //! solutions s. The motion is the same for all of them. Taken is the one with the least sum of (s - 1/2)^2, that of least squares of
 //! sign: s = 1/2 + B^T l, cut at 0 and at 1. It is unique, and continuous in a.
 
-use super::super::Case;
 use super::super::jet::Jet;
+use super::super::mode::Case;
 use super::{Expansions, solved};
 use num_traits::Zero;
 
@@ -13,13 +13,31 @@ use num_traits::Zero;
 pub(in super::super) type Slopes<const N: usize> = Vec<Vec<Jet<N>>>;
 
 impl Expansions {
-    /// The slopes, from their values in the order of the list.
-    pub(super) fn slopes_of<const N: usize>(&self, mode: &[Case], values: &[Jet<N>]) -> Slopes<N> {
-        let mut slopes = vec![vec![Jet::zero(); mode.len()]; mode.len()];
-        for (slope, value) in self.slopes.iter().zip(values) {
-            slopes[slope.condition][slope.switch] = *value;
+    /// The slopes of the rates of conditions by switches, from values; reactions of contacts follow the switches.
+    pub(super) fn slopes_of<const N: usize>(
+        &self,
+        cases: usize,
+        values: &[Jet<N>],
+        tied: &[Option<Jet<N>>],
+        reactions: &[usize],
+    ) -> Option<Slopes<N>> {
+        let switches: Vec<usize> = (0..cases).collect();
+        let mut slopes = self.slopes_by(values, tied, &switches, &switches);
+        if reactions.is_empty() || cases == 0 {
+            return Some(slopes);
         }
-        slopes
+        let own = self.slopes_by(values, tied, reactions, reactions);
+        let moved = self.slopes_by(values, tied, reactions, &switches);
+        let back = self.slopes_by(values, tied, &switches, reactions);
+        for switch in 0..cases {
+            let right = moved.iter().map(|row| -row[switch]).collect();
+            let changes = solved(own.clone(), right)?;
+            for (row, back) in slopes.iter_mut().zip(&back) {
+                let through = back.iter().zip(&changes).map(|(slope, change)| *slope * *change);
+                row[switch] = through.fold(row[switch], |sum, term| sum + term);
+            }
+        }
+        Some(slopes)
     }
 
     /// Switches by their parts, from those that keep the held conditions at zero with 1/2 for each shared one.
@@ -36,7 +54,7 @@ impl Expansions {
         if implied.is_empty() {
             return Some(parts);
         }
-        let held = self.held(mode);
+        let held: Vec<usize> = of(|case| case == Case::Held).collect();
         let free: Vec<usize> = of(|case| matches!(case, Case::Held | Case::Shared)).collect();
         let half = Jet::constant(0.5, 0.0);
         let sum = |terms: &mut dyn Iterator<Item = Jet<N>>| terms.fold(Jet::zero(), |sum, term| sum + term);

@@ -20,10 +20,10 @@ const MORE: f64 = 16.0;
 
 impl Expansions {
     /// For each number of the tape the part of its bound that trials confirm; empty where all bounds are narrow.
-    pub(super) fn confirmed(&self, time: f64, state: &[f64], switches: &[f64]) -> Vec<f64> {
+    pub(super) fn confirmed(&self, time: f64, state: &[f64], letters: &[f64]) -> Vec<f64> {
         let uncertain = |value: f64| Jet::<1>::constant(value, ROUNDINGS * ROUNDING * value.abs());
         let moved: Vec<Jet<1>> = state.iter().map(|value| uncertain(*value)).collect();
-        let fixed: Vec<Jet<1>> = switches.iter().map(|value| Jet::constant(*value, 0.0)).collect();
+        let fixed: Vec<Jet<1>> = letters.iter().map(|value| Jet::constant(*value, 0.0)).collect();
         let bounded = self.values(uncertain(time), &moved, &fixed, &[]);
         let largest = bounded.iter().map(|value| value.terms[0].abs()).fold(0.0, f64::max);
         if bounded.iter().all(|value| value.doubts[0] <= FAR * largest) {
@@ -38,8 +38,8 @@ impl Expansions {
             let near =
                 |(input, value): (usize, &f64)| DoubleDouble::from(*value) + DoubleDouble::from(value * by(input));
             let inputs = state.iter().chain([&time]).enumerate().map(near);
-            let switches = switches.iter().map(|value| DoubleDouble::from(*value));
-            self.tape.evaluate_long(&constants, inputs.chain(switches), &mut found);
+            let letters = letters.iter().map(|value| DoubleDouble::from(*value));
+            self.tape.evaluate_long(&constants, inputs.chain(letters), &mut found);
             found
         };
         let exact = computed(0);

@@ -1,0 +1,67 @@
+//! Divisors of a normal form as sentences name them: |F.q|^2 of a free frame's quaternion, lengths, and none that cannot vanish.
+
+use crate::Trace;
+use crate::arena::{Part, Scalar};
+use crate::parts::QUATERNION;
+use crate::real_points::value_at_point;
+use crate::{FrameId, ScalarId};
+use symbolic::Sym;
+
+/// Characters of the longest divisor that is written out.
+const MOST_READ: usize = 200;
+
+/// Points at which a divisor must be the same multiple of a length, and the digits of that.
+const POINTS: u64 = 4;
+const DIGITS: f64 = 1e-10;
+
+/// The highest power of a quaternion's square that stands beside a length.
+const MOST_POWER: i32 = 4;
+
+/// A divisor in words; none of one that cannot vanish: a number, pi, their products.
+pub(crate) fn named(trace: &Trace<'_>, divisor: Sym) -> Option<String> {
+    if divisor.symbols_of().iter().all(|&symbol| symbol == trace.pi) {
+        return None;
+    }
+    let mut text = divisor.to_string();
+    for FrameId(frame) in &trace.model.free {
+        let name = &trace.model.frames[*frame].name;
+        let square = QUATERNION.map(|part| format!("{name}.{part}^2")).join(" + ");
+        for power in 2..=MOST_POWER {
+            text = text.replace(&format!("({square})^{power}"), &format!("|{name}.q|^{}", 2 * power));
+        }
+        text = text.replace(&format!("({square})"), &format!("|{name}.q|^2"));
+        text = text.replace(&square, &format!("|{name}.q|^2"));
+    }
+    Some(match text.len() <= MOST_READ {
+        true => text,
+        false if is_length(trace, divisor) => "the length in a distance, a norm or a force `between`".to_owned(),
+        false => format!("an expression of {} operations", Sym::operations_of(&[divisor])),
+    })
+}
+
+/// Whether a divisor is a multiple of a length that the model forms, but for powers of the squares of quaternions.
+fn is_length(trace: &Trace<'_>, divisor: Sym) -> bool {
+    let symbols = divisor.symbols_of();
+    let quaternions = trace.turns().map(|(quaternion, _)| quaternion);
+    let squares: Vec<Sym> = quaternions
+        .filter(|parts| symbols.contains(&parts[0]))
+        .map(|parts| parts.into_iter().fold(Sym::ZERO, |sum, part| sum + part * part))
+        .collect();
+    let parts = trace.model.arena.parts.iter().enumerate();
+    let lengths = parts.filter(|(_, part)| matches!(part, Part::Scalar(Scalar::Norm(_))));
+    lengths.map(|(place, _)| trace.scalar(ScalarId(place))).any(|length| {
+        let is_multiple = |ratios: Option<Vec<f64>>| {
+            let Some([first, rest @ ..]) = ratios.as_deref() else { return false };
+            first.is_finite() && rest.iter().all(|ratio| (ratio - first).abs() <= DIGITS * first.abs())
+        };
+        let ratio = |powers: [i32; 2], point: u64| {
+            let below = squares.iter().zip(powers);
+            let below = below.map(|(&square, power)| Some(value_at_point(square, point)?.powi(power)));
+            let below = below.collect::<Option<Vec<f64>>>()?.into_iter().product::<f64>();
+            Some(value_at_point(divisor, point)? / (value_at_point(length, point)? * below))
+        };
+        let powers = (0..=MOST_POWER).flat_map(|one| (0..=MOST_POWER).map(move |other| [one, other]));
+        squares.len() <= 2
+            && powers.into_iter().any(|powers| is_multiple((0..POINTS).map(|point| ratio(powers, point)).collect()))
+    })
+}

@@ -1,0 +1,119 @@
+//! Conditions that outputs alone ask for: they choose nothing in the law, and are steps of their expressions.
+
+use crate::arena::{Part, Scalar, Vector};
+use crate::{Inertia, Model, ScalarId, Turn, VectorId, Zero};
+
+/// Takes the switches that no law holds out of the list.
+pub(super) fn stepped(model: &mut Model) {
+    if model.switches.is_empty() {
+        return;
+    }
+    let in_law = parts_of_law(model);
+    let place_of = |model: &Model, switch: usize| {
+        model.arena.parts.iter().position(|part| *part == Part::Scalar(Scalar::Switch(switch)))
+    };
+    let places: Vec<Option<usize>> = (0..model.switches.len()).map(|switch| place_of(model, switch)).collect();
+    let stays: Vec<bool> = places.iter().map(|place| place.is_none_or(|place| in_law[place])).collect();
+    let mut left = 0;
+    for (switch, place) in places.into_iter().enumerate() {
+        let Some(place) = place else { continue };
+        model.arena.parts[place] = Part::Scalar(match stays[switch] {
+            true => Scalar::Switch(left),
+            false => Scalar::Step(model.switches[switch]),
+        });
+        left += usize::from(stays[switch]);
+    }
+    let mut kept = stays.iter();
+    model.switches.retain(|_| kept.next() == Some(&true));
+    let mut kept = stays.iter();
+    model.switch_places.retain(|_| kept.next() == Some(&true));
+    let mut kept = stays.iter();
+    model.switch_units.retain(|_| kept.next() == Some(&true));
+}
+
+/// The parts that the motion depends on: bodies, frames and points, forces, constraints, contacts, events, quasi-velocities.
+fn parts_of_law(model: &Model) -> Vec<bool> {
+    let mut open: Vec<usize> = Vec::new();
+    let scalars = |ids: &[ScalarId], open: &mut Vec<usize>| open.extend(ids.iter().map(|id| id.0));
+    for frame in &model.frames {
+        if let Some((_, Turn::About { angle, .. })) = frame.parent {
+            open.push(angle.0);
+        }
+    }
+    open.extend(model.points.iter().filter_map(|point| point.base.map(|(_, way)| way.0)));
+    for body in &model.bodies {
+        open.extend(body.mass.map(|mass| mass.0));
+        match &body.inertia {
+            Some(Inertia::Axial(moment)) => open.push(moment.0),
+            Some(Inertia::Tensor { entries, .. }) => open.extend(entries.iter().flatten().map(|entry| entry.0)),
+            None => {}
+        }
+    }
+    let energies = [model.energies.kinetic, model.energies.potential, model.energies.dissipation];
+    open.extend(model.gravity.map(|gravity| gravity.0));
+    open.extend(energies.into_iter().flatten().map(|energy| energy.0));
+    open.extend(model.forces.iter().map(|force| match force {
+        crate::Force::On { is, .. } => is.0,
+        crate::Force::Between { is, .. } => is.0,
+    }));
+    open.extend(model.torques.iter().map(|torque| match torque {
+        crate::Torque::On { is, .. } | crate::Torque::Between { is, .. } => is.0,
+    }));
+    open.extend(model.generalised.iter().map(|force| force.is.0));
+    for constraint in &model.constraints {
+        open.push(match constraint.zero {
+            Zero::Scalar(zero) => zero.0,
+            Zero::Vector(zero) => zero.0,
+        });
+        scalars(constraint.gains.as_deref().unwrap_or_default(), &mut open);
+    }
+    for contact in &model.contacts {
+        scalars(&[contact.gap, contact.slide], &mut open);
+        open.extend(contact.friction.into_iter().chain(contact.restitution).map(|number| number.0));
+    }
+    for event in &model.events {
+        open.push(event.when.0);
+        open.extend(event.set.iter().map(|assignment| assignment.is.0));
+    }
+    open.extend(model.quasi_velocities.iter().map(|speed| speed.is.0));
+    let mut reached = vec![false; model.arena.parts.len()];
+    while let Some(part) = open.pop() {
+        if !std::mem::replace(&mut reached[part], true) {
+            match &model.arena.parts[part] {
+                Part::Scalar(scalar) => of_scalar(model, scalar, &mut open),
+                Part::Vector(vector) => of_vector(vector, &mut open),
+            }
+        }
+    }
+    reached
+}
+
+/// The parts that a scalar is made of.
+fn of_scalar(model: &Model, scalar: &Scalar, open: &mut Vec<usize>) {
+    match scalar {
+        Scalar::Switch(switch) => open.push(model.switches[*switch].0),
+        Scalar::Input(input) => open.extend(model.inputs[*input].value.map(|value| value.0)),
+        Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) | Scalar::RateOf(a) | Scalar::Step(a) => {
+            open.push(a.0);
+        }
+        Scalar::Sum(a, b)
+        | Scalar::Difference(a, b)
+        | Scalar::Product(a, b)
+        | Scalar::Quotient(a, b)
+        | Scalar::Elementary(_, a, b) => open.extend([a.0, b.0]),
+        Scalar::Dot(a, b) => open.extend([a.0, b.0]),
+        Scalar::Norm(a) => open.push(a.0),
+        _ => {}
+    }
+}
+
+/// The parts that a vector is made of; the points and frames that it stands on are there already.
+fn of_vector(vector: &Vector, open: &mut Vec<usize>) {
+    let of = |id: &VectorId| id.0;
+    match vector {
+        Vector::Negation(a) | Vector::RateOf { of: a, .. } => open.push(of(a)),
+        Vector::Sum(a, b) | Vector::Difference(a, b) | Vector::Cross(a, b) => open.extend([of(a), of(b)]),
+        Vector::Scaled(a, b) => open.extend([a.0, of(b)]),
+        _ => {}
+    }
+}

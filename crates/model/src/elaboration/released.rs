@@ -1,0 +1,105 @@
+//! The system with its guides released: a reaction that the coordinates satisfy already is found as the force along one coordinate more,
+//! which stays at zero (an auxiliary speed).
+//!
+//! The point of a body from which others are found, S = O + s N.x, becomes S = (O + s N.x) + guide N.y. All that hangs on S moves along.
+
+use super::elaborated;
+use crate::equations::constraints_of;
+use crate::{Entry, Fault, Model, PointId, Source, Trace};
+use symbolic::{Sym, apart};
+
+/// Gives a model its released one, where it has a guide that its coordinates satisfy.
+pub(super) fn release(source: &Source, model: &mut Model) -> Result<(), Vec<Fault>> {
+    let guides: Vec<usize> = apart(|| {
+        let trace = Trace::of(model);
+        let is_kept = |&place: &usize| {
+            let rate = trace.rate_of(trace.scalar(model.contacts[place].gap));
+            (0..trace.speeds.len()).all(|speed| is_zero(trace.by_speed(rate, speed)))
+        };
+        (0..model.contacts.len()).filter(is_kept).collect()
+    });
+    if guides.is_empty() {
+        return Ok(());
+    }
+    let mut released = source.clone();
+    for (number, &place) in guides.iter().enumerate() {
+        let at = model.contacts[place].at.clone();
+        let fault = |title: &str, label: &str, accepted: &str| Err(vec![Fault::at(at.clone(), title, label, accepted)]);
+        let name = free_name(source, number);
+        let contact = &source.contacts[place];
+        let Some(normal) = normal_of(contact) else {
+            return fault("a guide has a normal", "none is known", "between = \"slider, N along x\"");
+        };
+        let Some(point) = base_of(model, model.contacts[place].point, contact.with.is_none()) else {
+            let accepted = "a centre that is a named point: S = \"O + s*N.x\" under [points], centre = \"S\"";
+            return fault("the reaction of this guide is not known", "its body has no named point", accepted);
+        };
+        let Some(entry) = released.points.iter_mut().find(|entry| entry.name.text == point) else {
+            return fault("the reaction of this guide is not known", "its body has no named point", "a named point");
+        };
+        entry.value.text = format!("({}) + {name}*({normal})", entry.value.text);
+        released.coordinates.push(Entry { name: name.as_str().into(), value: "m".into() });
+        model.contacts[place].guide = Some(model.coordinates.len() + number);
+    }
+    let released = elaborated(&released).map_err(|_| {
+        let at = model.contacts[guides[0]].at.clone();
+        let accepted = "a guide whose axis does not depend on the body in it";
+        vec![Fault::at(at, "the reaction of this guide is not known", "its normal depends on its body", accepted)]
+    })?;
+    let count = |model: &Model| apart(|| constraints_of(&Trace::of(model)).len());
+    if count(&released) != count(model) {
+        let at = model.contacts[guides[0]].at.clone();
+        let accepted = "constraints that leave the direction across the guide to it";
+        let title = "the reaction of this guide is not determined";
+        return Err(vec![Fault::at(at, title, "a constraint holds the body across it too", accepted)]);
+    }
+    model.released = Some(Box::new(released));
+    Ok(())
+}
+
+fn is_zero(slope: Sym) -> bool {
+    slope == Sym::ZERO || crate::equations::vanishes(slope)
+}
+
+/// A name that nothing has.
+fn free_name(source: &Source, number: usize) -> String {
+    let taken = |name: &String| {
+        let Source { parameters, coordinates, definitions, frames, points, speeds, .. } = source;
+        let mut tables = [parameters, coordinates, definitions, frames, points, speeds].into_iter().flatten();
+        tables.any(|entry| entry.name.text == *name)
+    };
+    let mut name = format!("guide_{}", number + 1);
+    while taken(&name) {
+        name.push('_');
+    }
+    name
+}
+
+/// The normal of a contact, as a text.
+fn normal_of(contact: &crate::ContactSource) -> Option<String> {
+    if let Some(normal) = &contact.normal {
+        return Some(format!("unit({})", normal.text));
+    }
+    let (_, rest) = contact.between.as_ref()?.text.split_once(',')?;
+    let (frame, axis) = rest.split_once(" along ")?;
+    Some(match axis.trim() {
+        "x" => format!("{}.y", frame.trim()),
+        _ => format!("-{}.x", frame.trim()),
+    })
+}
+
+/// The name of the point that moves: the last before the ground on the way to a point, or the point itself beside another body.
+fn base_of(model: &Model, point: PointId, on_ground: bool) -> Option<String> {
+    let (mut at, mut found) = (point, None);
+    loop {
+        let point = &model.points[at.0];
+        let Some((base, _)) = point.base else { return found };
+        if !point.name.is_empty() {
+            found = Some(point.name.clone());
+            if !on_ground {
+                return found;
+            }
+        }
+        at = base;
+    }
+}

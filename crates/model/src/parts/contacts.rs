@@ -1,0 +1,61 @@
+//! Contacts: a point of a body against a plane, a curve or a guide, with Coulomb friction.
+
+use super::{Constraint, Zero};
+use crate::{PointId, ScalarId, VectorId};
+use std::ops::Range;
+use symbolic::Dimension;
+
+/// The sides of a plane, a curve or a guide that react.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sides {
+    /// It pushes, and lets go.
+    One,
+    /// It holds on either side.
+    Both,
+}
+
+/// A contact.
+///
+/// N acts on the body along the normal, T along the tangent, and both in the opposite direction on the other body. In touch
+/// |T| <= mu |N| where the sliding velocity v is zero, else T = -mu |N| sign(v); N >= 0 where one side reacts; N = T = 0 apart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contact {
+    /// Empty where it has none.
+    pub name: String,
+    /// Positive apart, zero in touch.
+    pub gap: ScalarId,
+    /// The normal n, of length one, and the velocity of the place of the body beside the other one.
+    pub normal: VectorId,
+    pub velocity: VectorId,
+    /// The sliding velocity along the tangent.
+    pub slide: ScalarId,
+    pub sides: Sides,
+    /// The letters N and T.
+    pub reactions: [ScalarId; 2],
+    /// mu; none where it is smooth.
+    pub friction: Option<ScalarId>,
+    /// The ratio of the velocities along the normal after and before an impact.
+    pub restitution: Option<ScalarId>,
+    /// The point that touches.
+    pub point: PointId,
+    /// Of a guide that the coordinates satisfy: the place of its coordinate in the released model.
+    pub guide: Option<usize>,
+    /// Whether it is in touch at the start, which is completed so.
+    pub is_touching: bool,
+    /// Where it stands.
+    pub at: Range<usize>,
+}
+
+impl Contact {
+    /// The constraint that keeps it in touch.
+    pub fn closed(&self) -> Constraint {
+        let name = if self.name.is_empty() { None } else { Some(format!("contact {}", self.name)) };
+        let (zero, dimension) = (Zero::Scalar(self.gap), Dimension::length());
+        Constraint { name, zero, dimension, gains: None, gains_at: self.at.clone(), at: self.at.clone() }
+    }
+
+    /// As sentences call it, by its place.
+    pub fn title(&self, place: usize) -> String {
+        if self.name.is_empty() { format!("contact {}", place + 1) } else { format!("contact `{}`", self.name) }
+    }
+}

@@ -1,0 +1,64 @@
+//! Contacts for a reader: their letters, and the laws between them.
+
+use super::matrix_form::MatrixForm;
+use super::simplified;
+use crate::equations::{balances, constraints_of};
+use crate::{Contact, Sides, Trace};
+use symbolic::Sym;
+
+/// Inputs without a value, and reactions of contacts, each with its unit.
+pub(super) fn open_letters(trace: &Trace<'_>) -> Vec<(Sym, String)> {
+    let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
+    let open = open.map(|input| (Sym::symbol(&input.name), input.unit.clone()));
+    let reactions = (0..trace.model.contacts.len()).flat_map(|place| letters_of(trace, place));
+    open.chain(reactions.map(|letter| (letter, "N".to_owned()))).collect()
+}
+
+/// N, and T of a rough contact.
+fn letters_of(trace: &Trace<'_>, place: usize) -> Vec<Sym> {
+    let rough = usize::from(trace.model.contacts[place].friction.is_some());
+    (0..=rough).map(|component| trace.reaction(place, component)).collect()
+}
+
+/// The laws of the contacts, some lines for each.
+pub(super) fn laws(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
+    let multipliers = constraints_of(trace).into_iter().map(|one| one.multiplier);
+    let multipliers: Vec<(Sym, Sym)> = multipliers.zip(form.multipliers.iter().copied()).collect();
+    let balances = balances(trace).into_iter().map(|balance| Some(balance?.substitute(&multipliers)));
+    let contacts = trace.model.contacts.iter().zip(balances).enumerate();
+    contacts.flat_map(|(place, (contact, balance))| law(trace, place, contact, balance)).collect()
+}
+
+fn law(trace: &Trace<'_>, place: usize, contact: &Contact, balance: Option<Sym>) -> Vec<String> {
+    let [normal, tangent] = [0, 1].map(|component| trace.reaction(place, component));
+    let text = |scalar: Sym| simplified(scalar).decimal_text();
+    let sides = match contact.sides {
+        Sides::One => "pushes on one side",
+        Sides::Both => "holds on both sides",
+    };
+    let mut lines = vec![format!("{}: {sides}", contact.title(place))];
+    match balance {
+        None => lines.push(format!("  gap = {}", text(trace.scalar(contact.gap)))),
+        Some(balance) => {
+            // the reaction stands in it with the factor -1
+            let shown = text(balance.substitute(&[(normal, Sym::ZERO)]));
+            lines.push(format!("  {normal} = {shown}, the balance of forces across the guide"));
+        }
+    }
+    match contact.sides {
+        Sides::One => lines.push(format!("  in touch gap'' = 0 and {normal} >= 0, else {normal} = 0")),
+        Sides::Both if contact.guide.is_none() => lines.push("  gap'' = 0".to_owned()),
+        Sides::Both => {}
+    }
+    if let Some(friction) = contact.friction {
+        let (slide, friction) = (text(trace.scalar(contact.slide)), text(trace.scalar(friction)));
+        lines.push(format!("  v = {slide}, the sliding velocity"));
+        lines.push(format!(
+            "  where v = 0, |{tangent}| <= {friction}*|{normal}|, else {tangent} = -{friction}*|{normal}|*sign(v)"
+        ));
+    }
+    if let Some(restitution) = contact.restitution {
+        lines.push(format!("  an impact leaves -{} times the rate of the gap", text(trace.scalar(restitution))));
+    }
+    lines
+}

@@ -1,0 +1,103 @@
+//! What a contact may do at an instant, and whether it moves as its phase says.
+//!
+//! In touch, gap and gap' are zero. Of the phases that are possible one holds: apart where the first higher rate of the gap that is not
+//! zero is positive; sticking where N and mu |N| - |T| are positive, or rise from zero; sliding where N is, and the sliding velocity
+//! leaves zero in the direction that friction opposes.
+
+use super::decision::{FEW, Standing, TERMS};
+use super::expansion::{Kind, Touching};
+use super::jet::Jet;
+use super::mode::{Face, Phase};
+use model::Sides;
+
+/// What is known of a contact from its positions and speeds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Touch {
+    /// Not in touch, or leaving.
+    Open,
+    /// In touch, the sliding velocity is zero.
+    Rest,
+    /// In touch and sliding.
+    Slides { forwards: bool },
+}
+
+impl Touch {
+    /// The phases that a contact may be in.
+    pub fn phases(self, Kind { sides, is_rough }: Kind) -> Vec<Phase> {
+        let faces = || Face::of(sides).iter().copied();
+        let slips = |forwards: bool| faces().map(move |face| Phase::Slips { forwards, face });
+        let mut phases: Vec<Phase> = match self {
+            Touch::Open => Vec::new(),
+            Touch::Slides { forwards } => slips(forwards).collect(),
+            Touch::Rest if is_rough => faces().map(Phase::Sticks).chain(slips(true)).chain(slips(false)).collect(),
+            Touch::Rest => slips(true).collect(),
+        };
+        if self == Touch::Open || sides == Sides::One {
+            phases.push(Phase::Apart);
+        }
+        phases
+    }
+}
+
+/// The margins of a contact in touch: the pressure, and what friction holds beyond T, forwards and backwards.
+pub(super) fn margins<const N: usize>(contact: &Touching<N>, face: Face) -> [Jet<N>; 3] {
+    let Touching { friction, reactions: [normal, tangent], .. } = *contact;
+    let pressure = normal * Jet::constant(face.sign(), 0.0);
+    let most = friction * pressure;
+    [pressure, most - tangent, most + tangent]
+}
+
+/// Whether a slip begins, and must leave zero.
+fn begins<const N: usize>(contact: &Touching<N>, touch: Touch) -> bool {
+    touch == Touch::Rest && contact.friction.terms[0] != 0.0
+}
+
+/// Whether no number contradicts a phase.
+pub(super) fn possible(contact: &Touching<FEW>, phase: Phase, touch: Touch, slack: f64) -> bool {
+    let not_negative = |jet: Jet<FEW>, order: usize| jet.sign_of(order, slack) >= 0.0;
+    match phase {
+        Phase::Apart => touch == Touch::Open || not_negative(contact.gap_rate, 1),
+        Phase::Sticks(face) => margins(contact, face).into_iter().all(|margin| not_negative(margin, 0)),
+        Phase::Rests { face, .. } => not_negative(margins(contact, face)[0], 0),
+        Phase::Slips { face, forwards } => {
+            let way = Jet::constant(if forwards { 1.0 } else { -1.0 }, 0.0);
+            let leaves = !begins(contact, touch) || not_negative(contact.slide * way, 1);
+            leaves && not_negative(margins(contact, face)[0], 0)
+        }
+    }
+}
+
+/// The degree to which a contact moves as its phase says; none where it contradicts it.
+pub(super) fn standing_of(contact: &Touching<TERMS>, phase: Phase, touch: Touch, slack: f64) -> Option<Standing> {
+    let leaves = |jet: Jet<TERMS>| jet.way(slack * jet.doubts[0], slack);
+    let (bounds, leaving): (Vec<f64>, Vec<f64>) = match phase {
+        Phase::Apart if touch == Touch::Open => (Vec::new(), Vec::new()),
+        Phase::Apart => (Vec::new(), vec![leaves(contact.gap_rate)]),
+        Phase::Sticks(face) => (margins(contact, face).map(|margin| margin.sign(slack)).to_vec(), Vec::new()),
+        Phase::Rests { face, .. } => (vec![margins(contact, face)[0].sign(slack)], Vec::new()),
+        Phase::Slips { face, forwards } => {
+            let way = if forwards { 1.0 } else { -1.0 };
+            let leaving = if begins(contact, touch) { vec![way * leaves(contact.slide)] } else { Vec::new() };
+            (vec![margins(contact, face)[0].sign(slack)], leaving)
+        }
+    };
+    let contradicts = |sign: &f64| sign.is_nan() || *sign < 0.0;
+    match () {
+        () if bounds.iter().chain(&leaving).any(contradicts) => None,
+        () if leaving.contains(&0.0) => Some(Standing::Rests),
+        () if bounds.contains(&0.0) => Some(Standing::AtBound),
+        () => Some(Standing::Moves),
+    }
+}
+
+/// The phase of a contact that should leave zero and stays there.
+pub(super) fn at_rest(contact: &Touching<TERMS>, phase: Phase, touch: Touch, slack: f64) -> Phase {
+    match phase {
+        Phase::Slips { forwards, face }
+            if begins(contact, touch) && contact.slide.way(slack * contact.slide.doubts[0], slack) == 0.0 =>
+        {
+            Phase::Rests { forwards, face }
+        }
+        other => other,
+    }
+}

@@ -1,0 +1,119 @@
+//! What contacts do when a run begins, and after its events: in touch or open, at rest or sliding; impacts change the speeds.
+
+use super::Modes;
+use super::decision::TERMS;
+use super::expansion::{Instant, Kind, NotStruck, Touching};
+use super::jet::Jet;
+use super::mode::{Mode, Phase};
+use super::passage::{SLACK, refused};
+use super::signals::Fall;
+use super::touch::Touch;
+use model::Sides;
+
+const PENETRATES: &str = "a contact penetrates at the start: its gap is negative";
+const LEFT: &str = "a guide is left at the start: its gap is not zero";
+const CLOSES: &str = "a contact closes with a velocity at the start: an impact, before which a motion has to begin";
+const TOGETHER: &str =
+    "an impact presses other contacts in touch: the impulses of several at once are not determined by these laws";
+const IMPULSES: &str =
+    "an impact is not determined: no impulse within the cone of friction, or several, by this law of restitution";
+
+impl Modes {
+    /// What the contacts do at a state that is given.
+    pub(super) fn touches(&self, time: f64, state: &[f64]) -> Result<Vec<Touch>, &'static str> {
+        let expansions = self.expansions().map_err(refused)?;
+        let of = |(contact, kind): (Touching<1>, &Kind)| {
+            let sign = |jet: Jet<1>| jet.sign_of(0, SLACK);
+            match (kind.sides, sign(contact.gap), sign(contact.gap_rate)) {
+                (_, 0.0, 0.0) => Ok(touching(&contact)),
+                (Sides::Both, ..) => Err(LEFT),
+                (Sides::One, gap, _) if gap < 0.0 => Err(PENETRATES),
+                (Sides::One, 0.0, rate) if rate < 0.0 => Err(CLOSES),
+                (Sides::One, ..) => Ok(Touch::Open),
+            }
+        };
+        let contacts = expansions.contacts(&Instant { time, state, late: 0.0 });
+        contacts.into_iter().zip(&expansions.kinds).map(of).collect()
+    }
+
+    /// What the contacts do after a fall in some phases; an impact changes the speeds.
+    pub(super) fn touches_after(
+        &self,
+        mode: &Mode,
+        fall: Fall,
+        (time, late): (f64, f64),
+        state: &mut [f64],
+    ) -> Result<Vec<Touch>, &'static str> {
+        let expansions = self.expansions().map_err(refused)?;
+        let phases = &mode.phases;
+        if let Fall::Stops { contact } = fall
+            && let Some(face) = phases[contact].face()
+        {
+            // contacts that stop together do so at one instant
+            let mut stopped = mode.clone();
+            stopped.phases[contact] = Phase::Sticks(face);
+            expansions.return_to_zero(time, state, &stopped, 0.0);
+        }
+        let closing = match fall {
+            Fall::Closes { contact } => Some(contact),
+            _ => None,
+        };
+        let approaches = |contact: &Touching<1>| contact.gap_rate.sign_of(0, SLACK) < 0.0;
+        if let Some(contact) = closing
+            && approaches(&expansions.contacts(&Instant { time, state, late })[contact])
+        {
+            let in_touch: Vec<usize> = (0..phases.len()).filter(|&other| phases[other] != Phase::Apart).collect();
+            expansions.struck(time, state, contact, &in_touch).map_err(|why| match why {
+                NotStruck::Together => TOGETHER,
+                NotStruck::Undetermined => IMPULSES,
+            })?;
+        }
+        let of = |(place, (contact, phase)): (usize, (Touching<1>, &Phase))| match *phase {
+            Phase::Apart if Some(place) != closing => Touch::Open,
+            // a bounce
+            Phase::Apart if contact.gap_rate.sign_of(0, SLACK) > 0.0 => Touch::Open,
+            Phase::Apart => touching(&contact),
+            Phase::Sticks(_) | Phase::Rests { .. } => Touch::Rest,
+            Phase::Slips { .. } if matches!(fall, Fall::Stops { contact } if contact == place) => Touch::Rest,
+            Phase::Slips { forwards, .. } => match touching(&contact) {
+                Touch::Rest => Touch::Rest,
+                _ => Touch::Slides { forwards },
+            },
+        };
+        let contacts = expansions.contacts(&Instant { time, state, late });
+        Ok(contacts.into_iter().zip(phases).enumerate().map(of).collect())
+    }
+
+    /// What the contacts do after an event has set the state: those that it has left as they were are in touch as before.
+    pub(super) fn touches_set(
+        &self,
+        phases: &[Phase],
+        before: &[Touching<TERMS>],
+        time: f64,
+        state: &[f64],
+    ) -> Result<Vec<Touch>, &'static str> {
+        let expansions = self.expansions().map_err(refused)?;
+        let stays = |now: &Jet<1>, before: &Jet<TERMS>| {
+            (now.terms[0] - before.terms[0]).abs() <= SLACK * (now.doubts[0] + before.doubts[0])
+        };
+        let now = expansions.contacts(&Instant { time, state, late: 0.0 });
+        let kept = now.iter().zip(before).zip(phases).map(|((now, before), phase)| {
+            let stays = stays(&now.gap, &before.gap) && stays(&now.gap_rate, &before.gap_rate);
+            (stays && *phase != Phase::Apart).then(|| touching(now))
+        });
+        let kept: Vec<Option<Touch>> = kept.collect();
+        if kept.iter().all(Option::is_some) {
+            return Ok(kept.into_iter().flatten().collect());
+        }
+        let given = self.touches(time, state)?;
+        Ok(kept.into_iter().zip(given).map(|(kept, given)| kept.unwrap_or(given)).collect())
+    }
+}
+
+/// What a contact in touch does, by its sliding velocity.
+fn touching(contact: &Touching<1>) -> Touch {
+    match contact.slide.sign_of(0, SLACK) {
+        0.0 => Touch::Rest,
+        sign => Touch::Slides { forwards: sign > 0.0 },
+    }
+}

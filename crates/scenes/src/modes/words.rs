@@ -1,0 +1,57 @@
+//! Events and modes in words.
+
+use super::mode::{Case, Mode, Phase};
+use super::signals::Fall;
+use model::{Model, Trace};
+use symbolic::apart;
+
+/// The names of conditions, contacts and events.
+pub(super) struct Words {
+    conditions: Vec<String>,
+    contacts: Vec<String>,
+    events: Vec<String>,
+}
+
+impl Words {
+    pub fn of(model: &Model, events: &[String]) -> Self {
+        let conditions = apart(|| Trace::of(model).switches.iter().map(ToString::to_string).collect());
+        let contacts = model.contacts.iter().enumerate().map(|(place, contact)| contact.title(place)).collect();
+        Words { conditions, contacts, events: events.to_vec() }
+    }
+
+    /// An event.
+    pub fn fall(&self, fall: Fall) -> String {
+        match fall {
+            Fall::Passes { switch } => format!("{} changes", self.conditions[switch]),
+            Fall::Leaves { switch, .. } => format!("nothing keeps {} at its change any more", self.conditions[switch]),
+            Fall::Frees { switch } => format!("the share of {} leaves its bound", self.conditions[switch]),
+            Fall::Closes { contact } => format!("{} closes", self.contacts[contact]),
+            Fall::Lifts { contact } => format!("the normal reaction of {} falls to zero", self.contacts[contact]),
+            Fall::Slides { contact, .. } => format!("friction does not hold {} any more", self.contacts[contact]),
+            Fall::Stops { contact } => format!("the sliding of {} stops", self.contacts[contact]),
+            Fall::Jams => "the equations for the reactions become singular".to_owned(),
+            Fall::Event { event } => self.events.get(event).cloned().unwrap_or_default(),
+        }
+    }
+
+    /// A mode.
+    pub fn mode(&self, mode: &Mode) -> String {
+        let case = |(name, case): (&String, &Case)| match case {
+            Case::On => format!("{name} = 1"),
+            Case::Off => format!("{name} = 0"),
+            Case::Held | Case::Shared | Case::Spent { .. } => format!("{name} stays at its change"),
+        };
+        let phase = |(name, phase): (&String, &Phase)| {
+            let what = match phase {
+                Phase::Apart => "is apart",
+                Phase::Sticks(_) | Phase::Rests { .. } => "sticks",
+                Phase::Slips { forwards: true, .. } => "slides forwards",
+                Phase::Slips { forwards: false, .. } => "slides backwards",
+            };
+            format!("{name} {what}")
+        };
+        let cases = self.conditions.iter().zip(&mode.cases).map(case);
+        let phases = self.contacts.iter().zip(&mode.phases).map(phase);
+        cases.chain(phases).collect::<Vec<String>>().join(", ")
+    }
+}

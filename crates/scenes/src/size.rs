@@ -1,0 +1,49 @@
+//! The sizes of systems that commands take, told before their equations are formed.
+//!
+//! Equations of motion are sums over bodies for each pair of speeds, so that their work and memory grow as the square of the speeds
+//! times the bodies: measured on chains of links in a plane, whose speeds and bodies are as many.
+
+use derivations::scene::Issue;
+use model::Model;
+
+/// The use of a system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// Runs: a chain of 80 links begins after 4 s.
+    Run,
+    /// Equations written down and compared: 64 links take 2 s and 0.8 GB.
+    Write,
+    /// Derivatives of all equations: 40 links take 4 s and 0.7 GB.
+    Vary,
+}
+
+impl Task {
+    /// The largest square of the speeds times the bodies.
+    fn most(self) -> usize {
+        match self {
+            Task::Run => 550_000,
+            Task::Write => 330_000,
+            Task::Vary => 66_000,
+        }
+    }
+}
+
+/// The refusal of a system that is too large.
+pub fn too_large(model: &Model, task: Task) -> Option<Issue> {
+    let (speeds, bodies) = (model.speeds(), model.bodies.len().max(1));
+    let size = speeds.saturating_mul(speeds).saturating_mul(bodies);
+    if size <= task.most() {
+        return None;
+    }
+    let at = model.coordinates.first().map_or(0..0, |first| first.at.clone());
+    let links = (task.most() as f64).cbrt().floor();
+    let what = match task {
+        Task::Run => "to run",
+        Task::Write => "for its equations to be written down and compared",
+        Task::Vary => "for linear equations",
+    };
+    let title = format!("this system is too large {what}: {speeds} speeds and {bodies} bodies");
+    let label = format!("{size} for the square of the speeds times the bodies");
+    let accepted = format!("up to {} of it, as of a chain of {links} links", task.most());
+    Some(Issue::at(at, title, label).accepted(accepted))
+}

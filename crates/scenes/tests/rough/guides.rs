@@ -1,0 +1,49 @@
+//! Guides: reactions that coordinates satisfy already, beside coordinates that leave the direction across free.
+
+use super::{METHODS, close, events, last, runs, stored};
+use integrators::Method;
+
+#[test]
+fn a_guide_has_the_reaction_of_a_coordinate_that_is_held_across_it() {
+    let guided = stored("models/rough_slider_crank");
+    let held = guided
+        .replacen("s = \"m\"", "s = \"m\"\nacross = \"m\"", 1)
+        .replacen("S = \"O + s*N.x\"", "S = \"O + s*N.x + across*N.y\"", 1)
+        .replacen(
+            "between = \"slider, N along x\"",
+            "of = \"slider\"\nthrough = \"O\"\nnormal = \"N.y\"\nsides = \"both\"",
+            1,
+        );
+    for method in METHODS {
+        let [one, other] = [&guided, &held].map(|text| runs(text, method, 1e-12));
+        assert_eq!((one.stopped(), other.stopped()), (None, None), "{method:?}");
+        let (found, known) = (events(&one), events(&other));
+        assert_eq!(found.len(), known.len());
+        assert!(found.len() >= 8, "{found:?}");
+        found.iter().zip(&known).for_each(|(found, known)| close(*found, *known, 1e-9));
+        for name in ["theta", "s", "theta'", "N", "T"] {
+            close(last(&one, name), last(&other, name), 1e-6 * last(&other, name).abs().max(1.0));
+        }
+        assert!(last(&other, "across").abs() < 1e-14);
+    }
+}
+
+/// A bead on a rod that turns steadily: m r'' = m w^2 r - T, N = 2 m w r'; T = mu N opposes r'.
+#[test]
+fn a_bead_on_a_turning_rod_is_pressed_by_coriolis_force() {
+    let text = "title = \"bead\"\n[parameters]\nm = \"0.3 kg\"\nw = \"2 rad/s\"\nmu = \"0.25\"\n[coordinates]\nr = \"m\"\n\
+                [frames]\nA = \"N turned w*t about z\"\n[points]\nP = \"O + r*A.x\"\n[bodies.rod]\nframe = \"A\"\n\
+                centre = \"O\"\nmass = \"(1 kg)\"\ninertia = \"(1 kg m^2)\"\n[bodies.bead]\ncentre = \"P\"\nmass = \"m\"\n\
+                [[contact]]\nname = \"rod\"\nbetween = \"bead, rod along x\"\nfriction = \"mu\"\n\
+                [outputs]\nN = \"reaction(rod)\"\n[start]\nr = \"0.1 m\"\n\"r'\" = \"0.4 m/s\"\n[run]\nspan = \"1 s\"\n";
+    let trajectory = runs(text, Method::DormandPrince8, 1e-12);
+    assert_eq!(trajectory.stopped(), None);
+    // r'' + 2 mu w r' - w^2 r = 0
+    let (w, mu) = (2.0_f64, 0.25_f64);
+    let root = (mu * mu + 1.0).sqrt();
+    let (a, b) = (w * (root - mu), -w * (root + mu));
+    let first = (0.4 - b * 0.1) / (a - b);
+    let second = 0.1 - first;
+    close(last(&trajectory, "r"), first * a.exp() + second * b.exp(), 1e-11);
+    close(last(&trajectory, "N"), 2.0 * 0.3 * w * last(&trajectory, "r'"), 1e-11);
+}
