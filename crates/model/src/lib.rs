@@ -47,7 +47,7 @@ pub use fault::Fault;
 pub use parts::{
     Along, Assignment, Body, BodyId, Constraint, Contact, Coordinate, Defined, Direction, Energies, Event, Force,
     Frame, FrameId, GeneralisedForce, Implied, Inertia, Input, Material, Model, Moves, Output, Parameter, Point,
-    PointId, QuasiVelocity, Sides, StartSpeed, StartValue, Torque, Turn, Zero,
+    PointId, QuasiVelocity, Restitution, Sides, StartSpeed, StartValue, Torque, Turn, Zero,
 };
 pub use presentation::{
     Cosine, Divisor, Held, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out,

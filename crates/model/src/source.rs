@@ -164,6 +164,8 @@ pub struct ContactSource {
     pub sides: Option<Text>,
     pub friction: Option<Text>,
     pub restitution: Option<Text>,
+    /// `newton` or `poisson`: the law of restitution.
+    pub impact: Option<Text>,
     /// Whether the start is completed so that it touches.
     pub touching: bool,
     /// Where it stands.

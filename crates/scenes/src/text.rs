@@ -304,6 +304,7 @@ fn contacts(top: &mut Table<'_>) -> Vec<ContactSource> {
             sides: text("sides", "\"one\" or \"both\""),
             friction: text("friction", "coefficient of friction"),
             restitution: text("restitution", "coefficient of restitution"),
+            impact: text("impact", "\"newton\" or \"poisson\""),
             touching: false,
             at: 0..0,
         };

@@ -4,6 +4,7 @@ mod angles;
 mod axial;
 mod choices;
 mod constants;
+mod contact_checks;
 mod contacts;
 mod elementary;
 mod energies_shown;
@@ -11,6 +12,7 @@ mod events;
 mod expressions;
 mod forces;
 mod functions;
+mod guides;
 mod headings;
 mod loads;
 mod neighbours;
@@ -63,7 +65,7 @@ const MOST: usize = 1000;
 pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     let mut model = elaborated(source)?;
     if !model.contacts.is_empty() {
-        contacts::planar(&model)?;
+        contact_checks::checked(&model)?;
         released::release(source, &mut model)?;
     }
     Ok(model)

@@ -96,8 +96,8 @@ impl Elaborator<'_> {
         let [Meaning::Literal { start, end }] = arguments else {
             return Err(refused(span, format!("`{function}` has the name of a contact"), "here", &accepted));
         };
-        let name = &text.text[*start..*end];
-        let Some(contact) = self.model.contacts.iter().find(|contact| contact.name == *name) else {
+        let name = text.text[*start..*end].trim_matches('"');
+        let Some(contact) = self.model.contacts.iter().find(|contact| contact.name == name) else {
             let names = self.source.contacts.iter().filter_map(|one| one.name.as_ref()).map(|name| name.text.as_str());
             if names.clone().any(|known| known == name) {
                 return Err(Box::new(Fault::consequence(span.clone())));

@@ -4,6 +4,7 @@
 //! The point of a body from which others are found, S = O + s N.x, becomes S = (O + s N.x) + guide N.y. All that hangs on S moves along.
 
 use super::elaborated;
+use super::guides::Guide;
 use crate::equations::constraints_of;
 use crate::{Entry, Fault, Model, PointId, Source, Trace};
 use symbolic::{Sym, apart};
@@ -30,7 +31,7 @@ pub(super) fn release(source: &Source, model: &mut Model) -> Result<(), Vec<Faul
         let Some(normal) = normal_of(contact) else {
             return fault("a guide has a normal", "none is known", "between = \"slider, N along x\"");
         };
-        let Some(point) = base_of(model, model.contacts[place].point, contact.with.is_none()) else {
+        let Some(point) = base_of(model, model.contacts[place].point, model.contacts[place].with.is_none()) else {
             let accepted = "a centre that is a named point: S = \"O + s*N.x\" under [points], centre = \"S\"";
             return fault("the reaction of this guide is not known", "its body has no named point", accepted);
         };
@@ -77,15 +78,11 @@ fn free_name(source: &Source, number: usize) -> String {
 
 /// The normal of a contact, as a text.
 fn normal_of(contact: &crate::ContactSource) -> Option<String> {
-    if let Some(normal) = &contact.normal {
-        return Some(format!("unit({})", normal.text));
+    match (&contact.normal, &contact.between) {
+        (Some(normal), _) => Some(format!("unit({})", normal.text)),
+        (None, Some(between)) => Guide::of(between).ok().map(|guide| guide.normal()),
+        (None, None) => None,
     }
-    let (_, rest) = contact.between.as_ref()?.text.split_once(',')?;
-    let (frame, axis) = rest.split_once(" along ")?;
-    Some(match axis.trim() {
-        "x" => format!("{}.y", frame.trim()),
-        _ => format!("-{}.x", frame.trim()),
-    })
 }
 
 /// The name of the point that moves: the last before the ground on the way to a point, or the point itself beside another body.

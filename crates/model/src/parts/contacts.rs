@@ -1,7 +1,7 @@
 //! Contacts: a point of a body against a plane, a curve or a guide, with Coulomb friction.
 
 use super::{Constraint, Zero};
-use crate::{PointId, ScalarId, VectorId};
+use crate::{BodyId, PointId, ScalarId, VectorId};
 use std::ops::Range;
 use symbolic::Dimension;
 
@@ -12,6 +12,16 @@ pub enum Sides {
     One,
     /// It holds on either side.
     Both,
+}
+
+/// The law of an impact, with the coefficient of restitution e.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Restitution {
+    /// The gap opens with e times the velocity with which it closed.
+    #[default]
+    Newton,
+    /// The impulse of the restitution is e times that of the compression.
+    Poisson,
 }
 
 /// A contact.
@@ -34,10 +44,15 @@ pub struct Contact {
     pub reactions: [ScalarId; 2],
     /// mu; none where it is smooth.
     pub friction: Option<ScalarId>,
-    /// The ratio of the velocities along the normal after and before an impact.
+    /// e, of an impact; zero where left out.
     pub restitution: Option<ScalarId>,
+    pub law: Restitution,
+    /// The body that is touched; none of the ground.
+    pub with: Option<BodyId>,
     /// The point that touches.
     pub point: PointId,
+    /// A point of the plane; none where the gap is given.
+    pub through: Option<PointId>,
     /// Of a guide that the coordinates satisfy: the place of its coordinate in the released model.
     pub guide: Option<usize>,
     /// Whether it is in touch at the start, which is completed so.

@@ -6,7 +6,7 @@ mod events;
 mod loads;
 
 pub use constraints::{Constraint, Implied, Zero};
-pub use contacts::{Contact, Sides};
+pub use contacts::{Contact, Restitution, Sides};
 pub use events::{Assignment, Direction, Event, StartSpeed, StartValue};
 pub use loads::{Along, Energies, Force, GeneralisedForce, Torque};
 

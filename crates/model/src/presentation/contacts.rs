@@ -3,7 +3,7 @@
 use super::matrix_form::MatrixForm;
 use super::simplified;
 use crate::equations::{balances, constraints_of};
-use crate::{Contact, Sides, Trace};
+use crate::{Contact, Restitution, Sides, Trace};
 use symbolic::Sym;
 
 /// Inputs without a value, and reactions of contacts, each with its unit.
@@ -58,7 +58,13 @@ fn law(trace: &Trace<'_>, place: usize, contact: &Contact, balance: Option<Sym>)
         ));
     }
     if let Some(restitution) = contact.restitution {
-        lines.push(format!("  an impact leaves -{} times the rate of the gap", text(trace.scalar(restitution))));
+        let restitution = text(trace.scalar(restitution));
+        lines.push(match contact.law {
+            Restitution::Newton => format!("  an impact leaves -{restitution} times the rate of the gap"),
+            Restitution::Poisson => {
+                format!("  the impulse of the restitution is {restitution} times that of the compression")
+            }
+        });
     }
     lines
 }

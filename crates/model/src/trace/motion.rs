@@ -111,10 +111,10 @@ impl Trace<'_> {
     }
 
     /// The point whose motion a body's points follow, its angular velocity, and the way to one of them; none where the point
-    /// itself is that point.
+    /// itself is that point. A particle carries its points without turning.
     fn rigid(&self, body: Option<BodyId>, point: PointId) -> Option<(PointId, Vector, Vector)> {
         let body = &self.model.bodies[body?.0];
-        let (frame, centre) = (body.frame?, body.centre?);
+        let (frame, centre) = (body.frame.unwrap_or(FrameId::GROUND), body.centre?);
         (centre != point).then(|| (centre, self.frames.turning(frame), self.between(centre, point)))
     }
 

@@ -28,7 +28,7 @@ pub(super) fn motion(trace: &Trace<'_>, accelerations: &[Sym], multipliers: &[Sy
 /// Unknown reactions of a mode: contact and component.
 pub(super) fn unknown(mode: &Mode) -> Vec<[usize; 2]> {
     let of = |(contact, phase): (usize, &Phase)| match phase {
-        Phase::Apart => Vec::new(),
+        Phase::Apart | Phase::Carried => Vec::new(),
         Phase::Sticks(_) => vec![[contact, 0], [contact, 1]],
         Phase::Slips { .. } | Phase::Rests { .. } => vec![[contact, 0]],
     };
@@ -59,7 +59,9 @@ pub(super) fn closed(
     let mut given: Vec<(Sym, Sym)> = Vec::new();
     for (contact, phase) in mode.phases.iter().enumerate() {
         match (phase, phase.face(), phase.way()) {
-            (Phase::Apart, ..) => given.extend([0, 1].map(|component| (letter([contact, component]), Sym::ZERO))),
+            (Phase::Apart | Phase::Carried, ..) => {
+                given.extend([0, 1].map(|component| (letter([contact, component]), Sym::ZERO)))
+            }
             (_, Some(face), Some(way)) => {
                 let factor = friction(trace, contact) * number(-way * face.sign());
                 given.push((letter([contact, 1]), factor * letter([contact, 0])));

@@ -28,6 +28,8 @@ pub(super) const SLACKS: [f64; 7] = [16.0, 256.0, 4096.0, 65_536.0, 1_048_576.0,
 /// The order of what agrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Standing {
+    /// A contact has no reaction, since others carry the body.
+    Carries,
     /// A condition, or a contact, that should leave zero stays there.
     Rests,
     /// A switch that is held, or a reaction, stays at its bound.
@@ -66,8 +68,9 @@ impl Open<'_> {
     /// All combinations of phases.
     fn phases(&self, expansions: &Expansions) -> Option<Vec<Vec<Phase>>> {
         let mut all = vec![Vec::new()];
+        let is_alone = self.touches.iter().filter(|touch| **touch != Touch::Open).count() < 2;
         for (touch, kind) in self.touches.iter().zip(&expansions.kinds) {
-            let own = touch.phases(*kind);
+            let own = touch.phases(*kind, is_alone);
             if all.len() * own.len() > MOST_TRIED {
                 return None;
             }
@@ -177,7 +180,7 @@ fn tried(
         let mut agreeing = (0..candidates.len()).filter(|&place| standings[place] == Some(best));
         let Some(first) = agreeing.next() else { continue };
         let differs = |place: usize| differ(&candidates[first].1, &candidates[place].1, slack);
-        several = best == Standing::Moves && agreeing.any(differs);
+        several = matches!(best, Standing::Moves | Standing::Carries) && agreeing.any(differs);
         if !several {
             let (mut mode, expansion) = candidates.swap_remove(first);
             for ((phase, contact), touch) in mode.phases.iter_mut().zip(&expansion.contacts).zip(open.touches) {

@@ -69,13 +69,15 @@ pub enum Phase {
     /// In touch and at rest since other contacts hold it there, with T at its bound: of a body that is held by more reactions than motions
     /// determine.
     Rests { forwards: bool, face: Face },
+    /// In touch without a reaction, since other contacts keep the gap at zero: a foot of a body that stands on more feet than determine it.
+    Carried,
 }
 
 impl Phase {
     /// The face that presses, in touch.
     pub fn face(self) -> Option<Face> {
         match self {
-            Phase::Apart => None,
+            Phase::Apart | Phase::Carried => None,
             Phase::Sticks(face) | Phase::Slips { face, .. } | Phase::Rests { face, .. } => Some(face),
         }
     }
@@ -84,7 +86,7 @@ impl Phase {
     pub fn way(self) -> Option<f64> {
         match self {
             Phase::Slips { forwards, .. } | Phase::Rests { forwards, .. } => Some(if forwards { 1.0 } else { -1.0 }),
-            Phase::Apart | Phase::Sticks(_) => None,
+            Phase::Apart | Phase::Carried | Phase::Sticks(_) => None,
         }
     }
 }

@@ -7,6 +7,7 @@ use super::mode::{Case, Mode, Phase};
 use super::sides::{Past, Side, side};
 use super::signals::Fall;
 use super::touch::{Touch, margins};
+use super::touches::NEGATIVE;
 use super::{Current, Modes};
 use crate::compiled_system::NotCompiled;
 use crate::start::broken;
@@ -112,6 +113,7 @@ impl Modes {
             }
             Fall::Frees { switch } => Some(switch),
             Fall::Jams => return Err(JAMS),
+            Fall::Smooths { .. } => return Err(NEGATIVE),
             Fall::Closes { .. } | Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Stops { .. } => None,
         };
         let touches = self.touches_after(&mode, fall, (event.time, late), state)?;
@@ -235,6 +237,7 @@ impl Modes {
             match *phase {
                 // what is far from zero is not near it
                 Phase::Apart => [below(&contact.gap), 0.0, 0.0],
+                Phase::Carried => [0.0; 3],
                 Phase::Sticks(face) => margins(contact, face).each_ref().map(rounding),
                 Phase::Rests { face, .. } => [rounding(&margins(contact, face)[0]), 0.0, 0.0],
                 Phase::Slips { face, forwards } => {
@@ -303,7 +306,7 @@ fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
             };
             (own.0, before.near_contacts[contact][own.1])
         }
-        Fall::Jams => return 0.0,
+        Fall::Jams | Fall::Smooths { .. } => return 0.0,
         Fall::Event { event } => (known.events[event], before.sides[event].sign * before.near_events[event]),
     };
     let is_passed = event.what == Happening::Falls && signal.sign_of(1, SLACK).abs() == 1.0;

@@ -27,6 +27,8 @@ pub(super) enum Fall {
     Lifts { contact: usize },
     /// Friction holds a contact no more: its second or third margin falls.
     Slides { contact: usize, margin: usize },
+    /// The coefficient of friction of a contact in touch falls to zero.
+    Smooths { contact: usize },
     /// The equations for the reactions of contacts that slide become singular.
     Jams,
     /// A contact that slides comes to rest.
@@ -167,6 +169,7 @@ fn of_contact(trace: &Trace<'_>, contact: usize, phase: Phase, [normal, tangent]
     let mut watched = Vec::new();
     match phase {
         Phase::Apart => watched.push((Fall::Closes { contact }, trace.scalar(scalar.gap))),
+        Phase::Carried => {}
         Phase::Sticks(face) => {
             let pressure = number(face.sign()) * normal;
             let most = friction(trace, contact) * pressure;
@@ -182,6 +185,9 @@ fn of_contact(trace: &Trace<'_>, contact: usize, phase: Phase, [normal, tangent]
                 watched.push((Fall::Stops { contact }, way * trace.scalar(scalar.slide)));
             }
         }
+    }
+    if phase.face().is_some() && scalar.friction.is_some() {
+        watched.push((Fall::Smooths { contact }, friction(trace, contact)));
     }
     watched
 }
@@ -205,6 +211,7 @@ impl Switches for Current {
                 Fall::Closes { contact } | Fall::Lifts { contact } => (1.0, self.near_contacts[contact][0]),
                 Fall::Slides { contact, margin } => (1.0, self.near_contacts[contact][margin]),
                 Fall::Stops { contact } => (1.0, self.near_contacts[contact][1]),
+                Fall::Smooths { .. } => (1.0, 0.0),
                 Fall::Jams => (self.determinant.signum(), 0.0),
                 Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };

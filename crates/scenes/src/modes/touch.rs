@@ -23,7 +23,7 @@ pub(super) enum Touch {
 
 impl Touch {
     /// The phases that a contact may be in.
-    pub fn phases(self, Kind { sides, is_rough }: Kind) -> Vec<Phase> {
+    pub fn phases(self, Kind { sides, is_rough, is_guide, .. }: Kind, is_alone: bool) -> Vec<Phase> {
         let faces = || Face::of(sides).iter().copied();
         let slips = |forwards: bool| faces().map(move |face| Phase::Slips { forwards, face });
         let mut phases: Vec<Phase> = match self {
@@ -32,6 +32,10 @@ impl Touch {
             Touch::Rest if is_rough => faces().map(Phase::Sticks).chain(slips(true)).chain(slips(false)).collect(),
             Touch::Rest => slips(true).collect(),
         };
+        // a foot among others; of one that is alone it is what no reaction is
+        if self != Touch::Open && !is_guide && !is_alone {
+            phases.push(Phase::Carried);
+        }
         if self == Touch::Open || sides == Sides::One {
             phases.push(Phase::Apart);
         }
@@ -57,6 +61,7 @@ pub(super) fn possible(contact: &Touching<FEW>, phase: Phase, touch: Touch, slac
     let not_negative = |jet: Jet<FEW>, order: usize| jet.sign_of(order, slack) >= 0.0;
     match phase {
         Phase::Apart => touch == Touch::Open || not_negative(contact.gap_rate, 1),
+        Phase::Carried => contact.gap_rate.sign_of(1, slack) == 0.0,
         Phase::Sticks(face) => margins(contact, face).into_iter().all(|margin| not_negative(margin, 0)),
         Phase::Rests { face, .. } => not_negative(margins(contact, face)[0], 0),
         Phase::Slips { face, forwards } => {
@@ -73,6 +78,8 @@ pub(super) fn standing_of(contact: &Touching<TERMS>, phase: Phase, touch: Touch,
     let (bounds, leaving): (Vec<f64>, Vec<f64>) = match phase {
         Phase::Apart if touch == Touch::Open => (Vec::new(), Vec::new()),
         Phase::Apart => (Vec::new(), vec![leaves(contact.gap_rate)]),
+        Phase::Carried if leaves(contact.gap_rate) == 0.0 => return Some(Standing::Carries),
+        Phase::Carried => return None,
         Phase::Sticks(face) => (margins(contact, face).map(|margin| margin.sign(slack)).to_vec(), Vec::new()),
         Phase::Rests { face, .. } => (vec![margins(contact, face)[0].sign(slack)], Vec::new()),
         Phase::Slips { face, forwards } => {

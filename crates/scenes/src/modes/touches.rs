@@ -4,7 +4,7 @@ use super::Modes;
 use super::decision::TERMS;
 use super::expansion::{Instant, Kind, NotStruck, Touching};
 use super::jet::Jet;
-use super::mode::{Mode, Phase};
+use super::mode::{Face, Mode, Phase};
 use super::passage::{SLACK, refused};
 use super::signals::Fall;
 use super::touch::Touch;
@@ -17,6 +17,15 @@ const TOGETHER: &str =
     "an impact presses other contacts in touch: the impulses of several at once are not determined by these laws";
 const IMPULSES: &str =
     "an impact is not determined: no impulse within the cone of friction, or several, by this law of restitution";
+const ENERGY: &str =
+    "an impact would add energy: the laws of restitution and of friction contradict each other here (Kane 1984)";
+const RESTITUTION: &str = "a coefficient of restitution is not between 0 and 1";
+pub(super) const NEGATIVE: &str = "a coefficient of friction is negative";
+const PULLS: &str =
+    "a contact pulls where it should push: its normal does not point to where its gap grows, or nothing moves along it";
+
+/// A bounce ends where all bounces after it take less than this part of the time of the run.
+const BOUNCES: f64 = 1e-9;
 
 impl Modes {
     /// What the contacts do at a state that is given.
@@ -32,6 +41,17 @@ impl Modes {
                 (Sides::One, ..) => Ok(Touch::Open),
             }
         };
+        for (contact, kind) in expansions.kinds.iter().enumerate() {
+            let [friction, restitution] = expansions.coefficients(time, state, contact);
+            let is_wrong = [
+                (kind.is_rough && friction < 0.0, NEGATIVE),
+                (!(0.0..=1.0).contains(&restitution), RESTITUTION),
+                (!kind.is_guide && !expansions.yields(time, state, contact), PULLS),
+            ];
+            if let Some((_, why)) = is_wrong.into_iter().find(|(is_wrong, _)| *is_wrong) {
+                return Err(why);
+            }
+        }
         let contacts = expansions.contacts(&Instant { time, state, late: 0.0 });
         contacts.into_iter().zip(&expansions.kinds).map(of).collect()
     }
@@ -58,21 +78,38 @@ impl Modes {
             Fall::Closes { contact } => Some(contact),
             _ => None,
         };
+        let mut opened = Vec::new();
         let approaches = |contact: &Touching<1>| contact.gap_rate.sign_of(0, SLACK) < 0.0;
+        if let Some(contact) = closing {
+            expansions.return_to_touch(time, state, contact);
+        }
         if let Some(contact) = closing
             && approaches(&expansions.contacts(&Instant { time, state, late })[contact])
         {
             let in_touch: Vec<usize> = (0..phases.len()).filter(|&other| phases[other] != Phase::Apart).collect();
-            expansions.struck(time, state, contact, &in_touch).map_err(|why| match why {
+            opened = expansions.struck(time, state, contact, &in_touch).map_err(|why| match why {
                 NotStruck::Together => TOGETHER,
                 NotStruck::Undetermined => IMPULSES,
+                NotStruck::AddsEnergy => ENERGY,
+                NotStruck::Restitution => RESTITUTION,
+                NotStruck::Friction => NEGATIVE,
             })?;
+            if self.bounces_end(mode, contact, time, state)? {
+                let mut closed = mode.clone();
+                closed.phases[contact] = Phase::Slips { forwards: true, face: Face::Front };
+                expansions.return_to_zero(time, state, &closed, 0.0);
+            }
         }
         let of = |(place, (contact, phase)): (usize, (Touching<1>, &Phase))| match *phase {
             Phase::Apart if Some(place) != closing => Touch::Open,
             // a bounce
             Phase::Apart if contact.gap_rate.sign_of(0, SLACK) > 0.0 => Touch::Open,
             Phase::Apart => touching(&contact),
+            // another contact has struck it off
+            _ if opened.contains(&place) => Touch::Open,
+            // an impact may turn the sliding of others round
+            _ if closing.is_some() => touching(&contact),
+            Phase::Carried => touching(&contact),
             Phase::Sticks(_) | Phase::Rests { .. } => Touch::Rest,
             Phase::Slips { .. } if matches!(fall, Fall::Stops { contact } if contact == place) => Touch::Rest,
             Phase::Slips { forwards, .. } => match touching(&contact) {
@@ -82,6 +119,20 @@ impl Modes {
         };
         let contacts = expansions.contacts(&Instant { time, state, late });
         Ok(contacts.into_iter().zip(phases).enumerate().map(of).collect())
+    }
+
+    /// Whether what is left of bounces at a contact is over in no time beside that of the run, or no higher than the rounding of its gap.
+    fn bounces_end(&self, mode: &Mode, contact: usize, time: f64, state: &[f64]) -> Result<bool, &'static str> {
+        let expansions = self.expansions().map_err(refused)?;
+        let [_, restitution] = expansions.coefficients(time, state, contact);
+        let found = expansions.at::<2>(&Instant { time, state, late: 0.0 }, mode);
+        let Some(Touching { gap, gap_rate, .. }) = found.map(|found| found.contacts[contact]) else { return Ok(false) };
+        let [rate, acceleration] = gap_rate.terms;
+        // the flights take 2 v/a, e times that, and so on; the first one is v^2/(2 a) high
+        let rest = 2.0 * rate / -acceleration / (1.0 - restitution);
+        let height = rate * rate / (-2.0 * acceleration);
+        let is_over = (0.0..BOUNCES * time).contains(&rest) || (0.0..SLACK * gap.doubts[0]).contains(&height);
+        Ok(rate > 0.0 && acceleration < 0.0 && restitution < 1.0 && is_over)
     }
 
     /// What the contacts do after an event has set the state: those that it has left as they were are in touch as before.

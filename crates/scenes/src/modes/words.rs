@@ -9,6 +9,8 @@ use symbolic::apart;
 pub(super) struct Words {
     conditions: Vec<String>,
     contacts: Vec<String>,
+    /// Whether each contact has friction.
+    are_rough: Vec<bool>,
     events: Vec<String>,
 }
 
@@ -16,7 +18,8 @@ impl Words {
     pub fn of(model: &Model, events: &[String]) -> Self {
         let conditions = apart(|| Trace::of(model).switches.iter().map(ToString::to_string).collect());
         let contacts = model.contacts.iter().enumerate().map(|(place, contact)| contact.title(place)).collect();
-        Words { conditions, contacts, events: events.to_vec() }
+        let are_rough = model.contacts.iter().map(|contact| contact.friction.is_some()).collect();
+        Words { conditions, contacts, are_rough, events: events.to_vec() }
     }
 
     /// An event.
@@ -29,6 +32,9 @@ impl Words {
             Fall::Lifts { contact } => format!("the normal reaction of {} falls to zero", self.contacts[contact]),
             Fall::Slides { contact, .. } => format!("friction does not hold {} any more", self.contacts[contact]),
             Fall::Stops { contact } => format!("the sliding of {} stops", self.contacts[contact]),
+            Fall::Smooths { contact } => {
+                format!("the coefficient of friction of {} falls to zero", self.contacts[contact])
+            }
             Fall::Jams => "the equations for the reactions become singular".to_owned(),
             Fall::Event { event } => self.events.get(event).cloned().unwrap_or_default(),
         }
@@ -41,17 +47,19 @@ impl Words {
             Case::Off => format!("{name} = 0"),
             Case::Held | Case::Shared | Case::Spent { .. } => format!("{name} stays at its change"),
         };
-        let phase = |(name, phase): (&String, &Phase)| {
+        let phase = |((name, is_rough), phase): ((&String, &bool), &Phase)| {
             let what = match phase {
+                Phase::Slips { .. } if !is_rough => "touches",
                 Phase::Apart => "is apart",
                 Phase::Sticks(_) | Phase::Rests { .. } => "sticks",
                 Phase::Slips { forwards: true, .. } => "slides forwards",
                 Phase::Slips { forwards: false, .. } => "slides backwards",
+                Phase::Carried => "is carried",
             };
             format!("{name} {what}")
         };
         let cases = self.conditions.iter().zip(&mode.cases).map(case);
-        let phases = self.contacts.iter().zip(&mode.phases).map(phase);
+        let phases = self.contacts.iter().zip(&self.are_rough).zip(&mode.phases).map(phase);
         cases.chain(phases).collect::<Vec<String>>().join(", ")
     }
 }

@@ -47,3 +47,29 @@ fn a_bead_on_a_turning_rod_is_pressed_by_coriolis_force() {
     close(last(&trajectory, "r"), first * a.exp() + second * b.exp(), 1e-11);
     close(last(&trajectory, "N"), 2.0 * 0.3 * w * last(&trajectory, "r'"), 1e-11);
 }
+
+/// A bead on a rod whose pivot is shaken along it: m (r'' - w^2 r) = -m (a.e_r) - T, N = m (2 w r' + a.e_t), a the pivot's acceleration.
+#[test]
+fn a_bead_on_a_rod_with_a_moving_pivot_is_pressed_by_its_own_mass_alone() {
+    let text = "title = \"bead\"\n[parameters]\nm = \"0.3 kg\"\nw = \"2 rad/s\"\nc = \"0.1 m\"\nM = \"40 kg\"\n[coordinates]\nr = \"m\"\n\
+                [frames]\nA = \"N turned w*t about z\"\n[points]\nH = \"O + c*cos(w*t)*N.x\"\nP = \"H + r*A.x\"\n[bodies.rod]\nframe = \"A\"\n\
+                centre = \"H\"\nmass = \"M\"\ninertia = \"(1 kg m^2)\"\n[bodies.bead]\ncentre = \"P\"\nmass = \"m\"\n\
+                [[contact]]\nname = \"rod\"\nbetween = \"bead, rod along x\"\nfriction = \"0\"\n\
+                [outputs]\nN = \"reaction(rod)\"\n[start]\nr = \"0.1 m\"\n\"r'\" = \"0.4 m/s\"\n[run]\nspan = \"1 s\"\n";
+    let trajectory = runs(text, Method::DormandPrince8, 1e-12);
+    assert_eq!(trajectory.stopped(), None);
+    let (w, c, t) = (2.0_f64, 0.1, 1.0_f64);
+    let pivot = -c * w * w * (w * t).cos();
+    close(last(&trajectory, "N"), 0.3 * (2.0 * w * last(&trajectory, "r'") - pivot * (w * t).sin()), 1e-11);
+}
+
+#[test]
+fn a_guide_on_a_frame_that_no_body_has_is_one_of_the_ground() {
+    let bead = "title = \"bead\"\n[parameters]\nm = \"0.3 kg\"\nw = \"2 rad/s\"\n[coordinates]\nr = \"m\"\n\
+                [frames]\nA = \"N turned w*t about z\"\n[points]\nP = \"O + r*A.x\"\n[bodies.bead]\ncentre = \"P\"\nmass = \"m\"\n\
+                [[contact]]\nname = \"rod\"\nbetween = \"bead, A along x\"\nfriction = \"0.25\"\n\
+                [outputs]\nN = \"reaction(rod)\"\n[start]\nr = \"0.1 m\"\n\"r'\" = \"0.4 m/s\"\n[run]\nspan = \"1 s\"\n";
+    let trajectory = runs(bead, Method::DormandPrince8, 1e-12);
+    assert_eq!(trajectory.stopped(), None);
+    close(last(&trajectory, "N"), 2.0 * 0.3 * 2.0 * last(&trajectory, "r'"), 1e-11);
+}

@@ -5,7 +5,7 @@ use crate::compiled_system::{NotCompiled, values};
 use crate::modes::contacts::{friction, kept_at_zero, motion};
 use crate::modes::multiples::{letters, mirrored};
 use model::equations::{Equations, Singular};
-use model::{Model, Trace};
+use model::{Contact, Model, Trace};
 use symbolic::{Derivation, Sym, Tape, substitute_all};
 
 /// Rates of the state; conditions; the rows, which are the rates of these and the sums that reactions keep at zero, with switches and
@@ -22,9 +22,13 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     let all_in_own = |all: &[Sym]| substitute_all(all, &own);
     let conditions: Vec<Sym> = model.switches.iter().map(|condition| trace.scalar(*condition)).collect();
     let rates: Vec<Sym> = conditions.iter().map(|&condition| trace.rate_of(condition).substitute(&motion)).collect();
-    let kinds =
-        model.contacts.iter().map(|contact| Kind { sides: contact.sides, is_rough: contact.friction.is_some() });
-    let kinds: Vec<Kind> = kinds.collect();
+    let kind = |contact: &Contact| Kind {
+        sides: contact.sides,
+        is_rough: contact.friction.is_some(),
+        law: contact.law,
+        is_guide: contact.guide.is_some(),
+    };
+    let kinds: Vec<Kind> = model.contacts.iter().map(kind).collect();
     let places = || (0..kinds.len()).flat_map(|contact| [[contact, 0], [contact, 1]]);
     let kept = kept_at_zero(&trace).concat();
     let rows = [rates, substitute_all(&kept, &motion)].concat();
@@ -66,5 +70,13 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     let inputs = [&state[..], &[time], &inputs].concat();
     let tape = Tape::record(&inputs, &substitute_all(&all, &known))
         .map_err(|reason| NotCompiled::Undefined { reason: reason.to_string() })?;
-    Ok(Expansions { tape: tape.arranged(), states, slopes, mirrored, kinds, events: model.events.len() })
+    Ok(Expansions {
+        tape: tape.arranged(),
+        states,
+        positions: model.positions(),
+        slopes,
+        mirrored,
+        kinds,
+        events: model.events.len(),
+    })
 }

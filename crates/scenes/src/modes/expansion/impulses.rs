@@ -2,24 +2,18 @@
 
 use super::super::jet::{Jet, ROUNDING};
 use super::super::mode::{Case, Mode, Phase};
-use super::{Expansion, Expansions, Instant, ROUNDINGS, Touching, solved};
+use super::impact_law::{Impact, NotStruck};
+use super::letters::Quantity;
+use super::{Expansion, Expansions, Instant, Kind, ROUNDINGS, Touching, solved};
+use model::Sides;
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 
 /// Newton's method from what an integration has left.
 const IMPULSES: usize = 3;
 
-/// The direction of an impulse of friction, or none where the contact sticks when the impact ends.
-const WAYS: [Option<f64>; 3] = [None, Some(1.0), Some(-1.0)];
-
-/// Why an impact is not decided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in super::super) enum NotStruck {
-    /// Other contacts in touch take part in it.
-    Together,
-    /// No impulse within the cone of friction, or several.
-    Undetermined,
-}
+/// A change beyond so many times its doubt is one.
+const CHANGES: f64 = 16.0;
 
 impl Expansions {
     /// What a unit of each of some letters adds to the rates of a state, beside the values of all.
@@ -69,72 +63,107 @@ impl Expansions {
         }
     }
 
-    /// The speeds after a contact has closed, by Newton's law of restitution and Coulomb's of impulses; other contacts must let go.
+    /// Moves a contact that has closed to where its gap is zero: along the displacement that a force along the normal gives, so that
+    /// constraints stay as they are.
+    pub fn return_to_touch(&self, time: f64, state: &mut [f64], contact: usize) {
+        let clock = Jet::<1>::constant(time, 0.0);
+        let letter = self.reaction([contact, 0]);
+        let all = vec![Jet::zero(); self.letters()];
+        for _ in 0..IMPULSES {
+            let parts = rounded(state);
+            let values = self.values(clock, &parts, &all, &[]);
+            let gap = self.of_contact(&values, Quantity::Gap, contact).terms[0];
+            let slope = self.slopes_by(&values, &vec![None; self.kinds.len()], &[letter], &[letter])[0][0].terms[0];
+            if gap == 0.0 || slope == 0.0 {
+                return;
+            }
+            let added = self.responses(clock, &parts, &all, &[letter]);
+            let moved: Vec<Jet<1>> = parts
+                .iter()
+                .zip(&added[0])
+                .map(|(part, rate)| *part - Jet::constant(gap / slope * rate, 0.0))
+                .collect();
+            let by_impulse = self.values(clock, &moved, &all, &[]);
+            for place in 0..self.positions {
+                state[place] += by_impulse[place].terms[0] - values[place].terms[0];
+            }
+        }
+    }
+
+    /// The speeds after a contact has closed, by its law of impacts, and the contacts in touch that it opens; none must be pressed by it.
     ///
     /// # Errors
     /// Where the impulses are not determined.
-    pub fn struck(&self, time: f64, state: &mut [f64], contact: usize, in_touch: &[usize]) -> Result<(), NotStruck> {
+    pub fn struck(
+        &self,
+        time: f64,
+        state: &mut [f64],
+        contact: usize,
+        in_touch: &[usize],
+    ) -> Result<Vec<usize>, NotStruck> {
         let clock = Jet::<1>::constant(time, 0.0);
         let parts = rounded(state);
-        let mut letters = vec![self.reaction([contact, 0])];
-        if self.kinds[contact].is_rough {
-            letters.push(self.reaction([contact, 1]));
-        }
+        let letters = [0, 1].map(|component| self.reaction([contact, component]));
         let all = vec![Jet::zero(); self.letters()];
         let values = self.values(clock, &parts, &all, &[]);
         let slopes = self.slopes_by(&values, &vec![None; self.kinds.len()], &letters, &letters);
-        let slope = |row: usize, column: usize| slopes[row][column].terms[0];
-        let of = |quantity: usize, of: usize| self.of_contact(&values, quantity, of).terms[0];
-        let (closing, sliding, friction) = (of(1, contact), of(2, contact), of(3, contact));
-        let restitution = of(4, contact);
-        let needed = -(1.0 + restitution) * closing;
-        let mut found: Option<[f64; 2]> = None;
-        for way in WAYS {
-            let impulse = match (letters.len(), way) {
-                (1, None) => [needed / slope(0, 0), 0.0],
-                (1, Some(_)) => continue,
-                (_, None) => {
-                    let (a, b, c, d) = (slope(0, 0), slope(0, 1), slope(1, 0), slope(1, 1));
-                    let determinant = a * d - b * c;
-                    [(needed * d + b * sliding) / determinant, (-a * sliding - c * needed) / determinant]
-                }
-                (_, Some(way)) => {
-                    let normal = needed / (slope(0, 0) - way * friction * slope(0, 1));
-                    [normal, -way * friction * normal]
-                }
-            };
-            let [normal, tangent] = impulse;
-            let agrees = normal > 0.0
-                && match way {
-                    None => letters.len() == 1 || tangent.abs() <= friction * normal,
-                    Some(way) => way * (sliding + slope(1, 0) * normal + slope(1, 1) * tangent) > 0.0,
-                };
-            if agrees && found.replace(impulse).is_some() {
-                return Err(NotStruck::Undetermined);
-            }
-        }
-        let impulse = found.ok_or(NotStruck::Undetermined)?;
+        let of = |quantity: Quantity| self.of_contact(&values, quantity, contact).terms[0];
+        let Kind { law, is_rough, .. } = self.kinds[contact];
+        let impact = Impact {
+            law,
+            closing: of(Quantity::GapRate),
+            sliding: of(Quantity::Slide),
+            responses: [0, 1].map(|row| [0, 1].map(|column| slopes[row][column].terms[0])),
+            friction: is_rough.then(|| of(Quantity::Friction)),
+            restitution: of(Quantity::Restitution),
+        };
+        let impulses = impact.impulses()?;
         let before = state.to_vec();
-        for (impulse, added) in impulse.iter().zip(self.responses(clock, &parts, &all, &letters)) {
+        for (impulse, added) in impulses.iter().zip(self.responses(clock, &parts, &all, &letters)) {
             for (part, rate) in state.iter_mut().zip(added) {
                 *part += impulse * rate;
             }
         }
-        // contacts that would be pressed, or dragged along, take a part in it
+        // one that opens, or slides on, has no impulse of its own
         let after = self.values(clock, &rounded(state), &all, &[]);
-        let is_still = |other: &usize| {
-            let change = |quantity: usize| {
-                let [now, then] = [&after, &values].map(|values| self.of_contact(values, quantity, *other));
-                (now - then).sign_of(0, 16.0)
+        let mut opened = Vec::new();
+        for &other in in_touch {
+            let Kind { sides, is_guide, is_rough, .. } = self.kinds[other];
+            let [now, then] = [&after, &values].map(|values| self.of_contact(values, Quantity::GapRate, other));
+            let change = (now - then).sign_of(0, CHANGES);
+            let takes_part = match is_guide {
+                true => is_rough && self.presses(&values, other, (&letters, impulses)),
+                false => change < 0.0 || change > 0.0 && sides == Sides::Both,
             };
-            let drags = self.kinds[*other].is_rough && change(2) != 0.0;
-            change(1) == 0.0 && !drags
-        };
-        if in_touch.iter().all(is_still) {
-            return Ok(());
+            if takes_part {
+                state.copy_from_slice(&before);
+                return Err(NotStruck::Together);
+            }
+            opened.extend((change > 0.0).then_some(other));
         }
-        state.copy_from_slice(&before);
-        Err(NotStruck::Together)
+        Ok(opened)
+    }
+
+    /// Whether impulses of another contact act across a guide that the coordinates satisfy.
+    fn presses(&self, values: &[Jet<1>], guide: usize, (letters, impulses): (&[usize], [f64; 2])) -> bool {
+        let own = self.reaction([guide, 0]);
+        let slopes = self.slopes_by(values, &vec![None; self.kinds.len()], &[own], letters);
+        let parts: Vec<Jet<1>> =
+            slopes[0].iter().zip(impulses).map(|(slope, impulse)| *slope * Jet::constant(impulse, 0.0)).collect();
+        parts.iter().fold(Jet::zero(), |sum: Jet<1>, part| sum + *part).sign_of(0, CHANGES) != 0.0
+    }
+
+    /// Whether an impulse along the normal of a contact moves its body along it.
+    pub fn yields(&self, time: f64, state: &[f64], contact: usize) -> bool {
+        let own = self.reaction([contact, 0]);
+        let values = self.values(Jet::constant(time, 0.0), &rounded(state), &vec![Jet::zero(); self.letters()], &[]);
+        self.slopes_by(&values, &vec![None; self.kinds.len()], &[own], &[own])[0][0].sign_of(0, CHANGES) > 0.0
+    }
+
+    /// The coefficients of friction and restitution of a contact.
+    pub fn coefficients(&self, time: f64, state: &[f64], contact: usize) -> [f64; 2] {
+        let values = self.values(Jet::constant(time, 0.0), &rounded(state), &vec![Jet::zero(); self.letters()], &[]);
+        [Quantity::Friction, Quantity::Restitution].map(|of| self.of_contact(&values, of, contact).terms[0])
     }
 
     /// The contacts at an instant, apart.

@@ -6,6 +6,16 @@ use super::super::mode::{Case, Mode, Phase};
 use super::{Expansions, ROUNDS, Slope};
 use num_traits::Zero;
 
+/// Quantities of a contact, in the order of the tape.
+#[derive(Clone, Copy)]
+pub(super) enum Quantity {
+    Gap,
+    GapRate,
+    Slide,
+    Friction,
+    Restitution,
+}
+
 impl Expansions {
     /// The number of switches and reactions.
     pub(super) fn letters(&self) -> usize {
@@ -42,15 +52,15 @@ impl Expansions {
         let of = |(contact, phase): (usize, &Phase)| {
             let (face, way) = (phase.face()?, phase.way()?);
             let sign = Jet::constant(-way * face.sign(), 0.0);
-            Some(sign * self.of_contact(values, 3, contact))
+            Some(sign * self.of_contact(values, Quantity::Friction, contact))
         };
         mode.phases.iter().enumerate().map(of).collect()
     }
 
-    /// A quantity of a contact: gap, its rate, sliding velocity, coefficients of friction and of restitution.
-    pub(super) fn of_contact<const N: usize>(&self, values: &[Jet<N>], quantity: usize, contact: usize) -> Jet<N> {
+    /// A quantity of a contact.
+    pub(super) fn of_contact<const N: usize>(&self, values: &[Jet<N>], quantity: Quantity, contact: usize) -> Jet<N> {
         let first = self.states + self.mirrored.len() + self.letters() + self.slopes.len();
-        values[first + quantity * self.kinds.len() + contact]
+        values[first + quantity as usize * self.kinds.len() + contact]
     }
 
     /// Slopes of some rows by some letters, the tangential reactions of contacts that slide with their normal ones.

@@ -5,20 +5,23 @@
 
 mod elimination;
 mod equations;
+mod impact_law;
 mod impulses;
 mod letters;
 mod parts;
 mod trials;
 
 pub(super) use elimination::solved;
-pub(super) use impulses::NotStruck;
+pub(super) use impact_law::NotStruck;
 pub(super) use parts::Slopes;
+
+use letters::Quantity;
 
 use super::jet::{Jet, ROUNDING};
 use super::mode::{Case, Mode};
 use super::multiples::Mirrored;
 use crate::compiled_system::NotCompiled;
-use model::{Model, Sides};
+use model::{Model, Restitution, Sides};
 use num_traits::{One, Zero};
 use symbolic::{Tape, apart};
 
@@ -39,6 +42,7 @@ const ROUNDS: usize = 3;
 pub(super) struct Expansions {
     tape: Tape,
     states: usize,
+    positions: usize,
     /// Slopes of rows by letters, where they are not zero. Letters are switches, then two reactions of each contact; a row is the rate of
     /// a condition, then what the reaction of the same place keeps at zero.
     slopes: Vec<Slope>,
@@ -52,6 +56,9 @@ pub(super) struct Expansions {
 pub(super) struct Kind {
     pub sides: Sides,
     pub is_rough: bool,
+    pub law: Restitution,
+    /// Whether the coordinates keep the body in it.
+    pub is_guide: bool,
 }
 
 /// The slope of a row by a letter, and the letters that change it.
@@ -192,10 +199,10 @@ impl Expansions {
         }
         let slopes = self.slopes_of(cases, &values, &tied, &reactions)?;
         let touching = |contact: usize| Touching {
-            gap: self.of_contact(&values, 0, contact),
-            gap_rate: self.of_contact(&values, 1, contact),
-            slide: self.of_contact(&values, 2, contact),
-            friction: self.of_contact(&values, 3, contact),
+            gap: self.of_contact(&values, Quantity::Gap, contact),
+            gap_rate: self.of_contact(&values, Quantity::GapRate, contact),
+            slide: self.of_contact(&values, Quantity::Slide, contact),
+            friction: self.of_contact(&values, Quantity::Friction, contact),
             reactions: [0, 1].map(|component| letters[self.reaction([contact, component])]),
         };
         let contacts = (0..self.kinds.len()).map(touching).collect();

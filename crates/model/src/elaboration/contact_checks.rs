@@ -1,0 +1,93 @@
+//! Contacts whose parts do not fit together, once the whole model stands.
+
+use crate::equations::vanishes;
+use crate::trace::Vector;
+use crate::{Contact, Fault, FrameId, Model, Sides, Trace};
+use symbolic::{Identity, Sym, apart, identified};
+
+/// What is wrong with a contact.
+#[derive(Clone, Copy)]
+enum Wrong {
+    /// Friction acts in a plane.
+    Spatial,
+    /// A point of the plane moves with coordinates, and no body has the plane.
+    Carried,
+    /// The gap does not grow along the normal.
+    Askew,
+    /// No speed changes the gap of a contact that pushes on one side.
+    Fixed,
+}
+
+/// Refuses contacts that mean nothing.
+pub(super) fn checked(model: &Model) -> Result<(), Vec<Fault>> {
+    let wrong: Vec<Option<Wrong>> = apart(|| {
+        let trace = Trace::of(model);
+        model.contacts.iter().map(|contact| wrong(&trace, contact)).collect()
+    });
+    let faults = wrong.into_iter().enumerate().filter_map(|(place, wrong)| Some(fault(model, place, wrong?)));
+    let faults: Vec<Fault> = faults.collect();
+    if faults.is_empty() { Ok(()) } else { Err(faults) }
+}
+
+fn wrong(trace: &Trace<'_>, contact: &Contact) -> Option<Wrong> {
+    let normal = trace.vector(contact.normal);
+    let velocity = trace.vector(contact.velocity);
+    let up = Vector::axis(FrameId::GROUND, 2);
+    let leaves = |vector: Vector| varies(trace.dot(vector, up));
+    if contact.friction.is_some() && (leaves(normal) || leaves(velocity)) {
+        return Some(Wrong::Spatial);
+    }
+    let by_speeds = |scalar: Sym| -> Vec<Sym> { (0..trace.speeds.len()).map(|k| trace.by_speed(scalar, k)).collect() };
+    let moves = |scalar: Sym| by_speeds(scalar).into_iter().any(varies);
+    if contact.with.is_none()
+        && let Some(through) = contact.through
+        && trace.velocity(through).components.into_iter().any(moves)
+    {
+        return Some(Wrong::Carried);
+    }
+    let gap_rate = trace.rate_of(trace.scalar(contact.gap));
+    if !moves(gap_rate) {
+        return (contact.sides == Sides::One).then_some(Wrong::Fixed);
+    }
+    let (rows, along) = (by_speeds(gap_rate), by_speeds(trace.dot(velocity, normal)));
+    let mut pairs = (0..rows.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
+    let is_askew = pairs.any(|(one, other)| is_not_zero(rows[one] * along[other] - rows[other] * along[one]));
+    is_askew.then_some(Wrong::Askew)
+}
+
+fn varies(expression: Sym) -> bool {
+    expression != Sym::ZERO && !vanishes(expression)
+}
+
+/// Whether an expression is shown to have another value than zero.
+fn is_not_zero(expression: Sym) -> bool {
+    expression != Sym::ZERO && matches!(identified(&[expression]), Identity::NotZero)
+}
+
+fn fault(model: &Model, place: usize, wrong: Wrong) -> Fault {
+    let contact = &model.contacts[place];
+    let title = contact.title(place);
+    let (title, label, accepted) = match wrong {
+        Wrong::Spatial => (
+            format!("friction in space is not there yet: {title} leaves the plane of x and y"),
+            "not there yet",
+            "a contact without `friction`; or a motion in the plane of N.x and N.y",
+        ),
+        Wrong::Carried => (
+            format!("the plane of {title} moves with the coordinates, and no body has it"),
+            "`through` is a point that moves",
+            "`with` names the body that is touched: with = \"wedge\"",
+        ),
+        Wrong::Askew => (
+            format!("the gap of {title} does not grow along its normal"),
+            "its rate is not the velocity along the normal",
+            "the normal of a curve is the gradient of its gap: gap = \"y - a*x^2\", normal = \"N.y - 2*a*x*N.x\"",
+        ),
+        Wrong::Fixed => (
+            format!("no motion changes the gap of {title}"),
+            "the coordinates keep it as it is",
+            "a coordinate that moves the point along the normal; or sides = \"both\", a guide",
+        ),
+    };
+    Fault::at(contact.at.clone(), title, label, accepted)
+}

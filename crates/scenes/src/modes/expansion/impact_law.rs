@@ -1,0 +1,253 @@
+//! The impulses of one contact that closes with a velocity.
+//!
+//! With the impulses N along the normal and T along the tangent, gap' and v change by a N + b T and c N + d T. Coulomb's law holds for
+//! the impulses: |T| <= mu N where the contact sticks, T = -mu N sign(v) where it slides.
+//!
+//! * Newton: the gap opens with -e gap'. Coulomb's law holds between the two impulses as a whole, with the v after the impact.
+//! * Poisson: N in the restitution is e times the N of the compression, which ends where gap' = 0. Coulomb's law holds at every instant of
+//!   the impact, so that the sliding may stop or turn round in it (Routh 1860).
+//!
+//! Either law may add energy where friction acts (Kane 1984, Stronge 1990); such an impact is refused.
+
+use model::Restitution;
+
+/// Energies that differ by so little, beside the sum of the works of both impulses, differ by rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// A determinant below this part of its product is zero: the point moves along one line.
+const SINGULAR: f64 = 1e-12;
+
+/// A path of impulses has no more pieces: sliding, sticking or sliding the other way, in compression and in restitution.
+const MOST_PIECES: usize = 8;
+
+/// Why an impact is not decided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in super::super) enum NotStruck {
+    /// Other contacts in touch take part in it.
+    Together,
+    /// No impulse within the cone of friction, or several.
+    Undetermined,
+    /// The energy would grow.
+    AddsEnergy,
+    /// The coefficient of restitution is not between 0 and 1.
+    Restitution,
+    /// The coefficient of friction is negative.
+    Friction,
+}
+
+/// A contact that closes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Impact {
+    pub law: Restitution,
+    /// gap', negative, and v.
+    pub closing: f64,
+    pub sliding: f64,
+    /// a, b and c, d: what unit impulses N and T add to gap' and to v.
+    pub responses: [[f64; 2]; 2],
+    /// None where it is smooth.
+    pub friction: Option<f64>,
+    pub restitution: f64,
+}
+
+impl Impact {
+    /// N and T.
+    ///
+    /// # Errors
+    /// Where the law does not determine them, or contradicts energy.
+    pub fn impulses(&self) -> Result<[f64; 2], NotStruck> {
+        if !(0.0..=1.0).contains(&self.restitution) {
+            return Err(NotStruck::Restitution);
+        }
+        if self.friction.is_some_and(|friction| friction.is_nan() || friction < 0.0) {
+            return Err(NotStruck::Friction);
+        }
+        let impulses = match self.law {
+            Restitution::Newton => self.by_newton(),
+            Restitution::Poisson => self.by_poisson(),
+        }?;
+        if self.adds_energy(impulses) { Err(NotStruck::AddsEnergy) } else { Ok(impulses) }
+    }
+
+    /// gap' and v after impulses.
+    fn after(&self, [normal, tangent]: [f64; 2]) -> [f64; 2] {
+        let [of_gap, of_slide] =
+            self.responses.map(|[by_normal, by_tangent]| by_normal * normal + by_tangent * tangent);
+        [self.closing + of_gap, self.sliding + of_slide]
+    }
+
+    /// Whether N (gap' + gap'_after)/2 + T (v + v_after)/2 is positive beyond rounding.
+    fn adds_energy(&self, impulses: [f64; 2]) -> bool {
+        let after = self.after(impulses);
+        let before = [self.closing, self.sliding];
+        let works = [0, 1].map(|k| [impulses[k] * before[k] / 2.0, impulses[k] * after[k] / 2.0]);
+        let size: f64 = works.iter().flatten().map(|work| work.abs()).sum();
+        works.iter().flatten().sum::<f64>() > ROUNDING * size
+    }
+
+    fn by_newton(&self) -> Result<[f64; 2], NotStruck> {
+        let [[a, b], [c, d]] = self.responses;
+        let needed = -(1.0 + self.restitution) * self.closing;
+        let Some(friction) = self.friction else {
+            let normal = needed / a;
+            return if normal > 0.0 && normal.is_finite() { Ok([normal, 0.0]) } else { Err(NotStruck::Undetermined) };
+        };
+        let determinant = a * d - b * c;
+        let sticks = if determinant.abs() > SINGULAR * (a * d).abs() {
+            [(needed * d + b * self.sliding) / determinant, (-a * self.sliding - c * needed) / determinant]
+        } else if self.restitution == 0.0 {
+            // v is zero with gap': N alone brings both there
+            [needed / a, 0.0]
+        } else {
+            [f64::NAN; 2]
+        };
+        let holds = sticks[0] > 0.0 && sticks[1].abs() <= friction * sticks[0];
+        let slides = [1.0, -1.0].map(|way| {
+            let normal = needed / (a - way * friction * b);
+            let impulses = [normal, -way * friction * normal];
+            (normal > 0.0 && normal.is_finite() && way * self.after(impulses)[1] > 0.0).then_some(impulses)
+        });
+        let mut found = holds.then_some(sticks).into_iter().chain(slides.into_iter().flatten());
+        match (found.next(), found.next()) {
+            (Some(impulses), None) => Ok(impulses),
+            _ => Err(NotStruck::Undetermined),
+        }
+    }
+
+    /// The path of N and T, piece by piece: within one N grows, T follows it by the same factor, and v does not change its sign.
+    fn by_poisson(&self) -> Result<[f64; 2], NotStruck> {
+        let friction = self.friction.unwrap_or(0.0);
+        let (mut impulses, mut end) = ([0.0, 0.0], None);
+        for _ in 0..MOST_PIECES {
+            let [gap_rate, slide] = self.after(impulses);
+            let slope = self.slope(slide, friction);
+            let [gap_slope, slide_slope] = self.responses.map(|[by_normal, by_tangent]| by_normal + by_tangent * slope);
+            // to where sliding stops, and to where the compression or the restitution ends
+            let stops = if slide * slide_slope < 0.0 { -slide / slide_slope } else { f64::INFINITY };
+            let ends = match end {
+                Some(end) => end - impulses[0],
+                None if gap_slope > 0.0 => -gap_rate / gap_slope,
+                None => f64::INFINITY,
+            };
+            let grows = stops.min(ends);
+            if !grows.is_finite() {
+                return Err(NotStruck::Undetermined);
+            }
+            impulses = [impulses[0] + grows, impulses[1] + slope * grows];
+            if ends <= stops {
+                match end {
+                    Some(_) => return Ok(impulses),
+                    None => end = Some((1.0 + self.restitution) * impulses[0]),
+                }
+            } else {
+                // at rest exactly, whatever rounding left
+                impulses[1] = self.holding(impulses[0]);
+            }
+        }
+        Err(NotStruck::Undetermined)
+    }
+
+    /// T with which v is zero beside an N.
+    fn holding(&self, normal: f64) -> f64 {
+        let [_, [c, d]] = self.responses;
+        -(self.sliding + c * normal) / d
+    }
+
+    /// dT/dN at a sliding velocity.
+    fn slope(&self, slide: f64, friction: f64) -> f64 {
+        let [_, [c, d]] = self.responses;
+        if slide.abs() > ROUNDING * (self.sliding.abs() + self.closing.abs()) {
+            return -friction * slide.signum();
+        }
+        match -c / d {
+            _ if d == 0.0 => 0.0,
+            holds if holds.abs() <= friction => holds,
+            holds => friction * holds.signum(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A rod of the mass 1 and the half length 1 at an angle from the floor: 1 + 3 cos^2, 1 + 3 sin^2, -3 sin cos.
+    fn rod(angle: f64, closing: f64, sliding: f64, friction: f64, law: Restitution, restitution: f64) -> Impact {
+        let (s, c) = angle.sin_cos();
+        let responses = [[1.0 + 3.0 * c * c, -3.0 * s * c], [-3.0 * s * c, 1.0 + 3.0 * s * s]];
+        Impact { law, closing, sliding, responses, friction: Some(friction), restitution }
+    }
+
+    fn close(found: [f64; 2], known: [f64; 2]) {
+        (0..2).for_each(|k| assert!((found[k] - known[k]).abs() < 1e-13, "{found:?} and {known:?}"));
+    }
+
+    #[test]
+    fn both_laws_agree_where_friction_does_not_couple_the_directions() {
+        let ball = |law| Impact {
+            law,
+            closing: -2.0,
+            sliding: 1.0,
+            responses: [[1.0, 0.0], [0.0, 3.5]],
+            friction: Some(0.1),
+            restitution: 0.6,
+        };
+        let [newton, poisson] = [Restitution::Newton, Restitution::Poisson].map(|law| ball(law).impulses().unwrap());
+        close(newton, [3.2, -1.0 / 3.5]);
+        close(poisson, newton);
+    }
+
+    #[test]
+    fn sliding_that_stops_in_compression_sticks_in_restitution() {
+        let impact = rod(0.3, -1.0, 0.1, 2.0, Restitution::Poisson, 0.5);
+        let impulses = impact.impulses().unwrap();
+        let [gap_rate, slide] = impact.after(impulses);
+        assert!(slide.abs() < 1e-15 && gap_rate > 0.0);
+        // the compression ends where both are zero
+        let [[a, b], [c, d]] = impact.responses;
+        let all = (d + b * 0.1) / (a * d - b * c);
+        assert!((impulses[0] - 1.5 * all).abs() < 1e-13);
+    }
+
+    #[test]
+    fn sliding_turns_round_where_friction_does_not_hold() {
+        let impact = rod(0.8, -1.0, 0.05, 0.2, Restitution::Poisson, 0.0);
+        let impulses = impact.impulses().unwrap();
+        let [gap_rate, slide] = impact.after(impulses);
+        assert!(gap_rate.abs() < 1e-15);
+        // forwards at first, backwards at the end
+        assert!(slide < 0.0);
+        assert!(impulses[1].abs() < 0.2 * impulses[0]);
+    }
+
+    /// Kane's paradox: a double pendulum whose tip strikes with friction gains energy by Newton's law.
+    #[test]
+    fn an_impact_that_adds_energy_is_refused() {
+        let of = |law| rod(1.0, -1.0, 0.5, 0.8, law, 1.0);
+        assert_eq!(of(Restitution::Newton).impulses(), Err(NotStruck::AddsEnergy));
+        assert!(of(Restitution::Poisson).impulses().is_ok());
+    }
+
+    #[test]
+    fn coefficients_out_of_bounds_are_refused() {
+        let of = |friction, restitution| rod(0.3, -1.0, 0.1, friction, Restitution::Newton, restitution).impulses();
+        assert_eq!(of(0.1, 1.5), Err(NotStruck::Restitution));
+        assert_eq!(of(0.1, f64::NAN), Err(NotStruck::Restitution));
+        assert_eq!(of(-0.1, 0.5), Err(NotStruck::Friction));
+    }
+
+    #[test]
+    fn a_point_that_moves_along_one_line_is_stopped_by_the_normal_impulse() {
+        let impact = |restitution| Impact {
+            law: Restitution::Newton,
+            closing: -1.0,
+            sliding: 2.0,
+            responses: [[1.0, -2.0], [-2.0, 4.0]],
+            friction: Some(0.1),
+            restitution,
+        };
+        close(impact(0.0).impulses().unwrap(), [1.0, 0.0]);
+        // -2 (1 + e)/... by N and T = mu N against the sliding after it
+        let [gap_rate, slide] = impact(0.5).after(impact(0.5).impulses().unwrap());
+        assert!((gap_rate - 0.5).abs() < 1e-13 && (slide + 1.0).abs() < 1e-13);
+    }
+}
