@@ -4,7 +4,7 @@ use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::first_motion::{massless, missing};
-use crate::modes::{Modes, Refused};
+use crate::modes::{Modes, Refused, Unfit};
 use crate::row_units::measured;
 use crate::start::{Completed, Open, Unmet, consistent};
 use derivations::scene::Issue;
@@ -43,6 +43,11 @@ pub(crate) fn ready(model: &mut Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSys
     let model = &*model;
     let system = Modes::of(model, &[]).first(&start).map_err(|why| match why {
         Refused::Law(reason) => refused(model, &reason),
+        Refused::Contact(Unfit { contact, why, accepted }) => {
+            let one = &model.contacts[contact];
+            let title = format!("this system cannot start: {why}");
+            Issue::at(one.at.clone(), title, one.title(contact)).accepted(accepted)
+        }
         Refused::Motion { why, switch: None } if !model.contacts.is_empty() => {
             let places = model.contacts.iter().map(|contact| &contact.at);
             let place =
@@ -190,9 +195,13 @@ pub(crate) fn unmet_at(model: &Model, unmet: Unmet) -> Issue {
         }
         Unmet::Contradiction { at, residual, unit } => {
             let [one, other] = at.clone().map(|at| {
-                let place = model.constraints.iter().position(|constraint| constraint.at == at).unwrap_or(0);
-                let name = model.constraints[place].name.as_ref();
-                format!("constraint {}{}", place + 1, name.map_or_else(String::new, |name| format!(" `{name}`")))
+                if let Some(place) = model.contacts.iter().position(|contact| contact.at == at) {
+                    return model.contacts[place].title(place);
+                }
+                let place = model.constraints.iter().position(|constraint| constraint.at == at);
+                let name = place.and_then(|place| model.constraints[place].name.as_ref());
+                let number = place.map_or_else(String::new, |place| format!(" {}", place + 1));
+                format!("constraint{number}{}", name.map_or_else(String::new, |name| format!(" `{name}`")))
             });
             let [_, at] = at;
             let label = format!("it leaves {}, and not zero, wherever {one} holds", measured(residual, &unit));

@@ -15,6 +15,7 @@ mod signal_integrals;
 mod signals;
 mod touch;
 mod touches;
+mod unfit;
 mod words;
 
 pub(crate) use held::held;
@@ -23,7 +24,7 @@ pub use mode::{Case, Face, Mode, Phase};
 use crate::compiled_system::{CompiledSystem, NotCompiled, changes};
 use derivations::scene::problem::Law;
 use derivations::scene::switching::{Passage, Segment, Switching};
-use expansion::Expansions;
+use expansion::{Expansions, Instant};
 use integrators::Event;
 use model::Model;
 use passage::After;
@@ -31,6 +32,7 @@ use sides::Side;
 use signals::Signals;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+pub use unfit::Unfit;
 use words::Words;
 
 /// The laws of a model by their modes, and the mode of a run.
@@ -69,6 +71,8 @@ pub enum Refused {
     Law(NotCompiled),
     /// No case of the conditions, or more than one, agrees with the motion that it gives; with the first condition that is at zero.
     Motion { why: &'static str, switch: Option<usize> },
+    /// A contact cannot be at the state.
+    Contact(Unfit),
 }
 
 /// The law of a mode, or why there is none.
@@ -127,7 +131,10 @@ impl Modes {
         if !changes(&self.model) {
             return Ok(Arc::clone(&moded.system));
         }
-        self.expansions().map_err(Refused::Law)?;
+        let expansions = self.expansions().map_err(Refused::Law)?;
+        if let Some(unfit) = Unfit::first(expansions, &Instant { time: 0.0, state, late: 0.0 }) {
+            return Err(Refused::Contact(unfit));
+        }
         let begun = self.begun(0.0, state).map_err(|why| Refused::Motion { why, switch: self.at_zero(0.0, state) })?;
         Ok(Arc::clone(&begun.moded.system))
     }

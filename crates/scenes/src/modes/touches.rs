@@ -2,28 +2,21 @@
 
 use super::Modes;
 use super::decision::TERMS;
-use super::expansion::{Instant, Kind, NotStruck, Touching};
+use super::expansion::{Instant, NotStruck, Touching};
 use super::jet::Jet;
 use super::mode::{Face, Mode, Phase};
 use super::passage::{SLACK, refused};
 use super::signals::Fall;
 use super::touch::Touch;
-use model::Sides;
+use super::unfit::{RESTITUTION, Unfit};
 
-const PENETRATES: &str = "a contact penetrates at the start: its gap is negative";
-const LEFT: &str = "a guide is left at the start: its gap is not zero";
-const CLOSES: &str = "a contact closes with a velocity at the start: an impact, before which a motion has to begin";
 const TOGETHER: &str =
     "an impact presses other contacts in touch: the impulses of several at once are not determined by these laws";
 const IMPULSES: &str =
     "an impact is not determined: no impulse within the cone of friction, or several, by this law of restitution";
 const ENERGY: &str =
     "an impact would add energy: the laws of restitution and of friction contradict each other here (Kane 1984)";
-const RESTITUTION: &str = "a coefficient of restitution is not between 0 and 1";
 pub(super) const NEGATIVE: &str = "a coefficient of friction is negative";
-const PULLS: &str =
-    "a contact pulls where it should push: its normal does not point to where its gap grows, or nothing moves along it";
-
 /// A bounce ends where all bounces after it take less than this part of the time of the run.
 const BOUNCES: f64 = 1e-9;
 
@@ -31,29 +24,15 @@ impl Modes {
     /// What the contacts do at a state that is given.
     pub(super) fn touches(&self, time: f64, state: &[f64]) -> Result<Vec<Touch>, &'static str> {
         let expansions = self.expansions().map_err(refused)?;
-        let of = |(contact, kind): (Touching<1>, &Kind)| {
-            let sign = |jet: Jet<1>| jet.sign_of(0, SLACK);
-            match (kind.sides, sign(contact.gap), sign(contact.gap_rate)) {
-                (_, 0.0, 0.0) => Ok(touching(&contact)),
-                (Sides::Both, ..) => Err(LEFT),
-                (Sides::One, gap, _) if gap < 0.0 => Err(PENETRATES),
-                (Sides::One, 0.0, rate) if rate < 0.0 => Err(CLOSES),
-                (Sides::One, ..) => Ok(Touch::Open),
-            }
-        };
-        for (contact, kind) in expansions.kinds.iter().enumerate() {
-            let [friction, restitution] = expansions.coefficients(time, state, contact);
-            let is_wrong = [
-                (kind.is_rough && friction < 0.0, NEGATIVE),
-                (!(0.0..=1.0).contains(&restitution), RESTITUTION),
-                (!kind.is_guide && !expansions.yields(time, state, contact), PULLS),
-            ];
-            if let Some((_, why)) = is_wrong.into_iter().find(|(is_wrong, _)| *is_wrong) {
-                return Err(why);
-            }
+        let instant = Instant { time, state, late: 0.0 };
+        if let Some(Unfit { why, .. }) = Unfit::first(expansions, &instant) {
+            return Err(why);
         }
-        let contacts = expansions.contacts(&Instant { time, state, late: 0.0 });
-        contacts.into_iter().zip(&expansions.kinds).map(of).collect()
+        let of = |contact: Touching<1>| match [contact.gap, contact.gap_rate].map(|jet| jet.sign_of(0, SLACK)) {
+            [0.0, 0.0] => touching(&contact),
+            _ => Touch::Open,
+        };
+        Ok(expansions.contacts(&instant).into_iter().map(of).collect())
     }
 
     /// What the contacts do after a fall in some phases; an impact changes the speeds.

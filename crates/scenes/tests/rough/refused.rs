@@ -63,3 +63,55 @@ fn a_start_in_which_a_contact_penetrates_or_closes_is_refused() {
     assert!(alone("x = \"1 m\"\ny = \"2 m\"\n\"y'\" = \"-1 m/s\"").contains("closes with a velocity at the start"));
     assert_eq!(alone("x = \"1 m\"\ny = \"3 m\"\n\"y'\" = \"-1 m/s\""), "");
 }
+
+#[test]
+fn a_contact_that_means_nothing_is_refused_at_its_place() {
+    let normal = "normal = \"N.x\"\n";
+    for (edits, message) in [
+        ([(normal, "normal = \"0*N.x\"\n"); 1], "the normal of a contact has a direction"),
+        ([("through = \"O\"\n", "gap = \"x^2/l\"\n")], "the gap of contact `wall` does not grow along its normal"),
+        ([("through = \"O\"\n", "gap = \"x + x'*(1 s)\"\n")], "the gap of a contact is a length by positions"),
+        ([("through = \"O\"\n", "through = \"G\"\n")], "moves with the coordinates, and no body has it"),
+        ([("through = \"O\"\n", "through = \"O\"\nwith = \"ladder\"\n")], "this one touches itself"),
+        ([(normal, "normal = \"N.x\"\nimpact = \"poisson\"\n")], "the law of a coefficient of restitution"),
+        (
+            [(normal, "normal = \"N.x\"\nrestitution = \"1\"\nimpact = \"hunt\"\n")],
+            "the law of restitution is Newton's or Poisson's",
+        ),
+        (
+            [(normal, "normal = \"N.x\"\nsides = \"both\"\nrestitution = \"1\"\n")],
+            "a contact that holds on both sides has no impacts",
+        ),
+        ([("f = \"0.3\"", "f = \"-0.3\"")], "a coefficient of friction is negative"),
+        (
+            [(normal, "normal = \"N.x\"\nrestitution = \"1.1\"\n")],
+            "a coefficient of restitution is not between 0 and 1",
+        ),
+    ] {
+        let said = said(&edits);
+        assert!(said.contains(message), "{message}: {said}");
+    }
+    let wall = "through = \"O\"\nnormal = \"N.x\"\n";
+    assert!(said(&[(wall, "gap = \"-x\"\nnormal = \"N.x\"\n")]).contains("its gap"));
+    let held = said(&[("x = \"m\"\n", ""), ("\"O + x*N.x + y*N.y\"", "\"O + y*N.y\""), ("at A", "at G")]);
+    assert!(held.contains("no motion changes the gap of contact `wall`"), "{held}");
+}
+
+#[test]
+fn contacts_that_no_position_meets_together_are_named() {
+    let second = "\n[[contact]]\nname = \"ceiling\"\nof = \"ladder at B\"\nthrough = \"O + l*N.y\"\nnormal = \"N.y\"\ntouching = true\n\n[outputs]";
+    let said = said(&[("\n[outputs]", second)]);
+    assert!(said.contains("contact `ceiling` contradicts contact `floor`"), "{said}");
+}
+
+/// mu(t) = 0.3 - t/(1 s).
+#[test]
+fn friction_that_would_become_negative_ends_the_run() {
+    let trajectory = super::runs(
+        &stored("models/leaning_ladder").replace("friction = \"f\"", "friction = \"f - t/(1 s)\""),
+        integrators::Method::DormandPrince8,
+        1e-10,
+    );
+    assert!(trajectory.stopped().is_some());
+    super::close(trajectory.outcome.time, 0.3, 1e-12);
+}

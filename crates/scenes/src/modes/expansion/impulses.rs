@@ -154,9 +154,9 @@ impl Expansions {
     }
 
     /// Whether an impulse along the normal of a contact moves its body along it.
-    pub fn yields(&self, time: f64, state: &[f64], contact: usize) -> bool {
+    pub fn yields(&self, Instant { time, state, .. }: &Instant<'_>, contact: usize) -> bool {
         let own = self.reaction([contact, 0]);
-        let values = self.values(Jet::constant(time, 0.0), &rounded(state), &vec![Jet::zero(); self.letters()], &[]);
+        let values = self.values(Jet::constant(*time, 0.0), &rounded(state), &vec![Jet::zero(); self.letters()], &[]);
         self.slopes_by(&values, &vec![None; self.kinds.len()], &[own], &[own])[0][0].sign_of(0, CHANGES) > 0.0
     }
 

@@ -1,0 +1,62 @@
+//! Contacts that cannot be at a state from which a motion should start.
+
+use super::expansion::{Expansions, Instant, Kind, Touching};
+use super::passage::SLACK;
+use super::touches::NEGATIVE;
+use model::Sides;
+
+const PENETRATES: &str = "a contact penetrates at the start: its gap is negative";
+const LEFT: &str = "a guide is left at the start: its gap is not zero";
+const CLOSES: &str = "a contact closes with a velocity at the start: an impact, before which a motion has to begin";
+const PULLS: &str =
+    "a contact pulls where it should push: its normal does not point to where its gap grows, or nothing moves along it";
+pub(super) const RESTITUTION: &str = "a coefficient of restitution is not between 0 and 1";
+
+/// A contact, and why it cannot be at a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unfit {
+    pub contact: usize,
+    pub why: &'static str,
+    pub accepted: &'static str,
+}
+
+impl Unfit {
+    /// The first one at a state.
+    pub(super) fn first(expansions: &Expansions, instant: &Instant<'_>) -> Option<Self> {
+        let contacts = expansions.contacts(instant);
+        contacts.iter().enumerate().find_map(|(contact, touching)| {
+            let (why, accepted) = wrong(expansions, instant, contact, touching)?;
+            Some(Unfit { contact, why, accepted })
+        })
+    }
+}
+
+fn wrong(
+    expansions: &Expansions,
+    instant @ Instant { time, state, .. }: &Instant<'_>,
+    contact: usize,
+    touching: &Touching<1>,
+) -> Option<(&'static str, &'static str)> {
+    let Kind { sides, is_rough, is_guide, .. } = expansions.kinds[contact];
+    let [friction, restitution] = expansions.coefficients(*time, state, contact);
+    let [gap, rate] = [touching.gap, touching.gap_rate].map(|jet| jet.sign_of(0, SLACK));
+    let is_left = sides == Sides::Both && (gap, rate) != (0.0, 0.0);
+    let faults = [
+        (is_rough && friction < 0.0, NEGATIVE, "a number that is not negative"),
+        (!(0.0..=1.0).contains(&restitution), RESTITUTION, "a number from 0, without a bounce, to 1, without a loss"),
+        (!is_guide && !expansions.yields(instant, contact), PULLS, "the direction in which the gap grows"),
+        (is_left, LEFT, "a start on the guide; `through` is a point of its line"),
+        (
+            sides == Sides::One && gap < 0.0,
+            PENETRATES,
+            "a start where the gap is zero or positive; `touching = true` closes it",
+        ),
+        (
+            sides == Sides::One && gap == 0.0 && rate < 0.0,
+            CLOSES,
+            "a start above the contact, or without this velocity",
+        ),
+    ];
+    let (_, why, accepted) = faults.into_iter().find(|(is_wrong, ..)| *is_wrong)?;
+    Some((why, accepted))
+}
