@@ -36,7 +36,7 @@ import together
 ROOT = Path(__file__).resolve().parents[2]
 TABLES = ROOT / "snapshots" / "mutants"
 COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-mutants"))
-PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches"]
+PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches", "book", "schema"]
 LEDGER = "ledger"
 # what else is tested: the house, its pages, and the program
 OTHERS = {"allocation", "house", "pages", "scenes"}
@@ -99,6 +99,9 @@ SUBJECT_OF = {
     "crates/mechanics/src/discrete/": ["systems::discrete", "mechanics"],
     "crates/mechanics/src/first_approximation/": ["mechanics"],
     "crates/mechanics/src/uniform/": ["mechanics", "systems::selected"],
+    "crates/model/src/elaboration/contact_checks.rs": ["rough"],
+    "crates/model/src/elaboration/guides.rs": ["rough"],
+    "crates/model/src/trace/motion.rs": ["rough", "principles"],
     "crates/model/": ["principles", "model", "exports"],
     "crates/scenes/src/start/leaf.rs": ["linearisation"],
     "crates/scenes/src/start/": ["models", "messages"],
@@ -107,6 +110,8 @@ SUBJECT_OF = {
     "crates/scenes/src/inverse/": ["linearisation"],
     "crates/scenes/src/modes/contacts.rs": ["rough"],
     "crates/scenes/src/modes/touch.rs": ["rough"],
+    "crates/scenes/src/modes/touches.rs": ["rough"],
+    "crates/scenes/src/modes/expansion/impact_law.rs": ["rough", "scenes"],
     "crates/scenes/src/modes/expansion/impulses.rs": ["rough"],
     "crates/scenes/src/modes/": ["hybrid::friction", "hybrid::shares", "hybrid"],
     "crates/scenes/src/implicit/": ["solved"],
@@ -230,6 +235,13 @@ def crates_of(files: list[str]) -> list[str]:
     return sorted({Path(file).parts[1] for file in files if file.startswith("crates/")})
 
 
+def crates_with(crates: list[str], tests: list[str]) -> list[str]:
+    """These crates, and those whose own tests are among these."""
+    wanted = {program_of(test) for test in tests}
+    folders = [path for path in sorted((ROOT / "crates").iterdir()) if path.is_dir()]
+    return sorted({*crates, *(path.name for path in folders if wanted & (programs_in(path / "tests") | {path.name}))})
+
+
 def laws_of(crates: list[str]) -> list[str]:
     """The laws, and the programs that test these crates alone, with their slow modules."""
     own = [test for crate in crates for test in sorted(programs_in(ROOT / "crates" / crate / "tests"))]
@@ -296,8 +308,8 @@ class Examined:
 
     def __init__(self, mutants: list[Mutant], sound: bool) -> None:
         """Sound: it holds no mutant unless one is chosen."""
-        self.sound, self.crates = sound, crates_of([mutant.file for mutant in mutants])
         self.near = sorted({test for mutant in mutants for test in near(mutant.file)})
+        self.sound, self.crates = sound, crates_with(crates_of([mutant.file for mutant in mutants]), self.near)
         self.programs: dict[str, Path] = {}
         self.known: set[str] = set()
 

@@ -73,3 +73,23 @@ fn a_block_slides_down_a_wedge_that_slides_away() {
         close(last(&trajectory, "x'") + wedge * last(&trajectory, "X'"), 0.0, 1e-9);
     }
 }
+
+/// A load slides on a cart, both particles, until both have one speed: 2 m/s = (F/m + 2 mu g) t; then it stays behind.
+#[test]
+fn a_particle_carries_the_plane_on_which_another_slides() {
+    let text = "title = \"cart\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\ng = \"9.81 m/s^2\"\nF = \"10 N\"\nmu = \"0.2\"\n\
+                [coordinates]\nX = \"m\"\nx = \"m\"\ny = \"m\"\n[points]\nC = \"O + X*N.x\"\nP = \"O + x*N.x + y*N.y\"\n\
+                [bodies.cart]\ncentre = \"C\"\nmass = \"m\"\n[bodies.load]\ncentre = \"P\"\nmass = \"m\"\n\
+                [[force]]\non = \"cart\"\nis = \"F*N.x\"\n\
+                [[contact]]\nname = \"floor\"\nof = \"load\"\nwith = \"cart\"\nthrough = \"O\"\nnormal = \"N.y\"\nfriction = \"mu\"\n\
+                [outputs]\ngap = \"gap(\\\"floor\\\")\"\n[start]\n\"x'\" = \"2 m/s\"\n[run]\nspan = \"1 s\"\n";
+    for method in METHODS {
+        let trajectory = runs(text, method, 1e-12);
+        assert_eq!(trajectory.stopped(), None);
+        let (drag, stops) = (0.2 * 9.81, 2.0 / (10.0 + 0.4 * 9.81));
+        close(events(&trajectory)[0], stops, 1e-12);
+        // friction brakes the load, and draws it along afterwards
+        close(last(&trajectory, "x'"), 2.0 - drag * stops + drag * (1.0 - stops), 1e-11);
+        close(last(&trajectory, "X'"), (10.0 + drag) * stops + (10.0 - drag) * (1.0 - stops), 1e-11);
+    }
+}
