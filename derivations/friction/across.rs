@@ -1,14 +1,14 @@
 //! Speed against accuracy of a scene with rough contacts: every method across the events of the same motion.
 
 use super::course::{WORKS, names, row};
-use super::exact::{Regimes, Unknown};
+use super::exact::Regimes;
 use super::log::{Ending, Names};
 use super::run::{Plan, run};
 use super::stretch::parts;
 use super::{ForRough, RoughScene};
-use crate::scene::atlas::{AcrossEvents, Atlas, Formulation, Goal, Observed, Standing, Treated, Way};
+use crate::scene::atlas::{AcrossEvents, Formulation, Observed, Standing, Treated, Way};
+use crate::scene::hybrid::{Exact, Hybrid, Unknown};
 use crate::scene::stored::Owner;
-use crate::scene::{Stored, Trials};
 use integrators::{Across, End, Failure, Method, Observer, Outcome, Reference, Span, Tolerance};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
@@ -58,22 +58,26 @@ impl<Q: Contacts<N, C, K, Given = f64>, const N: usize, const C: usize, const K:
     }
 }
 
-impl RoughScene {
-    /// The atlas without its times. A reference that is kept is taken where it is this scene's own. A motion that ends by
-    /// itself is followed until shortly before.
-    ///
-    /// # Errors
-    /// Where there is no reference.
-    pub fn judged(&self, trials: &Trials, kept: Option<&Stored>, patience: Duration) -> Result<Atlas, Unknown> {
+impl Hybrid for RoughScene {
+    fn exact(&self, allowed: Duration) -> Result<Exact, Unknown> {
+        RoughScene::exact(self, allowed)
+    }
+
+    fn owner(&self) -> Box<dyn Owner + '_> {
+        Box::new(Regimes::of(self))
+    }
+
+    fn way(&self) -> Way {
         let regimes = Regimes::of(self);
-        let reference = match kept.filter(|kept| kept.belongs_to(&regimes)) {
-            Some(kept) => kept.reference.clone(),
-            None => self.exact(patience)?.reference,
-        };
-        let way = self.apply(OneWay { scene: self, state: regimes.start() });
-        let goal = Goal::of(&way.columns, &way.row, &reference, observed(&way.columns, &reference));
-        let end = reference.times.last().copied().unwrap_or(self.plan.end);
-        Ok(Atlas::judged(vec![way], reference, &goal, end, trials))
+        self.apply(OneWay { scene: self, state: regimes.start() })
+    }
+
+    fn observed(&self, reference: &Reference) -> Vec<Observed> {
+        observed(&self.way().columns, reference)
+    }
+
+    fn end(&self) -> f64 {
+        self.plan.end
     }
 }
 

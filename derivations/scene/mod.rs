@@ -21,6 +21,7 @@ pub mod bodies;
 mod by_program;
 pub mod code;
 pub mod file;
+pub mod hybrid;
 pub mod issue;
 pub mod law_end;
 pub mod machine;

@@ -3,7 +3,7 @@
 use super::by_program::by_program;
 use super::law_end::Margins;
 use super::state::outputs;
-use super::switching::Switching;
+use super::switching::{Switching, integrate};
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
 use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
@@ -12,7 +12,7 @@ use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::Form;
 use field::DoubleDouble;
-use integrators::{Directions, Ode};
+use integrators::{Directions, End, Failure, Method, Observer, Ode, Outcome, Span, Tolerance};
 use std::sync::Arc;
 use symbolic::Sym;
 
@@ -32,6 +32,23 @@ pub struct Problem {
     pub margins: Box<Margins>,
     /// Of a law that changes at events: then `law` is the one of the start.
     pub switching: Option<Arc<dyn Switching>>,
+}
+
+impl Problem {
+    /// The motion across the events of a switching, by a method. A motion that ends before its span is another course.
+    pub fn across(
+        &self,
+        switching: &dyn Switching,
+        (method, tolerance): (Method, &Tolerance),
+        span: &Span<'_, f64>,
+        observer: &mut dyn Observer<f64>,
+    ) -> Outcome<f64> {
+        let (outcome, left) = integrate((switching, &self.margins), (method, tolerance), span, observer);
+        match left {
+            None => outcome,
+            Some(_) => Outcome { end: End::Stopped(Failure::OtherCourse { at: outcome.time }), ..outcome },
+        }
+    }
 }
 
 /// A system that can be shared between threads.

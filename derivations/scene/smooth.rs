@@ -1,6 +1,7 @@
 //! Scenes that are one initial value problem: what every command asks of them, whatever their family.
 
 use super::atlas::{Observed, Way};
+use super::hybrid::Hybrid;
 use super::{Axes, Choice, Problem, Run, Scene, Trajectory};
 use crate::machines::{Catalogued, ForMachine, Quantity, has_known_flow};
 use integrators::{Method, Reference};
@@ -33,6 +34,11 @@ pub trait Smooth: Send + Sync {
 
     /// The unit of a column of a run.
     fn unit(&self, name: &str) -> Cow<'static, str>;
+
+    /// The scene, where its law changes at events.
+    fn hybrid(&self) -> Option<&dyn Hybrid> {
+        None
+    }
 
     /// What is known beside a run.
     fn told(&self, _choice: &Choice, _trajectory: &Trajectory) -> Told {

@@ -1,7 +1,7 @@
 //! References that are kept in files: the digits, how they were made, and whether they are a law's own.
 
+use super::hybrid::Event;
 use super::{Problem, methods};
-use crate::friction::exact::Event;
 use field::{DoubleDouble, Over, decimal, from_decimal};
 use integrators::{ENOUGH_DIGITS, Ode, Reference, Work};
 use std::fmt::Write;
@@ -23,7 +23,7 @@ pub struct Stored {
     start: Vec<f64>,
     /// y' summed over the instants: what another law, or other data, would not give.
     rates: Vec<DoubleDouble>,
-    /// Of a motion with rough contacts.
+    /// Of a motion across events.
     pub events: Vec<Event>,
 }
 

@@ -3,7 +3,7 @@
 use super::law_end::{Ending, Ends, Margins, SwitchesAndEnds};
 use super::problem::Law;
 use integrators::{
-    Deviation, End, Event, Method, Observer, Outcome, Span, Switches, Tolerance, Work, integrate_to_event,
+    Absolute, Deviation, End, Event, Method, Observer, Outcome, Span, Switches, Tolerance, Work, integrate_to_event,
 };
 use std::sync::Arc;
 
@@ -77,11 +77,11 @@ pub(super) fn integrate(
         Ok(segment) => segment,
         Err(why) => return (at, Some(why)),
     };
-    let mut together = 0;
-    for passed in 0..=MOST_EVENTS {
+    let (mut together, mut sampled) = (0, 0);
+    for _ in 0..=MOST_EVENTS {
         let here = at.time;
-        let later = |time: &&f64| **time > here || passed == 0 && **time == here;
-        let outputs: Vec<f64> = span.outputs.iter().filter(later).copied().collect();
+        // an instant of an event is seen once, on one of its sides
+        let outputs: Vec<f64> = span.outputs[sampled..].iter().filter(|time| **time >= here).copied().collect();
         let states = at.state.len();
         at.state.resize(states + segment.followed, 0.0);
         let mut rest = Span::new(here, span.end, &at.state).with_outputs(&outputs);
@@ -92,10 +92,11 @@ pub(super) fn integrate(
         }
         let whole = span.end - span.start;
         let done = (here - span.start) / whole;
-        let mut part = Part { observer, states, done, share: (span.end - here) / whole };
+        let mut part = Part { observer, states, sampled: &mut sampled, done, share: (span.end - here) / whole };
         let ends = Ends::of(Ending { law: &*segment.law, margins }, here, &at.state[..states], segment.followed);
         let switches = SwitchesAndEnds { switches: &*segment.switches, ends };
-        let (mut outcome, event) = integrate_to_event(&*segment.law, method, tolerance, &rest, &switches, &mut part);
+        let tolerance = with_followed(tolerance, segment.followed);
+        let (mut outcome, event) = integrate_to_event(&*segment.law, method, &tolerance, &rest, &switches, &mut part);
         outcome.state.truncate(states);
         at = joined(at, outcome);
         let Some(event) = event else {
@@ -119,6 +120,15 @@ pub(super) fn integrate(
     (at, Some("more events than 20,000"))
 }
 
+/// A tolerance of a state with integrals of rates of signals behind it, each of the size one.
+fn with_followed(tolerance: &Tolerance, followed: usize) -> Tolerance {
+    let mut tolerance = tolerance.clone();
+    if let Absolute::Each(each) = &mut tolerance.absolute {
+        each.resize(each.len() + followed, tolerance.relative);
+    }
+    tolerance
+}
+
 /// A run with the part that follows it.
 fn joined(before: Outcome<f64>, after: Outcome<f64>) -> Outcome<f64> {
     let mut deviations = after.deviations;
@@ -137,12 +147,15 @@ fn joined(before: Outcome<f64>, after: Outcome<f64>) -> Outcome<f64> {
 struct Part<'a> {
     observer: &'a mut dyn Observer<f64>,
     states: usize,
+    /// The number of samples that are seen.
+    sampled: &'a mut usize,
     done: f64,
     share: f64,
 }
 
 impl Observer<f64> for Part<'_> {
     fn sample(&mut self, time: f64, state: &[f64]) {
+        *self.sampled += 1;
         self.observer.sample(time, &state[..self.states]);
     }
 

@@ -1,10 +1,11 @@
 //! Motions across events to 25 digits: kept for every scene that has one, their own, and beside what is known in closed form.
 
 use derivations::friction::closed::climbed;
-use derivations::friction::exact::{Regimes, Unknown};
+use derivations::friction::exact::Regimes;
 use derivations::friction::{Rough, RoughScene};
 use derivations::regimes::critical;
 use derivations::scene::atlas::Treated;
+use derivations::scene::hybrid::{Hybrid, Unknown, judged};
 use derivations::scene::{AnyScene, Family, Stored, Trials, stored};
 use field::{Circle, DoubleDouble, Over, Scalar};
 use integrators::{Attempt, End, Failure, Method, Record, Span, Tolerance};

@@ -10,12 +10,11 @@ use crate::speed::{advice::advice, family, model, pictures, tables};
 use crate::{clock, csv};
 use charts::{Table, WorkPrecision};
 use clap::{Args, ValueEnum};
-use derivations::friction::RoughScene;
-use derivations::friction::exact::Unknown;
 use derivations::ladder::Ladder;
 use derivations::scene::atlas::{Formulation, Way};
+use derivations::scene::hybrid::{self, Hybrid, Unknown};
 use derivations::scene::{AnyScene, Atlas, Axes, Family, Smooth, Stored, System, Trajectory, Trials, judged, stored};
-use integrators::{Failure, Point};
+use integrators::{Failure, Method, Point};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -65,7 +64,11 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
         other => other,
     };
     let smooth: &dyn Smooth = match &scene {
-        AnyScene::Rough(rough) => return across_events(rough, asked),
+        AnyScene::Rough(rough) => {
+            refuse("a system with rough contacts", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+            let page = |atlas: &Atlas, work| report::of_rough(rough, atlas, work);
+            return across_events(&**rough, (&rough.title, rough.plan.method), asked, page);
+        }
         AnyScene::Driven(scene) => &**scene,
         AnyScene::Mechanism(scene) => &**scene,
         AnyScene::Model(scene) => &**scene,
@@ -75,6 +78,10 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     }
     if let AnyScene::Driven(scene) = &scene {
         one_form(scene, asked.form.is_some(), &asked.scene)?;
+    }
+    if let Some(hybrid) = smooth.hybrid() {
+        let page = |atlas: &Atlas, work| report::of_scene(smooth, atlas, work);
+        return across_events(hybrid, (smooth.title(), smooth.run().method), asked, page);
     }
     let output = output(asked)?;
     let allowed = clock::left() / 3;
@@ -91,13 +98,6 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     if run.left.is_some() {
         return no_reference(smooth, &run, &run.stopped().unwrap_or_default());
     }
-    if problem.switching.is_some() {
-        return no_reference(
-            smooth,
-            &run,
-            "the law of this system changes at events, across which no reference is made yet",
-        );
-    }
     match judged(smooth, &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, clock::left() / 2);
@@ -107,23 +107,27 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     }
 }
 
-/// The same of a scene with rough contacts, each of whose methods finds its events itself.
-fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
-    refuse("a system with rough contacts", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+/// The same of a scene whose law changes at events, which each method finds itself.
+fn across_events(
+    scene: &dyn Hybrid,
+    (title, method): (&str, Method),
+    asked: &Asked,
+    page: impl FnOnce(&Atlas, Vec<WorkPrecision>) -> String,
+) -> Result<Ending, Ending> {
     let output = output(asked)?;
     let allowed = clock::left() / 3;
-    let trials = Trials { allowed, ..Trials::default() }.with(scene.plan.method);
-    match scene.judged(&trials, Stored::beside(&asked.scene).as_ref(), allowed) {
+    let trials = Trials { allowed, ..Trials::default() }.with(method);
+    match hybrid::judged(scene, &trials, Stored::beside(&asked.scene).as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, clock::left() / 2);
-            told(&scene.title, &atlas, asked, output, |work| report::of_rough(scene, &atlas, work))
+            told(title, &atlas, asked, output, |work| page(&atlas, work))
         }
         Err(unknown) => {
             let unknown = match unknown {
                 Unknown::Failed(failure) => with_share(&failure),
                 other => other.to_string(),
             };
-            print(&format!("{}\n\nno reference: {unknown}\n", scene.title))?;
+            print(&format!("{title}\n\nno reference: {unknown}\n"))?;
             Ok(Ending::Stopped)
         }
     }

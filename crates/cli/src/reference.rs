@@ -5,8 +5,7 @@ use crate::clock;
 use crate::ending::{Ending, print};
 use crate::output::{Form, Output, Writes};
 use clap::Args;
-use derivations::friction::RoughScene;
-use derivations::friction::exact::{Event, Regimes};
+use derivations::scene::hybrid::{Event, Hybrid};
 use derivations::scene::stored::{self, Owner};
 use derivations::scene::{AnyScene, Axes, Choice, Family, Smooth, Stored};
 use integrators::{ENOUGH_DIGITS, Method};
@@ -35,11 +34,14 @@ pub struct Asked {
 pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     let scene = AnyScene::open(&asked.scene)?;
     let smooth: &dyn Smooth = match &scene {
-        AnyScene::Rough(rough) => return across_events(rough, asked),
+        AnyScene::Rough(rough) => return across_events(&**rough, &rough.title, asked),
         AnyScene::Driven(scene) => &**scene,
         AnyScene::Mechanism(scene) => &**scene,
         AnyScene::Model(scene) => &**scene,
     };
+    if let Some(hybrid) = smooth.hybrid() {
+        return across_events(hybrid, smooth.title(), asked);
+    }
     let mut problem = smooth.problem(Axes::default());
     if let Some(end) = asked.until {
         if !(end > 0.0 && end <= problem.span) {
@@ -55,11 +57,6 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     if run.left.is_some() {
         let (why, last) = (run.stopped().unwrap_or_default(), run.outcome.time);
         let accepted = format!("--until with a time up to {last} s is accepted");
-        return Err(Ending::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
-    }
-    if problem.switching.is_some() {
-        let accepted = "a scene without `[[event]]`, `if`, `sign`, `abs`, `min`, `max` and `table` is accepted";
-        let why = "the law of this system changes at events, across which no reference is made yet";
         return Err(Ending::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
     }
     match problem.reference(clock::left()) {
@@ -96,11 +93,11 @@ fn place(asked: &Asked) -> PathBuf {
     asked.out.clone().unwrap_or_else(|| stored::place(&asked.scene))
 }
 
-/// The same of a motion with rough contacts, with its events.
-fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
+/// The same of a motion across events, with these.
+fn across_events(scene: &dyn Hybrid, title: &str, asked: &Asked) -> Result<Ending, Ending> {
     if asked.until.is_some() {
         return Err(Ending::refused(format!(
-            "{} has rough contacts, whose regimes its own run tells: it is followed to its end, and --until is not accepted",
+            "{} has a law that changes at events, which its own run tells: it is followed to its end, and --until is not accepted",
             asked.scene.display()
         )));
     }
@@ -109,13 +106,13 @@ fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
         Ok(found) => found,
         Err(unknown) => {
             clock::keeps_nothing();
-            print(&format!("{}\nno reference: {unknown}\n", scene.title))?;
+            print(&format!("{title}\nno reference: {unknown}\n"))?;
             return Ok(Ending::Stopped);
         }
     };
     let ([one, other], digits) = (found.reference.methods, found.reference.digits);
     let enough = lacking(found.reference.is_trusted());
-    let mut text = format!("{}\n{one} and {other} share {digits:.1} digits{enough}\n", scene.title);
+    let mut text = format!("{title}\n{one} and {other} share {digits:.1} digits{enough}\n");
     for event @ Event { what, regime, .. } in &found.events {
         // writing to a string cannot fail
         let _ = writeln!(text, "t = {} s  {what}", event.instant(digits.max(0.0) as usize));
@@ -127,8 +124,8 @@ fn across_events(scene: &RoughScene, asked: &Asked) -> Result<Ending, Ending> {
     if !found.reference.is_trusted() {
         return Ok(Ending::Stopped);
     }
-    let owner = Regimes::of(scene);
-    keep(output, &owner, &Stored::of(&owner, found.reference, found.events), asked)
+    let owner = scene.owner();
+    keep(output, &*owner, &Stored::of(&*owner, found.reference, found.events), asked)
 }
 
 /// The search for the end of a law: constant steps may lead out of it where the motion does not.

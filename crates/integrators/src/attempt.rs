@@ -22,6 +22,11 @@ pub trait Across {
     /// Of each law.
     fn dimension(&self) -> usize;
 
+    /// Whether each law has a Taylor series.
+    fn has_series(&self) -> bool {
+        false
+    }
+
     /// Runs it over a span; the evaluations of its budget are those of one law.
     fn run(
         &self,

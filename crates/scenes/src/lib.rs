@@ -13,6 +13,7 @@ mod compiled_system;
 mod ensemble;
 mod equilibrium;
 mod first_motion;
+mod hybrid;
 mod implicit;
 pub mod inverse;
 mod layout;

@@ -15,6 +15,7 @@ use crate::warnings::{Warn, warn_by, warn_of};
 use derivations::scene::any::holds_model;
 use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
 use derivations::scene::file::{read_text, tables};
+use derivations::scene::hybrid::Hybrid;
 use derivations::scene::law_end::Margins;
 use derivations::scene::problem::Invariant;
 use derivations::scene::read::Table;
@@ -274,6 +275,10 @@ impl Smooth for ModelScene {
             _ => Formulation::IndexReduced,
         };
         vec![Way::of(formulation, "", Standing::Own, self.problem(Axes::First))]
+    }
+
+    fn hybrid(&self) -> Option<&dyn Hybrid> {
+        changes(&self.model).then_some(self)
     }
 
     fn observed(&self, reference: &Reference) -> Vec<Observed> {

@@ -1,31 +1,18 @@
 //! One method along the regimes of a run, event after event.
 
-use super::Unknown;
-use super::flow::Means;
 use super::slowed::Slowed;
 use crate::friction::choose::departure;
 use crate::friction::log::{Cause, Ending, Entry};
 use crate::friction::run::Run;
 use crate::friction::settle::{Held, settle};
 use crate::friction::stretch::{Stretch, Watched, parts};
+use crate::scene::hybrid::{At, Followed, Means, Unknown};
 use field::{DoubleDouble, Over};
 use integrators::{Failure, Happening, Real};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::{Mode, Touch};
 use num_traits::Zero;
-
-/// A state as it is integrated, and when.
-type At = (DoubleDouble, Vec<DoubleDouble>);
-
-/// What one method found.
-pub(super) struct Followed {
-    /// At the instants.
-    pub states: Vec<Vec<DoubleDouble>>,
-    /// At the events, and at an end before the span's. Of an end by a vanishing determinant the places alone: its velocities
-    /// grow beyond every bound.
-    pub events: Vec<At>,
-}
 
 /// A run in `f64`, which tells the regimes, and a method that follows it to all digits.
 pub(super) struct Follower<'a, Q, const N: usize, const C: usize, const K: usize> {

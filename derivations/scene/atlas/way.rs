@@ -155,9 +155,8 @@ impl Way {
             Treated::Free(law) => {
                 trials.methods.iter().filter(split).map(|method| Attempt::Integrated(&**law, *method)).collect()
             }
-            // a series is of one law
             Treated::Across(motion) => {
-                let steps = |method: &&Method| split(method) && **method != Method::Taylor;
+                let steps = |method: &&Method| split(method) && (**method != Method::Taylor || motion.has_series());
                 trials.methods.iter().filter(steps).map(|method| Attempt::Across(&**motion, *method)).collect()
             }
             Treated::Projected(law, held) => trials

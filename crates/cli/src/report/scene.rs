@@ -5,7 +5,7 @@ use crate::rough;
 use crate::speed::tables::floors;
 use charts::{Parameter, SceneSection, Table, significant, tolerance};
 use derivations::friction::RoughScene;
-use derivations::friction::exact::Unknown;
+use derivations::scene::hybrid::{self, Unknown};
 use derivations::scene::{AnyScene, Atlas, Axes, Scene, Smooth, Stored, Trajectory, Trials, judged};
 use integrators::Failure;
 use std::time::Duration;
@@ -46,7 +46,7 @@ pub struct ReadRough {
 /// Why methods are not compared on a scene.
 pub enum NoReference {
     Stopped(Failure),
-    /// With rough contacts.
+    /// Across events.
     Unknown(Unknown),
     /// The run ends early, for a reason that has a name.
     Ends,
@@ -67,9 +67,12 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
         false => (PATIENCE, motor, usual),
     };
     // what a scene is made to show may be its end: that is no fault of the run
-    let atlas = match scene.told(&choice, &run).diagnosis {
-        Some(_) => Err(NoReference::Ends),
-        None => judged(scene, &problem, scene.ways(), &trials, kept.as_ref(), patience).map_err(NoReference::Stopped),
+    let atlas = match (scene.told(&choice, &run).diagnosis, scene.hybrid()) {
+        (Some(_), _) => Err(NoReference::Ends),
+        (None, Some(hybrid)) => hybrid::judged(hybrid, &trials, kept.as_ref(), patience).map_err(NoReference::Unknown),
+        (None, None) => {
+            judged(scene, &problem, scene.ways(), &trials, kept.as_ref(), patience).map_err(NoReference::Stopped)
+        }
     };
     if let AnyScene::Driven(scene) = any {
         section.tables.extend(ladder(scene, &run, atlas.as_ref().ok()));
@@ -88,7 +91,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
 pub fn prepare_rough(ReadRough { id, scene, kept }: &ReadRough) -> Prepared {
     let [_, timed] = TIMED;
     let trials = Trials { evaluations: EVALUATIONS, ..Trials::default() }.with(scene.plan.method);
-    let atlas = scene.judged(&trials, kept.as_ref(), OF_A_MECHANISM).map_err(NoReference::Unknown);
+    let atlas = hybrid::judged(scene, &trials, kept.as_ref(), OF_A_MECHANISM).map_err(NoReference::Unknown);
     Prepared { section: rough::section(id, scene), reached: true, atlas, trials, timed }
 }
 

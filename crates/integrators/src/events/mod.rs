@@ -270,8 +270,10 @@ impl Observer<f64> for Guard<'_> {
             self.look(&step, MOST_HALVED);
         }
         let direction = (time - step.time).signum();
-        let last = self.found.as_ref().map_or(time, |(event, _)| event.time);
-        for (output, state) in self.samples.drain(..).filter(|(output, _)| (last - output) * direction >= 0.0) {
+        // an output at the end of a step may be a rounding behind it
+        let last = self.found.as_ref().map(|(event, _)| event.time);
+        let is_seen = |output: f64| last.is_none_or(|last| (last - output) * direction >= 0.0);
+        for (output, state) in self.samples.drain(..).filter(|(output, _)| is_seen(*output)) {
             self.observer.sample(output, &state);
         }
         if self.found.is_none() {

@@ -1,7 +1,9 @@
 //! Modes of a model: the case of each of its conditions, the law that holds there, and the instants at which it ends.
 
 mod contacts;
+mod course;
 mod decision;
+mod exact;
 mod expansion;
 mod held;
 mod jet;
@@ -18,10 +20,12 @@ mod touches;
 mod unfit;
 mod words;
 
+pub use course::Course;
 pub(crate) use held::held;
 pub use mode::{Case, Face, Mode, Phase};
 
 use crate::compiled_system::{CompiledSystem, NotCompiled, changes};
+use course::{Crossing, Leg, Sets};
 use derivations::scene::problem::Law;
 use derivations::scene::switching::{Passage, Segment, Switching};
 use expansion::{Expansions, Instant};
@@ -35,15 +39,21 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 pub use unfit::Unfit;
 use words::Words;
 
-/// The laws of a model by their modes, and the mode of a run.
-pub struct Modes {
+/// The laws of a model by their modes.
+pub struct Laws {
     model: Arc<Model>,
     known: Mutex<HashMap<Mode, Made>>,
     /// Made when a mode is first decided.
     expansions: OnceLock<Result<Expansions, NotCompiled>>,
-    current: Mutex<Option<Current>>,
     words: Words,
+}
+
+/// The mode of a run.
+pub struct Modes {
+    laws: Arc<Laws>,
+    current: Mutex<Option<Current>>,
     passages: Mutex<Vec<Passage>>,
+    course: Mutex<Vec<Leg>>,
 }
 
 /// The law in which a run is, and what is known of the zeros of its signals.
@@ -88,25 +98,7 @@ struct Moded {
     signals: Signals,
 }
 
-impl Modes {
-    /// The modes of a model; laws are compiled when a run comes to them. Its events have names.
-    pub fn of(model: &Arc<Model>, events: &[String]) -> Self {
-        Modes {
-            model: Arc::clone(model),
-            known: Mutex::default(),
-            expansions: OnceLock::new(),
-            current: Mutex::default(),
-            words: Words::of(model, events),
-            passages: Mutex::default(),
-        }
-    }
-
-    /// Keeps what a run has come to.
-    fn tell(&self, time: f64, what: String, then: Option<&Mode>) {
-        let then = then.map(|mode| self.words.mode(mode));
-        self.passages.lock().unwrap_or_else(PoisonError::into_inner).push(Passage { time, what, then });
-    }
-
+impl Laws {
     /// The law in a mode.
     ///
     /// # Errors
@@ -122,16 +114,53 @@ impl Modes {
         made.clone()
     }
 
+    fn expansions(&self) -> Result<&Expansions, NotCompiled> {
+        self.expansions.get_or_init(|| Expansions::of(&self.model)).as_ref().map_err(Clone::clone)
+    }
+}
+
+impl Modes {
+    /// The modes of a model; laws are compiled when a run comes to them. Its events have names.
+    pub fn of(model: &Arc<Model>, events: &[String]) -> Self {
+        Modes::with(Arc::new(Laws {
+            model: Arc::clone(model),
+            known: Mutex::default(),
+            expansions: OnceLock::new(),
+            words: Words::of(model, events),
+        }))
+    }
+
+    fn with(laws: Arc<Laws>) -> Self {
+        Modes { laws, current: Mutex::default(), passages: Mutex::default(), course: Mutex::default() }
+    }
+
+    /// Modes of another run of the same laws.
+    pub fn of_another_run(&self) -> Self {
+        Modes::with(Arc::clone(&self.laws))
+    }
+
+    /// Keeps what a run has come to.
+    fn tell(&self, time: f64, what: String, then: Option<&Mode>) {
+        let then = then.map(|mode| self.laws.words.mode(mode));
+        self.passages.lock().unwrap_or_else(PoisonError::into_inner).push(Passage { time, what, then });
+    }
+
+    /// Keeps a law of the run with the event that led to it.
+    fn follow(&self, cause: Option<Crossing>, current: &Current) {
+        let moded = Arc::clone(&current.moded);
+        self.course.lock().unwrap_or_else(PoisonError::into_inner).push(Leg { cause, moded });
+    }
+
     /// The law of a start.
     ///
     /// # Errors
     /// Why there is none.
     pub fn first(&self, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
-        let moded = self.moded(&Mode::off(&self.model)).map_err(Refused::Law)?;
-        if !changes(&self.model) {
+        let moded = self.laws.moded(&Mode::off(&self.laws.model)).map_err(Refused::Law)?;
+        if !changes(&self.laws.model) {
             return Ok(Arc::clone(&moded.system));
         }
-        let expansions = self.expansions().map_err(Refused::Law)?;
+        let expansions = self.laws.expansions().map_err(Refused::Law)?;
         if let Some(unfit) = Unfit::first(expansions, &Instant { time: 0.0, state, late: 0.0 }) {
             return Err(Refused::Contact(unfit));
         }
@@ -160,8 +189,10 @@ impl Modes {
 impl Switching for Modes {
     fn begin(&self, time: f64, state: &mut [f64]) -> Result<Segment, &'static str> {
         self.passages.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        self.course.lock().unwrap_or_else(PoisonError::into_inner).clear();
         let begun = self.begun(time, state)?;
         self.tell(time, "start".to_owned(), Some(&begun.moded.system.mode));
+        self.follow(None, &begun);
         Ok(self.enter(begun))
     }
 
@@ -169,14 +200,20 @@ impl Switching for Modes {
         let before = self.current.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let Some(before) = before else { return Err("the run has no mode") };
         let fall = before.moded.signals.falls[event.signal];
+        let crossing = |sets| Some(Crossing { time: event.time, signal: event.signal, what: event.what, sets });
         match self.after(&before, event, state)? {
-            After::Unchanged(current) => Ok(Some(self.enter(current))),
-            After::Changed(current) => {
-                self.tell(event.time, self.words.fall(fall), Some(&current.moded.system.mode));
+            After::Unchanged(current) => {
+                self.follow(crossing(Sets::Unseen), &current);
+                Ok(Some(self.enter(current)))
+            }
+            After::Changed(current, sets) => {
+                self.tell(event.time, self.laws.words.fall(fall), Some(&current.moded.system.mode));
+                self.follow(crossing(sets), &current);
                 Ok(Some(self.enter(current)))
             }
             After::Ended => {
-                self.tell(event.time, self.words.fall(fall), None);
+                self.tell(event.time, self.laws.words.fall(fall), None);
+                self.follow(crossing(Sets::End), &before);
                 Ok(None)
             }
         }

@@ -1,7 +1,8 @@
 //! The mode in which a run begins, and the one that follows an event.
 
+use super::course::Sets;
 use super::decision::{Decided, Open, SLACKS, TERMS, beyond, decided};
-use super::expansion::{Expansion, Expansions, Instant, Touching};
+use super::expansion::{Expansion, Instant, Touching};
 use super::jet::Jet;
 use super::mode::{Case, Mode, Phase};
 use super::sides::{Past, Side, side};
@@ -33,20 +34,16 @@ pub(super) const SLACK: f64 = SLACKS[0];
 pub(super) enum After {
     /// An expression passed zero in a direction that does not count.
     Unchanged(Current),
-    Changed(Current),
+    Changed(Current, Sets),
     /// The motion ends with it.
     Ended,
 }
 
 impl Modes {
-    pub(super) fn expansions(&self) -> Result<&Expansions, NotCompiled> {
-        self.expansions.get_or_init(|| Expansions::of(&self.model)).as_ref().map_err(Clone::clone)
-    }
-
     /// The first condition that is at zero.
     pub(super) fn at_zero(&self, time: f64, state: &[f64]) -> Option<usize> {
-        let off = Mode::off(&self.model);
-        let found = self.expansions().ok()?.at::<1>(&Instant { time, state, late: 0.0 }, &off)?;
+        let off = Mode::off(&self.laws.model);
+        let found = self.laws.expansions().ok()?.at::<1>(&Instant { time, state, late: 0.0 }, &off)?;
         found.conditions.iter().position(|condition| condition.sign_of(0, SLACK) == 0.0)
     }
 
@@ -63,8 +60,8 @@ impl Modes {
         (held, touches): (&[usize], &[Touch]),
         past: impl Fn(usize) -> Past,
     ) -> Result<Current, &'static str> {
-        let expansions = self.expansions().map_err(refused)?;
-        let mut mode = Mode::off(&self.model);
+        let expansions = self.laws.expansions().map_err(refused)?;
+        let mut mode = Mode::off(&self.laws.model);
         let mut open = Vec::new();
         // a condition may depend on the cases of those before it
         for switch in 0..mode.cases.len() {
@@ -81,7 +78,7 @@ impl Modes {
 
     /// The mode after an event, and the state, which the event may set.
     pub(super) fn after(&self, before: &Current, event: &Event, state: &mut [f64]) -> Result<After, &'static str> {
-        let expansions = self.expansions().map_err(refused)?;
+        let expansions = self.laws.expansions().map_err(refused)?;
         let mut mode = before.moded.system.mode.clone();
         let fall = before.moded.signals.falls[event.signal];
         expansions.return_to_zero(event.time, state, &mode, SLACK);
@@ -116,7 +113,7 @@ impl Modes {
             Fall::Smooths { .. } => return Err(NEGATIVE),
             Fall::Closes { .. } | Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Stops { .. } => None,
         };
-        let touches = self.touches_after(&mode, fall, (event.time, late), state)?;
+        let (touches, sets) = self.touches_after(&mode, fall, (event.time, late), state)?;
         let is_open = |switch: &usize| held.contains(switch) || Some(*switch) == last || is_near(&known, *switch);
         let open: Vec<usize> = (0..cases).filter(own).filter(is_open).collect();
         expansions.mirror(&mut mode);
@@ -130,7 +127,7 @@ impl Modes {
         };
         // what sticks now does so at zero
         expansions.return_to_zero(event.time, state, &current.moded.system.mode, 0.0);
-        Ok(After::Changed(current))
+        Ok(After::Changed(current, sets))
     }
 
     /// Whether the determinant of the equations for the reactions has gone to zero since the law began.
@@ -138,7 +135,7 @@ impl Modes {
         let mode = &current.moded.system.mode;
         let instant = Instant { time, state, late: 0.0 };
         mode.phases.iter().any(|phase| phase.way().is_some())
-            && self.expansions().is_ok_and(|expansions| {
+            && self.laws.expansions().is_ok_and(|expansions| {
                 expansions.determinant(&instant, mode) * current.determinant.signum()
                     < JAMMED * current.determinant.abs()
             })
@@ -167,7 +164,7 @@ impl Modes {
         if rate * from > 0.0 {
             return Ok(After::Unchanged(before.clone()));
         }
-        let counts = match self.model.events[number].direction {
+        let counts = match self.laws.model.events[number].direction {
             Direction::Down => from > 0.0,
             Direction::Up => from < 0.0,
             Direction::Both => true,
@@ -176,21 +173,21 @@ impl Modes {
             return with_side(side(&known.events[number], Past::Passed(from), SLACK));
         }
         let set = before.moded.signals.set_by(number, event.time, state);
-        if self.model.events[number].ends {
+        if self.laws.model.events[number].ends {
             state.copy_from_slice(&set);
             return Ok(After::Ended);
         }
         // the state before the event stays the last good one
-        if let Some(broken) = broken(&self.model, event.time, &set) {
-            let name = self.words.fall(Fall::Event { event: number });
+        if let Some(broken) = broken(&self.laws.model, event.time, &set) {
+            let name = self.laws.words.fall(Fall::Event { event: number });
             self.tell(event.time, format!("after {name} {broken}, which must be zero"), None);
             return Err(BROKEN);
         }
         state.copy_from_slice(&set);
-        let expansions = self.expansions().map_err(refused)?;
+        let expansions = self.laws.expansions().map_err(refused)?;
         let instant = Instant { time: event.time, state, late };
         // what was held, and is where it was, may be held still
-        let now = expansions.at::<1>(&instant, &Mode::off(&self.model));
+        let now = expansions.at::<1>(&instant, &Mode::off(&self.laws.model));
         let stays = |switch: &usize| {
             now.as_ref().is_some_and(|now| {
                 let (now, before) = (&now.conditions[*switch], &known.conditions[*switch]);
@@ -207,7 +204,8 @@ impl Modes {
         };
         let phases = &before.moded.system.mode.phases;
         let touches = self.touches_set(phases, &known.contacts, event.time, state)?;
-        self.at(&instant, (&held, &touches), past).map(After::Changed)
+        let current = self.at(&instant, (&held, &touches), past)?;
+        Ok(After::Changed(current, Sets::Event(number)))
     }
 
     /// The one mode with these cases whose open conditions move as it says.
@@ -218,7 +216,7 @@ impl Modes {
         open: Open<'_>,
         past: impl Fn(usize) -> Past,
     ) -> Result<Current, &'static str> {
-        let expansions = self.expansions().map_err(refused)?;
+        let expansions = self.laws.expansions().map_err(refused)?;
         let (mode, expansion, slack) = match decided(expansions, instant, mode, open) {
             Decided::One { mode, expansion, slack } => (mode, expansion, slack),
             Decided::None { not_held } => return Err(if not_held { NO_LAW } else { NONE }),
@@ -264,9 +262,9 @@ impl Modes {
             };
             (side, near)
         };
-        let (sides, near_events) = (0..self.model.events.len()).map(begun).unzip();
+        let (sides, near_events) = (0..self.laws.model.events.len()).map(begun).unzip();
         Ok(Current {
-            moded: self.moded(&mode).map_err(refused)?,
+            moded: self.laws.moded(&mode).map_err(refused)?,
             sides,
             determinant: expansions.determinant(instant, &mode),
             near_contacts: mode.phases.iter().zip(&expansion.contacts).map(near_contact).collect(),

@@ -7,6 +7,7 @@ use super::multiples::mirrored;
 use crate::compiled_system::{Motion, NotCompiled, values};
 use crate::program::recorded;
 use derivations::taped::Program;
+use field::DoubleDouble;
 use integrators::{Signal, Switches};
 use model::equations::vanishes;
 use model::{Model, Trace};
@@ -65,6 +66,24 @@ impl Signals {
     /// The values of everything that is written: signals with their rates, and what events set.
     fn all(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; 2 * self.falls.len() + self.events * state.len()];
+        self.program.run(time, state, &mut values);
+        values
+    }
+
+    /// The value and the rate of a signal to all digits.
+    pub(super) fn exactly(&self, signal: usize, time: DoubleDouble, state: &[DoubleDouble]) -> [DoubleDouble; 2] {
+        let all = self.all_exactly(time, state);
+        [all[2 * signal], all[2 * signal + 1]]
+    }
+
+    /// The state after an event to all digits.
+    pub(super) fn set_exactly(&self, event: usize, time: DoubleDouble, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let first = 2 * self.falls.len() + event * state.len();
+        self.all_exactly(time, state)[first..][..state.len()].to_vec()
+    }
+
+    fn all_exactly(&self, time: DoubleDouble, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let mut values = vec![DoubleDouble::from(f64::NAN); 2 * self.falls.len() + self.events * state.len()];
         self.program.run(time, state, &mut values);
         values
     }

@@ -1,6 +1,7 @@
 //! What contacts do when a run begins, and after its events: in touch or open, at rest or sliding; impacts change the speeds.
 
 use super::Modes;
+use super::course::Sets;
 use super::decision::TERMS;
 use super::expansion::{Instant, NotStruck, Touching};
 use super::jet::Jet;
@@ -23,7 +24,7 @@ const BOUNCES: f64 = 1e-9;
 impl Modes {
     /// What the contacts do at a state that is given.
     pub(super) fn touches(&self, time: f64, state: &[f64]) -> Result<Vec<Touch>, &'static str> {
-        let expansions = self.expansions().map_err(refused)?;
+        let expansions = self.laws.expansions().map_err(refused)?;
         let instant = Instant { time, state, late: 0.0 };
         if let Some(Unfit { why, .. }) = Unfit::first(expansions, &instant) {
             return Err(why);
@@ -35,15 +36,16 @@ impl Modes {
         Ok(expansions.contacts(&instant).into_iter().map(of).collect())
     }
 
-    /// What the contacts do after a fall in some phases; an impact changes the speeds.
+    /// What the contacts do after a fall in some phases, and what has set the state: an impact changes the speeds.
     pub(super) fn touches_after(
         &self,
         mode: &Mode,
         fall: Fall,
         (time, late): (f64, f64),
         state: &mut [f64],
-    ) -> Result<Vec<Touch>, &'static str> {
-        let expansions = self.expansions().map_err(refused)?;
+    ) -> Result<(Vec<Touch>, Sets), &'static str> {
+        let expansions = self.laws.expansions().map_err(refused)?;
+        let mut sets = Sets::Nothing;
         let phases = &mode.phases;
         if let Fall::Stops { contact } = fall
             && let Some(face) = phases[contact].face()
@@ -73,7 +75,9 @@ impl Modes {
                 NotStruck::Restitution => RESTITUTION,
                 NotStruck::Friction => NEGATIVE,
             })?;
+            sets = Sets::Impact(contact);
             if self.bounces_end(mode, contact, time, state)? {
+                sets = Sets::LastBounce;
                 let mut closed = mode.clone();
                 closed.phases[contact] = Phase::Slips { forwards: true, face: Face::Front };
                 expansions.return_to_zero(time, state, &closed, 0.0);
@@ -97,12 +101,12 @@ impl Modes {
             },
         };
         let contacts = expansions.contacts(&Instant { time, state, late });
-        Ok(contacts.into_iter().zip(phases).enumerate().map(of).collect())
+        Ok((contacts.into_iter().zip(phases).enumerate().map(of).collect(), sets))
     }
 
     /// Whether what is left of bounces at a contact is over in no time beside that of the run, or no higher than the rounding of its gap.
     fn bounces_end(&self, mode: &Mode, contact: usize, time: f64, state: &[f64]) -> Result<bool, &'static str> {
-        let expansions = self.expansions().map_err(refused)?;
+        let expansions = self.laws.expansions().map_err(refused)?;
         let [_, restitution] = expansions.coefficients(time, state, contact);
         let found = expansions.at::<2>(&Instant { time, state, late: 0.0 }, mode);
         let Some(Touching { gap, gap_rate, .. }) = found.map(|found| found.contacts[contact]) else { return Ok(false) };
@@ -122,7 +126,7 @@ impl Modes {
         time: f64,
         state: &[f64],
     ) -> Result<Vec<Touch>, &'static str> {
-        let expansions = self.expansions().map_err(refused)?;
+        let expansions = self.laws.expansions().map_err(refused)?;
         let stays = |now: &Jet<1>, before: &Jet<TERMS>| {
             (now.terms[0] - before.terms[0]).abs() <= SLACK * (now.doubts[0] + before.doubts[0])
         };

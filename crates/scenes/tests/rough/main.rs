@@ -1,6 +1,7 @@
 //! Contacts with Coulomb friction on systems that are text: beside the program's own rough systems, closed forms, and other texts.
 
 mod bounces;
+mod exact;
 mod feet;
 mod guides;
 mod impacts;

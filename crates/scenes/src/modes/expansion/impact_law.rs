@@ -9,6 +9,7 @@
 //!
 //! Either law may add energy where friction acts (Kane 1984, Stronge 1990); such an impact is refused.
 
+use integrators::Real;
 use model::Restitution;
 
 /// Energies that differ by so little, beside the sum of the works of both impulses, differ by rounding.
@@ -37,28 +38,28 @@ pub(in super::super) enum NotStruck {
 
 /// A contact that closes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Impact {
+pub(super) struct Impact<S> {
     pub law: Restitution,
     /// gap', negative, and v.
-    pub closing: f64,
-    pub sliding: f64,
+    pub closing: S,
+    pub sliding: S,
     /// a, b and c, d: what unit impulses N and T add to gap' and to v.
-    pub responses: [[f64; 2]; 2],
+    pub responses: [[S; 2]; 2],
     /// None where it is smooth.
-    pub friction: Option<f64>,
-    pub restitution: f64,
+    pub friction: Option<S>,
+    pub restitution: S,
 }
 
-impl Impact {
+impl<S: Real> Impact<S> {
     /// N and T.
     ///
     /// # Errors
     /// Where the law does not determine them, or contradicts energy.
-    pub fn impulses(&self) -> Result<[f64; 2], NotStruck> {
-        if !(0.0..=1.0).contains(&self.restitution) {
+    pub fn impulses(&self) -> Result<[S; 2], NotStruck> {
+        if !(0.0..=1.0).contains(&self.restitution.approx()) {
             return Err(NotStruck::Restitution);
         }
-        if self.friction.is_some_and(|friction| friction.is_nan() || friction < 0.0) {
+        if self.friction.is_some_and(|friction| friction.approx().is_nan() || friction < S::zero()) {
             return Err(NotStruck::Friction);
         }
         let impulses = match self.law {
@@ -69,44 +70,44 @@ impl Impact {
     }
 
     /// gap' and v after impulses.
-    fn after(&self, [normal, tangent]: [f64; 2]) -> [f64; 2] {
+    fn after(&self, [normal, tangent]: [S; 2]) -> [S; 2] {
         let [of_gap, of_slide] =
             self.responses.map(|[by_normal, by_tangent]| by_normal * normal + by_tangent * tangent);
         [self.closing + of_gap, self.sliding + of_slide]
     }
 
     /// Whether N (gap' + gap'_after)/2 + T (v + v_after)/2 is positive beyond rounding.
-    fn adds_energy(&self, impulses: [f64; 2]) -> bool {
+    fn adds_energy(&self, impulses: [S; 2]) -> bool {
         let after = self.after(impulses);
         let before = [self.closing, self.sliding];
-        let works = [0, 1].map(|k| [impulses[k] * before[k] / 2.0, impulses[k] * after[k] / 2.0]);
+        let works = [0, 1].map(|k| [impulses[k] * before[k], impulses[k] * after[k]].map(S::approx));
         let size: f64 = works.iter().flatten().map(|work| work.abs()).sum();
         works.iter().flatten().sum::<f64>() > ROUNDING * size
     }
 
-    fn by_newton(&self) -> Result<[f64; 2], NotStruck> {
+    fn by_newton(&self) -> Result<[S; 2], NotStruck> {
         let [[a, b], [c, d]] = self.responses;
-        let needed = -(1.0 + self.restitution) * self.closing;
+        let (zero, one) = (S::zero(), S::one());
+        let needed = -(one + self.restitution) * self.closing;
+        let is_impulse = |normal: S| normal > zero && normal.finite();
         let Some(friction) = self.friction else {
             let normal = needed / a;
-            return if normal > 0.0 && normal.is_finite() { Ok([normal, 0.0]) } else { Err(NotStruck::Undetermined) };
+            return if is_impulse(normal) { Ok([normal, zero]) } else { Err(NotStruck::Undetermined) };
         };
         let determinant = a * d - b * c;
-        let sticks = if determinant.abs() > SINGULAR * (a * d).abs() {
-            [(needed * d + b * self.sliding) / determinant, (-a * self.sliding - c * needed) / determinant]
-        } else if self.restitution == 0.0 {
-            // v is zero with gap': N alone brings both there
-            [needed / a, 0.0]
+        let sticks = if determinant.approx().abs() > SINGULAR * (a * d).approx().abs() {
+            Some([(needed * d + b * self.sliding) / determinant, (-a * self.sliding - c * needed) / determinant])
         } else {
-            [f64::NAN; 2]
+            // v is zero with gap': N alone brings both there
+            self.restitution.is_zero().then_some([needed / a, zero])
         };
-        let holds = sticks[0] > 0.0 && sticks[1].abs() <= friction * sticks[0];
-        let slides = [1.0, -1.0].map(|way| {
+        let holds = sticks.filter(|&[normal, tangent]| is_impulse(normal) && tangent.magnitude() <= friction * normal);
+        let slides = [one, -one].map(|way| {
             let normal = needed / (a - way * friction * b);
             let impulses = [normal, -way * friction * normal];
-            (normal > 0.0 && normal.is_finite() && way * self.after(impulses)[1] > 0.0).then_some(impulses)
+            (is_impulse(normal) && way * self.after(impulses)[1] > zero).then_some(impulses)
         });
-        let mut found = holds.then_some(sticks).into_iter().chain(slides.into_iter().flatten());
+        let mut found = holds.into_iter().chain(slides.into_iter().flatten());
         match (found.next(), found.next()) {
             (Some(impulses), None) => Ok(impulses),
             _ => Err(NotStruck::Undetermined),
@@ -114,55 +115,61 @@ impl Impact {
     }
 
     /// The path of N and T, piece by piece: within one N grows, T follows it by the same factor, and v does not change its sign.
-    fn by_poisson(&self) -> Result<[f64; 2], NotStruck> {
-        let friction = self.friction.unwrap_or(0.0);
-        let (mut impulses, mut end) = ([0.0, 0.0], None);
+    fn by_poisson(&self) -> Result<[S; 2], NotStruck> {
+        let zero = S::zero();
+        let (mut impulses, mut end) = ([zero; 2], None);
         for _ in 0..MOST_PIECES {
             let [gap_rate, slide] = self.after(impulses);
-            let slope = self.slope(slide, friction);
+            let is_at_rest =
+                slide.approx().abs() <= ROUNDING * (self.sliding.approx().abs() + self.closing.approx().abs());
+            let slide = if is_at_rest { zero } else { slide };
+            let slope = self.slope(slide);
             let [gap_slope, slide_slope] = self.responses.map(|[by_normal, by_tangent]| by_normal + by_tangent * slope);
             // to where sliding stops, and to where the compression or the restitution ends
-            let stops = if slide * slide_slope < 0.0 { -slide / slide_slope } else { f64::INFINITY };
+            let stops = (slide * slide_slope < zero).then(|| -slide / slide_slope);
             let ends = match end {
-                Some(end) => end - impulses[0],
-                None if gap_slope > 0.0 => -gap_rate / gap_slope,
-                None => f64::INFINITY,
+                Some(end) => Some(end - impulses[0]),
+                None => (gap_slope > zero).then(|| -gap_rate / gap_slope),
             };
-            let grows = stops.min(ends);
-            if !grows.is_finite() {
-                return Err(NotStruck::Undetermined);
-            }
+            let is_stop = match (stops, ends) {
+                (Some(stops), Some(ends)) => stops < ends,
+                (stops, _) => stops.is_some(),
+            };
+            let Some(grows) = (if is_stop { stops } else { ends }) else { return Err(NotStruck::Undetermined) };
             impulses = [impulses[0] + grows, impulses[1] + slope * grows];
-            if ends <= stops {
-                match end {
-                    Some(_) => return Ok(impulses),
-                    None => end = Some((1.0 + self.restitution) * impulses[0]),
-                }
-            } else {
+            if is_stop {
                 // at rest exactly, whatever rounding left
                 impulses[1] = self.holding(impulses[0]);
+            } else if end.is_some() {
+                return Ok(impulses);
+            } else {
+                end = Some((S::one() + self.restitution) * impulses[0]);
             }
         }
         Err(NotStruck::Undetermined)
     }
 
     /// T with which v is zero beside an N.
-    fn holding(&self, normal: f64) -> f64 {
+    fn holding(&self, normal: S) -> S {
         let [_, [c, d]] = self.responses;
         -(self.sliding + c * normal) / d
     }
 
     /// dT/dN at a sliding velocity.
-    fn slope(&self, slide: f64, friction: f64) -> f64 {
+    fn slope(&self, slide: S) -> S {
+        let zero = S::zero();
+        let friction = self.friction.unwrap_or(zero);
+        let against = |way: S| if way < zero { friction } else { -friction };
         let [_, [c, d]] = self.responses;
-        if slide.abs() > ROUNDING * (self.sliding.abs() + self.closing.abs()) {
-            return -friction * slide.signum();
+        if !slide.is_zero() {
+            return against(slide);
         }
-        match -c / d {
-            _ if d == 0.0 => 0.0,
-            holds if holds.abs() <= friction => holds,
-            holds => friction * holds.signum(),
+        if d.is_zero() {
+            return zero;
         }
+        let holds = -c / d;
+        // else it slides to where N alone would drive it
+        if holds.magnitude() <= friction { holds } else { against(c) }
     }
 }
 
@@ -171,7 +178,7 @@ mod tests {
     use super::*;
 
     /// A rod of the mass 1 and the half length 1 at an angle from the floor: 1 + 3 cos^2, 1 + 3 sin^2, -3 sin cos.
-    fn rod(angle: f64, closing: f64, sliding: f64, friction: f64, law: Restitution, restitution: f64) -> Impact {
+    fn rod(angle: f64, closing: f64, sliding: f64, friction: f64, law: Restitution, restitution: f64) -> Impact<f64> {
         let (s, c) = angle.sin_cos();
         let responses = [[1.0 + 3.0 * c * c, -3.0 * s * c], [-3.0 * s * c, 1.0 + 3.0 * s * s]];
         Impact { law, closing, sliding, responses, friction: Some(friction), restitution }

@@ -5,6 +5,8 @@ use super::super::mode::{Case, Mode, Phase};
 use super::impact_law::{Impact, NotStruck};
 use super::letters::Quantity;
 use super::{Expansion, Expansions, Instant, Kind, ROUNDINGS, Touching, solved};
+use field::DoubleDouble;
+use integrators::Real;
 use model::Sides;
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
@@ -90,6 +92,53 @@ impl Expansions {
         }
     }
 
+    /// A contact that closes, by the values of the tape.
+    fn impact<S: Real>(&self, values: &[S], contact: usize) -> Impact<S> {
+        let letters = [0, 1].map(|component| self.reaction([contact, component]));
+        let slopes = self.slopes_by(values, &vec![None; self.kinds.len()], &letters, &letters);
+        let of = |quantity: Quantity| self.of_contact(values, quantity, contact);
+        let Kind { law, is_rough, .. } = self.kinds[contact];
+        Impact {
+            law,
+            closing: of(Quantity::GapRate),
+            sliding: of(Quantity::Slide),
+            responses: [0, 1].map(|row| [0, 1].map(|column| slopes[row][column])),
+            friction: is_rough.then(|| of(Quantity::Friction)),
+            restitution: of(Quantity::Restitution),
+        }
+    }
+
+    /// A state after an impact, to all digits; none where the law does not determine it.
+    pub fn struck_exactly(
+        &self,
+        time: DoubleDouble,
+        state: &[DoubleDouble],
+        contact: usize,
+    ) -> Option<Vec<DoubleDouble>> {
+        let zero = DoubleDouble::zero();
+        let all = vec![zero; self.letters()];
+        let values = self.exact_values(time, state, &all);
+        let impulses = self.impact(&values, contact).impulses().ok()?;
+        let mut after = state.to_vec();
+        for (component, impulse) in impulses.into_iter().enumerate() {
+            let mut one = all.clone();
+            one[self.reaction([contact, component])] = DoubleDouble::one();
+            let moved = self.exact_values(time, state, &one);
+            for (place, part) in after.iter_mut().enumerate() {
+                *part += impulse * (moved[place] - values[place]);
+            }
+        }
+        Some(after)
+    }
+
+    /// The values of the tape in double-double.
+    fn exact_values(&self, time: DoubleDouble, state: &[DoubleDouble], letters: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let mut found = vec![DoubleDouble::zero(); self.tape.outputs()];
+        let inputs = state.iter().chain([&time]).chain(letters).copied();
+        self.tape.evaluate_long(&self.tape.constants::<DoubleDouble>(), inputs, &mut found);
+        found
+    }
+
     /// The speeds after a contact has closed, by its law of impacts, and the contacts in touch that it opens; none must be pressed by it.
     ///
     /// # Errors
@@ -106,18 +155,8 @@ impl Expansions {
         let letters = [0, 1].map(|component| self.reaction([contact, component]));
         let all = vec![Jet::zero(); self.letters()];
         let values = self.values(clock, &parts, &all, &[]);
-        let slopes = self.slopes_by(&values, &vec![None; self.kinds.len()], &letters, &letters);
-        let of = |quantity: Quantity| self.of_contact(&values, quantity, contact).terms[0];
-        let Kind { law, is_rough, .. } = self.kinds[contact];
-        let impact = Impact {
-            law,
-            closing: of(Quantity::GapRate),
-            sliding: of(Quantity::Slide),
-            responses: [0, 1].map(|row| [0, 1].map(|column| slopes[row][column].terms[0])),
-            friction: is_rough.then(|| of(Quantity::Friction)),
-            restitution: of(Quantity::Restitution),
-        };
-        let impulses = impact.impulses()?;
+        let rounded_values: Vec<f64> = values.iter().map(|value| value.terms[0]).collect();
+        let impulses = self.impact(&rounded_values, contact).impulses()?;
         let before = state.to_vec();
         for (impulse, added) in impulses.iter().zip(self.responses(clock, &parts, &all, &letters)) {
             for (part, rate) in state.iter_mut().zip(added) {

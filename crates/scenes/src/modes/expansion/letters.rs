@@ -4,7 +4,7 @@ use super::super::contacts::unknown;
 use super::super::jet::Jet;
 use super::super::mode::{Case, Mode, Phase};
 use super::{Expansions, ROUNDS, Slope};
-use num_traits::Zero;
+use field::Scalar;
 
 /// Quantities of a contact, in the order of the tape.
 #[derive(Clone, Copy)]
@@ -58,20 +58,20 @@ impl Expansions {
     }
 
     /// A quantity of a contact.
-    pub(super) fn of_contact<const N: usize>(&self, values: &[Jet<N>], quantity: Quantity, contact: usize) -> Jet<N> {
+    pub(super) fn of_contact<S: Scalar>(&self, values: &[S], quantity: Quantity, contact: usize) -> S {
         let first = self.states + self.mirrored.len() + self.letters() + self.slopes.len();
         values[first + quantity as usize * self.kinds.len() + contact]
     }
 
     /// Slopes of some rows by some letters, the tangential reactions of contacts that slide with their normal ones.
-    pub(super) fn slopes_by<const N: usize>(
+    pub(super) fn slopes_by<S: Scalar>(
         &self,
-        values: &[Jet<N>],
-        tied: &[Option<Jet<N>>],
+        values: &[S],
+        tied: &[Option<S>],
         rows: &[usize],
         letters: &[usize],
-    ) -> Vec<Vec<Jet<N>>> {
-        let mut all = vec![vec![Jet::zero(); letters.len()]; rows.len()];
+    ) -> Vec<Vec<S>> {
+        let mut all = vec![vec![S::zero(); letters.len()]; rows.len()];
         let first = self.states + self.mirrored.len() + self.letters();
         for (slope, value) in self.slopes.iter().zip(&values[first..]) {
             let Some(row) = rows.iter().position(|row| *row == slope.row) else { continue };

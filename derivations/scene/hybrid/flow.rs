@@ -31,7 +31,7 @@ impl<S: Over<f64>, L: Ode<S>> Ode<S> for Paced<'_, L> {
 impl<L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Paced<'_, L> {}
 
 /// A method with its tolerance, and what it has cost.
-pub(super) struct Means {
+pub struct Means {
     pub method: Method,
     /// Of the components of a state.
     pub sizes: Vec<f64>,
@@ -41,6 +41,9 @@ pub(super) struct Means {
 
 impl Means {
     /// The state at `to` of the motion that is in `y` at `from`.
+    ///
+    /// # Errors
+    /// Why the method stopped.
     pub fn flow<L>(
         &mut self,
         law: &L,
@@ -57,6 +60,9 @@ impl Means {
     }
 
     /// The state at a time of a law that begins at zero. What it has more than the motion stands last, and brings its own sizes.
+    ///
+    /// # Errors
+    /// Why the method stopped.
     pub fn run(
         &mut self,
         system: &dyn System,

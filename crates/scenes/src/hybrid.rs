@@ -1,0 +1,145 @@
+//! A scene whose law changes at events: its reference, and every method across the same events.
+
+use crate::modes::{Course, Modes};
+use crate::scene::ModelScene;
+use derivations::scene::Problem;
+use derivations::scene::atlas::{Formulation, Observed, Standing, Treated, Way};
+use derivations::scene::hybrid::{Exact, Hybrid, Unknown, agreed, instants};
+use derivations::scene::stored::Owner;
+use derivations::scene::switching::Switching;
+use field::DoubleDouble;
+use integrators::{Across, End, Failure, Method, Observer, Outcome, Reference, Sizes, Span, Tolerance};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// The run in `f64` that tells the laws.
+const TOLERANCE: f64 = 1e-13;
+const METHOD: Method = Method::DormandPrince8;
+
+/// Sizes below this part of the largest of their kind are rounding of what stays zero.
+const ROUNDING: f64 = 1e-9;
+
+/// A run in `f64` as it tells the laws.
+struct Told {
+    modes: Arc<Modes>,
+    course: Course,
+    sizes: Vec<f64>,
+    end: f64,
+    /// Whether it reached the end of the span.
+    is_whole: bool,
+}
+
+impl ModelScene {
+    fn told_laws(&self, deadline: Option<Instant>) -> Result<Told, Unknown> {
+        let (problem, modes) = self.switched();
+        let Some(modes) = modes else { return Err(Unknown::Ends("its law does not change".to_owned())) };
+        let mut sizes = Sizes(self.start.iter().map(|part| part.abs()).collect());
+        let mut span = Span::new(0.0, self.run.span, &self.start);
+        span.budget.deadline = deadline;
+        let outcome = problem.across(&*modes, (METHOD, &Tolerance::both(TOLERANCE)), &span, &mut sizes);
+        match outcome.end {
+            End::Stopped(Failure::OtherCourse { .. }) | End::Reached => {}
+            End::Stopped(failure) => return Err(Unknown::Failed(failure)),
+            End::Halted => return Err(Unknown::Ends("it was broken off".to_owned())),
+        }
+        let (course, end) = (modes.course(), outcome.time);
+        let positions = self.model.positions();
+        let sizes = [&sizes.0[..positions], &sizes.0[positions..]].map(of_kind).concat();
+        Ok(Told { modes, course, sizes, end, is_whole: end == self.run.span })
+    }
+}
+
+impl Hybrid for ModelScene {
+    fn exact(&self, allowed: Duration) -> Result<Exact, Unknown> {
+        let begun = Instant::now();
+        let Told { modes, course, sizes, end, is_whole } = self.told_laws(begun.checked_add(allowed))?;
+        let times = instants(&self.start, end, is_whole);
+        let left = allowed.saturating_sub(begun.elapsed());
+        let passages = modes.passages();
+        let words = |place: usize| {
+            let passage = passages.get(place + 1);
+            let what = passage.map_or_else(String::new, |passage| passage.what.clone());
+            [what, passage.and_then(|passage| passage.then.clone()).unwrap_or_default()]
+        };
+        let follow = |means| modes.exactly(&course, &self.start, &times, means);
+        agreed(times.clone(), sizes, left, follow, words)
+    }
+
+    fn owner(&self) -> Box<dyn Owner + '_> {
+        let course = self.told_laws(None).map_or_else(|_| Course::default(), |told| told.course);
+        Box::new(Laws { start: &self.start, course })
+    }
+
+    fn way(&self) -> Way {
+        let (problem, modes) = self.switched();
+        let columns = self.model.state_names().into_iter().map(|(name, _)| name).collect();
+        let state = self.start.clone();
+        let law = match modes {
+            Some(modes) => Treated::Across(Arc::new(Motion { problem, modes, dimension: state.len() })),
+            None => Treated::Free(problem.law),
+        };
+        let row = Box::new(|_: f64, state: &[f64]| state.to_vec());
+        let (formulation, standing) = (Formulation::Contacts, Standing::Own);
+        Way { formulation, model: "", standing, law, state, sizes: Vec::new(), columns, row }
+    }
+
+    fn observed(&self, reference: &Reference) -> Vec<Observed> {
+        let names = self.model.state_names().into_iter().map(|(name, _)| name);
+        names.zip(&reference.sizes).map(|(name, size)| Observed { name, size: *size }).collect()
+    }
+
+    fn end(&self) -> f64 {
+        self.run.span
+    }
+}
+
+/// The largest magnitudes of positions, or of speeds: what is rounding beside its kind has the size of that.
+fn of_kind(sizes: &[f64]) -> Vec<f64> {
+    let whole = sizes.iter().copied().fold(0.0, f64::max);
+    let whole = if whole > 0.0 { whole } else { 1.0 };
+    sizes.iter().map(|size| if *size > ROUNDING * whole { *size } else { whole }).collect()
+}
+
+/// A start, and the laws that follow from it.
+struct Laws<'a> {
+    start: &'a [f64],
+    course: Course,
+}
+
+impl Owner for Laws<'_> {
+    fn start(&self) -> &[f64] {
+        self.start
+    }
+
+    fn rates_at(&self, time: f64, state: &[DoubleDouble], rates: &mut [DoubleDouble]) {
+        self.course.rates_at(time, state, rates);
+    }
+}
+
+/// A motion across its events, by any method.
+struct Motion {
+    problem: Problem,
+    modes: Arc<Modes>,
+    dimension: usize,
+}
+
+impl Across for Motion {
+    fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    fn has_series(&self) -> bool {
+        true
+    }
+
+    fn run(
+        &self,
+        method: Method,
+        tolerance: &Tolerance,
+        span: &Span<'_, f64>,
+        observer: &mut dyn Observer<f64>,
+    ) -> Outcome<f64> {
+        // runs side by side have modes of their own
+        self.problem.across(&self.modes.of_another_run(), (method, tolerance), span, observer)
+    }
+}

@@ -1,0 +1,44 @@
+//! The course of a run: its laws, each with the event that led to it.
+
+use super::Moded;
+use integrators::Happening;
+use std::sync::Arc;
+
+/// What an event does to the state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sets {
+    Nothing,
+    /// The same, of an expression that passes zero in a direction that does not count.
+    Unseen,
+    /// An event of the model sets coordinates and speeds.
+    Event(usize),
+    /// A contact closes with a velocity.
+    Impact(usize),
+    /// An impact after which all bounces that are left are taken for none.
+    LastBounce,
+    /// The motion ends.
+    End,
+}
+
+/// An event, by the signal of the law before it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Crossing {
+    pub time: f64,
+    pub signal: usize,
+    pub what: Happening,
+    pub sets: Sets,
+}
+
+/// A law of a run.
+#[derive(Clone)]
+pub(super) struct Leg {
+    /// None of the law of the start.
+    pub cause: Option<Crossing>,
+    pub moded: Arc<Moded>,
+}
+
+/// The laws of a run, in their order.
+#[derive(Default)]
+pub struct Course {
+    pub(super) legs: Vec<Leg>,
+}

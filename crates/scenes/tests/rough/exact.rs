@@ -1,0 +1,129 @@
+//! References across events: their digits, closed forms, and every method beside them.
+
+use super::{close, stored};
+use derivations::scene::Smooth;
+use derivations::scene::hybrid::{Exact, Hybrid, Unknown, judged};
+use derivations::scene::{Axes, Choice, Stored, Trials};
+use field::DoubleDouble;
+use integrators::{Failure, Method, Record, Span, Tolerance};
+use scenes::ModelScene;
+use std::time::Duration;
+
+const PATIENCE: Duration = Duration::from_secs(60);
+
+fn scene_of(text: &str) -> ModelScene {
+    ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn exact(text: &str) -> Exact {
+    let scene = scene_of(text);
+    scene.exact(PATIENCE).unwrap_or_else(|unknown| panic!("{unknown}"))
+}
+
+fn near(found: DoubleDouble, known: DoubleDouble) {
+    assert!((found - known).hi().abs() < 1e-25, "{found:?} and {known:?}");
+}
+
+fn ball(e: &str, more: &str) -> String {
+    format!(
+        "title = \"ball\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\ng = \"8 m/s^2\"\n\
+         [coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n[bodies.ball]\ncentre = \"P\"\nmass = \"m\"\n\
+         [[contact]]\nname = \"floor\"\nof = \"ball\"\nthrough = \"O\"\nnormal = \"N.y\"\nrestitution = \"{e}\"\n{more}\
+         [start]\ny = \"1 m\"\n\"x'\" = \"3 m/s\"\n[run]\nspan = \"1.3 s\"\n"
+    )
+}
+
+/// The ball falls for 1/2 s with 4 m/s; friction 1/4 of the impulse 6 takes 3/2 m/s, then 3/4.
+#[test]
+fn impacts_are_known_to_all_digits() {
+    for law in ["newton", "poisson"] {
+        let found = exact(&ball("0.5", &format!("friction = \"0.25\"\nimpact = \"{law}\"\n")));
+        assert!(found.reference.digits > 25.0, "{}", found.reference.digits);
+        assert_eq!(found.events.len(), 3);
+        for (event, (time, speeds)) in
+            found.events.iter().zip([(0.5, [1.5, 2.0]), (1.0, [0.75, 1.0]), (1.25, [0.375, 0.5])])
+        {
+            near(event.time, DoubleDouble::from(time));
+            (0..2).for_each(|k| near(event.state[2 + k], DoubleDouble::from(speeds[k])));
+        }
+    }
+}
+
+#[test]
+fn an_event_sets_the_state_to_all_digits() {
+    let text = ball("0", "")
+        .replace("1.3 s", "0.9 s")
+        .replace("[start]", "[[event]]\nwhen = \"x - (0.6 m)\"\nset = { \"x'\" = \"x'/3\", \"y'\" = \"0\" }\n[start]");
+    let found = exact(&text);
+    near(found.events[0].time, DoubleDouble::from(1.0) / DoubleDouble::from(5.0));
+    near(found.events[0].state[2], DoubleDouble::from(1.0));
+    // 1 - 4/25 m are left, and the fall begins anew
+    let landed = found.events[1].time - found.events[0].time;
+    near(landed * landed, DoubleDouble::from(21.0) / DoubleDouble::from(100.0));
+}
+
+/// The ladder and the slider-crank, whose events the runs know to 11 digits.
+#[test]
+fn references_across_events_agree_with_runs_and_belong_to_their_scenes() {
+    for (name, [datum, other]) in [
+        ("leaning_ladder", ["f = \"0.3\"", "f = \"0.31\""]),
+        ("rough_slider_crank", ["mu = \"0.2\"", "mu = \"0.21\""]),
+        ("dry_friction", ["k = \"1 N/m\"", "k = \"1.1 N/m\""]),
+        ("bouncing_ball", ["9.81", "9.8"]),
+    ] {
+        let scene = scene_of(&stored(&format!("models/{name}")));
+        let found = scene.exact(PATIENCE).unwrap_or_else(|unknown| panic!("{name}: {unknown}"));
+        assert!(found.reference.digits > 24.0, "{name}: {}", found.reference.digits);
+        let run = Choice { tolerance: 1e-13, ..scene.run().choice() };
+        let trajectory = scene.problem(run.axes).simulate(&run, |_| {});
+        let events: Vec<f64> = trajectory.passages.iter().skip(1).map(|passage| passage.time).collect();
+        assert_eq!(events.len(), found.events.len(), "{name}");
+        events.iter().zip(&found.events).for_each(|(run, exact)| close(*run, exact.time.hi(), 1e-8));
+        let kept = Stored::of(&*scene.owner(), found.reference, found.events);
+        let read = Stored::read(&kept.write("scene.toml")).unwrap_or_else(|wrong| panic!("{name}: {wrong}"));
+        assert!(read.belongs_to(&*scene.owner()), "{name}");
+        let other = scene_of(&stored(&format!("models/{name}")).replacen(datum, other, 1));
+        assert!(!read.belongs_to(&*other.owner()), "{name}");
+    }
+}
+
+#[test]
+fn every_method_is_measured_across_events() {
+    let scene = scene_of(&ball("0.5", "friction = \"0.25\"\n"));
+    let trials = Trials::default();
+    let atlas = judged(&scene, &trials, None, PATIENCE).unwrap_or_else(|unknown| panic!("{unknown}"));
+    let points: Vec<_> = atlas.points().collect();
+    assert!(points.len() > 40);
+    for (_, point) in points {
+        match &point.error {
+            Ok(error) => assert!(*error < 1e-11, "{}: {error:e}", point.means),
+            Err(failure) => {
+                assert!(matches!(failure, Failure::TooManyEvaluations { .. }), "{}: {failure}", point.means)
+            }
+        }
+    }
+}
+
+#[test]
+fn bounces_without_end_have_no_reference() {
+    let unknown = scene_of(&ball("0.2", "")).exact(PATIENCE).expect_err("infinitely many events");
+    assert!(matches!(unknown, Unknown::LastBounce { .. }), "{unknown}");
+    assert!(unknown.to_string().contains("infinitely many bounces end at t = 0.7"), "{unknown}");
+}
+
+/// Constant steps end within a rounding of outputs.
+#[test]
+fn every_output_is_seen_once_by_constant_steps() {
+    let scene = scene_of(&ball("0.5", "friction = \"0.25\"\n"));
+    let problem = scene.problem(Axes::First);
+    let switching = problem.switching.as_ref().expect("there are contacts");
+    for steps in [250, 1000, 4000] {
+        // the second impact is at one of them
+        let span = Span::new(0.0, 1.3, &problem.state).with_even_outputs(26);
+        let mut record = Record::new();
+        let method = (Method::RungeKutta4 { steps }, &Tolerance::both(1e-9));
+        let outcome = problem.across(&**switching, method, &span, &mut record);
+        assert!(outcome.reached());
+        assert_eq!(record.times, span.outputs, "{steps} steps");
+    }
+}
