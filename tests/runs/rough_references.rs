@@ -5,7 +5,7 @@ use derivations::friction::exact::Regimes;
 use derivations::friction::{Rough, RoughScene};
 use derivations::regimes::critical;
 use derivations::scene::atlas::Treated;
-use derivations::scene::hybrid::{Hybrid, Unknown, judged};
+use derivations::scene::hybrid::{Unknown, judged};
 use derivations::scene::{AnyScene, Family, Stored, Trials, stored};
 use field::{Circle, DoubleDouble, Over, Scalar};
 use integrators::{Attempt, End, Failure, Method, Record, Span, Tolerance};
@@ -157,7 +157,7 @@ fn every_method_is_measured_by_the_reference() {
     let trials = Trials { methods, tolerances: vec![1e-5, 1e-9], allowed: PATIENCE, ..Trials::default() };
     for name in scenes() {
         let atlas =
-            open(&name).judged(&trials, Some(&kept(&name)), PATIENCE).unwrap_or_else(|why| panic!("{name}: {why}"));
+            judged(&open(&name), &trials, Some(&kept(&name)), PATIENCE).unwrap_or_else(|why| panic!("{name}: {why}"));
         for (_, point) in atlas.points() {
             let tolerance = point.tolerance.expect("all follow one");
             match point.error {
@@ -177,7 +177,7 @@ fn every_method_is_measured_by_the_reference() {
 fn a_run_across_events_ends_with_what_it_shows_last() {
     let (scene, kept) = (open("friction/climbed_ladder"), kept("friction/climbed_ladder"));
     let trials = Trials { methods: Vec::new(), ..Trials::default() };
-    let atlas = scene.judged(&trials, Some(&kept), PATIENCE).unwrap_or_else(|why| panic!("{why}"));
+    let atlas = judged(&scene, &trials, Some(&kept), PATIENCE).unwrap_or_else(|why| panic!("{why}"));
     let way = &atlas.explored[0].way;
     let Treated::Across(motion) = &way.law else { panic!("it has events") };
     let run = |span: f64| {

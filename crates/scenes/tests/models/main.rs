@@ -164,11 +164,7 @@ fn every_model_has_a_reference_of_25_digits_that_is_its_own() {
             Some(hybrid) => kept.belongs_to(&*hybrid.owner()),
             None => kept.belongs_to(&problem),
         };
-        assert!(
-            is_own,
-            "{} has changed: `dalembert reference` makes its reference anew",
-            path.display()
-        );
+        assert!(is_own, "{} has changed: `dalembert reference` makes its reference anew", path.display());
         let run = problem.simulate(
             &Choice {
                 method: Method::Taylor,
