@@ -5,6 +5,7 @@
 //! that is not zero. Every sign is decided beside the rounding error of its value, in every candidate alike, so that two cases whose
 //! difference is a rounding are told apart by the next rate and not by chance.
 
+use super::combinations::combinations;
 use super::expansion::{Expansion, Expansions, Instant};
 use super::mode::{Case, Mode, Phase};
 use super::pivots::{NotFound, pivoted};
@@ -65,18 +66,9 @@ pub(super) struct Open<'a> {
 }
 
 impl Open<'_> {
-    /// All combinations of phases.
-    fn phases(&self, expansions: &Expansions) -> Option<Vec<Vec<Phase>>> {
-        let mut all = vec![Vec::new()];
-        let is_alone = self.touches.iter().filter(|touch| **touch != Touch::Open).count() < 2;
-        for (touch, kind) in self.touches.iter().zip(&expansions.kinds) {
-            let own = touch.phases(*kind, is_alone);
-            if all.len() * own.len() > MOST_TRIED {
-                return None;
-            }
-            all = all.iter().flat_map(|before| own.iter().map(|phase| [&before[..], &[*phase]].concat())).collect();
-        }
-        Some(all)
+    /// Whether no two contacts are in touch.
+    fn is_alone(&self) -> bool {
+        self.touches.iter().filter(|touch| **touch != Touch::Open).count() < 2
     }
 }
 
@@ -97,7 +89,7 @@ pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &Mod
             case => case,
         };
     }
-    let Some(phases) = open.phases(expansions) else { return Decided::TooMany };
+    let Some(phases) = combinations(expansions, instant, open) else { return Decided::TooMany };
     let found = if open.switches.len() > MOST_OPEN {
         many(expansions, instant, (&alone, &phases), open)
     } else if phases.len() * 3_usize.pow(open.switches.len() as u32) > MOST_TRIED {
@@ -184,7 +176,7 @@ fn tried(
         if !several {
             let (mut mode, expansion) = candidates.swap_remove(first);
             for ((phase, contact), touch) in mode.phases.iter_mut().zip(&expansion.contacts).zip(open.touches) {
-                *phase = at_rest(contact, *phase, *touch, slack);
+                *phase = at_rest(contact, *phase, (*touch, open.is_alone()), slack);
             }
             return Decided::One { mode, expansion: Box::new(expansion), slack };
         }
@@ -229,7 +221,8 @@ fn standing(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f6
 /// The same of all contacts.
 fn of_contacts(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f64) -> Option<Standing> {
     let contacts = expansion.contacts.iter().zip(&mode.phases).zip(open.touches);
-    let each = contacts.map(|((contact, phase), touch)| standing_of(contact, *phase, *touch, slack));
+    let is_alone = open.is_alone();
+    let each = contacts.map(|((contact, phase), touch)| standing_of(contact, *phase, (*touch, is_alone), slack));
     each.min().unwrap_or(Some(Standing::Moves))
 }
 

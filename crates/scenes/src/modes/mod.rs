@@ -1,5 +1,6 @@
 //! Modes of a model: the case of each of its conditions, the law that holds there, and the instants at which it ends.
 
+mod combinations;
 mod contacts;
 mod course;
 mod decision;

@@ -22,8 +22,8 @@ pub(super) enum Touch {
 }
 
 impl Touch {
-    /// The phases that a contact may be in.
-    pub fn phases(self, Kind { sides, is_rough, is_guide, .. }: Kind, is_alone: bool) -> Vec<Phase> {
+    /// The phases that a contact may be in; of those without a reaction one, whose gap tells which it is.
+    pub fn phases(self, Kind { sides, is_rough, is_guide, .. }: Kind) -> Vec<Phase> {
         let faces = || Face::of(sides).iter().copied();
         let slips = |forwards: bool| faces().map(move |face| Phase::Slips { forwards, face });
         let mut phases: Vec<Phase> = match self {
@@ -32,12 +32,10 @@ impl Touch {
             Touch::Rest if is_rough => faces().map(Phase::Sticks).chain(slips(true)).chain(slips(false)).collect(),
             Touch::Rest => slips(true).collect(),
         };
-        // a foot among others; of one that is alone it is what no reaction is
-        if self != Touch::Open && !is_guide && !is_alone {
-            phases.push(Phase::Carried);
-        }
-        if self == Touch::Open || sides == Sides::One {
-            phases.push(Phase::Apart);
+        match sides {
+            _ if is_guide => {}
+            Sides::Both => phases.push(Phase::Carried),
+            Sides::One => phases.push(Phase::Apart),
         }
         phases
     }
@@ -73,12 +71,19 @@ pub(super) fn possible(contact: &Touching<FEW>, phase: Phase, touch: Touch, slac
 }
 
 /// The degree to which a contact moves as its phase says; none where it contradicts it.
-pub(super) fn standing_of(contact: &Touching<TERMS>, phase: Phase, touch: Touch, slack: f64) -> Option<Standing> {
+pub(super) fn standing_of(
+    contact: &Touching<TERMS>,
+    phase: Phase,
+    (touch, is_alone): (Touch, bool),
+    slack: f64,
+) -> Option<Standing> {
     let leaves = |jet: Jet<TERMS>| jet.way(slack * jet.doubts[0], slack);
     let (bounds, leaving): (Vec<f64>, Vec<f64>) = match phase {
         Phase::Apart if touch == Touch::Open => (Vec::new(), Vec::new()),
+        Phase::Apart | Phase::Carried if leaves(contact.gap_rate) == 0.0 => {
+            return Some(if is_alone { Standing::Rests } else { Standing::Carries });
+        }
         Phase::Apart => (Vec::new(), vec![leaves(contact.gap_rate)]),
-        Phase::Carried if leaves(contact.gap_rate) == 0.0 => return Some(Standing::Carries),
         Phase::Carried => return None,
         Phase::Sticks(face) => (margins(contact, face).map(|margin| margin.sign(slack)).to_vec(), Vec::new()),
         Phase::Rests { face, .. } => (vec![margins(contact, face)[0].sign(slack)], Vec::new()),
@@ -98,11 +103,12 @@ pub(super) fn standing_of(contact: &Touching<TERMS>, phase: Phase, touch: Touch,
 }
 
 /// The phase of a contact that should leave zero and stays there.
-pub(super) fn at_rest(contact: &Touching<TERMS>, phase: Phase, touch: Touch, slack: f64) -> Phase {
+pub(super) fn at_rest(contact: &Touching<TERMS>, phase: Phase, (touch, is_alone): (Touch, bool), slack: f64) -> Phase {
+    let stays = |jet: &Jet<TERMS>| jet.way(slack * jet.doubts[0], slack) == 0.0;
     match phase {
-        Phase::Slips { forwards, face }
-            if begins(contact, touch) && contact.slide.way(slack * contact.slide.doubts[0], slack) == 0.0 =>
-        {
+        // others keep its gap at zero
+        Phase::Apart if touch != Touch::Open && !is_alone && stays(&contact.gap_rate) => Phase::Carried,
+        Phase::Slips { forwards, face } if begins(contact, touch) && stays(&contact.slide) => {
             Phase::Rests { forwards, face }
         }
         other => other,

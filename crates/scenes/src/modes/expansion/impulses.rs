@@ -192,6 +192,16 @@ impl Expansions {
         parts.iter().fold(Jet::zero(), |sum: Jet<1>, part| sum + *part).sign_of(0, CHANGES) != 0.0
     }
 
+    /// What unit reactions, normal and tangential of each contact, add to gap'' and v' of each.
+    pub fn responses_of_contacts(&self, Instant { time, state, .. }: &Instant<'_>) -> DMatrix<f64> {
+        let letters: Vec<usize> = (0..self.kinds.len())
+            .flat_map(|contact| [0, 1].map(|component| self.reaction([contact, component])))
+            .collect();
+        let values = self.values(Jet::constant(*time, 0.0), &rounded(state), &vec![Jet::zero(); self.letters()], &[]);
+        let slopes = self.slopes_by(&values, &vec![None; self.kinds.len()], &letters, &letters);
+        DMatrix::from_fn(letters.len(), letters.len(), |row, column| slopes[row][column].terms[0])
+    }
+
     /// Whether an impulse along the normal of a contact moves its body along it.
     pub fn yields(&self, Instant { time, state, .. }: &Instant<'_>, contact: usize) -> bool {
         let own = self.reaction([contact, 0]);

@@ -1,0 +1,75 @@
+//! Combinations of phases in which contacts may go on.
+//!
+//! A combination has reactions only where the conditions that they keep, gap'' = 0 of each contact that presses and v' = 0 of each that
+//! sticks, are independent. Of a block on many feet no more than two press at once. Combinations are built contact by contact, and those
+//! whose conditions depend on each other are left out with all that hold them.
+
+use super::decision::Open;
+use super::expansion::{Expansions, Instant};
+use super::mode::Phase;
+use nalgebra::DMatrix;
+
+/// A condition is independent of others where it keeps at least this part of its own response.
+const RANK: f64 = 1e-11;
+
+/// The largest number of combinations that are built.
+const MOST: usize = 20_000;
+
+/// All combinations of phases with independent conditions; none where they are too many.
+pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open: Open<'_>) -> Option<Vec<Vec<Phase>>> {
+    let responses = expansions.responses_of_contacts(instant);
+    let mut all = vec![(Vec::new(), Kept::default())];
+    for (contact, (touch, kind)) in open.touches.iter().zip(&expansions.kinds).enumerate() {
+        let mut next = Vec::new();
+        for (phases, kept) in &all {
+            for phase in touch.phases(*kind) {
+                // a guide that the coordinates satisfy has a balance of its own
+                let added = if kind.is_guide { Some(kept.clone()) } else { kept.with(&responses, contact, phase) };
+                next.extend(added.map(|kept| ([&phases[..], &[phase]].concat(), kept)));
+            }
+            if next.len() > MOST {
+                return None;
+            }
+        }
+        all = next;
+    }
+    Some(all.into_iter().map(|(phases, _)| phases).collect())
+}
+
+/// Conditions that are kept, as directions in the space of motions: rows of Cholesky's factor of their responses.
+#[derive(Clone, Debug, Default)]
+struct Kept {
+    places: Vec<usize>,
+    rows: Vec<Vec<f64>>,
+}
+
+impl Kept {
+    /// With those of a contact; none where they depend on these.
+    fn with(&self, responses: &DMatrix<f64>, contact: usize, phase: Phase) -> Option<Self> {
+        let mut kept = self.clone();
+        let components = match phase {
+            Phase::Apart | Phase::Carried => 0,
+            Phase::Slips { .. } | Phase::Rests { .. } => 1,
+            Phase::Sticks(_) => 2,
+        };
+        (0..components).all(|component| kept.add(responses, 2 * contact + component)).then_some(kept)
+    }
+
+    /// Adds a condition; whether it is independent of the others.
+    fn add(&mut self, responses: &DMatrix<f64>, place: usize) -> bool {
+        let mut row: Vec<f64> = Vec::with_capacity(self.rows.len() + 1);
+        for (own, &other) in self.rows.iter().zip(&self.places) {
+            let known: f64 = row.iter().zip(own).map(|(a, b)| a * b).sum();
+            row.push((responses[(place, other)] - known) / own[own.len() - 1]);
+        }
+        let response = responses[(place, place)];
+        let rest = response - row.iter().map(|part| part * part).sum::<f64>();
+        if rest.is_nan() || rest <= RANK * response {
+            return false;
+        }
+        row.push(rest.sqrt());
+        self.rows.push(row);
+        self.places.push(place);
+        true
+    }
+}
