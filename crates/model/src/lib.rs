@@ -55,8 +55,8 @@ pub use presentation::{
 };
 pub use quasi_velocities::{Coefficient, QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{
-    BodySource, ConstraintSource, ContactSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Source,
-    Text,
+    BodySource, ConstraintSource, ContactSource, DriveSource, Entry, EventSource, InertiaSource, InputSource,
+    LoadSource, Source, Text, WindingSource,
 };
 pub use statements::{Mistake, Mistaken, Statement, mistaken, statements};
 pub use trace::{Trace, Vector, quaternion_rates, turned_further};

@@ -74,6 +74,7 @@ pub struct Source {
     pub torques: Vec<LoadSource>,
     pub constraints: Vec<ConstraintSource>,
     pub contacts: Vec<ContactSource>,
+    pub drives: Vec<DriveSource>,
     /// Scalars and vectors that a run shows.
     pub outputs: Vec<Entry>,
     pub inputs: Vec<InputSource>,
@@ -168,6 +169,42 @@ pub struct ContactSource {
     pub impact: Option<Text>,
     /// Whether the start is completed so that it touches.
     pub touching: bool,
+    /// Where it stands.
+    pub at: Range<usize>,
+}
+
+/// A motor between two bodies, or on one that turns beside the ground.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DriveSource {
+    pub name: Option<Text>,
+    /// The angle of the shaft beside the ground.
+    pub turns: Option<Text>,
+    /// Two bodies or frames: the motor sits on the first and turns the second.
+    pub between: Option<[Text; 2]>,
+    /// Turns of the motor for one of the shaft; 1 where left out.
+    pub ratio: Option<Text>,
+    /// The moment of inertia of the motor's rotor.
+    pub inertia: Option<Text>,
+    /// A torque on the motor beside those of its windings.
+    pub torque: Option<Text>,
+    pub windings: Vec<WindingSource>,
+    /// Where it stands.
+    pub at: Range<usize>,
+}
+
+/// A winding: (L i)' = v - R i - k w.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WindingSource {
+    /// The name of its current; `i` where left out.
+    pub current: Option<Text>,
+    /// L, of positions.
+    pub inductance: Text,
+    /// R; zero where left out.
+    pub resistance: Option<Text>,
+    /// v; zero where left out.
+    pub supply: Option<Text>,
+    /// k, the voltage per speed of the motor against the supply, and the torque per current.
+    pub motional: Option<Text>,
     /// Where it stands.
     pub at: Range<usize>,
 }

@@ -316,7 +316,8 @@ impl Motion {
 /// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
 pub(crate) fn conserves(model: &Model) -> bool {
     let acts = !(model.forces.is_empty() && model.torques.is_empty() && model.generalised.is_empty())
-        || model.energies.dissipation.is_some();
+        || model.energies.dissipation.is_some()
+        || model.energies.coenergy.is_some();
     if changes(model) {
         return false;
     }

@@ -3,19 +3,13 @@
 use derivations::scene::Issue;
 use derivations::scene::read::{At, Table};
 use model::{
-    BodySource, ConstraintSource, ContactSource, Entry, EventSource, Fault, InertiaSource, InputSource, LoadSource,
-    Source, Text,
+    BodySource, ConstraintSource, ContactSource, DriveSource, Entry, EventSource, Fault, InertiaSource, InputSource,
+    LoadSource, Source, Text, WindingSource,
 };
 use std::ops::Range;
 
 /// Tables that the language will have.
-const LATER: [(&str, &str); 5] = [
-    ("drive", "drives"),
-    ("winding", "windings of drives"),
-    ("machine", "machines"),
-    ("circuit", "circuits"),
-    ("controls", "controls"),
-];
+const LATER: [(&str, &str); 3] = [("machine", "machines"), ("circuit", "circuits"), ("controls", "controls")];
 
 /// Reads every table of the system.
 pub fn source(top: &mut Table<'_>) -> Source {
@@ -25,7 +19,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
         if let Some(span) = top.place_of(key) {
             top.known(&[key]);
             let issue = Issue::at(span, format!("{what} are not there yet"), "not there yet");
-            top.report(issue.accepted("parameters, coordinates, speeds, definitions, frames, points, bodies, energies, forces, torques, constraints, contacts, inputs, events, outputs, start"));
+            top.report(issue.accepted("parameters, coordinates, speeds, definitions, frames, points, bodies, energies, forces, torques, constraints, contacts, drives, inputs, events, outputs, start"));
         }
     }
     let (start, equilibrium) = start(top);
@@ -43,6 +37,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
         torques: loads(top, "torque"),
         constraints: constraints(top),
         contacts: contacts(top),
+        drives: drives(top),
         outputs: entries(top, "outputs"),
         inputs: inputs(top),
         events: events(top),
@@ -63,7 +58,7 @@ fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
 }
 
 /// Tables and keys at the top of a file.
-const TOP: [&str; 20] = [
+const TOP: [&str; 21] = [
     "title",
     "description",
     "language",
@@ -80,6 +75,7 @@ const TOP: [&str; 20] = [
     "torque",
     "constraint",
     "contact",
+    "drive",
     "inputs",
     "outputs",
     "event",
@@ -236,16 +232,7 @@ fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
         let own_name = text_of(&mut table, "name", "name");
         let on = text_of(&mut table, "on", "\"disc at G\"");
         let along = if name == "force" { text_of(&mut table, "along", "coordinate") } else { None };
-        let pair = table.texts("between", "[\"a at P\", \"b at Q\"]");
-        let between = match pair.as_slice() {
-            [] => None,
-            [first, second] => Some([placed(&table, first), placed(&table, second)]),
-            _ => {
-                let issue = Issue::at(table.span(), "`between` has two places", format!("{} stand here", pair.len()));
-                table.report(issue.accepted("between = [\"a at P\", \"b at Q\"]"));
-                None
-            }
-        };
+        let between = pair(&mut table, "[\"a at P\", \"b at Q\"]");
         let is = table.text("is", "value: a vector, or a scalar along a line");
         let is = placed(&table, &is);
         let at = table.span();
@@ -285,6 +272,61 @@ fn programmed(constraint: &mut Table<'_>) -> Option<Vec<Text>> {
     let gains = gains.iter().map(|gain| placed(&table, gain)).collect();
     constraint.absorb(table);
     Some(gains)
+}
+
+/// `between = ["a", "b"]`
+fn pair(table: &mut Table<'_>, example: &str) -> Option<[Text; 2]> {
+    let pair = table.texts("between", example);
+    match pair.as_slice() {
+        [] => None,
+        [first, second] => Some([placed(table, first), placed(table, second)]),
+        _ => {
+            let issue = Issue::at(table.span(), "`between` has two places", format!("{} stand here", pair.len()));
+            table.report(issue.accepted(format!("between = {example}")));
+            None
+        }
+    }
+}
+
+fn drives(top: &mut Table<'_>) -> Vec<DriveSource> {
+    let mut drives = Vec::new();
+    for mut table in top.tables("drive", "[[drive]] in double brackets is accepted, since a system may have several") {
+        if let Some(model) = table.optional_text("model", "model of the motor").filter(|model| model.value != "text") {
+            let issue = Issue::at(model.span.clone(), "motors of the program are not there yet", "not there yet");
+            table.report(issue.accepted("model = \"text\": windings, and a torque"));
+        }
+        let mut text = |key: &str, needed: &str| text_of(&mut table, key, needed);
+        let mut drive = DriveSource {
+            name: text("name", "name"),
+            turns: text("turns", "angle of the shaft"),
+            ratio: text("ratio", "turns of the motor for one of the shaft"),
+            inertia: text("inertia", "moment of inertia of the rotor"),
+            torque: text("torque", "torque on the motor"),
+            ..DriveSource::default()
+        };
+        drive.between = pair(&mut table, "[\"carriage\", \"wheel\"]");
+        for mut winding in table.tables("winding", "windings are tables, [[drive.winding]] each") {
+            let mut text = |key: &str, needed: &str| text_of(&mut winding, key, needed);
+            let source = WindingSource {
+                current: text("current", "name of the current"),
+                resistance: text("resistance", "resistance"),
+                supply: text("supply", "voltage"),
+                motional: text("motional", "voltage per speed against the supply"),
+                ..WindingSource::default()
+            };
+            let inductance = winding.text("inductance", "inductance, of positions");
+            let (inductance, at) = (placed(&winding, &inductance), winding.span());
+            table.absorb(winding);
+            drive.windings.push(WindingSource { inductance, at, ..source });
+        }
+        drive.at = table.span();
+        let sound = !table.has_issues();
+        top.absorb(table);
+        if sound {
+            drives.push(drive);
+        }
+    }
+    drives
 }
 
 fn contacts(top: &mut Table<'_>) -> Vec<ContactSource> {

@@ -143,6 +143,7 @@ fn what_the_reader_refuses_by_its_form_the_schema_refuses() {
         ("[run]\nspan = \"1 s\"\nsamples = 0", "/run/samples"),
         ("[[contact]]\nof = \"x\"", "/contact/0"),
         ("[[contact]]\nbetween = \"b, N along x\"\nsides = \"two\"", "/contact/0/sides"),
+        ("[[drive]]\nturns = \"x\"\n[[drive.winding]]\nresistance = \"R\"", "/drive/0/winding/0"),
         ("[bodies.b]\nmas = \"m\"", "/bodies/b: unknown mas"),
     ] {
         let found = refused(&schema(), &file(more), "");
@@ -151,12 +152,13 @@ fn what_the_reader_refuses_by_its_form_the_schema_refuses() {
 }
 
 const READ: &str = "title = \"t\"\nTOP\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x\"\nmass = \"m\"\nBODY\n\
-                    [[force]]\non = \"b\"\nis = \"0\"\nFORCE\n[[torque]]\non = \"N\"\nis = \"0\"\nTORQUE\n[[constraint]]\nzero = \"x\"\nCONSTRAINT\n[[contact]]\nof = \"b\"\nthrough = \"O\"\nnormal = \"N.x\"\nCONTACT\n\
+                    [[force]]\non = \"b\"\nis = \"0\"\nFORCE\n[[torque]]\non = \"N\"\nis = \"0\"\nTORQUE\n[[constraint]]\nzero = \"x\"\nCONSTRAINT\n[[contact]]\nof = \"b\"\nthrough = \"O\"\nnormal = \"N.x\"\nCONTACT\n[[drive]]\nturns = \"x/(1 m)\"\nDRIVE\n[[drive.winding]]\ninductance = \"(1 H)\"\nWINDING\n\
                     [[event]]\nwhen = \"x\"\nend = true\nEVENT\n[inputs]\nu = { unit = \"N\"INPUT }\n[run]\nspan = \"1 s\"\nRUN\n";
 
 /// The file with something at one of its places.
 fn with(place: &str, written: &str) -> String {
-    let places = ["TOP", "BODY", "FORCE", "TORQUE", "CONSTRAINT", "CONTACT", "EVENT", "INPUT", "RUN"];
+    let places =
+        ["TOP", "BODY", "FORCE", "TORQUE", "CONSTRAINT", "CONTACT", "DRIVE", "WINDING", "EVENT", "INPUT", "RUN"];
     places
         .iter()
         .fold(READ.to_owned(), |text, other| text.replacen(other, if *other == place { written } else { "" }, 1))
@@ -194,6 +196,8 @@ fn the_schema_has_every_key_that_the_reader_knows_and_no_other() {
             "/properties/constraint/items/properties/programmed",
         ),
         ("CONTACT", one, "/properties/contact/items"),
+        ("DRIVE", one, "/properties/drive/items"),
+        ("WINDING", one, "/properties/drive/items/properties/winding/items"),
         ("EVENT", one, "/properties/event/items"),
         ("INPUT", ", unheard_of_key = 1", "/properties/inputs/additionalProperties/anyOf/1"),
         ("RUN", one, "/properties/run"),
@@ -203,7 +207,7 @@ fn the_schema_has_every_key_that_the_reader_knows_and_no_other() {
     let text = with("BODY", "[energies]\nunheard_of_key = \"0\"");
     let error = ModelScene::parse("scene.toml", &text).expect_err("no such energy").to_string();
     let listed = keys("/properties/energies").into_iter().collect::<Vec<_>>().join(", ");
-    assert_eq!(listed, "dissipation, kinetic, potential");
+    assert_eq!(listed, "coenergy, dissipation, kinetic, potential");
     assert!(
         error.contains("no energy is called `unheard_of_key`") && error.contains("kinetic, potential, dissipation"),
         "{error}"

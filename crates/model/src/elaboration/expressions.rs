@@ -137,6 +137,7 @@ impl Elaborator<'_> {
         match self.names.get(name) {
             Some(Named::Value(value)) => return Ok(Meaning::Value(*value)),
             Some(Named::Body(body)) => return Ok(Meaning::Body(*body)),
+            Some(Named::Drive(drive)) => return Err(self.bare_drive(span, *drive)),
             None => {}
         }
         if let Some(energy) = self.energy_shown(span, name)? {
@@ -197,12 +198,15 @@ impl Elaborator<'_> {
     }
 
     pub(super) fn member(&mut self, span: &Range<usize>, of: &str, name: &str) -> Sound<Value> {
+        if let Some(super::Named::Drive(drive)) = self.names.get(of) {
+            return self.of_drive(span, *drive, name);
+        }
         if let Some(fault) = self.component_of_no_frame(span, of, name) {
             return Err(Box::new(fault));
         }
         if name == "i" && !self.names.contains_key(of) && !self.broken.contains(of) {
-            let accepted = "a current as a coordinate's rate q', and its voltages as forces along q";
-            return Err(not_yet(span, &format!("the current `{of}.i` of a drive"), accepted));
+            let title = format!("no drive is called `{of}`");
+            return Err(Box::new(Fault::at(span.clone(), title, "not known", "[[drive]] with a name and windings")));
         }
         let frame = self.frame(&Text::at(of, span.start))?;
         let per_second = Some(Dimension::none() / Dimension::time());
@@ -233,7 +237,7 @@ impl Elaborator<'_> {
             Named::Value(Value::Vector(_)) => ("a vector", format!("{of} . N.{axis} is its component along an axis")),
             Named::Value(Value::Scalar(_)) => ("a scalar", format!("`{of}` alone")),
             // a body stands for the frame that it turns with
-            Named::Value(Value::Frame(_)) | Named::Body(_) => return None,
+            Named::Value(Value::Frame(_)) | Named::Body(_) | Named::Drive(_) => return None,
         };
         Some(Fault::at(span.clone(), format!("`{of}` is {kind}, and only frames have axes"), "no axis", accepted))
     }

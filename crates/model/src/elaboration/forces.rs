@@ -112,7 +112,7 @@ impl Elaborator<'_> {
     }
 
     /// A frame or a body; a point of a body is told to be more than a torque needs.
-    fn turning_frame(&self, text: &Text) -> Sound<crate::FrameId> {
+    pub(super) fn turning_frame(&self, text: &Text) -> Sound<crate::FrameId> {
         if let Some((body, _)) = text.text.split_once(" at ") {
             let title = "a torque acts on a body as a whole, at no point of it";
             let accepted = format!("\"{}\"", body.trim());

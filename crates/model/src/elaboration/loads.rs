@@ -1,6 +1,5 @@
 //! Gravity, energies, constraints, outputs, and the start; forces and torques stand in `forces`.
 
-use super::expressions::not_yet;
 use super::value::Value;
 use super::{Elaborator, GRAVITY, Sound, mismatch};
 use crate::parts::TURNING;
@@ -26,11 +25,13 @@ impl Elaborator<'_> {
             let found = self.vector_value(gravity, GRAVITY, Some(needed));
             self.model.gravity = self.kept(found);
         }
+        self.rotors();
         for energy in &self.source.energies {
             let found = self.energy(energy);
             let found = self.under("energies", &energy.name, found);
             self.kept(found);
         }
+        self.windings();
         for force in &self.source.forces {
             if let Some(along) = &force.along {
                 let found = self.generalised(along, force);
@@ -75,9 +76,6 @@ impl Elaborator<'_> {
     }
 
     fn energy(&mut self, Entry { name, value }: &Entry) -> Sound<()> {
-        if name.text == "coenergy" {
-            return Err(not_yet(&name.span(), "the energy `coenergy`", "kinetic, potential, dissipation"));
-        }
         let needed = match name.text.as_str() {
             "dissipation" => joule() / Dimension::time(),
             _ => joule(),
@@ -89,8 +87,9 @@ impl Elaborator<'_> {
             "kinetic" => energies.kinetic = Some(id),
             "potential" => energies.potential = Some(id),
             "dissipation" => energies.dissipation = Some(id),
+            "coenergy" => energies.coenergy = Some(id),
             other => {
-                let accepted = "kinetic, potential, dissipation";
+                let accepted = "kinetic, potential, dissipation, coenergy";
                 return Err(Box::new(Fault::at(
                     name.span(),
                     format!("no energy is called `{other}`"),
@@ -234,6 +233,13 @@ impl Elaborator<'_> {
         let coordinate = self.model.coordinates.iter().position(|known| known.name == base);
         if let (Some(coordinate), 0 | 1) = (coordinate, primes) {
             return Ok((coordinate, primes));
+        }
+        let of_drive = name.text.split_once('.').and_then(|(drive, current)| {
+            let drive = self.drives.iter().find(|known| known.name == drive)?;
+            drive.currents.iter().find(|(known, _)| known == current).map(|(_, charge)| *charge)
+        });
+        if let Some(charge) = of_drive {
+            return Ok((charge, 1));
         }
         let of_free = name.text.rsplit_once('.').and_then(|(frame, part)| {
             let part = TURNING.iter().position(|known| *known == part)?;

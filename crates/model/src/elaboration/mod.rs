@@ -6,6 +6,7 @@ mod choices;
 mod constants;
 mod contact_checks;
 mod contacts;
+mod drives;
 mod elementary;
 mod energies_shown;
 mod events;
@@ -36,6 +37,7 @@ use crate::arena::{Arena, Scalar, Vector};
 use crate::expression::{Expression, read};
 use crate::{BodyId, Fault, Frame, FrameId, Model, Point, PointId, ScalarId, Source, Text, VectorId};
 use constants::Constant;
+use drives::Drive;
 use orders::Orders;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
@@ -75,6 +77,7 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
 fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
     let mut elaborator = Elaborator::new(source);
     elaborator.letters();
+    elaborator.charges();
     for kind in order::ordered(source, &mut elaborator.faults, &mut elaborator.broken) {
         elaborator.define(kind);
     }
@@ -120,6 +123,7 @@ fn once_for_each_name(faults: &mut Vec<Fault>) {
 enum Named {
     Value(Value),
     Body(BodyId),
+    Drive(usize),
 }
 
 /// A fault stops what it stands in, and nothing else.
@@ -140,6 +144,11 @@ struct Elaborator<'s> {
     /// Names whose definition is wrong: nothing more is said of them.
     broken: FxHashSet<String>,
     faults: Vec<Fault>,
+    drives: Vec<Drive>,
+    /// The letter of each current, by the place of its charge.
+    currents: FxHashMap<usize, ScalarId>,
+    /// For each drive the frame on which the motor sits, and that of its rotor.
+    rotor_frames: Vec<(usize, FrameId, FrameId)>,
     /// Tables with keys of another one, whose heading is missing.
     headless: Vec<(String, Fault)>,
 }
@@ -159,6 +168,9 @@ impl<'s> Elaborator<'s> {
             shows_loads: false,
             broken: FxHashSet::default(),
             faults: Vec::new(),
+            drives: Vec::new(),
+            currents: FxHashMap::default(),
+            rotor_frames: Vec::new(),
             headless: Vec::new(),
         };
         let time = made.scalar(Scalar::Time, Some(Dimension::time()));

@@ -1,7 +1,7 @@
 //! Conditions that outputs alone ask for: they choose nothing in the law, and are steps of their expressions.
 
 use crate::arena::{Part, Scalar, Vector};
-use crate::{Inertia, Model, ScalarId, Turn, VectorId, Zero};
+use crate::{Energies, Inertia, Model, ScalarId, Turn, VectorId, Zero};
 
 /// Takes the switches that no law holds out of the list.
 pub(super) fn stepped(model: &mut Model) {
@@ -49,7 +49,8 @@ fn parts_of_law(model: &Model) -> Vec<bool> {
             None => {}
         }
     }
-    let energies = [model.energies.kinetic, model.energies.potential, model.energies.dissipation];
+    let Energies { kinetic, potential, dissipation, coenergy } = model.energies;
+    let energies = [kinetic, potential, dissipation, coenergy];
     open.extend(model.gravity.map(|gravity| gravity.0));
     open.extend(energies.into_iter().flatten().map(|energy| energy.0));
     open.extend(model.forces.iter().map(|force| match force {

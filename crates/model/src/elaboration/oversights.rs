@@ -1,6 +1,6 @@
 //! Parameters that were forgotten: those that nothing uses, and those without a unit in expressions whose dimensions do not fit.
 
-use crate::{ContactSource, Entry, Fault, InertiaSource, LoadSource, Source, Text};
+use crate::{ContactSource, DriveSource, Entry, Fault, InertiaSource, LoadSource, Source, Text, WindingSource};
 use rustc_hash::FxHashSet;
 
 /// A warning for each parameter whose name stands nowhere.
@@ -66,6 +66,12 @@ fn texts(source: &Source) -> Vec<&Text> {
     }
     for ContactSource { of, with, between, through, normal, gap, friction, restitution, .. } in &source.contacts {
         texts.extend([of, with, between, through, normal, gap, friction, restitution].into_iter().flatten());
+    }
+    for DriveSource { turns, between, ratio, inertia, torque, windings, .. } in &source.drives {
+        texts.extend([turns, ratio, inertia, torque].into_iter().flatten().chain(between.iter().flatten()));
+        for WindingSource { inductance, resistance, supply, motional, .. } in windings {
+            texts.extend([resistance, supply, motional].into_iter().flatten().chain([inductance]));
+        }
     }
     texts.extend(source.inputs.iter().filter_map(|input| input.value.as_ref()));
     texts.extend(source.events.iter().map(|event| &event.when));

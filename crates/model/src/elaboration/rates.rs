@@ -148,11 +148,12 @@ impl Elaborator<'_> {
             ("potential", model.energies.potential, 0),
             ("kinetic", model.energies.kinetic, 1),
             ("dissipation", model.energies.dissipation, 1),
+            ("coenergy", model.energies.coenergy, 1),
         ];
         let energies = energies.into_iter().map(|(name, given, most)| {
             let entry = self.source.energies.iter().find(|entry| entry.name.text == name);
             let order = given.and_then(|id| orders.of(id.0));
-            Bounded { what: format!("the {name} energy"), order, most, span: entry.map(|entry| entry.value.span()) }
+            Bounded { what: called(name), order, most, span: entry.map(|entry| entry.value.span()) }
         });
         let constraints = model.constraints.iter().map(|Constraint { zero, gains, at, .. }| {
             let (Zero::Scalar(ScalarId(zero)) | Zero::Vector(VectorId(zero))) = zero;
@@ -171,4 +172,9 @@ impl Elaborator<'_> {
         });
         energies.chain(constraints).chain(speeds).chain(bodies).collect()
     }
+}
+
+/// An energy as sentences call it.
+fn called(energy: &str) -> String {
+    if energy == "coenergy" { "the co-energy".to_owned() } else { format!("the {energy} energy") }
 }

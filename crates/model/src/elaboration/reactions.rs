@@ -133,7 +133,8 @@ impl Elaborator<'_> {
     pub(super) fn joint_load(&mut self, span: &Range<usize>, force: bool, body: BodyId) -> Sound<super::Value> {
         let name = self.model.bodies[body.0].name.clone();
         let energies = &self.model.energies;
-        let given = [energies.kinetic, energies.potential, energies.dissipation].iter().any(Option::is_some);
+        let given = [energies.kinetic, energies.potential, energies.dissipation, energies.coenergy];
+        let given = given.iter().any(Option::is_some);
         if given {
             return Err(refused(
                 span,

@@ -40,7 +40,8 @@ pub(super) fn release(source: &Source, model: &mut Model) -> Result<(), Vec<Faul
         };
         entry.value.text = format!("({}) + {name}*({normal})", entry.value.text);
         released.coordinates.push(Entry { name: name.as_str().into(), value: "m".into() });
-        model.contacts[place].guide = Some(model.coordinates.len() + number);
+        // charges of drives stand behind them
+        model.contacts[place].guide = Some(source.coordinates.len() + number);
     }
     let released = elaborated(&released).map_err(|_| {
         let at = model.contacts[guides[0]].at.clone();

@@ -283,7 +283,7 @@ impl Elaborator<'_> {
         Ok(self.new_frame(&entry.name.text, parent, Turn::About { axis, angle }))
     }
 
-    fn new_frame(&mut self, name: &str, parent: FrameId, turn: Turn) -> FrameId {
+    pub(super) fn new_frame(&mut self, name: &str, parent: FrameId, turn: Turn) -> FrameId {
         self.model.frames.push(Frame { name: name.to_owned(), parent: Some((parent, turn)) });
         FrameId(self.model.frames.len() - 1)
     }

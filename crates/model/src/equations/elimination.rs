@@ -69,9 +69,39 @@ impl Factors {
     }
 }
 
-pub(super) fn solved(equations: &Equations) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
+/// M + J^T J and h + J^T c of all constraints that hold a coordinate without inertia: one of them alone may let go of it in a position.
+/// Along every motion J u' + c is zero, so that accelerations and multipliers stay as they are, and M becomes definite where the
+/// constraints determine the coordinate.
+fn inertia_of(equations: &Equations) -> Result<(Factors, Vec<Sym>), Singular> {
     let Equations { mass, bias, constraints } = equations;
-    let inertia = Factors::of(mass).map_err(|coordinate| Singular::Massless { coordinate })?;
+    let (mut mass, mut bias) = (mass.clone(), bias.clone());
+    let mut is_added = vec![false; constraints.len()];
+    loop {
+        let coordinate = match Factors::of(&mass) {
+            Ok(factors) => return Ok((factors, bias)),
+            Err(coordinate) => coordinate,
+        };
+        let holds = |k: &usize| !is_added[*k] && constraints[*k].row[coordinate] != Sym::ZERO;
+        let holding: Vec<usize> = (0..constraints.len()).filter(holds).collect();
+        if holding.is_empty() {
+            return Err(Singular::Massless { coordinate });
+        }
+        for place in holding {
+            is_added[place] = true;
+            let constraint = &constraints[place];
+            for (i, &slope) in constraint.row.iter().enumerate().filter(|(_, slope)| **slope != Sym::ZERO) {
+                for (entry, &other) in mass[i].iter_mut().zip(&constraint.row) {
+                    *entry += slope * other;
+                }
+                bias[i] += slope * constraint.bias;
+            }
+        }
+    }
+}
+
+pub(super) fn solved(equations: &Equations) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
+    let constraints = &equations.constraints;
+    let (inertia, bias) = inertia_of(equations)?;
     let free: Vec<Sym> = inertia.solve(&bias.iter().map(|h| -*h).collect::<Vec<_>>());
     if constraints.is_empty() {
         return Ok((free, Vec::new()));

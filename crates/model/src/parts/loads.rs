@@ -52,4 +52,6 @@ pub struct Energies {
     pub potential: Option<ScalarId>,
     /// Rayleigh's function: forces are minus its derivatives by the speeds.
     pub dissipation: Option<ScalarId>,
+    /// The co-energy W'(i, q) of magnetic fields, with currents as the rates of charges.
+    pub coenergy: Option<ScalarId>,
 }

@@ -312,6 +312,7 @@ fn displaced(trace: &Trace<'_>, speed: usize) -> Sym {
 
 /// The same bodies with nothing acting on them.
 pub(super) fn without_forces(model: &Model) -> Model {
-    let energies = Energies { kinetic: model.energies.kinetic, ..Energies::default() };
+    let Energies { kinetic, coenergy, .. } = model.energies;
+    let energies = Energies { kinetic, coenergy, ..Energies::default() };
     Model { gravity: None, forces: Vec::new(), torques: Vec::new(), generalised: Vec::new(), energies, ..model.clone() }
 }

@@ -39,5 +39,7 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
             torques.iter().map(|torque| trace.dot(torque.is, trace.vector_by_speed(trace.turning(torque.on), i)));
         of_forces.chain(of_torques).fold(Sym::ZERO, |sum, each| sum + each)
     };
-    (0..trace.speeds.len()).map(|i| trace.by_acceleration(energy, i) - power(i) + by_energies(trace, i)).collect()
+    (0..trace.speeds.len())
+        .map(|i| trace.by_acceleration(energy, i) - power(i) + by_energies(trace, i) + trace.induced(i))
+        .collect()
 }

@@ -24,5 +24,5 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
     for (i, &acceleration) in trace.accelerations.iter().enumerate() {
         constraint -= along(trace, i) * acceleration;
     }
-    (0..trace.speeds.len()).map(|i| trace.by_acceleration(constraint, i)).collect()
+    (0..trace.speeds.len()).map(|i| trace.by_acceleration(constraint, i) + trace.induced(i)).collect()
 }

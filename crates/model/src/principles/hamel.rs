@@ -67,7 +67,7 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
             rate * displaced + momentum * transposed
         });
         let by_place = trace.by_coordinate(kinetic, i).substitute(&back);
-        inertia.fold(-by_place, |sum, term| sum + term) - forces[i]
+        inertia.fold(-by_place, |sum, term| sum + term) - forces[i] + trace.induced(i)
     };
     (0..trace.speeds.len()).map(of).collect()
 }

@@ -1,6 +1,6 @@
 //! Hamilton's canonical equations, q' = dH/dp and p' = -dH/dq + Q, transformed back along the speeds.
 //!
-//! The momenta p = dT/du are functions of q and u, and so is H = p . u - T + V. With u as the intermediate variable the chain rule is
+//! T holds the co-energy of magnetic fields, whose momenta are fluxes. The momenta p = dT/du are functions of q and u, and so is H = p . u - T + V. With u as the intermediate variable the chain rule is
 //!
 //!   dH/du_j|q = sum (dH/dp_k) dp_k/du_j ,    dH/dq_i|u = dH/dq_i|p + sum (dH/dp_k) dp_k/dq_i .
 //!
@@ -15,14 +15,14 @@ use symbolic::Sym;
 
 /// The momenta dT/du.
 pub(crate) fn momenta(trace: &Trace<'_>) -> Vec<Sym> {
-    let kinetic = trace.kinetic_energy();
+    let kinetic = trace.kinetic_and_coenergy();
     (0..trace.speeds.len()).map(|i| trace.by_speed(kinetic, i)).collect()
 }
 
 /// sum p u - T + V, without the potential that is given beside the weights.
 fn hamiltonian(trace: &Trace<'_>, momenta: &[Sym]) -> Sym {
     let heights = trace.potential_of_weights();
-    momenta.iter().zip(&trace.speeds).fold(heights - trace.kinetic_energy(), |sum, (&p, &u)| sum + p * u)
+    momenta.iter().zip(&trace.speeds).fold(heights - trace.kinetic_and_coenergy(), |sum, (&p, &u)| sum + p * u)
 }
 
 pub(super) fn residual(trace: &Trace<'_>) -> Result<Vec<Sym>, NotApplicable> {

@@ -1,4 +1,4 @@
-//! Lagrange's equations of the second kind: d/dt dT/du - dT/dq + dV/dq = sum F . dr/dq + T . dw/du; Euler's for the angular velocity w of
+//! Lagrange's equations of the second kind, with the co-energy of magnetic fields in T: d/dt dT/du - dT/dq + dV/dq = sum F . dr/dq + T . dw/du; Euler's for the angular velocity w of
 //! a free frame, with the term w x dT/dw.
 
 use super::loads::{by_energies, forces, torques};
@@ -28,7 +28,7 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
 
 /// d/dt dT/du - dT/dq, with w x dT/dw of a free frame.
 pub(crate) fn inertia(trace: &Trace<'_>, i: usize) -> Sym {
-    let kinetic = trace.kinetic_energy();
+    let kinetic = trace.kinetic_and_coenergy();
     let momentum = |j: usize| trace.by_speed(kinetic, j);
     trace.rate_of(momentum(i)) + trace.transposition(i, momentum) - trace.by_coordinate(kinetic, i)
 }

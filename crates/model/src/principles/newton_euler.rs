@@ -13,7 +13,7 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
     let of = |(i, loads): (usize, Sym)| {
         let reaction =
             constraints.iter().fold(Sym::ZERO, |sum, constraint| sum + constraint.multiplier * constraint.row[i]);
-        loads + reaction + by_energies(trace, i)
+        loads + reaction + by_energies(trace, i) + trace.induced(i)
     };
     trace.joints().residual().into_iter().enumerate().map(of).collect()
 }

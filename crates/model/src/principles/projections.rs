@@ -57,7 +57,7 @@ pub struct Operator {
 
 /// Both sides of the identity but the first sum, at points on the constraints.
 pub fn operator(trace: &Trace<'_>, characteristics: &Characteristics, motion: &Motion) -> Operator {
-    let kinetic = trace.kinetic_energy();
+    let kinetic = trace.kinetic_and_coenergy();
     let reduced = motion.on_constraints(&[kinetic])[0];
     let momenta: Vec<Sym> = characteristics.dependent.iter().map(|&(d, _)| trace.by_speed(kinetic, d)).collect();
     let momenta = motion.on_constraints(&momenta);

@@ -37,5 +37,5 @@ pub(super) fn residual(trace: &Trace<'_>) -> Vec<Sym> {
             *sum -= trace.dot(torque.is, trace.vector_by_speed(turning, i));
         }
     }
-    residual.iter().enumerate().map(|(i, sum)| *sum + by_energies(trace, i)).collect()
+    residual.iter().enumerate().map(|(i, sum)| *sum + by_energies(trace, i) + trace.induced(i)).collect()
 }

@@ -24,7 +24,7 @@ pub(super) fn residual(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Ve
         terms.fold(speed, |sum, (&slope, &rate)| sum + slope * rate)
     });
     let by_all: Vec<(Sym, Sym)> = trace.speeds.iter().copied().zip(whole).collect();
-    let kinetic = trace.kinetic_energy().substitute(&by_all);
+    let kinetic = trace.kinetic_and_coenergy().substitute(&by_all);
     let at_zero: Vec<(Sym, Sym)> = idle.iter().map(|&rate| (rate, Sym::ZERO)).collect();
     let momenta: Vec<Sym> = quasi.symbols.iter().chain(&idle).map(|&letter| kinetic.diff(letter)).collect();
     let momenta = substitute_all(&momenta, &at_zero);

@@ -44,6 +44,9 @@ impl QuasiPrinciple {
                 "a kinetic energy is given: the motion of its bodies is not known to this principle".to_owned(),
             ));
         }
+        if asks_for_bodies && trace.model.energies.coenergy.is_some() {
+            return Err(NotApplicable("a co-energy is given, which is no motion of bodies".to_owned()));
+        }
         let residual = match self {
             QuasiPrinciple::Maggi => maggi::residual(quasi, trace)?,
             QuasiPrinciple::VirtualPower => virtual_power::residual(quasi, trace),

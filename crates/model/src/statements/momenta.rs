@@ -9,7 +9,7 @@ use crate::principles::loads::generalised;
 use symbolic::Sym;
 
 pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
-    let lagrangian = trace.kinetic_energy() - trace.potential_energy();
+    let lagrangian = trace.kinetic_and_coenergy() - trace.potential_energy();
     let (forces, constraints) = (generalised(trace, false), constraints_of(trace));
     let is_cyclic = |i: &usize| {
         vanishes(trace.by_coordinate(lagrangian, *i))

@@ -28,7 +28,7 @@ struct Energy {
 
 impl Energy {
     fn of(trace: &Trace<'_>) -> Self {
-        let (kinetic, potential) = (trace.kinetic_energy(), trace.potential_energy());
+        let (kinetic, potential) = (trace.kinetic_and_coenergy(), trace.potential_energy());
         let moved = momenta(trace).iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&p, &u)| sum + p * u);
         let is_whole = trace.has_quadratic_kinetic_energy();
         let is = if is_whole { kinetic + potential } else { moved - kinetic + potential };
@@ -65,9 +65,11 @@ pub(super) fn statement(trace: &Trace<'_>) -> Statement {
 
 /// The balance in words.
 fn says(trace: &Trace<'_>, energy: &Energy, by_forces: &Power, powers: &[ReactionPower]) -> String {
-    let (name, short) = match energy.is_whole {
-        true => ("(T + V)'", "T + V"),
-        false => ("(H = sum u dT/du - T + V)'", "H"),
+    let (name, short) = match (energy.is_whole, trace.model.energies.coenergy.is_some()) {
+        (true, false) => ("(T + V)'", "T + V"),
+        (true, true) => ("(T + W + V)' with the energy W of magnetic fields", "T + W + V"),
+        (false, false) => ("(H = sum u dT/du - T + V)'", "H"),
+        (false, true) => ("(H = sum u d(T + W')/du - T - W' + V)' with the co-energy W' of magnetic fields", "H"),
     };
     let mut parts = Vec::new();
     if by_forces.is != Sym::ZERO {

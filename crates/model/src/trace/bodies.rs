@@ -115,9 +115,29 @@ impl Trace<'_> {
         sum
     }
 
-    /// Whether T is homogeneous of second degree in the speeds: then no body moves where all speeds are zero.
+    /// The co-energy W'(i, q) of magnetic fields.
+    pub fn coenergy(&self) -> Sym {
+        self.model.energies.coenergy.map_or(Sym::ZERO, |coenergy| self.scalar(coenergy))
+    }
+
+    /// T + W', whose rates by the speeds are momenta and fluxes.
+    pub fn kinetic_and_coenergy(&self) -> Sym {
+        self.kinetic_energy() + self.coenergy()
+    }
+
+    /// Faraday's law and the force of a field: psi' - dW'/dq, with the flux psi = dW'/di; of a position psi is zero.
+    pub(crate) fn induced(&self, speed: usize) -> Sym {
+        let coenergy = self.coenergy();
+        if coenergy == Sym::ZERO {
+            return coenergy;
+        }
+        let flux = |i: usize| self.by_speed(coenergy, i);
+        self.rate_of(flux(speed)) + self.transposition(speed, flux) - self.by_coordinate(coenergy, speed)
+    }
+
+    /// Whether T + W' is homogeneous of second degree in the speeds: then no body moves where all speeds are zero.
     pub fn has_quadratic_kinetic_energy(&self) -> bool {
-        let kinetic = self.kinetic_energy();
+        let kinetic = self.kinetic_and_coenergy();
         let moved = (0..self.speeds.len()).fold(Sym::ZERO, |sum, i| sum + self.by_speed(kinetic, i) * self.speeds[i]);
         vanishes(moved - kinetic - kinetic)
     }

@@ -298,7 +298,7 @@ impl<'m> Trace<'m> {
             Scalar::Contact { contact, component } => self.reaction(*contact, *component),
             Scalar::KineticEnergy => self.with_mass(self.kinetic_energy()),
             Scalar::PotentialEnergy => self.with_mass(self.potential_energy()),
-            Scalar::Momentum { speed } => self.with_mass(self.by_speed(self.kinetic_energy(), *speed)),
+            Scalar::Momentum { speed } => self.with_mass(self.by_speed(self.kinetic_and_coenergy(), *speed)),
         }
     }
 

@@ -123,11 +123,8 @@ fn units_of_engineers_and_spaces_about_a_slash_are_read() {
 
 #[test]
 fn what_the_language_will_have_is_refused_by_name() {
-    one(&[("[outputs]", "[[drive]]\nturns = \"theta\"\n\n[outputs]")], &["drives are not there yet"]);
     one(&[("[outputs]", "[machine]\nmodel = \"text\"\n\n[outputs]")], &["machines are not there yet"]);
-    one(&[("[outputs]", "[[winding]]\nresistance = \"R\"\n\n[outputs]")], &["windings of drives are not there yet"]);
-    one(&[("[outputs]", "[energies]\ncoenergy = \"(1 J)\"\n\n[outputs]")], &["the energy `coenergy` is not there yet"]);
-    one(&[("width = \"reach\"", "width = \"left.i\"")], &["the current `left.i` of a drive is not there yet"]);
+    one(&[("width = \"reach\"", "width = \"left.i\"")], &["no drive is called `left`"]);
 }
 
 #[test]

@@ -73,3 +73,20 @@ fn a_guide_on_a_frame_that_no_body_has_is_one_of_the_ground() {
     assert_eq!(trajectory.stopped(), None);
     close(last(&trajectory, "N"), 2.0 * 0.3 * 2.0 * last(&trajectory, "r'"), 1e-11);
 }
+
+/// The constraint determines a rod without mass; one with next to none has the same motion.
+#[test]
+fn a_rod_without_mass_goes_as_its_constraint_says() {
+    let guided = stored("models/rough_slider_crank");
+    let rod = "[bodies.rod]\nframe = \"R\"\ncentre = \"A + l/2*R.x\"\nmass = \"m_rod\"\ninertia = \"m_rod*l^2/12\"\n";
+    assert!(guided.contains(rod));
+    let massless = guided.replacen(rod, "", 1).replacen("m_rod = \"0.5 kg\"\n", "", 1);
+    let light = guided.replacen("m_rod = \"0.5 kg\"", "m_rod = \"1e-9 kg\"", 1);
+    let [massless, light] = [&massless, &light].map(|text| runs(text, Method::DormandPrince8, 1e-11));
+    assert_eq!((massless.stopped(), light.stopped()), (None, None));
+    assert_eq!(events(&massless).len(), events(&light).len());
+    events(&massless).iter().zip(&events(&light)).for_each(|(one, other)| close(*one, *other, 1e-7));
+    for name in ["theta", "phi", "theta'", "N"] {
+        close(last(&massless, name), last(&light, name), 1e-5 * last(&light, name).abs().max(1.0));
+    }
+}

@@ -1,0 +1,293 @@
+//! Drives: motors between two bodies, with gears and windings.
+//!
+//! The rotor of a motor is a frame that turns by n times the angle of the shaft, beside the body on which the motor sits. Its torque acts
+//! between these two frames, so that the gear does no work and the reaction acts on that body. A winding is a charge with the current as
+//! its rate:
+//!
+//!   (L i)' - dW'/dq parts of L = v - R i - k w,    torque k i,    co-energy L i^2/2 .
+
+use super::loads::joule;
+use super::{Elaborator, Named, Sound, Value};
+use crate::arena::{Scalar, Vector};
+use crate::{
+    Along, Body, Coordinate, DriveSource, Fault, FrameId, GeneralisedForce, Inertia, ScalarId, Text, Torque, Turn,
+    WindingSource,
+};
+use field::Rational;
+use std::ops::Range;
+use symbolic::Dimension;
+
+const EXAMPLE: &str = "turns = \"theta\", or between = [\"carriage\", \"wheel\"], in [[drive]]";
+const WINDING: &str = "inductance = \"L\", resistance = \"R\", supply = \"U\", motional = \"k\" in [[drive.winding]]";
+
+/// A drive as expressions know it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Drive {
+    pub name: String,
+    /// Names of currents, each with the place of its charge.
+    pub currents: Vec<(String, usize)>,
+    /// Of the motor, once the bodies stand.
+    angle: Option<ScalarId>,
+    speed: Option<ScalarId>,
+    torque: Option<ScalarId>,
+}
+
+fn ampere() -> Dimension {
+    Dimension::current()
+}
+
+fn volt() -> Dimension {
+    joule() / Dimension::time() / ampere()
+}
+
+fn ohm() -> Dimension {
+    volt() / ampere()
+}
+
+impl Elaborator<'_> {
+    /// The charges of all windings, and the names of drives.
+    pub(super) fn charges(&mut self) {
+        for (place, source) in self.source.drives.iter().enumerate() {
+            let found = self.named_drive(place, source);
+            self.kept(found);
+        }
+    }
+
+    fn named_drive(&mut self, place: usize, source: &DriveSource) -> Sound<()> {
+        let name = match (&source.name, self.source.drives.len()) {
+            (Some(name), _) => name.clone(),
+            (None, 1) => Text::at("drive", source.at.start),
+            (None, _) => {
+                let title = "each of several drives has a name";
+                return Err(Box::new(Fault::at(source.at.clone(), title, "this one has none", "name = \"left\"")));
+            }
+        };
+        let mut drive = Drive { name: name.text.clone(), ..Drive::default() };
+        for winding in &source.windings {
+            let current = winding.current.as_ref().map_or("i", |current| current.text.as_str());
+            let at = winding.current.as_ref().map_or_else(|| winding.at.clone(), Text::span);
+            let is_taken = drive.currents.iter().any(|(known, _)| known == current);
+            if is_taken || ["angle", "speed", "torque"].contains(&current) || !crate::expression::is_name(current) {
+                let title = format!("`{current}` is no name for the current of this winding");
+                let accepted = "current = \"i_a\", another name for each winding of a drive";
+                return Err(Box::new(Fault::at(at, title, "here", accepted)));
+            }
+            let charge = match source.windings.len() {
+                1 => format!("{}.q", drive.name),
+                _ => format!("{}.q_{current}", drive.name),
+            };
+            let dimension = ampere() * Dimension::time();
+            self.model.coordinates.push(Coordinate { name: charge, dimension, unit: "C".to_owned(), at });
+            let coordinate = self.model.coordinates.len() - 1;
+            let letter = self.scalar(Scalar::Rate { coordinate, order: 1 }, Some(ampere()));
+            self.currents.insert(coordinate, letter);
+            drive.currents.push((current.to_owned(), coordinate));
+        }
+        self.drives.push(drive);
+        self.give(&name, Named::Drive(place));
+        Ok(())
+    }
+
+    /// The fault of a drive's name alone.
+    pub(super) fn bare_drive(&self, span: &Range<usize>, drive: usize) -> Box<Fault> {
+        let name = &self.drives[drive].name;
+        let title = format!("`{name}` is a drive, which is no quantity");
+        Box::new(Fault::at(span.clone(), title, "a part of it is one", format!("{name}.speed, {name}.torque")))
+    }
+
+    /// `left.i`, `left.angle`, `left.speed`, `left.torque`.
+    pub(super) fn of_drive(&self, span: &Range<usize>, drive: usize, name: &str) -> Sound<Value> {
+        let known = &self.drives[drive];
+        if let Some((_, charge)) = known.currents.iter().find(|(current, _)| current == name) {
+            return Ok(Value::Scalar(self.currents[charge]));
+        }
+        let quantity = match name {
+            "angle" => known.angle,
+            "speed" => known.speed,
+            "torque" => known.torque,
+            _ => {
+                let currents = known.currents.iter().map(|(current, _)| format!("{}.{current}", known.name));
+                let all = ["angle", "speed", "torque"].map(|part| format!("{}.{part}", known.name));
+                let accepted = currents.chain(all).collect::<Vec<_>>().join(", ");
+                let title = format!("the drive `{}` has no `{name}`", known.name);
+                return Err(Box::new(Fault::at(span.clone(), title, "not known", accepted)));
+            }
+        };
+        quantity.map(Value::Scalar).ok_or_else(|| {
+            let title = format!("`{}.{name}` is not known here yet", known.name);
+            let accepted =
+                "it stands in forces, torques, constraints, events and outputs; elsewhere the angle of the shaft";
+            Box::new(Fault::at(span.clone(), title, "before the drive", accepted))
+        })
+    }
+
+    /// The rotors of all drives, with what acts on them.
+    pub(super) fn rotors(&mut self) {
+        for (place, source) in self.source.drives.iter().enumerate() {
+            // one without a name is told
+            if place < self.drives.len() {
+                let found = self.rotor(place, source);
+                self.kept(found);
+            }
+        }
+    }
+
+    /// The torques and the windings of all drives, whose laws may hold quantities of each of them.
+    pub(super) fn windings(&mut self) {
+        for (place, source) in self.source.drives.iter().enumerate() {
+            if self.drives.get(place).is_some_and(|drive| drive.speed.is_some()) {
+                let found = self.wound(place, source);
+                self.kept(found);
+            }
+        }
+    }
+
+    fn rotor(&mut self, place: usize, source: &DriveSource) -> Sound<()> {
+        let number = Some(Dimension::none());
+        let (base, shaft) = match (&source.turns, &source.between) {
+            (Some(turns), None) => (FrameId::GROUND, self.scalar_value(turns, "the angle of a shaft", number)?),
+            (None, Some([first, second])) => {
+                let frames = [self.turning_frame(first)?, self.turning_frame(second)?];
+                if frames[0] == frames[1] {
+                    let title = "a drive turns one body beside another, and these turn together";
+                    return Err(Box::new(Fault::at(second.span(), title, "the frame before", EXAMPLE)));
+                }
+                let [on, of] = [(frames[0], first), (frames[1], second)].map(|(frame, text)| self.about_z(frame, text));
+                let (on, of) = (on?, of?);
+                (frames[0], self.scalar(Scalar::Difference(of, on), number))
+            }
+            _ => {
+                let title = "a drive has one of `turns` and `between`";
+                return Err(Box::new(Fault::at(source.at.clone(), title, "here", EXAMPLE)));
+            }
+        };
+        let angle = match &source.ratio {
+            None => shaft,
+            Some(ratio) => {
+                let ratio = self.scalar_value(ratio, "the ratio of a gear", number)?;
+                self.scalar(Scalar::Product(ratio, shaft), number)
+            }
+        };
+        self.must_have_rate(&source.at, angle.0)?;
+        let speed = self.scalar(Scalar::RateOf(angle), Some(Dimension::none() / Dimension::time()));
+        let name = self.drives[place].name.clone();
+        let rotor = self.new_frame(&format!("rotor of {name}"), base, Turn::About { axis: 2, angle });
+        (self.drives[place].angle, self.drives[place].speed) = (Some(angle), Some(speed));
+        self.rotor_frames.push((place, base, rotor));
+        if let Some(text) = &source.inertia {
+            let needed = Dimension::mass() * Dimension::length().power(Rational::new(2, 1));
+            let inertia = self.scalar_value(text, "the moment of inertia", Some(needed))?;
+            let at = text.span();
+            self.model.bodies.push(Body {
+                name: format!("rotor of {name}"),
+                frame: Some(rotor),
+                centre: None,
+                mass: None,
+                inertia: Some(Inertia::Axial(inertia)),
+                mass_at: at.clone(),
+                inertia_at: at.clone(),
+                at,
+            });
+        }
+        Ok(())
+    }
+
+    /// The angle of a frame beside the ground, of turns about z alone.
+    fn about_z(&mut self, mut frame: FrameId, text: &Text) -> Sound<ScalarId> {
+        let number = Some(Dimension::none());
+        let mut sum: Option<ScalarId> = None;
+        while let Some((parent, turn)) = self.model.frames[frame.0].parent {
+            let Turn::About { axis: 2, angle } = turn else {
+                let title = "drives in space are not there yet: this frame turns about another axis than z";
+                return Err(Box::new(Fault::at(text.span(), title, "not there yet", "turns = \"theta\", an angle")));
+            };
+            sum = Some(match sum {
+                None => angle,
+                Some(sum) => self.scalar(Scalar::Sum(angle, sum), number),
+            });
+            frame = parent;
+        }
+        Ok(sum.unwrap_or_else(|| {
+            let zero = crate::arena::Number { value: 0.0, times: 1.0, per: 1.0 };
+            self.scalar(Scalar::Number(zero), number)
+        }))
+    }
+
+    fn wound(&mut self, place: usize, source: &DriveSource) -> Sound<()> {
+        let Some((_, base, rotor)) = self.rotor_frames.iter().copied().find(|(own, ..)| *own == place) else {
+            return Ok(());
+        };
+        let mut torque = match &source.torque {
+            None => None,
+            Some(torque) => Some(self.scalar_value(torque, "the torque on a motor", Some(joule()))?),
+        };
+        if torque.is_none() && source.windings.is_empty() {
+            let title = "a drive has a torque or windings";
+            return Err(Box::new(Fault::at(source.at.clone(), title, "neither stands here", WINDING)));
+        }
+        for (number, winding) in source.windings.iter().enumerate() {
+            let charge = self.drives[place].currents[number].1;
+            if let Some(part) = self.winding(place, charge, winding)? {
+                torque = Some(match torque {
+                    None => part,
+                    Some(sum) => self.scalar(Scalar::Sum(sum, part), Some(joule())),
+                });
+            }
+        }
+        let Some(torque) = torque else { return Ok(()) };
+        self.drives[place].torque = Some(torque);
+        let axis = self.vector(Vector::Axis { frame: FrameId::GROUND, axis: 2 }, Some(Dimension::none()));
+        let is = self.vector(Vector::Scaled(torque, axis), Some(joule()));
+        self.model.torques.push(Torque::Between { frames: [base, rotor], is });
+        Ok(())
+    }
+
+    /// The law of a winding; its torque, where it has one.
+    fn winding(&mut self, drive: usize, charge: usize, source: &WindingSource) -> Sound<Option<ScalarId>> {
+        let henry = ohm() * Dimension::time();
+        let inductance = self.scalar_value(&source.inductance, "the inductance of a winding", Some(henry))?;
+        if self.orders.of(inductance.0).is_some_and(|order| order > 0) {
+            let title = "the inductance of a winding depends on positions alone";
+            let accepted = "an inductance that saturates is a co-energy W'(i, q): coenergy = \"...\" in [energies]";
+            return Err(Box::new(Fault::at(source.inductance.span(), title, "a rate stands in it", accepted)));
+        }
+        let current = self.currents[&charge];
+        let two = crate::arena::Number { value: 2.0, times: 1.0, per: 1.0 };
+        let two = self.scalar(Scalar::Number(two), Some(Dimension::none()));
+        let flux = self.scalar(Scalar::Product(inductance, current), Some(henry * ampere()));
+        let twice = self.scalar(Scalar::Product(flux, current), Some(joule()));
+        let own = self.scalar(Scalar::Quotient(twice, two), Some(joule()));
+        self.model.energies.coenergy = Some(match self.model.energies.coenergy {
+            None => own,
+            Some(sum) => self.scalar(Scalar::Sum(sum, own), Some(joule())),
+        });
+        let mut drops = Vec::new();
+        if let Some(resistance) = &source.resistance {
+            let resistance = self.scalar_value(resistance, "the resistance of a winding", Some(ohm()))?;
+            drops.push(self.scalar(Scalar::Product(resistance, current), Some(volt())));
+        }
+        let mut torque = None;
+        if let Some(motional) = &source.motional {
+            let per_speed = volt() * Dimension::time();
+            let motional = self.scalar_value(motional, "the motional voltage per speed", Some(per_speed))?;
+            if let Some(speed) = self.drives[drive].speed {
+                drops.push(self.scalar(Scalar::Product(motional, speed), Some(volt())));
+            }
+            torque = Some(self.scalar(Scalar::Product(motional, current), Some(joule())));
+        }
+        let mut voltage = match &source.supply {
+            None => None,
+            Some(supply) => Some(self.scalar_value(supply, "the supply of a winding", Some(volt()))?),
+        };
+        for drop in drops {
+            voltage = Some(match voltage {
+                None => self.scalar(Scalar::Negation(drop), Some(volt())),
+                Some(voltage) => self.scalar(Scalar::Difference(voltage, drop), Some(volt())),
+            });
+        }
+        if let Some(is) = voltage {
+            self.model.generalised.push(GeneralisedForce { along: Along::Speed(charge), is });
+        }
+        Ok(torque)
+    }
+}
