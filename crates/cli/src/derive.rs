@@ -143,7 +143,7 @@ fn quasi_principle(asked: &Asked, model: &Model) -> Option<QuasiPrinciple> {
         return None;
     }
     match asked.principle {
-        None if model.energies.kinetic.is_some() => Some(QuasiPrinciple::Hamel),
+        None if model.energies.kinetic.is_some() || model.energies.coenergy.is_some() => Some(QuasiPrinciple::Hamel),
         None | Some(PrincipleName::VirtualPower) => Some(QuasiPrinciple::VirtualPower),
         Some(PrincipleName::Appell) => Some(QuasiPrinciple::Appell),
         Some(PrincipleName::Hamel) => Some(QuasiPrinciple::Hamel),
