@@ -32,6 +32,7 @@ mod system;
 mod tests;
 mod unheld_axes;
 mod value;
+mod windings;
 
 use crate::arena::{Arena, Scalar, Vector};
 use crate::expression::{Expression, read};

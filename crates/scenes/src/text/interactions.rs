@@ -1,0 +1,113 @@
+//! Forces, torques, contacts and drives: what bodies do to each other.
+
+use super::{placed, text_of};
+use derivations::scene::Issue;
+use derivations::scene::read::Table;
+use model::{ContactSource, DriveSource, LoadSource, Text, WindingSource};
+
+pub(super) fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
+    let needed = format!("[[{name}]] in double brackets is accepted, since a system may have several");
+    let mut loads = Vec::new();
+    for mut table in top.tables(name, &needed) {
+        let own_name = text_of(&mut table, "name", "name");
+        let on = text_of(&mut table, "on", "\"disc at G\"");
+        let along = if name == "force" { text_of(&mut table, "along", "coordinate") } else { None };
+        let between = pair(&mut table, "[\"a at P\", \"b at Q\"]");
+        let is = table.text("is", "value: a vector, or a scalar along a line");
+        let is = placed(&table, &is);
+        let at = table.span();
+        let sound = !table.has_issues();
+        top.absorb(table);
+        if sound {
+            loads.push(LoadSource { name: own_name, on, along, between, is, at });
+        }
+    }
+    loads
+}
+
+/// `between = ["a", "b"]`
+fn pair(table: &mut Table<'_>, example: &str) -> Option<[Text; 2]> {
+    let pair = table.texts("between", example);
+    match pair.as_slice() {
+        [] => None,
+        [first, second] => Some([placed(table, first), placed(table, second)]),
+        _ => {
+            let issue = Issue::at(table.span(), "`between` has two places", format!("{} stand here", pair.len()));
+            table.report(issue.accepted(format!("between = {example}")));
+            None
+        }
+    }
+}
+
+pub(super) fn drives(top: &mut Table<'_>) -> Vec<DriveSource> {
+    let mut drives = Vec::new();
+    for mut table in top.tables("drive", "[[drive]] in double brackets is accepted, since a system may have several") {
+        if let Some(model) = table.optional_text("model", "model of the motor").filter(|model| model.value != "text") {
+            let issue = Issue::at(model.span.clone(), "motors of the program are not there yet", "not there yet");
+            table.report(issue.accepted("model = \"text\": windings, and a torque"));
+        }
+        let mut text = |key: &str, needed: &str| text_of(&mut table, key, needed);
+        let mut drive = DriveSource {
+            name: text("name", "name"),
+            turns: text("turns", "angle of the shaft"),
+            ratio: text("ratio", "turns of the motor for one of the shaft"),
+            inertia: text("inertia", "moment of inertia of the rotor"),
+            torque: text("torque", "torque on the motor"),
+            ..DriveSource::default()
+        };
+        drive.between = pair(&mut table, "[\"carriage\", \"wheel\"]");
+        for mut winding in table.tables("winding", "windings are tables, [[drive.winding]] each") {
+            let mut text = |key: &str, needed: &str| text_of(&mut winding, key, needed);
+            let source = WindingSource {
+                current: text("current", "name of the current"),
+                resistance: text("resistance", "resistance"),
+                supply: text("supply", "voltage"),
+                motional: text("motional", "voltage per speed against the supply"),
+                ..WindingSource::default()
+            };
+            let inductance = winding.text("inductance", "inductance, of positions");
+            let (inductance, at) = (placed(&winding, &inductance), winding.span());
+            table.absorb(winding);
+            drive.windings.push(WindingSource { inductance, at, ..source });
+        }
+        drive.at = table.span();
+        let sound = !table.has_issues();
+        top.absorb(table);
+        if sound {
+            drives.push(drive);
+        }
+    }
+    drives
+}
+
+pub(super) fn contacts(top: &mut Table<'_>) -> Vec<ContactSource> {
+    let mut contacts = Vec::new();
+    for mut table in
+        top.tables("contact", "[[contact]] in double brackets is accepted, since a system may have several")
+    {
+        let mut text = |key: &str, needed: &str| text_of(&mut table, key, needed);
+        let mut contact = ContactSource {
+            name: text("name", "name"),
+            of: text("of", "\"ladder at B\""),
+            with: text("with", "body that is touched"),
+            between: text("between", "\"slider, N along x\""),
+            through: text("through", "point of the plane"),
+            normal: text("normal", "direction in which the gap grows, a vector"),
+            gap: text("gap", "gap, a length"),
+            sides: text("sides", "\"one\" or \"both\""),
+            friction: text("friction", "coefficient of friction"),
+            restitution: text("restitution", "coefficient of restitution"),
+            impact: text("impact", "\"newton\" or \"poisson\""),
+            touching: false,
+            at: 0..0,
+        };
+        contact.touching = table.flag("touching", "the start is completed so that it touches");
+        contact.at = table.span();
+        let sound = !table.has_issues();
+        top.absorb(table);
+        if sound {
+            contacts.push(contact);
+        }
+    }
+    contacts
+}
