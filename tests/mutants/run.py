@@ -104,6 +104,8 @@ SUBJECT_OF = {
     "crates/model/src/elaboration/guides.rs": ["rough"],
     "crates/model/src/elaboration/drives.rs": ["drives"],
     "crates/model/src/trace/motion.rs": ["rough", "principles"],
+    "crates/model/src/trace/bodies.rs": ["drives", "principles", "model", "exports"],
+    "crates/model/src/equations/elimination.rs": ["rough", "principles", "model", "exports"],
     "crates/model/": ["principles", "model", "exports"],
     "crates/scenes/src/start/leaf.rs": ["linearisation"],
     "crates/scenes/src/start/": ["models", "messages"],
