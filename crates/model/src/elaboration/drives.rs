@@ -128,7 +128,7 @@ impl Elaborator<'_> {
     fn rotor(&mut self, place: usize, source: &DriveSource) -> Sound<()> {
         let number = Some(Dimension::none());
         let (base, shaft) = match (&source.turns, &source.between) {
-            (Some(turns), None) => (FrameId::GROUND, self.scalar_value(turns, "the angle of a shaft", number)?),
+            (Some(turns), None) => (FrameId::GROUND, self.position(turns, "the angle of a shaft")?),
             (None, Some([first, second])) => {
                 let frames = [self.turning_frame(first)?, self.turning_frame(second)?];
                 if frames[0] == frames[1] {
@@ -147,11 +147,10 @@ impl Elaborator<'_> {
         let angle = match &source.ratio {
             None => shaft,
             Some(ratio) => {
-                let ratio = self.scalar_value(ratio, "the ratio of a gear", number)?;
+                let ratio = self.position(ratio, "the ratio of a gear")?;
                 self.scalar(Scalar::Product(ratio, shaft), number)
             }
         };
-        self.must_have_rate(&source.at, angle.0)?;
         let speed = self.scalar(Scalar::RateOf(angle), Some(Dimension::none() / Dimension::time()));
         let name = self.drives[place].name.clone();
         let rotor = self.new_frame(&format!("rotor of {name}"), base, Turn::About { axis: 2, angle });
@@ -173,6 +172,16 @@ impl Elaborator<'_> {
             });
         }
         Ok(())
+    }
+
+    /// A number of positions, which no speed changes.
+    fn position(&mut self, text: &Text, what: &str) -> Sound<ScalarId> {
+        let found = self.scalar_value(text, what, Some(Dimension::none()))?;
+        if self.orders.of(found.0).is_some_and(|order| order > 0) {
+            let title = format!("{what} depends on positions alone");
+            return Err(Box::new(Fault::at(text.span(), title, "a rate stands in it", "an angle: turns = \"theta\"")));
+        }
+        Ok(found)
     }
 
     /// The angle of a frame beside the ground, of turns about z alone.
@@ -202,7 +211,7 @@ impl Elaborator<'_> {
         };
         let mut torque = match &source.torque {
             None => None,
-            Some(torque) => Some(self.scalar_value(torque, "the torque on a motor", Some(joule()))?),
+            Some(torque) => Some(self.law(torque, "the torque on a motor", joule())?),
         };
         if torque.is_none() && source.windings.is_empty() {
             let title = "a drive has a torque or windings";
@@ -221,7 +230,7 @@ impl Elaborator<'_> {
         self.drives[place].torque = Some(torque);
         let axis = self.vector(Vector::Axis { frame: FrameId::GROUND, axis: 2 }, Some(Dimension::none()));
         let is = self.vector(Vector::Scaled(torque, axis), Some(joule()));
-        self.model.torques.push(Torque::Between { frames: [base, rotor], is });
+        self.driving.0.push(Torque::Between { frames: [base, rotor], is });
         Ok(())
     }
 }

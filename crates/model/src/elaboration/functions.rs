@@ -288,7 +288,7 @@ impl Elaborator<'_> {
     }
 
     /// Rates of accelerations and of reactions are third rates of coordinates, which no law gives.
-    pub(super) fn must_have_rate(&self, span: &Range<usize>, part: usize) -> Sound<()> {
+    fn must_have_rate(&self, span: &Range<usize>, part: usize) -> Sound<()> {
         if self.orders.of(part).is_none_or(|order| order < ACCELERATIONS) {
             return Ok(());
         }

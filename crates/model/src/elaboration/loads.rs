@@ -54,6 +54,9 @@ impl Elaborator<'_> {
                 self.model.torques.push(torque);
             }
         }
+        let (torques, forces) = std::mem::take(&mut self.driving);
+        self.model.torques.extend(torques);
+        self.model.generalised.extend(forces);
         for constraint in &self.source.constraints {
             let found = self.constraint(constraint);
             let found = self.beside(found, constraint.gains.iter().flatten().chain(&constraint.zero));

@@ -36,7 +36,9 @@ mod windings;
 
 use crate::arena::{Arena, Scalar, Vector};
 use crate::expression::{Expression, read};
-use crate::{BodyId, Fault, Frame, FrameId, Model, Point, PointId, ScalarId, Source, Text, VectorId};
+use crate::{
+    BodyId, Fault, Frame, FrameId, GeneralisedForce, Model, Point, PointId, ScalarId, Source, Text, Torque, VectorId,
+};
 use constants::Constant;
 use drives::Drive;
 use orders::Orders;
@@ -150,6 +152,8 @@ struct Elaborator<'s> {
     currents: FxHashMap<usize, ScalarId>,
     /// For each drive the frame on which the motor sits, and that of its rotor.
     rotor_frames: Vec<(usize, FrameId, FrameId)>,
+    /// What drives act with, behind the loads of the file.
+    driving: (Vec<Torque>, Vec<GeneralisedForce>),
     /// Tables with keys of another one, whose heading is missing.
     headless: Vec<(String, Fault)>,
 }
@@ -172,6 +176,7 @@ impl<'s> Elaborator<'s> {
             drives: Vec::new(),
             currents: FxHashMap::default(),
             rotor_frames: Vec::new(),
+            driving: (Vec::new(), Vec::new()),
             headless: Vec::new(),
         };
         let time = made.scalar(Scalar::Time, Some(Dimension::time()));

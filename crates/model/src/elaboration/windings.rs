@@ -3,9 +3,10 @@
 //!   (dW'/di)' = v - R i - k w,    W' = L i^2/2,    torque k i .
 
 use super::loads::joule;
+use super::orders::ACCELERATIONS;
 use super::{Elaborator, Sound};
 use crate::arena::{Number, Scalar};
-use crate::{Along, Fault, GeneralisedForce, ScalarId, WindingSource};
+use crate::{Along, Fault, GeneralisedForce, ScalarId, Text, WindingSource};
 use symbolic::Dimension;
 
 pub(super) fn ampere() -> Dimension {
@@ -21,6 +22,18 @@ fn ohm() -> Dimension {
 }
 
 impl Elaborator<'_> {
+    /// A law of positions, speeds and currents.
+    pub(super) fn law(&mut self, text: &Text, what: &str, dimension: Dimension) -> Sound<ScalarId> {
+        let found = self.scalar_value(text, what, Some(dimension))?;
+        if self.orders.of(found.0).is_some_and(|order| order >= ACCELERATIONS) {
+            let title = format!("{what} holds accelerations, or rates of currents");
+            let accepted =
+                "positions, speeds, currents and the time; a voltage M i' of another winding is a co-energy M i1 i2";
+            return Err(Box::new(Fault::at(text.span(), title, "not there yet", accepted)));
+        }
+        Ok(found)
+    }
+
     /// The law of a winding; its torque, where it has one.
     pub(super) fn winding(&mut self, drive: usize, charge: usize, source: &WindingSource) -> Sound<Option<ScalarId>> {
         let henry = ohm() * Dimension::time();
@@ -42,13 +55,13 @@ impl Elaborator<'_> {
         });
         let mut drops = Vec::new();
         if let Some(resistance) = &source.resistance {
-            let resistance = self.scalar_value(resistance, "the resistance of a winding", Some(ohm()))?;
+            let resistance = self.law(resistance, "the resistance of a winding", ohm())?;
             drops.push(self.scalar(Scalar::Product(resistance, current), Some(volt())));
         }
         let mut torque = None;
         if let Some(motional) = &source.motional {
             let per_speed = volt() * Dimension::time();
-            let motional = self.scalar_value(motional, "the motional voltage per speed", Some(per_speed))?;
+            let motional = self.law(motional, "the motional voltage per speed", per_speed)?;
             if let Some(speed) = self.drives[drive].speed {
                 drops.push(self.scalar(Scalar::Product(motional, speed), Some(volt())));
             }
@@ -56,7 +69,7 @@ impl Elaborator<'_> {
         }
         let mut voltage = match &source.supply {
             None => None,
-            Some(supply) => Some(self.scalar_value(supply, "the supply of a winding", Some(volt()))?),
+            Some(supply) => Some(self.law(supply, "the supply of a winding", volt())?),
         };
         for drop in drops {
             voltage = Some(match voltage {
@@ -65,7 +78,7 @@ impl Elaborator<'_> {
             });
         }
         if let Some(is) = voltage {
-            self.model.generalised.push(GeneralisedForce { along: Along::Speed(charge), is });
+            self.driving.1.push(GeneralisedForce { along: Along::Speed(charge), is });
         }
         Ok(torque)
     }

@@ -86,12 +86,11 @@ impl<'t, 'm> Tree<'t, 'm> {
         centre == point || is_zero(link.frame.map_or(arm, |frame| self.trace.rate_seen(arm, frame)))
     }
 
-    /// The link that a load at a point acts on: the body that is named, else the first that the point is fixed in, else one of
-    /// the point's own; none for the ground.
+    /// The link that a load at a point acts on: the body that is named, which carries its points, else the first that the point is fixed
+    /// in, else one of the point's own; none for the ground.
     pub fn bearer(&mut self, Material { body, point }: Material) -> Option<usize> {
         let named = self.links.iter().position(|link| link.body.is_some() && link.body == body);
-        let moves_along = |link: &Link| link.frame.is_some() && link.centre.is_some() || link.centre == Some(point);
-        if let Some(named) = named.filter(|&named| moves_along(&self.links[named])) {
+        if let Some(named) = named.filter(|&named| self.links[named].centre.is_some()) {
             return Some(named);
         }
         match self.holding(point) {

@@ -92,7 +92,8 @@ impl Follower<'_> {
             Sets::Event(event) => *state = moded.signals.set_exactly(event, *time, state),
             Sets::Impact(contact) => {
                 let expansions = self.laws.expansions().map_err(|_| blunt())?;
-                *state = expansions.struck_exactly(*time, state, contact).ok_or_else(blunt)?;
+                *state =
+                    expansions.struck_exactly(*time, state, (contact, &moded.system.mode.cases)).ok_or_else(blunt)?;
             }
             Sets::LastBounce => return Err(Unknown::LastBounce { time: crossing.time }),
         }

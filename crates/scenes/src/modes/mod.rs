@@ -162,7 +162,10 @@ impl Modes {
             return Ok(Arc::clone(&moded.system));
         }
         let expansions = self.laws.expansions().map_err(Refused::Law)?;
-        if let Some(unfit) = Unfit::first(expansions, &Instant { time: 0.0, state, late: 0.0 }) {
+        let instant = Instant { time: 0.0, state, late: 0.0 };
+        if let Ok(cases) = self.cases_next(&instant)
+            && let Some(unfit) = Unfit::first(expansions, &instant, &cases)
+        {
             return Err(Refused::Contact(unfit));
         }
         let begun = self.begun(0.0, state).map_err(|why| Refused::Motion { why, switch: self.at_zero(0.0, state) })?;

@@ -49,8 +49,10 @@ impl Modes {
 
     /// The mode at a state that no mode has led to.
     pub(super) fn begun(&self, time: f64, state: &[f64]) -> Result<Current, &'static str> {
-        let touches = self.touches(time, state)?;
-        self.at(&Instant { time, state, late: 0.0 }, (&[], &touches), |_| Past::None)
+        let instant = Instant { time, state, late: 0.0 };
+        let cases = self.cases_next(&instant)?;
+        let touches = self.touches(time, state, &cases)?;
+        self.at(&instant, (&[], &touches), |_| Past::None)
     }
 
     /// The mode at a state; conditions that were held, and may be so still, are open.
@@ -60,6 +62,26 @@ impl Modes {
         (held, touches): (&[usize], &[Touch]),
         past: impl Fn(usize) -> Past,
     ) -> Result<Current, &'static str> {
+        let (mode, open) = self.cases_at(instant, held)?;
+        self.settled(instant, &mode, Open { switches: &open, touches }, past)
+    }
+
+    /// The cases of conditions next after a state: of one at zero by its rate, where that does not depend on cases.
+    pub(super) fn cases_next(&self, instant: &Instant<'_>) -> Result<Vec<Case>, &'static str> {
+        let expansions = self.laws.expansions().map_err(refused)?;
+        let (mut mode, open) = self.cases_at(instant, &[])?;
+        let found = expansions.at::<2>(instant, &mode);
+        for switch in open {
+            if found.as_ref().is_some_and(|found| found.conditions[switch].sign_of(1, SLACK) > 0.0) {
+                mode.cases[switch] = Case::On;
+            }
+        }
+        expansions.mirror(&mut mode);
+        Ok(mode.cases)
+    }
+
+    /// The cases of conditions at a state, and the conditions that are open: at zero, or held so far.
+    pub(super) fn cases_at(&self, instant: &Instant<'_>, held: &[usize]) -> Result<(Mode, Vec<usize>), &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let mut mode = Mode::off(&self.laws.model);
         let mut open = Vec::new();
@@ -73,7 +95,32 @@ impl Modes {
             }
             expansions.mirror(&mut mode);
         }
-        self.settled(instant, &mode, Open { switches: &open, touches }, past)
+        Ok((mode, open))
+    }
+
+    /// Conditions that jump since another one has passed: a law that changes may change the speed of what a body slides on. They get
+    /// the case of the side to which they jump.
+    fn jumped(
+        &self,
+        instant: &Instant<'_>,
+        mode: &mut Mode,
+        known: &Expansion<TERMS>,
+        passed: usize,
+    ) -> Result<Vec<usize>, &'static str> {
+        let expansions = self.laws.expansions().map_err(refused)?;
+        let Some(now) = expansions.at::<1>(instant, mode) else { return Ok(Vec::new()) };
+        let jumps = |switch: &usize| {
+            let (now, before) = (&now.conditions[*switch], &known.conditions[*switch]);
+            let rounding = SLACK * (now.doubts[0] + before.doubts[0]);
+            *switch != passed && (now.terms[0] - before.terms[0]).abs() > rounding
+        };
+        let own = |switch: &usize| expansions.mirrored[*switch].is_none();
+        let jumped: Vec<usize> = (0..mode.cases.len()).filter(own).filter(jumps).collect();
+        for &switch in &jumped {
+            mode.cases[switch] = if now.conditions[switch].terms[0] > 0.0 { Case::On } else { Case::Off };
+        }
+        expansions.mirror(mode);
+        Ok(jumped)
     }
 
     /// The mode after an event, and the state, which the event may set.
@@ -91,7 +138,7 @@ impl Modes {
         };
         let own = |switch: &usize| expansions.mirrored[*switch].is_none();
         let cases = mode.cases.len();
-        let held: Vec<usize> = (0..cases).filter(own).filter(|&switch| mode.cases[switch].rests()).collect();
+        let mut held: Vec<usize> = (0..cases).filter(own).filter(|&switch| mode.cases[switch].rests()).collect();
         let keeps = |other: usize| match before.sides[other] {
             Side { is_open: true, .. } => Past::None,
             Side { sign: from, .. } => Past::Side { from, near: before.near_events[other] },
@@ -113,9 +160,22 @@ impl Modes {
             Fall::Smooths { .. } => return Err(NEGATIVE),
             Fall::Closes { .. } | Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Stops { .. } => None,
         };
-        let (touches, sets) = self.touches_after(&mode, fall, (event.time, late), state)?;
-        let is_open = |switch: &usize| held.contains(switch) || Some(*switch) == last || is_near(&known, *switch);
-        let open: Vec<usize> = (0..cases).filter(own).filter(is_open).collect();
+        expansions.mirror(&mut mode);
+        let cases = &before.moded.system.mode.cases;
+        let (touches, sets) = self.touches_after((cases, &mode), fall, (event.time, late), state)?;
+        // a gap that has closed is zero at this time, whatever the error of the time
+        let late = if matches!(fall, Fall::Closes { .. }) { 0.0 } else { late };
+        let jumped = match fall {
+            Fall::Passes { switch } => {
+                self.jumped(&Instant { time: event.time, state, late: 0.0 }, &mut mode, &known, switch)?
+            }
+            _ => Vec::new(),
+        };
+        held.retain(|switch| !jumped.contains(switch));
+        let is_open = |switch: &usize| {
+            !jumped.contains(switch) && (held.contains(switch) || Some(*switch) == last || is_near(&known, *switch))
+        };
+        let open: Vec<usize> = (0..mode.cases.len()).filter(own).filter(is_open).collect();
         expansions.mirror(&mut mode);
         let instant = Instant { time: event.time, state, late };
         let current = self.settled(&instant, &mode, Open { switches: &open, touches: &touches }, keeps);
@@ -203,7 +263,9 @@ impl Modes {
             _ => Past::None,
         };
         let phases = &before.moded.system.mode.phases;
-        let touches = self.touches_set(phases, &known.contacts, event.time, state)?;
+        let cases = self.cases_at(&instant, &held)?.0.cases;
+        let now = Mode { cases, phases: phases.clone() };
+        let touches = self.touches_set(&now, &known.contacts, event.time, state)?;
         let current = self.at(&instant, (&held, &touches), past)?;
         Ok(After::Changed(current, Sets::Event(number)))
     }

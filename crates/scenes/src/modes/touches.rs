@@ -5,7 +5,7 @@ use super::course::Sets;
 use super::decision::TERMS;
 use super::expansion::{Instant, NotStruck, Touching};
 use super::jet::Jet;
-use super::mode::{Face, Mode, Phase};
+use super::mode::{Case, Face, Mode, Phase};
 use super::passage::{SLACK, refused};
 use super::signals::Fall;
 use super::touch::Touch;
@@ -23,23 +23,23 @@ const BOUNCES: f64 = 1e-9;
 
 impl Modes {
     /// What the contacts do at a state that is given.
-    pub(super) fn touches(&self, time: f64, state: &[f64]) -> Result<Vec<Touch>, &'static str> {
+    pub(super) fn touches(&self, time: f64, state: &[f64], cases: &[Case]) -> Result<Vec<Touch>, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let instant = Instant { time, state, late: 0.0 };
-        if let Some(Unfit { why, .. }) = Unfit::first(expansions, &instant) {
+        if let Some(Unfit { why, .. }) = Unfit::first(expansions, &instant, cases) {
             return Err(why);
         }
         let of = |contact: Touching<1>| match [contact.gap, contact.gap_rate].map(|jet| jet.sign_of(0, SLACK)) {
             [0.0, 0.0] => touching(&contact),
             _ => Touch::Open,
         };
-        Ok(expansions.contacts(&instant).into_iter().map(of).collect())
+        Ok(expansions.contacts(&instant, cases).into_iter().map(of).collect())
     }
 
-    /// What the contacts do after a fall in some phases, and what has set the state: an impact changes the speeds.
+    /// What the contacts do after a fall in some phases, with the cases before it, and what has set the state: an impact changes the speeds.
     pub(super) fn touches_after(
         &self,
-        mode: &Mode,
+        (before, mode): (&[Case], &Mode),
         fall: Fall,
         (time, late): (f64, f64),
         state: &mut [f64],
@@ -59,16 +59,20 @@ impl Modes {
             Fall::Closes { contact } => Some(contact),
             _ => None,
         };
+        let known = match fall {
+            Fall::Passes { .. } => expansions.contacts(&Instant { time, state, late: 0.0 }, before),
+            _ => Vec::new(),
+        };
         let mut opened = Vec::new();
         let approaches = |contact: &Touching<1>| contact.gap_rate.sign_of(0, SLACK) < 0.0;
         if let Some(contact) = closing {
             expansions.return_to_touch(time, state, contact);
         }
         if let Some(contact) = closing
-            && approaches(&expansions.contacts(&Instant { time, state, late })[contact])
+            && approaches(&expansions.contacts(&Instant { time, state, late }, &mode.cases)[contact])
         {
             let in_touch: Vec<usize> = (0..phases.len()).filter(|&other| phases[other] != Phase::Apart).collect();
-            opened = expansions.struck(time, state, contact, &in_touch).map_err(|why| match why {
+            opened = expansions.struck(time, state, (contact, &mode.cases), &in_touch).map_err(|why| match why {
                 NotStruck::Together => TOGETHER,
                 NotStruck::Undetermined => IMPULSES,
                 NotStruck::AddsEnergy => ENERGY,
@@ -83,6 +87,9 @@ impl Modes {
                 expansions.return_to_zero(time, state, &closed, 0.0);
             }
         }
+        let jumps = |place: usize, now: &Touching<1>| {
+            known.get(place).is_some_and(|before| (now.slide - before.slide).sign_of(0, SLACK) != 0.0)
+        };
         let of = |(place, (contact, phase)): (usize, (Touching<1>, &Phase))| match *phase {
             Phase::Apart if Some(place) != closing => Touch::Open,
             // a bounce
@@ -93,6 +100,8 @@ impl Modes {
             // an impact may turn the sliding of others round
             _ if closing.is_some() => touching(&contact),
             Phase::Carried => touching(&contact),
+            // a condition may change the speed of a plane at once
+            _ if jumps(place, &contact) => touching(&contact),
             Phase::Sticks(_) | Phase::Rests { .. } => Touch::Rest,
             Phase::Slips { .. } if matches!(fall, Fall::Stops { contact } if contact == place) => Touch::Rest,
             Phase::Slips { forwards, .. } => match touching(&contact) {
@@ -100,14 +109,14 @@ impl Modes {
                 _ => Touch::Slides { forwards },
             },
         };
-        let contacts = expansions.contacts(&Instant { time, state, late });
+        let contacts = expansions.contacts(&Instant { time, state, late }, &mode.cases);
         Ok((contacts.into_iter().zip(phases).enumerate().map(of).collect(), sets))
     }
 
     /// Whether what is left of bounces at a contact is over in no time beside that of the run, or no higher than the rounding of its gap.
     fn bounces_end(&self, mode: &Mode, contact: usize, time: f64, state: &[f64]) -> Result<bool, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
-        let [_, restitution] = expansions.coefficients(time, state, contact);
+        let [_, restitution] = expansions.coefficients(time, state, (contact, &mode.cases));
         let found = expansions.at::<2>(&Instant { time, state, late: 0.0 }, mode);
         let Some(Touching { gap, gap_rate, .. }) = found.map(|found| found.contacts[contact]) else { return Ok(false) };
         let [rate, acceleration] = gap_rate.terms;
@@ -121,7 +130,7 @@ impl Modes {
     /// What the contacts do after an event has set the state: those that it has left as they were are in touch as before.
     pub(super) fn touches_set(
         &self,
-        phases: &[Phase],
+        Mode { phases, cases }: &Mode,
         before: &[Touching<TERMS>],
         time: f64,
         state: &[f64],
@@ -130,7 +139,7 @@ impl Modes {
         let stays = |now: &Jet<1>, before: &Jet<TERMS>| {
             (now.terms[0] - before.terms[0]).abs() <= SLACK * (now.doubts[0] + before.doubts[0])
         };
-        let now = expansions.contacts(&Instant { time, state, late: 0.0 });
+        let now = expansions.contacts(&Instant { time, state, late: 0.0 }, cases);
         let kept = now.iter().zip(before).zip(phases).map(|((now, before), phase)| {
             let stays = stays(&now.gap, &before.gap) && stays(&now.gap_rate, &before.gap_rate);
             (stays && *phase != Phase::Apart).then(|| touching(now))
@@ -139,7 +148,7 @@ impl Modes {
         if kept.iter().all(Option::is_some) {
             return Ok(kept.into_iter().flatten().collect());
         }
-        let given = self.touches(time, state)?;
+        let given = self.touches(time, state, cases)?;
         Ok(kept.into_iter().zip(given).map(|(kept, given)| kept.unwrap_or(given)).collect())
     }
 }

@@ -1,6 +1,7 @@
 //! Contacts that cannot be at a state from which a motion should start.
 
 use super::expansion::{Expansions, Instant, Kind, Touching};
+use super::mode::Case;
 use super::passage::SLACK;
 use super::touches::NEGATIVE;
 use model::Sides;
@@ -22,10 +23,10 @@ pub struct Unfit {
 
 impl Unfit {
     /// The first one at a state.
-    pub(super) fn first(expansions: &Expansions, instant: &Instant<'_>) -> Option<Self> {
-        let contacts = expansions.contacts(instant);
+    pub(super) fn first(expansions: &Expansions, instant: &Instant<'_>, cases: &[Case]) -> Option<Self> {
+        let contacts = expansions.contacts(instant, cases);
         contacts.iter().enumerate().find_map(|(contact, touching)| {
-            let (why, accepted) = wrong(expansions, instant, contact, touching)?;
+            let (why, accepted) = wrong(expansions, instant, (contact, cases), touching)?;
             Some(Unfit { contact, why, accepted })
         })
     }
@@ -34,11 +35,11 @@ impl Unfit {
 fn wrong(
     expansions: &Expansions,
     instant @ Instant { time, state, .. }: &Instant<'_>,
-    contact: usize,
+    (contact, cases): (usize, &[Case]),
     touching: &Touching<1>,
 ) -> Option<(&'static str, &'static str)> {
     let Kind { sides, is_rough, is_guide, .. } = expansions.kinds[contact];
-    let [friction, restitution] = expansions.coefficients(*time, state, contact);
+    let [friction, restitution] = expansions.coefficients(*time, state, (contact, cases));
     let [gap, rate] = [touching.gap, touching.gap_rate].map(|jet| jet.sign_of(0, SLACK));
     let is_left = sides == Sides::Both && (gap, rate) != (0.0, 0.0);
     let faults = [

@@ -1,5 +1,6 @@
 //! Contacts with Coulomb friction on systems that are text: beside the program's own rough systems, closed forms, and other texts.
 
+mod belts;
 mod bounces;
 mod exact;
 mod feet;

@@ -5,7 +5,7 @@ use super::super::mode::{Case, Mode, Phase};
 use super::impact_law::{Impact, NotStruck};
 use super::letters::Quantity;
 use super::{Expansion, Expansions, Instant, Kind, ROUNDINGS, Touching, solved};
-use field::DoubleDouble;
+use field::{DoubleDouble, Scalar};
 use integrators::Real;
 use model::Sides;
 use nalgebra::DMatrix;
@@ -108,15 +108,22 @@ impl Expansions {
         }
     }
 
+    /// Letters with the cases of conditions, and no reactions.
+    fn letters_in<S: Scalar>(&self, cases: &[Case]) -> Vec<S> {
+        let value = |case: &Case| if case.fixed() == Some(true) { S::one() } else { S::zero() };
+        let mut letters: Vec<S> = cases.iter().map(value).collect();
+        letters.resize(self.letters(), S::zero());
+        letters
+    }
+
     /// A state after an impact, to all digits; none where the law does not determine it.
     pub fn struck_exactly(
         &self,
         time: DoubleDouble,
         state: &[DoubleDouble],
-        contact: usize,
+        (contact, cases): (usize, &[Case]),
     ) -> Option<Vec<DoubleDouble>> {
-        let zero = DoubleDouble::zero();
-        let all = vec![zero; self.letters()];
+        let all = self.letters_in::<DoubleDouble>(cases);
         let values = self.exact_values(time, state, &all);
         let impulses = self.impact(&values, contact).impulses().ok()?;
         let mut after = state.to_vec();
@@ -147,13 +154,13 @@ impl Expansions {
         &self,
         time: f64,
         state: &mut [f64],
-        contact: usize,
+        (contact, cases): (usize, &[Case]),
         in_touch: &[usize],
     ) -> Result<Vec<usize>, NotStruck> {
         let clock = Jet::<1>::constant(time, 0.0);
         let parts = rounded(state);
         let letters = [0, 1].map(|component| self.reaction([contact, component]));
-        let all = vec![Jet::zero(); self.letters()];
+        let all = self.letters_in::<Jet<1>>(cases);
         let values = self.values(clock, &parts, &all, &[]);
         let rounded_values: Vec<f64> = values.iter().map(|value| value.terms[0]).collect();
         let impulses = self.impact(&rounded_values, contact).impulses()?;
@@ -210,15 +217,17 @@ impl Expansions {
     }
 
     /// The coefficients of friction and restitution of a contact.
-    pub fn coefficients(&self, time: f64, state: &[f64], contact: usize) -> [f64; 2] {
-        let values = self.values(Jet::constant(time, 0.0), &rounded(state), &vec![Jet::zero(); self.letters()], &[]);
+    pub fn coefficients(&self, time: f64, state: &[f64], (contact, cases): (usize, &[Case])) -> [f64; 2] {
+        let values = self.values(Jet::constant(time, 0.0), &rounded(state), &self.letters_in(cases), &[]);
         [Quantity::Friction, Quantity::Restitution].map(|of| self.of_contact(&values, of, contact).terms[0])
     }
 
-    /// The contacts at an instant, apart.
-    pub fn contacts(&self, instant: &Instant<'_>) -> Vec<Touching<1>> {
-        let off = Mode { cases: vec![Case::Off; self.mirrored.len()], phases: vec![Phase::Apart; self.kinds.len()] };
-        self.at::<1>(instant, &off).map_or_else(Vec::new, |found| found.contacts)
+    /// The contacts at an instant, apart; gaps and velocities may depend on the cases of conditions.
+    pub fn contacts(&self, instant: &Instant<'_>, cases: &[Case]) -> Vec<Touching<1>> {
+        let settled = |case: &Case| if case.fixed() == Some(true) { Case::On } else { Case::Off };
+        let phases = vec![Phase::Apart; self.kinds.len()];
+        let mode = Mode { cases: cases.iter().map(settled).collect(), phases };
+        self.at::<1>(instant, &mode).map_or_else(Vec::new, |found| found.contacts)
     }
 
     /// The determinant of the equations for the reactions of a mode.
