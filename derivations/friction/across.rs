@@ -72,8 +72,8 @@ impl Hybrid for RoughScene {
         self.apply(OneWay { scene: self, state: regimes.start() })
     }
 
-    fn observed(&self, reference: &Reference) -> Vec<Observed> {
-        observed(&self.way().columns, reference)
+    fn observed(&self, columns: &[String], reference: &Reference) -> Vec<Observed> {
+        observed(columns, reference)
     }
 
     fn end(&self) -> f64 {

@@ -83,9 +83,9 @@ impl Hybrid for ModelScene {
         Way { formulation, model: "", standing, law, state, sizes: Vec::new(), columns, row }
     }
 
-    fn observed(&self, reference: &Reference) -> Vec<Observed> {
-        let names = self.model.state_names().into_iter().map(|(name, _)| name);
-        names.zip(&reference.sizes).map(|(name, size)| Observed { name, size: *size }).collect()
+    fn observed(&self, columns: &[String], reference: &Reference) -> Vec<Observed> {
+        let all = columns.iter().zip(&reference.sizes);
+        all.map(|(name, size)| Observed { name: name.clone(), size: *size }).collect()
     }
 
     fn end(&self) -> f64 {

@@ -33,8 +33,8 @@ pub trait Hybrid {
     /// Law after law, by any method.
     fn way(&self) -> Way;
 
-    /// What is compared, with the sizes along the motion.
-    fn observed(&self, reference: &Reference) -> Vec<Observed>;
+    /// The columns of [`Self::way`] that are compared, with their sizes along the motion.
+    fn observed(&self, columns: &[String], reference: &Reference) -> Vec<Observed>;
 
     /// The end of the run, s.
     fn end(&self) -> f64;
@@ -59,7 +59,7 @@ pub fn judged(
         return Err(Unknown::FewDigits { digits: reference.digits });
     }
     let way = scene.way();
-    let goal = Goal::of(&way.columns, &way.row, &reference, scene.observed(&reference));
+    let goal = Goal::of(&way.columns, &way.row, &reference, scene.observed(&way.columns, &reference));
     let end = reference.times.last().copied().unwrap_or(scene.end());
     Ok(Atlas::judged(vec![way], reference, &goal, end, trials))
 }

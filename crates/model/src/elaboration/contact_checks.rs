@@ -5,7 +5,7 @@ use crate::trace::Vector;
 use crate::{Contact, Fault, FrameId, Model, Sides, Trace};
 use symbolic::{Identity, Sym, apart, identified};
 
-/// What is wrong with a contact.
+/// The reason why a contact means nothing.
 #[derive(Clone, Copy)]
 enum Wrong {
     /// Friction acts in a plane.

@@ -21,7 +21,7 @@ pub(super) struct Drive {
     pub name: String,
     /// Names of currents, each with the place of its charge.
     pub currents: Vec<(String, usize)>,
-    /// Of the motor, once the bodies stand.
+    /// Angle, speed and torque of the motor, known once the bodies stand.
     angle: Option<ScalarId>,
     pub speed: Option<ScalarId>,
     torque: Option<ScalarId>,

@@ -152,7 +152,7 @@ struct Elaborator<'s> {
     currents: FxHashMap<usize, ScalarId>,
     /// For each drive the frame on which the motor sits, and that of its rotor.
     rotor_frames: Vec<(usize, FrameId, FrameId)>,
-    /// What drives act with, behind the loads of the file.
+    /// Torques and voltages of drives, which stand behind the loads of the file.
     driving: (Vec<Torque>, Vec<GeneralisedForce>),
     /// Tables with keys of another one, whose heading is missing.
     headless: Vec<(String, Fault)>,

@@ -4,7 +4,7 @@ use super::Moded;
 use integrators::Happening;
 use std::sync::Arc;
 
-/// What an event does to the state.
+/// The change that an event makes in the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sets {
     Nothing,

@@ -36,7 +36,7 @@ impl Modes {
         Ok(expansions.contacts(&instant, cases).into_iter().map(of).collect())
     }
 
-    /// What the contacts do after a fall in some phases, with the cases before it, and what has set the state: an impact changes the speeds.
+    /// The contacts after a fall in some phases, with the cases before it, and the change in the state: an impact changes the speeds.
     pub(super) fn touches_after(
         &self,
         (before, mode): (&[Case], &Mode),

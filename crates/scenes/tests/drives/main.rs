@@ -2,7 +2,7 @@
 
 mod circuits;
 mod gears;
-mod refused;
+mod refusals;
 
 use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;

@@ -2,7 +2,7 @@
 
 use super::{METHODS, close, last, runs};
 
-/// Of a planar body two press at once.
+/// Two feet of a planar body press at once.
 const FEET: usize = 12;
 
 /// A block of the mass 2 kg on many feet, pushed at a height above the floor.

@@ -7,7 +7,7 @@ mod feet;
 mod guides;
 mod impacts;
 mod ladders;
-mod refused;
+mod refusals;
 
 use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;

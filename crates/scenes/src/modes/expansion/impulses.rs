@@ -199,7 +199,7 @@ impl Expansions {
         parts.iter().fold(Jet::zero(), |sum: Jet<1>, part| sum + *part).sign_of(0, CHANGES) != 0.0
     }
 
-    /// What unit reactions, normal and tangential of each contact, add to gap'' and v' of each.
+    /// The parts that unit reactions, normal and tangential of each contact, add to gap'' and v' of each.
     pub fn responses_of_contacts(&self, Instant { time, state, .. }: &Instant<'_>) -> DMatrix<f64> {
         let letters: Vec<usize> = (0..self.kinds.len())
             .flat_map(|contact| [0, 1].map(|component| self.reaction([contact, component])))
